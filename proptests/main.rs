@@ -1,0 +1,17 @@
+//! The laws of the mechanics.
+//!
+//! Random collisions are made of small integers (`strategies.rs`), so every scalar gets the same one. In rationals a law is an equality; the f64 result then
+//! has to lie in the interval, which encloses the rational one (`scalars.rs`). No tolerance stands where an equality is available.
+//!
+//! Each law is tried on 10⁴ collisions; `PROPTEST_CASES` sets another number.
+
+mod angles;
+mod energy;
+mod errata;
+mod laws;
+mod limits;
+mod paper;
+mod refusals;
+mod scalars;
+mod strategies;
+mod symmetry;

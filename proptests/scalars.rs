@@ -1,0 +1,148 @@
+//! One definition, every scalar: the answers agree, and enclose each other where they can.
+
+use crate::strategies::{Draw, Fraction, RatioDraw, computable, config};
+use num_complex::Complex64;
+use num_dual::{Dual, Dual2_64, Dual64, DualSVec64, HyperDual64};
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use planar_impact::scalar::interval::Interval;
+use planar_impact::scalar::lanes::Lanes;
+use planar_impact::*;
+use proptest::prelude::*;
+
+/// Every number of an impact, in one order.
+fn numbers<T: Field>(impact: Impact<T>) -> Vec<T> {
+    let mut all = Vec::new();
+    impact.map(|x| all.push(x));
+    all
+}
+
+/// The greatest magnitude among them: errors are relative to it.
+fn scale(exact: &[f64]) -> f64 {
+    exact.iter().fold(1.0, |greatest, x| x.abs().max(greatest))
+}
+
+fn as_f64(impact: Impact<BigRational>) -> Vec<f64> {
+    numbers(impact).iter().map(|x| x.to_f64().expect("small integers give finite results")).collect()
+}
+
+/// Wedging is where the impulse has a pole: near it no float knows much.
+fn well_conditioned(draw: &Draw) -> bool {
+    let collision = draw.of::<f64>();
+    let contact = collision.contact();
+    let impact = collision.evaluate();
+    let ratio = impact.impulse_ratio();
+    contact.compliance.along_ratio(ratio).abs() > 1e-3 * contact.compliance.nn() && impact.impulse.length() < 1e6
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn the_interval_encloses_the_rational_and_holds_the_float(draw in computable()) {
+        let exact = numbers(draw.exact().evaluate());
+        let enclosed = numbers(draw.of::<Interval>().evaluate());
+        let float = numbers(draw.of::<f64>().evaluate());
+        for ((exact, enclosed), float) in exact.iter().zip(&enclosed).zip(&float) {
+            let rational = |x: f64| BigRational::from_float(x);
+            prop_assert!(rational(enclosed.lower()).is_none_or(|lower| &lower <= exact), "{} below {}", exact, enclosed);
+            prop_assert!(rational(enclosed.upper()).is_none_or(|upper| exact <= &upper), "{} above {}", exact, enclosed);
+            prop_assert!(!float.is_finite() || enclosed.contains(*float), "{} outside {}", float, enclosed);
+        }
+    }
+
+    #[test]
+    fn enclosures_of_a_sound_impact_are_narrow(draw in computable()) {
+        let draw = Draw { ratio: RatioDraw::Critical, ..draw };
+        let exact = as_f64(draw.exact().evaluate());
+        let enclosed = numbers(draw.of::<Interval>().evaluate());
+        let scale = scale(&exact);
+        for enclosed in enclosed {
+            prop_assert!(enclosed.width() <= 1e-9 * scale, "{} is wider than 1e-9 of {}", enclosed, scale);
+        }
+    }
+
+    #[test]
+    fn f64_is_within_a_few_roundings(draw in computable()) {
+        prop_assume!(well_conditioned(&draw));
+        let exact = as_f64(draw.exact().evaluate());
+        let float = numbers(draw.of::<f64>().evaluate());
+        let scale = scale(&exact);
+        for (exact, float) in exact.iter().zip(float) {
+            prop_assert!((exact - float).abs() <= 1e-11 * scale, "{} for {}", float, exact);
+        }
+    }
+
+    #[test]
+    fn lanes_are_four_floats(draws in [computable(), computable(), computable(), computable()]) {
+        // One law and kind of ratio in all lanes, as a sweep has.
+        let draws = draws.map(|draw| Draw { law: draws[0].law, ratio: draws[0].ratio, barrier: draws[0].barrier, ..draw });
+        let singles = draws.map(|draw| draw.of::<f64>());
+        let rows = singles.map(|collision| {
+            let mut row = Vec::new();
+            collision.map(|x| row.push(x));
+            row
+        });
+        let mut at = 0;
+        let together = singles[0].map(|_| {
+            let lanes = Lanes::new(std::array::from_fn(|lane| rows[lane][at]));
+            at += 1;
+            lanes
+        });
+        let together = numbers(together.evaluate());
+        for (lane, single) in singles.iter().enumerate() {
+            for (lanes, single) in together.iter().zip(numbers(single.evaluate())) {
+                prop_assert_eq!(lanes.to_array()[lane].to_bits(), single.to_bits());
+            }
+        }
+    }
+
+    #[test]
+    fn every_scalar_agrees_with_f64(draw in computable()) {
+        prop_assume!(well_conditioned(&draw));
+        let float = numbers(draw.of::<f64>().evaluate());
+        let scale = scale(&float);
+        let close = |other: Vec<f64>, tolerance: f64| float.iter().zip(other).all(|(a, b)| (a - b).abs() <= tolerance * scale);
+        prop_assert!(close(numbers(draw.of::<Dual64>().evaluate()).iter().map(|x| x.re).collect(), 1e-11), "Dual64");
+        prop_assert!(close(numbers(draw.of::<DualSVec64<3>>().evaluate()).iter().map(|x| x.re).collect(), 1e-11), "DualSVec64");
+        prop_assert!(close(numbers(draw.of::<HyperDual64>().evaluate()).iter().map(|x| x.re).collect(), 1e-11), "HyperDual64");
+        prop_assert!(close(numbers(draw.of::<Dual2_64>().evaluate()).iter().map(|x| x.re).collect(), 1e-11), "Dual2_64");
+        prop_assert!(close(numbers(draw.of::<Dual<Dual64>>().evaluate()).iter().map(|x| x.re.re).collect(), 1e-11), "nested dual");
+    }
+
+    #[test]
+    fn f32_agrees_to_its_precision(draw in computable()) {
+        let draw = Draw { ratio: RatioDraw::Critical, ..draw };
+        prop_assume!(draw.of::<f64>().contact().compliance.determinant() > &1e-4);
+        let float = numbers(draw.of::<f64>().evaluate());
+        let scale = scale(&float);
+        for (exact, single) in float.iter().zip(numbers(draw.of::<f32>().evaluate())) {
+            prop_assert!((exact - f64::from(single)).abs() <= 1e-3 * scale);
+        }
+    }
+
+    #[test]
+    fn complex_step_dual_and_difference_agree(draw in computable(), eighths in 1..=7_i32) {
+        // ∂/∂e of everything at the critical ratio. Complex numbers have no order, so they take the field's functions alone.
+        let draw = Draw { ratio: RatioDraw::Critical, restitution: Fraction(eighths, 8), law: Law::Brach, ..draw };
+        let e = f64::from(eighths) / 8.0;
+        let through = |collision: Collision<Complex64>| {
+            let contact = collision.contact();
+            let change = Law::Brach.change(contact.approach, collision.restitution);
+            numbers(collision.impact_of(&contact, contact.compliance.impulse_for(change), None))
+        };
+        let step = 1e-100;
+        let complex: Vec<f64> =
+            through(Collision { restitution: Complex64::new(e, step), ..draw.of() }).iter().map(|x| x.im / step).collect();
+        let dual = numbers(Collision { restitution: Dual64::new(e, 1.0), ..draw.of() }.evaluate());
+        let at = |e: f64| numbers(Collision { restitution: e, ..draw.of::<f64>() }.evaluate());
+        let (high, low) = (at(e + 1e-5), at(e - 1e-5));
+        let scale = scale(&high);
+        for (i, dual) in dual.iter().enumerate() {
+            prop_assert!((dual.eps - complex[i]).abs() <= 1e-10 * scale, "number {}: {} by dual, {} by complex step", i, dual.eps, complex[i]);
+            // The results are quadratic in e, so a central difference is exact but for rounding.
+            let difference = (high[i] - low[i]) / 2e-5;
+            prop_assert!((dual.eps - difference).abs() <= 1e-7 * scale, "number {}: {} by dual, {} by difference", i, dual.eps, difference);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Two bodies at the impact center: how they approach each other there, and how they part after an impulse.
+
+use crate::body::Body;
+use crate::compliance::Compliance;
+use crate::frame::Nt;
+use crate::scalar::Field;
+
+/// The contact between two bodies, before the impact.
+///
+/// The impulse P acts on body one, −P on body two. Relative quantities are those of body two less those of body one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<T = f64> {
+    /// Body one.
+    pub one: Body<T>,
+    /// Body two.
+    pub two: Body<T>,
+    /// How readily they yield to an impulse at the impact center.
+    pub compliance: Compliance<T>,
+    /// Relative velocity at the impact center before the impact, v_2C − v_1C.
+    pub approach: Nt<T>,
+}
+
+impl<T: Field> Contact<T> {
+    /// Of two bodies.
+    #[inline(always)]
+    pub fn between(one: Body<T>, two: Body<T>) -> Self {
+        let compliance = Compliance::between(&one, &two);
+        let approach = two.velocity_at_center() - one.velocity_at_center();
+        Contact { one, two, compliance, approach }
+    }
+
+    /// Relative velocity at the impact center after an impulse, V = v − K P.
+    #[inline(always)]
+    pub fn separation(&self, impulse: Nt<T>) -> Nt<T> {
+        self.approach.clone() - self.compliance.yield_to(impulse)
+    }
+
+    /// From the center of mass of body one to that of body two. A barrier's reference point is the impact center.
+    #[inline(always)]
+    pub fn offset(&self) -> Nt<T> {
+        self.one.arm.clone() - self.two.arm.clone()
+    }
+
+    /// The energy lost to an impulse, T_L = P·v − ½ P·K P: a concave function of the impulse, whose peak is the [loss at common
+    /// velocity](Contact::greatest_loss).
+    #[inline(always)]
+    pub fn loss(&self, impulse: Nt<T>) -> T {
+        impulse.clone().dot((self.approach.clone() + self.separation(impulse)).half())
+    }
+
+    /// The impulse after which the bodies have a common velocity at the impact center, K⁻¹ v. It is that of e = 0 and μ = μ₀.
+    #[inline(always)]
+    pub fn common_velocity_impulse(&self) -> Nt<T> {
+        self.compliance.impulse_for(self.approach.clone())
+    }
+
+    /// The greatest loss that any impulse can bring, ½ v·K⁻¹v, at common velocity. It does not depend on Γ.
+    #[inline(always)]
+    pub fn greatest_loss(&self) -> T {
+        self.approach.clone().dot(self.common_velocity_impulse()).half()
+    }
+}
+
+impl<T: Field> Nt<T> {
+    #[inline(always)]
+    fn half(self) -> Self {
+        Nt { n: self.n.half(), t: self.t.half() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mass(inverse_mass: f64, velocity: Nt) -> Body {
+        Body { inverse_mass, inverse_yaw_inertia: 1.0, arm: Nt::zero(), velocity, yaw_rate: 0.0 }
+    }
+
+    #[test]
+    fn two_equal_point_masses_meet() {
+        let contact = Contact::between(mass(1.0, Nt { n: 3.0, t: 0.0 }), mass(1.0, Nt { n: -1.0, t: 0.0 }));
+        assert_eq!(contact.approach, Nt { n: -4.0, t: 0.0 });
+        let impulse = contact.common_velocity_impulse();
+        assert_eq!(impulse, Nt { n: -2.0, t: 0.0 });
+        assert_eq!(contact.separation(impulse), Nt::zero());
+        assert_eq!(contact.greatest_loss(), 4.0);
+        assert_eq!(contact.loss(impulse), 4.0);
+        assert_eq!(contact.loss(impulse * 2.0), 0.0);
+        assert_eq!(contact.loss(impulse * 3.0), -12.0);
+    }
+}

@@ -1,0 +1,159 @@
+//! The laws that choose an impulse: how far it goes, and in which direction.
+//!
+//! Restitution fixes the normal separation velocity, V_n = −e v_n (A7). For the tangential part a **law** says which impulse ends the tangential
+//! process (the *sticking* impulse), and a **ratio** says how much of it takes place:
+//!
+//! | law | sticking impulse | tangential separation velocity |
+//! |---|---|---|
+//! | [`Law::Brach`], the paper's | K P = ((1 + e) v_n, v_t) | 0: sliding ends |
+//! | [`Law::KudlichSlibar`] | K P = (1 + e) (v_n, v_t) | −e v_t: restitution holds for both components |
+//!
+//! The two agree at e = 0. The paper's P_t/P_n of the first is the critical impulse ratio μ₀ (A27).
+
+use crate::compliance::Compliance;
+use crate::frame::Nt;
+use crate::scalar::{Field, Ordered};
+
+/// Which impulse ends the tangential process.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Law {
+    /// The paper's: sliding has ended at separation.
+    #[default]
+    Brach,
+    /// That of PC-Crash and Virtual CRASH, and of Carpenter and Welcher: restitution multiplies both components of the common-velocity impulse.
+    KudlichSlibar,
+}
+
+/// How the tangential impulse follows from the normal one, μ = P_t/P_n (A8).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum ImpulseRatio<T = f64> {
+    /// The law's own: the sticking impulse. With [`Law::Brach`] μ = μ₀.
+    #[default]
+    Critical,
+    /// A given μ, signed, between 0 and the critical ratio.
+    Given(T),
+    /// A fraction of the critical ratio, from 0 to 1.
+    OfCritical(T),
+    /// Critical, unless its magnitude is above this coefficient of friction: then the bodies slide throughout, at this ratio, the way the sticking
+    /// impulse points.
+    LimitedByFriction(T),
+}
+
+impl Law {
+    /// The change of relative velocity that the sticking impulse brings.
+    #[inline(always)]
+    pub fn change<T: Field>(self, approach: Nt<T>, restitution: T) -> Nt<T> {
+        let both = T::int(1) + restitution;
+        match self {
+            Law::Brach => Nt { n: both * approach.n, t: approach.t },
+            Law::KudlichSlibar => approach * both,
+        }
+    }
+}
+
+impl<T> ImpulseRatio<T> {
+    /// The same ratio on another scalar.
+    #[inline(always)]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> ImpulseRatio<U> {
+        match self {
+            ImpulseRatio::Critical => ImpulseRatio::Critical,
+            ImpulseRatio::Given(ratio) => ImpulseRatio::Given(f(ratio)),
+            ImpulseRatio::OfCritical(fraction) => ImpulseRatio::OfCritical(f(fraction)),
+            ImpulseRatio::LimitedByFriction(friction) => ImpulseRatio::LimitedByFriction(f(friction)),
+        }
+    }
+}
+
+impl<T: Ordered> ImpulseRatio<T> {
+    /// The impulse of this ratio, where the sticking impulse would bring the change `change` of relative velocity.
+    #[inline(always)]
+    pub fn impulse(&self, compliance: &Compliance<T>, change: Nt<T>) -> Nt<T> {
+        match self {
+            ImpulseRatio::Critical => compliance.impulse_for(change),
+            ImpulseRatio::Given(ratio) => impulse_at_ratio(compliance, change.n, ratio.clone()),
+            ImpulseRatio::OfCritical(fraction) => {
+                let sticking = compliance.impulse_for(change.clone());
+                let ratio = fraction.clone() * sticking.t / sticking.n;
+                impulse_at_ratio(compliance, change.n, ratio)
+            }
+            ImpulseRatio::LimitedByFriction(friction) => limited_by_friction(compliance, change, friction.clone()),
+        }
+    }
+}
+
+/// The impulse at a given ratio that brings a given change of normal velocity: P_n = change/(K_nn + μ K_nt), P_t = μ P_n (A1, A2, A14).
+#[inline(always)]
+pub fn impulse_at_ratio<T: Field>(compliance: &Compliance<T>, normal_change: T, ratio: T) -> Nt<T> {
+    let n = normal_change / compliance.along_ratio(ratio.clone());
+    Nt { t: ratio * n.clone(), n }
+}
+
+/// The sticking impulse, unless it lies outside the friction cone: then the impulse on the edge of the cone that has the same normal change.
+///
+/// On the way from no tangential impulse to the sticking one the ratio leaves the cone where the magnitude of the tangential part passes the friction
+/// coefficient times the compression; that point always exists and divides by nothing, even where the sticking impulse would pull.
+#[inline(always)]
+pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>, friction: T) -> Nt<T> {
+    let sticking = compliance.impulse_for(change.clone());
+    let compression = sticking.n.clone() * change.n.clone();
+    let side = sticking.t.clone() * change.n.clone();
+    let slides = (friction.clone() * compression).less(&side.clone().magnitude());
+    let edge = T::select(side.less(&T::int(0)), -friction.clone(), friction);
+    let ratio = T::select(slides.clone(), edge, T::int(0));
+    let sliding = impulse_at_ratio(compliance, change.n, ratio);
+    Nt { n: T::select(slides.clone(), sliding.n, sticking.n), t: T::select(slides, sliding.t, sticking.t) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+
+    /// K = [[0.75, 0.5], [0.5, 1.5]].
+    fn compliance() -> Compliance {
+        let body = Body { inverse_mass: 0.5, inverse_yaw_inertia: 0.25, arm: Nt { n: 2.0, t: -1.0 }, velocity: Nt::zero(), yaw_rate: 0.0 };
+        Compliance::between(&body, &Body::fixed())
+    }
+
+    #[test]
+    fn the_laws_differ_by_the_restitution_of_the_tangential_part() {
+        let approach = Nt { n: -8.0, t: 4.0 };
+        assert_eq!(Law::Brach.change(approach, 0.25), Nt { n: -10.0, t: 4.0 });
+        assert_eq!(Law::KudlichSlibar.change(approach, 0.25), Nt { n: -10.0, t: 5.0 });
+        assert_eq!(Law::Brach.change(approach, 0.0), Law::KudlichSlibar.change(approach, 0.0));
+    }
+
+    #[test]
+    fn the_ratio_chooses_along_one_line() {
+        let (k, change) = (compliance(), Nt { n: -7.0, t: -7.0 });
+        let sticking = ImpulseRatio::Critical.impulse(&k, change);
+        assert_eq!(sticking, Nt { n: -8.0, t: -2.0 });
+        assert_eq!(ImpulseRatio::Given(0.25).impulse(&k, change), sticking);
+        assert_eq!(ImpulseRatio::OfCritical(1.0).impulse(&k, change), sticking);
+        let half = ImpulseRatio::OfCritical(0.5).impulse(&k, change);
+        assert_eq!(half.t / half.n, 0.125);
+        assert_eq!(k.yield_to(half).n, change.n);
+        assert_eq!(ImpulseRatio::Given(0.0).impulse(&k, change), Nt { n: -7.0 / 0.75, t: -0.0 });
+    }
+
+    #[test]
+    fn friction_limits_only_outside_its_cone() {
+        let (k, change) = (compliance(), Nt { n: -7.0, t: -7.0 });
+        let sticking = ImpulseRatio::Critical.impulse(&k, change);
+        assert_eq!(ImpulseRatio::LimitedByFriction(0.25).impulse(&k, change), sticking);
+        assert_eq!(ImpulseRatio::LimitedByFriction(1.0).impulse(&k, change), sticking);
+        let sliding = ImpulseRatio::LimitedByFriction(0.125).impulse(&k, change);
+        assert_eq!(sliding, ImpulseRatio::Given(0.125).impulse(&k, change));
+        let other_way = Nt { n: -7.0, t: 70.0 };
+        assert_eq!(ImpulseRatio::LimitedByFriction(0.125).impulse(&k, other_way), ImpulseRatio::Given(-0.125).impulse(&k, other_way));
+    }
+
+    #[test]
+    fn friction_slides_where_sticking_would_pull() {
+        // K⁻¹ (−1, −7) = (2.29, −5.43): sticking would pull the bodies together.
+        let (k, change) = (compliance(), Nt { n: -1.0, t: -7.0 });
+        assert!(k.impulse_for(change).n > 0.0);
+        let sliding = ImpulseRatio::LimitedByFriction(0.5).impulse(&k, change);
+        assert_eq!(sliding, Nt { n: -1.0, t: -0.5 });
+    }
+}

@@ -1,0 +1,292 @@
+//! What a number must be able to do, in three rungs.
+//!
+//! | rung | when to use it | who climbs it |
+//! |---|---|---|
+//! | [`Field`] | everything that is only + − × ÷: the whole of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
+//! | [`Ordered`] | where two numbers must be compared and one of two answers taken: the friction limit | all of these but complex numbers |
+//! | [`Real`] | where an angle comes in, or a magnitude or a direction goes out | floats, dual numbers, lanes |
+//!
+//! A function asks for the lowest rung that it needs. Every rung but the last is a blanket implementation over
+//! `num-traits` and `core`, so a number type from elsewhere needs no line of code here.
+//!
+//! # Why it is so
+//!
+//! **Why not `Copy`?** Rationals and heap-allocated duals are not. Arguments are taken by value and cloned only where they are used twice;
+//! for a `Copy` type that costs nothing.
+//!
+//! **Why [`Inv`](num_traits::Inv)?** It is what keeps the integers out: they have all four operations, and would answer a wrong impulse without a word.
+//!
+//! **Why no `Zero` or `One`?** `is_zero` has no honest answer on four lanes or on an interval. Small integers come from [`Field::int`].
+//!
+//! **Why a mask?** Four lanes compare four ways at once, and two overlapping intervals cannot be compared at all. A mask that selects serves them both:
+//! lane by lane, or the hull of both answers.
+//!
+//! **Why `libm`?** The sine of the standard library differs between platforms in its last bit. Through `libm` the same input gives the same bits everywhere.
+//!
+//! **Why no decimal literals?** `0.1` is not the same number on every scalar. Measured constants are arguments.
+
+pub mod interval;
+#[cfg(feature = "lanes")]
+pub mod lanes;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use num_traits::{FromPrimitive, Inv};
+
+/// A field: closed under the four operations, with the small integers in it.
+///
+/// It is implemented for everything that meets its supertraits. Integers do not:
+///
+/// ```compile_fail,E0277
+/// // ½ of 3 kg·m/s would be 1, if integers were allowed:
+/// let work = planar_impact::energy::work(3, 1, 0);
+/// ```
+///
+/// ```
+/// let work = planar_impact::energy::work(3.0, 1.0, 0.0);
+/// assert_eq!(work, -1.5);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a field that the mechanics can be computed in",
+    note = "integers are not: use a float, a rational, a dual number, lanes or an interval"
+)]
+pub trait Field:
+    Clone
+    + FromPrimitive
+    + Neg<Output = Self>
+    + Inv<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+{
+    /// The integer `n` as an element of the field.
+    #[inline(always)]
+    fn int(n: i32) -> Self {
+        Self::from_i32(n).expect("every field contains the small integers")
+    }
+
+    /// Half of it.
+    #[inline(always)]
+    fn half(self) -> Self {
+        self * (Self::int(1) / Self::int(2))
+    }
+
+    /// Its square.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self.clone() * self
+    }
+}
+
+impl<T> Field for T where
+    T: Clone + FromPrimitive + Neg<Output = T> + Inv<Output = T> + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>
+{
+}
+
+/// A field whose elements can be compared, and the answer used to select.
+pub trait Ordered: Field {
+    /// What a comparison answers: `bool` for one number, a mask for lanes, three-valued for intervals.
+    type Mask: Clone;
+
+    /// Where `self < other`.
+    fn less(&self, other: &Self) -> Self::Mask;
+
+    /// `yes` where the mask holds, `no` elsewhere; of an undecided interval the hull of both.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The absolute value.
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        let mask = self.less(&Self::int(0));
+        Self::select(mask, -self.clone(), self)
+    }
+}
+
+impl<T: Field + PartialOrd> Ordered for T {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn less(&self, other: &Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
+
+/// An ordered field with the square root and the circular functions.
+///
+/// Floats and dual numbers take sine, cosine and arctangent from `libm`, so a result has the same bits on every platform, and the real part of a
+/// dual number is the float.
+pub trait Real: Ordered {
+    /// The square root.
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle of the direction (`x`, `self`), in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+}
+
+/// The functions of a primitive float that the platform does not fix.
+trait Portable: Sized {
+    fn portable_sin_cos(self) -> (Self, Self);
+    fn portable_atan2(self, x: Self) -> Self;
+}
+
+impl Portable for f64 {
+    #[inline(always)]
+    fn portable_sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+
+    #[inline(always)]
+    fn portable_atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+}
+
+impl Portable for f32 {
+    #[inline(always)]
+    fn portable_sin_cos(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+
+    #[inline(always)]
+    fn portable_atan2(self, x: Self) -> Self {
+        libm::atan2f(self, x)
+    }
+}
+
+#[cfg(feature = "dual")]
+mod dual {
+    use super::{Portable, Real};
+    use num_dual::{DualNum, DualStruct};
+
+    // The bound on the primitive is private on purpose: num-dual has two primitives, and both meet it.
+    #[allow(private_bounds)]
+    impl<T> Real for T
+    where
+        T: DualNum + DualStruct<Real = <T as DualNum>::Primitive>,
+        <T as DualNum>::Primitive: Portable,
+    {
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            DualNum::sqrt(&self)
+        }
+
+        /// Through the addition theorem about the real part: `self` less its real part is exactly zero there, where sine and cosine are exact on
+        /// every platform, and carries only the derivatives.
+        #[inline(always)]
+        fn sin_cos(self) -> (Self, Self) {
+            let re = self.re();
+            let (sin, cos) = re.portable_sin_cos();
+            let (sin, cos) = (T::from(sin), T::from(cos));
+            if T::NDERIV == 0 {
+                return (sin, cos);
+            }
+            let (sin_rest, cos_rest) = DualNum::sin_cos(&(self - T::from(re)));
+            (sin.clone() * cos_rest.clone() + cos.clone() * sin_rest.clone(), cos * cos_rest - sin * sin_rest)
+        }
+
+        /// The angle of the real parts, and that from there to the full number, which is zero but for its derivatives.
+        #[inline(always)]
+        fn atan2(self, x: Self) -> Self {
+            let (y_re, x_re) = (self.re(), x.re());
+            let angle = T::from(y_re.portable_atan2(x_re));
+            if T::NDERIV == 0 {
+                return angle;
+            }
+            let (y_re, x_re) = (T::from(y_re), T::from(x_re));
+            let across = self.clone() * x_re.clone() - x.clone() * y_re.clone();
+            let along = x * x_re + self * y_re;
+            angle + DualNum::atan2(&across, along)
+        }
+    }
+}
+
+#[cfg(not(feature = "dual"))]
+mod float {
+    use super::{Portable, Real};
+
+    macro_rules! real {
+        ($float:ty, $sqrt:path) => {
+            impl Real for $float {
+                #[inline(always)]
+                fn sqrt(self) -> Self {
+                    $sqrt(self)
+                }
+
+                #[inline(always)]
+                fn sin_cos(self) -> (Self, Self) {
+                    self.portable_sin_cos()
+                }
+
+                #[inline(always)]
+                fn atan2(self, x: Self) -> Self {
+                    self.portable_atan2(x)
+                }
+            }
+        };
+    }
+    real!(f32, libm::sqrtf);
+    real!(f64, libm::sqrt);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn magnitude_takes_the_sign_off() {
+        assert_eq!((-3.0).magnitude(), 3.0);
+        assert_eq!(3.0_f32.magnitude(), 3.0);
+    }
+
+    #[test]
+    fn half_and_square_are_exact() {
+        assert_eq!(3.0.half(), 1.5);
+        assert_eq!(1.5.squared(), 2.25);
+    }
+
+    #[cfg(feature = "dual")]
+    mod dual {
+        use super::*;
+        use num_dual::{Dual2_64, Dual64, HyperDual64};
+
+        #[test]
+        fn real_parts_are_the_bits_of_the_float() {
+            for i in -40..40 {
+                let a = 0.37 * f64::from(i);
+                let (s, c) = Real::sin_cos(a);
+                let (ds, dc) = Real::sin_cos(HyperDual64::from(a).derivative1().derivative2());
+                assert_eq!((s.to_bits(), c.to_bits()), (ds.re.to_bits(), dc.re.to_bits()));
+                let t = Real::atan2(s, c);
+                let dt = Real::atan2(ds, dc);
+                assert_eq!(t.to_bits(), dt.re.to_bits());
+            }
+        }
+
+        #[test]
+        fn derivatives_of_the_circle() {
+            let a = 1.1;
+            let (s, c) = Real::sin_cos(Dual2_64::new(a, 1.0, 0.0));
+            assert!((s.v1 - a.cos()).abs() < 1e-15 && (s.v2 + a.sin()).abs() < 1e-15);
+            assert!((c.v1 + a.sin()).abs() < 1e-15 && (c.v2 + a.cos()).abs() < 1e-15);
+            let back = Real::atan2(s, c);
+            assert!((back.re - a).abs() < 1e-15 && (back.v1 - 1.0).abs() < 1e-15 && back.v2.abs() < 1e-14);
+        }
+
+        #[test]
+        fn nested_duals_differentiate_twice() {
+            use num_dual::Dual;
+            let a = 0.7;
+            let x = Dual::new(Dual64::new(a, 1.0), Dual64::new(1.0, 0.0));
+            let (s, _) = Real::sin_cos(x);
+            assert!((s.eps.eps + a.sin()).abs() < 1e-15);
+        }
+    }
+}

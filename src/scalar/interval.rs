@@ -1,0 +1,313 @@
+//! Intervals that are guaranteed to hold the exact result.
+//!
+//! One law: if x ∈ X and y ∈ Y then x ∘ y ∈ X ∘ Y, for each of the four operations, the square root and [`Ordered::select`]. Each bound is computed
+//! in f64, which rounds correctly, and then moved one float outward; so rounding can only widen an interval.
+//!
+//! Enclosures are valid and not always sharp: an argument that stands twice in a formula counts as two. There is no sine of an interval, because no
+//! sine that runs everywhere comes with a proven bound; give an axis by its [half-tangent](crate::CrushPlane::from_half_tangent), which is rigorous.
+
+use super::Ordered;
+use core::fmt;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use num_traits::{FromPrimitive, Inv};
+
+/// A closed interval of real numbers, possibly unbounded.
+///
+/// ```
+/// use planar_impact::scalar::interval::Interval;
+/// let third = Interval::from(1.0) / Interval::from(3.0);
+/// assert!(third.contains(1.0 / 3.0) && third.width() < 2e-16);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    lower: f64,
+    upper: f64,
+}
+
+impl Interval {
+    /// All real numbers: what is known of a result of which nothing is known.
+    pub const ENTIRE: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
+
+    /// From the lower to the upper bound. None if they are not in order, are not numbers, or hold no real number between them.
+    #[inline]
+    pub fn new(lower: f64, upper: f64) -> Option<Self> {
+        (lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY).then_some(Interval { lower, upper })
+    }
+
+    /// The lower bound.
+    #[inline]
+    pub fn lower(&self) -> f64 {
+        self.lower
+    }
+
+    /// The upper bound.
+    #[inline]
+    pub fn upper(&self) -> f64 {
+        self.upper
+    }
+
+    /// Upper less lower bound, rounded.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.upper - self.lower
+    }
+
+    /// Whether the number lies in it.
+    #[inline]
+    pub fn contains(&self, x: f64) -> bool {
+        self.lower <= x && x <= self.upper
+    }
+
+    /// Whether the other interval lies in it.
+    #[inline]
+    pub fn encloses(&self, other: &Self) -> bool {
+        self.lower <= other.lower && other.upper <= self.upper
+    }
+
+    /// The least interval that holds both.
+    #[inline]
+    pub fn hull(self, other: Self) -> Self {
+        Interval { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
+    }
+
+    /// The square roots of its numbers that have one. None if none has.
+    #[inline]
+    pub fn sqrt(self) -> Option<Self> {
+        (self.upper >= 0.0)
+            .then(|| Interval { lower: libm::sqrt(self.lower.max(0.0)).next_down().max(0.0), upper: libm::sqrt(self.upper).next_up() })
+    }
+
+    /// Bounds computed to nearest, moved outward. A bound that is not a number came from infinities and bounds nothing.
+    #[inline]
+    fn outward(lower: f64, upper: f64) -> Self {
+        Interval {
+            lower: if lower.is_nan() { f64::NEG_INFINITY } else { lower.next_down() },
+            upper: if upper.is_nan() { f64::INFINITY } else { upper.next_up() },
+        }
+    }
+}
+
+/// The product of two bounds, where an infinite bound times zero is zero: the bound is never attained.
+#[inline]
+fn bound(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
+}
+
+impl From<f64> for Interval {
+    /// The number alone; all real numbers for what is not a finite number.
+    #[inline]
+    fn from(x: f64) -> Self {
+        if x.is_finite() { Interval { lower: x, upper: x } } else { Interval::ENTIRE }
+    }
+}
+
+impl FromPrimitive for Interval {
+    #[inline]
+    fn from_i32(n: i32) -> Option<Self> {
+        Some(f64::from(n).into())
+    }
+
+    #[inline]
+    fn from_i64(n: i64) -> Option<Self> {
+        let near = n as f64;
+        Some(if near as i128 == i128::from(n) { near.into() } else { Interval::outward(near, near) })
+    }
+
+    #[inline]
+    fn from_u64(n: u64) -> Option<Self> {
+        let near = n as f64;
+        Some(if near as u128 == u128::from(n) { near.into() } else { Interval::outward(near, near) })
+    }
+
+    #[inline]
+    fn from_f64(x: f64) -> Option<Self> {
+        x.is_finite().then(|| x.into())
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Interval { lower: -self.upper, upper: -self.lower }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Interval::outward(self.lower + other.lower, self.upper + other.upper)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Interval::outward(self.lower - other.upper, self.upper - other.lower)
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let a = bound(self.lower, other.lower);
+        let b = bound(self.lower, other.upper);
+        let c = bound(self.upper, other.lower);
+        let d = bound(self.upper, other.upper);
+        Interval::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+    }
+}
+
+impl Inv for Interval {
+    type Output = Self;
+    #[inline]
+    fn inv(self) -> Self {
+        Interval::from(1.0) / self
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+    /// All real numbers where the divisor may be zero.
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        if other.contains(0.0) {
+            return Interval::ENTIRE;
+        }
+        let a = self.lower / other.lower;
+        let b = self.lower / other.upper;
+        let c = self.upper / other.lower;
+        let d = self.upper / other.upper;
+        if a.is_nan() || b.is_nan() || c.is_nan() || d.is_nan() {
+            return Interval::ENTIRE;
+        }
+        Interval::outward(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+    }
+}
+
+impl Ordered for Interval {
+    /// None where the intervals overlap, so that some pairs are in order and some are not.
+    type Mask = Option<bool>;
+
+    #[inline]
+    fn less(&self, other: &Self) -> Option<bool> {
+        if self.upper < other.lower {
+            Some(true)
+        } else if other.upper <= self.lower {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    #[inline]
+    fn select(mask: Option<bool>, yes: Self, no: Self) -> Self {
+        match mask {
+            Some(true) => yes,
+            Some(false) => no,
+            None => yes.hull(no),
+        }
+    }
+}
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "[{}, {}]", self.lower, self.upper)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(lower: f64, upper: f64) -> Interval {
+        Interval::new(lower, upper).expect("in order")
+    }
+
+    #[test]
+    fn bounds_out_of_order_make_no_interval() {
+        assert_eq!(Interval::new(1.0, 0.0), None);
+        assert_eq!(Interval::new(f64::NAN, 0.0), None);
+        assert_eq!(Interval::new(f64::INFINITY, f64::INFINITY), None);
+        assert_eq!(Interval::new(f64::NEG_INFINITY, f64::NEG_INFINITY), None);
+        assert!(Interval::new(1.0, 1.0).is_some());
+    }
+
+    #[test]
+    fn rounding_widens() {
+        let tenth = Interval::from(1.0) / Interval::from(10.0);
+        assert!(tenth.lower() < 0.1 && 0.1 < tenth.upper());
+        assert_eq!(tenth.lower(), 0.1_f64.next_down());
+        assert_eq!(tenth.upper(), 0.1_f64.next_up());
+    }
+
+    #[test]
+    fn every_corner_is_enclosed() {
+        let bounds = [-3.0, -0.5, 0.0, 0.25, 7.0];
+        for (i, &a) in bounds.iter().enumerate() {
+            for &b in &bounds[i..] {
+                for (j, &c) in bounds.iter().enumerate() {
+                    for &d in &bounds[j..] {
+                        let (x, y) = (of(a, b), of(c, d));
+                        for (p, q) in [(a, c), (a, d), (b, c), (b, d)] {
+                            assert!((x + y).contains(p + q));
+                            assert!((x - y).contains(p - q));
+                            assert!((x * y).contains(p * q));
+                            assert!(q == 0.0 || (x / y).contains(p / q));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn unbounded_operands_bound_what_they_can() {
+        let half_line = of(0.0, f64::INFINITY);
+        assert!((half_line * of(0.0, 0.0)).contains(0.0));
+        assert_eq!((half_line * of(2.0, 3.0)).upper(), f64::INFINITY);
+        assert!((half_line * of(2.0, 3.0)).lower() > -1e-300);
+        assert_eq!(half_line - half_line, Interval::ENTIRE);
+        assert_eq!(of(1.0, 2.0) / of(-1.0, 1.0), Interval::ENTIRE);
+        assert_eq!(of(1.0, f64::INFINITY) / of(1.0, f64::INFINITY), Interval::ENTIRE);
+        assert_eq!(Interval::from(f64::NAN), Interval::ENTIRE);
+        assert_eq!(Interval::from_f64(f64::NAN), None);
+    }
+
+    #[test]
+    fn overflow_keeps_the_largest_float_below() {
+        let big = Interval::from(f64::MAX) + Interval::from(f64::MAX);
+        assert_eq!(big, of(f64::MAX, f64::INFINITY));
+    }
+
+    #[test]
+    fn integers_beyond_the_mantissa_are_enclosed() {
+        let n = (1_i64 << 53) + 1;
+        let enclosed = Interval::from_i64(n).expect("an integer");
+        assert!(enclosed.lower() < enclosed.upper());
+        assert!(enclosed.lower() as i64 <= n && n <= enclosed.upper() as i64);
+        assert_eq!(Interval::from_u64(7), Some(7.0.into()));
+        assert!(Interval::from_u64(u64::MAX).is_some_and(|i| i.width() > 0.0));
+    }
+
+    #[test]
+    fn an_undecided_comparison_selects_the_hull() {
+        let (yes, no) = (Interval::from(1.0), Interval::from(2.0));
+        assert_eq!(Interval::select(of(0.0, 2.0).less(&of(1.0, 3.0)), yes, no), of(1.0, 2.0));
+        assert_eq!(Interval::select(of(0.0, 1.0).less(&of(2.0, 3.0)), yes, no), yes);
+        assert_eq!(Interval::select(of(2.0, 3.0).less(&of(0.0, 2.0)), yes, no), no);
+        assert_eq!(of(1.0, 2.0).less(&of(2.0, 3.0)), None);
+        assert_eq!(of(-1.0, 2.0).magnitude(), of(-2.0, 2.0));
+    }
+
+    #[test]
+    fn roots() {
+        assert_eq!(of(-2.0, -1.0).sqrt(), None);
+        let root = of(-1.0, 4.0).sqrt().expect("4 has a root");
+        assert!(root.contains(0.0) && root.contains(2.0) && root.lower() == 0.0);
+        assert!(of(0.0, 1.0).encloses(&of(0.5, 1.0)) && !of(0.0, 1.0).encloses(&of(0.5, 1.5)));
+    }
+}
