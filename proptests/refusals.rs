@@ -185,6 +185,10 @@ fn the_critical_ratio_itself_is_not_beyond_it() {
     let critical = sound().evaluate().critical_impulse_ratio();
     assert!(critical.abs() > 1e-3);
     assert!(Collision { impulse_ratio: ImpulseRatio::Given(critical), ..sound() }.solve().is_ok());
+    for fraction in [1.25, -0.25] {
+        let ratio = fraction * critical;
+        assert_eq!(refused(|c| c.impulse_ratio = ImpulseRatio::OfCritical(fraction)), [Refusal::BeyondCritical { ratio, critical }]);
+    }
     for ratio in [critical * 1.000_001, -critical * 0.1] {
         let reasons = refused(|c| c.impulse_ratio = ImpulseRatio::Given(ratio));
         assert_eq!(reasons, [Refusal::BeyondCritical { ratio, critical }]);

@@ -16,7 +16,7 @@ use crate::vehicle::{Motion, Party};
 /// ```
 /// use planar_impact::*;
 ///
-/// let car = Vehicle {
+/// let car: Vehicle = Vehicle {
 ///     mass: 1500.0,
 ///     yaw_inertia: 2500.0,
 ///     heading: Heading::from_angle(0.0),

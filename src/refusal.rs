@@ -200,6 +200,10 @@ fn is_positive<T: Ordered<Mask = bool>>(x: &T) -> bool {
     T::int(0).less(x)
 }
 
+fn is_zero<T: Ordered<Mask = bool>>(x: &T) -> bool {
+    !is_positive(x) && !x.less(&T::int(0))
+}
+
 fn sum_of_magnitudes<T: Ordered>(v: &Nt<T>) -> T {
     v.n.clone().magnitude() + v.t.clone().magnitude()
 }
@@ -315,7 +319,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         match &self.impulse_ratio {
             ImpulseRatio::Critical => (),
             ImpulseRatio::Given(ratio) => drop(findings.finite("contact.impulse_ratio", ratio)),
-            ImpulseRatio::OfCritical(fraction) => findings.within("contact.impulse_ratio.of_critical", fraction, 0, Some(1)),
+            ImpulseRatio::OfCritical(fraction) => drop(findings.finite("contact.impulse_ratio.of_critical", fraction)),
             ImpulseRatio::LimitedByFriction(friction) => findings.within("contact.friction", friction, 0, None),
         }
         match &self.moment {
@@ -353,13 +357,27 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
                     return Err(Refusals([Refusal::Tensile { normal, reason: Tension::Wedges }].into()));
                 }
             }
-            ImpulseRatio::OfCritical(_) => {
-                let critical = Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() };
-                self.check_push(contact, &critical.impulse(contact).0)?;
+            ImpulseRatio::OfCritical(fraction) => {
+                let sticking = self.sticking_impulse(contact);
+                // None of it at all is none of it, even where the whole would pull.
+                let none = is_zero(fraction) && !is_zero(&sticking.n);
+                if !none {
+                    self.check_push(contact, &sticking)?;
+                }
+                if fraction.less(&T::int(0)) || T::int(1).less(fraction) {
+                    let critical = sticking.t / sticking.n;
+                    let ratio = fraction.clone() * critical.clone();
+                    return Err(Refusals([Refusal::BeyondCritical { ratio, critical }].into()));
+                }
             }
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
         Ok(())
+    }
+
+    /// The impulse that ends the tangential process, whichever ratio is in force.
+    fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
+        Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
     }
 
     /// The impulse must push body one away from body two, as the approach does.
@@ -390,8 +408,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         self.check_push(contact, &impact.impulse)?;
         let mut findings = Findings(Vec::new());
         if let ImpulseRatio::Given(ratio) = &self.impulse_ratio {
-            let critical = Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() };
-            let sticking = critical.impulse(contact).0;
+            let sticking = self.sticking_impulse(contact);
             // Of tangential impulses with the same normal change, those between none and the sticking one: the ratio itself has no bound
             // where the sticking impulse would pull.
             let limit = sticking.t.clone().magnitude() * (T::int(1) + slack());

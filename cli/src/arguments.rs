@@ -1,0 +1,114 @@
+//! The command line, as clap sees it.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+use crate::units::Units;
+
+const STATUS: &str = "\
+Exit status:
+   0  done
+   1  done, and a check did not hold
+   2  the input or the call is wrong, or a file cannot be read
+   3  the physics refuses the input
+  70  a defect of the program
+  74  the output cannot be written";
+
+/// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
+#[derive(Debug, Parser)]
+#[command(name = "planar-impact", version, after_help = STATUS, max_term_width = 100)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Solve a collision: final velocities, impulse, delta-V, energy.
+    #[command(
+        after_help = "Examples:\n  planar-impact solve cli/examples/position-a.toml\n  planar-impact solve case.toml --units si --format json"
+    )]
+    Solve(Solve),
+    /// Hold every printed cell of the paper's impact tables to account.
+    #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
+    Validate(Validate),
+    /// Print a completion script for a shell.
+    #[command(after_help = "Example:\n  planar-impact completions bash > ~/.local/share/bash-completion/completions/planar-impact")]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+    /// Print the manual page.
+    #[command(after_help = "Example:\n  planar-impact man | man -l -")]
+    Man,
+}
+
+/// The call of `solve`.
+#[derive(Debug, Args)]
+pub struct Solve {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// The call of `validate`.
+#[derive(Debug, Args)]
+pub struct Validate {
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// How to print a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Writes the manual: the page of the program, then that of each verb.
+///
+/// # Errors
+///
+/// When the writer fails.
+pub fn manual(page: &mut dyn Write) -> io::Result<()> {
+    let mut command = Arguments::command();
+    command.build();
+    clap_mangen::Man::new(command.clone()).render(page)?;
+    for verb in command.get_subcommands().filter(|verb| verb.get_name() != "help") {
+        clap_mangen::Man::new(verb.clone()).render(page)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_manual_has_every_verb() {
+        let mut page = Vec::new();
+        manual(&mut page).expect("a vector takes everything");
+        let page = String::from_utf8(page).expect("clap writes UTF-8");
+        for verb in ["solve", "validate", "completions", "man"] {
+            assert!(page.contains(&format!("planar\\-impact\\-{verb}")), "{verb}");
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! The tree of a JSON file, strictly RFC 8259 and without duplicate keys.
+
+use std::collections::HashSet;
+use std::ops::Range;
+
+use jsonc_parser::ast::{self, ObjectPropName};
+use jsonc_parser::common::Ranged;
+use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
+
+use super::report::{MOST_KEPT, Problem};
+use super::tree::{Entry, Node, Number, Value};
+use crate::quantity::excerpt;
+
+const STRICT: ParseOptions = ParseOptions {
+    allow_comments: false,
+    allow_loose_object_property_names: false,
+    allow_trailing_commas: false,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: false,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: false,
+    allow_bare_decimal_point_numbers: false,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
+/// Parses JSON. The parser stops at its first error and bounds the depth of nesting itself.
+///
+/// # Errors
+///
+/// The first syntax error, or every duplicate key and every character JSON has no place for.
+pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
+    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT).map_err(|error| {
+        let kind = error.kind().to_string();
+        vec![problem(span(error.range()), String::new(), format!("this is not JSON: {}", lower(&kind)))]
+    })?;
+    let mut problems = stray_characters(text);
+    let root = parsed.value.map(|value| node(value, &mut problems));
+    match root {
+        Some(root) if problems.is_empty() => Ok(root),
+        None => Err(vec![Problem::of_file("this is not JSON: there is no value".to_owned())]),
+        Some(_) => Err(problems),
+    }
+}
+
+fn problem(span: Range<usize>, key: String, message: String) -> Problem {
+    Problem { span: Some(span), key, message, help: None }
+}
+
+fn span(range: jsonc_parser::common::Range) -> Range<usize> {
+    range.start..range.end
+}
+
+/// The parser's messages begin with a capital, ours stand behind a colon.
+fn lower(message: &str) -> String {
+    let mut letters = message.chars();
+    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+}
+
+/// What the parser lets pass and JSON does not: control characters in strings, and white space
+/// other than space, tab and line ends between values.
+fn stray_characters(text: &str) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let (mut quoted, mut escaped) = (false, false);
+    for (at, c) in text.char_indices() {
+        let stray = if quoted { c < ' ' } else { !c.is_ascii_graphic() && !" \t\r\n".contains(c) };
+        if stray && problems.len() < MOST_KEPT {
+            let place = if quoted { "inside a string" } else { "between values" };
+            let message = format!("this is not JSON: the character {} {place}", c.escape_unicode());
+            problems.push(problem(at..at + c.len_utf8(), String::new(), message));
+        }
+        if c == '"' && !escaped {
+            quoted = !quoted;
+        }
+        escaped = quoted && c == '\\' && !escaped;
+    }
+    problems
+}
+
+fn node(value: ast::Value<'_>, problems: &mut Vec<Problem>) -> Node {
+    let span = span(value.range());
+    let value = match value {
+        ast::Value::StringLit(string) => Value::String(string.value.into_owned()),
+        ast::Value::NumberLit(number) => {
+            Value::Number(Number { text: number.value.to_owned(), integer: !number.value.contains(['.', 'e', 'E']) })
+        }
+        ast::Value::BooleanLit(boolean) => Value::Bool(boolean.value),
+        ast::Value::NullKeyword(_) => Value::Null,
+        ast::Value::Array(array) => Value::Array(array.elements.into_iter().map(|item| node(item, problems)).collect()),
+        ast::Value::Object(object) => Value::Table(entries(object, problems)),
+    };
+    Node { span, value }
+}
+
+fn entries(object: ast::Object<'_>, problems: &mut Vec<Problem>) -> Vec<Entry> {
+    let mut seen = HashSet::new();
+    let mut entries = Vec::new();
+    for property in object.properties {
+        let key_span = span(property.name.range());
+        let key = match property.name {
+            ObjectPropName::String(string) => string.value.into_owned(),
+            ObjectPropName::Word(word) => word.value.to_owned(),
+        };
+        if !seen.insert(key.clone()) && problems.len() < MOST_KEPT {
+            let message = format!("the key {} stands twice in one object", excerpt(&key));
+            problems.push(problem(key_span.clone(), String::new(), message));
+        }
+        entries.push(Entry { key, key_span, node: node(property.value, problems) });
+    }
+    entries
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(text: &str) -> Vec<String> {
+        parse(text).unwrap_err().into_iter().map(|problem| problem.message).collect()
+    }
+
+    #[test]
+    fn values_with_their_places() {
+        let text = r#"{"z": [1, -2.5e1, null, true], "a": "\u00e9 \"{,\t"}"#;
+        let root = parse(text).unwrap();
+        assert_eq!(root.span, 0..text.len());
+        let Value::Table(entries) = root.value else { panic!("an object") };
+        assert_eq!((entries[0].key.as_str(), entries[1].key.as_str()), ("z", "a"));
+        assert_eq!(entries[1].node.value, Value::String("é \"{,\t".to_owned()));
+        let Value::Array(items) = &entries[0].node.value else { panic!("an array") };
+        assert_eq!(items[0].value, Value::Number(Number { text: "1".to_owned(), integer: true }));
+        assert_eq!(items[1].value, Value::Number(Number { text: "-2.5e1".to_owned(), integer: false }));
+        assert_eq!(&text[items[1].span.clone()], "-2.5e1");
+        assert_eq!((&items[2].value, &items[3].value), (&Value::Null, &Value::Bool(true)));
+    }
+
+    #[test]
+    fn only_strict_json_passes() {
+        for text in [
+            "// c\n{}",
+            "{} /* c */",
+            "{\"a\": 1,}",
+            "[1,]",
+            "[1 2]",
+            "{\"a\": 1 \"b\": 2}",
+            "{a: 1}",
+            "{'a': 1}",
+            "['a']",
+            "[0x10]",
+            "[+1]",
+            "[.5]",
+            "[5.]",
+            "[01]",
+            "[NaN]",
+            "[Infinity]",
+            "[-Infinity]",
+            "[\"\\x41\"]",
+            "[\"\\v\"]",
+            "[1]]",
+            "{} {}",
+            "[1",
+            "{",
+            "[\"a]",
+            "[,]",
+            "[1,,2]",
+            "{\"a\"}",
+            "{\"a\":}",
+            "[1}",
+            "[1:2]",
+            "[tru]",
+            "[1e]",
+            "[-]",
+            "[\"\\ud800\"]",
+            "[\"a\nb\"]",
+            "[\u{a0}1]",
+            "[1\u{c}]",
+            "{\"a\": 1 [2]}",
+            "{\"a\": 1 : 2}",
+            "{,}",
+            "[true_]",
+            "[\"\\'\"]",
+        ] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+        for text in ["[0, -0.0, 1e5, 1E+5]", "[\"\\\\\", \"\\\"\"]", " \t\r\n{}\n", "[\"\u{a0}é\"]", "1"] {
+            assert!(parse(text).is_ok(), "{text}");
+        }
+    }
+
+    #[test]
+    fn problems_are_told() {
+        assert_eq!(messages("{\"a\": 1,}"), ["this is not JSON: trailing commas are not allowed"]);
+        assert_eq!(messages("{\"a\": 1, \"b\": {\"a\": 1}, \"a\": 2, \"\\u0061\": 3}"), ["the key `a` stands twice in one object"; 2]);
+        assert_eq!(messages("[\"a\tb\"]"), ["this is not JSON: the character \\u{9} inside a string"]);
+    }
+
+    #[test]
+    fn deep_nesting_is_refused_quickly() {
+        let deep = 100_000;
+        for text in [
+            "[".repeat(deep),
+            format!("{}{}", "[".repeat(deep), "]".repeat(deep)),
+            "{\"a\":".repeat(deep),
+            format!("{}1{}", "{\"a\":".repeat(deep), "}".repeat(deep)),
+        ] {
+            assert_eq!(messages(&text), ["this is not JSON: maximum nesting depth exceeded"]);
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Files walked from text to values, and everything wrong in them as it is shown.
+
+use super::*;
+use crate::quantity::{Kind, Quantity};
+
+#[derive(Debug, PartialEq)]
+struct Case {
+    title: Option<String>,
+    masses: Vec<f64>,
+    point: [f64; 2],
+    restitution: f64,
+    runs: i64,
+}
+
+fn walk(root: &Table<'_>) -> Option<Case> {
+    let title = root.optional("title").string().map(str::to_owned);
+    let vehicles = root.required("vehicle").array_of_tables();
+    let masses: Option<Vec<f64>> = vehicles.map(|vehicles| {
+        let mass = |vehicle: &Table<'_>| {
+            let mass = vehicle.required("mass").quantity(Kind::MASS);
+            vehicle.optional("yaw").quantity(Kind::ANGLE);
+            vehicle.finish();
+            mass.map_or(0.0, |mass| mass.si)
+        };
+        vehicles.iter().map(mass).collect()
+    });
+    let impact = root.required("impact").table();
+    let (point, restitution, runs) = impact.map_or((None, None, None), |impact| {
+        let point = impact.required("point").pair(Kind::LENGTH);
+        let restitution = impact.required("restitution").quantity(Kind::PURE).map(|quantity| quantity.si);
+        let runs = impact.required("runs").integer(1..=100);
+        impact.finish();
+        (point, restitution, runs)
+    });
+    let si = |pair: [Quantity; 2]| pair.map(|quantity| quantity.si);
+    Some(Case { title, masses: masses?, point: si(point?), restitution: restitution?, runs: runs? })
+}
+
+fn source(name: &str, text: &str) -> Source {
+    Source { name: name.to_owned(), text: text.to_owned() }
+}
+
+fn read(name: &str, text: &str) -> Result<Case, String> {
+    Document::parse(source(name, text)).and_then(|document| document.read(walk)).map_err(|problems| problems.render(false))
+}
+
+const GOOD: &str = r#"
+title = "Case 1"
+[[vehicle]]
+mass = "1 lb"
+[[vehicle]]
+mass = 1_500
+yaw = "-10 deg"
+[impact]
+point = ["1 ft", 2.0]
+restitution = 0.3
+runs = 7
+"#;
+
+fn good() -> Case {
+    Case {
+        title: Some("Case 1".to_owned()),
+        masses: vec![0.453_592_37, 1500.0], // the international pound
+        point: [0.3048, 2.0],               // the international foot
+        restitution: 0.3,
+        runs: 7,
+    }
+}
+
+#[test]
+fn a_good_file_in_both_formats() {
+    assert_eq!(read("case.toml", GOOD), Ok(good()));
+    assert_eq!(read("case.toml", &GOOD.replace('\n', "\r\n")), Ok(good()));
+    let json = r#" {"title": "Case 1",
+        "vehicle": [{"mass": "1 lb"}, {"mass": 1500, "yaw": "-10 deg"}],
+        "impact": {"point": ["1 ft", 2.0], "restitution": 0.3, "runs": 7}}"#;
+    for name in ["case.json", "CASE.JSON", "<stdin>", "case.txt"] {
+        assert_eq!(read(name, json), Ok(good()));
+    }
+    assert!(read("case.toml", json).unwrap_err().contains("this is not TOML"));
+}
+
+#[test]
+fn everything_wrong_is_reported_at_once_in_file_order() {
+    let text = r#"colour = 1
+[[vehicle]]
+mas = "1500 kg"
+[[vehicle]]
+mass = "40 ft"
+yaw = 180
+[impact]
+point = ["1 ft", nan, 3]
+restitution = 0x10
+runs = 1e3
+"#;
+    let expected = r#"error: vehicle.1.mass: missing
+ --> case.toml:2:1
+  |
+2 | [[vehicle]]
+  | ^^^^^^^^^^^
+  |
+  = help: expected a mass, such as "1500 kg"
+
+error: vehicle.1.mas: unknown key
+ --> case.toml:3:1
+  |
+3 | mas = "1500 kg"
+  | ^^^
+  |
+  = help: did you mean `mass`?
+
+error: vehicle.2.mass: `40 ft` is a length; a mass is expected, such as "1500 kg"
+ --> case.toml:5:8
+  |
+5 | mass = "40 ft"
+  |        ^^^^^^^
+
+error: vehicle.2.yaw: a number without a unit is taken in rad, and 180 rad is 28.6 turns
+ --> case.toml:6:7
+  |
+6 | yaw = 180
+  |       ^^^
+  |
+  = help: did you mean "180 deg"? If not, write "180 rad"
+
+error: impact.point: expected an array of two values, each a length, such as "1.5 m"; found 3 values
+ --> case.toml:8:9
+  |
+8 | point = ["1 ft", nan, 3]
+  |         ^^^^^^^^^^^^^^^^
+
+error: impact.restitution: expected a pure number, such as "0.3"; found a hexadecimal number, `0x10`
+ --> case.toml:9:15
+  |
+9 | restitution = 0x10
+  |               ^^^^
+
+error: impact.runs: expected a whole number from 1 to 100, found `1e3`
+  --> case.toml:10:8
+   |
+10 | runs = 1e3
+   |        ^^^"#;
+    let shown = read("case.toml", text).unwrap_err();
+    let (first, rest) = shown.split_once("\n\n").unwrap();
+    assert_eq!(
+        first,
+        "\
+error: colour: unknown key
+ --> case.toml:1:1
+  |
+1 | colour = 1
+  | ^^^^^^
+  |
+  = help: the keys known here are title, vehicle, impact"
+    );
+    assert_eq!(rest, expected);
+}
+
+#[test]
+fn missing_tables_and_wrong_sorts() {
+    assert_eq!(
+        read("case.toml", "[vehicle]\nmass = 1\n").unwrap_err(),
+        "\
+error: impact: missing
+--> case.toml
+ |
+ = help: expected a table
+
+error: vehicle: expected an array of tables; found a table
+ --> case.toml:1:1
+  |
+1 | [vehicle]
+  | ^^^^^^^^^
+  |
+  = help: begin each table with [[vehicle]] in TOML, or list them in [ ] in JSON"
+    );
+    assert_eq!(
+        read("case.json", "{\"vehicle\": [],\n \"impact\": null}").unwrap_err(),
+        "\
+error: impact: expected a table; found null
+ --> case.json:2:12
+  |
+2 |  \"impact\": null}
+  |            ^^^^"
+    );
+    assert!(read("case.json", "[1]").unwrap_err().starts_with("error: expected an object, found an array\n"));
+}
+
+#[test]
+fn numbers_that_floats_cannot_hold() {
+    for (text, message) in [
+        ("nan", "`nan` is not a finite number"),
+        ("-inf", "`-inf` is not a finite number"),
+        ("1e999", "`1e999` is too large for a 64-bit floating-point number"),
+        ("1e-400", "`1e-400` is too small: a 64-bit floating-point number would make it zero"),
+    ] {
+        let shown = read("case.toml", &GOOD.replace("0.3\n", &format!("{text}\n"))).unwrap_err();
+        assert_eq!(shown.lines().next(), Some(format!("error: impact.restitution: {message}").as_str()));
+    }
+}
+
+#[test]
+fn each_item_of_a_list_reports_its_own_problem() {
+    let document = Document::parse(source("a.toml", "a = [\"1 m\", \"2\", 1e999]\nb = \"no\"")).unwrap();
+    let problems = document
+        .read(|root| {
+            root.required("a").list(Kind::LENGTH, 2);
+            root.required("b").choice(&["none", "linear"]);
+            Some(())
+        })
+        .unwrap_err();
+    let keys: Vec<&str> = problems.list().iter().map(|problem| problem.key.as_str()).collect();
+    assert_eq!(keys, ["a.2", "a.3", "b"]);
+    assert_eq!(problems.list()[2].message, "expected one of \"none\", \"linear\", found `no`");
+}
+
+#[test]
+fn later_problems_find_their_place() {
+    let document = Document::parse(source("case.toml", GOOD)).unwrap();
+    let text = |key: &str| document.problem(key, "", None).span.map(|span| &GOOD[span]);
+    assert_eq!(text("vehicle.2.mass"), Some("1_500"));
+    assert_eq!(text("impact.point.2"), Some("2.0"));
+    assert_eq!(text("impact.friction"), Some("[impact]")); // the table it is missing from
+    assert_eq!(text("vehicle.3.mass"), Some("[[vehicle]]"));
+    assert_eq!(text("crush"), None);
+}
+
+#[test]
+fn a_walk_without_a_reason_still_fails() {
+    let document = Document::parse(source("a.toml", "a = 1")).unwrap();
+    let given_up = document.read(|root| root.has("a").then_some(()).and(None::<()>)).unwrap_err();
+    assert_eq!(given_up.render(false), "error: `a.toml` is incomplete\n--> a.toml");
+}
+
+#[test]
+fn colors_only_on_request() {
+    let shown = |color| {
+        let document = Document::parse(source("a.toml", "a = 1")).unwrap();
+        document.read(|_| Some(())).unwrap_err().render(color)
+    };
+    assert!(shown(true).contains('\u{1b}') && !shown(false).contains('\u{1b}'));
+}

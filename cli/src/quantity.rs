@@ -1,0 +1,160 @@
+//! A number with its unit, checked for what it measures and for a plausible size.
+//!
+//! A string carries its unit: `"2564 lb"`, `"-10deg"`, `"1434.9 lbf s^2 ft"`. A bare number is
+//! in SI. The grammar of units stands in `quantity/unit.rs`.
+
+mod kind;
+mod number;
+mod unit;
+mod wide;
+mod wording;
+
+pub use kind::Kind;
+pub use number::finite;
+pub use wording::{excerpt, nearest};
+
+use unit::Unit;
+
+/// A value in SI and how the file wrote it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// The value in SI units, angles in radians.
+    pub si: f64,
+    /// The unit as the file wrote it, or the SI unit of a bare number.
+    pub unit: String,
+    /// Whether the file gave no unit.
+    pub bare: bool,
+}
+
+/// Why a text is not the quantity wanted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct QuantityError {
+    /// What is wrong, naming the text.
+    pub message: String,
+    /// What to write instead, where that is known.
+    pub help: Option<String>,
+}
+
+impl QuantityError {
+    fn new(message: String) -> QuantityError {
+        QuantityError { message, help: None }
+    }
+
+    fn with_help(message: String, help: String) -> QuantityError {
+        QuantityError { message, help: Some(help) }
+    }
+}
+
+impl std::fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)?;
+        self.help.iter().try_for_each(|help| write!(f, " ({help})"))
+    }
+}
+
+/// Reads a number with its unit. A pure number needs none, and may be in `%`.
+///
+/// # Errors
+///
+/// When the number or the unit cannot be read, the unit measures something else, or the value is
+/// beyond the kind's domain.
+pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(QuantityError::new(format!("the string is empty; expected {}", kind.wanted())));
+    }
+    let (value, written) = number::split(text)?;
+    let si = if !written.is_empty() {
+        unit_for(text, written, kind)?.to_si(value)
+    } else if kind.dimension == Kind::PURE.dimension {
+        value
+    } else {
+        return Err(without_unit(text, kind));
+    };
+    if (si == 0.0 && value != 0.0) || !kind.domain.holds(si) {
+        return Err(beyond(text, si, kind));
+    }
+    Ok(Quantity { si, unit: written.to_owned(), bare: false })
+}
+
+/// Takes a number without a unit in SI; `text` is how the file wrote it.
+///
+/// # Errors
+///
+/// When the value is so far from plausible that it was probably meant in another unit.
+pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityError> {
+    if kind.bare.holds(value) {
+        return Ok(Quantity { si: value, unit: kind.si.to_owned(), bare: true });
+    }
+    let digits: String = text.chars().filter(|c| *c != '_').take(40).collect();
+    if kind.si.is_empty() {
+        return Err(beyond(&digits, value, kind));
+    }
+    let taken = format!("a number without a unit is taken in {0}, and {digits} {0}", kind.si);
+    let message = if kind.dimension == Kind::ANGLE.dimension {
+        format!("{taken} is {} turns", significant(value.abs() / std::f64::consts::TAU))
+    } else {
+        format!("{taken} is not a plausible {}", noun(kind.name))
+    };
+    let help = match kind.likely {
+        Some(unit) => format!("did you mean \"{digits} {unit}\"? If not, write \"{digits} {}\"", kind.si),
+        None => format!("write the unit, as in \"{}\"", kind.example),
+    };
+    Err(QuantityError::with_help(message, help))
+}
+
+/// `si` in the given unit, as in `in_unit(17.88, "mph")`. For a text that is no unit the answer is
+/// not a number; `ft lb` is a mass times a length here, and the energy is `ft lbf`.
+pub fn in_unit(si: f64, unit: &str) -> f64 {
+    Unit::parse(unit).map_or(f64::NAN, |unit| unit.of_si(si))
+}
+
+/// The unit `written` at the end of `text`, if it measures what `kind` wants.
+fn unit_for(text: &str, written: &str, kind: Kind) -> Result<Unit, QuantityError> {
+    let unit = Unit::parse(written)?;
+    if unit.dimension() == kind.dimension {
+        return Ok(unit);
+    }
+    let forced = unit.with_pound_force();
+    if kind.dimension == Kind::ENERGY.dimension && unit.is_foot_pound() {
+        return Ok(forced);
+    }
+    let found = Kind::ALL.iter().find(|other| other.dimension == unit.dimension());
+    let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
+    let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
+    if forced.dimension() == kind.dimension {
+        let help = "`lb` is a mass; the force is `lbf`".to_owned();
+        return Err(QuantityError::with_help(message, help));
+    }
+    Err(QuantityError::new(message))
+}
+
+fn without_unit(text: &str, kind: Kind) -> QuantityError {
+    QuantityError::with_help(
+        format!("\"{}\" has no unit; expected {}", excerpt(text).trim_matches('`'), kind.wanted()),
+        format!("a string needs a unit; a number without quotes is in {}", kind.si),
+    )
+}
+
+fn beyond(text: &str, si: f64, kind: Kind) -> QuantityError {
+    let size = if si.abs() < 1.0 { "too small" } else { "too large" };
+    QuantityError::new(format!("{} is {size} for {}", excerpt(text), kind.name))
+}
+
+/// A name without its article.
+fn noun(name: &str) -> &str {
+    name.split_once(' ').map_or(name, |(_, noun)| noun)
+}
+
+/// Three significant digits, or the power of ten when they would be a row of zeros.
+fn significant(value: f64) -> String {
+    match value {
+        v if v < 10.0 => format!("{v:.2}"),
+        v if v < 100.0 => format!("{v:.1}"),
+        v if v < 1e6 => format!("{v:.0}"),
+        v => format!("{v:.0e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests;

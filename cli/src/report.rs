@@ -1,0 +1,180 @@
+//! The result of `solve` as a person reads it.
+
+use std::fmt::Write;
+
+use planar_impact::{Admissible, Impact, ImpulseRatio, Law, Moment, Party, Response, Xy};
+
+use crate::case::Case;
+use crate::table::{self, Align};
+use crate::units::{Measure, Units};
+
+/// The report, in tables of at most 80 columns.
+pub fn render(case: &Case, impact: &Impact, units: Units, notes: &[String]) -> String {
+    let page = Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) };
+    let mut text = String::new();
+    if !case.title.is_empty() {
+        text.push_str(&case.title);
+        text.push_str("\n\n");
+    }
+    for section in [page.vehicles(), page.contact(), page.energies()] {
+        text.push_str(&section);
+        text.push_str("\n\n");
+    }
+    text.push_str(&page.remarks());
+    for note in notes {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "Note: {note}.");
+    }
+    text
+}
+
+struct Page<'a> {
+    case: &'a Case,
+    impact: &'a Impact,
+    units: Units,
+    /// The greatest speed and energy: what is 10⁻¹² of them is rounding.
+    speed: f64,
+    energy: f64,
+}
+
+fn speed_scale(case: &Case, impact: &Impact) -> f64 {
+    let motions =
+        [&case.collision.one, &case.collision.two].map(|party| party.vehicle().map_or(Xy::zero(), |vehicle| vehicle.motion.velocity));
+    let all = [motions[0], motions[1], impact.one.after.velocity, impact.two.after.velocity];
+    all.iter().map(|v| v.length()).fold(impact.approach.length(), f64::max)
+}
+
+fn energy_scale(impact: &Impact) -> f64 {
+    let exchanged = impact.impulse.length() * impact.approach.length();
+    impact.kinetic_energy.before.max(impact.kinetic_energy.after).max(exchanged)
+}
+
+impl Page<'_> {
+    fn speed(&self, value: f64) -> String {
+        self.units.number(Measure::Speed, value, self.speed)
+    }
+
+    fn energy(&self, value: f64) -> String {
+        self.units.number(Measure::Energy, value, self.energy)
+    }
+
+    fn vehicles(&self) -> String {
+        let unit = |measure| self.units.unit(measure).to_owned();
+        let sides = [(&self.case.collision.one, &self.impact.one), (&self.case.collision.two, &self.impact.two)];
+        let row = |what: &str, unit: String, value: &dyn Fn(&planar_impact::Vehicle, &Response) -> String| {
+            let cell = |(party, response): (&Party, &Response)| {
+                party.vehicle().map_or_else(|| "fixed".to_owned(), |vehicle| value(vehicle, response))
+            };
+            vec![what.to_owned(), unit, cell(sides[0]), cell(sides[1])]
+        };
+        let yaw = |rate: f64| self.units.number(Measure::YawRate, rate, 1.0);
+        let names = [0, 1].map(|i| shorten(&self.case.names[i], 24));
+        table::render(
+            &["", "unit", &names[0], &names[1]],
+            &[Align::Left, Align::Left, Align::Right, Align::Right],
+            &[
+                row("before: velocity x", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.x)),
+                row("        velocity y", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.y)),
+                row("        yaw rate", unit(Measure::YawRate), &|v, _| yaw(v.motion.yaw_rate)),
+                row("after:  velocity x", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.x)),
+                row("        velocity y", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.y)),
+                row("        yaw rate", unit(Measure::YawRate), &|_, r| yaw(r.after.yaw_rate)),
+                row("delta-V", unit(Measure::Speed), &|_, r| self.speed(r.delta_v_magnitude())),
+                row("", unit(Measure::RoadSpeed), &|_, r| self.units.number(Measure::RoadSpeed, r.delta_v_magnitude(), self.speed)),
+                row("PDOF, clockwise from ahead", unit(Measure::Angle), &|_, r| {
+                    self.units.number(Measure::Angle, r.principal_direction_of_force(), 1.0)
+                }),
+            ],
+        )
+    }
+
+    fn contact(&self) -> String {
+        let unit = |measure| self.units.unit(measure).to_owned();
+        let impulse = |value: f64| self.units.number(Measure::Impulse, value, self.impact.impulse.length());
+        let (p, v, s) = (self.impact.impulse, self.impact.approach, self.impact.separation);
+        let mut rows = vec![
+            vec!["approach velocity at the impact center".into(), unit(Measure::Speed), self.speed(v.n), self.speed(v.t)],
+            vec!["separation velocity".into(), unit(Measure::Speed), self.speed(s.n), self.speed(s.t)],
+            vec!["impulse on vehicle 1".into(), unit(Measure::Impulse), impulse(p.n), impulse(p.t)],
+            vec![
+                "work of the impulse, W_n and W_t".into(),
+                unit(Measure::Energy),
+                self.energy(self.impact.work.n),
+                self.energy(self.impact.work.t),
+            ],
+        ];
+        if self.case.collision.moment != Moment::None {
+            let moment = self.units.number(Measure::MomentImpulse, self.impact.moment, 0.0);
+            rows.push(vec!["moment impulse on vehicle 1".into(), unit(Measure::MomentImpulse), moment, String::new()]);
+            rows.push(vec![
+                "work of the moment impulse, W_m".into(),
+                unit(Measure::Energy),
+                self.energy(self.impact.work.m),
+                String::new(),
+            ]);
+        }
+        let columns = [Align::Left, Align::Left, Align::Right, Align::Right];
+        table::render(&["contact", "unit", "normal", "tangential"], &columns, &rows)
+    }
+
+    fn energies(&self) -> String {
+        let energy = self.impact.kinetic_energy;
+        let share = 100.0 * self.impact.loss() / energy.before;
+        let row = |what: &str, value: f64| vec![what.to_owned(), self.units.unit(Measure::Energy).to_owned(), self.energy(value)];
+        let rows = [
+            row("kinetic energy before", energy.before),
+            row("kinetic energy after", energy.after),
+            row(&format!("energy loss T_L ({share:.1} %)"), self.impact.loss()),
+        ];
+        table::render(&["energy", "unit", ""], &[Align::Left, Align::Left, Align::Right], &rows)
+    }
+
+    /// The coefficients, the law in force, and how far they may go.
+    fn remarks(&self) -> String {
+        let ratio = |value: f64| self.units.number(Measure::Ratio, value, 1.0);
+        let collision = &self.case.collision;
+        let plane = self.units.quantity(Measure::Angle, self.case.crush_plane);
+        let kind = match collision.impulse_ratio {
+            ImpulseRatio::Critical => "critical".to_owned(),
+            ImpulseRatio::Given(_) => "given".to_owned(),
+            ImpulseRatio::OfCritical(fraction) => format!("{} of critical", ratio(fraction)),
+            ImpulseRatio::LimitedByFriction(friction) => format!("limited by friction {}", ratio(friction)),
+        };
+        let law = match collision.law {
+            Law::Brach => "Brach",
+            Law::KudlichSlibar => "Kudlich-Slibar",
+        };
+        let mut text = format!(
+            "Crush plane Gamma = {plane}, restitution e = {}, law of {law}.\nImpulse ratio mu = {} ({kind}), critical mu0 = {}.\n",
+            ratio(collision.restitution),
+            ratio(self.impact.impulse_ratio()),
+            ratio(self.impact.critical_impulse_ratio()),
+        );
+        if let Some(admissible) = collision.admissible() {
+            text.push_str(&bounds(&admissible, &ratio));
+        }
+        text
+    }
+}
+
+fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
+    let end = |bound: Option<f64>| bound.map_or_else(|| "any".to_owned(), ratio);
+    let up_to = |bound: f64| if bound >= 1.0 { "1".to_owned() } else { ratio(bound) };
+    format!(
+        "No energy is gained up to e = {} here (up to {} for any approach velocity),\nnor, at this e, for mu from {} to {}.\n",
+        up_to(admissible.restitution),
+        up_to(admissible.restitution_for_any_approach),
+        end(admissible.least_impulse_ratio),
+        end(admissible.greatest_impulse_ratio),
+    )
+}
+
+/// A name that leaves room for the table.
+fn shorten(name: &str, most: usize) -> String {
+    // A line break or an escape in a name must not reach the terminal.
+    let clean: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    match clean.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", &clean[..end]),
+        None => clean,
+    }
+}

@@ -1,0 +1,30 @@
+//! Tables of text.
+
+use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
+
+/// Which side of its column a cell stands at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Align {
+    /// Words.
+    Left,
+    /// Numbers.
+    Right,
+}
+
+/// A table without frames, its header underlined, no line longer than its cells need.
+pub fn render(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> String {
+    let alignment = |align: &Align| match align {
+        Align::Left => CellAlignment::Left,
+        Align::Right => CellAlignment::Right,
+    };
+    let cells = |row: &mut dyn Iterator<Item = String>| -> Vec<Cell> {
+        row.zip(columns).map(|(text, align)| Cell::new(text).set_alignment(alignment(align))).collect()
+    };
+    let mut table = Table::new();
+    table.load_style(TableStyle::new().header_separator(LineStyle::none().fill('-').junction('-')));
+    table.set_header(cells(&mut header.iter().map(|text| (*text).to_owned())));
+    for row in rows {
+        table.add_row(cells(&mut row.iter().cloned()));
+    }
+    table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+}

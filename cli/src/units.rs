@@ -1,0 +1,149 @@
+//! The units that results are printed in.
+
+use crate::quantity::in_unit;
+
+/// A system of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Units {
+    /// Feet, pounds, seconds; ΔV also in miles per hour.
+    Us,
+    /// Meters, kilograms, seconds; ΔV also in kilometers per hour.
+    Si,
+}
+
+/// What is measured, as far as printing it goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// A velocity component.
+    Speed,
+    /// A speed as a driver reads it.
+    RoadSpeed,
+    /// A yaw rate.
+    YawRate,
+    /// An angle.
+    Angle,
+    /// A length.
+    Length,
+    /// An impulse.
+    Impulse,
+    /// A moment impulse.
+    MomentImpulse,
+    /// An energy.
+    Energy,
+    /// A pure number.
+    Ratio,
+}
+
+impl Units {
+    /// The system that a unit belongs to, if it tells one.
+    pub fn of(unit: &str) -> Option<Units> {
+        const US: [&str; 14] = ["ft", "in", "yd", "mi", "lb", "lbs", "lbm", "lbf", "slug", "slugs", "mph", "fps", "psi", "kip"];
+        const SI: [&str; 17] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph", "kmh"];
+        let mut symbols = unit.split(|c: char| !c.is_alphabetic()).filter(|symbol| !symbol.is_empty());
+        symbols.find_map(|symbol| match symbol {
+            us if US.contains(&us) => Some(Units::Us),
+            si if SI.contains(&si) => Some(Units::Si),
+            _ => None,
+        })
+    }
+
+    /// The unit that a measure is printed in; none for a pure number.
+    pub fn unit(self, measure: Measure) -> &'static str {
+        match (measure, self) {
+            (Measure::Speed, Units::Us) => "ft/s",
+            (Measure::Speed, Units::Si) => "m/s",
+            (Measure::RoadSpeed, Units::Us) => "mph",
+            (Measure::RoadSpeed, Units::Si) => "km/h",
+            (Measure::YawRate, _) => "deg/s",
+            (Measure::Angle, _) => "deg",
+            (Measure::Length, Units::Us) => "ft",
+            (Measure::Length, Units::Si) => "m",
+            (Measure::Impulse, Units::Us) => "lbf s",
+            (Measure::Impulse, Units::Si) => "N s",
+            (Measure::MomentImpulse, Units::Us) => "lbf s ft",
+            (Measure::MomentImpulse, Units::Si) => "N m s",
+            (Measure::Energy, Units::Us) => "ft lb",
+            (Measure::Energy, Units::Si) => "J",
+            (Measure::Ratio, _) => "",
+        }
+    }
+
+    /// A value in SI as a number in this system.
+    pub fn convert(self, measure: Measure, si: f64) -> f64 {
+        match self.unit(measure) {
+            "" => si,
+            // A foot pound of energy, which by its letters would be a length times a mass.
+            "ft lb" => in_unit(si, "ft lbf"),
+            unit => in_unit(si, unit),
+        }
+    }
+
+    /// A value in SI as text without its unit: as many decimals as the measure deserves, more for a value that would vanish, and 0 for one that is the
+    /// rounding of the `scale` of its kind.
+    pub fn number(self, measure: Measure, si: f64, scale: f64) -> String {
+        if si.abs() <= 1e-12 * scale {
+            return "0".to_owned();
+        }
+        let value = self.convert(measure, si);
+        let usual: usize = match measure {
+            Measure::Ratio => 3,
+            Measure::Speed | Measure::Length => 2,
+            Measure::RoadSpeed | Measure::YawRate | Measure::Angle => 1,
+            Measure::Impulse | Measure::MomentImpulse | Measure::Energy => 0,
+        };
+        if !(1e-9..1e12).contains(&value.abs()) {
+            return format!("{value:.3e}");
+        }
+        // Two significant digits at least.
+        let leading = value.abs().log10().floor();
+        let needed = if leading < 1.0 { (1.0 - leading) as usize } else { 0 };
+        format!("{value:.0$}", usual.max(needed))
+    }
+
+    /// A value in SI as text with its unit.
+    pub fn quantity(self, measure: Measure, si: f64) -> String {
+        let number = self.number(measure, si, 0.0);
+        let unit = self.unit(measure);
+        if unit.is_empty() { number } else { format!("{number} {unit}") }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_tell_the_system() {
+        assert_eq!(Units::of("lbf s^2 ft"), Some(Units::Us));
+        assert_eq!(Units::of("km/h"), Some(Units::Si));
+        assert_eq!(Units::of("kg m^2"), Some(Units::Si));
+        assert_eq!(Units::of("deg/s"), None);
+        assert_eq!(Units::of(""), None);
+    }
+
+    #[test]
+    fn digits_are_those_a_person_reads() {
+        assert_eq!(Units::Us.quantity(Measure::Energy, -40_806.33), "-30097 ft lb"); // 1 ft lbf = 1.3558179483314004 J
+        assert_eq!(Units::Si.quantity(Measure::Energy, -40_806.33), "-40806 J");
+        assert_eq!(Units::Us.quantity(Measure::Ratio, 0.660_6), "0.661");
+        assert_eq!(Units::Us.quantity(Measure::Ratio, 0.000_123_4), "0.00012");
+        assert_eq!(Units::Si.quantity(Measure::Energy, 0.25), "0.25 J");
+        assert_eq!(Units::Si.quantity(Measure::Speed, 12.345_6), "12.35 m/s");
+        assert_eq!(Units::Si.quantity(Measure::RoadSpeed, 10.0), "36.0 km/h");
+        assert_eq!(Units::Si.number(Measure::Speed, -3e-15, 12.0), "0");
+        assert_eq!(Units::Si.number(Measure::Speed, 0.0, 0.0), "0");
+        assert_eq!(Units::Si.quantity(Measure::Energy, 1.5e15), "1.500e15 J");
+        assert_eq!(Units::Si.quantity(Measure::Angle, std::f64::consts::PI), "180.0 deg");
+    }
+
+    #[test]
+    fn every_unit_converts() {
+        use Measure::*;
+        for measure in [Speed, RoadSpeed, YawRate, Angle, Length, Impulse, MomentImpulse, Energy, Ratio] {
+            for units in [Units::Us, Units::Si] {
+                assert!(units.convert(measure, 1.0).is_finite(), "{measure:?}");
+            }
+        }
+        assert_eq!(Units::Us.convert(Measure::Speed, 0.3048), 1.0); // the international foot
+    }
+}

@@ -1,0 +1,204 @@
+//! The collisions behind the tables, in feet, slugs and seconds: the library takes any coherent units.
+
+use crate::data::{DataError, Sheet};
+use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
+use std::collections::HashMap;
+
+/// Where vehicle 1 hits vehicle 2 (Fig 3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Position {
+    A,
+    B,
+    C,
+}
+
+impl Position {
+    pub(crate) const ALL: [Position; 3] = [Position::A, Position::B, Position::C];
+
+    pub(crate) fn letter(self) -> &'static str {
+        match self {
+            Position::A => "A",
+            Position::B => "B",
+            Position::C => "C",
+        }
+    }
+
+    pub(crate) fn of_letter(letter: &str) -> Option<Self> {
+        Position::ALL.into_iter().find(|position| position.letter() == letter)
+    }
+}
+
+/// Two vehicles at right angles, vehicle 1 heading in −x and vehicle 2 in +y.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Perpendicular {
+    pub(crate) position: Position,
+    /// Velocity of vehicle 1 along x.
+    pub(crate) v_1x: f64,
+    /// Velocity of vehicle 2 along y.
+    pub(crate) v_2y: f64,
+    pub(crate) gamma_degrees: f64,
+    pub(crate) restitution: f64,
+}
+
+/// What the crabbed car of Table B1 runs into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wall {
+    /// A barrier that does not move.
+    Fixed,
+    /// The very heavy body at rest that the paper computes with.
+    Papers,
+}
+
+/// Masses, inertias and arms of the paper's two examples.
+#[derive(Clone, Debug)]
+pub(crate) struct Geometry {
+    gravity: f64,
+    weights: [f64; 2],
+    yaw_inertias: [f64; 2],
+    /// From each center of mass to the impact center, in ground axes, for positions A, B, C.
+    arms: [[Xy; 2]; 3],
+    pub(crate) barrier_mass: f64,
+    crab_angle: f64,
+    barrier_arm: f64,
+    barrier_yaw_inertia: f64,
+    pub(crate) papers_barrier_mass: f64,
+}
+
+impl Geometry {
+    pub(crate) fn read(text: &str) -> Result<Self, DataError> {
+        let sheet = Sheet::read("geometry.csv", text)?;
+        let mut entries = HashMap::new();
+        for row in sheet.rows() {
+            let entry = row.text("entry")?.to_owned();
+            if entries.insert(entry.clone(), row.number("value")?.value()).is_some() {
+                return Err(DataError::NotOnce { entry });
+            }
+        }
+        let mut take = |entry: &str| entries.remove(entry).ok_or_else(|| DataError::NotOnce { entry: entry.to_owned() });
+        let mut arms = [[Xy::zero(); 2]; 3];
+        for (arms, position) in arms.iter_mut().zip(Position::ALL) {
+            for (arm, vehicle) in arms.iter_mut().zip(["one", "two"]) {
+                let mut component = |axis: &str| take(&format!("{}.{vehicle}.{axis}", position.letter()));
+                *arm = Xy { x: component("x")?, y: component("y")? };
+            }
+        }
+        let geometry = Geometry {
+            gravity: take("gravity")?,
+            weights: [take("one.weight")?, take("two.weight")?],
+            yaw_inertias: [take("one.yaw_inertia")?, take("two.yaw_inertia")?],
+            arms,
+            barrier_mass: take("barrier.mass")?,
+            crab_angle: take("barrier.crab_angle")?,
+            barrier_arm: take("barrier.arm")?,
+            barrier_yaw_inertia: take("barrier.yaw_inertia")?,
+            papers_barrier_mass: take("barrier.papers_mass")?,
+        };
+        match entries.into_keys().min() {
+            Some(field) => Err(DataError::UnknownWord { file: "geometry.csv", column: "entry", field }),
+            None => Ok(geometry),
+        }
+    }
+
+    /// The collision of the example, at the critical ratio.
+    pub(crate) fn perpendicular(&self, case: Perpendicular) -> Collision {
+        let headings = [Heading { cos: -1.0, sin: 0.0 }, Heading { cos: 0.0, sin: 1.0 }];
+        let velocities = [Xy { x: case.v_1x, y: 0.0 }, Xy { x: 0.0, y: case.v_2y }];
+        let arms = self.arms[case.position as usize];
+        let [one, two] = [0, 1].map(|which| {
+            Party::Vehicle(Vehicle {
+                mass: self.weights[which] / self.gravity,
+                yaw_inertia: self.yaw_inertias[which],
+                heading: headings[which],
+                impact_center: headings[which].to_vehicle(arms[which]),
+                motion: Motion { velocity: velocities[which], yaw_rate: 0.0 },
+            })
+        });
+        collision(one, two, CrushPlane::from_angle(case.gamma_degrees.to_radians()), case.restitution)
+    }
+
+    /// The same example with other weights, in lbf.
+    #[cfg(test)]
+    pub(crate) fn with_weights(&self, weights: [f64; 2]) -> Self {
+        Geometry { weights, ..self.clone() }
+    }
+
+    pub(crate) fn weights(&self) -> [f64; 2] {
+        self.weights
+    }
+
+    /// Forward and lateral components of a crabbed car's speed.
+    pub(crate) fn crabbed_velocity(&self, speed: f64) -> Xy {
+        let (sin, cos) = self.crab_angle.to_radians().sin_cos();
+        Xy { x: speed * cos, y: speed * sin }
+    }
+
+    /// The crabbed car: its front lies along the wall, its velocity does not point along its heading.
+    pub(crate) fn crabbed(&self, speed: f64, restitution: f64, wall: Wall) -> Collision {
+        let ahead = Heading { cos: 1.0, sin: 0.0 };
+        let one = Vehicle {
+            mass: self.barrier_mass,
+            yaw_inertia: self.barrier_yaw_inertia,
+            heading: ahead,
+            impact_center: ForwardLeft { forward: self.barrier_arm, left: 0.0 },
+            motion: Motion { velocity: self.crabbed_velocity(speed), yaw_rate: 0.0 },
+        };
+        let two = match wall {
+            Wall::Fixed => Party::Barrier,
+            // Hit at its center of mass, so that its inertia does not matter.
+            Wall::Papers => Party::Vehicle(Vehicle {
+                mass: self.papers_barrier_mass,
+                yaw_inertia: self.papers_barrier_mass,
+                heading: ahead,
+                impact_center: ForwardLeft::zero(),
+                motion: Motion::rest(),
+            }),
+        };
+        collision(one.into(), two, CrushPlane { cos: 1.0, sin: 0.0 }, restitution)
+    }
+}
+
+fn collision(one: Party, two: Party, crush_plane: CrushPlane, restitution: f64) -> Collision {
+    Collision { one, two, crush_plane, restitution, impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, moment: Moment::None }
+}
+
+/// The impact, or an error that names the collision.
+pub(crate) fn solve(collision: &Collision, name: &str) -> Result<Impact, DataError> {
+    collision.solve().map_err(|reasons| DataError::Refused { collision: name.to_owned(), reasons: reasons.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::Texts;
+
+    #[test]
+    fn the_arms_are_those_of_the_data_in_ground_axes() {
+        let geometry = Geometry::read(Texts::embedded().geometry).expect("embedded");
+        let case = Perpendicular { position: Position::A, v_1x: -40.0, v_2y: 40.0, gamma_degrees: 0.0, restitution: 0.0 };
+        let contact = geometry.perpendicular(case).contact();
+        // geometry.csv, A.one and A.two; at Γ = 0 n is x and t is y.
+        assert_eq!((contact.one.arm.n, contact.one.arm.t), (-6.34990, 0.0));
+        assert_eq!((contact.two.arm.n, contact.two.arm.t), (3.23560, 7.96804));
+        // Both at 40 along their headings: the approach is v_2 − v_1.
+        assert_eq!((contact.approach.n, contact.approach.t), (40.0, 40.0));
+    }
+
+    #[test]
+    fn an_entry_that_is_missing_twice_there_or_unknown_is_refused() {
+        let whole = Texts::embedded().geometry;
+        let without = whole.replace("barrier.arm,", "barrier.leg,");
+        assert_eq!(Geometry::read(&without).err(), Some(DataError::NotOnce { entry: "barrier.arm".into() }));
+        let twice = format!("{whole}gravity,32.2,ft/s2,again\n");
+        assert_eq!(Geometry::read(&twice).err(), Some(DataError::NotOnce { entry: "gravity".into() }));
+        let more = format!("{whole}moon,1,ft,nowhere\n");
+        assert!(matches!(Geometry::read(&more).err(), Some(DataError::UnknownWord { field, .. }) if field == "moon"));
+    }
+
+    #[test]
+    fn the_library_refuses_a_vehicle_without_mass() {
+        let text = Texts::embedded().geometry.replace("barrier.mass,101.91", "barrier.mass,0");
+        let geometry = Geometry::read(&text).expect("numbers");
+        let refused = solve(&geometry.crabbed(19.23, 0.0, Wall::Fixed), "Table B1, 1 0.00");
+        assert!(matches!(refused, Err(DataError::Refused { collision, .. }) if collision == "Table B1, 1 0.00"));
+    }
+}

@@ -1,0 +1,131 @@
+//! What the paper says in words, and checks that join cells.
+
+mod crabbed;
+mod crush_plane;
+mod restitution;
+mod speeds;
+
+use crate::account::Computed;
+use crate::data::{DataError, Printed};
+use crate::geometry::Geometry;
+
+/// A statement, with what is found when it is computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// Its name, one that does not change.
+    pub name: &'static str,
+    /// Where it stands in the paper; `this crate` if it is a check of this crate's own.
+    pub place: &'static str,
+    /// What it says.
+    pub says: &'static str,
+    /// What is computed.
+    pub found: String,
+    /// Whether it holds, as found by this run.
+    pub standing: Standing,
+    /// Whether it is known to hold. A run in which the two differ does not hold.
+    pub expected: Standing,
+}
+
+/// Whether a statement holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// As it is worded.
+    Holds,
+    /// Under a condition that it lacks, which is said in what is found.
+    HoldsConditionally,
+    /// Not as it is worded.
+    Fails,
+}
+
+/// How many statements a run checks.
+pub(crate) const COUNT: usize = 22;
+
+/// The computed cells of Tables 1, 2 and B1.
+pub(crate) struct Cells<'a> {
+    pub(crate) table_1: &'a [Computed],
+    pub(crate) table_2: &'a [Computed],
+    pub(crate) table_b1: &'a [Computed],
+}
+
+/// Every statement, checked.
+pub(crate) fn all(geometry: &Geometry, cells: &Cells<'_>, table_b1: &str) -> Result<Vec<Statement>, DataError> {
+    let mut statements = restitution::statements(cells.table_1);
+    statements.extend(speeds::statements(geometry, cells.table_1)?);
+    statements.extend(crush_plane::statements(geometry, cells.table_2)?);
+    statements.extend(crabbed::statements(geometry, cells.table_b1, table_b1)?);
+    Ok(statements)
+}
+
+impl Statement {
+    /// Whether it stands as it is known to.
+    pub fn is_as_expected(&self) -> bool {
+        self.standing == self.expected
+    }
+}
+
+impl Standing {
+    /// The standing in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Standing::Holds => "holds",
+            Standing::HoldsConditionally => "holds under a condition",
+            Standing::Fails => "does not hold",
+        }
+    }
+
+    fn of(holds: bool) -> Self {
+        if holds { Standing::Holds } else { Standing::Fails }
+    }
+
+    /// Of a statement that holds where its condition is met, and does not elsewhere.
+    fn conditional(where_met: bool, elsewhere: bool) -> Self {
+        match (where_met, elsewhere) {
+            (true, true) => Standing::Holds,
+            (true, false) => Standing::HoldsConditionally,
+            (false, _) => Standing::Fails,
+        }
+    }
+}
+
+/// Whether a computed number rounds to digits of the paper's text.
+fn rounds_to(computed: f64, digits: &str) -> bool {
+    Printed::parse(digits).is_some_and(|printed| printed.agrees_with(computed))
+}
+
+/// The largest of some numbers; NaN if one of them is NaN, or if there are none.
+fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let bigger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
+    numbers.into_iter().reduce(bigger).unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::Texts;
+
+    fn run() -> Vec<Statement> {
+        crate::run_on(&Texts::embedded()).expect("embedded").statements
+    }
+
+    #[test]
+    fn every_statement_stands_as_expected() {
+        for statement in run() {
+            assert!(statement.is_as_expected(), "{statement:#?}");
+        }
+    }
+
+    #[test]
+    fn names_are_unique_and_their_number_is_known() {
+        let mut names = run().into_iter().map(|statement| statement.name).collect::<Vec<_>>();
+        assert_eq!(names.len(), COUNT);
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), COUNT);
+    }
+
+    #[test]
+    fn the_largest_does_not_lose_a_nan() {
+        assert_eq!(largest([1.0, 3.0, 2.0]), 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0]).is_nan() && largest([f64::NAN, 2.0]).is_nan() && largest([]).is_nan());
+    }
+}
