@@ -14,7 +14,7 @@
 //! **Why not `Copy`?** Rationals and heap-allocated duals are not. Arguments are taken by value and cloned only where they are used twice;
 //! for a `Copy` type that costs nothing.
 //!
-//! **Why [`Inv`](num_traits::Inv)?** It is what keeps the integers out: they have all four operations, and would answer a wrong impulse without a word.
+//! **Why [`Inv`]?** It is what keeps the integers out: they have all four operations, and would answer a wrong impulse without a word.
 //!
 //! **Why no `Zero` or `One`?** `is_zero` has no honest answer on four lanes or on an interval. Small integers come from [`Field::int`].
 //!
