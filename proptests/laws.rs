@@ -156,6 +156,16 @@ proptest! {
     }
 
     #[test]
+    fn with_a_given_moment_sliding_still_ends_at_the_critical_ratio(draw in draw(), moment in -9..=9_i32) {
+        let draw = crate::strategies::Draw { ratio: RatioDraw::Critical, law: Law::Brach, ..draw };
+        let collision = Collision { moment: Moment::Given(int(moment)), ..draw.exact() };
+        let impact = collision.evaluate();
+        prop_assert_eq!(&impact.critical_impulse, &impact.impulse);
+        prop_assert_eq!(impact.separation, Nt { n: -(collision.restitution * impact.approach.n), t: int(0) });
+        prop_assert_eq!(impact.moment, int(moment));
+    }
+
+    #[test]
     fn with_the_critical_moment_relative_rotation_ends(draw in draw()) {
         let draw = crate::strategies::Draw { ratio: RatioDraw::Critical, ..draw };
         let collision = Collision { moment: Moment::OfCritical(int(1)), ..draw.exact() };

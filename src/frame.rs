@@ -65,12 +65,10 @@ macro_rules! components {
         }
 
         impl<T: Real> $name<T> {
-            /// The length. That of no vector is 0 without derivatives, which a root at 0 does not have.
+            /// The length. That of no vector is 0 without derivatives.
             #[inline(always)]
             pub fn length(self) -> T {
-                let squared = self.length_squared();
-                let some = T::int(0).less(&squared);
-                T::select(some.clone(), T::select(some, squared, T::int(1)).sqrt(), T::int(0))
+                self.length_squared().sqrt()
             }
         }
 

@@ -1,4 +1,27 @@
 #![doc = include_str!("../README.md")]
+//!
+//! # The argument, module by module
+//!
+//! Each module uses those before it and none after it.
+//!
+//! | module | what goes in | what comes out |
+//! |---|---|---|
+//! | [`scalar`] | | what a number must be able to do |
+//! | [`frame`] | an angle, or the tangent of half of it | components in ground, contact and vehicle axes, which cannot be mixed |
+//! | [`vehicle`] | mass, inertia, heading, impact center, motion | one of the two parties |
+//! | [`body`] | a party, the crush plane | what the contact sees of it: inverse mass and inertia, arm, motion |
+//! | [`compliance`] | two bodies | K: the change of relative velocity by an impulse |
+//! | [`contact`] | two bodies | approach velocity, and separation velocity and loss for any impulse |
+//! | [`law`] | approach, restitution, impulse ratio | the impulse |
+//! | [`moment`] | approach, a moment or a fraction of the critical one | the moment impulse |
+//! | [`energy`] | impulse, approach, separation | the work of each component |
+//! | [`impact`] | | what an impact does: motions, impulse, ΔV and its direction, works |
+//! | [`collision`] | two parties and how they collide | the impact, whether possible or not |
+//! | [`admissible`] | a collision | how far e and μ may go without a gain of energy |
+//! | [`refusal`] | | why a collision can be refused |
+//! | [`solve`] | a collision | the impact, or every reason why there is none |
+//! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
+//! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;
@@ -11,20 +34,23 @@ pub mod contact;
 pub mod crush;
 pub mod energy;
 pub mod frame;
+pub mod impact;
 pub mod law;
 pub mod moment;
 pub mod paper;
 pub mod refusal;
 pub mod scalar;
+pub mod solve;
 pub mod vehicle;
 
 pub use admissible::Admissible;
 pub use body::Body;
-pub use collision::{Collision, Impact, Response};
+pub use collision::Collision;
 pub use compliance::Compliance;
 pub use contact::Contact;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
+pub use impact::{Impact, Response};
 pub use law::{ImpulseRatio, Law};
 pub use moment::{Moment, MomentCompliance};
 pub use refusal::{Refusal, Refusals, Tension};

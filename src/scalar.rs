@@ -121,13 +121,13 @@ impl<T: Field + PartialOrd> Ordered for T {
 /// Floats and dual numbers take sine, cosine and arctangent from `libm`, so a result has the same bits on every platform, and the real part of a
 /// dual number is the float.
 pub trait Real: Ordered {
-    /// The square root.
+    /// The square root. That of 0 is 0 without derivatives, which it does not have.
     fn sqrt(self) -> Self;
 
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
-    /// The angle of the direction (`x`, `self`), in (−π, π].
+    /// The angle of the direction (`x`, `self`), in [−π, π] as the sign of a zero `self` has it. That of no direction at all is the float's, without derivatives.
     fn atan2(self, x: Self) -> Self;
 }
 
@@ -165,6 +165,7 @@ impl Portable for f32 {
 mod dual {
     use super::{Portable, Real};
     use num_dual::{DualNum, DualStruct};
+    use num_traits::Zero;
 
     // The bound on the primitive is private on purpose: num-dual has two primitives, and both meet it.
     #[allow(private_bounds)]
@@ -175,6 +176,10 @@ mod dual {
     {
         #[inline(always)]
         fn sqrt(self) -> Self {
+            let re = self.re();
+            if T::NDERIV > 0 && re.is_zero() {
+                return T::from(re);
+            }
             DualNum::sqrt(&self)
         }
 
@@ -197,7 +202,7 @@ mod dual {
         fn atan2(self, x: Self) -> Self {
             let (y_re, x_re) = (self.re(), x.re());
             let angle = T::from(y_re.portable_atan2(x_re));
-            if T::NDERIV == 0 {
+            if T::NDERIV == 0 || (y_re.is_zero() && x_re.is_zero()) {
                 return angle;
             }
             let (y_re, x_re) = (T::from(y_re), T::from(x_re));

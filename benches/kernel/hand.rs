@@ -106,17 +106,53 @@ pub fn solve(d: &Directions) -> Outputs {
     }
 }
 
+/// Where the circular functions come from.
+pub trait Circle {
+    fn sin_cos(angle: f64) -> (f64, f64);
+    fn atan2(y: f64, x: f64) -> f64;
+}
+
+/// From the standard library: what is at hand, and differs between platforms.
+pub struct Std;
+
+/// From libm, as the library has it: the same bits everywhere.
+pub struct Libm;
+
+impl Circle for Std {
+    #[inline(always)]
+    fn sin_cos(angle: f64) -> (f64, f64) {
+        angle.sin_cos()
+    }
+
+    #[inline(always)]
+    fn atan2(y: f64, x: f64) -> f64 {
+        y.atan2(x)
+    }
+}
+
+impl Circle for Libm {
+    #[inline(always)]
+    fn sin_cos(angle: f64) -> (f64, f64) {
+        libm::sincos(angle)
+    }
+
+    #[inline(always)]
+    fn atan2(y: f64, x: f64) -> f64 {
+        libm::atan2(y, x)
+    }
+}
+
 /// Magnitude of a change of velocity, and where the force comes from.
 #[inline(always)]
-fn delta_v(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
+fn delta_v<C: Circle>(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
     let [forward, left] = back(heading, dv);
-    [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), libm::atan2(left, -forward)]
+    [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), C::atan2(left, -forward)]
 }
 
 #[inline(always)]
-pub fn solve_from_angles(a: &Angles<f64>) -> [f64; 16] {
+pub fn solve_from_angles<C: Circle>(a: &Angles<f64>) -> [f64; 16] {
     let direction = |angle: f64| {
-        let (sin, cos) = libm::sincos(angle);
+        let (sin, cos) = C::sin_cos(angle);
         [cos, sin]
     };
     let d = Directions {
@@ -136,7 +172,7 @@ pub fn solve_from_angles(a: &Angles<f64>) -> [f64; 16] {
         e: a.restitution,
     };
     let o = solve(&d);
-    let [dv1, pdof1] = delta_v(d.h1, [o.v1[0] - d.v1[0], o.v1[1] - d.v1[1]]);
-    let [dv2, pdof2] = delta_v(d.h2, [o.v2[0] - d.v2[0], o.v2[1] - d.v2[1]]);
+    let [dv1, pdof1] = delta_v::<C>(d.h1, [o.v1[0] - d.v1[0], o.v1[1] - d.v1[1]]);
+    let [dv2, pdof2] = delta_v::<C>(d.h2, [o.v2[0] - d.v2[0], o.v2[1] - d.v2[1]]);
     [o.v1[0], o.v1[1], o.w1, o.v2[0], o.v2[1], o.w2, o.p[0], o.p[1], o.mu0, o.wn, o.wt, o.tl, dv1, pdof1, dv2, pdof2]
 }

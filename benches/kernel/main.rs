@@ -12,7 +12,7 @@ mod hand;
 mod inputs;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use hand::{Directions, Outputs};
+use hand::{Directions, Libm, Outputs, Std};
 use inputs::{Angles, collision, collision_from_angles, outputs, outputs_with_directions};
 use num_dual::{Dual64, DualSVec64};
 use num_rational::BigRational;
@@ -76,10 +76,18 @@ fn angles(c: &mut Criterion) {
     group.throughput(Throughput::Elements(COLLISIONS as u64));
 
     let mut out = vec![[0.0; 16]; COLLISIONS];
-    group.bench_function("hand-written f64", |b| {
+    group.bench_function("hand-written f64, std", |b| {
         b.iter(|| {
             for (case, out) in black_box(&cases).iter().zip(&mut out) {
-                *out = hand::solve_from_angles(case);
+                *out = hand::solve_from_angles::<Std>(case);
+            }
+            black_box(&mut out);
+        });
+    });
+    group.bench_function("hand-written f64, libm", |b| {
+        b.iter(|| {
+            for (case, out) in black_box(&cases).iter().zip(&mut out) {
+                *out = hand::solve_from_angles::<Libm>(case);
             }
             black_box(&mut out);
         });

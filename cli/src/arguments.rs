@@ -17,6 +17,31 @@ Exit status:
   70  a defect of the program
   74  the output cannot be written";
 
+const CASE: &str = "\
+A case file, TOML or JSON:
+  schema = 1
+  [[vehicle]]                          # exactly two
+  name = \"sedan\"
+  mass = \"1163 kg\"
+  yaw_inertia = \"1945 kg m^2\"        # or radius_of_gyration = \"1.3 m\"
+  heading = \"180 deg\"                # from x, counter-clockwise
+  speed = \"12 m/s\"                   # or velocity = [\"-12 m/s\", \"0 m/s\"]
+  impact_center = [\"1.9 m\", \"0 m\"] # from the center of mass: forward, left
+  [[vehicle]]
+  name = \"wall\"
+  barrier = true                       # a fixed barrier has nothing else
+  [contact]
+  crush_plane = \"0 deg\"
+  restitution = 0.15
+  impulse_ratio = \"critical\"         # or 0.4, or { of_critical = 0.9 }
+  # friction = 0.45                    # instead of impulse_ratio
+  tangential_law = \"brach\"           # or \"kudlich-slibar\"
+Quantities are strings with a unit, or bare numbers in SI.
+
+Examples:
+  planar-impact solve cli/examples/position-a.toml
+  planar-impact solve cli/examples/sideswipe.toml --units us --format json";
+
 /// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
 #[derive(Debug, Parser)]
 #[command(name = "planar-impact", version, after_help = STATUS, max_term_width = 100)]
@@ -30,9 +55,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Verb {
     /// Solve a collision: final velocities, impulse, delta-V, energy.
-    #[command(
-        after_help = "Examples:\n  planar-impact solve cli/examples/position-a.toml\n  planar-impact solve case.toml --units si --format json"
-    )]
+    #[command(after_help = CASE)]
     Solve(Solve),
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]

@@ -92,7 +92,8 @@ fn sin_cos_one_by_one(x: f64x4) -> (f64x4, f64x4) {
 
 #[inline(always)]
 pub(super) fn sin_cos(x: f64x4) -> (f64x4, f64x4) {
-    if !x.abs().simd_le(f64x4::splat(LARGEST_ANGLE)).all() {
+    // One branch for all lanes: `all` would have one for each half.
+    if x.abs().simd_le(f64x4::splat(LARGEST_ANGLE)).to_bitmask() != 0b1111 {
         return sin_cos_one_by_one(x);
     }
     let rounded = x * f64x4::splat(core::f64::consts::FRAC_2_PI) + f64x4::splat(ROUNDER);
@@ -106,29 +107,28 @@ pub(super) fn sin_cos(x: f64x4) -> (f64x4, f64x4) {
     let odd = as_mask(i64x4::splat(0) - (quadrant & i64x4::splat(1)));
     let sin_sign = as_mask((quadrant & i64x4::splat(2)) << 62);
     let cos_sign = as_mask(((quadrant + i64x4::splat(1)) & i64x4::splat(2)) << 62);
-    (odd.select(cos, sin) ^ sin_sign, odd.select(sin, cos) ^ cos_sign)
+    // Exchanged in odd quadrants: an exclusive or that is applied to both.
+    let exchange = (sin ^ cos) & odd;
+    (sin ^ exchange ^ sin_sign, cos ^ exchange ^ cos_sign)
 }
 
 #[inline(always)]
 pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
     let (across, along) = (y.abs(), x.abs());
     let steep = across.simd_gt(along);
-    let greater = steep.select(across, along);
-    let lesser = steep.select(along, across);
-    // About 0 up to an eighth of a half turn, about π/4 from there on; 0/0 is the direction of x.
+    let (greater, lesser) = (across.fast_max(along), across.fast_min(along));
+    // About 0 up to an eighth of a half turn, about π/4 from there on. The smallest float in place of zero makes 0/0 the direction of x.
     let middle = lesser.simd_gt(greater * f64x4::splat(TAN_EIGHTH_PI));
-    let none = greater.simd_eq(f64x4::splat(0.0));
-    let numerator = middle.select(lesser - greater, lesser);
-    let denominator = none.select(f64x4::splat(1.0), middle.select(lesser + greater, greater));
+    let numerator = lesser - (greater & middle);
+    let denominator = (greater + (lesser & middle)).fast_max(f64x4::splat(f64::from_bits(1)));
     let t = numerator / denominator;
     let z = t * t;
     let near = t - (t * z) * eleven_terms(z, &ATAN);
-    let octant = middle.select(f64x4::splat(core::f64::consts::FRAC_PI_4), f64x4::splat(0.0)) + near;
+    let octant = (f64x4::splat(core::f64::consts::FRAC_PI_4) & middle) + near;
     let quadrant = steep.select(f64x4::splat(core::f64::consts::FRAC_PI_2) - octant, octant);
-    let sign = f64x4::splat(-0.0);
-    let behind = as_mask(i64x4::splat(0) - wide::bytemuck::cast::<_, i64x4>(wide::bytemuck::cast::<_, wide::u64x4>(x & sign) >> 63));
+    let behind = x.simd_lt(f64x4::splat(0.0));
     let half = behind.select(f64x4::splat(core::f64::consts::PI) - quadrant, quadrant);
-    half | (y & sign)
+    half | (y & f64x4::splat(-0.0))
 }
 
 #[cfg(test)]
