@@ -17,30 +17,30 @@ Exit status:
   70  a defect of the program
   74  the output cannot be written";
 
-const CASE: &str = "\
-A case file, TOML or JSON:
+const CASE: &str = r#"A case file, TOML or JSON:
   schema = 1
-  [[vehicle]]                          # exactly two
-  name = \"sedan\"
-  mass = \"1163 kg\"
-  yaw_inertia = \"1945 kg m^2\"        # or radius_of_gyration = \"1.3 m\"
-  heading = \"180 deg\"                # from x, counter-clockwise
-  speed = \"12 m/s\"                   # or velocity = [\"-12 m/s\", \"0 m/s\"]
-  impact_center = [\"1.9 m\", \"0 m\"] # from the center of mass: forward, left
+  [[vehicle]]                        # exactly two
+  name = "sedan"
+  mass = "1163 kg"
+  yaw_inertia = "1945 kg m^2"        # or radius_of_gyration = "1.3 m"
+  heading = "180 deg"                # from x, counter-clockwise
+  speed = "12 m/s"                   # or velocity = ["-12 m/s", "0 m/s"]
+  yaw_rate = "0 deg/s"               # may be left out
+  impact_center = ["1.9 m", "0 m"]   # from the center of mass: forward, left
   [[vehicle]]
-  name = \"wall\"
-  barrier = true                       # a fixed barrier has nothing else
+  name = "wall"
+  barrier = true                     # a fixed barrier has nothing else
   [contact]
-  crush_plane = \"0 deg\"
+  crush_plane = "0 deg"              # from x to the normal
   restitution = 0.15
-  impulse_ratio = \"critical\"         # or 0.4, or { of_critical = 0.9 }
-  # friction = 0.45                    # instead of impulse_ratio
-  tangential_law = \"brach\"           # or \"kudlich-slibar\"
+  impulse_ratio = "critical"         # or 0.4, or { of_critical = 0.9 }
+  # friction = 0.45                  # instead of impulse_ratio
+  tangential_law = "brach"           # or "kudlich-slibar"
 Quantities are strings with a unit, or bare numbers in SI.
 
 Examples:
   planar-impact solve cli/examples/position-a.toml
-  planar-impact solve cli/examples/sideswipe.toml --units us --format json";
+  planar-impact solve cli/examples/sideswipe.toml --units us --format json"#;
 
 /// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
 #[derive(Debug, Parser)]

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use planar_impact::{Admissible, Impact, ImpulseRatio, Law, Moment, Party, Response, Xy};
 
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
 use crate::case::Case;
 use crate::table::{self, Align};
 use crate::units::{Measure, Units};
@@ -68,7 +70,7 @@ impl Page<'_> {
             vec![what.to_owned(), unit, cell(sides[0]), cell(sides[1])]
         };
         let yaw = |rate: f64| self.units.number(Measure::YawRate, rate, 1.0);
-        let names = [0, 1].map(|i| shorten(&self.case.names[i], 24));
+        let names = [0, 1].map(|i| shorten(&self.case.names[i], 18));
         table::render(
             &["", "unit", &names[0], &names[1]],
             &[Align::Left, Align::Left, Align::Right, Align::Right],
@@ -169,12 +171,32 @@ fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
     )
 }
 
-/// A name that leaves room for the table.
+/// A name of at most so many columns, which leaves room for the table.
 fn shorten(name: &str, most: usize) -> String {
     // A line break or an escape in a name must not reach the terminal.
     let clean: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    match clean.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", &clean[..end]),
-        None => clean,
+    if clean.width() <= most {
+        return clean;
+    }
+    let mut short = String::new();
+    for c in clean.chars() {
+        if short.width() + c.width().unwrap_or(0) >= most {
+            break;
+        }
+        short.push(c);
+    }
+    short + "…"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_fit_their_column() {
+        assert_eq!(shorten("sedan", 18), "sedan");
+        assert_eq!(shorten("a sedan of a very long name", 18), "a sedan of a very…");
+        assert_eq!(shorten("\u{1b}[31mred", 18), " [31mred");
+        assert!(shorten(&"漢".repeat(20), 18).width() <= 18);
     }
 }
