@@ -38,6 +38,22 @@ proptest! {
     }
 
     #[test]
+    fn an_f32_refuses_the_same_where_the_answer_is_clear(draw in draw()) {
+        let exact = draw.exact();
+        let close = |x: BigRational, scale: BigRational| x.magnitude() <= scale * BigRational::int(1) / BigRational::int(1000);
+        let contact = exact.contact();
+        let speeds = contact.one.velocity_at_center().length_squared() + contact.two.velocity_at_center().length_squared();
+        prop_assume!(!close(contact.approach.n.clone().squared(), speeds) && contact.offset().n.magnitude() > BigRational::int(1) / BigRational::int(100));
+        let clear = match exact.solve() {
+            // Within a thousandth of a bound either answer may be an f32's.
+            Ok(impact) => !close(impact.loss(), impact.kinetic_energy.before.clone()) && matches!(exact.impulse_ratio, ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_)),
+            Err(refusals) => refusals.reasons().iter().all(|refusal| matches!(refusal, Refusal::NotClosing { .. })),
+        };
+        prop_assume!(clear);
+        prop_assert_eq!(kinds(exact.solve()), kinds(draw.of::<f32>().solve()));
+    }
+
+    #[test]
     fn what_is_solved_is_possible(draw in draw()) {
         let collision = draw.exact();
         let zero = BigRational::int(0);
@@ -115,6 +131,20 @@ fn refused(change: impl FnOnce(&mut Collision)) -> Vec<Refusal> {
 #[test]
 fn a_sound_collision_is_solved() {
     assert!(sound().solve().is_ok());
+}
+
+#[test]
+fn directions_of_every_float_are_directions() {
+    for degrees in 0..360_u16 {
+        let single = Collision { crush_plane: CrushPlane::from_angle(f32::from(degrees).to_radians()), ..sound().map(|x| x as f32) };
+        let double = Collision { crush_plane: CrushPlane::from_angle(f64::from(degrees).to_radians()), ..sound() };
+        for refusals in [kinds(single.solve()), kinds(double.solve())] {
+            assert!(
+                refusals.iter().all(|&kind| kind != discriminant(&Refusal::NotADirection { input: "", length_squared: () })),
+                "{degrees}"
+            );
+        }
+    }
 }
 
 #[test]

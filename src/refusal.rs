@@ -146,7 +146,7 @@ impl<T: fmt::Display> fmt::Display for Refusal<T> {
                 "the pair wedges at this impulse ratio: K_nn + μ K_nt is {normal}, and no push along the normal would separate them"
             ),
             Refusal::BeyondCritical { ratio, critical } => {
-                write!(f, "the impulse ratio {ratio} is beyond the critical one; it must lie between 0 and {critical}")
+                write!(f, "the impulse ratio {ratio} is beyond the critical one; it must lie between zero and {critical}")
             }
             Refusal::EnergyGain { gain, before } => write!(
                 f,

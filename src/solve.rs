@@ -1,7 +1,7 @@
 //! The forward problem with its conditions: the impact, or every reason why there is none.
 //!
 //! The checks stand around the kernel, which has no condition in it. Every scalar that compares with yes or no is refused the same (`proptests/refusals.rs`,
-//! `every_scalar_refuses_the_same`); `f32` has fewer digits than the thresholds here, so what is its rounding may pass for a closing speed.
+//! `every_scalar_refuses_the_same`), an f32 to its own precision.
 
 use crate::collision::Collision;
 use crate::contact::Contact;
@@ -10,19 +10,25 @@ use crate::impact::Impact;
 use crate::law::ImpulseRatio;
 use crate::moment::Moment;
 use crate::refusal::{Refusal, Refusals, Tension};
-use crate::scalar::{Field, Ordered};
+use crate::scalar::Ordered;
 use crate::vehicle::Party;
 use alloc::vec::Vec;
 
-/// 2⁻⁴⁸: what is smaller than this share of the terms it was summed from is their rounding.
-fn rounding<T: Field>() -> T {
-    let step = T::int(1) / T::int(1 << 24);
+/// Whether the scalar has no more than the 24 bits of an f32: one more than 2²⁴ is 2²⁴.
+fn is_single<T: Ordered<Mask = bool>>() -> bool {
+    let limit = T::int(1 << 24);
+    !limit.less(&(limit.clone() + T::int(1)))
+}
+
+/// 2⁻⁴⁸: what is smaller than this share of the terms it was summed from is their rounding. 2⁻²⁰ of an f32.
+fn rounding<T: Ordered<Mask = bool>>() -> T {
+    let step = T::int(1) / T::int(if is_single::<T>() { 1 << 10 } else { 1 << 24 });
     step.squared()
 }
 
-/// 2⁻⁴⁰: how far a given direction may be from unit length, and a given ratio from a critical one computed elsewhere.
-fn slack<T: Field>() -> T {
-    let step = T::int(1) / T::int(1 << 20);
+/// 2⁻⁴⁰: how far a given direction may be from unit length, and a given ratio from a critical one computed elsewhere. 2⁻¹⁶ of an f32.
+fn slack<T: Ordered<Mask = bool>>() -> T {
+    let step = T::int(1) / T::int(if is_single::<T>() { 1 << 8 } else { 1 << 20 });
     step.squared()
 }
 

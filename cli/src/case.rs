@@ -146,7 +146,8 @@ impl Given {
     }
 
     /// A quantity that must be above zero. The library refuses it too; said here, it is said together with everything else that is wrong in the file.
-    fn positive(&self, field: Field<'_>, place: &Field<'_>, kind: Kind) -> Option<f64> {
+    fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let place = field.clone();
         let value = self.quantity(field, kind)?;
         if value > 0.0 {
             return Some(value);
@@ -156,8 +157,17 @@ impl Given {
         None
     }
 
+    /// A quantity that may be zero but not below.
+    fn not_negative(&self, field: Field<'_>, kind: Kind) {
+        let place = field.clone();
+        if let Some(value) = self.quantity(field, kind).filter(|&value| value < 0.0) {
+            place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        }
+    }
+
     /// A pure number that must lie between 0 and a greatest value.
-    fn coefficient(&self, field: Field<'_>, place: &Field<'_>, greatest: f64) -> Option<f64> {
+    fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
+        let place = field.clone();
         let value = self.quantity(field, Kind::PURE)?;
         if (0.0..=greatest).contains(&value) {
             return Some(value);
@@ -218,9 +228,12 @@ impl Given {
 
     fn party(&self, table: &Table<'_>, number: usize) -> Option<(String, Party)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
-        if table.optional("barrier").boolean() == Some(true) {
-            table.finish();
-            return Some((name, Party::Barrier));
+        if table.has("barrier") {
+            // Neither true nor false says nothing of the other keys.
+            if table.optional("barrier").boolean()? {
+                table.finish_because("a barrier has nothing but a name");
+                return Some((name, Party::Barrier));
+            }
         }
         let vehicle = self.vehicle(table);
         self.crush(table);
@@ -229,12 +242,12 @@ impl Given {
     }
 
     fn vehicle(&self, table: &Table<'_>) -> Option<Vehicle> {
-        let mass = self.positive(table.required("mass"), &table.optional("mass"), Kind::MASS);
+        let mass = self.positive(table.required("mass"), Kind::MASS);
         let heading = self.quantity(table.required("heading"), Kind::ANGLE);
         let impact_center = self.pair(table.required("impact_center"), Kind::LENGTH);
         let yaw_rate = table.has("yaw_rate").then(|| self.quantity(table.optional("yaw_rate"), Kind::YAW_RATE));
         let yaw_inertia = match one_of(table, "yaw_inertia", "radius_of_gyration") {
-            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), &table.optional("yaw_inertia"), Kind::YAW_INERTIA),
+            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA),
             Some(_) => self.radius_of_gyration(table).zip(mass).map(|(radius, mass)| mass * radius * radius),
             None => None,
         };
@@ -258,14 +271,17 @@ impl Given {
 
     /// Squared it would lose its sign.
     fn radius_of_gyration(&self, table: &Table<'_>) -> Option<f64> {
-        self.positive(table.required("radius_of_gyration"), &table.optional("radius_of_gyration"), Kind::LENGTH)
+        self.positive(table.required("radius_of_gyration"), Kind::LENGTH)
     }
 
     /// The crush of a vehicle, which `solve` has no use for, but whose mistakes it reports.
     fn crush(&self, table: &Table<'_>) {
         let Some(crush) = table.optional("crush").table() else { return };
-        self.quantity(crush.required("width"), Kind::LENGTH);
-        let _ = crush.required("depths").list(Kind::LENGTH, 2);
+        self.positive(crush.required("width"), Kind::LENGTH);
+        let depths = crush.required("depths").items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX);
+        for depth in depths.into_iter().flatten() {
+            self.not_negative(depth, Kind::LENGTH);
+        }
         if let Some(stiffness) = crush.required("stiffness").table() {
             let forms: [&[(&'static str, Kind)]; 3] = [
                 &[("d0", Kind::ROOT_FORCE), ("d1", Kind::ROOT_FORCE_PER_LENGTH)],
@@ -274,7 +290,11 @@ impl Given {
             ];
             let form = forms.iter().find(|form| form.iter().any(|(key, _)| stiffness.has(key))).unwrap_or(&forms[0]);
             for &(key, kind) in *form {
-                self.quantity(stiffness.required(key), kind);
+                if key.starts_with("test") {
+                    self.positive(stiffness.required(key), kind);
+                } else {
+                    self.not_negative(stiffness.required(key), kind);
+                }
             }
             stiffness.finish();
         }
@@ -283,7 +303,7 @@ impl Given {
 
     fn contact(&self, table: &Table<'_>) -> Option<Contact> {
         let crush_plane = self.quantity(table.required("crush_plane"), Kind::ANGLE);
-        let restitution = self.coefficient(table.required("restitution"), &table.optional("restitution"), 1.0);
+        let restitution = self.coefficient(table.required("restitution"), 1.0);
         let impulse_ratio = self.impulse_ratio(table);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
             Some("kudlich-slibar") => Law::KudlichSlibar,
@@ -300,7 +320,7 @@ impl Given {
                 let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
                 table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
             }
-            let friction = self.coefficient(table.required("friction"), &table.optional("friction"), f64::INFINITY);
+            let friction = self.coefficient(table.required("friction"), f64::INFINITY);
             return friction.map(ImpulseRatio::LimitedByFriction);
         }
         let field = table.optional("impulse_ratio");

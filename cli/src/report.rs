@@ -1,7 +1,5 @@
 //! The result of `solve` as a person reads it.
 
-use std::fmt::Write;
-
 use planar_impact::{Admissible, Impact, ImpulseRatio, Law, Moment, Party, Response, Xy};
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
@@ -15,8 +13,8 @@ pub fn render(case: &Case, impact: &Impact, units: Units, notes: &[String]) -> S
     let page = Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) };
     let mut text = String::new();
     if !case.title.is_empty() {
-        text.push_str(&case.title);
-        text.push_str("\n\n");
+        text.push_str(&table::wrap(&clean(&case.title), ""));
+        text.push('\n');
     }
     for section in [page.vehicles(), page.contact(), page.energies()] {
         text.push_str(&section);
@@ -24,8 +22,7 @@ pub fn render(case: &Case, impact: &Impact, units: Units, notes: &[String]) -> S
     }
     text.push_str(&page.remarks());
     for note in notes {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "Note: {note}.");
+        text.push_str(&table::wrap(&format!("{note}."), "Note: "));
     }
     text
 }
@@ -171,10 +168,14 @@ fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
     )
 }
 
+/// Without line breaks and escapes, which must not reach the terminal.
+fn clean(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
 /// A name of at most so many columns, which leaves room for the table.
 fn shorten(name: &str, most: usize) -> String {
-    // A line break or an escape in a name must not reach the terminal.
-    let clean: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let clean = clean(name);
     if clean.width() <= most {
         return clean;
     }

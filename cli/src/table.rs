@@ -1,4 +1,4 @@
-//! Tables of text.
+//! Text laid out for a terminal of 80 columns.
 
 use comfy_table::{Cell, CellAlignment, LineStyle, Table, TableStyle};
 
@@ -27,4 +27,10 @@ pub fn render(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> Strin
         table.add_row(cells(&mut row.iter().cloned()));
     }
     table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+}
+
+/// Lines of at most 80 columns with a newline behind each, the first behind its label and the others indented by four.
+pub fn wrap(text: &str, label: &str) -> String {
+    let options = textwrap::Options::new(80).initial_indent(label).subsequent_indent("    ");
+    textwrap::fill(text, options) + "\n"
 }

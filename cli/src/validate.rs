@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::Done;
 use crate::arguments::{Format, Validate};
 use crate::exit::{Failure, Status};
-use crate::table::{self, Align};
+use crate::table::{self, Align, wrap};
 
 /// Runs the validation and prints every cell.
 ///
@@ -102,29 +102,9 @@ fn computed(cell: &Cell) -> String {
 }
 
 fn in_words(statement: &Statement) -> String {
-    wrap(statement.says, &format!("\n  {}: ", statement.place)) + &wrap(&statement.found, &format!("    {}: ", statement.standing.name()))
-}
-
-/// Lines of at most 80 columns, the first behind its label and the others indented by four.
-fn wrap(text: &str, label: &str) -> String {
-    let mut wrapped = label.to_owned();
-    let mut column = label.trim_start_matches('\n').chars().count();
-    let mut first = true;
-    for word in text.split_whitespace() {
-        let length = word.chars().count();
-        if !first && column + 1 + length > 80 {
-            wrapped.push_str("\n    ");
-            column = 4;
-        } else if !first {
-            wrapped.push(' ');
-            column += 1;
-        }
-        wrapped.push_str(word);
-        column += length;
-        first = false;
-    }
-    wrapped.push('\n');
-    wrapped
+    "\n".to_owned()
+        + &wrap(statement.says, &format!("  {}: ", statement.place))
+        + &wrap(&statement.found, &format!("    {}: ", statement.standing.name()))
 }
 
 /// The JSON document of `validate`.

@@ -7,6 +7,8 @@ use crate::units::{Measure, Units};
 /// The key a refusal is about, what is wrong, and what may help.
 pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option<String>) {
     let say = |measure, value: f64| units.quantity(measure, value);
+    // Beside a meter and a meter a second: rounding reads as zero.
+    let beside_one = |measure, value: f64| format!("{} {}", units.number(measure, value, 1.0), units.unit(measure));
     match refusal {
         Refusal::NotFinite { input, value } => (input, format!("it is {value}; a finite number is expected"), None),
         Refusal::NotPositive { input, value } => {
@@ -27,8 +29,8 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
             let what = if parting { "the vehicles separate" } else { "the vehicles do not close" };
             let message = format!(
                 "{what}: the normal approach velocity is {}, and center of mass 2 lies {} from center of mass 1 along the normal",
-                say(Measure::Speed, *approach),
-                say(Measure::Length, *offset),
+                beside_one(Measure::Speed, *approach),
+                beside_one(Measure::Length, *offset),
             );
             let help = "they close when the two have opposite signs and neither is zero; check velocities, impact centers and crush plane";
             ("contact", message, Some(help.to_owned()))
@@ -46,7 +48,7 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
         }
         Refusal::BeyondCritical { ratio, critical } => {
             let message = format!("the impulse ratio {} is beyond the critical one", trim(*ratio));
-            let help = format!("it must lie between 0 and {}", trim(*critical));
+            let help = format!("it must lie between {} and {}", trim(critical.min(0.0)), trim(critical.max(0.0)));
             ("contact.impulse_ratio", message, Some(help))
         }
         Refusal::EnergyGain { gain, before } => {

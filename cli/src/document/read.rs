@@ -69,11 +69,21 @@ impl<'a> Table<'a> {
 
     /// Reports every key that was never asked for, with the nearest one that was.
     pub fn finish(&self) {
+        self.finish_with(None);
+    }
+
+    /// The same, saying why these keys are not known here.
+    pub fn finish_because(&self, why: &str) {
+        self.finish_with(Some(why));
+    }
+
+    fn finish_with(&self, why: Option<&str>) {
         let known = self.known.borrow();
         let absent: Vec<&str> = known.iter().copied().filter(|key| self.find(key).is_none()).collect();
         let unknown = |entry: &&Entry| !known.contains(&entry.key.as_str());
         for entry in self.entries.iter().filter(unknown).take(MOST_KEPT) {
             let help = match nearest(&entry.key, absent.iter().copied()) {
+                _ if why.is_some() => why.unwrap_or_default().to_owned(),
                 Some(key) => format!("did you mean `{key}`?"),
                 None => format!("the keys known here are {}", known.join(", ")),
             };
@@ -107,6 +117,7 @@ fn join(path: &str, key: &str) -> String {
 
 /// A key's value, or an array's item, not yet read. Every getter returns nothing, and reports
 /// why, unless the value is of the sort asked for; see [`Table::optional`] for a missing one.
+#[derive(Clone)]
 pub struct Field<'a> {
     context: &'a Context<'a>,
     path: String,
@@ -181,7 +192,11 @@ impl<'a> Field<'a> {
 
     /// A whole number written without point and exponent, in the range.
     pub fn integer(self, range: RangeInclusive<i64>) -> Option<i64> {
-        let wanted = format!("a whole number from {} to {}", range.start(), range.end());
+        let wanted = if range.start() == range.end() {
+            format!("the number {}", range.start())
+        } else {
+            format!("a whole number from {} to {}", range.start(), range.end())
+        };
         let node = self.present(&wanted)?;
         let Value::Number(number) = &node.value else {
             return self.mismatch(node, &wanted, None);
@@ -210,13 +225,6 @@ impl<'a> Field<'a> {
         let wanted = format!("an array of two values, each {}", kind.wanted());
         let items = self.items(&wanted, 2..=2)?;
         all(items.into_iter().map(|item| item.quantity(kind)))?.try_into().ok()
-    }
-
-    /// An array of at least `least` quantities.
-    pub fn list(self, kind: Kind, least: usize) -> Option<Vec<Quantity>> {
-        let wanted = format!("an array of at least {least} values, each {}", kind.wanted());
-        let items = self.items(&wanted, least..=usize::MAX)?;
-        all(items.into_iter().map(|item| item.quantity(kind)))
     }
 
     /// An array with a number of items in the range, each a field to be read on; `wanted` says

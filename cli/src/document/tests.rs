@@ -204,7 +204,9 @@ fn each_item_of_a_list_reports_its_own_problem() {
     let document = Document::parse(source("a.toml", "a = [\"1 m\", \"2\", 1e999]\nb = \"no\"")).unwrap();
     let problems = document
         .read(|root| {
-            root.required("a").list(Kind::LENGTH, 2);
+            for item in root.required("a").items("an array of lengths", 2..=usize::MAX).into_iter().flatten() {
+                item.quantity(Kind::LENGTH);
+            }
             root.required("b").choice(&["none", "linear"]);
             Some(())
         })

@@ -1,0 +1,105 @@
+//! Calls that are wrong, and output that cannot be written.
+
+use super::COLLISION;
+use crate::process::{Folder, run};
+
+#[test]
+fn wrong_calls() {
+    let folder = Folder::new();
+    folder.write("case.toml", COLLISION.as_bytes());
+    let calls: [(&[&str], &str); 14] = [
+        (&[], "Usage: planar-impact <COMMAND>"),
+        (&["solv", "case.toml"], "a similar subcommand exists: 'solve'"),
+        (&["frobnicate"], "unrecognized subcommand 'frobnicate'"),
+        (&["--frobnicate"], "unexpected argument '--frobnicate'"),
+        (&["solve"], "<CASE>"),
+        (&["solve", "case.toml", "case.toml"], "unexpected argument"),
+        (&["solve", "case.toml", "--fromat", "json"], "a similar argument exists: '--format'"),
+        (&["solve", "case.toml", "--format", "yaml"], "invalid value 'yaml'"),
+        (&["solve", "case.toml", "--format"], "a value is required for '--format"),
+        (&["solve", "case.toml", "--format", "json", "--format", "json"], "cannot be used multiple times"),
+        (&["solve", "case.toml", "--units", "imperial"], "invalid value 'imperial'"),
+        (&["solve", "case.toml", "--units", "SI"], "invalid value 'SI'"),
+        (&["validate", "case.toml"], "unexpected argument 'case.toml'"),
+        (&["completions", "tcsh"], "invalid value 'tcsh'"),
+    ];
+    for (arguments, says) in calls {
+        let run = run(folder.path(), arguments);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{arguments:?}: {}", run.err);
+        assert!(run.err.contains(says), "{arguments:?}: {}", run.err);
+        // Without a verb the whole help is shown, and that tells of status 70.
+        let never: &[&str] = if arguments.is_empty() { &["panicked", "\u{1b}"] } else { &["panicked", "\u{1b}", "defect"] };
+        assert!(never.iter().all(|words| !run.err.contains(words)), "{arguments:?}: {}", run.err);
+    }
+}
+
+#[test]
+fn the_text_form_refuses_the_same() {
+    let folder = Folder::new();
+    folder.write("case.toml", COLLISION.replace("2564 lb", "2564 ft").as_bytes());
+    let (text, json) = (run(folder.path(), &["solve", "case.toml"]), run(folder.path(), &["solve", "case.toml", "--format=json"]));
+    assert_eq!((text.status, text.out.as_str(), &text.err), (2, "", &json.err));
+    folder.write("case.toml", COLLISION.replace("40 ft/s", "-40 ft/s").as_bytes());
+    let (text, si) = (run(folder.path(), &["solve", "case.toml"]), run(folder.path(), &["solve", "case.toml", "--units", "si"]));
+    assert_eq!((text.status, text.out.as_str(), si.status, si.out.as_str()), (3, "", 3, ""));
+    assert!(text.err.contains("-40.00 ft/s") && si.err.contains("-12.19 m/s"), "in the units asked for: {} {}", text.err, si.err);
+}
+
+#[test]
+fn a_name_that_begins_with_a_dash() {
+    let folder = Folder::new();
+    folder.write("-dash.toml", COLLISION.as_bytes());
+    assert_eq!(run(folder.path(), &["solve", "--", "-dash.toml"]).status, 0);
+    assert_eq!(run(folder.path(), &["solve", "-dash.toml"]).status, 2);
+}
+
+#[test]
+fn nothing_is_left_behind() {
+    let folder = Folder::new();
+    folder.write("case.toml", COLLISION.as_bytes());
+    for format in ["text", "json"] {
+        run(folder.path(), &["solve", "case.toml", "--format", format]);
+    }
+    let files = std::fs::read_dir(folder.path()).expect("a folder").count();
+    assert_eq!(files, 1);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk() {
+    use crate::process::planar_impact;
+    let folder = Folder::new();
+    folder.write("case.toml", COLLISION.as_bytes());
+    let calls: [&[&str]; 6] = [
+        &["solve", "case.toml"],
+        &["solve", "case.toml", "--format", "json"],
+        &["validate"],
+        &["man"],
+        &["completions", "bash"],
+        &["--help"],
+    ];
+    for arguments in calls {
+        let full = std::fs::File::create("/dev/full").expect("Linux has it");
+        let child = planar_impact(folder.path()).args(arguments).stdout(full).stderr(std::process::Stdio::piped()).spawn();
+        let run = crate::process::Run::of(child.expect("the program starts").wait_with_output().expect("the program ends"));
+        assert_eq!(run.status, 74, "{arguments:?}: {}", run.err);
+        assert!(run.err.starts_with("error: the output cannot be written: "), "{arguments:?}: {}", run.err);
+        assert!(!run.err.contains("panicked") && !run.err.contains("defect"), "{}", run.err);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_has_seen_enough() {
+    use crate::process::planar_impact;
+    let mut child = planar_impact(&crate::process::workspace())
+        .args(["validate", "--format", "json"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // As `head` does, only sooner.
+    drop(child.stdout.take());
+    let run = crate::process::Run::of(child.wait_with_output().expect("the program ends"));
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+}

@@ -1,0 +1,210 @@
+//! Inputs that must be refused, and a few that look as if they should be and must not.
+//!
+//! Each is a case file with a few words replaced. The run must end with the exact status, print nothing on standard output, and
+//! name the file, the line and the key on standard error.
+
+mod calls;
+mod contact;
+mod files;
+mod keys;
+mod numbers;
+mod physics;
+mod several;
+mod types;
+mod units;
+mod vehicles;
+
+use crate::process::{Folder, Run, planar_impact};
+
+/// A sound case: two vehicles.
+const COLLISION: &str = r#"schema = 1
+title = "a case"
+
+[[vehicle]]
+name = "sedan"
+mass = "2564 lb"
+yaw_inertia = "1434.9 lbf s^2 ft"
+heading = "180 deg"
+speed = "40 ft/s"
+yaw_rate = "0 deg/s"
+impact_center = ["6.3499 ft", "0 ft"]
+
+[[vehicle]]
+name = "pickup"
+mass = "6345 lb"
+yaw_inertia = "5192.4 lbf s^2 ft"
+heading = "90 deg"
+speed = "41 ft/s"
+impact_center = ["7.96804 ft", "-3.2356 ft"]
+
+[contact]
+crush_plane = "0 deg"
+restitution = 0.1
+"#;
+
+/// A sound case: a vehicle and a wall.
+const WALL: &str = r#"schema = 1
+title = "a wall"
+
+[[vehicle]]
+name = "car"
+mass = 1200
+yaw_inertia = 2000
+heading = "0 deg"
+velocity = [10, 2]
+impact_center = [2, 0.5]
+
+[[vehicle]]
+name = "wall"
+barrier = true
+
+[contact]
+crush_plane = "0 deg"
+restitution = 0
+"#;
+
+/// A sound case: a vehicle with crush, and a wall.
+const CRUSHED: &str = r#"schema = 1
+
+[[vehicle]]
+name = "wall"
+barrier = true
+
+[[vehicle]]
+name = "car"
+mass = 1200
+yaw_inertia = 2000
+heading = "180 deg"
+speed = "10 m/s"
+impact_center = [2, 0.5]
+
+[vehicle.crush]
+width = "5 ft"
+depths = ["3 in", "4.1 in", "5 in", "2 in"]
+stiffness = { d0 = "48.27 lbf^0.5", d1 = "162.8 lbf^0.5/ft" }
+
+[contact]
+crush_plane = "0 deg"
+restitution = 0.2
+"#;
+
+/// A sound case: two vehicles, as JSON.
+const JSON: &str = r#"{
+  "schema": 1,
+  "title": "a case",
+  "vehicle": [
+    {"name": "sedan", "mass": "2564 lb", "yaw_inertia": "1434.9 lbf s^2 ft", "heading": "180 deg", "speed": "40 ft/s",
+     "yaw_rate": "0 deg/s", "impact_center": ["6.3499 ft", "0 ft"]},
+    {"name": "pickup", "mass": "6345 lb", "yaw_inertia": "5192.4 lbf s^2 ft", "heading": "90 deg", "speed": "41 ft/s",
+     "impact_center": ["7.96804 ft", "-3.2356 ft"]}
+  ],
+  "contact": {"crush_plane": "0 deg", "restitution": 0.1}
+}
+"#;
+
+/// One input and what must come of it.
+struct Bad {
+    name: &'static str,
+    base: &'static str,
+    /// What to replace in the base, each found exactly once or in the first place.
+    edits: &'static [(&'static str, &'static str)],
+    status: i32,
+    /// The line that must be named; 0 for none.
+    line: usize,
+    /// What else standard error must contain.
+    says: &'static [&'static str],
+}
+
+/// A mistake in the file of two vehicles.
+const fn wrong(name: &'static str, edits: &'static [(&'static str, &'static str)], line: usize, says: &'static [&'static str]) -> Bad {
+    Bad { name, base: COLLISION, edits, status: 2, line, says }
+}
+
+impl Bad {
+    /// The same mistake in another file.
+    const fn of(mut self, base: &'static str) -> Bad {
+        self.base = base;
+        self
+    }
+
+    /// The same with another status.
+    const fn ends(mut self, status: i32) -> Bad {
+        self.status = status;
+        self
+    }
+
+    fn text(&self) -> String {
+        let mut text = self.base.to_owned();
+        for (old, new) in self.edits {
+            assert!(text.contains(old), "{}: the base has no {old}", self.name);
+            text = text.replacen(old, new, 1);
+        }
+        text
+    }
+
+    fn file(&self) -> &'static str {
+        if self.base.trim_start().starts_with(['{', '[']) { "case.json" } else { "case.toml" }
+    }
+}
+
+/// Runs every input of a table and reports all that do not end as they should.
+fn check(table: &[Bad]) {
+    let folder = Folder::new();
+    let mut faults = String::new();
+    for bad in table {
+        folder.write(bad.file(), bad.text().as_bytes());
+        let run = solve(&folder, bad.file());
+        let mut wanted: Vec<String> = bad.says.iter().map(|&words| words.to_owned()).collect();
+        if bad.line > 0 {
+            wanted.push(format!("{}:{}:", bad.file(), bad.line));
+        }
+        for fault in faults_of(&run, bad.status, bad.file(), &wanted) {
+            faults.push_str(&format!("{}: {fault}\n{}\n\n", bad.name, run.err));
+        }
+    }
+    assert!(faults.is_empty(), "\n{faults}");
+}
+
+/// Solves a file of the folder by its bare name, which messages then repeat.
+fn solve(folder: &Folder, file: &str) -> Run {
+    Run::of(planar_impact(folder.path()).args(["solve", "--format", "json", file]).output().expect("the program starts"))
+}
+
+/// What is wrong with how a run ended.
+fn faults_of(run: &Run, status: i32, file: &str, wanted: &[String]) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut hold = |holds: bool, fault: String| {
+        if !holds {
+            faults.push(fault);
+        }
+    };
+    hold(run.status == status, format!("exit status {}, expected {status}", run.status));
+    hold(run.out.is_empty() != (run.status == 0), format!("{} bytes on standard output at status {}", run.out.len(), run.status));
+    hold(run.err.is_empty() == (status == 0), "standard error is empty when and only when all is well".to_owned());
+    if status == 2 || status == 3 {
+        hold(run.err.contains(file), format!("the file {file} is not named"));
+        hold(run.err.starts_with("error: "), "the message does not begin as an error".to_owned());
+    }
+    for words in wanted {
+        hold(run.err.contains(words), format!("nothing says {words:?}"));
+    }
+    for never in ["panicked", "defect", "\u{1b}", "Some(", "Err("] {
+        hold(!run.err.contains(never), format!("standard error contains {never:?}"));
+    }
+    faults
+}
+
+#[test]
+fn the_bases_are_sound() {
+    let sound = |name, base| wrong(name, &[], 0, &[]).of(base).ends(0);
+    check(&[sound("two vehicles", COLLISION), sound("a wall", WALL), sound("crush", CRUSHED), sound("JSON", JSON)]);
+}
+
+#[test]
+fn the_tables_are_large() {
+    let tables = [numbers::BAD, units::BAD, keys::BAD, types::BAD, vehicles::BAD, contact::BAD, physics::BAD, files::BAD];
+    let names: Vec<&str> = tables.iter().flat_map(|table| table.iter().map(|bad| bad.name)).collect();
+    assert!(names.len() >= 180, "{}", names.len());
+    let unique: std::collections::HashSet<&str> = names.iter().copied().collect();
+    assert_eq!(unique.len(), names.len(), "each name tells one input");
+}

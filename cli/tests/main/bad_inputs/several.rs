@@ -1,0 +1,101 @@
+//! Several problems in one file: all of them, in the order of the file.
+
+use super::{COLLISION, CRUSHED, JSON, WALL, solve, wrong};
+use crate::process::Folder;
+
+/// The errors of a wrong input, each by its first line.
+fn errors(file: &str, text: &str) -> Vec<String> {
+    errors_at(2, file, text)
+}
+
+/// The errors of a file that ends with a status.
+fn errors_at(status: i32, file: &str, text: &str) -> Vec<String> {
+    let folder = Folder::new();
+    folder.write(file, text.as_bytes());
+    let run = solve(&folder, file);
+    assert_eq!((run.status, run.out.as_str()), (status, ""), "{}", run.err);
+    run.err.lines().filter(|line| line.starts_with("error: ")).map(str::to_owned).collect()
+}
+
+/// That there are these errors, no more and no fewer, in this order.
+fn are(found: &[String], keys: &[&str]) {
+    assert_eq!(found.len(), keys.len(), "{found:#?}");
+    for (error, key) in found.iter().zip(keys) {
+        assert!(error.starts_with(&format!("error: {key}: ")), "{error} is not about {key}");
+    }
+}
+
+#[test]
+fn all_at_once_in_file_order() {
+    let edits = &[
+        ("schema = 1", "schema = 3"),
+        ("2564 lb", "2564 ft"),
+        ("180 deg", "180 dge"),
+        ("yaw_rate", "yaw_ratte"),
+        ("41 ft/s", "nan ft/s"),
+        ("= 0.1\n", "= 7\ncolor = 1\ntangential_law = \"x\"\n"),
+    ];
+    let keys = [
+        "schema",
+        "vehicle.1.mass",
+        "vehicle.1.heading",
+        "vehicle.1.yaw_ratte",
+        "vehicle.2.speed",
+        "contact.restitution",
+        "contact.color",
+        "contact.tangential_law",
+    ];
+    are(&errors("case.toml", &wrong("", edits, 0, &[]).text()), &keys);
+}
+
+#[test]
+fn of_both_vehicles_and_of_crush() {
+    let missing = &[("mass = \"2564 lb\"\n", ""), ("41 ft/s", "41 kg")];
+    are(&errors("case.toml", &wrong("", missing, 0, &[]).text()), &["vehicle.1.mass", "vehicle.2.speed"]);
+    let crush = &[("1200", "0"), ("5 ft", "5 s"), ("\"4.1 in\", \"5 in\"", "\"4.1 s\", \"nan in\""), ("lbf^0.5/ft", "lbf/ft")];
+    let keys =
+        ["vehicle.2.mass", "vehicle.2.crush.width", "vehicle.2.crush.depths.2", "vehicle.2.crush.depths.3", "vehicle.2.crush.stiffness.d1"];
+    are(&errors("case.toml", &wrong("", crush, 0, &[]).of(CRUSHED).text()), &keys);
+}
+
+#[test]
+fn in_json_as_in_toml() {
+    let edits = &[("2564 lb", "0 lb"), ("41 ft/s", "41 ft"), ("0.1}", "2, \"friction\": -1}")];
+    let keys = ["vehicle.1.mass", "vehicle.2.speed", "contact.restitution", "contact.friction"];
+    are(&errors("case.json", &wrong("", edits, 0, &[]).of(JSON).text()), &keys);
+}
+
+#[test]
+fn syntax_errors_of_several_lines() {
+    let text = COLLISION.replace("\"2564 lb\"", "2564 lb").replace("\"41 ft/s\"", "41 ft/s");
+    assert_eq!(errors("case.toml", &text).len(), 2);
+}
+
+#[test]
+fn a_hundred_thousand_do_not_flood_the_terminal() {
+    let unknown: String = (0..100_000).map(|i| format!("k{i} = 1\n")).collect();
+    let found = errors("case.toml", &format!("{COLLISION}{unknown}"));
+    assert_eq!(found.len(), 101);
+    assert_eq!(found[100], "error: there are more problems in this file");
+}
+
+#[test]
+fn of_the_physics_too() {
+    let edits = &[
+        ("1200", "1"),
+        ("2000", "1"),
+        ("[10, 2]", "[-3, -2]"),
+        ("[2, 0.5]", "[-1, 1]"),
+        ("restitution = 0", "restitution = 1\nimpulse_ratio = 30"),
+    ];
+    let found = errors_at(3, "case.toml", &wrong("", edits, 0, &[]).of(WALL).text());
+    are(&found, &["contact.restitution", "contact.impulse_ratio"]);
+    assert!(found[0].contains("would gain energy") && found[1].contains("beyond the critical one"), "{found:#?}");
+}
+
+#[test]
+fn the_input_before_the_physics() {
+    // What is read wrongly cannot be judged: of a file that has both, only the former is told.
+    let edits = &[("40 ft/s", "-40 ft/s"), ("= 0.1\n", "= 7\n")];
+    are(&errors("case.toml", &wrong("", edits, 0, &[]).text()), &["contact.restitution"]);
+}

@@ -1,0 +1,141 @@
+//! What the help, the manual page and the completions promise, and the verb `validate`.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::process::{Folder, Run, examples, run, workspace};
+
+fn help(arguments: &[&str]) -> String {
+    let run = run(&workspace(), arguments);
+    assert_eq!((run.status, run.err.as_str()), (0, ""), "{arguments:?}");
+    assert!(run.out.is_ascii() || !run.out.contains('\u{1b}'), "no colors in a pipe");
+    run.out
+}
+
+/// The verbs that `--help` lists, but for `help`.
+fn verbs() -> Vec<String> {
+    let listed = help(&["--help"]);
+    let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let verbs: Vec<String> =
+        lines.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").map(str::to_owned).collect();
+    assert!(["solve", "validate", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)), "{verbs:?}");
+    verbs
+}
+
+/// The words of a line as a shell splits it, without what is redirected or piped.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
+    for letter in line.chars() {
+        match letter {
+            '"' | '\'' => quoted = !quoted,
+            '>' | '|' if !quoted => break,
+            ' ' if !quoted => words.push(std::mem::take(&mut word)),
+            other => word.push(other),
+        }
+    }
+    words.push(word);
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+#[test]
+fn every_example_of_the_help_runs_as_printed() {
+    // The workspace's root as far as examples know it, with the `case.toml` that a reader has.
+    let folder = Folder::new();
+    for path in examples() {
+        let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
+        folder.write(&name, &fs::read(&path).expect("the example can be read"));
+    }
+    fs::copy(folder.path().join("cli/examples/position-a.toml"), folder.path().join("case.toml")).expect("a copy");
+    for verb in verbs() {
+        let text = help(&[&verb, "--help"]);
+        let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| line.starts_with("planar-impact ")).collect();
+        assert!(!lines.is_empty(), "`{verb} --help` has no example");
+        for line in lines {
+            let words = words(line);
+            assert_eq!(words[1], verb, "{line}");
+            let arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
+            let run: Run = run(folder.path(), &arguments);
+            assert_eq!((run.status, run.err.as_str()), (0, ""), "{line}");
+            assert!(!run.out.is_empty(), "{line}");
+        }
+    }
+}
+
+#[test]
+fn help_comes_in_every_way() {
+    assert_eq!(help(&["--help"]), help(&["help"]));
+    let whole = help(&["--help"]);
+    for status in ["0  done", "2  the input", "3  the physics", "70  a defect", "74  the output"] {
+        assert!(whole.contains(status), "{status}");
+    }
+    for verb in verbs() {
+        assert_eq!(help(&["help", &verb]), help(&[&verb, "--help"]));
+        assert!(help(&[&verb, "-h"]).contains("Usage: planar-impact "), "{verb}");
+    }
+    assert_eq!(help(&["--version"]), format!("planar-impact {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn every_shell_has_completions() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = help(&["completions", shell]);
+        assert!(script.contains("planar-impact"), "{shell}");
+        for verb in verbs() {
+            assert!(script.contains(&verb), "{shell}: {verb}");
+        }
+    }
+}
+
+#[test]
+fn the_manual_page_has_every_verb_and_flag() {
+    let page = help(&["man"]);
+    assert!(page.contains(".TH planar-impact"), "a page begins with its title");
+    for verb in verbs() {
+        assert!(page.contains(&format!("planar\\-impact\\-{verb}")), "{verb}");
+    }
+    for flag in ["\\-\\-format", "\\-\\-units", "\\-\\-help"] {
+        assert!(page.contains(flag), "{flag}");
+    }
+}
+
+/// The cells that the paper misprints: as printed, and as they must be.
+const MISPRINTS: [(&str, &str); 2] = [("-21631.2", "-21639.2"), ("49197.30", "43197.30")];
+
+#[test]
+fn validate_names_the_misprints() {
+    let run = run(&workspace(), &["validate"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    for (printed, holds) in MISPRINTS {
+        let told = format!("printed {printed}; {holds} holds: ");
+        // The reason may break over lines.
+        let flat = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let at = flat.find(&told).unwrap_or_else(|| panic!("{told}\n{}", run.out));
+        assert!(flat[at + told.len()..].split_whitespace().take(4).count() == 4, "a reason follows");
+    }
+    assert!(run.out.contains("2 misprinted"), "{}", run.out);
+    assert!(!run.out.contains("PROBLEM"), "{}", run.out);
+    assert!(run.out.lines().all(|line| line.chars().count() <= 80));
+}
+
+#[test]
+fn validate_counts_every_cell_in_json() {
+    let run = run(&workspace(), &["validate", "--format", "json"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let report: Value = serde_json::from_str(&run.out).expect("JSON");
+    assert_eq!((&report["schema"], &report["holds"]), (&Value::from(1), &Value::from(true)));
+    let cells = report["cells"].as_array().expect("cells");
+    assert_eq!(cells.len(), 186);
+    for cell in cells {
+        assert!(cell["computed"].as_f64().is_some_and(f64::is_finite), "{cell}");
+        assert!(["table", "row", "column", "unit", "printed", "verdict"].iter().all(|key| cell[key].is_string()), "{cell}");
+    }
+    let misprints: Vec<&Value> = cells.iter().filter(|cell| cell.get("holds").is_some()).collect();
+    let mut told: Vec<(&str, &str)> =
+        misprints.iter().map(|cell| (cell["printed"].as_str().expect("text"), cell["holds"].as_str().expect("text"))).collect();
+    told.sort_unstable();
+    assert_eq!(told, MISPRINTS);
+    assert!(misprints.iter().all(|cell| cell["why"].as_str().is_some_and(|why| why.len() > 20)), "{misprints:?}");
+    assert_eq!(report["problems"], Value::Array(Vec::new()));
+}

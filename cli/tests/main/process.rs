@@ -1,0 +1,98 @@
+//! Running the program, and folders that vanish.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// How a run of the program ended.
+pub struct Run {
+    /// The exit status.
+    pub status: i32,
+    /// All of standard output.
+    pub out: String,
+    /// All of standard error.
+    pub err: String,
+}
+
+impl Run {
+    /// Of a finished process.
+    pub fn of(output: Output) -> Run {
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
+        let status = output.status.code().expect("the program ends by itself");
+        Run { status, out: text(output.stdout), err: text(output.stderr) }
+    }
+}
+
+/// The program in a folder, without the variables that change what it prints.
+pub fn planar_impact(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_planar-impact"));
+    command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env_remove("CLICOLOR_FORCE");
+    command
+}
+
+/// Runs the program in a folder.
+pub fn run(folder: &Path, arguments: &[&str]) -> Run {
+    Run::of(planar_impact(folder).args(arguments).output().expect("the program starts"))
+}
+
+/// Runs the program with a text on standard input.
+pub fn run_with_input(arguments: &[&str], input: &str) -> Run {
+    let mut command = planar_impact(&std::env::temp_dir());
+    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program starts");
+    // Closed when it goes out of scope: the program reads to the end.
+    let sent = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    sent.expect("the program reads all of its input");
+    Run::of(child.wait_with_output().expect("the program ends"))
+}
+
+/// The root of the workspace, where the manual's examples are meant to be run.
+pub fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is a folder of the workspace").to_owned()
+}
+
+/// The case files that come with the program.
+pub fn examples() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    paths.sort();
+    assert!(paths.len() >= 5, "{paths:?}");
+    paths
+}
+
+/// A folder of its own, removed when dropped.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// A new and empty one.
+    pub fn new() -> Folder {
+        static MADE: AtomicUsize = AtomicUsize::new(0);
+        let name = format!("planar-impact-test-{}-{}", std::process::id(), MADE.fetch_add(1, Ordering::Relaxed));
+        let path = std::env::temp_dir().join(name);
+        fs::create_dir(&path).expect("the folder is new");
+        Folder(path)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// Writes a file in it.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.0.join(name);
+        fs::create_dir_all(path.parent().expect("a file is in a folder")).expect("a folder");
+        fs::write(&path, bytes).expect("the file can be written");
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // A folder that stays behind in the temporary one is no reason to fail.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
