@@ -18,7 +18,7 @@ fn kinds<T>(result: Result<Impact<T>, Refusals<T>>) -> Vec<Discriminant<Refusal<
         Refusal::OutOfFloatRange => Refusal::OutOfFloatRange,
         Refusal::NotClosing { .. } => Refusal::NotClosing { approach: (), offset: () },
         Refusal::Tensile { reason, .. } => Refusal::Tensile { normal: (), reason: *reason },
-        Refusal::BeyondCritical { .. } => Refusal::BeyondCritical { ratio: (), critical: () },
+        Refusal::BeyondCritical { .. } => Refusal::BeyondCritical { ratio: (), critical: None },
         Refusal::EnergyGain { .. } => Refusal::EnergyGain { gain: (), before: () },
         other => panic!("a kind of refusal that this test does not know: {}", other.is_physical()),
     };
@@ -217,12 +217,42 @@ fn the_critical_ratio_itself_is_not_beyond_it() {
     assert!(Collision { impulse_ratio: ImpulseRatio::Given(critical), ..sound() }.solve().is_ok());
     for fraction in [1.25, -0.25] {
         let ratio = fraction * critical;
-        assert_eq!(refused(|c| c.impulse_ratio = ImpulseRatio::OfCritical(fraction)), [Refusal::BeyondCritical { ratio, critical }]);
+        assert_eq!(
+            refused(|c| c.impulse_ratio = ImpulseRatio::OfCritical(fraction)),
+            [Refusal::BeyondCritical { ratio, critical: Some(critical) }]
+        );
     }
     for ratio in [critical * 1.000_001, -critical * 0.1] {
         let reasons = refused(|c| c.impulse_ratio = ImpulseRatio::Given(ratio));
-        assert_eq!(reasons, [Refusal::BeyondCritical { ratio, critical }]);
+        assert_eq!(reasons, [Refusal::BeyondCritical { ratio, critical: Some(critical) }]);
         assert!(reasons[0].is_physical());
+    }
+}
+
+/// Where the impulse that ends sliding would pull, or is all tangential, every ratio of its side slides on, and the other side is refused without a bound.
+#[test]
+fn a_ratio_where_sliding_does_not_end() {
+    let int = BigRational::int;
+    let scraping = |vy: i32, ratio: i32| Collision {
+        one: Party::Vehicle(Vehicle {
+            mass: int(1),
+            yaw_inertia: int(1),
+            heading: Heading { cos: int(1), sin: int(0) },
+            impact_center: ForwardLeft { forward: int(1), left: int(1) },
+            motion: Motion { velocity: Xy { x: int(1), y: int(vy) }, yaw_rate: int(0) },
+        }),
+        two: Party::Barrier,
+        crush_plane: CrushPlane { cos: int(1), sin: int(0) },
+        restitution: int(0),
+        impulse_ratio: ImpulseRatio::Given(int(ratio)),
+        law: Law::Brach,
+        moment: Moment::None,
+    };
+    // K = [[2, -1], [-1, 2]], so P_n is proportional to -(2 + vy): nothing at vy = -2, a pull beyond.
+    for vy in [-2, -3] {
+        let refusals = scraping(vy, 1).solve().expect_err("it would speed the sliding up");
+        assert_eq!(refusals.reasons()[0], Refusal::BeyondCritical { ratio: int(1), critical: None });
+        assert!(scraping(vy, -1).solve().is_ok());
     }
 }
 

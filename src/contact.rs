@@ -45,7 +45,7 @@ impl<T: Field> Contact<T> {
     /// velocity](Contact::greatest_loss).
     #[inline(always)]
     pub fn loss(&self, impulse: Nt<T>) -> T {
-        impulse.clone().dot((self.approach.clone() + self.separation(impulse)).half())
+        impulse.clone().dot(self.approach.clone() + self.separation(impulse)).half()
     }
 
     /// The impulse after which the bodies have a common velocity at the impact center, K⁻¹ v. It is that of e = 0 and μ = μ₀.
@@ -58,13 +58,6 @@ impl<T: Field> Contact<T> {
     #[inline(always)]
     pub fn greatest_loss(&self) -> T {
         self.approach.clone().dot(self.common_velocity_impulse()).half()
-    }
-}
-
-impl<T: Field> Nt<T> {
-    #[inline(always)]
-    fn half(self) -> Self {
-        Nt { n: self.n.half(), t: self.t.half() }
     }
 }
 

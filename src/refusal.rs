@@ -64,8 +64,8 @@ pub enum Refusal<T = f64> {
     BeyondCritical {
         /// The impulse ratio μ.
         ratio: T,
-        /// The ratio of the sticking impulse.
-        critical: T,
+        /// The ratio of the sticking impulse. None where that impulse would pull: then any ratio of its side will do, and this one is of the other.
+        critical: Option<T>,
     },
     /// The vehicles would have more energy after the impact than before.
     EnergyGain {
@@ -145,8 +145,11 @@ impl<T: fmt::Display> fmt::Display for Refusal<T> {
                 f,
                 "the pair wedges at this impulse ratio: K_nn + μ K_nt is {normal}, and no push along the normal would separate them"
             ),
-            Refusal::BeyondCritical { ratio, critical } => {
+            Refusal::BeyondCritical { ratio, critical: Some(critical) } => {
                 write!(f, "the impulse ratio {ratio} is beyond the critical one; it must lie between zero and {critical}")
+            }
+            Refusal::BeyondCritical { ratio, critical: None } => {
+                write!(f, "the impulse ratio {ratio} has the wrong sign: it would speed the sliding up")
             }
             Refusal::EnergyGain { gain, before } => write!(
                 f,

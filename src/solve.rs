@@ -209,7 +209,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
                 if fraction.less(&T::int(0)) || T::int(1).less(fraction) {
                     let critical = sticking.t / sticking.n;
                     let ratio = fraction.clone() * critical.clone();
-                    return Err(Refusals([Refusal::BeyondCritical { ratio, critical }].into()));
+                    return Err(Refusals([Refusal::BeyondCritical { ratio, critical: Some(critical) }].into()));
                 }
             }
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
@@ -256,7 +256,8 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
             let limit = sticking.t.clone().magnitude() * (T::int(1) + slack());
             let against = (impact.impulse.t.clone() * sticking.t.clone()).less(&T::int(0));
             if against || limit.less(&impact.impulse.t.clone().magnitude()) {
-                findings.0.push(Refusal::BeyondCritical { ratio: ratio.clone(), critical: sticking.t / sticking.n });
+                let critical = self.check_push(contact, &sticking).is_ok().then(|| sticking.t / sticking.n);
+                findings.0.push(Refusal::BeyondCritical { ratio: ratio.clone(), critical });
             }
         }
         let loss = impact.loss();

@@ -46,7 +46,11 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
                 format!("the pair wedges at this impulse ratio: K_nn + mu K_nt is {normal:.3e} 1/kg, and no push would separate it");
             ("contact.impulse_ratio", message, None)
         }
-        Refusal::BeyondCritical { ratio, critical } => {
+        Refusal::BeyondCritical { ratio, critical: None } => {
+            let message = format!("the impulse ratio {} has the wrong sign: it would speed the sliding up", trim(*ratio));
+            ("contact.impulse_ratio", message, None)
+        }
+        Refusal::BeyondCritical { ratio, critical: Some(critical) } => {
             let message = format!("the impulse ratio {} is beyond the critical one", trim(*ratio));
             let help = format!("it must lie between {} and {}", trim(critical.min(0.0)), trim(critical.max(0.0)));
             ("contact.impulse_ratio", message, Some(help))

@@ -1,0 +1,284 @@
+//! The walk through a case file, key by key.
+
+use std::cell::RefCell;
+
+use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
+
+use crate::document::{Field, Table, Value};
+use crate::quantity::{Kind, Quantity};
+use crate::units::Units;
+
+/// What the keys of a case file give.
+pub(super) struct Read {
+    pub(super) title: String,
+    pub(super) names: [String; 2],
+    pub(super) collision: Collision,
+    pub(super) crush_plane: f64,
+}
+
+/// The contact of a case file.
+struct Contact {
+    crush_plane: f64,
+    restitution: f64,
+    impulse_ratio: ImpulseRatio,
+    law: Law,
+    moment: Moment,
+}
+
+/// The units met on the way through the file.
+#[derive(Default)]
+pub(super) struct Given {
+    pub(super) notes: RefCell<Vec<String>>,
+    us: RefCell<usize>,
+    si: RefCell<usize>,
+}
+
+impl Given {
+    /// The system that most quantities are in.
+    pub(super) fn units(&self) -> Units {
+        if *self.us.borrow() > *self.si.borrow() { Units::Us } else { Units::Si }
+    }
+
+    /// The value in SI, having noted its unit.
+    fn take(&self, path: &str, quantity: Quantity) -> f64 {
+        let Quantity { si, unit, bare } = quantity;
+        if bare && !unit.is_empty() {
+            self.notes.borrow_mut().push(format!("{path} has no unit: {si} {unit} taken"));
+        }
+        match Units::of(&unit) {
+            Some(Units::Us) => *self.us.borrow_mut() += 1,
+            Some(Units::Si) => *self.si.borrow_mut() += 1,
+            None => (),
+        }
+        si
+    }
+
+    fn quantity(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let path = field.path().to_owned();
+        field.quantity(kind).map(|quantity| self.take(&path, quantity))
+    }
+
+    /// A quantity that must be above zero. The library refuses it too; said here, it is said together with everything else that is wrong in the file.
+    fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, kind)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        let help = place.path().ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned());
+        place.report(format!("it is {value} {}; it must be above zero", kind.si), help);
+        None
+    }
+
+    /// A quantity that may be zero but not below.
+    fn not_negative(&self, field: Field<'_>, kind: Kind) {
+        let place = field.clone();
+        if let Some(value) = self.quantity(field, kind).filter(|&value| value < 0.0) {
+            place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        }
+    }
+
+    /// A pure number that must lie between 0 and a greatest value.
+    fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, Kind::PURE)?;
+        if (0.0..=greatest).contains(&value) {
+            return Some(value);
+        }
+        let range = if greatest.is_finite() { format!("from 0 to {greatest}") } else { "at least 0".to_owned() };
+        let percent = (value > 1.0 && value <= 100.0).then(|| format!("did you mean \"{value} %\"?"));
+        place.report(format!("it is {value}; it must be {range}"), percent);
+        None
+    }
+
+    fn pair(&self, field: Field<'_>, kind: Kind) -> Option<[f64; 2]> {
+        let path = field.path().to_owned();
+        let [a, b] = field.pair(kind)?;
+        Some([self.take(&format!("{path}.1"), a), self.take(&format!("{path}.2"), b)])
+    }
+
+    /// Everything, from the root of the file.
+    pub(super) fn case(&self, root: &Table<'_>) -> Option<Read> {
+        let schema = root.required("schema").integer(1..=1);
+        let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let vehicles = self.vehicles(root);
+        let contact = root.required("contact").table().and_then(|contact| self.contact(&contact));
+        // What other verbs read of the same file.
+        root.has("evidence");
+        root.has("unknown");
+        schema?;
+        let ([(name_1, one), (name_2, two)], contact) = (vehicles?, contact?);
+        Some(Read {
+            title,
+            names: [name_1, name_2],
+            collision: Collision {
+                one,
+                two,
+                crush_plane: CrushPlane::from_angle(contact.crush_plane),
+                restitution: contact.restitution,
+                impulse_ratio: contact.impulse_ratio,
+                law: contact.law,
+                moment: contact.moment,
+            },
+            crush_plane: contact.crush_plane,
+        })
+    }
+
+    fn vehicles(&self, root: &Table<'_>) -> Option<[(String, Party); 2]> {
+        let field = root.required("vehicle");
+        let place = root.optional("vehicle");
+        let tables = field.array_of_tables()?;
+        if tables.len() != 2 {
+            let plural = if tables.len() == 1 { "" } else { "s" };
+            place.report(
+                format!("expected exactly two vehicles; found {} table{plural}", tables.len()),
+                Some("a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned()),
+            );
+        }
+        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1)).collect();
+        let both: Option<Vec<_>> = read.into_iter().collect();
+        both?.try_into().ok()
+    }
+
+    fn party(&self, table: &Table<'_>, number: usize) -> Option<(String, Party)> {
+        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        if table.has("barrier") {
+            // Neither true nor false says nothing of the other keys.
+            if table.optional("barrier").boolean()? {
+                table.finish_because("a barrier has nothing but a name");
+                return Some((name, Party::Barrier));
+            }
+        }
+        let vehicle = self.vehicle(table);
+        self.crush(table);
+        table.finish();
+        vehicle.map(|vehicle| (name, Party::Vehicle(vehicle)))
+    }
+
+    fn vehicle(&self, table: &Table<'_>) -> Option<Vehicle> {
+        let mass = self.positive(table.required("mass"), Kind::MASS);
+        let heading = self.quantity(table.required("heading"), Kind::ANGLE);
+        let impact_center = self.pair(table.required("impact_center"), Kind::LENGTH);
+        let yaw_rate = table.has("yaw_rate").then(|| self.quantity(table.optional("yaw_rate"), Kind::YAW_RATE));
+        let yaw_inertia = match one_of(table, "yaw_inertia", "radius_of_gyration") {
+            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA),
+            Some(_) => self.radius_of_gyration(table).zip(mass).map(|(radius, mass)| mass * radius * radius),
+            None => None,
+        };
+        let velocity = match one_of(table, "speed", "velocity") {
+            Some("speed") => self
+                .quantity(table.required("speed"), Kind::SPEED)
+                .zip(heading)
+                .map(|(speed, heading)| Heading::from_angle(heading).to_ground(ForwardLeft { forward: speed, left: 0.0 })),
+            Some(_) => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Xy { x, y }),
+            None => None,
+        };
+        let [forward, left] = impact_center?;
+        Some(Vehicle {
+            mass: mass?,
+            yaw_inertia: yaw_inertia?,
+            heading: Heading::from_angle(heading?),
+            impact_center: ForwardLeft { forward, left },
+            motion: Motion { velocity: velocity?, yaw_rate: yaw_rate.unwrap_or(Some(0.0))? },
+        })
+    }
+
+    /// Squared it would lose its sign.
+    fn radius_of_gyration(&self, table: &Table<'_>) -> Option<f64> {
+        self.positive(table.required("radius_of_gyration"), Kind::LENGTH)
+    }
+
+    /// The crush of a vehicle, which `solve` has no use for, but whose mistakes it reports.
+    fn crush(&self, table: &Table<'_>) {
+        let Some(crush) = table.optional("crush").table() else { return };
+        self.positive(crush.required("width"), Kind::LENGTH);
+        let depths = crush.required("depths").items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX);
+        for depth in depths.into_iter().flatten() {
+            self.not_negative(depth, Kind::LENGTH);
+        }
+        if let Some(stiffness) = crush.required("stiffness").table() {
+            let forms: [&[(&'static str, Kind)]; 3] = [
+                &[("d0", Kind::ROOT_FORCE), ("d1", Kind::ROOT_FORCE_PER_LENGTH)],
+                &[("A", Kind::STIFFNESS), ("B", Kind::STIFFNESS_PER_WIDTH)],
+                &[("b0", Kind::SPEED), ("b1", Kind::SPEED_PER_LENGTH), ("test_mass", Kind::MASS), ("test_width", Kind::LENGTH)],
+            ];
+            let form = forms.iter().find(|form| form.iter().any(|(key, _)| stiffness.has(key))).unwrap_or(&forms[0]);
+            for &(key, kind) in *form {
+                if key.starts_with("test") {
+                    self.positive(stiffness.required(key), kind);
+                } else {
+                    self.not_negative(stiffness.required(key), kind);
+                }
+            }
+            stiffness.finish();
+        }
+        crush.finish();
+    }
+
+    fn contact(&self, table: &Table<'_>) -> Option<Contact> {
+        let crush_plane = self.quantity(table.required("crush_plane"), Kind::ANGLE);
+        let restitution = self.coefficient(table.required("restitution"), 1.0);
+        let impulse_ratio = self.impulse_ratio(table);
+        let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
+            Some("kudlich-slibar") => Law::KudlichSlibar,
+            _ => Law::Brach,
+        };
+        let moment = self.moment(table);
+        table.finish();
+        Some(Contact { crush_plane: crush_plane?, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? })
+    }
+
+    fn impulse_ratio(&self, table: &Table<'_>) -> Option<ImpulseRatio> {
+        if table.has("friction") {
+            if table.has("impulse_ratio") {
+                let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
+                table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
+            }
+            let friction = self.coefficient(table.required("friction"), f64::INFINITY);
+            return friction.map(ImpulseRatio::LimitedByFriction);
+        }
+        let field = table.optional("impulse_ratio");
+        match field.value() {
+            None => Some(ImpulseRatio::Critical),
+            Some(Value::Table(_)) => self.of_critical(field).map(ImpulseRatio::OfCritical),
+            Some(Value::Number(_)) => self.quantity(field, Kind::PURE).map(ImpulseRatio::Given),
+            Some(Value::String(text)) if text == "critical" => Some(ImpulseRatio::Critical),
+            Some(_) => {
+                field.report("expected \"critical\", a number, or { of_critical = 0.975 }", None);
+                None
+            }
+        }
+    }
+
+    fn moment(&self, table: &Table<'_>) -> Option<Moment> {
+        let field = table.optional("moment");
+        match field.value() {
+            None => Some(Moment::None),
+            Some(Value::Table(_)) => self.of_critical(field).map(Moment::OfCritical),
+            Some(_) => self.quantity(field, Kind::MOMENT_IMPULSE).map(Moment::Given),
+        }
+    }
+
+    fn of_critical(&self, field: Field<'_>) -> Option<f64> {
+        let table = field.table()?;
+        let fraction = self.quantity(table.required("of_critical"), Kind::PURE);
+        table.finish();
+        fraction
+    }
+}
+
+/// Which of two keys the table has, when it must have exactly one of them.
+fn one_of(table: &Table<'_>, first: &'static str, second: &'static str) -> Option<&'static str> {
+    match (table.has(first), table.has(second)) {
+        (true, true) => {
+            table.optional(second).report(format!("`{first}` and `{second}` exclude each other"), Some("give one of them".to_owned()));
+            Some(first)
+        }
+        (_, true) => Some(second),
+        (true, _) => Some(first),
+        (false, false) => {
+            table.problem(format!("missing `{first}` or `{second}`"), None);
+            None
+        }
+    }
+}
