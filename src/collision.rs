@@ -1,4 +1,21 @@
 //! The forward problem: from the motions before the impact to those after it.
+//!
+//! # Properties
+//!
+//! Equalities in exact arithmetic, for any law and ratio unless said otherwise; each is a property test.
+//!
+//! | what holds | test in `proptests/` |
+//! |---|---|
+//! | what one body gains in linear momentum the other loses, and it is the impulse | `laws.rs`, `linear_momentum_is_exchanged` |
+//! | neither body's angular momentum about the impact center changes, but by the moment impulse | `laws.rs`, `angular_momentum_of_each_body_about_the_impact_center_is_conserved`, `a_moment_impulse_is_the_change_of_angular_momentum` |
+//! | V_n = −e v_n | `laws.rs`, `normal_separation_is_restitution_of_the_approach` |
+//! | P_t = μ P_n, and V_t = 0 at μ₀ | `laws.rs`, `the_impulse_has_the_ratio_asked_for`, `sliding_ends_at_the_critical_ratio` |
+//! | W_n + W_t + W_m is the change of kinetic energy | `energy.rs`, `work_is_the_change_of_kinetic_energy`, `a_moment_impulse_is_in_the_account` |
+//! | T_L is its peak less ½ δ·K δ, so the peak is at e = 0, μ = μ₀ | `energy.rs`, `the_loss_is_its_peak_less_a_square`, `the_peak_is_at_common_velocity` |
+//! | there nothing depends on Γ; for e > 0 it does | `energy.rs`, `at_common_velocity_nothing_depends_on_the_crush_plane`, `with_restitution_the_loss_depends_on_the_crush_plane` |
+//! | the vehicles may be exchanged, mirrored, turned, watched in passing; Γ has two normals; units scale by their powers | `symmetry.rs` |
+//! | without arms they are point masses; a barrier is the limit of heavy vehicles, and exact | `limits.rs` |
+//! | f64 lies in the interval, which encloses the rational; lanes are four f64 | `scalars.rs` |
 
 use crate::body::Body;
 use crate::contact::Contact;
