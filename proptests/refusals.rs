@@ -253,6 +253,13 @@ fn a_ratio_where_sliding_does_not_end() {
         let refusals = scraping(vy, 1).solve().expect_err("it would speed the sliding up");
         assert_eq!(refusals.reasons()[0], Refusal::BeyondCritical { ratio: int(1), critical: None });
         assert!(scraping(vy, -1).solve().is_ok());
+        // The impulse that would end the sliding is refused, and so is any part of it but none.
+        let whole = Collision { impulse_ratio: ImpulseRatio::Critical, ..scraping(vy, 0) };
+        let half = Collision { impulse_ratio: ImpulseRatio::OfCritical(int(1) / int(2)), ..scraping(vy, 0) };
+        for collision in [whole, half] {
+            let refusals = collision.solve().expect_err("it would pull");
+            assert!(matches!(refusals.reasons(), [Refusal::Tensile { reason: Tension::Pulls, .. }]), "{refusals:?}");
+        }
     }
 }
 
