@@ -48,7 +48,8 @@ impl<T: Field> Work<T> {
     /// difference, which cancels.
     #[inline(always)]
     pub fn loss(&self) -> T {
-        -(self.n.clone() + self.t.clone() + self.m.clone())
+        // Less zero is nothing to compute for a float without a moment; plus zero would be, for the sake of negative zero.
+        -(self.n.clone() + self.t.clone()) - self.m.clone()
     }
 }
 

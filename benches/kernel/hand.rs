@@ -146,7 +146,9 @@ impl Circle for Libm {
 #[inline(always)]
 fn delta_v<C: Circle>(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
     let [forward, left] = back(heading, dv);
-    [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), C::atan2(left, -forward)]
+    // The same answer on the axes as the library's: no negative zero, which would be −π from straight behind.
+    let (left, forward) = (left + 0.0, 0.0 - forward);
+    [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), C::atan2(left, forward)]
 }
 
 #[inline(always)]
