@@ -11,10 +11,7 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
     let beside_one = |measure, value: f64| format!("{} {}", units.number(measure, value, 1.0), units.unit(measure));
     match refusal {
         Refusal::NotFinite { input, value } => (input, format!("it is {value}; a finite number is expected"), None),
-        Refusal::NotPositive { input, value } => {
-            let help = input.ends_with("mass").then(|| "a fixed barrier is a vehicle with `barrier = true` instead".to_owned());
-            (input, format!("it is {value} in SI; it must be above zero"), help)
-        }
+        Refusal::NotPositive { input, value } => (input, format!("it is {value} in SI; it must be above zero"), barrier_instead(input)),
         Refusal::OutOfRange { input, value, least, greatest } => {
             let range = greatest.map_or_else(|| format!("at least {least}"), |greatest| format!("from {least} to {greatest}"));
             let percent =
@@ -69,6 +66,16 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
         }
         other => ("", other.to_string(), None),
     }
+}
+
+/// What someone who gives no mass may have wanted.
+pub fn barrier_instead(key: &str) -> Option<String> {
+    key.ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
+}
+
+/// What someone who gives a coefficient above 1 may have meant.
+pub fn percent_meant(value: f64) -> Option<String> {
+    (value > 1.0 && value <= 100.0).then(|| format!("did you mean \"{value} %\"?"))
 }
 
 /// A number with six significant digits and no trailing zeros.

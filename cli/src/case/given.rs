@@ -1,12 +1,13 @@
 //! The walk through a case file, key by key.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
 
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
 use crate::units::Units;
+use crate::wording::{barrier_instead, percent_meant};
 
 /// What the keys of a case file give.
 pub(super) struct Read {
@@ -29,14 +30,14 @@ struct Contact {
 #[derive(Default)]
 pub(super) struct Given {
     pub(super) notes: RefCell<Vec<String>>,
-    us: RefCell<usize>,
-    si: RefCell<usize>,
+    us: Cell<usize>,
+    si: Cell<usize>,
 }
 
 impl Given {
     /// The system that most quantities are in.
     pub(super) fn units(&self) -> Units {
-        if *self.us.borrow() > *self.si.borrow() { Units::Us } else { Units::Si }
+        if self.us.get() > self.si.get() { Units::Us } else { Units::Si }
     }
 
     /// The value in SI, having noted its unit.
@@ -46,8 +47,8 @@ impl Given {
             self.notes.borrow_mut().push(format!("{path} has no unit: {si} {unit} taken"));
         }
         match Units::of(&unit) {
-            Some(Units::Us) => *self.us.borrow_mut() += 1,
-            Some(Units::Si) => *self.si.borrow_mut() += 1,
+            Some(Units::Us) => self.us.update(|count| count + 1),
+            Some(Units::Si) => self.si.update(|count| count + 1),
             None => (),
         }
         si
@@ -65,8 +66,7 @@ impl Given {
         if value > 0.0 {
             return Some(value);
         }
-        let help = place.path().ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned());
-        place.report(format!("it is {value} {}; it must be above zero", kind.si), help);
+        place.report(format!("it is {value} {}; it must be above zero", kind.si), barrier_instead(place.path()));
         None
     }
 
@@ -86,8 +86,7 @@ impl Given {
             return Some(value);
         }
         let range = if greatest.is_finite() { format!("from 0 to {greatest}") } else { "at least 0".to_owned() };
-        let percent = (value > 1.0 && value <= 100.0).then(|| format!("did you mean \"{value} %\"?"));
-        place.report(format!("it is {value}; it must be {range}"), percent);
+        place.report(format!("it is {value}; it must be {range}"), percent_meant(value));
         None
     }
 
