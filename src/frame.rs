@@ -179,6 +179,15 @@ macro_rules! direction {
             pub fn angle(self) -> T {
                 self.sin.atan2(self.cos)
             }
+
+            /// Turned by an angle in radians, counter-clockwise.
+            #[inline(always)]
+            #[must_use]
+            pub fn turned(self, by: T) -> Self {
+                let (sin, cos) = by.sin_cos();
+                let (cos, sin) = turn(&self.cos, &self.sin, cos, sin);
+                $name { cos, sin }
+            }
         }
     };
 }

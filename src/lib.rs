@@ -18,6 +18,7 @@
 //! | [`impact`] | | what an impact does: motions, impulse, ΔV and its direction, works |
 //! | [`collision`] | two parties and how they collide | the impact, whether possible or not |
 //! | [`admissible`] | a collision | how far e and μ may go without a gain of energy |
+//! | [`input`], [`output`] | a name | what goes into a collision and what comes out, each by one name |
 //! | [`refusal`] | | why a collision can be refused |
 //! | [`solve`] | a collision | the impact, or every reason why there is none |
 //! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
@@ -35,8 +36,10 @@ pub mod crush;
 pub mod energy;
 pub mod frame;
 pub mod impact;
+pub mod input;
 pub mod law;
 pub mod moment;
+pub mod output;
 pub mod paper;
 pub mod refusal;
 pub mod scalar;
@@ -51,8 +54,10 @@ pub use contact::Contact;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
 pub use impact::{Impact, Response};
+pub use input::{Input, Side};
 pub use law::{ImpulseRatio, Law};
 pub use moment::{Moment, MomentCompliance};
+pub use output::{Output, Outputs, VehicleOutputs};
 pub use refusal::{Refusal, Refusals, Tension};
 pub use scalar::{Field, Ordered, Real};
 pub use vehicle::{Motion, Party, Vehicle};
