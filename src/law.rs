@@ -95,13 +95,30 @@ pub fn impulse_at_ratio<T: Field>(compliance: &Compliance<T>, normal_change: T, 
 #[inline(always)]
 pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>, friction: T) -> Nt<T> {
     let sticking = compliance.impulse_for(change.clone());
-    let compression = sticking.n.clone() * change.n.clone();
-    let side = sticking.t.clone() * change.n.clone();
-    let slides = (friction.clone() * compression).less(&side.clone().magnitude());
-    let edge = T::select(side.less(&T::int(0)), -friction.clone(), friction);
-    let ratio = T::select(slides.clone(), edge, T::int(0));
+    let cone = FrictionCone::around(&sticking, &change, &friction);
+    let ratio = T::select(cone.slides.clone(), cone.side * friction, T::int(0));
     let sliding = impulse_at_ratio(compliance, change.n, ratio);
-    Nt { n: T::select(slides.clone(), sliding.n, sticking.n), t: T::select(slides, sliding.t, sticking.t) }
+    Nt { n: T::select(cone.slides.clone(), sliding.n, sticking.n), t: T::select(cone.slides, sliding.t, sticking.t) }
+}
+
+/// Where the sticking impulse lies beside the impulses that a friction allows.
+pub(crate) struct FrictionCone<T: Ordered> {
+    /// Whether it lies outside: the bodies slide throughout.
+    pub(crate) slides: T::Mask,
+    /// The sign of the ratio on the edge that it left by: 1 or −1.
+    pub(crate) side: T,
+}
+
+impl<T: Ordered> FrictionCone<T> {
+    #[inline(always)]
+    pub(crate) fn around(sticking: &Nt<T>, change: &Nt<T>, friction: &T) -> Self {
+        let compression = sticking.n.clone() * change.n.clone();
+        let across = sticking.t.clone() * change.n.clone();
+        FrictionCone {
+            slides: (friction.clone() * compression).less(&across.clone().magnitude()),
+            side: T::select(across.less(&T::int(0)), T::int(-1), T::int(1)),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@
 //! | [`input`], [`output`] | a name | what goes into a collision and what comes out, each by one name |
 //! | [`refusal`] | | why a collision can be refused |
 //! | [`solve`] | a collision | the impact, or every reason why there is none |
+//! | [`sensitivity`] | a collision | every output with its derivatives by every input |
 //! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -43,6 +44,8 @@ pub mod output;
 pub mod paper;
 pub mod refusal;
 pub mod scalar;
+#[cfg(feature = "dual")]
+pub mod sensitivity;
 pub mod solve;
 pub mod vehicle;
 
@@ -60,4 +63,6 @@ pub use moment::{Moment, MomentCompliance};
 pub use output::{Output, Outputs, VehicleOutputs};
 pub use refusal::{Refusal, Refusals, Tension};
 pub use scalar::{Field, Ordered, Real};
+#[cfg(feature = "dual")]
+pub use sensitivity::{Curved, Gradient, Hessian, Sensitive};
 pub use vehicle::{Motion, Party, Vehicle};

@@ -212,6 +212,42 @@ impl Output {
         NAMES[self.index()].1
     }
 
+    /// This output alone, of a collision and its impact.
+    #[inline(always)]
+    pub fn of<T: Real>(self, collision: &Collision<T>, impact: &Impact<T>) -> T {
+        let response = |side| match side {
+            Side::One => &impact.one,
+            Side::Two => &impact.two,
+        };
+        match self {
+            Output::VelocityX(side) => response(side).after.velocity.x.clone(),
+            Output::VelocityY(side) => response(side).after.velocity.y.clone(),
+            Output::YawRate(side) => response(side).after.yaw_rate.clone(),
+            Output::DeltaVX(side) => response(side).delta_v.x.clone(),
+            Output::DeltaVY(side) => response(side).delta_v.y.clone(),
+            Output::DeltaVMagnitude(side) => response(side).delta_v_magnitude(),
+            Output::PrincipalDirectionOfForce(side) => response(side).principal_direction_of_force(),
+            Output::Restitution => collision.restitution.clone(),
+            Output::ImpulseRatio => impact.impulse_ratio(),
+            Output::CriticalImpulseRatio => impact.critical_impulse_ratio(),
+            Output::NormalImpulse => impact.impulse.n.clone(),
+            Output::TangentialImpulse => impact.impulse.t.clone(),
+            Output::ImpulseX => impact.impulse_on_ground.x.clone(),
+            Output::ImpulseY => impact.impulse_on_ground.y.clone(),
+            Output::Moment => impact.moment.clone(),
+            Output::NormalApproach => impact.approach.n.clone(),
+            Output::TangentialApproach => impact.approach.t.clone(),
+            Output::NormalSeparation => impact.separation.n.clone(),
+            Output::TangentialSeparation => impact.separation.t.clone(),
+            Output::EnergyBefore => impact.kinetic_energy.before.clone(),
+            Output::EnergyAfter => impact.kinetic_energy.after.clone(),
+            Output::Loss => impact.loss(),
+            Output::NormalWork => impact.work.n.clone(),
+            Output::TangentialWork => impact.work.t.clone(),
+            Output::MomentWork => impact.work.m.clone(),
+        }
+    }
+
     /// The output of a name or a symbol.
     pub fn named(name: &str) -> Option<Output> {
         NAMES.iter().position(|&(path, symbol)| path == name || symbol == name).map(|at| Output::ALL[at])
@@ -281,7 +317,8 @@ impl<T> Outputs<T> {
 }
 
 impl<T> VehicleOutputs<T> {
-    fn map<U>(self, mut f: impl FnMut(T) -> U) -> VehicleOutputs<U> {
+    /// The same outputs on another scalar.
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> VehicleOutputs<U> {
         VehicleOutputs {
             after: self.after.map(&mut f),
             delta_v: self.delta_v.map(&mut f),

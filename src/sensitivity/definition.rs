@@ -1,0 +1,45 @@
+//! What a derivative is: dual numbers through the one solution.
+
+use super::{Curved, Gradient, Hessian, Sensitive};
+use crate::collision::Collision;
+use crate::input::Input;
+use crate::output::{Output, Outputs};
+use num_dual::{Dual64, HyperDual64};
+
+/// Every output with its derivatives by every input, one evaluation on [`Dual64`] for each input. Nothing is asked of the collision, as with
+/// [`Collision::evaluate`].
+pub fn by_definition(collision: &Collision) -> Outputs<Sensitive> {
+    let nothing = Gradient([0.0; Input::COUNT]);
+    let mut outputs = Outputs::of(collision, &collision.evaluate()).map(|value| Sensitive { value, by: nothing });
+    for input in Input::ALL {
+        let seeded = collision.map(Dual64::from).shifted(|other| Dual64::new(0.0, if other == input { 1.0 } else { 0.0 }));
+        let duals = Outputs::of(&seeded, &seeded.evaluate());
+        for output in Output::ALL {
+            outputs[output].by[input] = duals[output].eps;
+        }
+    }
+    outputs
+}
+
+/// One output with its first and second derivatives, one evaluation on [`HyperDual64`] for each pair of inputs. Nothing is asked of the collision, as with
+/// [`Collision::evaluate`].
+pub fn curvature_by_definition(collision: &Collision, of: Output) -> Curved {
+    let mut curved = Curved {
+        value: of.of(collision, &collision.evaluate()),
+        by: Gradient([0.0; Input::COUNT]),
+        twice: Hessian([[0.0; Input::COUNT]; Input::COUNT]),
+    };
+    for (i, one) in Input::ALL.into_iter().enumerate() {
+        for (j, other) in Input::ALL.into_iter().enumerate().skip(i) {
+            let seeded = collision.map(HyperDual64::from).shifted(|input| {
+                let unit = |seeded: Input| if input == seeded { 1.0 } else { 0.0 };
+                HyperDual64::new(0.0, unit(one), unit(other), 0.0)
+            });
+            let output = Outputs::of(&seeded, &seeded.evaluate())[of];
+            curved.by.0[i] = output.eps1;
+            curved.twice.0[i][j] = output.eps1eps2;
+            curved.twice.0[j][i] = output.eps1eps2;
+        }
+    }
+    curved
+}

@@ -1,0 +1,219 @@
+//! One body at the impact center, and what it does when its inputs move while the impulse is held.
+//!
+//! Everything that a body adds to the equation of the impulse is in one scalar. With σ = −1 for body 1 and +1 for body 2, with α and λ two constant vectors and w = 1/m, j = 1/I,
+//!
+//! ```text
+//! ℓ = σ (α·v + ω r×α) − w λ·P − j (r×λ) (r×P)
+//! ```
+//!
+//! is α times what the body adds to the approach velocity, less λ times what it yields to the impulse P. The moments r×α, r×λ, r×P are linear in the arm
+//! r = f h + l h⊥, h the heading, so their derivatives are moments and products with r and h again.
+
+use super::{Gradient, Hessian};
+use crate::frame::{CrushPlane, Nt, Xy};
+use crate::input::{Input, Side};
+use crate::scalar::Real;
+use crate::vehicle::Vehicle;
+
+/// A vehicle in the axes of the contact.
+#[derive(Clone, Copy)]
+pub(super) struct Lever<T> {
+    pub(super) side: Side,
+    /// σ
+    pub(super) sign: T,
+    /// w = 1/m
+    pub(super) inverse_mass: T,
+    /// j = 1/I
+    pub(super) inverse_yaw_inertia: T,
+    /// r
+    pub(super) arm: Nt<T>,
+    /// h
+    pub(super) ahead: Nt<T>,
+    /// v
+    pub(super) velocity: Nt<T>,
+    /// ω
+    pub(super) yaw_rate: T,
+}
+
+/// The moment r×x of a vector, and its derivatives by the inputs that move the arm.
+#[derive(Clone, Copy)]
+pub(super) struct Moments<T> {
+    pub(super) here: T,
+    pub(super) heading: T,
+    pub(super) forward: T,
+    pub(super) left: T,
+}
+
+/// The two constant vectors of ℓ and the impulse.
+#[derive(Clone, Copy)]
+pub(super) struct Held<T> {
+    /// α, the worth of the approach velocity.
+    pub(super) approach: Nt<T>,
+    /// λ, the worth of what yields.
+    pub(super) yielding: Nt<T>,
+    /// P
+    pub(super) impulse: Nt<T>,
+}
+
+impl<T: Real + Copy> Lever<T> {
+    #[inline(always)]
+    pub(super) fn of(vehicle: &Vehicle<T>, side: Side, plane: &CrushPlane<T>) -> Self {
+        Lever {
+            side,
+            sign: T::int(if side == Side::One { -1 } else { 1 }),
+            inverse_mass: vehicle.mass.inv(),
+            inverse_yaw_inertia: vehicle.yaw_inertia.inv(),
+            arm: plane.to_contact(vehicle.heading.to_ground(vehicle.impact_center)),
+            ahead: plane.to_contact(Xy { x: vehicle.heading.cos, y: vehicle.heading.sin }),
+            velocity: plane.to_contact(vehicle.motion.velocity),
+            yaw_rate: vehicle.motion.yaw_rate,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn moments(&self, x: Nt<T>) -> Moments<T> {
+        Moments { here: self.arm.cross(x), heading: -self.arm.dot(x), forward: self.ahead.cross(x), left: -self.ahead.dot(x) }
+    }
+
+    /// Adds the derivatives of σ (α·v + ω r×α). The crush plane turns both bodies against itself: for it a body turns back and its velocity too.
+    #[inline(always)]
+    pub(super) fn add_approach(&self, approach: Nt<T>, plane: &CrushPlane<T>, to: &mut Gradient<T>) {
+        let a = self.moments(approach);
+        let spin = self.sign * self.yaw_rate;
+        let on_ground = plane.to_ground(approach) * self.sign;
+        to.add(Input::Heading(self.side), spin * a.heading);
+        to.add(Input::ImpactCenterForward(self.side), spin * a.forward);
+        to.add(Input::ImpactCenterLeft(self.side), spin * a.left);
+        to.add(Input::VelocityX(self.side), on_ground.x);
+        to.add(Input::VelocityY(self.side), on_ground.y);
+        to.add(Input::YawRate(self.side), self.sign * a.here);
+        to.add(Input::CrushPlane, -(spin * a.heading) - self.sign * self.velocity.cross(approach));
+    }
+
+    /// Adds the derivatives of −w λ·P − j (r×λ) (r×P).
+    #[inline(always)]
+    pub(super) fn add_yielding(&self, yielding: Nt<T>, impulse: Nt<T>, to: &mut Gradient<T>) {
+        let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
+        let (b, c) = (self.moments(yielding), self.moments(impulse));
+        let by_arm = |bx: T, cx: T| -(j * (bx * c.here + b.here * cx));
+        let heading = by_arm(b.heading, c.heading);
+        to.add(Input::Mass(self.side), w * w * yielding.dot(impulse));
+        to.add(Input::YawInertia(self.side), j * j * b.here * c.here);
+        to.add(Input::Heading(self.side), heading);
+        to.add(Input::ImpactCenterForward(self.side), by_arm(b.forward, c.forward));
+        to.add(Input::ImpactCenterLeft(self.side), by_arm(b.left, c.left));
+        to.add(Input::CrushPlane, -heading);
+    }
+
+    /// Adds the second derivatives of ℓ.
+    #[inline(always)]
+    pub(super) fn add_hessian(&self, held: &Held<T>, plane: &CrushPlane<T>, to: &mut Hessian<T>) {
+        let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
+        let two = T::int(2);
+        let [a, b, c] = [held.approach, held.yielding, held.impulse].map(|x| self.moments(x));
+        let spin = self.sign * self.yaw_rate;
+        let on_ground = plane.to_ground(held.approach) * self.sign;
+        let arm = self.arm_inputs();
+        let (by_a, by_b, by_c) = (a.by_arm(), b.by_arm(), c.by_arm());
+        let [twice_a, twice_b, twice_c] = [a, b, c].map(|x| x.twice_by_arm());
+        to.add(Input::Mass(self.side), Input::Mass(self.side), -(two * w * w * w * held.yielding.dot(held.impulse)));
+        to.add(Input::YawInertia(self.side), Input::YawInertia(self.side), -(two * j * j * j * b.here * c.here));
+        for (p, &input) in arm.iter().enumerate() {
+            let by_inertia = j * j * (by_b[p] * c.here + b.here * by_c[p]);
+            to.add_pair(Input::YawInertia(self.side), input, by_inertia);
+            to.add_pair(Input::YawRate(self.side), input, self.sign * by_a[p]);
+            for (q, &other) in arm.iter().enumerate() {
+                let product = twice_b[p][q] * c.here + by_b[p] * by_c[q] + by_b[q] * by_c[p] + b.here * twice_c[p][q];
+                let curved = spin * twice_a[p][q] - j * product;
+                to.add(input, other, curved);
+                if p == 0 {
+                    to.add_pair(Input::CrushPlane, other, -curved);
+                }
+                if p == 0 && q == 0 {
+                    to.add(Input::CrushPlane, Input::CrushPlane, curved);
+                }
+            }
+        }
+        to.add_pair(Input::CrushPlane, Input::YawInertia(self.side), -(j * j * (b.heading * c.here + b.here * c.heading)));
+        to.add_pair(Input::CrushPlane, Input::YawRate(self.side), -(self.sign * a.heading));
+        to.add_pair(Input::CrushPlane, Input::VelocityX(self.side), -on_ground.y);
+        to.add_pair(Input::CrushPlane, Input::VelocityY(self.side), on_ground.x);
+        to.add(Input::CrushPlane, Input::CrushPlane, -(self.sign * held.approach.dot(self.velocity)));
+    }
+
+    /// Adds to `with` the derivative by the impulse of each derivative of ℓ.
+    #[inline(always)]
+    pub(super) fn add_mixed(&self, held: &Held<T>, with: &mut Nt<Gradient<T>>) {
+        let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
+        let b = self.moments(held.yielding);
+        let sweep = self.arm.quarter_turn();
+        let by_arm = |bx: T, cx: Nt<T>| -((sweep * bx + cx * b.here) * j);
+        let heading = by_arm(b.heading, -self.arm);
+        with.add(Input::Mass(self.side), held.yielding * (w * w));
+        with.add(Input::YawInertia(self.side), sweep * (j * j * b.here));
+        with.add(Input::Heading(self.side), heading);
+        with.add(Input::ImpactCenterForward(self.side), by_arm(b.forward, self.ahead.quarter_turn()));
+        with.add(Input::ImpactCenterLeft(self.side), by_arm(b.left, -self.ahead));
+        with.add(Input::CrushPlane, -heading);
+    }
+
+    /// The inputs that move the arm, in the order of [`Moments::by_arm`].
+    #[inline(always)]
+    pub(super) fn arm_inputs(&self) -> [Input; 3] {
+        [Input::Heading(self.side), Input::ImpactCenterForward(self.side), Input::ImpactCenterLeft(self.side)]
+    }
+}
+
+impl<T: Real + Copy> Moments<T> {
+    #[inline(always)]
+    pub(super) fn by_arm(&self) -> [T; 3] {
+        [self.heading, self.forward, self.left]
+    }
+
+    /// Second derivatives: the arm turns with the heading, and is linear in where the impact center is.
+    #[inline(always)]
+    pub(super) fn twice_by_arm(&self) -> [[T; 3]; 3] {
+        let zero = T::int(0);
+        [[-self.here, self.left, -self.forward], [self.left, zero, zero], [-self.forward, zero, zero]]
+    }
+}
+
+impl<T: Real + Copy> Gradient<T> {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Gradient([T::int(0); Input::COUNT])
+    }
+
+    #[inline(always)]
+    pub(super) fn add(&mut self, input: Input, x: T) {
+        self[input] = self[input] + x;
+    }
+}
+
+impl<T: Real + Copy> Nt<Gradient<T>> {
+    #[inline(always)]
+    pub(super) fn add(&mut self, input: Input, x: Nt<T>) {
+        self.n.add(input, x.n);
+        self.t.add(input, x.t);
+    }
+}
+
+impl<T: Real + Copy> Hessian<T> {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Hessian([[T::int(0); Input::COUNT]; Input::COUNT])
+    }
+
+    #[inline(always)]
+    pub(super) fn add(&mut self, one: Input, other: Input, x: T) {
+        let entry = &mut self.0[one.index()][other.index()];
+        *entry = *entry + x;
+    }
+
+    /// Adds to both places of a pair of different inputs.
+    #[inline(always)]
+    pub(super) fn add_pair(&mut self, one: Input, other: Input, x: T) {
+        self.add(one, other, x);
+        self.add(other, one, x);
+    }
+}
