@@ -7,7 +7,7 @@ use crate::scalar::Field;
 ///
 /// `n` is the work of the normal impulse, which the crush keeps; `t` that of the tangential impulse, from sliding, shearing and entanglement; `m` that of the
 /// moment impulse, zero when there is none. A single component may be positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work<T = f64> {
     /// W_n = −½ P_n (v_n + V_n)   (Eqs 5–7)
     pub n: T,
@@ -18,7 +18,7 @@ pub struct Work<T = f64> {
 }
 
 /// Kinetic energy of both bodies together, in J.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KineticEnergy<T = f64> {
     /// Before the impact.
     pub before: T,

@@ -16,7 +16,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 macro_rules! components {
     ($(#[$doc:meta])* $name:ident { $(#[$doc_a:meta])* $a:ident, $(#[$doc_b:meta])* $b:ident }) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct $name<T = f64> {
             $(#[$doc_a])*
             pub $a: T,

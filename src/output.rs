@@ -13,7 +13,7 @@ use core::fmt;
 use core::ops::{Index, IndexMut};
 
 /// Everything that is known after an impact, the magnitudes and ratios among it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Outputs<T = f64> {
     /// What happens to vehicle 1.
     pub one: VehicleOutputs<T>,
@@ -44,7 +44,7 @@ pub struct Outputs<T = f64> {
 }
 
 /// What an impact does to one vehicle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VehicleOutputs<T = f64> {
     /// Its motion after the impact.
     pub after: Motion<T>,

@@ -136,16 +136,28 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
     ///
     /// [`Refusals`]: an input that is not finite or outside its range, or a collision that the mechanics refuses.
     pub fn solve(&self) -> Result<Impact<T>, Refusals<T>> {
+        let contact = self.checked_contact()?;
+        self.solve_at(&contact)
+    }
+
+    /// The contact, once the inputs are in order.
+    #[inline(always)]
+    pub(crate) fn checked_contact(&self) -> Result<Contact<T>, Refusals<T>> {
         self.check_inputs()?;
-        let contact = self.contact();
+        Ok(self.contact())
+    }
+
+    /// The impact at the contact of this collision.
+    #[inline(always)]
+    pub(crate) fn solve_at(&self, contact: &Contact<T>) -> Result<Impact<T>, Refusals<T>> {
         if !is_finite(&contact.compliance.determinant) || !is_positive(&contact.compliance.determinant) {
             return Err(Refusals([Refusal::OutOfFloatRange].into()));
         }
-        self.check_closing(&contact)?;
-        self.check_ratio(&contact)?;
-        let (impulse, moment) = self.impulse(&contact);
-        let impact = self.impact_of(&contact, impulse, moment);
-        self.check_impact(&contact, &impact)?;
+        self.check_closing(contact)?;
+        self.check_ratio(contact)?;
+        let (impulse, moment) = self.impulse(contact);
+        let impact = self.impact_of(contact, impulse, moment);
+        self.check_impact(contact, &impact)?;
         Ok(impact)
     }
 

@@ -4,7 +4,7 @@ use crate::frame::{ForwardLeft, Heading, Xy};
 use crate::scalar::Field;
 
 /// How a rigid body moves in the plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<T = f64> {
     /// Velocity of the center of mass, in m/s.
     pub velocity: Xy<T>,

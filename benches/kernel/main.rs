@@ -4,10 +4,12 @@
 //! |---|---|
 //! | `directions` | from directions (cosine and sine given) to motions, impulse, μ₀ and works: + − × ÷ only |
 //! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: three sines, two roots, two arctangents more |
+//! | `jacobian`, `gradient`, `hessian` | derivatives by all inputs beside the solution that they belong to |
 //! | `scalars` | the same one definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions, and criterion prints the throughput in collisions a second.
 
+mod derivatives;
 mod hand;
 mod inputs;
 
@@ -171,5 +173,5 @@ fn scalars(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, directions, angles, scalars);
+criterion_group!(benches, directions, angles, scalars, derivatives::derivatives);
 criterion_main!(benches);

@@ -22,7 +22,7 @@ use crate::vehicle::Party;
 
 /// One output of an impact with its first and second derivatives by every input.
 pub(super) fn curvature<T: Real + Copy + Ordered<Mask = bool>>(collision: &Collision<T>, impact: &Impact<T>, of: Output) -> Curved<T> {
-    let mut waist = Waist::of(collision, impact);
+    let mut waist = Waist::of(collision, &collision.contact(), impact);
     if of == Output::CriticalImpulseRatio {
         waist = waist.critical(impact.critical_impulse);
     }

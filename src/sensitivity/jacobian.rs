@@ -1,81 +1,18 @@
-//! All outputs by all inputs at once: the rows of the impulse and of the approach velocity, and every other row as a mixture of those.
+//! All outputs by all inputs at once: the rows of the impulse and of the velocities at the impact center, and every other row as a mixture of those.
+//!
+//! Everything is written where it stays, row by row in one loop: the table has five thousand bytes, and moving it would cost as much as computing it.
 
 use super::lever::Lever;
 use super::waist::{Slip, Waist, Worth};
-use super::worth::add_energy;
-use super::{Gradient, Sensitive};
+use super::{Gradient, Sensitive, worth};
 use crate::collision::Collision;
-use crate::energy::{KineticEnergy, Work};
-use crate::frame::{Nt, Xy};
+use crate::contact::Contact;
+use crate::frame::Nt;
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::law::Law;
-use crate::output::{Outputs, VehicleOutputs};
+use crate::output::{Output, Outputs};
 use crate::scalar::{Ordered, Real};
-use crate::vehicle::Motion;
-
-/// Every output of an impact with its derivatives by every input.
-#[inline(always)]
-pub(super) fn of<T: Real + Copy + Ordered<Mask = bool>>(collision: &Collision<T>, impact: &Impact<T>) -> Outputs<Sensitive<T>> {
-    let values = Outputs::of(collision, impact);
-    let waist = Waist::of(collision, impact);
-    let rows = Rows::of(&waist);
-    let p = impact.impulse;
-    let (cos, sin) = (collision.crush_plane.cos, collision.crush_plane.sin);
-
-    let mut impulse_x = Gradient::mix(cos, &rows.impulse.n, -sin, &rows.impulse.t);
-    impulse_x.add(Input::CrushPlane, -impact.impulse_on_ground.y);
-    let mut impulse_y = Gradient::mix(sin, &rows.impulse.n, cos, &rows.impulse.t);
-    impulse_y.add(Input::CrushPlane, impact.impulse_on_ground.x);
-    let on_ground = Xy { x: impulse_x, y: impulse_y };
-
-    // W_c = −½ P_c (v_c + V_c)
-    let work = |impulse: T, sum: T, by_impulse: &Gradient<T>, v: &Gradient<T>, s: &Gradient<T>| {
-        let (a, b) = (-sum.half(), -impulse.half());
-        Gradient(core::array::from_fn(|i| a * by_impulse.0[i] + b * (v.0[i] + s.0[i])))
-    };
-    let sum = impact.approach + impact.separation;
-    let normal_work = work(p.n, sum.n, &rows.impulse.n, &rows.approach.n, &rows.separation.n);
-    let tangential_work = work(p.t, sum.t, &rows.impulse.t, &rows.approach.t, &rows.separation.t);
-    let loss = Gradient(core::array::from_fn(|i| -(normal_work.0[i] + tangential_work.0[i])));
-    let mut before = Gradient::zero();
-    add_energy(&collision.one, Side::One, &mut before);
-    add_energy(&collision.two, Side::Two, &mut before);
-    let after = Gradient(core::array::from_fn(|i| before.0[i] - loss.0[i]));
-
-    let impulse_ratio = ratio(p, &rows.impulse);
-    let critical_impulse_ratio = match (&waist.slip, waist.law) {
-        (Slip::Ends, Law::Brach) => impulse_ratio,
-        _ => waist.critical(impact.critical_impulse).gradient(Worth::of_ratio(impact.critical_impulse)),
-    };
-    let mut restitution = Gradient::zero();
-    restitution.add(Input::Restitution, T::int(1));
-
-    let nothing = |value| Sensitive { value, by: Gradient::zero() };
-    let side = |values: &VehicleOutputs<T>, lever: &Option<Lever<T>>| match lever {
-        Some(lever) => vehicle(values, lever, p, impact.impulse_on_ground, &rows.impulse, &on_ground),
-        None => values.map(nothing),
-    };
-    let with = |value, by| Sensitive { value, by };
-    Outputs {
-        one: side(&values.one, &waist.levers[0]),
-        two: side(&values.two, &waist.levers[1]),
-        restitution: with(values.restitution, restitution),
-        impulse_ratio: with(values.impulse_ratio, impulse_ratio),
-        critical_impulse_ratio: with(values.critical_impulse_ratio, critical_impulse_ratio),
-        impulse: rows.impulse.with(p),
-        impulse_on_ground: Xy { x: with(impact.impulse_on_ground.x, on_ground.x), y: with(impact.impulse_on_ground.y, on_ground.y) },
-        moment: nothing(values.moment),
-        approach: rows.approach.with(impact.approach),
-        separation: rows.separation.with(impact.separation),
-        kinetic_energy: KineticEnergy {
-            before: with(values.kinetic_energy.before, before),
-            after: with(values.kinetic_energy.after, after),
-        },
-        loss: with(values.loss, loss),
-        work: Work { n: with(values.work.n, normal_work), t: with(values.work.t, tangential_work), m: nothing(values.work.m) },
-    }
-}
 
 /// The derivatives of what all other outputs are made of.
 pub(super) struct Rows<T> {
@@ -85,105 +22,171 @@ pub(super) struct Rows<T> {
 }
 
 impl<T: Real + Copy> Rows<T> {
-    #[inline(always)]
     pub(super) fn of(waist: &Waist<T>) -> Self {
-        let (zero, one) = (T::int(0), T::int(1));
-        let (n, t) = (Nt { n: one, t: zero }, Nt { n: zero, t: one });
-        let impulse = Nt { n: waist.gradient(Worth::of_impulse(n)), t: waist.gradient(Worth::of_impulse(t)) };
-        let approach = Nt { n: waist.approach_row(n), t: waist.approach_row(t) };
-        // V_n = −e v_n, whatever the law.
-        let rebound = |approach: &Gradient<T>, v: T| {
-            let mut row = *approach;
-            row.scale(-waist.restitution);
-            row.add(Input::Restitution, -v);
-            row
-        };
-        let separation_t = match (&waist.slip, waist.law) {
-            (Slip::Ends, Law::Brach) => Gradient::zero(),
-            (Slip::Ends, Law::KudlichSlibar) => rebound(&approach.t, waist.approach.t),
-            // V_t = v_t − (K P)_t
-            _ => {
-                let mut row = approach.t;
-                for lever in waist.levers.iter().flatten() {
-                    lever.add_yielding(t, waist.impulse, &mut row);
-                }
-                row.add_scaled(-waist.compliance.nt, &impulse.n);
-                row.add_scaled(-waist.compliance.tt, &impulse.t);
-                row
-            }
-        };
-        let separation = Nt { n: rebound(&approach.n, waist.approach.n), t: separation_t };
+        let impulse = axes().map(|axis| waist.gradient(Worth::of_impulse(axis)));
+        let approach = axes().map(|axis| waist.approach_row(axis));
+        let separation = Nt { n: rebound(waist, &approach.n, waist.approach.n), t: sliding(waist, &impulse, &approach.t) };
         Rows { impulse, approach, separation }
     }
 }
 
-/// The ratio of the components of the impulse.
+/// The directions of the two components.
 #[inline(always)]
-fn ratio<T: Real + Copy>(p: Nt<T>, rows: &Nt<Gradient<T>>) -> Gradient<T> {
-    let scale = p.n.inv();
-    Gradient::mix(scale, &rows.t, -(p.t * scale * scale), &rows.n)
+fn axes<T: Real>() -> Nt<Nt<T>> {
+    Nt { n: Nt { n: T::int(1), t: T::int(0) }, t: Nt { n: T::int(0), t: T::int(1) } }
 }
 
+/// V = −e v: the normal separation velocity whatever the law.
 #[inline(always)]
-fn vehicle<T: Real + Copy>(
-    values: &VehicleOutputs<T>,
-    lever: &Lever<T>,
-    p: Nt<T>,
-    impulse: Xy<T>,
-    rows: &Nt<Gradient<T>>,
-    on_ground: &Xy<Gradient<T>>,
-) -> VehicleOutputs<Sensitive<T>> {
-    let side = lever.side;
-    let (w, j) = (lever.inverse_mass, lever.inverse_yaw_inertia);
-    let one = T::int(1);
-    let with = |value, by| Sensitive { value, by };
+fn rebound<T: Real + Copy>(waist: &Waist<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
+    let mut row = *approach;
+    row.scale(-waist.restitution);
+    row.add(Input::Restitution, -v);
+    row
+}
 
-    let push = -(lever.sign * w);
-    let pushed = |row: &Gradient<T>, along: T| {
-        let mut row = *row;
-        row.scale(push);
-        row.add(Input::Mass(side), -(push * w * along));
-        row
-    };
-    let delta_v = Xy { x: pushed(&on_ground.x, impulse.x), y: pushed(&on_ground.y, impulse.y) };
-    let mut velocity = delta_v;
-    velocity.x.add(Input::VelocityX(side), one);
-    velocity.y.add(Input::VelocityY(side), one);
-
-    let twist = -(lever.sign * j);
-    let c = lever.moments(p);
-    let mut yaw_rate = Gradient::mix(twist * lever.arm.n, &rows.t, -(twist * lever.arm.t), &rows.n);
-    yaw_rate.add(Input::YawInertia(side), -(twist * j * c.here));
-    for (input, by) in lever.arm_inputs().into_iter().zip(c.by_arm()) {
-        yaw_rate.add(input, twist * by);
-    }
-    yaw_rate.add(Input::CrushPlane, -(twist * c.heading));
-    yaw_rate.add(Input::YawRate(side), one);
-
-    let length = p.length();
-    let scale = w / length;
-    let mut magnitude = Gradient::mix(scale * p.n, &rows.n, scale * p.t, &rows.t);
-    magnitude.add(Input::Mass(side), -(w * w * length));
-
-    let turn = p.length_squared().inv();
-    let mut direction = Gradient::mix(turn * p.t, &rows.n, -(turn * p.n), &rows.t);
-    direction.add(Input::CrushPlane, -one);
-    direction.add(Input::Heading(side), one);
-
-    VehicleOutputs {
-        after: Motion {
-            velocity: Xy { x: with(values.after.velocity.x, velocity.x), y: with(values.after.velocity.y, velocity.y) },
-            yaw_rate: with(values.after.yaw_rate, yaw_rate),
-        },
-        delta_v: Xy { x: with(values.delta_v.x, delta_v.x), y: with(values.delta_v.y, delta_v.y) },
-        delta_v_magnitude: with(values.delta_v_magnitude, magnitude),
-        principal_direction_of_force: with(values.principal_direction_of_force, direction),
+/// The tangential separation velocity.
+#[inline(always)]
+fn sliding<T: Real + Copy>(waist: &Waist<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
+    match (&waist.slip, waist.law) {
+        (Slip::Ends, Law::Brach) => Gradient::zero(),
+        (Slip::Ends, Law::KudlichSlibar) => rebound(waist, approach, waist.approach.t),
+        // V_t = v_t − (K P)_t
+        _ => {
+            let mut row = waist.yielding_row(axes().t);
+            row.add_scaled(T::int(1), approach);
+            row.add_scaled(-waist.compliance.nt, &impulse.n);
+            row.add_scaled(-waist.compliance.tt, &impulse.t);
+            row
+        }
     }
 }
 
-impl<T: Copy> Nt<Gradient<T>> {
+/// Writes every output of an impact with its derivatives by every input.
+#[inline(always)]
+pub(super) fn write<T: Real + Copy + Ordered<Mask = bool>>(
+    collision: &Collision<T>,
+    contact: &Contact<T>,
+    impact: &Impact<T>,
+    to: &mut Outputs<Sensitive<T>>,
+) {
+    let waist = Waist::of(collision, contact, impact);
+    to.impulse.n.by = waist.gradient(Worth::of_impulse(axes().n));
+    to.impulse.t.by = waist.gradient(Worth::of_impulse(axes().t));
+    to.approach.n.by = waist.approach_row(axes().n);
+    to.approach.t.by = waist.approach_row(axes().t);
+    to.separation.n.by = rebound(&waist, &to.approach.n.by, waist.approach.n);
+    to.separation.t.by = sliding(&waist, &Nt { n: to.impulse.n.by, t: to.impulse.t.by }, &to.approach.t.by);
+    to.kinetic_energy.before.by = worth::energy(collision);
+    mix(collision, impact, &waist, to);
+    for none in [&mut to.restitution, &mut to.moment, &mut to.work.m] {
+        none.by = Gradient::zero();
+    }
+    add_direct(collision, impact, &waist, to);
+    if !matches!((&waist.slip, waist.law), (Slip::Ends, Law::Brach)) {
+        to.critical_impulse_ratio.by = critical(&waist, impact);
+    }
+    let values = Outputs::of(collision, impact);
+    macro_rules! value {
+        ($($($field:ident).+),+) => { $(to.$($field).+.value = values.$($field).+;)+ };
+    }
+    value!(one.after.velocity.x, one.after.velocity.y, one.after.yaw_rate, one.delta_v.x, one.delta_v.y);
+    value!(two.after.velocity.x, two.after.velocity.y, two.after.yaw_rate, two.delta_v.x, two.delta_v.y);
+    value!(one.delta_v_magnitude, one.principal_direction_of_force, two.delta_v_magnitude, two.principal_direction_of_force);
+    value!(restitution, impulse_ratio, critical_impulse_ratio, impulse.n, impulse.t, impulse_on_ground.x, impulse_on_ground.y, moment);
+    value!(approach.n, approach.t, separation.n, separation.t, kinetic_energy.before, kinetic_energy.after, loss, work.n, work.t, work.m);
+}
+
+/// The critical ratio where the impulse has another. Rarely needed, and kept out of the way of the rest.
+#[cold]
+#[inline(never)]
+fn critical<T: Real + Copy>(waist: &Waist<T>, impact: &Impact<T>) -> Gradient<T> {
+    let critical = impact.critical_impulse;
+    waist.critical(critical).gradient(Worth::of_ratio(critical))
+}
+
+/// What the impulse and the velocities pass on to each output.
+#[inline(always)]
+fn mix<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, to: &mut Outputs<Sensitive<T>>) {
+    let p = impact.impulse;
+    let (cos, sin) = (collision.crush_plane.cos, collision.crush_plane.sin);
+    let half = T::int(1).half();
+    let sum = (impact.approach + impact.separation) * -half;
+    let minus_half_p = p * -half;
+    let ratio = Worth::of_ratio(p).impulse;
+    let along = p * p.length().inv();
+    let across = p.quarter_turn() * p.length_squared().inv();
+    let (one, two) = (Passed::on(waist.levers[0].as_ref()), Passed::on(waist.levers[1].as_ref()));
+    for i in 0..Input::COUNT {
+        let (n, t) = (to.impulse.n.by.0[i], to.impulse.t.by.0[i]);
+        let (v_n, v_t) = (to.approach.n.by.0[i], to.approach.t.by.0[i]);
+        let (s_n, s_t) = (to.separation.n.by.0[i], to.separation.t.by.0[i]);
+        let (x, y) = (cos * n - sin * t, sin * n + cos * t);
+        to.impulse_on_ground.x.by.0[i] = x;
+        to.impulse_on_ground.y.by.0[i] = y;
+        let by_ratio = ratio.n * n + ratio.t * t;
+        to.impulse_ratio.by.0[i] = by_ratio;
+        to.critical_impulse_ratio.by.0[i] = by_ratio;
+        // W = −½ P (v + V)
+        let work_n = sum.n * n + minus_half_p.n * (v_n + s_n);
+        let work_t = sum.t * t + minus_half_p.t * (v_t + s_t);
+        let loss = -(work_n + work_t);
+        to.work.n.by.0[i] = work_n;
+        to.work.t.by.0[i] = work_t;
+        to.loss.by.0[i] = loss;
+        to.kinetic_energy.after.by.0[i] = to.kinetic_energy.before.by.0[i] - loss;
+        let length = along.n * n + along.t * t;
+        let angle = across.n * n + across.t * t;
+        for (vehicle, passed) in [(&mut to.one, &one), (&mut to.two, &two)] {
+            let (dx, dy) = (passed.push * x, passed.push * y);
+            vehicle.delta_v.x.by.0[i] = dx;
+            vehicle.delta_v.y.by.0[i] = dy;
+            vehicle.after.velocity.x.by.0[i] = dx;
+            vehicle.after.velocity.y.by.0[i] = dy;
+            vehicle.after.yaw_rate.by.0[i] = passed.twist.n * n + passed.twist.t * t;
+            vehicle.delta_v_magnitude.by.0[i] = passed.inverse_mass * length;
+            vehicle.principal_direction_of_force.by.0[i] = passed.direction * angle;
+        }
+    }
+}
+
+/// What a vehicle makes of the impulse; nothing of a barrier.
+struct Passed<T> {
+    inverse_mass: T,
+    /// ∓1/m
+    push: T,
+    /// ∓r⊥/I
+    twist: Nt<T>,
+    /// −1: it is measured clockwise.
+    direction: T,
+}
+
+impl<T: Real + Copy> Passed<T> {
     #[inline(always)]
-    fn with(&self, values: Nt<T>) -> Nt<Sensitive<T>> {
-        Nt { n: Sensitive { value: values.n, by: self.n }, t: Sensitive { value: values.t, by: self.t } }
+    fn on(lever: Option<&Lever<T>>) -> Self {
+        match lever {
+            Some(lever) => Passed {
+                inverse_mass: lever.inverse_mass,
+                push: -(lever.sign * lever.inverse_mass),
+                twist: lever.arm.quarter_turn() * -(lever.sign * lever.inverse_yaw_inertia),
+                direction: T::int(-1),
+            },
+            None => Passed { inverse_mass: T::int(0), push: T::int(0), twist: Nt::zero(), direction: T::int(0) },
+        }
     }
+}
+
+/// What each input does to an output with the impulse held.
+#[inline(always)]
+fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, to: &mut Outputs<Sensitive<T>>) {
+    // Written out, so that the compiler knows each output; those left out have nothing direct, or have it in the rows that they are made of.
+    macro_rules! add {
+        ($($output:expr),+) => { $(worth::add_direct(collision, impact, waist, $output, &mut to[$output].by);)+ };
+    }
+    use Output::*;
+    add!(VelocityX(Side::One), VelocityY(Side::One), YawRate(Side::One), DeltaVX(Side::One), DeltaVY(Side::One));
+    add!(DeltaVMagnitude(Side::One), PrincipalDirectionOfForce(Side::One));
+    add!(VelocityX(Side::Two), VelocityY(Side::Two), YawRate(Side::Two), DeltaVX(Side::Two), DeltaVY(Side::Two));
+    add!(DeltaVMagnitude(Side::Two), PrincipalDirectionOfForce(Side::Two));
+    add!(Restitution, ImpulseX, ImpulseY);
 }

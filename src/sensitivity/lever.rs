@@ -10,6 +10,7 @@
 //! r = f h + l h⊥, h the heading, so their derivatives are moments and products with r and h again.
 
 use super::{Gradient, Hessian};
+use crate::body::Body;
 use crate::frame::{CrushPlane, Nt, Xy};
 use crate::input::{Input, Side};
 use crate::scalar::Real;
@@ -44,6 +45,36 @@ pub(super) struct Moments<T> {
     pub(super) left: T,
 }
 
+/// Derivatives by the inputs of one vehicle, and its part of the derivative by the crush plane.
+#[derive(Clone, Copy)]
+pub(super) struct ByVehicle<T> {
+    pub(super) mass: T,
+    pub(super) yaw_inertia: T,
+    pub(super) heading: T,
+    pub(super) forward: T,
+    pub(super) left: T,
+    pub(super) velocity: Xy<T>,
+    pub(super) yaw_rate: T,
+    pub(super) crush_plane: T,
+}
+
+impl<T: Real + Copy> ByVehicle<T> {
+    #[inline(always)]
+    pub(super) fn nothing() -> Self {
+        let zero = T::int(0);
+        ByVehicle {
+            mass: zero,
+            yaw_inertia: zero,
+            heading: zero,
+            forward: zero,
+            left: zero,
+            velocity: Xy::zero(),
+            yaw_rate: zero,
+            crush_plane: zero,
+        }
+    }
+}
+
 /// The two constant vectors of ℓ and the impulse.
 #[derive(Clone, Copy)]
 pub(super) struct Held<T> {
@@ -57,16 +88,16 @@ pub(super) struct Held<T> {
 
 impl<T: Real + Copy> Lever<T> {
     #[inline(always)]
-    pub(super) fn of(vehicle: &Vehicle<T>, side: Side, plane: &CrushPlane<T>) -> Self {
+    pub(super) fn of(vehicle: &Vehicle<T>, body: &Body<T>, side: Side, plane: &CrushPlane<T>) -> Self {
         Lever {
             side,
             sign: T::int(if side == Side::One { -1 } else { 1 }),
-            inverse_mass: vehicle.mass.inv(),
-            inverse_yaw_inertia: vehicle.yaw_inertia.inv(),
-            arm: plane.to_contact(vehicle.heading.to_ground(vehicle.impact_center)),
+            inverse_mass: body.inverse_mass,
+            inverse_yaw_inertia: body.inverse_yaw_inertia,
+            arm: body.arm,
             ahead: plane.to_contact(Xy { x: vehicle.heading.cos, y: vehicle.heading.sin }),
-            velocity: plane.to_contact(vehicle.motion.velocity),
-            yaw_rate: vehicle.motion.yaw_rate,
+            velocity: body.velocity,
+            yaw_rate: body.yaw_rate,
         }
     }
 
@@ -75,34 +106,56 @@ impl<T: Real + Copy> Lever<T> {
         Moments { here: self.arm.cross(x), heading: -self.arm.dot(x), forward: self.ahead.cross(x), left: -self.ahead.dot(x) }
     }
 
-    /// Adds the derivatives of σ (α·v + ω r×α). The crush plane turns both bodies against itself: for it a body turns back and its velocity too.
+    /// The derivatives of σ (α·v + ω r×α). The crush plane turns both bodies against itself: for it a body turns back and its velocity too.
     #[inline(always)]
-    pub(super) fn add_approach(&self, approach: Nt<T>, plane: &CrushPlane<T>, to: &mut Gradient<T>) {
+    pub(super) fn of_approach(&self, approach: Nt<T>, plane: &CrushPlane<T>) -> ByVehicle<T> {
         let a = self.moments(approach);
         let spin = self.sign * self.yaw_rate;
         let on_ground = plane.to_ground(approach) * self.sign;
-        to.add(Input::Heading(self.side), spin * a.heading);
-        to.add(Input::ImpactCenterForward(self.side), spin * a.forward);
-        to.add(Input::ImpactCenterLeft(self.side), spin * a.left);
-        to.add(Input::VelocityX(self.side), on_ground.x);
-        to.add(Input::VelocityY(self.side), on_ground.y);
-        to.add(Input::YawRate(self.side), self.sign * a.here);
-        to.add(Input::CrushPlane, -(spin * a.heading) - self.sign * self.velocity.cross(approach));
+        let heading = spin * a.heading;
+        ByVehicle {
+            heading,
+            forward: spin * a.forward,
+            left: spin * a.left,
+            velocity: on_ground,
+            yaw_rate: self.sign * a.here,
+            crush_plane: -heading - self.sign * self.velocity.cross(approach),
+            ..ByVehicle::nothing()
+        }
     }
 
-    /// Adds the derivatives of −w λ·P − j (r×λ) (r×P).
+    /// The derivatives of −w λ·P − j (r×λ) (r×P).
     #[inline(always)]
-    pub(super) fn add_yielding(&self, yielding: Nt<T>, impulse: Nt<T>, to: &mut Gradient<T>) {
+    pub(super) fn of_yielding(&self, yielding: Nt<T>, impulse: Nt<T>) -> ByVehicle<T> {
         let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
         let (b, c) = (self.moments(yielding), self.moments(impulse));
         let by_arm = |bx: T, cx: T| -(j * (bx * c.here + b.here * cx));
         let heading = by_arm(b.heading, c.heading);
-        to.add(Input::Mass(self.side), w * w * yielding.dot(impulse));
-        to.add(Input::YawInertia(self.side), j * j * b.here * c.here);
-        to.add(Input::Heading(self.side), heading);
-        to.add(Input::ImpactCenterForward(self.side), by_arm(b.forward, c.forward));
-        to.add(Input::ImpactCenterLeft(self.side), by_arm(b.left, c.left));
-        to.add(Input::CrushPlane, -heading);
+        ByVehicle {
+            mass: w * w * yielding.dot(impulse),
+            yaw_inertia: j * j * b.here * c.here,
+            heading,
+            forward: by_arm(b.forward, c.forward),
+            left: by_arm(b.left, c.left),
+            crush_plane: -heading,
+            ..ByVehicle::nothing()
+        }
+    }
+
+    /// The derivatives of ℓ.
+    #[inline(always)]
+    pub(super) fn of_both(&self, held: &Held<T>, plane: &CrushPlane<T>) -> ByVehicle<T> {
+        let (a, b) = (self.of_approach(held.approach, plane), self.of_yielding(held.yielding, held.impulse));
+        ByVehicle {
+            mass: b.mass,
+            yaw_inertia: b.yaw_inertia,
+            heading: a.heading + b.heading,
+            forward: a.forward + b.forward,
+            left: a.left + b.left,
+            velocity: a.velocity,
+            yaw_rate: a.yaw_rate,
+            crush_plane: a.crush_plane + b.crush_plane,
+        }
     }
 
     /// Adds the second derivatives of ℓ.
@@ -110,12 +163,12 @@ impl<T: Real + Copy> Lever<T> {
     pub(super) fn add_hessian(&self, held: &Held<T>, plane: &CrushPlane<T>, to: &mut Hessian<T>) {
         let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
         let two = T::int(2);
-        let [a, b, c] = [held.approach, held.yielding, held.impulse].map(|x| self.moments(x));
+        let (a, b, c) = (self.moments(held.approach), self.moments(held.yielding), self.moments(held.impulse));
         let spin = self.sign * self.yaw_rate;
         let on_ground = plane.to_ground(held.approach) * self.sign;
         let arm = self.arm_inputs();
         let (by_a, by_b, by_c) = (a.by_arm(), b.by_arm(), c.by_arm());
-        let [twice_a, twice_b, twice_c] = [a, b, c].map(|x| x.twice_by_arm());
+        let (twice_a, twice_b, twice_c) = (a.twice_by_arm(), b.twice_by_arm(), c.twice_by_arm());
         to.add(Input::Mass(self.side), Input::Mass(self.side), -(two * w * w * w * held.yielding.dot(held.impulse)));
         to.add(Input::YawInertia(self.side), Input::YawInertia(self.side), -(two * j * j * j * b.here * c.here));
         for (p, &input) in arm.iter().enumerate() {
@@ -182,6 +235,33 @@ impl<T: Real + Copy> Gradient<T> {
     #[inline(always)]
     pub(super) fn zero() -> Self {
         Gradient([T::int(0); Input::COUNT])
+    }
+
+    /// From the parts of both vehicles and of the contact, in the order of [`Input::ALL`].
+    #[inline(always)]
+    pub(super) fn of_parts(one: &ByVehicle<T>, two: &ByVehicle<T>, restitution: T, impulse_ratio: T) -> Self {
+        Gradient([
+            one.mass,
+            one.yaw_inertia,
+            one.heading,
+            one.forward,
+            one.left,
+            one.velocity.x,
+            one.velocity.y,
+            one.yaw_rate,
+            two.mass,
+            two.yaw_inertia,
+            two.heading,
+            two.forward,
+            two.left,
+            two.velocity.x,
+            two.velocity.y,
+            two.yaw_rate,
+            one.crush_plane + two.crush_plane,
+            restitution,
+            impulse_ratio,
+            T::int(0),
+        ])
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 //! the transposed equations, p̄ = K λ (K is symmetric), and p̄·dP = λ·dG with the impulse held.
 
 use super::Gradient;
-use super::lever::{Held, Lever};
+use super::lever::{ByVehicle, Held, Lever};
 use crate::collision::Collision;
 use crate::compliance::Compliance;
 use crate::contact::Contact;
@@ -79,12 +79,11 @@ impl<T: Real + Copy> Worth<T> {
 impl<T: Real + Copy + Ordered<Mask = bool>> Waist<T> {
     /// That of the impulse of a collision without a moment.
     #[inline(always)]
-    pub(super) fn of(collision: &Collision<T>, impact: &Impact<T>) -> Self {
-        let contact = collision.contact();
+    pub(super) fn of(collision: &Collision<T>, contact: &Contact<T>, impact: &Impact<T>) -> Self {
         Waist {
             levers: [
-                collision.one.vehicle().map(|vehicle| Lever::of(vehicle, Side::One, &collision.crush_plane)),
-                collision.two.vehicle().map(|vehicle| Lever::of(vehicle, Side::Two, &collision.crush_plane)),
+                collision.one.vehicle().map(|vehicle| Lever::of(vehicle, &contact.one, Side::One, &collision.crush_plane)),
+                collision.two.vehicle().map(|vehicle| Lever::of(vehicle, &contact.two, Side::Two, &collision.crush_plane)),
             ],
             plane: collision.crush_plane,
             compliance: contact.compliance,
@@ -92,7 +91,7 @@ impl<T: Real + Copy + Ordered<Mask = bool>> Waist<T> {
             restitution: collision.restitution,
             law: collision.law,
             impulse: impact.impulse,
-            slip: Slip::of(collision, &contact),
+            slip: Slip::of(collision, contact),
         }
     }
 }
@@ -167,34 +166,39 @@ impl<T: Real + Copy> Waist<T> {
 
     #[inline(always)]
     pub(super) fn gradient_of(&self, settled: &Settled<T>) -> Gradient<T> {
-        let mut gradient = self.without_slip(settled);
-        match self.slip {
-            Slip::Ends => (),
-            Slip::AtRatio { side, .. } => gradient.add(Input::ImpulseRatio, settled.slip * self.impulse.n * side),
-            Slip::OfCritical { .. } => gradient.add_scaled(settled.slip * self.impulse.n, &self.ratio_row()),
+        let slip = settled.slip * self.impulse.n;
+        let by_ratio = if let Slip::AtRatio { side, .. } = self.slip { slip * side } else { T::int(0) };
+        let mut gradient = self.with_ratio_by(settled, by_ratio);
+        if let Slip::OfCritical { .. } = self.slip {
+            gradient.add_scaled(slip, &self.ratio_row());
         }
         gradient
     }
 
-    /// The same with the ratio held.
+    /// With the ratio held, but for an input that it is.
     #[inline(always)]
-    fn without_slip(&self, settled: &Settled<T>) -> Gradient<T> {
-        let mut gradient = Gradient::zero();
-        for lever in self.levers.iter().flatten() {
-            lever.add_approach(settled.held.approach, &self.plane, &mut gradient);
-            lever.add_yielding(settled.held.yielding, self.impulse, &mut gradient);
+    fn with_ratio_by(&self, settled: &Settled<T>, impulse_ratio: T) -> Gradient<T> {
+        let restitution = settled.equation.dot(self.by_restitution(self.approach));
+        let (one, two) = (self.of_both(Side::One, settled), self.of_both(Side::Two, settled));
+        Gradient::of_parts(&one, &two, restitution, impulse_ratio)
+    }
+
+    #[inline(always)]
+    fn of_both(&self, side: Side, settled: &Settled<T>) -> ByVehicle<T> {
+        match &self.levers[side as usize] {
+            Some(lever) => lever.of_both(&settled.held, &self.plane),
+            None => ByVehicle::nothing(),
         }
-        gradient.add(Input::Restitution, settled.equation.dot(self.by_restitution(self.approach)));
-        gradient
     }
 
     /// The ratio by each input, where it is a fraction of that of the sticking impulse.
-    #[inline(always)]
+    #[cold]
+    #[inline(never)]
     pub(super) fn ratio_row(&self) -> Gradient<T> {
         let mut row = Gradient::zero();
         if let Slip::OfCritical { fraction, sticking, .. } = self.slip {
             let ends = self.sticking(sticking);
-            row = ends.without_slip(&ends.settle(Worth::of_ratio(sticking)));
+            row = ends.with_ratio_by(&ends.settle(Worth::of_ratio(sticking)), T::int(0));
             row.scale(fraction);
             row.add(Input::ImpulseRatio, sticking.t / sticking.n);
         }
@@ -204,11 +208,23 @@ impl<T: Real + Copy> Waist<T> {
     /// A component of the approach velocity by each input.
     #[inline(always)]
     pub(super) fn approach_row(&self, component: Nt<T>) -> Gradient<T> {
-        let mut row = Gradient::zero();
-        for lever in self.levers.iter().flatten() {
-            lever.add_approach(component, &self.plane, &mut row);
-        }
-        row
+        let [one, two] = &self.levers;
+        let of = |lever: &Option<Lever<T>>| match lever {
+            Some(lever) => lever.of_approach(component, &self.plane),
+            None => ByVehicle::nothing(),
+        };
+        Gradient::of_parts(&of(one), &of(two), T::int(0), T::int(0))
+    }
+
+    /// A component of −K P by each input, the impulse held.
+    #[inline(always)]
+    pub(super) fn yielding_row(&self, component: Nt<T>) -> Gradient<T> {
+        let [one, two] = &self.levers;
+        let of = |lever: &Option<Lever<T>>| match lever {
+            Some(lever) => lever.of_yielding(component, self.impulse),
+            None => ByVehicle::nothing(),
+        };
+        Gradient::of_parts(&of(one), &of(two), T::int(0), T::int(0))
     }
 }
 

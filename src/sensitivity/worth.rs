@@ -1,9 +1,10 @@
 //! What one output is worth of the impulse and the velocities, and what its inputs do to it directly.
 
-use super::lever::Lever;
+use super::lever::{ByVehicle, Lever};
 use super::waist::{Waist, Worth};
 use super::{Gradient, Sensitive};
 use crate::collision::Collision;
+use crate::contact::Contact;
 use crate::frame::{Nt, Xy};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
@@ -13,8 +14,13 @@ use crate::vehicle::Party;
 
 /// One output of an impact with its derivatives by every input.
 #[inline(always)]
-pub(super) fn sensitivity<T: Real + Copy + Ordered<Mask = bool>>(collision: &Collision<T>, impact: &Impact<T>, of: Output) -> Sensitive<T> {
-    Sensitive { value: of.of(collision, impact), by: gradient(collision, impact, &Waist::of(collision, impact), of) }
+pub(super) fn sensitivity<T: Real + Copy + Ordered<Mask = bool>>(
+    collision: &Collision<T>,
+    contact: &Contact<T>,
+    impact: &Impact<T>,
+    of: Output,
+) -> Sensitive<T> {
+    Sensitive { value: of.of(collision, impact), by: gradient(collision, impact, &Waist::of(collision, contact, impact), of) }
 }
 
 #[inline(always)]
@@ -91,7 +97,7 @@ fn of_loss<T: Real + Copy>(waist: &Waist<T>, impact: &Impact<T>) -> Worth<T> {
 
 /// What the inputs do to the output with impulse and velocities held.
 #[inline(always)]
-fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, of: Output, to: &mut Gradient<T>) {
+pub(super) fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, of: Output, to: &mut Gradient<T>) {
     let (p, one) = (impact.impulse_on_ground, T::int(1));
     match of {
         Output::VelocityX(side) | Output::VelocityY(side) | Output::DeltaVX(side) | Output::DeltaVY(side) => {
@@ -131,23 +137,28 @@ fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, wais
         Output::ImpulseY => to.add(Input::CrushPlane, p.x),
         Output::NormalSeparation => to.add(Input::Restitution, -waist.approach.n),
         Output::NormalWork => to.add(Input::Restitution, (waist.impulse.n * waist.approach.n).half()),
-        Output::EnergyBefore | Output::EnergyAfter => {
-            add_energy(&collision.one, Side::One, to);
-            add_energy(&collision.two, Side::Two, to);
-        }
+        Output::EnergyBefore | Output::EnergyAfter => to.add_scaled(one, &energy(collision)),
         _ => (),
     }
 }
 
+/// The kinetic energy before the impact by each input.
 #[inline(always)]
-pub(super) fn add_energy<T: Real + Copy>(party: &Party<T>, side: Side, to: &mut Gradient<T>) {
-    let Some(vehicle) = party.vehicle() else { return };
-    let motion = &vehicle.motion;
-    to.add(Input::Mass(side), motion.velocity.length_squared().half());
-    to.add(Input::YawInertia(side), motion.yaw_rate.squared().half());
-    to.add(Input::VelocityX(side), vehicle.mass * motion.velocity.x);
-    to.add(Input::VelocityY(side), vehicle.mass * motion.velocity.y);
-    to.add(Input::YawRate(side), vehicle.yaw_inertia * motion.yaw_rate);
+pub(super) fn energy<T: Real + Copy>(collision: &Collision<T>) -> Gradient<T> {
+    let of = |party: &Party<T>| match party {
+        Party::Barrier => ByVehicle::nothing(),
+        Party::Vehicle(vehicle) => {
+            let motion = vehicle.motion;
+            ByVehicle {
+                mass: motion.velocity.length_squared().half(),
+                yaw_inertia: motion.yaw_rate.squared().half(),
+                velocity: motion.velocity * vehicle.mass,
+                yaw_rate: vehicle.yaw_inertia * motion.yaw_rate,
+                ..ByVehicle::nothing()
+            }
+        }
+    };
+    Gradient::of_parts(&of(&collision.one), &of(&collision.two), T::int(0), T::int(0))
 }
 
 #[inline(always)]
