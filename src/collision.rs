@@ -96,6 +96,34 @@ impl<T: Field> Collision<T> {
         Contact::between(Body::seen_from(&self.crush_plane, &self.one), Body::seen_from(&self.crush_plane, &self.two))
     }
 
+    /// The moment impulse that is asked for, if any.
+    #[inline(always)]
+    pub fn moment_impulse(&self, contact: &Contact<T>) -> Option<T> {
+        match &self.moment {
+            Moment::None => None,
+            Moment::Given(moment) => Some(moment.clone()),
+            Moment::OfCritical(fraction) => {
+                let yaw = contact.relative_yaw_rate();
+                let yaw = match self.law {
+                    Law::Brach => yaw,
+                    Law::KudlichSlibar => yaw * (T::int(1) + self.restitution.clone()),
+                };
+                let change = self.law.change(contact.approach.clone(), self.restitution.clone());
+                Some(fraction.clone() * contact.moment_for(change, yaw))
+            }
+        }
+    }
+
+    /// The change of relative velocity that the sticking impulse brings, beside what a moment brings.
+    #[inline(always)]
+    pub fn sticking_change(&self, contact: &Contact<T>, moment: Option<&T>) -> Nt<T> {
+        let change = self.law.change(contact.approach.clone(), self.restitution.clone());
+        match moment {
+            None => change,
+            Some(moment) => change - contact.moment_compliance().force * moment.clone(),
+        }
+    }
+
     /// What a given impulse and moment do, whichever law chose them.
     #[inline(always)]
     pub fn impact_of(&self, contact: &Contact<T>, impulse: Nt<T>, moment: Option<T>) -> Impact<T> {
@@ -160,21 +188,9 @@ impl<T: Ordered> Collision<T> {
     /// The impulse and moment that the law and the ratio choose.
     #[inline(always)]
     pub fn impulse(&self, contact: &Contact<T>) -> (Nt<T>, Option<T>) {
-        let change = self.law.change(contact.approach.clone(), self.restitution.clone());
-        let moment = match &self.moment {
-            Moment::None => return (self.impulse_ratio.impulse(&contact.compliance, change), None),
-            Moment::Given(moment) => moment.clone(),
-            Moment::OfCritical(fraction) => {
-                let yaw = contact.relative_yaw_rate();
-                let yaw = match self.law {
-                    Law::Brach => yaw,
-                    Law::KudlichSlibar => yaw * (T::int(1) + self.restitution.clone()),
-                };
-                fraction.clone() * contact.moment_for(change.clone(), yaw)
-            }
-        };
-        let change = change - contact.moment_compliance().force * moment.clone();
-        (self.impulse_ratio.impulse(&contact.compliance, change), Some(moment))
+        let moment = self.moment_impulse(contact);
+        let change = self.sticking_change(contact, moment.as_ref());
+        (self.impulse_ratio.impulse(&contact.compliance, change), moment)
     }
 
     /// The impact without asking whether it is possible: total on a field, but for a divisor that is zero.

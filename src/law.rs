@@ -71,11 +71,7 @@ impl<T: Ordered> ImpulseRatio<T> {
         match self {
             ImpulseRatio::Critical => compliance.impulse_for(change),
             ImpulseRatio::Given(ratio) => impulse_at_ratio(compliance, change.n, ratio.clone()),
-            ImpulseRatio::OfCritical(fraction) => {
-                let sticking = compliance.impulse_for(change.clone());
-                let ratio = fraction.clone() * sticking.t / sticking.n;
-                impulse_at_ratio(compliance, change.n, ratio)
-            }
+            ImpulseRatio::OfCritical(fraction) => impulse_at_fraction(compliance, change, fraction.clone()),
             ImpulseRatio::LimitedByFriction(friction) => limited_by_friction(compliance, change, friction.clone()),
         }
     }
@@ -86,6 +82,13 @@ impl<T: Ordered> ImpulseRatio<T> {
 pub fn impulse_at_ratio<T: Field>(compliance: &Compliance<T>, normal_change: T, ratio: T) -> Nt<T> {
     let n = normal_change / compliance.along_ratio(ratio.clone());
     Nt { t: ratio * n.clone(), n }
+}
+
+/// The impulse at a fraction of the ratio of the sticking impulse, which would bring the change `change` of relative velocity.
+#[inline(always)]
+pub fn impulse_at_fraction<T: Field>(compliance: &Compliance<T>, change: Nt<T>, fraction: T) -> Nt<T> {
+    let sticking = compliance.impulse_for(change.clone());
+    impulse_at_ratio(compliance, change.n, fraction * sticking.t / sticking.n)
 }
 
 /// The sticking impulse, unless it lies outside the friction cone: then the impulse on the edge of the cone that has the same normal change.
