@@ -13,6 +13,28 @@ pub struct CrushStiffness<T = f64> {
     pub slope: T,
 }
 
+/// The same line as force per width against depth: F/w = A + B C, so that d₀ = A/√B and d₁ = √B.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceLine<T = f64> {
+    /// A in N/m: where crush begins.
+    pub onset: T,
+    /// B in N/m², above zero.
+    pub slope: T,
+}
+
+/// The same line as the speed of a barrier test against the depth it leaves: v = b₀ + b₁ C, so that d = b √(m/w).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BarrierSpeedLine<T = f64> {
+    /// b₀ in m/s: the speed that leaves no crush.
+    pub onset: T,
+    /// b₁ in 1/s.
+    pub slope: T,
+    /// Mass m of the vehicle as tested, in kg.
+    pub test_mass: T,
+    /// Width w of the crush in the test, in m.
+    pub test_width: T,
+}
+
 /// K₁, K₂, K₃: the moments of a crush profile (Eq 4).
 ///
 /// Exact for a profile that is piecewise linear between depths at equal distances, so a profile with more points on the same lines has the same moments.
@@ -47,6 +69,27 @@ impl<T: Field> ProfileMoments<T> {
     }
 }
 
+impl<T: Field> ProfileMoments<T> {
+    /// The mean depth over the width, ∫ C dw/w = K₂/(2 K₁), in m.
+    pub fn mean_depth(&self) -> T {
+        self.second.clone() / (T::int(2) * self.first.clone())
+    }
+}
+
+impl<T: Real> From<ForceLine<T>> for CrushStiffness<T> {
+    fn from(line: ForceLine<T>) -> Self {
+        let root = line.slope.sqrt();
+        CrushStiffness { onset: line.onset / root.clone(), slope: root }
+    }
+}
+
+impl<T: Real> From<BarrierSpeedLine<T>> for CrushStiffness<T> {
+    fn from(line: BarrierSpeedLine<T>) -> Self {
+        let root = (line.test_mass / line.test_width).sqrt();
+        CrushStiffness { onset: line.onset * root.clone(), slope: line.slope * root }
+    }
+}
+
 impl<T: Field> CrushStiffness<T> {
     /// Crush energy of a profile, E_C = d₀² K₁ + d₀ d₁ K₂ + d₁² K₃, in J   (Eq 4).
     pub fn crush_energy(&self, moments: ProfileMoments<T>) -> T {
@@ -78,6 +121,11 @@ pub fn equivalent_energy_speed<T: Real>(tests: impl IntoIterator<Item = (T, T)>)
     equivalent_energy_speed_squared(tests).sqrt()
 }
 
+/// The speed of a vehicle whose kinetic energy is the crush energy, √(2 E_C/m), in m/s.
+pub fn speed_of_energy<T: Real>(crush_energy: T, mass: T) -> T {
+    (T::int(2) * crush_energy / mass).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,6 +149,25 @@ mod tests {
         // A triangle of base 1 and height 1: ∫C = ½, ½∫C² = 1/6.
         let triangle = ProfileMoments::of(1.0, &[0.0, 1.0]).expect("two depths");
         assert_eq!((triangle.second, triangle.third), (0.5, 1.0 / 6.0));
+    }
+
+    #[test]
+    fn the_three_lines_are_one() {
+        let line = CrushStiffness { onset: 3.0, slope: 4.0 };
+        assert_eq!(CrushStiffness::from(ForceLine { onset: 12.0, slope: 16.0 }), line);
+        // F/w is the slope of E/w: of ½ (d₀ + d₁ C)² at C = ½ it is d₁ (d₀ + d₁ C) = 20 = A + B C.
+        assert_eq!(line.slope * line.crush_intensity(0.5), 12.0 + 16.0 * 0.5);
+        let barrier = BarrierSpeedLine { onset: 1.5, slope: 2.0, test_mass: 8.0, test_width: 2.0 };
+        assert_eq!(CrushStiffness::from(barrier), line);
+        // The crush of the test itself is worth the speed of the test: b₀ + b₁ C.
+        let energy = line.crush_energy(ProfileMoments::of(2.0, &[0.5, 0.5]).expect("two depths"));
+        assert_eq!(speed_of_energy(energy, 8.0), 2.5);
+    }
+
+    #[test]
+    fn the_mean_depth_weighs_the_ends_by_half() {
+        let moments = ProfileMoments::of(3.0, &[0.0, 1.0, 2.0, 0.0]).expect("four depths");
+        assert_eq!(moments.mean_depth(), 1.0);
     }
 
     #[test]

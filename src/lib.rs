@@ -22,6 +22,7 @@
 //! | [`refusal`] | | why a collision can be refused |
 //! | [`solve`] | a collision | the impact, or every reason why there is none |
 //! | [`sensitivity`] | a collision | every output with its derivatives by every input |
+//! | [`guideline`] | the directions of two undeformed surfaces | the nominal crush plane and its bracket |
 //! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -36,6 +37,7 @@ pub mod contact;
 pub mod crush;
 pub mod energy;
 pub mod frame;
+pub mod guideline;
 pub mod impact;
 pub mod input;
 pub mod law;
@@ -56,6 +58,7 @@ pub use compliance::Compliance;
 pub use contact::Contact;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
+pub use guideline::{CrushPlaneBracket, PerpendicularSurfaces};
 pub use impact::{Impact, Response};
 pub use input::{Input, Side};
 pub use law::{ImpulseRatio, Law};

@@ -27,7 +27,7 @@ fn rounding<T: Ordered<Mask = bool>>() -> T {
 }
 
 /// 2⁻⁴⁰: how far a given direction may be from unit length, and a given ratio from a critical one computed elsewhere. 2⁻¹⁶ of an f32.
-fn slack<T: Ordered<Mask = bool>>() -> T {
+pub(crate) fn slack<T: Ordered<Mask = bool>>() -> T {
     let step = T::int(1) / T::int(if is_single::<T>() { 1 << 8 } else { 1 << 20 });
     step.squared()
 }
