@@ -237,7 +237,8 @@ impl<T: Real + Copy> Bend<T> {
         let u = &self.with;
         for (i, row) in self.twice.0.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                let moved = u.n.0[i] * p.n.0[j] + u.n.0[j] * p.n.0[i] + u.t.0[i] * p.t.0[j] + u.t.0[j] * p.t.0[i];
+                // In pairs, so that both entries of a pair have the same bits.
+                let moved = (u.n.0[i] * p.n.0[j] + u.n.0[j] * p.n.0[i]) + (u.t.0[i] * p.t.0[j] + u.t.0[j] * p.t.0[i]);
                 *entry = *entry + moved;
             }
         }

@@ -176,7 +176,7 @@ impl<T: Real + Copy> Lever<T> {
             to.add_pair(Input::YawInertia(self.side), input, by_inertia);
             to.add_pair(Input::YawRate(self.side), input, self.sign * by_a[p]);
             for (q, &other) in arm.iter().enumerate() {
-                let product = twice_b[p][q] * c.here + by_b[p] * by_c[q] + by_b[q] * by_c[p] + b.here * twice_c[p][q];
+                let product = twice_b[p][q] * c.here + (by_b[p] * by_c[q] + by_b[q] * by_c[p]) + b.here * twice_c[p][q];
                 let curved = spin * twice_a[p][q] - j * product;
                 to.add(input, other, curved);
                 if p == 0 {
