@@ -1,5 +1,9 @@
 #![doc = include_str!("../README.md")]
 //!
+//! # Pages
+//!
+//! [Sensitivities](guide::sensitivities)
+//!
 //! # The argument, module by module
 //!
 //! Each module uses those before it and none after it.
@@ -37,6 +41,8 @@ pub mod contact;
 pub mod crush;
 pub mod energy;
 pub mod frame;
+#[cfg(feature = "dual")]
+pub mod guide;
 pub mod guideline;
 pub mod impact;
 pub mod input;

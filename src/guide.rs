@@ -1,0 +1,4 @@
+//! Pages to read, one for each thing that the library is for beyond solving.
+
+#[doc = include_str!("guide/sensitivities.md")]
+pub mod sensitivities {}
