@@ -42,6 +42,25 @@ Examples:
   planar-impact solve cli/examples/position-a.toml
   planar-impact solve cli/examples/sideswipe.toml --units us --format json"#;
 
+const GRADIENT: &str = "\
+Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
+  inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),
+            .speed (v1), .velocity.x, .velocity.y, .yaw_rate (omega1), .impact_center.forward,
+            .impact_center.left, .crush.width, .crush.depths.3, .crush.d0, .crush.d1;
+            contact.crush_plane (Gamma), .restitution (e), .impulse_ratio (mu), .friction,
+            .impulse_ratio.of_critical, .moment, .moment.of_critical
+  outputs   energy.normal_work (W_n), .tangential_work (W_t), .loss (T_L), .before, .after;
+            contact.critical_impulse_ratio (mu0), .impulse_ratio (mu), .impulse.normal (P_n), ...;
+            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...
+  all       every one
+A derivative by one input holds the other keys of the file as they are given. At the critical
+impulse ratio it is that of the critical solution, so the ratio moves with the inputs.
+
+Examples:
+  planar-impact gradient cli/examples/position-a.toml
+  planar-impact gradient cli/examples/oblique-surfaces.toml --of dV1,dV2 --wrt Gamma,e
+  planar-impact gradient cli/examples/position-a.toml --of W_n --second --format json";
+
 /// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
 #[derive(Debug, Parser)]
 #[command(name = "planar-impact", version, after_help = STATUS, max_term_width = 100)]
@@ -57,6 +76,9 @@ pub enum Verb {
     /// Solve a collision: final velocities, impulse, delta-V, energy.
     #[command(after_help = CASE)]
     Solve(Solve),
+    /// Differentiate a collision: how its outputs answer to its inputs.
+    #[command(after_help = GRADIENT)]
+    Gradient(Gradient),
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
     Validate(Validate),
@@ -76,6 +98,28 @@ pub enum Verb {
 pub struct Solve {
     /// The case file, TOML or JSON; - reads standard input.
     pub case: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// The call of `gradient`.
+#[derive(Debug, Args)]
+pub struct Gradient {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// The outputs, by name or symbol; may be repeated. All of them in JSON and the principal ones in the text, unless given.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub of: Vec<String>,
+    /// The inputs, by name or symbol; may be repeated. All of them in JSON and the keys of the file in the text, unless given.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub wrt: Vec<String>,
+    /// Add the second derivatives.
+    #[arg(long)]
+    pub second: bool,
     /// How to print the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -130,7 +174,7 @@ mod tests {
         let mut page = Vec::new();
         manual(&mut page).expect("a vector takes everything");
         let page = String::from_utf8(page).expect("clap writes UTF-8");
-        for verb in ["solve", "validate", "completions", "man"] {
+        for verb in ["solve", "gradient", "validate", "completions", "man"] {
             assert!(page.contains(&format!("planar\\-impact\\-{verb}")), "{verb}");
         }
     }

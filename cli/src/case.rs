@@ -1,13 +1,23 @@
 //! From a case file to the collision it describes.
 
+mod answers;
 mod given;
+mod inputs;
+mod parameter;
+mod setup;
 
 use std::path::Path;
 
 use given::Given;
-use planar_impact::{Collision, Impact, Refusal, Refusals};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
+
+pub use answers::{Answer, Answers, CrushAnswers};
+pub use inputs::Inputs;
+pub use parameter::Parameter;
+pub use setup::Setup;
 
 use crate::document::{Document, Problem, Problems, Source};
+use crate::exit::Failure;
 use crate::units::Units;
 
 /// What a case file says.
@@ -17,10 +27,14 @@ pub struct Case {
     pub title: String,
     /// The names of the two vehicles.
     pub names: [String; 2],
-    /// The collision, in SI.
+    /// The numbers that it gives, in SI.
+    pub inputs: Inputs,
+    /// The collision and the crush that they make.
+    pub setup: Setup,
+    /// The collision alone.
     pub collision: Collision,
-    /// The angle of the crush plane in radians, as the file has it.
-    pub crush_plane: f64,
+    /// The bracket of the crush plane, where the file gives the surfaces that meet.
+    pub bracket: Option<CrushPlaneBracket>,
     /// The units that most of its quantities are in.
     pub units: Units,
     /// What was taken for granted, such as the unit of a number without one.
@@ -47,12 +61,15 @@ impl Case {
         let given = Given::default();
         let read = document.read(|root| given.case(root))?;
         let units = given.units();
+        let setup = read.inputs.as_given();
         Ok(Case {
             document,
             title: read.title,
             names: read.names,
-            collision: read.collision,
-            crush_plane: read.crush_plane,
+            inputs: read.inputs,
+            collision: setup.collision,
+            setup,
+            bracket: read.bracket,
             units,
             notes: given.notes.into_inner(),
         })
@@ -85,8 +102,13 @@ impl Case {
         cautions
     }
 
-    /// Why the library refuses the collision, each reason at its place in the file.
-    pub fn place(&self, refusals: &Refusals, units: Units) -> Problems {
+    /// Why the library refuses the collision, as the input's fault or the physics', each reason at its place in the file.
+    pub fn refuse(&self, refusals: &Refusals, units: Units) -> Failure {
+        let problems = self.place(refusals, units);
+        if refusals.reasons().iter().all(Refusal::is_physical) { Failure::Physics(problems) } else { Failure::Input(problems) }
+    }
+
+    fn place(&self, refusals: &Refusals, units: Units) -> Problems {
         let problem = |refusal: &Refusal| {
             let (key, message, help) = crate::wording::refusal(refusal, units);
             self.document.problem(key, message, help)

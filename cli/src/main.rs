@@ -1,9 +1,14 @@
 //! `planar-impact`: read a case, call the library, print what it answers. No mechanics here.
 
 mod arguments;
+mod bracket;
 mod case;
+mod derivative;
 mod document;
 mod exit;
+mod gradient;
+mod named;
+mod names;
 mod quantity;
 mod report;
 mod solution;
@@ -53,6 +58,7 @@ impl Done {
 fn run(verb: Verb) -> Result<Done, Failure> {
     match verb {
         Verb::Solve(call) => solve::run(&call),
+        Verb::Gradient(call) => gradient::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Completions { shell } => {
             let mut script = Vec::new();

@@ -4,12 +4,13 @@ use planar_impact::{Admissible, Impact, ImpulseRatio, Law, Moment, Party, Respon
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::case::Case;
+use crate::bracket::Bracket;
+use crate::case::{Case, CrushAnswers};
 use crate::table::{self, Align};
 use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
-pub fn render(case: &Case, impact: &Impact, units: Units, notes: &[String]) -> String {
+pub fn render(case: &Case, impact: &Impact, bracket: Option<&Bracket<'_>>, units: Units, notes: &[String]) -> String {
     let page = Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) };
     let mut text = String::new();
     if !case.title.is_empty() {
@@ -19,6 +20,10 @@ pub fn render(case: &Case, impact: &Impact, units: Units, notes: &[String]) -> S
     for section in [page.vehicles(), page.contact(), page.energies()] {
         text.push_str(&section);
         text.push_str("\n\n");
+    }
+    if let Some(bracket) = bracket {
+        text.push_str(&bracket.render(units));
+        text.push('\n');
     }
     text.push_str(&page.remarks());
     for note in notes {
@@ -68,23 +73,40 @@ impl Page<'_> {
         };
         let yaw = |rate: f64| self.units.number(Measure::YawRate, rate, 1.0);
         let names = [0, 1].map(|i| shorten(&self.case.names[i], 18));
-        table::render(
-            &["", "unit", &names[0], &names[1]],
-            &[Align::Left, Align::Left, Align::Right, Align::Right],
-            &[
-                row("before: velocity x", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.x)),
-                row("        velocity y", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.y)),
-                row("        yaw rate", unit(Measure::YawRate), &|v, _| yaw(v.motion.yaw_rate)),
-                row("after:  velocity x", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.x)),
-                row("        velocity y", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.y)),
-                row("        yaw rate", unit(Measure::YawRate), &|_, r| yaw(r.after.yaw_rate)),
-                row("delta-V", unit(Measure::Speed), &|_, r| self.speed(r.delta_v_magnitude())),
-                row("", unit(Measure::RoadSpeed), &|_, r| self.units.number(Measure::RoadSpeed, r.delta_v_magnitude(), self.speed)),
-                row("PDOF, clockwise from ahead", unit(Measure::Angle), &|_, r| {
-                    self.units.number(Measure::Angle, r.principal_direction_of_force(), 1.0)
-                }),
-            ],
-        )
+        let mut rows = vec![
+            row("before: velocity x", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.x)),
+            row("        velocity y", unit(Measure::Speed), &|v, _| self.speed(v.motion.velocity.y)),
+            row("        yaw rate", unit(Measure::YawRate), &|v, _| yaw(v.motion.yaw_rate)),
+            row("after:  velocity x", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.x)),
+            row("        velocity y", unit(Measure::Speed), &|_, r| self.speed(r.after.velocity.y)),
+            row("        yaw rate", unit(Measure::YawRate), &|_, r| yaw(r.after.yaw_rate)),
+            row("delta-V", unit(Measure::Speed), &|_, r| self.speed(r.delta_v_magnitude())),
+            row("", unit(Measure::RoadSpeed), &|_, r| self.units.number(Measure::RoadSpeed, r.delta_v_magnitude(), self.speed)),
+            row("PDOF, clockwise from ahead", unit(Measure::Angle), &|_, r| {
+                self.units.number(Measure::Angle, r.principal_direction_of_force(), 1.0)
+            }),
+        ];
+        rows.extend(self.crush());
+        let columns = [Align::Left, Align::Left, Align::Right, Align::Right];
+        table::render(&["", "unit", &names[0], &names[1]], &columns, &rows)
+    }
+
+    /// What the crush that the file reports stands for; nothing where it reports none.
+    fn crush(&self) -> Vec<Vec<String>> {
+        let answers = self.case.setup.crush_answers();
+        let row = |what: &str, measure, value: fn(&CrushAnswers) -> f64| {
+            let cell =
+                |crush: &Option<CrushAnswers>| crush.as_ref().map_or("-".to_owned(), |crush| self.units.number(measure, value(crush), 0.0));
+            vec![what.to_owned(), self.units.unit(measure).to_owned(), cell(&answers[0]), cell(&answers[1])]
+        };
+        if answers.iter().all(Option::is_none) {
+            return Vec::new();
+        }
+        vec![
+            row("crush: mean depth", Measure::Length, |crush| crush.mean_depth),
+            row("       crush energy", Measure::Energy, |crush| crush.energy),
+            row("       equivalent speed", Measure::Speed, |crush| crush.equivalent_speed),
+        ]
     }
 
     fn contact(&self) -> String {
@@ -132,7 +154,7 @@ impl Page<'_> {
     fn remarks(&self) -> String {
         let ratio = |value: f64| self.units.number(Measure::Ratio, value, 1.0);
         let collision = &self.case.collision;
-        let plane = self.units.quantity(Measure::Angle, self.case.crush_plane);
+        let plane = self.units.quantity(Measure::Angle, self.case.inputs.contact.crush_plane);
         let kind = match collision.impulse_ratio {
             ImpulseRatio::Critical => "critical".to_owned(),
             ImpulseRatio::Given(_) => "given".to_owned(),
@@ -169,7 +191,7 @@ fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
 }
 
 /// Without line breaks and escapes, which must not reach the terminal.
-fn clean(text: &str) -> String {
+pub fn clean(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 

@@ -3,7 +3,9 @@
 use planar_impact::{Impact, Nt, Response};
 use serde::Serialize;
 
-use crate::case::Case;
+use crate::bracket;
+use crate::case::{Case, CrushAnswers};
+use crate::named::plain;
 
 /// The JSON document of `solve`.
 #[derive(Debug, Serialize)]
@@ -13,6 +15,9 @@ pub struct Solution {
     vehicles: [Vehicle; 2],
     contact: Contact,
     energy: Energy,
+    /// Only when the case gives the surfaces that meet.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_plane_bracket: Option<bracket::Document>,
     /// What was taken for granted, such as the unit of a number without one; left out when nothing was.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
@@ -26,6 +31,13 @@ struct Vehicle {
     delta_v: [f64; 2],
     delta_v_magnitude: f64,
     pdof: f64,
+    /// These only when the case has the crush of this vehicle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_energy: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equivalent_energy_speed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean_depth: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -68,29 +80,28 @@ struct Energy {
     moment_work: Option<f64>,
 }
 
-/// Zero without a sign.
-fn plain(x: f64) -> f64 {
-    x + 0.0
-}
-
 impl Solution {
     /// Of a case and its impact.
-    pub fn of(case: &Case, impact: &Impact, notes: Vec<String>) -> Self {
+    pub fn of(case: &Case, impact: &Impact, crush_plane_bracket: Option<bracket::Document>, notes: Vec<String>) -> Self {
         let impact = impact.map(plain);
-        let vehicle = |name: &String, response: &Response| Vehicle {
+        let [crush_1, crush_2] = case.setup.crush_answers();
+        let vehicle = |name: &String, response: &Response, crush: Option<CrushAnswers>| Vehicle {
             name: name.clone(),
             velocity: [response.after.velocity.x, response.after.velocity.y],
             yaw_rate: response.after.yaw_rate,
             delta_v: [response.delta_v.x, response.delta_v.y],
             delta_v_magnitude: response.delta_v_magnitude(),
             pdof: response.principal_direction_of_force(),
+            crush_energy: crush.as_ref().map(|crush| crush.energy),
+            equivalent_energy_speed: crush.as_ref().map(|crush| crush.equivalent_speed),
+            mean_depth: crush.as_ref().map(|crush| crush.mean_depth),
         };
         let components = |v: Nt| Components { normal: v.n, tangential: v.t };
         let has_moment = case.collision.moment != planar_impact::Moment::None;
         Solution {
             schema: 1,
             title: case.title.clone(),
-            vehicles: [vehicle(&case.names[0], &impact.one), vehicle(&case.names[1], &impact.two)],
+            vehicles: [vehicle(&case.names[0], &impact.one, crush_1), vehicle(&case.names[1], &impact.two, crush_2)],
             contact: Contact {
                 restitution: case.collision.restitution,
                 impulse_ratio: plain(impact.impulse_ratio()),
@@ -113,6 +124,7 @@ impl Solution {
                 tangential_work: impact.work.t,
                 moment_work: has_moment.then_some(impact.work.m),
             },
+            crush_plane_bracket,
             notes,
         }
     }

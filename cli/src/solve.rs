@@ -1,9 +1,8 @@
 //! The verb `solve`.
 
-use planar_impact::Refusal;
-
 use crate::Done;
 use crate::arguments::{Format, Solve};
+use crate::bracket::Bracket;
 use crate::case::Case;
 use crate::exit::Failure;
 use crate::report;
@@ -17,17 +16,15 @@ use crate::solution::Solution;
 pub fn run(call: &Solve) -> Result<Done, Failure> {
     let case = Case::read(&call.case).map_err(Failure::Input)?;
     let units = call.units.unwrap_or(case.units);
-    let impact = case.collision.solve().map_err(|refusals| {
-        let problems = case.place(&refusals, units);
-        if refusals.reasons().iter().all(Refusal::is_physical) { Failure::Physics(problems) } else { Failure::Input(problems) }
-    })?;
+    let impact = case.collision.solve().map_err(|refusals| case.refuse(&refusals, units))?;
+    let bracket = case.bracket.as_ref().map(|bracket| Bracket::of(&case, bracket, case.setup.answers_of(&impact)));
     let mut notes = case.notes.clone();
     notes.extend(case.cautions(&impact));
     match call.format {
-        Format::Text => Ok(Done::with(report::render(&case, &impact, units, &notes))),
+        Format::Text => Ok(Done::with(report::render(&case, &impact, bracket.as_ref(), units, &notes))),
         Format::Json => {
-            let text =
-                serde_json::to_string_pretty(&Solution::of(&case, &impact, notes)).map_err(|error| Failure::Data(error.to_string()))?;
+            let solution = Solution::of(&case, &impact, bracket.as_ref().map(Bracket::document), notes);
+            let text = serde_json::to_string_pretty(&solution).map_err(|error| Failure::Data(error.to_string()))?;
             Ok(Done::with(text + "\n"))
         }
     }

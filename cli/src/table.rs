@@ -13,6 +13,15 @@ pub enum Align {
 
 /// A table without frames, its header underlined, no line longer than its cells need.
 pub fn render(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> String {
+    lay_out(header, columns, rows, (1, 1))
+}
+
+/// The same with two spaces between columns and none before the first.
+pub fn narrow(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> String {
+    lay_out(header, columns, rows, (0, 1))
+}
+
+fn lay_out(header: &[&str], columns: &[Align], rows: &[Vec<String>], padding: (u16, u16)) -> String {
     let alignment = |align: &Align| match align {
         Align::Left => CellAlignment::Left,
         Align::Right => CellAlignment::Right,
@@ -25,6 +34,9 @@ pub fn render(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> Strin
     table.set_header(cells(&mut header.iter().map(|text| (*text).to_owned())));
     for row in rows {
         table.add_row(cells(&mut row.iter().cloned()));
+    }
+    for column in table.column_iter_mut() {
+        column.set_padding(padding);
     }
     table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
 }

@@ -30,6 +30,14 @@ pub enum Measure {
     MomentImpulse,
     /// An energy.
     Energy,
+    /// A mass.
+    Mass,
+    /// A yaw inertia.
+    YawInertia,
+    /// A root of a force, as the crush stiffness d0.
+    RootForce,
+    /// A root of a force per length, as d1.
+    RootForcePerLength,
     /// A pure number.
     Ratio,
 }
@@ -64,6 +72,14 @@ impl Units {
             (Measure::MomentImpulse, Units::Si) => "N m s",
             (Measure::Energy, Units::Us) => "ft lb",
             (Measure::Energy, Units::Si) => "J",
+            (Measure::Mass, Units::Us) => "lb",
+            (Measure::Mass, Units::Si) => "kg",
+            (Measure::YawInertia, Units::Us) => "lbf s^2 ft",
+            (Measure::YawInertia, Units::Si) => "kg m^2",
+            (Measure::RootForce, Units::Us) => "lbf^0.5",
+            (Measure::RootForce, Units::Si) => "N^0.5",
+            (Measure::RootForcePerLength, Units::Us) => "lbf^0.5/ft",
+            (Measure::RootForcePerLength, Units::Si) => "N^0.5/m",
             (Measure::Ratio, _) => "",
         }
     }
@@ -87,9 +103,9 @@ impl Units {
         let value = self.convert(measure, si);
         let usual: usize = match measure {
             Measure::Ratio => 3,
-            Measure::Speed | Measure::Length => 2,
-            Measure::RoadSpeed | Measure::YawRate | Measure::Angle => 1,
-            Measure::Impulse | Measure::MomentImpulse | Measure::Energy => 0,
+            Measure::Speed | Measure::Length | Measure::RootForce | Measure::RootForcePerLength => 2,
+            Measure::RoadSpeed | Measure::YawRate | Measure::Angle | Measure::YawInertia => 1,
+            Measure::Mass | Measure::Impulse | Measure::MomentImpulse | Measure::Energy => 0,
         };
         if !(1e-9..1e12).contains(&value.abs()) {
             return format!("{value:.3e}");
@@ -139,7 +155,8 @@ mod tests {
     #[test]
     fn every_unit_converts() {
         use Measure::*;
-        for measure in [Speed, RoadSpeed, YawRate, Angle, Length, Impulse, MomentImpulse, Energy, Ratio] {
+        let mechanical = [Speed, RoadSpeed, YawRate, Angle, Length, Impulse, MomentImpulse, Energy, Ratio];
+        for measure in mechanical.into_iter().chain([Mass, YawInertia, RootForce, RootForcePerLength]) {
             for units in [Units::Us, Units::Si] {
                 assert!(units.convert(measure, 1.0).is_finite(), "{measure:?}");
             }

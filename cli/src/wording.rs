@@ -79,7 +79,7 @@ pub fn percent_meant(value: f64) -> Option<String> {
 }
 
 /// A number with six significant digits and no trailing zeros.
-fn trim(value: f64) -> String {
+pub fn trim(value: f64) -> String {
     let digits = (5.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

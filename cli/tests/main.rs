@@ -1,12 +1,16 @@
 //! The command line as a process: what it is given, what it prints where, and how it ends.
 //!
 //! One binary, because each would link the program's dependencies again. `bad_inputs` holds what must be refused, `examples`
-//! what the manual promises, `reference` the numbers of an independent solver.
+//! what the manual promises, `reference` and `gradient` the numbers of an independent solver.
 
 #[path = "main/bad_inputs/mod.rs"]
 mod bad_inputs;
 #[path = "main/examples.rs"]
 mod examples;
+#[path = "main/gradient.rs"]
+mod gradient;
+#[path = "main/guideline.rs"]
+mod guideline;
 #[path = "main/manual.rs"]
 mod manual;
 #[path = "main/process.rs"]

@@ -2,28 +2,22 @@
 
 use std::cell::{Cell, RefCell};
 
-use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
+use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine};
+use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Law, Moment, PerpendicularSurfaces, Xy};
 
+use super::inputs::{ContactInputs, Inertia, Inputs, VehicleInputs, Velocity};
+use super::setup::Crush;
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
-use crate::units::Units;
-use crate::wording::{barrier_instead, percent_meant};
+use crate::units::{Measure, Units};
+use crate::wording::{barrier_instead, percent_meant, trim};
 
 /// What the keys of a case file give.
 pub(super) struct Read {
     pub(super) title: String,
     pub(super) names: [String; 2],
-    pub(super) collision: Collision,
-    pub(super) crush_plane: f64,
-}
-
-/// The contact of a case file.
-struct Contact {
-    crush_plane: f64,
-    restitution: f64,
-    impulse_ratio: ImpulseRatio,
-    law: Law,
-    moment: Moment,
+    pub(super) inputs: Inputs,
+    pub(super) bracket: Option<CrushPlaneBracket>,
 }
 
 /// The units met on the way through the file.
@@ -71,11 +65,14 @@ impl Given {
     }
 
     /// A quantity that may be zero but not below.
-    fn not_negative(&self, field: Field<'_>, kind: Kind) {
+    fn not_negative(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let place = field.clone();
-        if let Some(value) = self.quantity(field, kind).filter(|&value| value < 0.0) {
-            place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        let value = self.quantity(field, kind)?;
+        if value >= 0.0 {
+            return Some(value);
         }
+        place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        None
     }
 
     /// A pure number that must lie between 0 and a greatest value.
@@ -106,24 +103,11 @@ impl Given {
         root.has("evidence");
         root.has("unknown");
         schema?;
-        let ([(name_1, one), (name_2, two)], contact) = (vehicles?, contact?);
-        Some(Read {
-            title,
-            names: [name_1, name_2],
-            collision: Collision {
-                one,
-                two,
-                crush_plane: CrushPlane::from_angle(contact.crush_plane),
-                restitution: contact.restitution,
-                impulse_ratio: contact.impulse_ratio,
-                law: contact.law,
-                moment: contact.moment,
-            },
-            crush_plane: contact.crush_plane,
-        })
+        let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
+        Some(Read { title, names: [name_1, name_2], inputs: Inputs { vehicles: [one, two], contact }, bracket })
     }
 
-    fn vehicles(&self, root: &Table<'_>) -> Option<[(String, Party); 2]> {
+    fn vehicles(&self, root: &Table<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {
         let field = root.required("vehicle");
         let place = root.optional("vehicle");
         let tables = field.array_of_tables()?;
@@ -139,83 +123,91 @@ impl Given {
         both?.try_into().ok()
     }
 
-    fn party(&self, table: &Table<'_>, number: usize) -> Option<(String, Party)> {
+    fn party(&self, table: &Table<'_>, number: usize) -> Option<(String, Option<VehicleInputs>)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         if table.has("barrier") {
             // Neither true nor false says nothing of the other keys.
             if table.optional("barrier").boolean()? {
                 table.finish_because("a barrier has nothing but a name");
-                return Some((name, Party::Barrier));
+                return Some((name, None));
             }
         }
         let vehicle = self.vehicle(table);
-        self.crush(table);
         table.finish();
-        vehicle.map(|vehicle| (name, Party::Vehicle(vehicle)))
+        vehicle.map(|vehicle| (name, Some(vehicle)))
     }
 
-    fn vehicle(&self, table: &Table<'_>) -> Option<Vehicle> {
+    fn vehicle(&self, table: &Table<'_>) -> Option<VehicleInputs> {
         let mass = self.positive(table.required("mass"), Kind::MASS);
         let heading = self.quantity(table.required("heading"), Kind::ANGLE);
         let impact_center = self.pair(table.required("impact_center"), Kind::LENGTH);
         let yaw_rate = table.has("yaw_rate").then(|| self.quantity(table.optional("yaw_rate"), Kind::YAW_RATE));
-        let yaw_inertia = match one_of(table, "yaw_inertia", "radius_of_gyration") {
-            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA),
-            Some(_) => self.radius_of_gyration(table).zip(mass).map(|(radius, mass)| mass * radius * radius),
+        let inertia = match one_of(table, "yaw_inertia", "radius_of_gyration") {
+            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA).map(Inertia::Yaw),
+            // Squared it would lose its sign.
+            Some(_) => self.positive(table.required("radius_of_gyration"), Kind::LENGTH).map(Inertia::Radius),
             None => None,
         };
         let velocity = match one_of(table, "speed", "velocity") {
-            Some("speed") => self
-                .quantity(table.required("speed"), Kind::SPEED)
-                .zip(heading)
-                .map(|(speed, heading)| Heading::from_angle(heading).to_ground(ForwardLeft { forward: speed, left: 0.0 })),
-            Some(_) => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Xy { x, y }),
+            Some("speed") => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
+            Some(_) => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
             None => None,
         };
+        let crush = table.has("crush").then(|| self.crush(table.optional("crush")));
         let [forward, left] = impact_center?;
-        Some(Vehicle {
+        Some(VehicleInputs {
             mass: mass?,
-            yaw_inertia: yaw_inertia?,
-            heading: Heading::from_angle(heading?),
+            inertia: inertia?,
+            heading: heading?,
+            velocity: velocity?,
+            yaw_rate: yaw_rate.unwrap_or(Some(0.0))?,
             impact_center: ForwardLeft { forward, left },
-            motion: Motion { velocity: velocity?, yaw_rate: yaw_rate.unwrap_or(Some(0.0))? },
+            crush: match crush {
+                Some(crush) => Some(crush?),
+                None => None,
+            },
         })
     }
 
-    /// Squared it would lose its sign.
-    fn radius_of_gyration(&self, table: &Table<'_>) -> Option<f64> {
-        self.positive(table.required("radius_of_gyration"), Kind::LENGTH)
-    }
-
-    /// The crush of a vehicle, which `solve` has no use for, but whose mistakes it reports.
-    fn crush(&self, table: &Table<'_>) {
-        let Some(crush) = table.optional("crush").table() else { return };
-        self.positive(crush.required("width"), Kind::LENGTH);
+    fn crush(&self, field: Field<'_>) -> Option<Crush> {
+        let crush = field.table()?;
+        let width = self.positive(crush.required("width"), Kind::LENGTH);
         let depths = crush.required("depths").items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX);
-        for depth in depths.into_iter().flatten() {
-            self.not_negative(depth, Kind::LENGTH);
-        }
-        if let Some(stiffness) = crush.required("stiffness").table() {
-            let forms: [&[(&'static str, Kind)]; 3] = [
-                &[("d0", Kind::ROOT_FORCE), ("d1", Kind::ROOT_FORCE_PER_LENGTH)],
-                &[("A", Kind::STIFFNESS), ("B", Kind::STIFFNESS_PER_WIDTH)],
-                &[("b0", Kind::SPEED), ("b1", Kind::SPEED_PER_LENGTH), ("test_mass", Kind::MASS), ("test_width", Kind::LENGTH)],
-            ];
-            let form = forms.iter().find(|form| form.iter().any(|(key, _)| stiffness.has(key))).unwrap_or(&forms[0]);
-            for &(key, kind) in *form {
-                if key.starts_with("test") {
-                    self.positive(stiffness.required(key), kind);
-                } else {
-                    self.not_negative(stiffness.required(key), kind);
-                }
-            }
-            stiffness.finish();
-        }
+        let depths = depths.map(|depths| depths.into_iter().map(|depth| self.not_negative(depth, Kind::LENGTH)).collect::<Vec<_>>());
+        let stiffness = self.stiffness(crush.required("stiffness"));
         crush.finish();
+        Some(Crush { width: width?, depths: depths?.into_iter().collect::<Option<_>>()?, stiffness: stiffness? })
     }
 
-    fn contact(&self, table: &Table<'_>) -> Option<Contact> {
-        let crush_plane = self.quantity(table.required("crush_plane"), Kind::ANGLE);
+    fn stiffness(&self, field: Field<'_>) -> Option<CrushStiffness> {
+        let table = field.table()?;
+        let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
+        let value = |key, kind| self.not_negative(table.required(key), kind);
+        let above = |key, kind| self.positive(table.required(key), kind);
+        let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
+            let (onset, slope) = (value("d0", Kind::ROOT_FORCE), value("d1", Kind::ROOT_FORCE_PER_LENGTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness { onset, slope })
+        } else if has(&["A", "B"]) {
+            let (onset, slope) = (value("A", Kind::STIFFNESS), above("B", Kind::STIFFNESS_PER_WIDTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness::from(ForceLine { onset, slope }))
+        } else {
+            let (onset, slope) = (value("b0", Kind::SPEED), value("b1", Kind::SPEED_PER_LENGTH));
+            let (mass, width) = (above("test_mass", Kind::MASS), above("test_width", Kind::LENGTH));
+            let speeds = onset.zip(slope).zip(mass.zip(width));
+            speeds.map(|((onset, slope), (test_mass, test_width))| BarrierSpeedLine { onset, slope, test_mass, test_width }.into())
+        };
+        table.finish();
+        let stiffness = stiffness?;
+        if !Kind::ROOT_FORCE.domain.holds(stiffness.onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(stiffness.slope) {
+            let CrushStiffness { onset, slope } = stiffness;
+            table.problem(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
+            return None;
+        }
+        Some(stiffness)
+    }
+
+    fn contact(&self, table: &Table<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+        let crush_plane = self.crush_plane(table);
         let restitution = self.coefficient(table.required("restitution"), 1.0);
         let impulse_ratio = self.impulse_ratio(table);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
@@ -224,7 +216,28 @@ impl Given {
         };
         let moment = self.moment(table);
         table.finish();
-        Some(Contact { crush_plane: crush_plane?, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? })
+        let (crush_plane, bracket) = crush_plane?;
+        let contact = ContactInputs { crush_plane, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? };
+        Some((contact, bracket))
+    }
+
+    /// The angle of the crush plane, and its bracket where it comes from the surfaces that meet.
+    fn crush_plane(&self, table: &Table<'_>) -> Option<(f64, Option<CrushPlaneBracket>)> {
+        if one_of(table, "crush_plane", "surfaces")? == "crush_plane" {
+            return self.quantity(table.required("crush_plane"), Kind::ANGLE).map(|angle| (angle, None));
+        }
+        let field = table.required("surfaces");
+        let place = field.clone();
+        let [one, two] = self.pair(field, Kind::ANGLE)?;
+        match CrushPlaneBracket::of_surfaces(one, two) {
+            Ok(bracket) => Some((bracket.nominal, Some(bracket))),
+            Err(PerpendicularSurfaces { one, other }) => {
+                let degrees = |angle| trim(Units::Si.convert(Measure::Angle, angle));
+                let help = format!("give crush_plane = \"{} deg\" or crush_plane = \"{} deg\"", degrees(one), degrees(other));
+                place.report("the surfaces stand at a right angle, and two planes are half way between them", Some(help));
+                None
+            }
+        }
     }
 
     fn impulse_ratio(&self, table: &Table<'_>) -> Option<ImpulseRatio> {

@@ -36,9 +36,14 @@ impl Problem {
     pub fn of_file(message: String) -> Problem {
         Problem { span: None, key: String::new(), message, help: None }
     }
+
+    /// A problem with an option of the call.
+    pub fn of_call(option: &str, message: String, help: Option<String>) -> Problem {
+        Problem { span: None, key: option.trim_end().to_owned(), message, help }
+    }
 }
 
-/// Everything wrong with a case file, in file order.
+/// Everything wrong with a case file, in file order, or with a call.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problems {
     source: Arc<Source>,
@@ -50,6 +55,11 @@ impl Problems {
     pub fn new(source: Arc<Source>, mut list: Vec<Problem>) -> Problems {
         list.sort_by_key(|problem| problem.span.as_ref().map(|span| (span.start, span.end)));
         Problems { source, list }
+    }
+
+    /// Problems with the call, which no file has.
+    pub fn of_call(list: Vec<Problem>) -> Problems {
+        Problems { source: Source { name: String::new(), text: String::new() }.into(), list }
     }
 
     #[cfg(test)]

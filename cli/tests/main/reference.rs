@@ -21,6 +21,8 @@ enum Kind {
     Impulse,
     Energy,
     Ratio,
+    /// What is said of the crush: each number is held to its own size.
+    Crush,
 }
 
 impl Kind {
@@ -31,6 +33,7 @@ impl Kind {
             "title" | "name" => Kind::Text,
             "pdof" => Kind::Angle,
             "yaw_rate" => Kind::YawRate,
+            "crush_energy" | "equivalent_energy_speed" | "mean_depth" => Kind::Crush,
             "schema" | "restitution" | "impulse_ratio" | "critical_impulse_ratio" => Kind::Ratio,
             _ if path.starts_with("/energy/") => Kind::Energy,
             _ if path.contains("/impulse/") => Kind::Impulse,
@@ -45,6 +48,7 @@ impl Kind {
             Kind::Angle => difference.min((difference - TAU).abs()) / want.abs().max(1.0),
             Kind::Ratio => difference / want.abs().max(1.0),
             _ if difference == 0.0 => 0.0,
+            Kind::Crush => difference / want.abs(),
             _ => difference / largest,
         }
     }
@@ -127,6 +131,7 @@ fn every_case_of_the_independent_solver() {
     }
     assert!(faults.is_empty(), "{faults}");
     assert!(solved >= 180 && refused >= 24, "{solved} solved and {refused} refused: the file is cut off");
+    assert_eq!(text.matches("\"crush_energy\"").count(), 36, "vehicles with crush");
 }
 
 #[test]

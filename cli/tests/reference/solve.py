@@ -28,6 +28,7 @@ UNITS = {
     "yaw rate": {"rad/s": 1, "deg/s": None},
     "yaw inertia": {"kg m^2": 1, "slug ft^2": SLUG * FOOT ** 2, "lbf s^2 ft": POUND_FORCE * FOOT,
                     "lbf s^2 in": POUND_FORCE * INCH, "lb ft^2": POUND * FOOT ** 2},
+    "moment": {"N m s": 1, "lbf s ft": POUND_FORCE * FOOT},
     "stiffness": {"N/m": 1, "N/cm": 100, "kN/m": 1000, "lbf/in": POUND_FORCE / INCH},
     "stiffness per width": {"N/m^2": 1, "lbf/in^2": POUND_FORCE / INCH ** 2},
 }
@@ -78,7 +79,7 @@ def angle(rng):
 
 
 def crush(rng):
-    """The crush of a vehicle, which has no part in the impact but must be read past."""
+    """The crush of a vehicle, which has no part in the impact."""
     form = rng.randrange(3)
     if form == 0:
         stiffness = {"d0": rng.choice(["48.27 lbf^0.5", "90 N^0.5"]), "d1": rng.choice(["162.8 lbf^0.5/ft", "900 N^0.5/m"])}
@@ -146,6 +147,35 @@ def ratio_form(rng, contact, limit):
         contact["friction"] = Bare(literal(rng, rng.choice([0, 0.2, 0.45, 0.7, 1.2, rng.uniform(0, 1.5)])))
 
 
+# ------------------------------------------------------------------ crush
+
+def energy_of_depth(stiffness):
+    """The energy per width that a depth stands for, from the law of each form: (d0 + d1 C)^2 / 2, the integral of the force
+    A + B C from where it vanishes, or the kinetic energy of the barrier test that leaves the depth."""
+    if "d0" in stiffness:
+        (d0, unit_0), (d1, unit_1) = (stiffness[key].split(" ") for key in ("d0", "d1"))
+        pound = mp.sqrt(mpf(POUND_FORCE.numerator) / POUND_FORCE.denominator)
+        d0 = mpf(d0) * {"lbf^0.5": pound, "N^0.5": 1}[unit_0]
+        d1 = mpf(d1) * {"lbf^0.5/ft": pound / factor("length", "ft"), "N^0.5/m": 1}[unit_1]
+        return lambda depth: (d0 + d1 * depth) ** 2 / 2
+    if "A" in stiffness:
+        force, slope = read(stiffness["A"], "stiffness"), read(stiffness["B"], "stiffness per width")
+        return lambda depth: force ** 2 / (2 * slope) + force * depth + slope * depth ** 2 / 2
+    speed, slope = read(stiffness["b0"], "speed"), mpf(25) * factor("speed", "mph") / factor("length", "ft")
+    assert stiffness["b1"] == "25 mph/ft"
+    line_mass = read(stiffness["test_mass"], "mass") / read(stiffness["test_width"], "length")
+    return lambda depth: line_mass * (speed + slope * depth) ** 2 / 2
+
+
+def crush_answer(made, mass):
+    """Simpson's rule, which is exact for the quadratic energy over each straight piece of the profile."""
+    depths, energy_at = [read(depth, "length") for depth in made["depths"]], energy_of_depth(made["stiffness"])
+    pieces, width = list(zip(depths, depths[1:])), read(made["width"], "length")
+    per_width = sum(energy_at(a) + 4 * energy_at((a + b) / 2) + energy_at(b) for a, b in pieces) / 6 / len(pieces)
+    mean_depth = sum((a + b) / 2 for a, b in pieces) / len(pieces)
+    return {"crush_energy": width * per_width, "equivalent_energy_speed": mp.sqrt(2 * width * per_width / mass), "mean_depth": mean_depth}
+
+
 # ------------------------------------------------------------------ mechanics
 
 class Body:
@@ -155,7 +185,7 @@ class Body:
         zero = mpf(0)
         self.name, self.fixed = made["name"], "barrier" in made
         self.mass = self.inertia = self.turn = zero
-        self.motion, self.arm = (zero, zero, zero), (zero, zero)
+        self.motion, self.arm, self.crushed = (zero, zero, zero), (zero, zero), {}
         if self.fixed:
             return
         self.mass = read(made["mass"], "mass")
@@ -171,6 +201,8 @@ class Body:
         rate = read(made["yaw_rate"], "yaw rate") if "yaw_rate" in made else zero
         self.motion = (*velocity, rate)
         self.arm = turned(*(read(part, "length") for part in made["impact_center"]), self.turn)
+        if "crush" in made:
+            self.crushed = crush_answer(made["crush"], self.mass)
 
 
 def turned(x, y, by):
@@ -298,7 +330,7 @@ def answer(rng, made):
         ahead, left = turned(-sign * px, -sign * py, -body.turn)
         pdof = mpf(0) if body.fixed else mp.atan2(-left, ahead)
         vehicles.append({"name": body.name, "velocity": list(motion[:2]), "yaw_rate": motion[2], "delta_v": change,
-                         "delta_v_magnitude": mp.hypot(*change), "pdof": pdof})
+                         "delta_v_magnitude": mp.hypot(*change), "pdof": pdof, **body.crushed})
     pair = lambda v: {"normal": v[0], "tangential": v[1]}
     return 0, None, {
         "schema": 1, "title": made["title"], "vehicles": vehicles,

@@ -15,7 +15,7 @@ pub const BAD: &[Bad] = &[
     wrong("no impact center", &[("impact_center = [\"6.3499 ft\", \"0 ft\"]\n", "")], 4, &["vehicle.1.impact_center: missing"]),
     wrong("no mass of vehicle 2", &[("mass = \"6345 lb\"\n", "")], 13, &["vehicle.2.mass: missing"]),
     wrong("no contact", &[("[contact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\n", "")], 0, &["contact: missing"]),
-    wrong("no crush plane", &[("crush_plane = \"0 deg\"\n", "")], 21, &["contact.crush_plane: missing"]),
+    wrong("no crush plane", &[("crush_plane = \"0 deg\"\n", "")], 21, &["contact: missing `crush_plane` or `surfaces`"]),
     wrong("no restitution", &[("restitution = 0.1\n", "")], 21, &["contact.restitution: missing"]),
     wrong("no vehicles", &[("[[vehicle]]", "[[evidence]]"), ("[[vehicle]]", "[[evidence]]")], 0, &["vehicle: missing"]),
     wrong("no crush width", &[("width = \"5 ft\"\n", "")], 15, &["vehicle.2.crush.width: missing"]).of(CRUSHED),

@@ -1,0 +1,359 @@
+//! The numbers of a case file, read and set by their names.
+
+use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side, Xy};
+
+use super::parameter::{self, Parameter};
+use super::setup::Crush;
+
+/// What a case file gives as numbers, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// Vehicle 1 and vehicle 2; none is a fixed barrier.
+    pub vehicles: [Option<VehicleInputs>; 2],
+    /// How they meet.
+    pub contact: ContactInputs,
+}
+
+/// What a case file gives of a vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VehicleInputs {
+    /// The mass.
+    pub mass: f64,
+    /// The yaw inertia, one way or the other.
+    pub inertia: Inertia,
+    /// The angle of the heading.
+    pub heading: f64,
+    /// The velocity, one way or the other.
+    pub velocity: Velocity,
+    /// The yaw rate.
+    pub yaw_rate: f64,
+    /// The impact center.
+    pub impact_center: ForwardLeft,
+    /// The crush, if the file has it.
+    pub crush: Option<Crush>,
+}
+
+/// How a file gives a yaw inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inertia {
+    /// As it is.
+    Yaw(f64),
+    /// By the radius of gyration.
+    Radius(f64),
+}
+
+/// How a file gives a velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocity {
+    /// A speed along the heading.
+    Speed(f64),
+    /// Components on the ground.
+    Components(Xy),
+}
+
+/// What a case file gives of the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactInputs {
+    /// The angle of the crush plane.
+    pub crush_plane: f64,
+    /// The coefficient of restitution.
+    pub restitution: f64,
+    /// The impulse ratio.
+    pub impulse_ratio: ImpulseRatio,
+    /// The law.
+    pub law: Law,
+    /// The moment impulse.
+    pub moment: Moment,
+}
+
+impl VehicleInputs {
+    fn velocity(&self) -> Xy {
+        match self.velocity {
+            Velocity::Speed(speed) => Heading::from_angle(self.heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
+            Velocity::Components(velocity) => velocity,
+        }
+    }
+
+    fn yaw_inertia(&self) -> f64 {
+        match self.inertia {
+            Inertia::Yaw(inertia) => inertia,
+            Inertia::Radius(radius) => self.mass * radius * radius,
+        }
+    }
+
+    fn ahead(&self) -> f64 {
+        match self.velocity {
+            Velocity::Speed(speed) => speed,
+            Velocity::Components(velocity) => Heading::from_angle(self.heading).to_vehicle(velocity).forward,
+        }
+    }
+}
+
+impl Inputs {
+    /// Every parameter that this case has, in the order of the file.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        let mut all = Vec::new();
+        for (vehicle, side) in self.vehicles.iter().zip([Side::One, Side::Two]) {
+            let Some(vehicle) = vehicle else { continue };
+            all.push(Parameter::Input(Input::Mass(side)));
+            all.push(Parameter::Input(Input::YawInertia(side)));
+            if matches!(vehicle.inertia, Inertia::Radius(_)) {
+                all.push(Parameter::RadiusOfGyration(side));
+            }
+            all.extend([Input::Heading(side), Input::VelocityX(side), Input::VelocityY(side)].map(Parameter::Input));
+            all.push(Parameter::Speed(side));
+            all.extend([Input::YawRate(side), Input::ImpactCenterForward(side), Input::ImpactCenterLeft(side)].map(Parameter::Input));
+            if let Some(crush) = &vehicle.crush {
+                all.push(Parameter::CrushWidth(side));
+                all.extend((1..=crush.depths.len()).map(|place| Parameter::CrushDepth(side, place)));
+                all.extend([Parameter::CrushOnset(side), Parameter::CrushSlope(side)]);
+            }
+        }
+        all.extend([Input::CrushPlane, Input::Restitution, Input::ImpulseRatio].map(Parameter::Input));
+        if ratio_parameter(&self.contact.impulse_ratio) != Parameter::Input(Input::ImpulseRatio) {
+            all.push(ratio_parameter(&self.contact.impulse_ratio));
+        }
+        if self.contact.moment != Moment::None {
+            all.push(moment_parameter(&self.contact.moment));
+        }
+        all
+    }
+
+    /// Those of them that are keys of the file, and not another way to say the same.
+    pub fn keys(&self) -> Vec<Parameter> {
+        let vehicle = |side| self.vehicle(side).expect("parameters are of vehicles");
+        let is_key = |parameter: &Parameter| match *parameter {
+            Parameter::Input(Input::YawInertia(side)) => matches!(vehicle(side).inertia, Inertia::Yaw(_)),
+            Parameter::Input(Input::VelocityX(side) | Input::VelocityY(side)) => matches!(vehicle(side).velocity, Velocity::Components(_)),
+            Parameter::Speed(side) => matches!(vehicle(side).velocity, Velocity::Speed(_)),
+            Parameter::Input(Input::ImpulseRatio) => matches!(self.contact.impulse_ratio, ImpulseRatio::Given(_)),
+            _ => true,
+        };
+        self.parameters().into_iter().filter(is_key).collect()
+    }
+
+    /// The value of a parameter.
+    ///
+    /// # Errors
+    ///
+    /// Why this case does not have it. The impulse ratio has no value where the file gives none, although it is among the parameters.
+    pub fn value(&self, parameter: Parameter) -> Result<f64, String> {
+        let contact = &self.contact;
+        if let Some(side) = parameter.side() {
+            let vehicle = self.vehicle(side).ok_or_else(|| format!("vehicle {} is a fixed barrier", parameter::number(side)))?;
+            return value_of_vehicle(vehicle, parameter);
+        }
+        match parameter {
+            Parameter::Input(Input::CrushPlane) => Ok(contact.crush_plane),
+            Parameter::Input(Input::Restitution) => Ok(contact.restitution),
+            Parameter::Input(Input::Moment) | Parameter::MomentOfCritical => match contact.moment {
+                Moment::None => Err("the case has no moment impulse".to_owned()),
+                Moment::Given(x) | Moment::OfCritical(x) if moment_parameter(&contact.moment) == parameter => Ok(x),
+                _ => Err(format!("the case gives `{}`", moment_parameter(&contact.moment))),
+            },
+            _ => match contact.impulse_ratio {
+                ImpulseRatio::Critical => Err("the case is at the critical impulse ratio".to_owned()),
+                ImpulseRatio::Given(x) | ImpulseRatio::OfCritical(x) | ImpulseRatio::LimitedByFriction(x)
+                    if ratio_parameter(&contact.impulse_ratio) == parameter =>
+                {
+                    Ok(x)
+                }
+                _ => Err(format!("the case gives `{}`", ratio_parameter(&contact.impulse_ratio))),
+            },
+        }
+    }
+
+    fn vehicle(&self, side: Side) -> Option<&VehicleInputs> {
+        self.vehicles[side as usize].as_ref()
+    }
+
+    /// Gives a parameter another value. Of several, those of [`Parameter`]s that others are measured along come first: see [`Inputs::set_all`].
+    fn set(&mut self, parameter: Parameter, value: f64) {
+        let contact = &mut self.contact;
+        match parameter {
+            Parameter::Input(Input::CrushPlane) => contact.crush_plane = value,
+            Parameter::Input(Input::Restitution) => contact.restitution = value,
+            Parameter::Input(Input::ImpulseRatio) => contact.impulse_ratio = ImpulseRatio::Given(value),
+            Parameter::RatioOfCritical => contact.impulse_ratio = ImpulseRatio::OfCritical(value),
+            Parameter::Friction => contact.impulse_ratio = ImpulseRatio::LimitedByFriction(value),
+            Parameter::Input(Input::Moment) => contact.moment = Moment::Given(value),
+            Parameter::MomentOfCritical => contact.moment = Moment::OfCritical(value),
+            _ => {
+                let vehicle = parameter.side().and_then(|side| self.vehicles[side as usize].as_mut());
+                set_of_vehicle(vehicle.expect("a value can be set"), parameter, value);
+            }
+        }
+    }
+
+    /// The same case with other values of some parameters, each of which the case has. Headings and masses are set first, as a speed is
+    /// along the heading.
+    pub fn set_all(&self, values: &[(Parameter, f64)]) -> Inputs {
+        let first = |parameter: Parameter| matches!(parameter, Parameter::Input(Input::Heading(_) | Input::Mass(_)));
+        let mut inputs = self.clone();
+        for turn in [true, false] {
+            values.iter().filter(|(parameter, _)| first(*parameter) == turn).for_each(|&(parameter, value)| inputs.set(parameter, value));
+        }
+        inputs
+    }
+}
+
+/// The parameter that the number of a ratio is.
+pub(super) fn ratio_parameter(ratio: &ImpulseRatio) -> Parameter {
+    match ratio {
+        ImpulseRatio::Critical | ImpulseRatio::Given(_) => Parameter::Input(Input::ImpulseRatio),
+        ImpulseRatio::OfCritical(_) => Parameter::RatioOfCritical,
+        ImpulseRatio::LimitedByFriction(_) => Parameter::Friction,
+    }
+}
+
+/// The parameter that the number of a moment is.
+pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
+    match moment {
+        Moment::OfCritical(_) => Parameter::MomentOfCritical,
+        Moment::None | Moment::Given(_) => Parameter::Input(Input::Moment),
+    }
+}
+
+fn value_of_vehicle(vehicle: &VehicleInputs, parameter: Parameter) -> Result<f64, String> {
+    let crush = || vehicle.crush.as_ref().ok_or_else(|| "the vehicle has no crush in this case".to_owned());
+    Ok(match parameter {
+        Parameter::Input(Input::Mass(_)) => vehicle.mass,
+        Parameter::Input(Input::YawInertia(_)) => vehicle.yaw_inertia(),
+        Parameter::Input(Input::Heading(_)) => vehicle.heading,
+        Parameter::Input(Input::ImpactCenterForward(_)) => vehicle.impact_center.forward,
+        Parameter::Input(Input::ImpactCenterLeft(_)) => vehicle.impact_center.left,
+        Parameter::Input(Input::VelocityX(_)) => vehicle.velocity().x,
+        Parameter::Input(Input::VelocityY(_)) => vehicle.velocity().y,
+        Parameter::Input(Input::YawRate(_)) => vehicle.yaw_rate,
+        Parameter::Speed(_) => vehicle.ahead(),
+        Parameter::RadiusOfGyration(_) => match vehicle.inertia {
+            Inertia::Radius(radius) => radius,
+            Inertia::Yaw(_) => return Err("the case gives `yaw_inertia` instead".to_owned()),
+        },
+        Parameter::CrushWidth(_) => crush()?.width,
+        Parameter::CrushOnset(_) => crush()?.stiffness.onset,
+        Parameter::CrushSlope(_) => crush()?.stiffness.slope,
+        Parameter::CrushDepth(_, place) => {
+            let depths = &crush()?.depths;
+            let depth = place.checked_sub(1).and_then(|i| depths.get(i));
+            *depth.ok_or_else(|| format!("the crush has {} depths", depths.len()))?
+        }
+        _ => return Err("it belongs to the contact".to_owned()),
+    })
+}
+
+fn set_of_vehicle(vehicle: &mut VehicleInputs, parameter: Parameter, value: f64) {
+    match (parameter, &mut vehicle.crush) {
+        (Parameter::Input(Input::Mass(_)), _) => vehicle.mass = value,
+        (Parameter::Input(Input::YawInertia(_)), _) => vehicle.inertia = Inertia::Yaw(value),
+        (Parameter::RadiusOfGyration(_), _) => vehicle.inertia = Inertia::Radius(value),
+        (Parameter::Input(Input::Heading(_)), _) => vehicle.heading = value,
+        (Parameter::Input(Input::ImpactCenterForward(_)), _) => vehicle.impact_center.forward = value,
+        (Parameter::Input(Input::ImpactCenterLeft(_)), _) => vehicle.impact_center.left = value,
+        (Parameter::Input(Input::VelocityX(_)), _) => vehicle.velocity = Velocity::Components(Xy { x: value, ..vehicle.velocity() }),
+        (Parameter::Input(Input::VelocityY(_)), _) => vehicle.velocity = Velocity::Components(Xy { y: value, ..vehicle.velocity() }),
+        (Parameter::Input(Input::YawRate(_)), _) => vehicle.yaw_rate = value,
+        (Parameter::Speed(_), _) => {
+            vehicle.velocity = match vehicle.velocity {
+                Velocity::Speed(_) => Velocity::Speed(value),
+                Velocity::Components(velocity) => {
+                    let more = ForwardLeft { forward: value - vehicle.ahead(), left: 0.0 };
+                    Velocity::Components(velocity + Heading::from_angle(vehicle.heading).to_ground(more))
+                }
+            }
+        }
+        (Parameter::CrushWidth(_), Some(crush)) => crush.width = value,
+        (Parameter::CrushOnset(_), Some(crush)) => crush.stiffness.onset = value,
+        (Parameter::CrushSlope(_), Some(crush)) => crush.stiffness.slope = value,
+        (Parameter::CrushDepth(_, place), Some(crush)) => crush.depths[place - 1] = value,
+        _ => unreachable!("a value can be set"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planar_impact::crush::CrushStiffness;
+
+    fn vehicle(inertia: Inertia, velocity: Velocity) -> VehicleInputs {
+        let stiffness = CrushStiffness { onset: 3.0, slope: 4.0 };
+        VehicleInputs {
+            mass: 2.0,
+            inertia,
+            heading: 0.5,
+            velocity,
+            yaw_rate: 0.25,
+            impact_center: ForwardLeft { forward: 1.0, left: -1.0 },
+            crush: Some(Crush { width: 1.0, depths: vec![0.5, 0.25], stiffness }),
+        }
+    }
+
+    fn inputs() -> Inputs {
+        let one = vehicle(Inertia::Radius(3.0), Velocity::Speed(7.0));
+        let two = vehicle(Inertia::Yaw(5.0), Velocity::Components(Xy { x: -3.0, y: 1.0 }));
+        let contact = ContactInputs {
+            crush_plane: 0.1,
+            restitution: 0.2,
+            impulse_ratio: ImpulseRatio::LimitedByFriction(0.3),
+            law: Law::Brach,
+            moment: Moment::OfCritical(0.5),
+        };
+        Inputs { vehicles: [Some(one), Some(two)], contact }
+    }
+
+    #[test]
+    fn setting_a_value_is_adding_the_difference() {
+        let inputs = inputs();
+        for parameter in inputs.parameters() {
+            let Ok(value) = inputs.value(parameter) else {
+                assert_eq!(parameter, Parameter::Input(Input::ImpulseRatio), "the one that the file does not give");
+                continue;
+            };
+            let set = inputs.set_all(&[(parameter, value + 0.125)]);
+            assert!((set.value(parameter).expect("it has been set") - value - 0.125).abs() < 1e-14, "{parameter}");
+            let added = inputs.setup(|other| if other == parameter { 0.125 } else { 0.0 });
+            let (set, added) = (format!("{:?}", set.as_given().evaluate()), format!("{:?}", added.evaluate()));
+            let numbers = |text: &str| -> Vec<f64> { text.split([' ', ',', '(', ')']).filter_map(|word| word.parse().ok()).collect() };
+            for (a, b) in numbers(&set).into_iter().zip(numbers(&added)) {
+                assert!((a - b).abs() < 1e-11 * a.abs().max(1.0), "{parameter}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_others_are_measured_along_is_set_first() {
+        let (heading, speed) = (Parameter::Input(Input::Heading(Side::One)), Parameter::Input(Input::VelocityX(Side::One)));
+        for values in [[(heading, 1.0), (speed, 4.0)], [(speed, 4.0), (heading, 1.0)]] {
+            let set = inputs().set_all(&values);
+            assert_eq!((set.value(heading), set.value(speed)), (Ok(1.0), Ok(4.0)));
+            let across = set.value(Parameter::Input(Input::VelocityY(Side::One))).expect("a velocity");
+            assert!((across - 7.0 * 1_f64.sin()).abs() < 1e-15, "the speed has turned with the heading");
+        }
+    }
+
+    #[test]
+    fn keys_are_those_of_the_file() {
+        let names = |parameters: Vec<Parameter>| parameters.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let (keys, all) = (names(inputs().keys()), names(inputs().parameters()));
+        for name in ["vehicle.1.radius_of_gyration", "vehicle.1.speed", "vehicle.2.yaw_inertia", "vehicle.2.velocity.y", "contact.friction"]
+        {
+            assert!(keys.iter().any(|key| key == name), "{name}");
+        }
+        for name in ["vehicle.1.yaw_inertia", "vehicle.1.velocity.x", "vehicle.2.speed", "contact.impulse_ratio"] {
+            assert!(all.iter().any(|key| key == name) && !keys.iter().any(|key| key == name), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_a_case_does_not_have_it_says() {
+        let mut inputs = inputs();
+        let why = |inputs: &Inputs, name: &str| inputs.value(Parameter::named(name).expect("a name")).expect_err("not there");
+        assert_eq!(why(&inputs, "contact.impulse_ratio"), "the case gives `contact.friction`");
+        assert_eq!(why(&inputs, "contact.moment"), "the case gives `contact.moment.of_critical`");
+        assert_eq!(why(&inputs, "vehicle.1.crush.depths.3"), "the crush has 2 depths");
+        inputs.vehicles[0] = None;
+        inputs.contact.moment = Moment::None;
+        assert_eq!(why(&inputs, "m1"), "vehicle 1 is a fixed barrier");
+        assert_eq!(why(&inputs, "M"), "the case has no moment impulse");
+    }
+}

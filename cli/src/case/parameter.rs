@@ -1,0 +1,203 @@
+//! What a case file gives as a number, each by one name.
+
+use std::fmt;
+
+use planar_impact::{Input, Side};
+
+use crate::quantity::Kind;
+use crate::units::Measure;
+
+/// A number of a case file that can be varied.
+///
+/// Most are the library's inputs; the rest are what a file may give instead of one, and the crush.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// An input of the collision. The impulse ratio and the moment are those that the file gives as numbers.
+    Input(Input),
+    /// The radius of gyration, where the file gives it in place of the yaw inertia.
+    RadiusOfGyration(Side),
+    /// The speed along the heading.
+    Speed(Side),
+    /// The width of the crush.
+    CrushWidth(Side),
+    /// A depth of the crush, counted from 1.
+    CrushDepth(Side, usize),
+    /// The crush stiffness d0, whichever form the file gives it in.
+    CrushOnset(Side),
+    /// The crush stiffness d1.
+    CrushSlope(Side),
+    /// The coefficient of friction that limits the impulse ratio.
+    Friction,
+    /// The fraction of the critical impulse ratio.
+    RatioOfCritical,
+    /// The fraction of the critical moment impulse.
+    MomentOfCritical,
+}
+
+impl Parameter {
+    /// The parameter of a name or a symbol, whether or not a case has it.
+    pub fn named(name: &str) -> Option<Parameter> {
+        if let Some(input) = Input::named(name) {
+            return Some(Parameter::Input(input));
+        }
+        match name {
+            "contact.friction" => return Some(Parameter::Friction),
+            "contact.impulse_ratio.of_critical" => return Some(Parameter::RatioOfCritical),
+            "contact.moment.of_critical" => return Some(Parameter::MomentOfCritical),
+            _ => (),
+        }
+        let mut of_vehicles =
+            [Side::One, Side::Two].into_iter().flat_map(|side| [Parameter::Speed(side), Parameter::RadiusOfGyration(side)]);
+        if let Some(parameter) = of_vehicles.find(|parameter| parameter.symbol() == Some(name)) {
+            return Some(parameter);
+        }
+        let (side, key) = of_vehicle(name)?;
+        match key {
+            "speed" => Some(Parameter::Speed(side)),
+            "radius_of_gyration" => Some(Parameter::RadiusOfGyration(side)),
+            "crush.width" => Some(Parameter::CrushWidth(side)),
+            "crush.d0" => Some(Parameter::CrushOnset(side)),
+            "crush.d1" => Some(Parameter::CrushSlope(side)),
+            _ => {
+                let number = key.strip_prefix("crush.depths.")?;
+                let plain = number.bytes().all(|byte| byte.is_ascii_digit()) && !number.starts_with('0');
+                plain.then(|| number.parse().ok()).flatten().map(|number| Parameter::CrushDepth(side, number))
+            }
+        }
+    }
+
+    /// Its symbol, the paper's where it has one.
+    pub fn symbol(self) -> Option<&'static str> {
+        match self {
+            Parameter::Input(input) => Some(input.symbol()),
+            Parameter::Speed(Side::One) => Some("v1"),
+            Parameter::Speed(Side::Two) => Some("v2"),
+            Parameter::RadiusOfGyration(Side::One) => Some("k1"),
+            Parameter::RadiusOfGyration(Side::Two) => Some("k2"),
+            _ => None,
+        }
+    }
+
+    /// The vehicle it belongs to; none of the contact.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Parameter::Input(
+                Input::Mass(side)
+                | Input::YawInertia(side)
+                | Input::Heading(side)
+                | Input::ImpactCenterForward(side)
+                | Input::ImpactCenterLeft(side)
+                | Input::VelocityX(side)
+                | Input::VelocityY(side)
+                | Input::YawRate(side),
+            )
+            | Parameter::RadiusOfGyration(side)
+            | Parameter::Speed(side)
+            | Parameter::CrushWidth(side)
+            | Parameter::CrushDepth(side, _)
+            | Parameter::CrushOnset(side)
+            | Parameter::CrushSlope(side) => Some(side),
+            _ => None,
+        }
+    }
+
+    /// What its values are written as.
+    pub fn kind(self) -> Kind {
+        match self.measure() {
+            Measure::Mass => Kind::MASS,
+            Measure::YawInertia => Kind::YAW_INERTIA,
+            Measure::Angle => Kind::ANGLE,
+            Measure::Length => Kind::LENGTH,
+            Measure::Speed | Measure::RoadSpeed => Kind::SPEED,
+            Measure::YawRate => Kind::YAW_RATE,
+            Measure::RootForce => Kind::ROOT_FORCE,
+            Measure::RootForcePerLength => Kind::ROOT_FORCE_PER_LENGTH,
+            Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
+            Measure::Impulse => Kind::IMPULSE,
+            Measure::Energy => Kind::ENERGY,
+            Measure::Ratio => Kind::PURE,
+        }
+    }
+
+    /// What it measures.
+    pub fn measure(self) -> Measure {
+        match self {
+            Parameter::Input(input) => match input {
+                Input::Mass(_) => Measure::Mass,
+                Input::YawInertia(_) => Measure::YawInertia,
+                Input::Heading(_) | Input::CrushPlane => Measure::Angle,
+                Input::ImpactCenterForward(_) | Input::ImpactCenterLeft(_) => Measure::Length,
+                Input::VelocityX(_) | Input::VelocityY(_) => Measure::Speed,
+                Input::YawRate(_) => Measure::YawRate,
+                Input::Restitution | Input::ImpulseRatio => Measure::Ratio,
+                Input::Moment => Measure::MomentImpulse,
+            },
+            Parameter::Speed(_) => Measure::Speed,
+            Parameter::RadiusOfGyration(_) | Parameter::CrushWidth(_) | Parameter::CrushDepth(..) => Measure::Length,
+            Parameter::CrushOnset(_) => Measure::RootForce,
+            Parameter::CrushSlope(_) => Measure::RootForcePerLength,
+            Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
+        }
+    }
+}
+
+/// The side and the key of `vehicle.1.key`.
+pub fn of_vehicle(name: &str) -> Option<(Side, &str)> {
+    let one = name.strip_prefix("vehicle.1.").map(|key| (Side::One, key));
+    one.or_else(|| name.strip_prefix("vehicle.2.").map(|key| (Side::Two, key)))
+}
+
+/// 1 or 2.
+pub fn number(side: Side) -> usize {
+    match side {
+        Side::One => 1,
+        Side::Two => 2,
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let vehicle = |f: &mut fmt::Formatter<'_>, side: &Side, key: &str| write!(f, "vehicle.{}.{key}", number(*side));
+        match self {
+            Parameter::Input(input) => f.write_str(input.name()),
+            Parameter::RadiusOfGyration(side) => vehicle(f, side, "radius_of_gyration"),
+            Parameter::Speed(side) => vehicle(f, side, "speed"),
+            Parameter::CrushWidth(side) => vehicle(f, side, "crush.width"),
+            Parameter::CrushDepth(side, place) => vehicle(f, side, &format!("crush.depths.{place}")),
+            Parameter::CrushOnset(side) => vehicle(f, side, "crush.d0"),
+            Parameter::CrushSlope(side) => vehicle(f, side, "crush.d1"),
+            Parameter::Friction => f.write_str("contact.friction"),
+            Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
+            Parameter::MomentOfCritical => f.write_str("contact.moment.of_critical"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_parameter_is_named_and_read_back() {
+        let mut all: Vec<Parameter> = Input::ALL.into_iter().map(Parameter::Input).collect();
+        for side in [Side::One, Side::Two] {
+            all.extend([Parameter::RadiusOfGyration(side), Parameter::Speed(side), Parameter::CrushWidth(side)]);
+            all.extend([Parameter::CrushDepth(side, 1), Parameter::CrushDepth(side, 12)]);
+            all.extend([Parameter::CrushOnset(side), Parameter::CrushSlope(side)]);
+        }
+        all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
+        for parameter in all {
+            assert_eq!(Parameter::named(&parameter.to_string()), Some(parameter));
+            assert_eq!(parameter.side().is_some(), parameter.to_string().starts_with("vehicle."), "{parameter}");
+            // A unit of what it measures can be read as a value of its kind.
+            let unit = crate::units::Units::Us.unit(parameter.measure());
+            assert!(crate::quantity::parse(&format!("1 {unit}"), parameter.kind()).is_ok(), "{parameter}");
+        }
+        assert_eq!(Parameter::named("k2"), Some(Parameter::RadiusOfGyration(Side::Two)));
+        assert_eq!(Parameter::named("Gamma"), Some(Parameter::Input(Input::CrushPlane)));
+        for unknown in ["", "vehicle.3.mass", "vehicle.1.crush.depths.0", "vehicle.1.crush.depths.+1", "vehicle.1.crush.depths.", "energy"]
+        {
+            assert_eq!(Parameter::named(unknown), None, "{unknown}");
+        }
+    }
+}

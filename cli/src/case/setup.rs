@@ -1,0 +1,171 @@
+//! The collision and the crush that the numbers of a case file make, on any scalar.
+//!
+//! A parameter that is varied leaves the other keys of the file as they are given: a vehicle given by its speed turns its velocity with its heading, one
+//! given by its velocity keeps it; one given by its radius of gyration changes its yaw inertia with its mass.
+
+use planar_impact::crush::{CrushStiffness, ProfileMoments, speed_of_energy};
+use planar_impact::{
+    Collision, CrushPlane, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals, Side, Vehicle, Xy,
+};
+
+use super::answers::{Answer, Answers, CrushAnswers};
+use super::inputs::{Inertia, Inputs, VehicleInputs, Velocity, moment_parameter, ratio_parameter};
+use super::parameter::{Parameter, number};
+
+/// The crush of a vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crush<T = f64> {
+    /// Its width.
+    pub width: T,
+    /// Its depths, two or more, equally spaced over the width.
+    pub depths: Vec<T>,
+    /// The stiffness of the structure that is crushed.
+    pub stiffness: CrushStiffness<T>,
+}
+
+/// A collision and the crush that the file reports of it, on any scalar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup<T = f64> {
+    /// The collision.
+    pub collision: Collision<T>,
+    /// The crush of vehicle 1 and of vehicle 2.
+    pub crush: [Option<Crush<T>>; 2],
+}
+
+impl Inputs {
+    /// The collision and the crush on any scalar, with something added to each parameter: nothing for a value, an infinitesimal for a derivative. What is
+    /// added to a parameter that the case does not have is lost.
+    pub fn setup<T: Real + From<f64>>(&self, mut by: impl FnMut(Parameter) -> T) -> Setup<T> {
+        let mut vehicle = |i: usize, side| self.vehicles[i].as_ref().map(|vehicle| on_scalar(vehicle, side, &mut by));
+        let (one, two) = (vehicle(0, Side::One).unzip(), vehicle(1, Side::Two).unzip());
+        let party = |vehicle: Option<Vehicle<T>>| vehicle.map_or(Party::Barrier, Party::Vehicle);
+        let contact = &self.contact;
+        let mut plus = |value: f64, parameter| T::from(value) + by(parameter);
+        Setup {
+            collision: Collision {
+                one: party(one.0),
+                two: party(two.0),
+                crush_plane: CrushPlane::from_angle(plus(contact.crush_plane, Parameter::Input(Input::CrushPlane))),
+                restitution: plus(contact.restitution, Parameter::Input(Input::Restitution)),
+                impulse_ratio: contact.impulse_ratio.map(|value| plus(value, ratio_parameter(&contact.impulse_ratio))),
+                law: contact.law,
+                moment: contact.moment.map(|value| plus(value, moment_parameter(&contact.moment))),
+            },
+            crush: [one.1.flatten(), two.1.flatten()],
+        }
+    }
+
+    /// The setup as it is given.
+    pub fn as_given(&self) -> Setup {
+        self.setup(|_| 0.0)
+    }
+}
+
+fn on_scalar<T: Real + From<f64>>(
+    vehicle: &VehicleInputs,
+    side: Side,
+    by: &mut impl FnMut(Parameter) -> T,
+) -> (Vehicle<T>, Option<Crush<T>>) {
+    let mut plus = |value: f64, parameter| T::from(value) + by(parameter);
+    let mut input = |value: f64, input: fn(Side) -> Input| plus(value, Parameter::Input(input(side)));
+    let mass = input(vehicle.mass, Input::Mass);
+    let heading = Heading::from_angle(input(vehicle.heading, Input::Heading));
+    let impact_center = ForwardLeft {
+        forward: input(vehicle.impact_center.forward, Input::ImpactCenterForward),
+        left: input(vehicle.impact_center.left, Input::ImpactCenterLeft),
+    };
+    let yaw_rate = input(vehicle.yaw_rate, Input::YawRate);
+    let yaw_inertia = match vehicle.inertia {
+        Inertia::Yaw(inertia) => input(inertia, Input::YawInertia),
+        Inertia::Radius(_) => input(0.0, Input::YawInertia),
+    };
+    let given = match vehicle.velocity {
+        Velocity::Speed(_) => Xy { x: 0.0, y: 0.0 },
+        Velocity::Components(velocity) => velocity,
+    };
+    let across = Xy { x: input(given.x, Input::VelocityX), y: input(given.y, Input::VelocityY) };
+    let yaw_inertia = match vehicle.inertia {
+        Inertia::Yaw(_) => yaw_inertia,
+        Inertia::Radius(radius) => mass.clone() * plus(radius, Parameter::RadiusOfGyration(side)).squared() + yaw_inertia,
+    };
+    let along = match vehicle.velocity {
+        Velocity::Speed(speed) => plus(speed, Parameter::Speed(side)),
+        Velocity::Components(_) => plus(0.0, Parameter::Speed(side)),
+    };
+    let crush = vehicle.crush.as_ref().map(|crush| Crush {
+        width: plus(crush.width, Parameter::CrushWidth(side)),
+        depths: crush.depths.iter().enumerate().map(|(i, &depth)| plus(depth, Parameter::CrushDepth(side, i + 1))).collect(),
+        stiffness: CrushStiffness {
+            onset: plus(crush.stiffness.onset, Parameter::CrushOnset(side)),
+            slope: plus(crush.stiffness.slope, Parameter::CrushSlope(side)),
+        },
+    });
+    let velocity = heading.to_ground(ForwardLeft { forward: along, left: T::int(0) }) + across;
+    (Vehicle { mass, yaw_inertia, heading, impact_center, motion: Motion { velocity, yaw_rate } }, crush)
+}
+
+impl<T: Real> Setup<T> {
+    /// What follows, without asking whether the collision is possible.
+    pub fn evaluate(&self) -> Answers<T> {
+        self.answers_of(&self.collision.evaluate())
+    }
+
+    /// What is known after its impact.
+    pub fn answers_of(&self, impact: &Impact<T>) -> Answers<T> {
+        Answers { impact: Outputs::of(&self.collision, impact), crush: self.crush_answers() }
+    }
+
+    /// What the crush of each vehicle says.
+    pub fn crush_answers(&self) -> [Option<CrushAnswers<T>>; 2] {
+        let parties = [&self.collision.one, &self.collision.two];
+        std::array::from_fn(|i| {
+            let (vehicle, crush) = (parties[i].vehicle()?, self.crush[i].as_ref()?);
+            let moments = ProfileMoments::of(crush.width.clone(), &crush.depths)?;
+            let energy = crush.stiffness.crush_energy(moments.clone());
+            let equivalent_speed = speed_of_energy(energy.clone(), vehicle.mass.clone());
+            Some(CrushAnswers { energy, equivalent_speed, mean_depth: moments.mean_depth() })
+        })
+    }
+}
+
+impl Setup {
+    /// What follows.
+    ///
+    /// # Errors
+    ///
+    /// Every reason why the collision is refused.
+    pub fn solve(&self) -> Result<Answers, Refusals> {
+        Ok(self.answers_of(&self.collision.solve()?))
+    }
+
+    /// Every answer that this setup has, in the order of the JSON of `solve`.
+    pub fn answers(&self) -> Vec<Answer> {
+        let has_moment = self.collision.moment != Moment::None;
+        let has = |output: &Output| has_moment || !matches!(output, Output::Moment | Output::MomentWork);
+        let mut all = Vec::new();
+        for output in Output::ALL.into_iter().filter(has) {
+            all.push(Answer::Impact(output));
+            for (side, crush) in [Side::One, Side::Two].into_iter().zip(&self.crush) {
+                if output == Output::PrincipalDirectionOfForce(side) && crush.is_some() {
+                    all.extend([Answer::CrushEnergy(side), Answer::EquivalentEnergySpeed(side), Answer::MeanDepth(side)]);
+                }
+            }
+        }
+        all
+    }
+
+    /// Why this setup does not have an answer; none if it has it.
+    pub fn lacks(&self, answer: Answer) -> Option<String> {
+        match answer {
+            Answer::Impact(Output::Moment | Output::MomentWork) if self.collision.moment == Moment::None => {
+                Some("the case has no moment impulse".to_owned())
+            }
+            Answer::CrushEnergy(side) | Answer::EquivalentEnergySpeed(side) | Answer::MeanDepth(side)
+                if self.crush[side as usize].is_none() =>
+            {
+                Some(format!("vehicle {} has no crush in this case", number(side)))
+            }
+            _ => None,
+        }
+    }
+}
