@@ -1,0 +1,79 @@
+//! The identities, by subject.
+//!
+//! An identity is a function that is written once over any field: it takes free variables and says which numbers must be equal. What it is computed on
+//! decides what is learned from it. Each file begins with the list of its identities.
+
+mod compliance;
+mod crush;
+mod derivative;
+mod energy;
+mod frame;
+mod law;
+mod limit;
+mod momentum;
+mod paper;
+mod plane;
+pub(crate) mod scene;
+mod symmetry;
+
+use crate::equation::Equations;
+use crate::free::Free;
+use crate::scalar::{Rational, Residues, Size};
+
+/// What an identity demands over one kind of number.
+pub(crate) type Form<T> = fn(&mut Free<'_, T>) -> Equations<T>;
+
+/// An identity of the model.
+#[derive(Clone, Copy, Debug)]
+pub struct Identity {
+    /// What it says, in a few words.
+    pub name: &'static str,
+    /// What it says, in letters.
+    pub statement: &'static str,
+    /// The numbers of the paper's equations that it is about, empty if there are none.
+    pub equations: &'static str,
+    pub(crate) size: Form<Size>,
+    pub(crate) residues: Form<Residues>,
+    pub(crate) rational: Form<Rational>,
+}
+
+/// The identities about one subject.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// What they are about.
+    pub name: &'static str,
+    /// Each of them.
+    pub identities: Vec<Identity>,
+}
+
+/// An identity from a function that is generic over the field.
+macro_rules! identity {
+    ($function:ident, $name:literal, $statement:literal, $equations:literal) => {
+        $crate::identity::Identity {
+            name: $name,
+            statement: $statement,
+            equations: $equations,
+            size: $function,
+            residues: $function,
+            rational: $function,
+        }
+    };
+}
+pub(crate) use identity;
+
+/// All of them, in the order of the argument.
+pub fn subjects() -> Vec<Subject> {
+    vec![
+        Subject { name: "Frames", identities: frame::all() },
+        Subject { name: "Momentum", identities: momentum::all() },
+        Subject { name: "Compliance", identities: compliance::all() },
+        Subject { name: "Laws of impact", identities: law::all() },
+        Subject { name: "Energy", identities: energy::all() },
+        Subject { name: "The crush plane", identities: plane::all() },
+        Subject { name: "Symmetry", identities: symmetry::all() },
+        Subject { name: "Special cases", identities: limit::all() },
+        Subject { name: "Derivatives", identities: derivative::all() },
+        Subject { name: "Crush energy", identities: crush::all() },
+        Subject { name: "The paper's equations", identities: paper::all() },
+    ]
+}
