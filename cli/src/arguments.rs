@@ -82,6 +82,9 @@ pub enum Verb {
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
     Validate(Validate),
+    /// Prove the identities of the mechanics, and show what is wrong in print.
+    #[command(after_help = "Examples:\n  planar-impact prove\n  planar-impact prove --format json")]
+    Prove(Prove),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:\n  planar-impact completions bash > ~/.local/share/bash-completion/completions/planar-impact")]
     Completions {
@@ -136,6 +139,14 @@ pub struct Validate {
     pub format: Format,
 }
 
+/// The call of `prove`.
+#[derive(Debug, Args)]
+pub struct Prove {
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
 /// How to print a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -175,6 +186,7 @@ mod tests {
         manual(&mut page).expect("a vector takes everything");
         let page = String::from_utf8(page).expect("clap writes UTF-8");
         for verb in ["solve", "gradient", "validate", "completions", "man"] {
+        for verb in ["solve", "validate", "prove", "completions", "man"] {
             assert!(page.contains(&format!("planar\\-impact\\-{verb}")), "{verb}");
         }
     }

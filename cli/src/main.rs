@@ -9,6 +9,7 @@ mod exit;
 mod gradient;
 mod named;
 mod names;
+mod prove;
 mod quantity;
 mod report;
 mod solution;
@@ -60,6 +61,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Solve(call) => solve::run(&call),
         Verb::Gradient(call) => gradient::run(&call),
         Verb::Validate(call) => validate::run(&call),
+        Verb::Prove(call) => prove::run(&call),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "planar-impact", &mut script);
