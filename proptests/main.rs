@@ -7,6 +7,7 @@
 
 mod angles;
 mod derivatives;
+mod check;
 mod energy;
 mod errata;
 mod laws;

@@ -20,12 +20,18 @@ pub struct Contact<T = f64> {
     pub approach: Nt<T>,
 }
 
+/// Relative velocity of two bodies at the impact center, v_2C − v_1C.
+#[inline(always)]
+pub fn relative_velocity<T: Field>(one: &Body<T>, two: &Body<T>) -> Nt<T> {
+    two.velocity_at_center() - one.velocity_at_center()
+}
+
 impl<T: Field> Contact<T> {
     /// Of two bodies.
     #[inline(always)]
     pub fn between(one: Body<T>, two: Body<T>) -> Self {
         let compliance = Compliance::between(&one, &two);
-        let approach = two.velocity_at_center() - one.velocity_at_center();
+        let approach = relative_velocity(&one, &two);
         Contact { one, two, compliance, approach }
     }
 

@@ -27,6 +27,7 @@
 //! | [`solve`] | a collision | the impact, or every reason why there is none |
 //! | [`sensitivity`] | a collision | every output with its derivatives by every input |
 //! | [`guideline`] | the directions of two undeformed surfaces | the nominal crush plane and its bracket |
+//! | [`check`] | a collision as another program reports it | which law does not hold, and by how much |
 //! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -35,6 +36,7 @@ extern crate alloc;
 
 pub mod admissible;
 pub mod body;
+pub mod check;
 pub mod collision;
 pub mod compliance;
 pub mod contact;

@@ -1,0 +1,181 @@
+//! Results that are reported, against what the motions imply: the first half of `reported`.
+
+use super::judge::{Judge, Residual};
+use super::key::Key;
+use super::known::{Known, Touch};
+use super::momentum::number_of;
+use super::normal;
+use super::rule::Rule;
+use super::say::Digits;
+use super::uncertain::Uncertain;
+use super::work::scale_of;
+use crate::frame::{Heading, Xy};
+use crate::impact::Response;
+use crate::input::Side;
+use crate::law::Law;
+use crate::vehicle::Motion;
+use alloc::format;
+use alloc::string::String;
+use core::f64::consts::TAU;
+
+/// A reported number beside the one that the motions imply.
+struct Claim<const N: usize> {
+    key: Key,
+    implied: Uncertain<N>,
+    /// What the number would be off by if nothing were right.
+    scale: f64,
+}
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let claim = |key, implied, scale| Claim { key, implied, scale };
+    if let Some(fall) = known.fall.filter(|fall| !fall.translation_only) {
+        let scale = fall.before.value.max(fall.after.value);
+        hold(known, judge, claim(Key::EnergyBefore, fall.before, scale));
+        hold(known, judge, claim(Key::EnergyAfter, fall.after, scale));
+    }
+    if let Some(loss) = known.loss() {
+        let of_work = known.touch.as_ref().and_then(scale_of);
+        let scale = of_work.or(known.fall.map(|fall| fall.available)).unwrap_or(0.0);
+        hold(known, judge, claim(Key::EnergyLoss, loss, scale));
+    }
+    for side in [Side::One, Side::Two] {
+        of_body(known, side, judge);
+    }
+    if let Some(p) = known.impulse {
+        let magnitude = norm(p);
+        for (key, implied) in [(Key::ImpulseX, p.x), (Key::ImpulseY, p.y), (Key::ImpulseMagnitude, magnitude)] {
+            hold(known, judge, claim(key, implied, magnitude.value));
+        }
+    }
+    if let Some(touch) = &known.touch {
+        at_contact(known, touch, judge);
+    }
+}
+
+fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
+    let subject = known.subject(side);
+    let Some(delta_v) = subject.delta_v() else { return };
+    let magnitude = norm(delta_v);
+    let said = known.number(Key::DeltaV(side)).map_or(0.0, |said| said.value.abs());
+    hold(known, judge, Claim { key: Key::DeltaV(side), implied: magnitude, scale: magnitude.value.max(said) });
+    if let Some(claimed) = known.number(Key::ForceDirection(side)) {
+        direction_of_force(known, side, delta_v, claimed, judge);
+    }
+}
+
+fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
+    let mut claim = |key, implied, scale| hold(known, judge, Claim { key, implied, scale });
+    let speed = normal::length(&touch.approach);
+    claim(Key::ClosingSpeed, touch.approach.n.magnitude(), speed);
+    claim(Key::SeparationSpeed, touch.separation.n.magnitude(), speed);
+    let (Some(p), Some(work), Some(scale)) = (touch.impulse, touch.work, scale_of(touch)) else { return };
+    claim(Key::NormalImpulse, p.n, normal::length(&p));
+    claim(Key::TangentialImpulse, p.t, normal::length(&p));
+    claim(Key::NormalWork, work.n, scale);
+    claim(Key::TangentialWork, work.t, scale);
+    // Multiplied out, so that nothing is divided by; the sentence has the ratios again.
+    if let Some(said) = known.number(Key::ReportedRatio) {
+        ratio(judge, Key::ReportedRatio, said, [p.n, p.t]);
+    }
+    if let Some((said, k)) = known.number(Key::CriticalRatio).zip(touch.compliance) {
+        // μ₀ is a property of the contact, whichever law is in force.
+        let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
+        let sticking = k.impulse_for(Law::Brach.change(touch.approach, e));
+        ratio(judge, Key::CriticalRatio, said, [sticking.n, sticking.t]);
+    }
+}
+
+fn ratio<const N: usize>(judge: &mut Judge, key: Key, said: Uncertain<N>, [n, t]: [Uncertain<N>; 2]) {
+    let scale = n.value.abs().max(t.value.abs()).max((said.value * n.value).abs());
+    let residual = Residual::new(t - said * n, scale);
+    if judge.sign(Rule::Reported, &Residual::new(n, n.value.abs().max(t.value.abs()))).is_none() {
+        return;
+    }
+    judge.zero(Rule::Reported, residual.per(n.value.abs()), |size, bound| told(key, said.value, t.value / n.value, size, bound));
+}
+
+fn told(key: Key, said: f64, implied: f64, size: f64, bound: f64) -> String {
+    let (said, implied, size, bound) = (Digits(said), Digits(implied), Digits(size), Digits(bound));
+    format!("{key} is said to be {said}, and the motions give {implied}: {size} off, {bound} may be")
+}
+
+fn hold<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>) {
+    let Some(said) = known.number(claim.key) else { return };
+    judge.zero(Rule::Reported, Residual::new(said - claim.implied, claim.scale), |size, bound| {
+        told(claim.key, said.value, claim.implied.value, size, bound)
+    });
+}
+
+/// The length of a vector: its component along itself, and what the one across adds to that, which is of second order.
+pub(super) fn norm<const N: usize>(v: Xy<Uncertain<N>>) -> Uncertain<N> {
+    let length = Xy { x: v.x.value, y: v.y.value }.length();
+    if length == 0.0 {
+        let rest = v.x.radius() + v.y.radius();
+        return Uncertain { value: 0.0, size: v.x.size + v.y.size, spread: [0.0; N], rest };
+    }
+    let (mut along, across) = along_and_across(v, length);
+    let (a, b) = (along.radius(), across.radius());
+    along.rest += if a < length { 0.5 * b * b / (length - a) } else { 2.0 * a + b };
+    along
+}
+
+/// The components of a vector along its value and a quarter turn from it.
+fn along_and_across<const N: usize>(v: Xy<Uncertain<N>>, length: f64) -> (Uncertain<N>, Uncertain<N>) {
+    let (cos, sin) = (v.x.value / length, v.y.value / length);
+    (v.x.scaled(cos) + v.y.scaled(sin), v.y.scaled(cos) - v.x.scaled(sin))
+}
+
+fn direction_of_force<const N: usize>(
+    known: &Known<'_, N>,
+    side: Side,
+    delta_v: Xy<Uncertain<N>>,
+    claimed: Uncertain<N>,
+    judge: &mut Judge,
+) {
+    let subject = known.record.subject(side);
+    let values = Xy { x: delta_v.x.value, y: delta_v.y.value };
+    let length = values.length();
+    // A fixed body has the direction zero and nothing to compare it with.
+    let Some((angle, heading)) = subject.heading.zip(known.number(Key::Heading(side))).filter(|_| length > 0.0 && !subject.fixed) else {
+        return;
+    };
+    let in_vehicle = Heading::from_angle(angle).to_vehicle(values);
+    let response = Response { after: Motion::rest(), delta_v: values, delta_v_in_vehicle: in_vehicle };
+    let implied = response.principal_direction_of_force();
+    let turns = libm::rint((claimed.value - implied) / TAU);
+    let (along, across) = along_and_across(delta_v, length);
+    let (a, b) = (along.radius() / length, across.radius() / length);
+    // The direction is `heading − angle of ΔV + π`; the angle of ΔV moves with the component across.
+    let mut off = claimed - heading + across.scaled(1.0 / length);
+    off.value = claimed.value - implied - turns * TAU;
+    off.rest += if a < 1.0 { a * b / (1.0 - a) + b * b * b } else { f64::INFINITY };
+    judge.zero(Rule::Reported, Residual::new(off, 1.0), |size, bound| {
+        let (said, implied) = (Digits(claimed.value), Digits(implied));
+        let body = number_of(side);
+        format!(
+            "the force on body {body} is said to come from {said} rad clockwise of its heading, and its change of velocity gives {implied} rad: {} \
+             off, {} may be",
+            Digits(size),
+            Digits(bound)
+        )
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bound_of_a_length_holds_and_is_sharp() {
+        for (x, y, dx, dy) in [(3.0, 4.0, 0.1, 0.2), (3.0, 0.0, 0.1, 0.2), (1.0, 1.0, 0.5, 0.9), (0.0, 0.0, 0.1, 0.1)] {
+            let v = Xy { x: Uncertain::<2>::input(x, 0, dx), y: Uncertain::input(y, 1, dy) };
+            let length = norm(v);
+            let mut farthest = 0.0_f64;
+            for (i, j) in (-10..=10).flat_map(|i| (-10..=10).map(move |j| (f64::from(i) / 10.0, f64::from(j) / 10.0))) {
+                farthest = farthest.max((Xy { x: x + i * dx, y: y + j * dy }.length() - length.value).abs());
+            }
+            assert!(farthest <= length.radius() * (1.0 + 1e-12), "{x} {y}: {farthest} beyond {}", length.radius());
+            assert!(dx > 0.3 || length.radius() < 1.5 * farthest, "{x} {y}: {farthest} far within {}", length.radius());
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Records that must agree: `group`.
+//!
+//! Each record tells an interval for each quantity, its value and bound. The consensus is the region that lies in the most intervals (Marzullo's algorithm), so that
+//! records that are all right are never found to disagree, and a record that is wrong cannot draw the consensus to itself. If more than half of the records share
+//! the region and there is no other like it, those outside of it are wrong; if not, which of those that disagree with another is wrong cannot be told.
+
+use super::common::Common;
+use super::outcome::{Finding, Outcome};
+use super::rule::{Rule, Severity};
+use super::say::Digits;
+use alloc::format;
+use alloc::vec::Vec;
+
+/// What the records of a group agree on.
+///
+/// ```
+/// use planar_impact::check::{Consensus, Membership, Options, Record, Rule, check};
+///
+/// // Three records of one sweep; the third has a digit wrong.
+/// let sweep = Membership { name: "sweep".into(), agreement: Default::default() };
+/// let mut outcomes: Vec<_> = [(100.0, 50.0), (90.0, 60.0), (80.0, 80.0)]
+///     .map(|(n, t)| {
+///         let mut record = Record { group: Some(sweep.clone()), ..Record::default() };
+///         (record.reported.work_normal, record.reported.work_tangential) = (Some(-n), Some(-t));
+///         check(&record, &Options::default())
+///     })
+///     .into();
+/// Consensus::of(&outcomes).apply(&mut outcomes);
+/// assert!(outcomes[0].findings.is_empty() && outcomes[1].findings.is_empty());
+/// assert_eq!(outcomes[2].findings[0].rule, Rule::Group);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Consensus {
+    regions: Vec<Region>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Region {
+    name: &'static str,
+    unit: &'static str,
+    lower: f64,
+    upper: f64,
+    votes: usize,
+    records: usize,
+    /// Whether no other region has as many votes.
+    only: bool,
+    /// Whoever lies above the one or below the other disagrees with somebody.
+    least_upper: f64,
+    greatest_lower: f64,
+}
+
+impl Consensus {
+    /// That of the records of one group, of which two or more must tell a quantity.
+    pub fn of(outcomes: &[Outcome]) -> Consensus {
+        let mut names: Vec<(&'static str, &'static str)> = Vec::new();
+        for common in outcomes.iter().flat_map(|outcome| &outcome.common) {
+            if !names.iter().any(|(name, _)| *name == common.name) {
+                names.push((common.name, common.unit));
+            }
+        }
+        let all = |name| -> Vec<&Common> { outcomes.iter().filter_map(|outcome| quantity(outcome, name)).collect() };
+        let regions = names.into_iter().filter_map(|(name, unit)| Region::of(name, unit, &all(name)));
+        Consensus { regions: regions.collect() }
+    }
+
+    /// Adds a finding to each record that is outside of the consensus.
+    pub fn apply(&self, outcomes: &mut [Outcome]) {
+        for outcome in outcomes {
+            for region in &self.regions {
+                region.apply(outcome);
+            }
+        }
+    }
+}
+
+fn quantity<'a>(outcome: &'a Outcome, name: &str) -> Option<&'a Common> {
+    outcome.common.iter().find(|common| common.name == name)
+}
+
+impl Region {
+    fn of(name: &'static str, unit: &'static str, all: &[&Common]) -> Option<Region> {
+        // Ends of intervals in order, and of those at one place the beginnings first: intervals that touch share a point.
+        let mut ends: Vec<(f64, bool)> = Vec::with_capacity(2 * all.len());
+        for common in all.iter().filter(|common| common.value.is_finite() && common.bound.is_finite()) {
+            ends.push((common.value - common.bound, false));
+            ends.push((common.value + common.bound, true));
+        }
+        let records = ends.len() / 2;
+        if records < 2 {
+            return None;
+        }
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let of = |is_end: bool| ends.iter().filter(move |end| end.1 == is_end).map(|end| end.0);
+        let least_upper = of(true).fold(f64::INFINITY, f64::min);
+        let greatest_lower = of(false).fold(f64::NEG_INFINITY, f64::max);
+        let mut best = Region { name, unit, lower: 0.0, upper: 0.0, votes: 0, records, only: true, least_upper, greatest_lower };
+        let mut depth = 0;
+        for (i, &(at, is_end)) in ends.iter().enumerate() {
+            if is_end {
+                depth -= 1;
+                continue;
+            }
+            depth += 1;
+            if depth > best.votes {
+                // The region reaches to the next end, where one interval or another closes.
+                let upper = ends[i + 1..].iter().find(|(_, is_end)| *is_end).map_or(at, |(to, _)| *to);
+                best = Region { lower: at, upper, votes: depth, only: true, ..best };
+            } else if depth == best.votes {
+                best.only = false;
+            }
+        }
+        Some(best)
+    }
+
+    fn apply(&self, outcome: &mut Outcome) {
+        let Some(common) = quantity(outcome, self.name).copied() else { return };
+        outcome.checked.insert(Rule::Group);
+        let is_told = self.only && 2 * self.votes > self.records;
+        let (middle, half) = (0.5 * (self.lower + self.upper), 0.5 * (self.upper - self.lower));
+        let (size, bound) = ((common.value - middle).abs(), common.bound + half);
+        let (lower, upper) = (common.value - common.bound, common.value + common.bound);
+        let agrees =
+            if is_told { lower <= self.upper && self.lower <= upper } else { lower <= self.least_upper && self.greatest_lower <= upper };
+        if agrees {
+            return;
+        }
+        let (value, unit) = (Digits(common.value), self.unit);
+        let rest = if is_told {
+            format!("and {} of the {} records of the group agree on {} {unit}", self.votes, self.records, Digits(middle))
+        } else {
+            format!(
+                "and the {} records of the group do not agree: no more than {} share a value, so which of them is wrong cannot be told",
+                self.records, self.votes
+            )
+        };
+        let what = format!("the {} is {value} {unit}, {rest}: {} off, {} may be", self.name, Digits(size), Digits(bound));
+        outcome.findings.push(Finding { rule: Rule::Group, severity: Severity::Fail, size, bound, what });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::check::*;
+
+    /// The outcomes of records that report a loss each, with a resolution.
+    fn outcomes(losses: &[(f64, f64)]) -> Vec<Outcome> {
+        let record = |&(loss, resolution): &(f64, f64)| {
+            let group = Some(Membership { name: "g".into(), agreement: Agreement::Loss });
+            let mut record = Record { group, resolution: Resolution::default().with(Measure::Energy, resolution), ..Record::default() };
+            record.set(Key::EnergyLoss, loss);
+            check(&record, &Options::default())
+        };
+        let mut outcomes: Vec<_> = losses.iter().map(record).collect();
+        Consensus::of(&outcomes).apply(&mut outcomes);
+        outcomes
+    }
+
+    fn found(losses: &[(f64, f64)]) -> Vec<usize> {
+        let of_group = |outcome: &Outcome| outcome.of(Rule::Group).count();
+        outcomes(losses).iter().enumerate().filter(|(_, outcome)| of_group(outcome) > 0).map(|(i, _)| i).collect()
+    }
+
+    #[test]
+    fn those_outside_of_the_majority_are_found() {
+        assert_eq!(found(&[(10.0, 0.5), (10.9, 0.5), (10.4, 0.5)]), []);
+        assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5)]), [1]);
+        assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5), (8.0, 0.5), (10.2, 0.1)]), [1, 3]);
+        // A coarse one agrees with everything and proves nothing.
+        assert_eq!(found(&[(10.0, 100.0), (12.0, 0.5), (10.4, 0.5)]), [1, 2]);
+        assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5), (12.1, 0.5)]), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn intervals_that_touch_agree() {
+        assert_eq!(found(&[(10.0, 0.5), (11.0, 0.5)]), []);
+        assert_eq!(found(&[(10.0, 0.5), (10.5, 0.5), (11.0, 0.5)]), []);
+    }
+
+    #[test]
+    fn of_two_that_disagree_neither_is_right() {
+        let both = outcomes(&[(10.0, 0.1), (12.0, 0.1)]);
+        for outcome in &both {
+            assert_eq!(outcome.verdict(), Verdict::Fail);
+            assert!(outcome.findings[0].what.contains("cannot be told"), "{outcome}");
+        }
+    }
+
+    #[test]
+    fn one_alone_agrees_with_nobody() {
+        let alone = outcomes(&[(10.0, 0.1)]);
+        assert!(alone[0].findings.is_empty() && !alone[0].has_checked(Rule::Group));
+    }
+}

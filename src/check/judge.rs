@@ -1,0 +1,218 @@
+//! How a residual is held against its bound.
+
+use super::Options;
+use super::common::Common;
+use super::outcome::{Finding, Outcome};
+use super::profile::Profile;
+use super::rule::{Rule, Rules, Severity};
+use super::say::Digits;
+use super::uncertain::Uncertain;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// Collects what is found about one record.
+pub(super) struct Judge {
+    profile: Profile,
+    tolerance: Option<f64>,
+    checked: Rules,
+    findings: Vec<Finding>,
+    pub(super) common: Vec<Common>,
+}
+
+/// A quantity that must be zero, or must not be above it, with the size that it has where nothing is right.
+#[derive(Clone, Copy)]
+pub(super) struct Residual<const N: usize> {
+    pub(super) value: Uncertain<N>,
+    /// In the same unit. The tolerance is a share of it, and a bound beyond it says nothing.
+    pub(super) scale: f64,
+}
+
+/// How far a residual may be from zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bound {
+    /// All in all.
+    pub(super) total: f64,
+    /// The part that comes of resolutions or tolerance, not of rounding.
+    implied: f64,
+}
+
+impl<const N: usize> Residual<N> {
+    pub(super) fn new(value: Uncertain<N>, scale: f64) -> Self {
+        Residual { value, scale }
+    }
+
+    /// In another unit.
+    pub(super) fn per(self, divisor: f64) -> Self {
+        Residual { value: self.value.scaled(1.0 / divisor), scale: self.scale / divisor.abs() }
+    }
+}
+
+impl Judge {
+    pub(super) fn new(profile: Profile, options: &Options) -> Self {
+        Judge { profile, tolerance: options.tolerance, checked: Rules::default(), findings: Vec::new(), common: Vec::new() }
+    }
+
+    pub(super) fn done(self, id: String) -> Outcome {
+        Outcome { id, findings: self.findings, checked: self.checked, common: self.common }
+    }
+
+    pub(super) fn has_failed(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity == Severity::Fail)
+    }
+
+    /// That the record is held against a rule, whatever comes of it.
+    pub(super) fn checks(&mut self, rule: Rule) {
+        self.checked.insert(rule);
+    }
+
+    pub(super) fn push(&mut self, rule: Rule, severity: Severity, size: f64, bound: f64, what: String) {
+        self.findings.push(Finding { rule, severity, size, bound, what });
+    }
+
+    pub(super) fn fail(&mut self, rule: Rule, size: f64, bound: f64, what: String) {
+        self.push(rule, Severity::Fail, size, bound, what);
+    }
+
+    pub(super) fn warn(&mut self, rule: Rule, size: f64, bound: f64, what: String) {
+        self.push(rule, Severity::Warn, size, bound, what);
+    }
+
+    /// What the resolutions imply, or else the tolerance; and rounding.
+    pub(super) fn bound<const N: usize>(&self, rule: Rule, residual: &Residual<N>) -> Bound {
+        let of_profile = if rule == Rule::LinearMomentum { self.profile.linear_tolerance() } else { self.profile.tolerance() };
+        let spread = if self.profile == Profile::Measured { residual.value.three_sigma() } else { residual.value.radius() };
+        // Not a number where nothing is known times nothing.
+        let implied = match spread {
+            0.0 => self.tolerance.unwrap_or(of_profile) * residual.scale,
+            spread if spread.is_finite() => spread,
+            _ => f64::INFINITY,
+        };
+        Bound { total: implied + self.profile.rounding() * residual.value.size, implied }
+    }
+
+    /// A residual that must be zero.
+    pub(super) fn zero<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, what: impl FnOnce(f64, f64) -> String) {
+        self.hold(rule, residual, residual.value.value.abs(), what);
+    }
+
+    /// A quantity that must not be above zero.
+    pub(super) fn not_above<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, what: impl FnOnce(f64, f64) -> String) {
+        self.hold(rule, residual, residual.value.value, what);
+    }
+
+    /// Residuals that must be zero and are one matter, as the components of a vector: the one farthest beyond its bound is told.
+    pub(super) fn all_zero<const N: usize, const M: usize>(
+        &mut self,
+        rule: Rule,
+        residuals: [Residual<N>; M],
+        what: impl FnOnce(usize, f64, f64) -> String,
+    ) {
+        let excess = |residual: &Residual<N>| {
+            let bound = self.bound(rule, residual).total;
+            // Zero of zero is nothing; all that is not a number must be seen.
+            let share = residual.value.value.abs() / bound;
+            if residual.value.value == 0.0 { 0.0 } else { share }
+        };
+        let worst = (0..M).max_by(|&a, &b| excess(&residuals[a]).total_cmp(&excess(&residuals[b])));
+        if let Some(worst) = worst {
+            self.zero(rule, residuals[worst], |size, bound| what(worst, size, bound));
+        }
+    }
+
+    fn hold<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, size: f64, what: impl FnOnce(f64, f64) -> String) {
+        self.checks(rule);
+        let bound = self.bound(rule, &residual);
+        if !size.is_finite() {
+            self.push(Rule::Finite, Severity::Fail, size, bound.total, format!("the numbers are so large that {rule} cannot be computed"));
+        } else if size > bound.total {
+            self.push(rule, Severity::Fail, size, bound.total, what(size, bound.total));
+        } else if size >= -bound.total && bound.implied > residual.scale {
+            // Below that an upper limit holds for certain.
+            self.undecidable(rule, size.max(0.0), bound.total, residual.scale);
+        }
+    }
+
+    /// Whether a quantity is beyond its bound to either side: its sign is known then.
+    pub(super) fn sign<const N: usize>(&self, rule: Rule, residual: &Residual<N>) -> Option<f64> {
+        let value = residual.value.value;
+        (value.abs() > self.bound(rule, residual).total).then(|| value.signum())
+    }
+
+    /// That the numbers are too coarse for a rule; told once.
+    pub(super) fn undecidable(&mut self, rule: Rule, size: f64, bound: f64, scale: f64) {
+        if self.findings.iter().any(|finding| finding.rule == rule && finding.severity == Severity::Undecidable) {
+            return;
+        }
+        let (bound_in_words, scale) = (Digits(bound), Digits(scale));
+        let what = format!("the resolutions leave room for {bound_in_words}, and the quantity itself is no larger than {scale}");
+        self.push(rule, Severity::Undecidable, size, bound, what);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bound(profile: Profile, tolerance: Option<f64>, rule: Rule, resolution: f64) -> f64 {
+        // 1000 − 999, either with the resolution.
+        let value = Uncertain::<2>::input(1000.0, 0, resolution) - Uncertain::input(999.0, 1, resolution);
+        Judge::new(profile, &Options { tolerance }).bound(rule, &Residual::new(value, 100.0)).total
+    }
+
+    #[test]
+    fn resolutions_decide_or_else_the_profile() {
+        let rule = Rule::Restitution;
+        let rounding = 64.0 * f64::EPSILON * 1999.0;
+        for (profile, tolerance, rule, resolution, implied) in [
+            (Profile::Impulse, None, rule, 0.0, 1e-7),
+            (Profile::Impulse, None, rule, 0.25, 0.5),
+            (Profile::Printed, None, rule, 0.25, 0.5),
+            (Profile::Stepper, None, rule, 0.0, 2.0),
+            (Profile::Stepper, None, Rule::LinearMomentum, 0.0, 1e-4),
+            (Profile::Stepper, Some(0.01), Rule::LinearMomentum, 0.0, 1.0),
+            (Profile::Stepper, Some(0.01), rule, 0.25, 0.5),
+            (Profile::Measured, None, rule, 0.0, 5.0),
+            (Profile::Measured, None, rule, 0.25, 0.75 * core::f64::consts::SQRT_2),
+        ] {
+            let found = bound(profile, tolerance, rule, resolution);
+            assert!((found - implied - rounding).abs() < 1e-15, "{profile:?}, {rule}, {resolution}: {found}");
+        }
+        assert_eq!(bound(Profile::StepperF32, None, rule, 0.0), 2.0 + 1999.0 / 1_048_576.0);
+    }
+
+    #[test]
+    fn what_is_coarser_than_itself_is_undecidable() {
+        let verdict = |value: f64, resolution: f64, scale: f64| {
+            let mut judge = Judge::new(Profile::Printed, &Options::default());
+            let value = Uncertain::<1>::input(value, 0, resolution);
+            judge.zero(Rule::Restitution, Residual::new(value, scale), |_, _| String::new());
+            judge.done(String::new()).verdict()
+        };
+        use super::super::Verdict;
+        assert_eq!(verdict(1.0, 2.0, 3.0), Verdict::Pass);
+        assert_eq!(verdict(2.5, 2.0, 3.0), Verdict::Fail);
+        assert_eq!(verdict(1.0, 4.0, 3.0), Verdict::Undecidable);
+        assert_eq!(verdict(5.0, 4.0, 3.0), Verdict::Fail);
+        assert_eq!(verdict(1.0, f64::INFINITY, 3.0), Verdict::Undecidable);
+    }
+
+    #[test]
+    fn an_upper_limit_may_hold_for_certain() {
+        let mut judge = Judge::new(Profile::Printed, &Options::default());
+        let value = |value| Residual::new(Uncertain::<1>::input(value, 0, 4.0), 3.0);
+        judge.not_above(Rule::EnergyGain, value(-5.0), |_, _| String::new());
+        assert!(judge.findings.is_empty());
+        judge.not_above(Rule::EnergyGain, value(-3.0), |_, _| String::new());
+        assert_eq!(judge.findings[0].severity, Severity::Undecidable);
+    }
+
+    #[test]
+    fn of_a_vector_the_worst_component_is_told() {
+        let mut judge = Judge::new(Profile::Printed, &Options::default());
+        let residuals = [(0.0, 0.0), (3.0, 2.0), (-2.0, 1.0)];
+        let residuals = residuals.map(|(value, resolution)| Residual::new(Uncertain::<1>::input(value, 0, resolution), 9.0));
+        judge.all_zero(Rule::LinearMomentum, residuals, |worst, _, _| format!("{worst}"));
+        assert_eq!((judge.findings.len(), judge.findings[0].what.as_str(), judge.findings[0].size), (1, "2", 2.0));
+    }
+}

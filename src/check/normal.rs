@@ -1,0 +1,149 @@
+//! What happens along the normal: `compressive`, `interpenetration`, `restitution`.
+
+use super::judge::{Judge, Residual};
+use super::key::Key;
+use super::known::{Known, Touch};
+use super::model::RatioKind;
+use super::rule::Rule;
+use super::say::Digits;
+use super::uncertain::Uncertain;
+use crate::frame::Nt;
+use crate::law::Law;
+use alloc::format;
+
+/// The length of a vector's values.
+pub(super) fn length<const N: usize>(v: &Nt<Uncertain<N>>) -> f64 {
+    Nt { n: v.n.value, t: v.t.value }.length()
+}
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    restitution_in_range(known, judge);
+    match &known.touch {
+        Some(touch) => {
+            along_the_normal(touch, judge);
+            restitution(known, touch, judge);
+        }
+        None => restitution_of_claims(known, judge),
+    }
+}
+
+/// Which way is compressive follows from s, the normal component of center of mass 2 less center of mass 1.
+fn along_the_normal<const N: usize>(touch: &Touch<N>, judge: &mut Judge) {
+    let offset = Residual::new(touch.offset.n, length(&touch.offset));
+    let side = judge.sign(Rule::Compressive, &offset);
+    let Some(side) = side else {
+        judge.checks(Rule::Compressive);
+        judge.checks(Rule::Interpenetration);
+        let bound = judge.bound(Rule::Compressive, &offset).total;
+        let size = offset.value.value.abs();
+        if offset.value.radius() > 0.0 {
+            judge.undecidable(Rule::Compressive, size, bound, offset.scale);
+            judge.undecidable(Rule::Interpenetration, size, bound, offset.scale);
+        } else {
+            let what =
+                format!("the centers of mass are abreast: {} m apart along the normal, so no approach along it closes", Digits(size));
+            judge.fail(Rule::Compressive, size, bound, what);
+        }
+        return;
+    };
+    let speed = length(&touch.approach);
+    let apart = |v: Uncertain<N>| Residual::new(v.scaled(side), speed);
+    judge.not_above(Rule::Compressive, apart(touch.approach.n), |size, bound| {
+        format!("before the impact the bodies part along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
+    });
+    if let Some(impulse) = touch.impulse {
+        judge.not_above(Rule::Compressive, Residual::new(impulse.n.scaled(side), length(&impulse)), |size, bound| {
+            format!("the normal impulse pulls the bodies together with {} N s, {} may be", Digits(size), Digits(bound))
+        });
+    }
+    judge.not_above(Rule::Interpenetration, apart(-touch.separation.n), |size, bound| {
+        format!("after the impact the bodies approach each other still along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
+    });
+}
+
+fn restitution_in_range<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let Some(claimed) = known.number(Key::Restitution) else { return };
+    let e = claimed.value;
+    judge.not_above(Rule::Restitution, Residual::new(claimed - Uncertain::exact(1.0), 1.0), |_, _| {
+        let percent = if (2.0..=100.0).contains(&e) { "; a percentage?" } else { "" };
+        format!("the restitution is said to be {}, which is above 1{percent}", Digits(e))
+    });
+    judge.not_above(Rule::Restitution, Residual::new(-claimed, 1.0), |_, _| {
+        format!("the restitution is said to be {}, which is below 0", Digits(e))
+    });
+}
+
+/// V_n = −e v_n, as a share of v_n.
+fn restitution<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
+    let (approach, separation) = (touch.approach.n, touch.separation.n);
+    let closing = Residual::new(approach, length(&touch.approach));
+    judge.checks(Rule::Restitution);
+    if judge.sign(Rule::Restitution, &closing).is_none() {
+        let bound = judge.bound(Rule::Restitution, &closing).total;
+        if approach.radius() > 0.0 {
+            judge.undecidable(Rule::Restitution, 0.0, bound, approach.value.abs());
+        }
+        return;
+    }
+    let v = approach.value;
+    let found = -separation.value / v;
+    let per_approach = |value: Uncertain<N>| Residual::new(value, v.abs()).per(v);
+    match known.number(Key::Restitution) {
+        Some(claimed) => {
+            judge.zero(Rule::Restitution, per_approach(separation + claimed * approach), |size, bound| {
+                format!(
+                    "the restitution is said to be {}, and the velocities along the normal, {} m/s before and {} m/s after, give {}: {} off, {} may be",
+                    Digits(claimed.value),
+                    Digits(v),
+                    Digits(separation.value),
+                    Digits(found),
+                    Digits(size),
+                    Digits(bound)
+                )
+            });
+        }
+        None => judge.not_above(Rule::Restitution, per_approach(-separation - approach), |_, bound| {
+            format!(
+                "the velocities along the normal give a restitution of {}, which is above 1 by more than {}",
+                Digits(found),
+                Digits(bound)
+            )
+        }),
+    }
+    warn_above_bound(known, touch, known.record.model.restitution.unwrap_or(found), judge);
+}
+
+/// At the critical ratio a restitution above √(1 − K_nt²/(K_nn K_tt)) gains energy at some approach velocities, if not at this one.
+fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f64, judge: &mut Judge) {
+    let model = &known.record.model;
+    if model.ratio_kind != RatioKind::Critical || model.law != Law::Brach {
+        return;
+    }
+    let Some(contact) = touch.values() else { return };
+    let bound = libm::sqrt(contact.restitution_bound_for_any_approach_squared());
+    if e > bound && e <= 1.0 {
+        let what = format!(
+            "the restitution {} is above {}: at the critical ratio this contact would gain energy at some approach velocities",
+            Digits(e),
+            Digits(bound)
+        );
+        judge.warn(Rule::Restitution, e, bound, what);
+    }
+}
+
+/// The restitution of reported speeds, where the motions do not tell it.
+fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let keys = [Key::Restitution, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
+    let [Some(e), Some(closing), Some(parting)] = keys else { return };
+    let scale = closing.value.abs();
+    judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(scale.max(f64::MIN_POSITIVE)), |size, bound| {
+        format!(
+            "the restitution is said to be {}, and the closing speed {} m/s and the separation speed {} m/s; their ratio is {} off, {} may be",
+            Digits(e.value),
+            Digits(closing.value),
+            Digits(parting.value),
+            Digits(size),
+            Digits(bound)
+        )
+    });
+}

@@ -1,0 +1,154 @@
+//! What a record tells of one body, on numbers with a resolution.
+
+use super::key::Key;
+use super::record::Record;
+use super::uncertain::Uncertain;
+use crate::body::Body;
+use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
+use crate::input::Side;
+use crate::scalar::Field;
+use crate::vehicle::{Motion, Vehicle};
+use num_traits::Inv;
+
+/// What is known of one body.
+#[derive(Clone, Copy)]
+pub(super) struct Subject<const N: usize> {
+    pub(super) fixed: bool,
+    pub(super) mass: Option<Uncertain<N>>,
+    pub(super) yaw_inertia: Option<Uncertain<N>>,
+    /// Of a fixed body the contact point, if that is known.
+    pub(super) center: Option<Xy<Uncertain<N>>>,
+    pub(super) before: Option<Xy<Uncertain<N>>>,
+    pub(super) after: Option<Xy<Uncertain<N>>>,
+    pub(super) yaw_before: Option<Uncertain<N>>,
+    pub(super) yaw_after: Option<Uncertain<N>>,
+    /// From the center of mass to the contact point.
+    pub(super) arm: Option<Xy<Uncertain<N>>>,
+}
+
+/// One of two moments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum When {
+    Before,
+    After,
+}
+
+/// A number of the record with its resolution.
+pub(super) fn number<const N: usize>(record: &Record, key: Key) -> Option<Uncertain<N>> {
+    let value = record.get(key)?;
+    let resolution = if N == 0 { 0.0 } else { record.resolution.of(key).unwrap_or(0.0) };
+    Some(Uncertain::input(value, key.index(), resolution))
+}
+
+/// Two numbers of the record as a vector in ground axes.
+pub(super) fn pair<const N: usize>(record: &Record, x: Key, y: Key) -> Option<Xy<Uncertain<N>>> {
+    Some(Xy { x: number(record, x)?, y: number(record, y)? })
+}
+
+impl<const N: usize> Subject<N> {
+    /// A body of a record that touches the other at a point.
+    pub(super) fn of(record: &Record, side: Side, point: Option<Xy<Uncertain<N>>>) -> Self {
+        let before = pair(record, Key::BeforeX(side), Key::BeforeY(side));
+        if record.subject(side).fixed {
+            let (rest, still) = (Some(Xy::zero()), Some(Uncertain::exact(0.0)));
+            let before = before.or(rest);
+            return Subject {
+                fixed: true,
+                mass: None,
+                yaw_inertia: None,
+                center: point,
+                before,
+                after: before,
+                yaw_before: still,
+                yaw_after: still,
+                arm: rest,
+            };
+        }
+        let center = pair(record, Key::CenterX(side), Key::CenterY(side));
+        Subject {
+            fixed: false,
+            mass: number(record, Key::Mass(side)),
+            yaw_inertia: number(record, Key::YawInertia(side)),
+            center,
+            before,
+            after: pair(record, Key::AfterX(side), Key::AfterY(side)),
+            yaw_before: number(record, Key::BeforeYawRate(side)),
+            yaw_after: number(record, Key::AfterYawRate(side)),
+            arm: point.zip(center).map(|(point, center)| point - center),
+        }
+    }
+
+    pub(super) fn velocity(&self, when: When) -> Option<Xy<Uncertain<N>>> {
+        match when {
+            When::Before => self.before,
+            When::After => self.after,
+        }
+    }
+
+    pub(super) fn yaw_rate(&self, when: When) -> Option<Uncertain<N>> {
+        match when {
+            When::Before => self.yaw_before,
+            When::After => self.yaw_after,
+        }
+    }
+
+    /// Its change of velocity.
+    pub(super) fn delta_v(&self) -> Option<Xy<Uncertain<N>>> {
+        Some(self.after? - self.before?)
+    }
+
+    /// Its change of momentum; that of a fixed body cannot be seen.
+    pub(super) fn momentum_gained(&self) -> Option<Xy<Uncertain<N>>> {
+        Some(self.delta_v()? * self.mass?)
+    }
+
+    /// Its change of spin, I (Ω − ω); that of a fixed body cannot be seen.
+    pub(super) fn spin_gained(&self) -> Option<Uncertain<N>> {
+        Some((self.yaw_after? - self.yaw_before?) * self.yaw_inertia?)
+    }
+
+    /// Whether its spin can be counted; a fixed body has none.
+    pub(super) fn spin_is_known(&self) -> bool {
+        self.fixed || self.spin_gained().is_some()
+    }
+
+    /// The body as the contact sees it, but for its inertia.
+    pub(super) fn body(&self, plane: &CrushPlane<Uncertain<N>>, when: When) -> Option<Body<Uncertain<N>>> {
+        Some(Body {
+            arm: plane.to_contact(self.arm?),
+            velocity: plane.to_contact(self.velocity(when)?),
+            yaw_rate: self.yaw_rate(when)?,
+            ..Body::fixed()
+        })
+    }
+
+    /// The same with its inertia.
+    pub(super) fn with_inertia(&self, body: Body<Uncertain<N>>) -> Option<Body<Uncertain<N>>> {
+        if self.fixed {
+            return Some(body);
+        }
+        Some(Body { inverse_mass: self.mass?.inv(), inverse_yaw_inertia: self.yaw_inertia?.inv(), ..body })
+    }
+
+    /// The kinetic energy of its spin. A fixed body has none.
+    pub(super) fn spin_energy(&self, when: When) -> Option<Uncertain<N>> {
+        if self.fixed { Some(Uncertain::exact(0.0)) } else { Some(self.yaw_inertia? * self.yaw_rate(when)?.squared().half()) }
+    }
+
+    /// Its kinetic energy as seen by an observer who moves, with its spin or of its translation alone. A fixed body is not counted.
+    pub(super) fn kinetic_energy(&self, when: When, observer: Xy<Uncertain<N>>, spin: bool) -> Option<Uncertain<N>> {
+        let none = Uncertain::exact(0.0);
+        if self.fixed {
+            return Some(none);
+        }
+        let (yaw_inertia, yaw_rate) = if spin { (self.yaw_inertia?, self.yaw_rate(when)?) } else { (none, none) };
+        let vehicle = Vehicle {
+            mass: self.mass?,
+            yaw_inertia,
+            heading: Heading { cos: Uncertain::exact(1.0), sin: none },
+            impact_center: ForwardLeft::zero(),
+            motion: Motion::rest(),
+        };
+        Some(vehicle.kinetic_energy(Motion { velocity: self.velocity(when)? - observer, yaw_rate }))
+    }
+}

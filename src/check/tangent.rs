@@ -1,0 +1,231 @@
+//! What happens along the tangent: `impulse-ratio`, `beyond-critical`.
+
+use super::judge::{Judge, Residual};
+use super::key::Key;
+use super::known::{Known, Touch};
+use super::model::RatioKind;
+use super::normal::length;
+use super::rule::Rule;
+use super::say::Digits;
+use super::uncertain::Uncertain;
+use crate::frame::Nt;
+use crate::law::Law;
+use alloc::format;
+use alloc::string::String;
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    match known.touch.and_then(|touch| Some((touch, touch.impulse?))) {
+        Some((touch, impulse)) => {
+            if !can_divide(Residual::new(impulse.n, length(&impulse)), judge)
+                || !can_divide(Residual::new(touch.approach.n, length(&touch.approach)), judge)
+            {
+                return;
+            }
+            let slip = slip(known.record.model.law, &touch);
+            impulse_ratio(known, &touch, impulse, slip, judge);
+            beyond_critical(known, &touch, impulse, slip, judge);
+            warn_of_ratio(&touch, impulse, judge);
+        }
+        None => claims(known, judge),
+    }
+}
+
+/// Whether a divisor is clear of zero. There is no ratio where it is not; whether there is one cannot be told where the resolution alone stands in the way.
+fn can_divide<const N: usize>(divisor: Residual<N>, judge: &mut Judge) -> bool {
+    let clear = judge.sign(Rule::ImpulseRatio, &divisor).is_some();
+    if !clear && divisor.value.radius() > 0.0 {
+        let bound = judge.bound(Rule::ImpulseRatio, &divisor).total;
+        for rule in [Rule::ImpulseRatio, Rule::BeyondCritical] {
+            judge.checks(rule);
+            judge.undecidable(rule, 0.0, bound, divisor.value.value.abs());
+        }
+    }
+    clear
+}
+
+/// The tangential velocity after the impact less that at which sliding has ended: V_t, and V_t + e v_t where restitution holds for both components.
+fn slip<const N: usize>(law: Law, touch: &Touch<N>) -> Uncertain<N> {
+    match law {
+        Law::Brach => touch.separation.t,
+        // e = −V_n/v_n.
+        Law::KudlichSlibar => touch.approach.cross(touch.separation) / touch.approach.n,
+    }
+}
+
+/// What the model says of the ratio.
+fn impulse_ratio<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, impulse: Nt<Uncertain<N>>, slip: Uncertain<N>, judge: &mut Judge) {
+    let rule = Rule::ImpulseRatio;
+    let model = &known.record.model;
+    let claimed = known.number(Key::ImpulseRatio);
+    let ratio = impulse.t.value / impulse.n.value;
+    let sliding_ended = |judge: &mut Judge, why: &str| {
+        judge.zero(rule, Residual::new(slip, length(&touch.approach)), |size, bound| {
+            let end = if model.law == Law::Brach { "has" } else { "and its restitution have" };
+            format!("{why}, so sliding {end} ended, but {} m/s of it are left, {} may be", Digits(size), Digits(bound))
+        });
+    };
+    let has_ratio = |judge: &mut Judge, wanted: Uncertain<N>, words: &str| {
+        let scale = length(&impulse).max(wanted.value.abs() * impulse.n.value.abs());
+        judge.zero(rule, Residual::new(impulse.t - wanted * impulse.n, scale).per(impulse.n.value.abs()), |size, bound| {
+            format!(
+                "{words} {}, and the impulse, {} N s along n and {} N s along t, has {}: {} off, {} may be",
+                Digits(wanted.value),
+                Digits(impulse.n.value),
+                Digits(impulse.t.value),
+                Digits(ratio),
+                Digits(size),
+                Digits(bound)
+            )
+        });
+    };
+    match (model.ratio_kind, claimed) {
+        (RatioKind::Given, Some(claimed)) => has_ratio(judge, claimed, "the impulse ratio is said to be"),
+        (RatioKind::Given, None) => (),
+        (RatioKind::Critical, claimed) => {
+            sliding_ended(judge, "the impulse ratio is said to be critical");
+            if let Some(claimed) = claimed {
+                has_ratio(judge, claimed, "the critical impulse ratio is said to be");
+            }
+        }
+        (RatioKind::OfCritical, claimed) => fraction(known, touch, impulse, claimed, judge),
+        (RatioKind::Friction, Some(friction)) => {
+            let push = impulse.n.magnitude();
+            let excess = Residual::new(impulse.t.magnitude() - friction * push, length(&impulse)).per(push.value);
+            judge.not_above(rule, excess, |size, bound| {
+                format!(
+                    "the friction is said to be {}, and the impulse has a ratio of {}: {} above it, {} may be",
+                    Digits(friction.value),
+                    Digits(ratio),
+                    Digits(size),
+                    Digits(bound)
+                )
+            });
+            // Inside of the cone whichever sign the tangential impulse has.
+            let other = Residual::new(-impulse.t.magnitude() - friction * push, length(&impulse));
+            if judge.sign(rule, &excess) == Some(-1.0) && judge.sign(rule, &other) == Some(-1.0) {
+                sliding_ended(judge, "the impulse ratio is below the friction");
+            }
+        }
+        (RatioKind::Friction, None) => (),
+    }
+}
+
+/// P_t = f P_n S_t/S_n, S the impulse that ends sliding.
+fn fraction<const N: usize>(
+    known: &Known<'_, N>,
+    touch: &Touch<N>,
+    impulse: Nt<Uncertain<N>>,
+    claimed: Option<Uncertain<N>>,
+    judge: &mut Judge,
+) {
+    let (Some(fraction), Some(k)) = (claimed, &touch.compliance) else { return };
+    let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
+    let sticking = k.impulse_for(known.record.model.law.change(touch.approach, e));
+    let product = impulse.t * sticking.n - fraction * impulse.n * sticking.t;
+    // Not by the normal part of the sticking impulse, which may be none where the fraction is zero.
+    let unit = impulse.n.value.abs() * length(&sticking);
+    let scale = length(&impulse) * length(&sticking);
+    judge.zero(Rule::ImpulseRatio, Residual::new(product, scale).per(unit), |size, bound| {
+        format!(
+            "the impulse ratio is said to be {} of the critical {}, and the impulse has {}: {} off, {} may be",
+            Digits(fraction.value),
+            Digits(sticking.t.value / sticking.n.value),
+            Digits(impulse.t.value / impulse.n.value),
+            Digits(size),
+            Digits(bound)
+        )
+    });
+}
+
+/// Along the line of impulses with the same normal change the slip falls steadily with P_t, and is zero at the sticking impulse. So P_t lies between none and
+/// that if and only if the two have the same sign; nothing is divided by, and it holds where the sticking impulse would pull.
+fn beyond_critical<const N: usize>(
+    known: &Known<'_, N>,
+    touch: &Touch<N>,
+    impulse: Nt<Uncertain<N>>,
+    slip: Uncertain<N>,
+    judge: &mut Judge,
+) {
+    let rule = Rule::BeyondCritical;
+    judge.checks(rule);
+    let slip = Residual::new(slip, length(&touch.approach));
+    let tangential = Residual::new(impulse.t, length(&impulse));
+    let Some(pushed) = judge.sign(rule, &tangential) else { return };
+    let backward = Residual::new(slip.value.scaled(-pushed), slip.scale);
+    judge.not_above(rule, backward, |size, bound| {
+        let ratio = impulse.t.value / impulse.n.value;
+        let side = match sticking(known, touch) {
+            Some(sticking) if sticking.n * touch.approach.n.value > 0.0 => {
+                let critical = sticking.t / sticking.n;
+                let how = if ratio * critical < 0.0 { "has the other sign than" } else { "is beyond" };
+                format!("the impulse ratio {} {how} the critical one, {}", Digits(ratio), Digits(critical))
+            }
+            _ => format!("the tangential impulse, {} N s, points the wrong way", Digits(impulse.t.value)),
+        };
+        format!("{side}: after the impact the bodies slide against it at {} m/s, {} may be", Digits(size), Digits(bound))
+    });
+}
+
+/// The impulse with the same normal change after which sliding has ended.
+fn sticking<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>) -> Option<Nt> {
+    let contact = touch.values()?;
+    let e = -touch.separation.n.value / touch.approach.n.value;
+    Some(contact.compliance.impulse_for(known.record.model.law.change(contact.approach, e)))
+}
+
+fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, judge: &mut Judge) {
+    let rule = Rule::ImpulseRatio;
+    let tangential = Residual::new(impulse.t, length(&impulse));
+    let sliding = Residual::new(touch.approach.t, length(&touch.approach));
+    if let (Some(pushed), Some(slides)) = (judge.sign(rule, &tangential), judge.sign(rule, &sliding))
+        && pushed != slides
+    {
+        let what = format!(
+            "the tangential impulse on body 1, {} N s, acts against the {} m/s at which body 2 slides past it before the impact: possible, as the \
+             bodies turn, and rare",
+            Digits(impulse.t.value),
+            Digits(touch.approach.t.value)
+        );
+        judge.warn(rule, impulse.t.value.abs(), 0.0, what);
+    }
+    let Some(contact) = touch.values() else { return };
+    let ratio = impulse.t.value / impulse.n.value;
+    let (along, parts) = (contact.compliance.along_ratio(ratio), contact.compliance.nn + (ratio * contact.compliance.nt).abs());
+    let share = along / parts;
+    if share < 0.01 {
+        let what =
+            format!("the pair nearly wedges at the impulse ratio {}: K_nn + mu K_nt is {} of its parts", Digits(ratio), Digits(share));
+        judge.warn(rule, share, 0.01, what);
+    }
+}
+
+/// Ratios that are claimed, where the motions do not tell them.
+fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let model = &known.record.model;
+    let claimed = known.number(Key::ImpulseRatio);
+    let given = claimed.filter(|_| model.ratio_kind == RatioKind::Given).or_else(|| known.number(Key::ReportedRatio));
+    let of_model = claimed.filter(|_| matches!(model.ratio_kind, RatioKind::Given | RatioKind::Critical));
+    let said = |ratio: Uncertain<N>| -> String { format!("the impulse ratio is said to be {}", Digits(ratio.value)) };
+    if let (Some(ratio), Some(n), Some(t)) = (of_model, known.number(Key::NormalImpulse), known.number(Key::TangentialImpulse)) {
+        let residual = Residual::new(t - ratio * n, n.value.abs().max(t.value.abs())).per(n.value.abs());
+        judge.zero(Rule::ImpulseRatio, residual, |size, bound| {
+            let has = Digits(t.value / n.value);
+            format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
+        });
+    }
+    if let (Some(ratio), Some(critical)) = (given, known.number(Key::CriticalRatio)) {
+        let side = if critical.value < 0.0 { -1.0 } else { 1.0 };
+        let (ratio, critical) = (ratio.scaled(side), critical.scaled(side));
+        let scale = critical.value.max(1.0);
+        let told = |size: f64, bound: f64| {
+            let (ratio, critical) = (Digits(side * ratio.value), Digits(side * critical.value));
+            format!(
+                "the impulse ratio {ratio} does not lie between 0 and the critical one, {critical}: {} off, {} may be",
+                Digits(size),
+                Digits(bound)
+            )
+        };
+        judge.not_above(Rule::BeyondCritical, Residual::new(ratio - critical, scale), told);
+        judge.not_above(Rule::BeyondCritical, Residual::new(-ratio, scale), told);
+    }
+}

@@ -1,0 +1,227 @@
+//! A number that knows how far it can be from what it stands for.
+//!
+//! It is one more scalar for the mechanics: affine arithmetic. Each input i that has a resolution u_i varies as x_i + u_i ε_i with |ε_i| ≤ 1, and a result is
+//!
+//! ```text
+//! value + Σ spread_i ε_i ± rest
+//! ```
+//!
+//! The spreads are u_i times the exact partial derivatives, so an input that stands twice in a formula cancels where it should; the rest bounds
+//! everything of second order. So the bound is never too narrow, and wider than necessary by the second order alone.
+//!
+//! `size` is the same formula with the magnitudes of all terms added up: what rounding is a share of.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use num_traits::{FromPrimitive, Inv};
+
+/// A number of N inputs with a resolution.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Uncertain<const N: usize> {
+    /// The value computed from the inputs as they stand.
+    pub(super) value: f64,
+    /// The sum of the magnitudes of its terms.
+    pub(super) size: f64,
+    /// How much each input moves it, within its resolution.
+    pub(super) spread: [f64; N],
+    /// How much all of them move it beyond that.
+    pub(super) rest: f64,
+}
+
+impl<const N: usize> Uncertain<N> {
+    /// An exact number.
+    pub(super) fn exact(value: f64) -> Self {
+        Uncertain { value, size: value.abs(), spread: [0.0; N], rest: 0.0 }
+    }
+
+    /// An input in its place, with its resolution. Without a place for it the resolution is lost: it must be zero then.
+    pub(super) fn input(value: f64, place: usize, resolution: f64) -> Self {
+        let mut made = Self::exact(value);
+        if let Some(spread) = made.spread.get_mut(place) {
+            *spread = resolution;
+        }
+        made
+    }
+
+    /// How far the inputs can move it, all of them in the worst way.
+    pub(super) fn radius(&self) -> f64 {
+        self.spread.iter().fold(self.rest, |sum, spread| sum + spread.abs())
+    }
+
+    /// Three standard uncertainties, where each resolution is one and the inputs vary by themselves.
+    pub(super) fn three_sigma(&self) -> f64 {
+        let variance = self.spread.iter().fold(0.0, |sum, spread| sum + spread * spread);
+        // The rest is a bound in units of one resolution each; of second order, it grows with the square.
+        3.0 * libm::sqrt(variance) + 9.0 * self.rest
+    }
+
+    /// Its magnitude, where the sign is that of the value.
+    pub(super) fn magnitude(self) -> Self {
+        if self.value < 0.0 { -self } else { self }
+    }
+
+    /// Times an exact factor.
+    pub(super) fn scaled(mut self, factor: f64) -> Self {
+        self.value *= factor;
+        self.size *= factor.abs();
+        self.spread.iter_mut().for_each(|spread| *spread *= factor);
+        self.rest *= factor.abs();
+        self
+    }
+
+    /// A function of it with the value `value`, the derivative `slope` and, over the whole of its range, a second derivative within `curvature`.
+    pub(super) fn through(self, value: f64, slope: f64, curvature: f64) -> Self {
+        let radius = self.radius();
+        let scaled = self.scaled(slope);
+        Uncertain { value, size: scaled.size + value.abs(), rest: scaled.rest + 0.5 * curvature * radius * radius, ..scaled }
+    }
+}
+
+impl<const N: usize> FromPrimitive for Uncertain<N> {
+    fn from_i64(n: i64) -> Option<Self> {
+        Some(Self::exact(n as f64))
+    }
+
+    fn from_u64(n: u64) -> Option<Self> {
+        Some(Self::exact(n as f64))
+    }
+
+    fn from_f64(x: f64) -> Option<Self> {
+        Some(Self::exact(x))
+    }
+}
+
+impl<const N: usize> Neg for Uncertain<N> {
+    type Output = Self;
+    fn neg(mut self) -> Self {
+        self.value = -self.value;
+        self.spread.iter_mut().for_each(|spread| *spread = -*spread);
+        self
+    }
+}
+
+impl<const N: usize> Add for Uncertain<N> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        self.value += other.value;
+        self.size += other.size;
+        for (spread, more) in self.spread.iter_mut().zip(&other.spread) {
+            *spread += more;
+        }
+        self.rest += other.rest;
+        self
+    }
+}
+
+impl<const N: usize> Sub for Uncertain<N> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const N: usize> Mul for Uncertain<N> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self.value, other.value);
+        let second_order = if N == 0 { 0.0 } else { self.radius() * other.radius() };
+        let mut product = self;
+        product.value = a * b;
+        product.size = self.size * other.size;
+        for (spread, more) in product.spread.iter_mut().zip(&other.spread) {
+            *spread = *spread * b + more * a;
+        }
+        product.rest = self.rest * b.abs() + other.rest * a.abs() + second_order;
+        product
+    }
+}
+
+impl<const N: usize> Inv for Uncertain<N> {
+    type Output = Self;
+    /// Of a number that may be zero nothing is known.
+    fn inv(self) -> Self {
+        let value = 1.0 / self.value;
+        let least = self.value.abs() - self.radius();
+        let curvature = if least > 0.0 { 2.0 / (least * least * least) } else { f64::INFINITY };
+        let mut inverse = self.through(value, -value * value, if self.radius() > 0.0 { curvature } else { 0.0 });
+        inverse.size = self.size * value * value;
+        inverse
+    }
+}
+
+impl<const N: usize> Div for Uncertain<N> {
+    type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "the inverse has the bound of a quotient")]
+    fn div(self, other: Self) -> Self {
+        self * other.inv()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Two = Uncertain<2>;
+
+    fn pair(x: f64, dx: f64, y: f64, dy: f64) -> (Two, Two) {
+        (Two::input(x, 0, dx), Two::input(y, 1, dy))
+    }
+
+    /// Every corner and many points between lie within the bound, and the bound is of the first order.
+    #[track_caller]
+    fn holds(formula: fn(Two, Two) -> Two, plain: fn(f64, f64) -> f64, x: f64, dx: f64, y: f64, dy: f64) {
+        let (a, b) = pair(x, dx, y, dy);
+        let result = formula(a, b);
+        assert_eq!(result.value, plain(x, y));
+        let mut farthest = 0.0_f64;
+        for i in -10..=10 {
+            for j in -10..=10 {
+                let moved = plain(x + dx * f64::from(i) / 10.0, y + dy * f64::from(j) / 10.0);
+                farthest = farthest.max((moved - result.value).abs());
+            }
+        }
+        let radius = result.radius();
+        assert!(farthest <= radius * (1.0 + 1e-12) + 1e-14, "{farthest} beyond {radius}");
+        assert!(farthest >= 0.7 * radius, "{farthest} far within {radius}");
+    }
+
+    #[test]
+    fn bounds_hold_and_are_sharp() {
+        for (dx, dy) in [(0.1, 0.0), (0.0, 0.2), (0.1, 0.2), (1e-6, 1e-3)] {
+            holds(|x, y| x * y, |x, y| x * y, 3.0, dx, -7.0, dy);
+            holds(|x, y| x / y, |x, y| x * (1.0 / y), 3.0, dx, -7.0, dy);
+            holds(|x, y| x * x - y, |x, y| x * x - y, 3.0, dx, -7.0, dy);
+            holds(|x, y| (x - y) * (x + y), |x, y| (x - y) * (x + y), 3.0, dx, -7.0, dy);
+        }
+    }
+
+    #[test]
+    fn an_input_cancels_where_it_should() {
+        let (x, y) = pair(3.0, 0.1, 2.0, 0.1);
+        assert_eq!((x - x).radius(), 0.0);
+        let zero = (x + y) * (x - y) - (x * x - y * y);
+        // First order cancels; what is left is of second order.
+        assert!(zero.radius() < 10.0 * 0.1 * 0.1, "{zero:?}");
+    }
+
+    #[test]
+    fn of_the_inverse_of_what_may_be_zero_nothing_is_known() {
+        let (x, _) = pair(0.1, 0.2, 0.0, 0.0);
+        assert_eq!(x.inv().radius(), f64::INFINITY);
+        assert_eq!(Two::exact(0.1).inv().radius(), 0.0);
+    }
+
+    #[test]
+    fn the_size_of_a_difference_is_that_of_its_terms() {
+        let (x, y) = pair(1e6, 0.0, 1e6, 0.0);
+        let difference = x - y;
+        assert_eq!((difference.value, difference.size), (0.0, 2e6));
+        assert_eq!((difference * y).size, 2e12);
+        assert_eq!(y.inv().size, 1e-6);
+    }
+
+    #[test]
+    fn standard_uncertainties_add_in_squares() {
+        let (x, y) = pair(0.0, 3.0, 0.0, 4.0);
+        assert_eq!(((x + y).radius(), (x + y).three_sigma()), (7.0, 15.0));
+    }
+}
