@@ -2,3 +2,6 @@
 
 #[doc = include_str!("guide/sensitivities.md")]
 pub mod sensitivities {}
+
+#[doc = include_str!("guide/proofs.md")]
+pub mod proofs {}

@@ -2,7 +2,7 @@
 //!
 //! # Pages
 //!
-//! [Sensitivities](guide::sensitivities)
+//! [Sensitivities](guide::sensitivities), [proofs](guide::proofs)
 //!
 //! # The argument, module by module
 //!
