@@ -2,7 +2,7 @@
 //!
 //! # Properties
 //!
-//! Equalities in exact arithmetic, for any law and ratio unless said otherwise; each is a property test.
+//! Equalities in exact arithmetic, for any law and ratio unless said otherwise; each is a property test, and those without a comparison are proven (`proofs/`).
 //!
 //! | what holds | test in `proptests/` |
 //! |---|---|

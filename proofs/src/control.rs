@@ -1,6 +1,7 @@
 //! False identities: the run must tell each of them from a true one, or it proves nothing.
 
 use num_traits::FromPrimitive;
+use planar_impact::paper::Letters;
 use planar_impact::{Collision, Field};
 
 use crate::equation::Equations;
@@ -48,13 +49,13 @@ impl Control {
 /// All of them.
 pub(crate) fn all(seed: u64) -> Vec<Control> {
     let controls = [
-        (Expected::False, identity!(wrong_sign, "a wrong sign", "m₂ (V₂ − v₂) = +P", "")),
-        (Expected::False, identity!(no_condition, "a condition left out", "T_L is the same at any two Γ, for every e", "")),
+        (Expected::False, identity!(wrong_sign, "a wrong sign", "m₂ (V₂ − v₂) = +P")),
+        (Expected::False, identity!(no_condition, "a condition left out", "T_L is the same at any two Γ, for every e")),
         (Expected::False, identity!(printed_a11, "an equation as printed", "v_m = (v_2n − d_a ω₂) − (v_1n − d_c ω₁)", "A11")),
-        (Expected::False, identity!(one_prime, "true modulo one prime", "(2⁶¹ − 1) x = 0", "")),
-        (Expected::TooLarge, identity!(all_primes, "true modulo every prime", "(2⁶¹ − 1) (2⁶¹ − 31) ⋯ x = 0", "")),
-        (Expected::Undefined, identity!(nowhere_defined, "nowhere defined", "1/(x − x) = 1/(x − x)", "")),
-        (Expected::Empty, identity!(nothing, "no equation at all", "", "")),
+        (Expected::False, identity!(one_prime, "true modulo one prime", "(2⁶¹ − 1) x = 0")),
+        (Expected::TooLarge, identity!(all_primes, "true modulo every prime", "(2⁶¹ − 1) (2⁶¹ − 31) ⋯ x = 0")),
+        (Expected::Undefined, identity!(nowhere_defined, "nowhere defined", "1/(x − x) = 1/(x − x)")),
+        (Expected::Empty, identity!(nothing, "no equation at all", "")),
     ];
     // Streams of their own, far from those of the identities.
     let streams = (0..).map(|place| u64::from(u32::MAX) + place);
@@ -86,7 +87,7 @@ fn no_condition<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn printed_a11<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let contact = free.contact();
-    let l = planar_impact::paper::Letters::of(&contact.one, &contact.two, T::int(0), T::int(0));
+    let l = Letters::of(&contact.one, &contact.two, T::int(0), T::int(0));
     let mut must = Equations::new();
     must.equal((l.v_2n - l.d_a * l.omega_2) - (l.v_1n - l.d_c * l.omega_1), contact.approach.n);
     must

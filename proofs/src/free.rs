@@ -11,7 +11,7 @@ pub struct Free<'a, T> {
 
 impl<'a, T: Field> Free<'a, T> {
     /// Of whatever answers with the next variable.
-    pub fn from(next: &'a mut dyn FnMut() -> T) -> Self {
+    pub fn new(next: &'a mut dyn FnMut() -> T) -> Self {
         Free { next }
     }
 

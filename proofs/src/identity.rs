@@ -46,8 +46,11 @@ pub struct Subject {
     pub identities: Vec<Identity>,
 }
 
-/// An identity from a function that is generic over the field.
+/// An identity from a function that is generic over the field, with the paper's numbers if it has any.
 macro_rules! identity {
+    ($function:ident, $name:literal, $statement:literal) => {
+        $crate::identity::identity!($function, $name, $statement, "")
+    };
     ($function:ident, $name:literal, $statement:literal, $equations:literal) => {
         $crate::identity::Identity {
             name: $name,

@@ -110,8 +110,8 @@ impl fmt::Display for Arithmetic {
 
 impl Proof {
     /// Tries an identity. `stream` sets its points apart from those of the others.
-    pub fn of(identity: Identity, seed: u64, stream: u64) -> Self {
-        let equations = (identity.size)(&mut Free::from(&mut Size::variable));
+    pub(crate) fn of(identity: Identity, seed: u64, stream: u64) -> Self {
+        let equations = (identity.size)(&mut Free::new(&mut Size::variable));
         let count = equations.len();
         let extent = equations.into_iter().map(|Equation { left, right }| (left - right).numerator().clone()).reduce(Extent::or);
         let Extent { degree, norm } = extent.unwrap_or(Extent { degree: 0, norm: BigUint::one() });
@@ -210,7 +210,7 @@ impl Trial {
     fn of<T: Ring + PartialEq>(&self, form: Form<Partial<T>>, mut draw: impl FnMut() -> Partial<T>) -> Result<u64, Failure> {
         let (mut passed, mut redrawn) = (0, 0);
         while passed < self.points {
-            let equations = form(&mut Free::from(&mut draw));
+            let equations = form(&mut Free::new(&mut draw));
             let undefined = equations.iter().any(|sides| sides.left.value().is_none() || sides.right.value().is_none());
             if undefined {
                 redrawn += 1;
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn a_true_identity_is_proven_with_its_degree() {
-        let proof = Proof::of(identity!(square_of_a_sum, "(a + b)²", "a² + 2ab + b²", ""), 1, 0);
+        let proof = Proof::of(identity!(square_of_a_sum, "(a + b)²", "a² + 2ab + b²"), 1, 0);
         assert!(proof.holds(), "{proof:?}");
         // 1 + 2 + 1 on the left, and as much on the right.
         assert_eq!((proof.degree, proof.coefficient_bits, proof.redrawn), (2, 4, 0));
@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn a_wrong_sign_is_found() {
         for seed in 0..20 {
-            let proof = Proof::of(identity!(square_of_a_difference, "(a − b)²", "a² + 2ab + b²", ""), seed, 0);
+            let proof = Proof::of(identity!(square_of_a_difference, "(a − b)²", "a² + 2ab + b²"), seed, 0);
             assert_eq!(proof.verdict, Verdict::False { by: Arithmetic::Residues, equation: 1 });
             assert!(!proof.holds());
         }

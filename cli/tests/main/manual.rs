@@ -1,4 +1,4 @@
-//! What the help, the manual page and the completions promise, and the verb `validate`.
+//! What the help, the manual page and the completions promise, and the verbs `validate` and `prove`.
 
 use std::fs;
 
@@ -19,7 +19,7 @@ fn verbs() -> Vec<String> {
     let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let verbs: Vec<String> =
         lines.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").map(str::to_owned).collect();
-    assert!(["solve", "validate", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)), "{verbs:?}");
+    assert!(["solve", "validate", "prove", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)), "{verbs:?}");
     verbs
 }
 
@@ -137,5 +137,33 @@ fn validate_counts_every_cell_in_json() {
     told.sort_unstable();
     assert_eq!(told, MISPRINTS);
     assert!(misprints.iter().all(|cell| cell["why"].as_str().is_some_and(|why| why.len() > 20)), "{misprints:?}");
+    assert_eq!(report["problems"], Value::Array(Vec::new()));
+}
+
+#[test]
+fn prove_has_every_identity_and_misprint_in_json() {
+    let run = run(&workspace(), &["prove", "--format", "json"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let report: Value = serde_json::from_str(&run.out).expect("JSON");
+    assert_eq!((&report["schema"], &report["holds"]), (&Value::from(1), &Value::from(true)));
+    let list = |key: &str| report[key].as_array().unwrap_or_else(|| panic!("{key}"));
+    let names: Vec<&str> = list("identities").iter().map(|identity| identity["name"].as_str().expect("text")).collect();
+    for name in ["Eq 1", "Eq 2, squared", "A1", "A11, corrected", "A30", "works are the change of kinetic energy", "det K"] {
+        assert!(names.contains(&name), "{name}");
+    }
+    assert!(names.len() > 100, "{}", names.len());
+    for identity in list("identities") {
+        assert!(identity["error_log2"].as_i64().is_some_and(|error| error < -100) && identity["holds"] == true, "{identity}");
+        assert!(identity["degree"].as_u64().is_some_and(|degree| degree > 0) && identity["points"].as_u64() >= Some(2), "{identity}");
+    }
+    let places: Vec<&str> = list("misprints").iter().map(|misprint| misprint["place"].as_str().expect("text")).collect();
+    for place in ["Eqs 7, 8", "Eq 9", "A11", "A16", "A17", "A15–A18", "A21", "after Table 2"] {
+        assert!(places.contains(&place), "{place}");
+    }
+    for misprint in list("misprints") {
+        let findings = misprint["findings"].as_array().expect("findings");
+        assert!(misprint["shown"] == true && !findings.is_empty() && misprint["inputs"].as_array().is_some_and(|inputs| inputs.len() >= 5));
+    }
+    assert!(list("controls").iter().all(|control| control["told"] == true));
     assert_eq!(report["problems"], Value::Array(Vec::new()));
 }

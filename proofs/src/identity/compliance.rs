@@ -1,6 +1,6 @@
 //! The contact of two bodies: relative velocities, and the compliance K that an impulse meets.
 
-use planar_impact::{Body, Compliance, Contact, CrushPlane, Field, Motion, Nt, Vehicle, Xy};
+use planar_impact::{Body, Collision, Compliance, Contact, CrushPlane, Field, Motion, Nt, Party, Vehicle, Xy};
 
 use super::scene::Scene;
 use super::{Identity, identity};
@@ -11,17 +11,17 @@ pub(super) fn all() -> Vec<Identity> {
     vec![
         identity!(approach, "the approach velocity is that of the motions", "v = v_2C − v_1C with v_C = v + ω × r, in n-t", "A11, A13"),
         identity!(separation, "so is the separation velocity", "V = v − K P (− k M) = V_2C − V_1C with V_C = V + Ω × r", "A12"),
-        identity!(relative_yaw, "and the relative yaw rate", "Ω_r = ω_r − k·P − K_mm M = Ω_2 − Ω_1", ""),
-        identity!(offset, "r₁ − r₂ joins the centers of mass", "r₁ − r₂ = x₂ − x₁ with x + r = C", ""),
+        identity!(relative_yaw, "and the relative yaw rate", "Ω_r = ω_r − k·P − K_mm M = Ω_2 − Ω_1"),
+        identity!(offset, "r₁ − r₂ joins the centers of mass", "r₁ − r₂ = x₂ − x₁ with x + r = C"),
         identity!(entries, "K by its entries", "K_nn = Σ 1/m + r_t²/I, K_nt = −Σ r_n r_t/I, K_tt = Σ 1/m + r_n²/I", "A28–A30"),
-        identity!(third_row, "the third row by its entries", "K_nm = −Σ r_t/I, K_tm = Σ r_n/I, K_mm = Σ 1/I", ""),
-        identity!(yields, "K P is how the two bodies yield to P", "K P = Σ P/m + ((r × P)/I) (r turned by 90°)", ""),
-        identity!(determinant, "det K", "det K = K_nn K_tt − K_nt² = w² + w Σ |r|²/I + (r₁ × r₂)²/(I₁ I₂), w = Σ 1/m", ""),
-        identity!(inverse, "K and its inverse cancel", "K⁻¹ K P = P = K K⁻¹ P", ""),
+        identity!(third_row, "the third row by its entries", "K_nm = −Σ r_t/I, K_tm = Σ r_n/I, K_mm = Σ 1/I"),
+        identity!(yields, "K P is how the two bodies yield to P", "K P = Σ P/m + ((r × P)/I) (r turned by 90°)"),
+        identity!(determinant, "det K", "det K = K_nn K_tt − K_nt² = w² + w Σ |r|²/I + (r₁ × r₂)²/(I₁ I₂), w = Σ 1/m"),
+        identity!(inverse, "K and its inverse cancel", "K⁻¹ K P = P = K K⁻¹ P"),
         identity!(along_ratio, "K along a ratio", "(K (1, μ))_n = K_nn + μ K_nt", "A14"),
-        identity!(squares, "P·K P is a sum of squares", "P·K P = w |P|² + (r₁ × P)²/I₁ + (r₂ × P)²/I₂", ""),
-        identity!(moment_squares, "so it is with a moment", "(P, M)·K₃ (P, M) = w |P|² + Σ (r × P + M)²/I", ""),
-        identity!(turned, "K turns with the crush plane", "trace and determinant are free of Γ; K′ = R K Rᵀ", ""),
+        identity!(squares, "P·K P is a sum of squares", "P·K P = w |P|² + (r₁ × P)²/I₁ + (r₂ × P)²/I₂"),
+        identity!(moment_squares, "so it is with a moment", "(P, M)·K₃ (P, M) = w |P|² + Σ (r × P + M)²/I"),
+        identity!(turned, "K turns with the crush plane", "trace and determinant are free of Γ; K′ = R K Rᵀ"),
     ]
 }
 
@@ -36,7 +36,7 @@ fn at_center<T: Field>(vehicle: &Vehicle<T>, motion: &Motion<T>) -> Xy<T> {
 fn approach<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     for collision in free.collisions() {
-        let at = |party: &planar_impact::Party<T>| party.vehicle().map_or_else(Xy::zero, |vehicle| at_center(vehicle, &vehicle.motion));
+        let at = |party: &Party<T>| party.vehicle().map_or_else(Xy::zero, |vehicle| at_center(vehicle, &vehicle.motion));
         let relative = at(&collision.two) - at(&collision.one);
         must.equal(collision.contact().approach, collision.crush_plane.to_contact(relative.clone()));
         let CrushPlane { cos, sin } = collision.crush_plane.clone();
@@ -47,13 +47,7 @@ fn approach<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn separation<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
-    let [pair, barrier] = free.collisions();
-    for scene in [
-        Scene::by_any_impulse(free, pair.clone()),
-        Scene::by_any_moment(free, pair),
-        Scene::by_any_impulse(free, barrier.clone()),
-        Scene::by_any_moment(free, barrier),
-    ] {
+    for scene in Scene::by_anything(free) {
         let relative =
             scene.sides().into_iter().fold(Xy::zero(), |sum, side| sum - at_center(side.vehicle, &side.response.after) * side.sign);
         must.equal(scene.impact.separation.clone(), scene.collision.crush_plane.to_contact(relative));
@@ -67,8 +61,7 @@ fn relative_yaw<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     for collision in free.collisions() {
         let scene = Scene::by_any_moment(free, collision);
         let row = scene.contact.moment_compliance();
-        let before = scene.impact.one.after.yaw_rate.clone();
-        let after = scene.impact.two.after.yaw_rate.clone() - before;
+        let after = scene.impact.two.after.yaw_rate.clone() - scene.impact.one.after.yaw_rate.clone();
         let changed = row.force.dot(scene.impact.impulse.clone()) + row.moment * scene.impact.moment.clone();
         must.equal(after, scene.contact.relative_yaw_rate() - changed);
         must.equal(scene.contact.relative_yaw_rate(), scene.contact.two.yaw_rate.clone() - scene.contact.one.yaw_rate.clone());
@@ -79,7 +72,7 @@ fn relative_yaw<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 fn offset<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let collision = free.collision();
     let center = free.xy();
-    let position = |party: &planar_impact::Party<T>| {
+    let position = |party: &Party<T>| {
         let vehicle = party.vehicle().expect("a vehicle");
         center.clone() - vehicle.heading.to_ground(vehicle.impact_center.clone())
     };
@@ -191,7 +184,7 @@ fn turned<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let other = free.crush_plane();
     let p = free.xy();
     let here = collision.contact().compliance;
-    let there = planar_impact::Collision { crush_plane: other.clone(), ..collision.clone() }.contact().compliance;
+    let there = Collision { crush_plane: other.clone(), ..collision.clone() }.contact().compliance;
     let trace = |k: &Compliance<T>| k.nn().clone() + k.tt().clone();
     let on_ground = |k: &Compliance<T>, plane: &CrushPlane<T>| plane.to_ground(k.yield_to(plane.to_contact(p.clone())));
     let mut must = Equations::new();

@@ -12,20 +12,19 @@ use crate::scalar::Dual;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(by_impulse, "the loss by the impulse", "dT_L/dP = V, so it is stationary where V = 0", ""),
+        identity!(by_impulse, "the loss by the impulse", "dT_L/dP = V, so it is stationary where V = 0"),
         identity!(by_ratio, "the loss by μ", "dT_L/dμ = V·dP/dμ; 0 at e = 0, μ = μ0", "Eq 1"),
         identity!(loss_by_restitution, "the loss by e at μ = μ0", "det K dT_L/de = −e K_tt v_n²", "Eq 1"),
         identity!(tangential_by_restitution, "W_t by e at μ = μ0", "2 det K dW_t/de = K_nt v_n v_t", "Eq 8"),
         identity!(ratio_by_restitution, "μ0 by e", "dμ0/de = −r (A (1 + C) − B²)/((1 + e)(1 + C) + r B)²", "A27"),
         identity!(ratio_by_velocities, "μ0 by r", "dμ0/dr = (1 + e)(A (1 + C) − B²)/((1 + e)(1 + C) + r B)²", "A27"),
         identity!(letters_are_positive, "A (1 + C) − B² has the sign of det K", "A (1 + C) − B² = m̄² det K", "A28–A30"),
-        identity!(by_plane, "by Γ at e = 0, μ = μ0", "dT_L/dΓ = dP_x/dΓ = dP_y/dΓ = dV/dΓ = dΩ/dΓ = 0", ""),
-        identity!(work_by_plane, "W_n and W_t by Γ there", "dW_n/dΓ = −½ (P_t v_n + P_n v_t) = −dW_t/dΓ", ""),
+        identity!(by_plane, "by Γ at e = 0, μ = μ0", "dT_L/dΓ = dP_x/dΓ = dP_y/dΓ = dV/dΓ = dΩ/dΓ = 0"),
+        identity!(work_by_plane, "W_n and W_t by Γ there", "dW_n/dΓ = −½ (P_t v_n + P_n v_t) = −dW_t/dΓ"),
         identity!(
             work_by_plane_any,
             "W_n by Γ at any e, μ = μ0",
-            "det K dW_n/dΓ = −½ (1 − e)(det K (P_n v_t + P_t v_n) + e v_n (K_tt v_t − K_nt v_n))",
-            ""
+            "det K dW_n/dΓ = −½ (1 − e)(det K (P_n v_t + P_t v_n) + e v_n (K_tt v_t − K_nt v_n))"
         ),
     ]
 }

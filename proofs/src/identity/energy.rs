@@ -2,7 +2,7 @@
 
 use planar_impact::energy::work;
 use planar_impact::law::impulse_at_ratio;
-use planar_impact::{Collision, Field, Moment, Nt};
+use planar_impact::{Collision, Field, Moment, Motion, Nt, Xy};
 
 use super::scene::{Scene, inelastic, kudlich_slibar, with_moment};
 use super::{Identity, identity};
@@ -11,38 +11,35 @@ use crate::free::Free;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(kinetic, "kinetic energy", "T = Σ ½ m (v_x² + v_y²) + ½ I ω²", ""),
+        identity!(kinetic, "kinetic energy", "T = Σ ½ m (v_x² + v_y²) + ½ I ω²"),
         identity!(work_energy, "works are the change of kinetic energy", "W_n + W_t = T_after − T_before = −T_L, for any P", "Eqs 1, 5, 6"),
-        identity!(moment_work, "the moment is in the account", "W_n + W_t + W_m = T_after − T_before = −T_L, for any P and M", ""),
+        identity!(moment_work, "the moment is in the account", "W_n + W_t + W_m = T_after − T_before = −T_L, for any P and M"),
         identity!(one_body, "the work on a body is its change of energy", "½ P·(v_C + V_C) = ½ m V² + ½ I Ω² − ½ m v² − ½ I ω²", "Eq 5"),
         identity!(normal_work, "restitution fixes W_n", "W_n = −½ (1 − e) P_n v_n, under both laws at any ratio", "Eq 7"),
         identity!(tangential_work, "the end of sliding fixes W_t", "μ = μ0: W_t = −½ P_t v_t", "Eq 8"),
         identity!(loss, "the loss is a quadratic in the impulse", "T_L(P) = P·v − ½ P·K P", "Eq 1"),
-        identity!(peak, "the loss is its peak less a square", "T_L(P) = T_L(P*) − ½ (P − P*)·K (P − P*),  P* = K⁻¹ v", ""),
-        identity!(at_peak, "the peak is at e = 0, μ = μ0", "there P = P*, V = 0 and T_L = ½ v·K⁻¹ v = ½ P*·K P*", ""),
+        identity!(peak, "the loss is its peak less a square", "T_L(P) = T_L(P*) − ½ (P − P*)·K (P − P*),  P* = K⁻¹ v"),
+        identity!(at_peak, "the peak is at e = 0, μ = μ0", "there P = P*, V = 0 and T_L = ½ v·K⁻¹ v = ½ P*·K P*"),
         identity!(
             moment_peak,
             "with a moment the peak ends all relative motion",
-            "T_L(P, M) = T_L(P*, M*) − ½ δ·K₃ δ,  δ = (P − P*, M − M*)",
-            ""
+            "T_L(P, M) = T_L(P*, M*) − ½ δ·K₃ δ,  δ = (P − P*, M − M*)"
         ),
         identity!(
             along_restitution,
             "the loss at one e is a quadratic in P_t",
-            "T_L = (1 − e²) v_n²/(2 K_nn) + b P_t − det K/(2 K_nn) P_t²,  b = v_t − v_n K_nt/K_nn",
-            ""
+            "T_L = (1 − e²) v_n²/(2 K_nn) + b P_t − det K/(2 K_nn) P_t²,  b = v_t − v_n K_nt/K_nn"
         ),
-        identity!(gain, "the loss at the critical ratio", "2 det K T_L = (1 − e²) K_tt v_n² − 2 K_nt v_n v_t + K_nn v_t²", ""),
+        identity!(gain, "the loss at the critical ratio", "2 det K T_L = (1 − e²) K_tt v_n² − 2 K_nt v_n v_t + K_nn v_t²"),
         identity!(
             gain_square,
             "the same with its square completed",
-            "2 K_nn det K T_L = (K_nn v_t − K_nt v_n)² + (K_nn K_tt − K_nt² − e² K_nn K_tt) v_n²",
-            ""
+            "2 K_nn det K T_L = (K_nn v_t − K_nt v_n)² + (K_nn K_tt − K_nt² − e² K_nn K_tt) v_n²"
         ),
-        identity!(bound, "the bound of restitution is where it vanishes", "2 det K T_L = K_tt v_n² (e₀² − e²)", ""),
-        identity!(bound_for_any, "the bound for any approach", "e₀² = 1 − K_nt²/(K_nn K_tt), attained by v = (K_nn, K_nt)", ""),
+        identity!(bound, "the bound of restitution is where it vanishes", "2 det K T_L = K_tt v_n² (e₀² − e²)"),
+        identity!(bound_for_any, "the bound for any approach", "e₀² = 1 − K_nt²/(K_nn K_tt), attained by v = (K_nn, K_nt)"),
         identity!(bound_at_ratio, "the bound at a ratio is where Eq 1 vanishes", "at that e and μ: T_L = 0", "Eq 1"),
-        identity!(kudlich_slibar_loss, "Kudlich–Slibar keeps e² of the peak", "T_L = (1 − e²) T_L(P*)", ""),
+        identity!(kudlich_slibar_loss, "Kudlich–Slibar keeps e² of the peak", "T_L = (1 − e²) T_L(P*)"),
     ]
 }
 
@@ -52,8 +49,8 @@ fn kinetic<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
         let scene = Scene::by_any_moment(free, collision);
         let (mut before, mut after) = (T::int(0), T::int(0));
         for side in scene.sides() {
-            let twice = |motion: &planar_impact::Motion<T>| {
-                let planar_impact::Xy { x, y } = motion.velocity.clone();
+            let twice = |motion: &Motion<T>| {
+                let Xy { x, y } = motion.velocity.clone();
                 let straight = side.vehicle.mass.clone() * (x.clone() * x + y.clone() * y);
                 straight + side.vehicle.yaw_inertia.clone() * motion.yaw_rate.clone() * motion.yaw_rate.clone()
             };

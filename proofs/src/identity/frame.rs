@@ -8,13 +8,13 @@ use crate::free::Free;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(unit_length, "a half-tangent gives a direction", "cos² + sin² = 1,  sin = h (1 + cos)", ""),
-        identity!(two_turns, "directions turn like angles", "h = (h₁ + h₂)/(1 − h₁ h₂) is one turn after the other", ""),
-        identity!(vectors, "vectors add, and multiply in two ways", "(a·b)² + (a×b)² = |a|² |b|²,  a×b = (a turned by 90°)·b", ""),
-        identity!(vehicle_axes, "a vehicle's axes", "forward = (cos θ, sin θ), left = (−sin θ, cos θ)", ""),
+        identity!(unit_length, "a half-tangent gives a direction", "cos² + sin² = 1,  sin = h (1 + cos)"),
+        identity!(two_turns, "directions turn like angles", "h = (h₁ + h₂)/(1 − h₁ h₂) is one turn after the other"),
+        identity!(vectors, "vectors add, and multiply in two ways", "(a·b)² + (a×b)² = |a|² |b|²,  a×b = (a turned by 90°)·b"),
+        identity!(vehicle_axes, "a vehicle's axes", "forward = (cos θ, sin θ), left = (−sin θ, cos θ)"),
         identity!(contact_axes, "n-t are x-y turned by Γ", "P_n = P_x cos Γ + P_y sin Γ,  P_t = −P_x sin Γ + P_y cos Γ", "A24, A25"),
-        identity!(back, "a turn and its reverse cancel", "to the ground and back, for vehicles and contact, either way", ""),
-        identity!(products_turn, "turns keep lengths and angles", "a·b and a×b are the same in every frame", ""),
+        identity!(back, "a turn and its reverse cancel", "to the ground and back, for vehicles and contact, either way"),
+        identity!(products_turn, "turns keep lengths and angles", "a·b and a×b are the same in every frame"),
     ]
 }
 

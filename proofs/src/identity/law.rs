@@ -14,23 +14,21 @@ pub(super) fn all() -> Vec<Identity> {
         identity!(ratio, "the impulse has the ratio asked for", "P_t = μ P_n", "A8"),
         identity!(sliding_ends, "Brach: at the critical ratio sliding ends", "μ = μ0 = P_t/P_n:  V_t = 0", "A27"),
         identity!(critical_given, "the critical ratio may be given as a number", "μ = μ0 has the same impulse", "A27"),
-        identity!(both_components, "Kudlich–Slibar: restitution of both components", "V = −e v", ""),
-        identity!(fraction, "a fraction of the critical ratio", "P_t/P_n = f μ0 and V_n = −e v_n; f = 1 is the whole", ""),
-        identity!(laws_meet, "the two laws agree at e = 0", "K P = v under both", ""),
+        identity!(both_components, "Kudlich–Slibar: restitution of both components", "V = −e v"),
+        identity!(fraction, "a fraction of the critical ratio", "P_t/P_n = f μ0 and V_n = −e v_n; f = 1 is the whole"),
+        identity!(laws_meet, "the two laws agree at e = 0", "K P = v under both"),
         identity!(reported_ratio, "μ0 is a property of the collision", "reported alike whichever impulse is in force", "A27"),
         identity!(
             given_moment,
             "a given moment leaves the laws as they are",
-            "M given: V_n = −e v_n, V_t = 0 at μ0 (Brach), V = −e v (Kudlich–Slibar)",
-            ""
+            "M given: V_n = −e v_n, V_t = 0 at μ0 (Brach), V = −e v (Kudlich–Slibar)"
         ),
         identity!(
             critical_moment,
             "with the critical moment relative rotation ends",
-            "M = M0: Ω_r = 0 (Brach), −e ω_r (Kudlich–Slibar), V as without",
-            ""
+            "M = M0: Ω_r = 0 (Brach), −e ω_r (Kudlich–Slibar), V as without"
         ),
-        identity!(moment_fraction, "a fraction of the critical moment", "M = f M0", ""),
+        identity!(moment_fraction, "a fraction of the critical moment", "M = f M0"),
     ]
 }
 

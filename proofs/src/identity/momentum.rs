@@ -1,6 +1,6 @@
 //! Momentum, for any impulse and any moment impulse, whichever law chose them.
 
-use planar_impact::{CrushPlane, Field, Motion, Response, Xy};
+use planar_impact::{CrushPlane, Field, ForwardLeft, Motion, Nt, Response, Xy};
 
 use super::scene::{Scene, Side};
 use super::{Identity, identity};
@@ -10,39 +10,27 @@ use crate::free::Free;
 pub(super) fn all() -> Vec<Identity> {
     vec![
         identity!(linear, "the impulse is the change of momentum", "m₁ (V₁ − v₁) = P = −m₂ (V₂ − v₂)", "A1–A4, A22, A23"),
-        identity!(total_linear, "linear momentum is conserved", "m₁ V₁ + m₂ V₂ = m₁ v₁ + m₂ v₂", ""),
+        identity!(total_linear, "linear momentum is conserved", "m₁ V₁ + m₂ V₂ = m₁ v₁ + m₂ v₂"),
         identity!(
             about_center,
             "each body keeps its angular momentum about C",
             "I (Ω − ω) − r × m (V − v) = ±M, 0 without a moment",
             "A5, A6"
         ),
-        identity!(about_any_point, "angular momentum is conserved about any point", "Σ I Ω + x × m V = Σ I ω + x × m v, M or none", ""),
+        identity!(about_any_point, "angular momentum is conserved about any point", "Σ I Ω + x × m V = Σ I ω + x × m v, M or none"),
         identity!(
             delta_v,
             "ΔV is the change of velocity, in every frame",
-            "ΔV = V − v, turned into the vehicle's axes; P_x, P_y from P_n, P_t",
-            ""
+            "ΔV = V − v, turned into the vehicle's axes; P_x, P_y from P_n, P_t"
         ),
-        identity!(two_impulses, "impulses in succession add up", "P then Q is P + Q: the same motions, and losses that add up", ""),
-        identity!(barrier, "a barrier does not move", "v₂ = V₂ = 0, ω₂ = Ω₂ = 0, ΔV₂ = 0 for any P and M", ""),
-    ]
-}
-
-/// One scene of each kind, with a moment and without one.
-fn scenes<T: Field>(free: &mut Free<'_, T>) -> [Scene<T>; 4] {
-    let [pair, barrier] = free.collisions();
-    [
-        Scene::by_any_impulse(free, pair.clone()),
-        Scene::by_any_moment(free, pair),
-        Scene::by_any_impulse(free, barrier.clone()),
-        Scene::by_any_moment(free, barrier),
+        identity!(two_impulses, "impulses in succession add up", "P then Q is P + Q: the same motions, and losses that add up"),
+        identity!(barrier, "a barrier does not move", "v₂ = V₂ = 0, ω₂ = Ω₂ = 0, ΔV₂ = 0 for any P and M"),
     ]
 }
 
 fn linear<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
-    for scene in scenes(free) {
+    for scene in Scene::by_anything(free) {
         for side in scene.sides() {
             must.equal(side.momentum_gained(), scene.impact.impulse_on_ground.clone() * side.sign);
         }
@@ -63,7 +51,7 @@ fn total_linear<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn about_center<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
-    for scene in scenes(free) {
+    for scene in Scene::by_anything(free) {
         for side in scene.sides() {
             must.equal(side.angular_momentum_gained(), side.sign * scene.impact.moment.clone());
         }
@@ -91,7 +79,7 @@ fn about_any_point<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn delta_v<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
-    for scene in scenes(free) {
+    for scene in Scene::by_anything(free) {
         let CrushPlane { cos, sin } = scene.collision.crush_plane.clone();
         let (n, t) = (Xy { x: cos.clone(), y: sin.clone() }, Xy { x: -sin, y: cos });
         must.equal(scene.impact.impulse_on_ground.clone(), n * scene.impact.impulse.n.clone() + t * scene.impact.impulse.t.clone());
@@ -109,14 +97,7 @@ fn two_impulses<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (p, q) = (free.nt(), free.nt());
     let (m, n) = (free.variable(), free.variable());
     let first = Scene::by(collision.clone(), p.clone(), Some(m.clone()));
-    let mut between = collision.clone();
-    for (party, response) in [(&mut between.one, &first.impact.one), (&mut between.two, &first.impact.two)] {
-        *party = party
-            .vehicle()
-            .map(|vehicle| planar_impact::Vehicle { motion: response.after.clone(), ..vehicle.clone() }.into())
-            .expect("two vehicles");
-    }
-    let second = Scene::by(between, q.clone(), Some(n.clone()));
+    let second = Scene::by(first.continued(|motion| motion), q.clone(), Some(n.clone()));
     let at_once = Scene::by(collision, p + q, Some(m + n));
     let mut must = Equations::new();
     must.equal(second.impact.one.after.clone(), at_once.impact.one.after.clone());
@@ -130,10 +111,10 @@ fn barrier<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let collision = free.barrier_collision();
     let scene = Scene::by_any_moment(free, collision);
     let mut must = Equations::new();
-    let still = Response { after: Motion::rest(), delta_v: Xy::zero(), delta_v_in_vehicle: planar_impact::ForwardLeft::zero() };
+    let still = Response { after: Motion::rest(), delta_v: Xy::zero(), delta_v_in_vehicle: ForwardLeft::zero() };
     must.equal(scene.impact.two.clone(), still);
     must.equal(Motion::<T>::rest().velocity, Xy { x: T::int(0), y: T::int(0) });
-    must.equal(scene.contact.two.velocity_at_center(), planar_impact::Nt { n: T::int(0), t: T::int(0) });
+    must.equal(scene.contact.two.velocity_at_center(), Nt { n: T::int(0), t: T::int(0) });
     must.equal(scene.contact.relative_yaw_rate(), -scene.contact.one.yaw_rate.clone());
     must
 }

@@ -1,5 +1,6 @@
 //! The paper's equations, as corrected, against the matrix form.
 
+use planar_impact::energy::work;
 use planar_impact::paper::{self, Letters};
 use planar_impact::{Body, Collision, Contact, CrushPlane, Field, ForwardLeft, Heading, Impact, Motion, Nt, Party, Response, Vehicle, Xy};
 
@@ -91,9 +92,9 @@ fn eq2<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 fn eq5<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (p, before, after) = (free.variable(), free.variable(), free.variable());
     let mut must = Equations::new();
-    let work = paper::eq5(p.clone(), after.clone(), before.clone());
-    must.equal(T::int(2) * work.clone(), p.clone() * after.clone() + p.clone() * before.clone());
-    must.equal(work, -planar_impact::energy::work(p, before, after));
+    let by_paper = paper::eq5(p.clone(), after.clone(), before.clone());
+    must.equal(T::int(2) * by_paper.clone(), p.clone() * after.clone() + p.clone() * before.clone());
+    must.equal(by_paper, -work(p, before, after));
     must
 }
 

@@ -9,16 +9,11 @@ use crate::free::Free;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(
-            common_velocity,
-            "at e = 0, μ = μ0 nothing depends on Γ",
-            "V₁, Ω₁, V₂, Ω₂, P_x, P_y and T_L are the same at any two Γ",
-            ""
-        ),
-        identity!(common_motion, "nor with the critical moment", "the same with M = M0, and M0 itself", ""),
-        identity!(kudlich_slibar_plane, "nor under Kudlich–Slibar at any e", "the same at any two Γ", ""),
-        identity!(two_normals, "Γ and Γ + 180° are the same plane", "the same motions, works and energies; P_n, P_t change sign", ""),
-        identity!(quarter, "Γ + 90° exchanges the works at e = 0, μ = μ0", "W_n(Γ + 90°) = W_t(Γ),  W_t(Γ + 90°) = W_n(Γ)", ""),
+        identity!(common_velocity, "at e = 0, μ = μ0 nothing depends on Γ", "V₁, Ω₁, V₂, Ω₂, P_x, P_y and T_L are the same at any two Γ"),
+        identity!(common_motion, "nor with the critical moment", "the same with M = M0, and M0 itself"),
+        identity!(kudlich_slibar_plane, "nor under Kudlich–Slibar at any e", "the same at any two Γ"),
+        identity!(two_normals, "Γ and Γ + 180° are the same plane", "the same motions, works and energies; P_n, P_t change sign"),
+        identity!(quarter, "Γ + 90° exchanges the works at e = 0, μ = μ0", "W_n(Γ + 90°) = W_t(Γ),  W_t(Γ + 90°) = W_n(Γ)"),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! Collisions with what happens in them, for the identities to speak about.
 
 use planar_impact::law::impulse_at_ratio;
-use planar_impact::{Body, Collision, Contact, Field, Impact, Law, Moment, Nt, Party, Response, Vehicle, Xy};
+use planar_impact::{Body, Collision, Contact, Field, Impact, Law, Moment, Motion, Nt, Party, Response, Vehicle, Xy};
 
 use crate::free::Free;
 
@@ -40,6 +40,17 @@ impl<T: Field> Scene<T> {
         Scene::by(collision, impulse, Some(moment))
     }
 
+    /// What any impulse does to two vehicles and to one against a barrier, without a moment and with any.
+    pub(crate) fn by_anything(free: &mut Free<'_, T>) -> [Self; 4] {
+        let [pair, barrier] = free.collisions();
+        [
+            Scene::by_any_impulse(free, pair.clone()),
+            Scene::by_any_moment(free, pair),
+            Scene::by_any_impulse(free, barrier.clone()),
+            Scene::by_any_moment(free, barrier),
+        ]
+    }
+
     /// The sticking impulse of the collision's law, with the collision's moment.
     pub(crate) fn sticking(collision: Collision<T>) -> Self {
         let contact = collision.contact();
@@ -63,6 +74,16 @@ impl<T: Field> Scene<T> {
         let sides = [(&self.collision.one, &self.impact.one, T::int(1)), (&self.collision.two, &self.impact.two, T::int(-1))];
         let vehicles = sides.into_iter().filter_map(|(party, response, sign)| Some(Side { vehicle: party.vehicle()?, response, sign }));
         vehicles.collect()
+    }
+
+    /// The collision that begins as this one has ended, each motion put through a function.
+    pub(crate) fn continued(&self, motion: impl Fn(Motion<T>) -> Motion<T>) -> Collision<T> {
+        let party = |party: &Party<T>, response: &Response<T>| match party {
+            Party::Vehicle(vehicle) => Vehicle { motion: motion(response.after.clone()), ..vehicle.clone() }.into(),
+            Party::Barrier => Party::Barrier,
+        };
+        let (one, two) = (party(&self.collision.one, &self.impact.one), party(&self.collision.two, &self.impact.two));
+        Collision { one, two, ..self.collision.clone() }
     }
 
     /// The bodies as they move after the impact, in the axes of the contact.

@@ -1,6 +1,6 @@
 //! What must not matter: who is called vehicle 1, which way the axes point, who watches, in which units, and which way time runs.
 
-use planar_impact::{Collision, CrushPlane, Field, ForwardLeft, Heading, Motion, Vehicle, Xy};
+use planar_impact::{Collision, CrushPlane, Field, ForwardLeft, Heading, Motion, Nt, Vehicle, Xy};
 
 use super::scene::{Scene, each_vehicle, inelastic, kudlich_slibar};
 use super::{Identity, identity};
@@ -9,39 +9,21 @@ use crate::free::Free;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(exchange, "the vehicles may be exchanged", "1 ↔ 2: P becomes −P, all else follows its vehicle", ""),
-        identity!(rotation, "the ground may be turned", "n-t components, works and energies stay, velocities turn along", ""),
-        identity!(mirror_image, "the mirror image does the mirror image", "y, left, angles, ω, μ change sign: so do P_t and Ω", ""),
-        identity!(observer, "a moving observer sees the same impact", "v + c for all: P, W, T_L stay, V becomes V + c", ""),
-        identity!(
-            units,
-            "units scale each quantity by its power",
-            "mass κ, length λ, time τ: P by κλ/τ, W by κλ²/τ², Ω by 1/τ, μ0 by 1",
-            ""
-        ),
+        identity!(exchange, "the vehicles may be exchanged", "1 ↔ 2: P becomes −P, all else follows its vehicle"),
+        identity!(rotation, "the ground may be turned", "n-t components, works and energies stay, velocities turn along"),
+        identity!(mirror_image, "the mirror image does the mirror image", "y, left, angles, ω, μ change sign: so do P_t and Ω"),
+        identity!(observer, "a moving observer sees the same impact", "v + c for all: P, W, T_L stay, V becomes V + c"),
+        identity!(units, "units scale each quantity by its power", "mass κ, length λ, time τ: P by κλ/τ, W by κλ²/τ², Ω by 1/τ, μ0 by 1"),
         identity!(common_mass, "μ0 is free of a common factor of all masses", "m, I by κ: μ0 and motions stay, P and W by κ", "A27"),
-        identity!(reversal, "run backwards, the same impulse undoes the impact", "−V, −Ω before and P again: −v, −ω after, W → −W", ""),
-        identity!(elastic, "at e = 1 Kudlich–Slibar undoes itself", "a second impact from −V, −Ω ends at −v, −ω; T_L = 0", ""),
-        identity!(settled, "after e = 0, μ = μ0 nothing is left to do", "a second impact from V, Ω has P = 0", ""),
+        identity!(reversal, "run backwards, the impulse undoes the impact", "−V, −Ω before and P again: −v, −ω after, W → −W"),
+        identity!(elastic, "at e = 1 Kudlich–Slibar undoes itself", "a second impact from −V, −Ω ends at −v, −ω; T_L = 0"),
+        identity!(settled, "after e = 0, μ = μ0 nothing is left to do", "a second impact from V, Ω has P = 0"),
     ]
 }
 
 /// The impacts of a collision at its critical and at a given ratio, and those of the same collision put through a change.
 fn impacts<T: Field>(collision: &Collision<T>, ratio: &T) -> [Scene<T>; 2] {
     [Scene::sticking(collision.clone()), Scene::at_ratio(collision.clone(), ratio.clone())]
-}
-
-/// A collision that begins as another one's scene has ended, each motion put through a function.
-fn continued<T: Field>(scene: &Scene<T>, motion: impl Fn(Motion<T>) -> Motion<T>) -> Collision<T> {
-    let mut responses = [&scene.impact.one, &scene.impact.two].into_iter();
-    let mut next = |party: &planar_impact::Party<T>| {
-        let response = responses.next().expect("two responses");
-        match party.vehicle() {
-            Some(vehicle) => Vehicle { motion: motion(response.after.clone()), ..vehicle.clone() }.into(),
-            None => planar_impact::Party::Barrier,
-        }
-    };
-    Collision { one: next(&scene.collision.one), two: next(&scene.collision.two), ..scene.collision.clone() }
 }
 
 fn reversed<T: Field>(motion: Motion<T>) -> Motion<T> {
@@ -201,7 +183,7 @@ fn reversal<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     for collision in free.collisions() {
         let there = Scene::by_any_moment(free, collision);
-        let back = Scene::by(continued(&there, reversed), there.impact.impulse.clone(), Some(there.impact.moment.clone()));
+        let back = Scene::by(there.continued(reversed), there.impact.impulse.clone(), Some(there.impact.moment.clone()));
         for (start, end) in there.sides().into_iter().zip(back.sides()) {
             must.equal(reversed(end.response.after.clone()), start.vehicle.motion.clone());
         }
@@ -214,7 +196,7 @@ fn elastic<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     for collision in free.collisions().map(kudlich_slibar) {
         let there = Scene::sticking(Collision { restitution: T::int(1), ..collision });
-        let back = Scene::sticking(continued(&there, reversed));
+        let back = Scene::sticking(there.continued(reversed));
         for (start, end) in there.sides().into_iter().zip(back.sides()) {
             must.equal(reversed(end.response.after.clone()), start.vehicle.motion.clone());
         }
@@ -228,8 +210,8 @@ fn settled<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     for collision in free.collisions().map(inelastic) {
         let first = Scene::sticking(collision);
-        let second = Scene::sticking(continued(&first, |motion| motion));
-        must.equal(second.impact.impulse, planar_impact::Nt::zero());
+        let second = Scene::sticking(first.continued(|motion| motion));
+        must.equal(second.impact.impulse, Nt::zero());
         must.equal(second.impact.one.after, first.impact.one.after);
         must.equal(second.impact.two.after, first.impact.two.after);
     }

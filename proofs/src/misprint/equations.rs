@@ -1,6 +1,7 @@
 //! The equations that are wrong as printed, with the printed form of each.
 
 use planar_impact::Field;
+use planar_impact::crush::equivalent_energy_speed_squared;
 use planar_impact::paper::Letters;
 
 use super::motions::{Changes, Motions, Q, inputs, int, letters, ratio};
@@ -204,7 +205,7 @@ fn eqs_7_8() -> Misprint {
 fn eq_9() -> Misprint {
     let (mass, speeds, restitutions) = (int(2), [int(10), int(12)], [ratio(1, 2), ratio(1, 3)]);
     let tests = || speeds.iter().cloned().zip(restitutions.iter().cloned());
-    let right = planar_impact::crush::equivalent_energy_speed_squared(tests());
+    let right = equivalent_energy_speed_squared(tests());
     let lost = tests().fold(int(0), |sum, (v, e)| {
         let rebound = &e * &v;
         sum + (&mass * (v.squared() - rebound.squared())).half()

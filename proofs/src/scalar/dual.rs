@@ -77,6 +77,7 @@ impl<T: Field> Inv for Dual<T> {
 
 impl<T: Field> Div for Dual<T> {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is the product with the inverse")]
     fn div(self, other: Self) -> Self {
         self * other.inv()
     }

@@ -73,6 +73,7 @@ both_defined!(Mul, mul);
 
 impl<T: Ring> Div for Partial<T> {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is the product with the inverse")]
     fn div(self, other: Self) -> Self {
         self * other.inv()
     }

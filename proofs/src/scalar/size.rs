@@ -159,6 +159,7 @@ impl Inv for Size {
 
 impl Div for Size {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is the product with the inverse")]
     fn div(self, other: Self) -> Self {
         self * other.inv()
     }
@@ -167,7 +168,7 @@ impl Div for Size {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planar_impact::Field;
+    use planar_impact::{CrushPlane, Field};
 
     fn bounds(size: &Size) -> (u64, u64) {
         (size.numerator.degree, (&size.numerator.norm).try_into().expect("small"))
@@ -218,7 +219,7 @@ mod tests {
     #[test]
     fn the_half_tangent_has_degree_four() {
         // cos² + sin² − 1 over (1 + h²)²: (1 − h²)² + (2h)² − (1 + h²)².
-        let plane = planar_impact::CrushPlane::from_half_tangent(Size::variable());
+        let plane = CrushPlane::from_half_tangent(Size::variable());
         let unit = plane.cos.squared() + plane.sin.squared() - Size::int(1);
         assert_eq!(bounds(&unit), (4, 12));
     }
