@@ -132,7 +132,8 @@ struct Document<'a> {
     schema: u32,
     holds: bool,
     seed: u64,
-    primes: &'a [u64],
+    /// As text: a program that reads numbers as doubles would round them.
+    primes: [String; PRIMES.len()],
     fractions: u64,
     identities: Vec<IdentityEntry<'a>>,
     conclusions: Vec<ConclusionEntry<'a>>,
@@ -214,7 +215,7 @@ impl<'a> Document<'a> {
             schema: 1,
             holds: report.holds(),
             seed: report.seed,
-            primes: &PRIMES,
+            primes: PRIMES.map(|prime| prime.to_string()),
             fractions: FRACTIONS,
             identities: report.subjects.iter().flat_map(of_subject).collect(),
             conclusions: report.conclusions.iter().map(ConclusionEntry::of).collect(),

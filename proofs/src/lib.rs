@@ -20,7 +20,7 @@ pub use proof::{Arithmetic, ERROR_BITS, FRACTIONS, Proof, REDRAWS, Verdict};
 pub use report::{Problem, Proofs, Report, TOTAL_ERROR_BITS};
 
 /// The seed of [`run`]. Any other does as well; a fixed one makes a run repeatable.
-pub const SEED: u64 = 2_305_843_009_213_693_951;
+pub const SEED: u64 = 1;
 
 /// Proves every identity, draws the conclusions, and shows every misprint.
 pub fn run() -> Report {
