@@ -15,7 +15,8 @@ Exit status:
    2  the input or the call is wrong, or a file cannot be read
    3  the physics refuses the input
   70  a defect of the program
-  74  the output cannot be written";
+  74  the output cannot be written
+ 130  interrupted";
 
 const CASE: &str = r#"A case file, TOML or JSON:
   schema = 1
@@ -41,6 +42,21 @@ Quantities are strings with a unit, or bare numbers in SI.
 Examples:
   planar-impact solve cli/examples/position-a.toml
   planar-impact solve cli/examples/sideswipe.toml --units us --format json"#;
+
+const SWEEP: &str = "\
+The last value is among the points when it is a whole number of steps away. Values are written as in
+a case file; the table and the chart show them in the unit of the first one. A ratio that the case
+leaves critical is given when it is varied: contact.impulse_ratio, contact.friction or
+contact.impulse_ratio.of_critical; so is a moment. A point that the physics refuses is left empty,
+with the reason. Names are those of `planar-impact gradient --help`.
+
+The paper's Table 2 and its Figure 4:
+  planar-impact sweep cli/examples/position-a.toml --vary \"contact.crush_plane=-10deg:10deg:1deg\"
+  planar-impact sweep cli/examples/position-a.toml --vary Gamma=-10deg:10deg:1deg --format svg
+
+More examples:
+  planar-impact sweep cli/examples/position-a.toml --vary mu=0:0.6:0.1 --of W_t,dV1 --format csv
+  planar-impact sweep case.toml --vary e=0:0.3:0.02 --vary \"v1=30 mph:40 mph:1 mph\" --format svg";
 
 const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
@@ -79,6 +95,9 @@ pub enum Verb {
     /// Differentiate a collision: how its outputs answer to its inputs.
     #[command(after_help = GRADIENT)]
     Gradient(Gradient),
+    /// Vary one or two inputs of a collision: tables, data and charts.
+    #[command(after_help = SWEEP)]
+    Sweep(Sweep),
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
     Validate(Validate),
@@ -129,6 +148,38 @@ pub struct Gradient {
     /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<Units>,
+}
+
+/// The call of `sweep`.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// An input by name or symbol, its first and its last value and the step. A second one makes a grid.
+    #[arg(long, value_name = "NAME=FROM:TO:STEP", required = true)]
+    pub vary: Vec<String>,
+    /// The outputs, by name or symbol; may be repeated. W_n, W_t, T_L and mu0 unless given.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub of: Vec<String>,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = SweepFormat::Text)]
+    pub format: SweepFormat,
+    /// Units of the outputs but in JSON, which is SI; those that most of the case file is in, unless given.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// How to print a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SweepFormat {
+    /// A table.
+    Text,
+    /// Comma-separated values with names and units in the header.
+    Csv,
+    /// For programs, in SI.
+    Json,
+    /// A chart: lines over one input, contours over two.
+    Svg,
 }
 
 /// The call of `validate`.

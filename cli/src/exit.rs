@@ -17,6 +17,8 @@ pub enum Status {
     Defect,
     /// The output cannot be written.
     Output,
+    /// The user has asked to stop.
+    Interrupted,
 }
 
 impl Status {
@@ -29,6 +31,7 @@ impl Status {
             Status::Physics => 3,
             Status::Defect => 70,
             Status::Output => 74,
+            Status::Interrupted => 130,
         }
     }
 }
@@ -48,6 +51,8 @@ pub enum Failure {
     Data(String),
     /// The output cannot be written.
     Output(std::io::Error),
+    /// The user has asked to stop.
+    Interrupted,
 }
 
 impl Failure {
@@ -58,6 +63,7 @@ impl Failure {
             Failure::Physics(_) => Status::Physics,
             Failure::Defect | Failure::Data(_) => Status::Defect,
             Failure::Output(_) => Status::Output,
+            Failure::Interrupted => Status::Interrupted,
         }
     }
 
@@ -67,7 +73,7 @@ impl Failure {
             Failure::Call(error) if color => Some(error.render().ansi().to_string()),
             Failure::Call(error) => Some(error.render().to_string().trim_end().to_owned()),
             Failure::Input(problems) | Failure::Physics(problems) => Some(problems.render(color)),
-            Failure::Defect => None,
+            Failure::Defect | Failure::Interrupted => None,
             Failure::Data(what) => Some(format!("error: a defect of planar-impact, please report it: {what}")),
             Failure::Output(error) => Some(format!("error: the output cannot be written: {error}")),
         }

@@ -10,10 +10,12 @@ mod gradient;
 mod named;
 mod names;
 mod prove;
+mod progress;
 mod quantity;
 mod report;
 mod solution;
 mod solve;
+mod sweep;
 mod table;
 mod units;
 mod validate;
@@ -60,6 +62,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
     match verb {
         Verb::Solve(call) => solve::run(&call),
         Verb::Gradient(call) => gradient::run(&call),
+        Verb::Sweep(call) => sweep::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),
         Verb::Completions { shell } => {

@@ -14,12 +14,15 @@ pub use number::finite;
 pub use wording::{excerpt, nearest};
 
 use unit::Unit;
+use wide::Wide;
 
 /// A value in SI and how the file wrote it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     /// The value in SI units, angles in radians.
     pub si: f64,
+    /// The number as the file wrote it.
+    pub value: f64,
     /// The unit as the file wrote it, or the SI unit of a bare number.
     pub unit: String,
     /// Whether the file gave no unit.
@@ -74,7 +77,7 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
     if (si == 0.0 && value != 0.0) || !kind.domain.holds(si) {
         return Err(beyond(text, si, kind));
     }
-    Ok(Quantity { si, unit: written.to_owned(), bare: false })
+    Ok(Quantity { si, value, unit: written.to_owned(), bare: false })
 }
 
 /// Takes a number without a unit in SI; `text` is how the file wrote it.
@@ -84,7 +87,7 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
 /// When the value is so far from plausible that it was probably meant in another unit.
 pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityError> {
     if kind.bare.holds(value) {
-        return Ok(Quantity { si: value, unit: kind.si.to_owned(), bare: true });
+        return Ok(Quantity { si: value, value, unit: kind.si.to_owned(), bare: true });
     }
     let digits: String = text.chars().filter(|c| *c != '_').take(40).collect();
     if kind.si.is_empty() {
@@ -103,10 +106,51 @@ pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityErro
     Err(QuantityError::with_help(message, help))
 }
 
-/// `si` in the given unit, as in `in_unit(17.88, "mph")`. For a text that is no unit the answer is
-/// not a number; `ft lb` is a mass times a length here, and the energy is `ft lbf`.
-pub fn in_unit(si: f64, unit: &str) -> f64 {
-    Unit::parse(unit).map_or(f64::NAN, |unit| unit.of_si(si))
+/// Reads a number with its unit, or without one in SI, as a word of the command line has it.
+///
+/// # Errors
+///
+/// As [`parse`], or [`bare`] where there is no unit.
+pub fn parse_word(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
+    match number::split(text.trim()) {
+        Ok((value, "")) if kind.dimension != Kind::PURE.dimension => bare(text.trim(), value, kind),
+        _ => parse(text, kind),
+    }
+}
+
+/// A unit read once for many values.
+#[derive(Debug, Clone, Copy)]
+pub struct Conversion(Option<Wide>);
+
+impl Conversion {
+    /// Into a unit. `ft lb` is a mass times a length here, and the energy is `ft lbf`.
+    pub fn to(unit: &str) -> Conversion {
+        Conversion(Unit::parse(unit).ok().map(|unit| unit.size()))
+    }
+
+    /// Of a unit that a quantity of this kind was read with.
+    ///
+    /// # Errors
+    ///
+    /// When the unit measures something else.
+    pub fn of(unit: &str, kind: Kind) -> Result<Conversion, QuantityError> {
+        if unit.is_empty() { Ok(Conversion::none()) } else { unit_for(unit, unit, kind).map(|unit| Conversion(Some(unit.size()))) }
+    }
+
+    /// No unit, and no change.
+    pub fn none() -> Conversion {
+        Conversion(Some(Wide::new(1.0)))
+    }
+
+    /// A value in this unit in SI: the very number that the same text in a file gives; not a number if it was no unit.
+    pub fn to_si(self, value: f64) -> f64 {
+        self.0.map_or(f64::NAN, |size| Wide::new(value).times(size).value())
+    }
+
+    /// A value in SI in this unit; not a number if it was none.
+    pub fn of_si(self, si: f64) -> f64 {
+        self.0.map_or(f64::NAN, |size| Wide::new(si).over(size).value())
+    }
 }
 
 /// The unit `written` at the end of `text`, if it measures what `kind` wants.

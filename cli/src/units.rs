@@ -1,6 +1,6 @@
 //! The units that results are printed in.
 
-use crate::quantity::in_unit;
+use crate::quantity::Conversion;
 
 /// A system of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -86,11 +86,16 @@ impl Units {
 
     /// A value in SI as a number in this system.
     pub fn convert(self, measure: Measure, si: f64) -> f64 {
+        self.conversion(measure).of_si(si)
+    }
+
+    /// From SI into the unit that a measure is printed in.
+    pub fn conversion(self, measure: Measure) -> Conversion {
         match self.unit(measure) {
-            "" => si,
+            "" => Conversion::none(),
             // A foot pound of energy, which by its letters would be a length times a mass.
-            "ft lb" => in_unit(si, "ft lbf"),
-            unit => in_unit(si, unit),
+            "ft lb" => Conversion::to("ft lbf"),
+            unit => Conversion::to(unit),
         }
     }
 

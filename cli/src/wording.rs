@@ -68,6 +68,19 @@ pub fn refusal(refusal: &Refusal, units: Units) -> (&'static str, String, Option
     }
 }
 
+/// Why a collision is refused, in a word or two.
+pub fn short(refusal: &Refusal) -> &'static str {
+    match refusal {
+        Refusal::NotClosing { .. } => "not closing",
+        Refusal::Tensile { reason: Tension::Pulls, .. } => "pulls",
+        Refusal::Tensile { .. } => "wedges",
+        Refusal::BeyondCritical { .. } => "beyond critical",
+        Refusal::EnergyGain { .. } => "energy gain",
+        Refusal::OutOfFloatRange => "overflow",
+        _ => "out of range",
+    }
+}
+
 /// What someone who gives no mass may have wanted.
 pub fn barrier_instead(key: &str) -> Option<String> {
     key.ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())

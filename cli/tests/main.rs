@@ -17,3 +17,5 @@ mod manual;
 mod process;
 #[path = "main/reference.rs"]
 mod reference;
+#[path = "main/sweep.rs"]
+mod sweep;

@@ -36,7 +36,7 @@ impl Given {
 
     /// The value in SI, having noted its unit.
     fn take(&self, path: &str, quantity: Quantity) -> f64 {
-        let Quantity { si, unit, bare } = quantity;
+        let Quantity { si, unit, bare, .. } = quantity;
         if bare && !unit.is_empty() {
             self.notes.borrow_mut().push(format!("{path} has no unit: {si} {unit} taken"));
         }

@@ -167,6 +167,20 @@ impl Inputs {
         self.vehicles[side as usize].as_ref()
     }
 
+    /// Whether a value can be given to a parameter: one that the case has, or the number for a ratio or a moment that it leaves open.
+    ///
+    /// # Errors
+    ///
+    /// Why not.
+    pub fn can_set(&self, parameter: Parameter) -> Result<(), String> {
+        let ratio = matches!(parameter, Parameter::Input(Input::ImpulseRatio) | Parameter::Friction | Parameter::RatioOfCritical);
+        let moment = matches!(parameter, Parameter::Input(Input::Moment) | Parameter::MomentOfCritical);
+        if ratio && self.contact.impulse_ratio == ImpulseRatio::Critical || moment && self.contact.moment == Moment::None {
+            return Ok(());
+        }
+        self.value(parameter).map(|_| ())
+    }
+
     /// Gives a parameter another value. Of several, those of [`Parameter`]s that others are measured along come first: see [`Inputs::set_all`].
     fn set(&mut self, parameter: Parameter, value: f64) {
         let contact = &mut self.contact;
@@ -185,7 +199,7 @@ impl Inputs {
         }
     }
 
-    /// The same case with other values of some parameters, each of which the case has. Headings and masses are set first, as a speed is
+    /// The same case with other values of some parameters, each of which [can be set](Inputs::can_set). Headings and masses are set first, as a speed is
     /// along the heading.
     pub fn set_all(&self, values: &[(Parameter, f64)]) -> Inputs {
         let first = |parameter: Parameter| matches!(parameter, Parameter::Input(Input::Heading(_) | Input::Mass(_)));

@@ -34,6 +34,31 @@ pub enum Parameter {
     MomentOfCritical,
 }
 
+/// The values that a parameter may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// Any number.
+    Any,
+    /// Numbers above zero.
+    Positive,
+    /// Zero and above.
+    NotNegative,
+    /// From 0 to 1.
+    Fraction,
+}
+
+impl Domain {
+    /// What a value outside must be; none for one inside.
+    pub fn wanted(self, value: f64) -> Option<&'static str> {
+        match self {
+            Domain::Positive if value <= 0.0 => Some("above zero"),
+            Domain::NotNegative if value < 0.0 => Some("at least 0"),
+            Domain::Fraction if !(0.0..=1.0).contains(&value) => Some("from 0 to 1"),
+            _ => None,
+        }
+    }
+}
+
 impl Parameter {
     /// The parameter of a name or a symbol, whether or not a case has it.
     pub fn named(name: &str) -> Option<Parameter> {
@@ -139,6 +164,18 @@ impl Parameter {
             Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
         }
     }
+
+    /// The values that a case file may give it.
+    pub fn domain(self) -> Domain {
+        match self {
+            Parameter::Input(Input::Mass(_) | Input::YawInertia(_)) | Parameter::RadiusOfGyration(_) | Parameter::CrushWidth(_) => {
+                Domain::Positive
+            }
+            Parameter::CrushDepth(..) | Parameter::CrushOnset(_) | Parameter::CrushSlope(_) | Parameter::Friction => Domain::NotNegative,
+            Parameter::Input(Input::Restitution) | Parameter::MomentOfCritical => Domain::Fraction,
+            _ => Domain::Any,
+        }
+    }
 }
 
 /// The side and the key of `vehicle.1.key`.
@@ -199,5 +236,14 @@ mod tests {
         {
             assert_eq!(Parameter::named(unknown), None, "{unknown}");
         }
+    }
+
+    #[test]
+    fn domains() {
+        assert_eq!(Domain::Positive.wanted(0.0), Some("above zero"));
+        assert_eq!(Domain::Fraction.wanted(1.0), None);
+        assert_eq!(Domain::Fraction.wanted(1.1), Some("from 0 to 1"));
+        assert_eq!(Domain::NotNegative.wanted(-0.1), Some("at least 0"));
+        assert_eq!(Domain::Any.wanted(-1e9), None);
     }
 }

@@ -126,6 +126,15 @@ impl Kind {
         Kind::SPEED_PER_LENGTH,
     ];
 
+    /// The kind of a difference of two such values: of either sign, and as small as it likes.
+    pub fn difference(mut self) -> Kind {
+        let magnitude = |reach| match reach {
+            Reach::Magnitude(most) | Reach::Positive(_, most) => Reach::Magnitude(most),
+        };
+        (self.bare, self.domain) = (magnitude(self.bare), magnitude(self.domain));
+        self
+    }
+
     /// The words for what a key wants, such as `a mass, such as "1500 kg"`.
     pub fn wanted(&self) -> String {
         format!("{}, such as \"{}\"", self.name, self.example)

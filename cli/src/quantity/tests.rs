@@ -102,7 +102,7 @@ fn conversions_are_within_one_unit_in_the_last_place() {
         assert!(distance <= 1, "{text}: {read:?}, not {exact:?}");
         let unit = parse(text, *kind).unwrap().unit;
         if !unit.is_empty() && !text.contains("lb") {
-            let back = in_unit(read, &unit);
+            let back = Conversion::to(&unit).of_si(read);
             assert!((back - number::split(text).unwrap().0).abs() <= 2.0 * f64::EPSILON * back.abs());
         }
     }
@@ -111,15 +111,15 @@ fn conversions_are_within_one_unit_in_the_last_place() {
 #[test]
 fn printing_units() {
     let ulp = |got: f64, exact: f64| assert!(got.to_bits().abs_diff(exact.to_bits()) <= 1, "{got} {exact}");
-    assert_eq!(in_unit(0.3048, "ft/s"), 1.0); // 1 ft
-    assert_eq!(in_unit(0.447_04, "mph"), 1.0); // 1609.344/3600
-    ulp(in_unit(std::f64::consts::PI, "deg"), 180.0);
-    ulp(in_unit(1.0, "ft lbf"), 0.737_562_149_277_265_5); // 1/(0.3048*4.4482216152605)
-    ulp(in_unit(4.448_221_615_260_5, "lbf s"), 1.0);
-    ulp(in_unit(1.0, "deg/s"), 57.295_779_513_082_32); // 180/π
-    assert_eq!(in_unit(1234.0, "kJ"), 1.234);
-    assert_eq!(in_unit(10.0, "km/h"), 36.0);
-    assert!(in_unit(1.0, "furlong").is_nan());
+    assert_eq!(Conversion::to("ft/s").of_si(0.3048), 1.0); // 1 ft
+    assert_eq!(Conversion::to("mph").of_si(0.447_04), 1.0); // 1609.344/3600
+    ulp(Conversion::to("deg").of_si(std::f64::consts::PI), 180.0);
+    ulp(Conversion::to("ft lbf").of_si(1.0), 0.737_562_149_277_265_5); // 1/(0.3048*4.4482216152605)
+    ulp(Conversion::to("lbf s").of_si(4.448_221_615_260_5), 1.0);
+    ulp(Conversion::to("deg/s").of_si(1.0), 57.295_779_513_082_32); // 180/π
+    assert_eq!(Conversion::to("kJ").of_si(1234.0), 1.234);
+    assert_eq!(Conversion::to("km/h").of_si(10.0), 36.0);
+    assert!(Conversion::to("furlong").of_si(1.0).is_nan());
 }
 
 #[test]

@@ -153,13 +153,8 @@ impl Unit {
         Wide::new(value).times(self.size()).value()
     }
 
-    /// `si` in this unit.
-    pub(super) fn of_si(&self, si: f64) -> f64 {
-        Wide::new(si).over(self.size()).value()
-    }
-
     /// One of this unit in SI.
-    fn size(&self) -> Wide {
+    pub(super) fn size(&self) -> Wide {
         let one = Wide::new(1.0);
         self.0.iter().fold(one, |product, (named, halves)| {
             let ratio = Wide::new(named.numerator).over(Wide::new(named.denominator));

@@ -1,0 +1,234 @@
+//! What both kinds of chart have in common: the page, its axes and how their numbers are written.
+
+use std::ops::Range as Span;
+
+use plotters::chart::ChartContext;
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::{
+    BLACK, Cartesian2d, ChartBuilder, Color, DrawingArea, IntoDrawingArea, IntoFont, IntoTextStyle, RGBColor, SVGBackend, WHITE,
+};
+
+use super::{Sweep, chart, contours};
+use crate::exit::Failure;
+use crate::report::clean;
+use crate::units::Measure;
+
+/// A place to draw on.
+pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// A chart with linear axes.
+pub type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// The drawing has whole coordinates; so many to a pixel make lines smooth.
+const FINE: u32 = 8;
+/// Pixels, as the drawing counts them.
+pub const fn px(pixels: u32) -> u32 {
+    FINE * pixels
+}
+
+pub const WIDTH: u32 = px(900);
+const TITLE: u32 = px(40);
+const LONGEST_TITLE: usize = 80;
+const FONT: &str = "sans-serif";
+pub const GRID: RGBColor = RGBColor(222, 222, 222);
+
+/// The chart of a sweep: lines over one input, contours over two.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn svg(sweep: &Sweep<'_>) -> Result<String, Failure> {
+    let mut text = String::new();
+    let height = draw(sweep, &mut text).map_err(|error| Failure::Data(error.to_string()))?;
+    // The view box keeps the fine coordinates; the size is in pixels.
+    let size = |fine: u32| format!("<svg width=\"{}\" height=\"{}\"", WIDTH / fine, height / fine);
+    let sized = text.replacen(&size(1), &size(FINE), 1);
+    if sized == text { Err(Failure::Data("the chart has no size".to_owned())) } else { Ok(sized) }
+}
+
+/// What drawing can fail with.
+pub type Drawn<T = ()> = Result<T, Box<dyn std::error::Error>>;
+
+fn draw(sweep: &Sweep<'_>, text: &mut String) -> Drawn<u32> {
+    // A grid of one row is a line.
+    let grid = sweep.ranges.iter().filter(|range| range.si.len() > 1).count() == 2;
+    let height = TITLE + if grid { contours::height(sweep) } else { chart::height(sweep) };
+    let page = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
+    page.fill(&WHITE)?;
+    let (head, body) = page.split_vertically(TITLE);
+    write(&head, &title(sweep), 21, (16, 12))?;
+    if grid {
+        contours::draw(sweep, &body)?
+    } else {
+        chart::draw(sweep, &body)?
+    }
+    page.present()?;
+    Ok(height)
+}
+
+/// The title of the case, with the input that has one value only.
+fn title(sweep: &Sweep<'_>) -> String {
+    // These two have no place in XML.
+    let mut title = clean(&sweep.case.title).replace(['\u{fffe}', '\u{ffff}'], " ");
+    if let ([one, two], true) = (&sweep.ranges[..], sweep.ranges.iter().any(|range| range.si.len() == 1)) {
+        let fixed = if one.si.len() == 1 { one } else { two };
+        title = format!("{title}, {} = {} {}", fixed.parameter, fixed.shown[0], fixed.unit).trim().to_owned();
+    }
+    if title.chars().count() <= LONGEST_TITLE { title } else { title.chars().take(LONGEST_TITLE - 1).chain(['…']).collect() }
+}
+
+/// Axes with their names and units.
+pub struct Axes<'a> {
+    pub x: Span<f64>,
+    pub y: Span<f64>,
+    pub x_name: &'a str,
+    pub y_name: &'a str,
+    /// The room for the numbers and the name of y, in pixels.
+    pub left: u32,
+}
+
+impl Axes<'_> {
+    /// The room that the numbers of a span need beside an axis, in pixels. Digits are about half as wide as they are high; and there is the name.
+    pub fn room(y: &Span<f64>) -> u32 {
+        let digits = Digits::of(y);
+        let longest = [y.start, y.end].map(|value| digits.write(value).chars().count()).into_iter().max().unwrap_or(0);
+        32 + 9 * longest as u32
+    }
+
+    /// As many numbers as fit below the axis without touching each other.
+    fn x_count(&self, digits: &Digits, area: &Area<'_>) -> usize {
+        let longest = [self.x.start, self.x.end].map(|value| digits.write(value).chars().count()).into_iter().max().unwrap_or(1);
+        let room = area.dim_in_pixel().0 / px(1) - self.left;
+        (room as usize / (10 * longest + 14)).clamp(2, 11)
+    }
+
+    /// Draws them and leaves the chart to draw on.
+    pub fn draw<'a, 'b>(&self, area: &'a Area<'b>) -> Drawn<Chart<'a, 'b>> {
+        let (x_digits, y_digits) = (Digits::of(&self.x), Digits::of(&self.y));
+        let mut chart = ChartBuilder::on(area)
+            .margin_top(px(12))
+            .margin_right(px(24))
+            .margin_left(px(12))
+            .margin_bottom(px(8))
+            .x_label_area_size(px(48))
+            .y_label_area_size(px(self.left))
+            .build_cartesian_2d(self.x.clone(), self.y.clone())?;
+        chart
+            .configure_mesh()
+            .light_line_style(WHITE.mix(0.0))
+            .bold_line_style(GRID.stroke_width(FINE))
+            .axis_style(BLACK.stroke_width(FINE))
+            .set_all_tick_mark_size(px(5))
+            .label_style((FONT, px(16)).into_text_style(area))
+            .axis_desc_style((FONT, px(17)).into_text_style(area))
+            .x_desc(self.x_name)
+            .y_desc(self.y_name)
+            .x_labels(self.x_count(&x_digits, area))
+            .y_labels(8)
+            .x_label_formatter(&|value| x_digits.write(*value))
+            .y_label_formatter(&|value| y_digits.write(*value))
+            .draw()?;
+        Ok(chart)
+    }
+}
+
+/// How the numbers of an axis are written: with as many decimals as tell its ticks apart.
+pub struct Digits {
+    decimals: usize,
+    power: bool,
+}
+
+impl Digits {
+    pub fn of(span: &Span<f64>) -> Digits {
+        let (length, most) = (span.end - span.start, span.start.abs().max(span.end.abs()));
+        let power = !(1e-4..1e7).contains(&most);
+        // A tenth of the axis is about a tick; a little more, so that rounding does not add a digit.
+        let unit = if power { most } else { 1.0 };
+        let decimals = (-(1.001 * length / unit / 10.0).log10().floor()).clamp(0.0, 15.0) as usize;
+        Digits { decimals, power }
+    }
+
+    pub fn write(&self, value: f64) -> String {
+        let decimals = self.decimals;
+        if self.power && value != 0.0 {
+            return format!("{value:.decimals$e}");
+        }
+        let text = format!("{value:.decimals$}");
+        match text.strip_prefix('-') {
+            Some(digits) if digits.chars().all(|c| c == '0' || c == '.') => digits.to_owned(),
+            _ => text,
+        }
+    }
+}
+
+/// A span around values, with some room on both sides; around one value, or values that differ by rounding alone, a span that shows its size.
+pub fn span(values: impl Iterator<Item = f64> + Clone, room: f64) -> Span<f64> {
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) = (finite.clone().fold(f64::INFINITY, f64::min), finite.fold(f64::NEG_INFINITY, f64::max));
+    if low > high {
+        return 0.0..1.0;
+    }
+    let size = low.abs().max(high.abs());
+    let length = high - low;
+    if length <= 1e-11 * size || length == 0.0 {
+        let half = if size == 0.0 { 1.0 } else { 0.1 * size };
+        return low - half..high + half;
+    }
+    low - room * length..high + room * length
+}
+
+/// A name with its unit.
+pub fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
+}
+
+/// What numbers of a measure are.
+pub fn noun(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Speed | Measure::RoadSpeed => "velocity",
+        Measure::YawRate => "yaw rate",
+        Measure::Angle => "angle",
+        Measure::Length => "length",
+        Measure::Impulse => "impulse",
+        Measure::MomentImpulse => "moment impulse",
+        Measure::Energy => "energy",
+        Measure::Mass => "mass",
+        Measure::YawInertia => "yaw inertia",
+        Measure::RootForce => "root of force",
+        Measure::RootForcePerLength => "root of force per length",
+        Measure::Ratio => "ratio",
+    }
+}
+
+/// Writes a text at a place in pixels.
+pub fn write(area: &Area<'_>, text: &str, size: u32, at: (i32, i32)) -> Drawn {
+    let fine = FINE as i32;
+    area.draw_text(text, &(FONT, px(size)).into_font().color(&BLACK), (fine * at.0, fine * at.1))?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_have_as_many_digits_as_they_need() {
+        let write = |span: Span<f64>, value| Digits::of(&span).write(value);
+        assert_eq!(write(-10.0..10.0, -4.0), "-4");
+        assert_eq!(write(0.4..1.0, 0.6), "0.60");
+        assert_eq!(write(-1.0..1.0, -1e-17), "0.0");
+        assert_eq!(write(40_806.1..40_806.2, 40_806.15), "40806.15");
+        assert_eq!(write(0.0..4e9, 2e9), "2.0e9");
+        assert_eq!(write(1e-6..3e-6, 2e-6), "2.00e-6");
+    }
+
+    #[test]
+    fn spans_are_never_empty() {
+        assert_eq!(span([1.0, 3.0].into_iter(), 0.5), 0.0..4.0);
+        assert_eq!(span([f64::NAN, 5.0].into_iter(), 0.5), 4.5..5.5);
+        assert_eq!(span([0.0].into_iter(), 0.5), -1.0..1.0);
+        assert_eq!(span([f64::NAN].into_iter(), 0.5), 0.0..1.0);
+        let rounding = span([49_980.8, 49_980.8 + 2e-11].into_iter(), 0.05);
+        assert!(rounding.end - rounding.start > 9_000.0);
+    }
+}
