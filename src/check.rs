@@ -104,7 +104,7 @@ pub fn check(record: &Record, options: &Options) -> Outcome {
         if record.resolution.is_empty() {
             laws::<0>(record, &mut judge);
         } else {
-            laws::<{ Key::COUNT }>(record, &mut judge);
+            laws::<{ subject::PLACES }>(record, &mut judge);
         }
     }
     judge.done(record.id.clone())

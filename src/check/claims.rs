@@ -53,11 +53,11 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 }
 
 fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
-    let subject = known.subject(side);
-    let Some(delta_v) = subject.delta_v() else { return };
-    let magnitude = norm(delta_v);
-    let said = known.number(Key::DeltaV(side)).map_or(0.0, |said| said.value.abs());
-    hold(known, judge, Claim { key: Key::DeltaV(side), implied: magnitude, scale: magnitude.value.max(said) });
+    let Some(delta_v) = known.subject(side).delta_v() else { return };
+    // Of the order of the larger one: that of a heavy body may be next to nothing, and that of a fixed one is.
+    let both = [known.one.delta_v(), known.two.delta_v()].into_iter().flatten();
+    let scale = both.fold(0.0, |scale: f64, delta_v| scale.max(norm(delta_v).value));
+    hold(known, judge, Claim { key: Key::DeltaV(side), implied: norm(delta_v), scale });
     if let Some(claimed) = known.number(Key::ForceDirection(side)) {
         direction_of_force(known, side, delta_v, claimed, judge);
     }
@@ -77,7 +77,9 @@ fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mu
     if let Some(said) = known.number(Key::ReportedRatio) {
         ratio(judge, Key::ReportedRatio, said, [p.n, p.t]);
     }
-    if let Some((said, k)) = known.number(Key::CriticalRatio).zip(touch.compliance) {
+    if let Some(said) = known.number(Key::CriticalRatio)
+        && let Some(k) = touch.compliance()
+    {
         // μ₀ is a property of the contact, whichever law is in force.
         let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
         let sticking = k.impulse_for(Law::Brach.change(touch.approach, e));

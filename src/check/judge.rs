@@ -67,6 +67,7 @@ impl Judge {
     }
 
     pub(super) fn push(&mut self, rule: Rule, severity: Severity, size: f64, bound: f64, what: String) {
+        self.checks(rule);
         self.findings.push(Finding { rule, severity, size, bound, what });
     }
 

@@ -38,7 +38,9 @@ pub(super) struct Touch<const N: usize> {
     /// On body 1.
     pub(super) impulse: Option<Nt<Uncertain<N>>>,
     pub(super) work: Option<Work<Uncertain<N>>>,
-    pub(super) compliance: Option<Compliance<Uncertain<N>>>,
+    /// The bodies before, without their inertia.
+    bodies: [Body<Uncertain<N>>; 2],
+    subjects: [Subject<N>; 2],
 }
 
 /// The one of two that is known more exactly.
@@ -92,24 +94,31 @@ impl<const N: usize> Touch<N> {
         let approach = relative_velocity(&before[0], &before[1]);
         let separation = relative_velocity(&one.body(plane, When::After)?, &two.body(plane, When::After)?);
         let impulse = impulse.map(|impulse| plane.to_contact(impulse));
-        let with_inertia = one.with_inertia(before[0]).zip(two.with_inertia(before[1]));
         Some(Touch {
             approach,
             separation,
             offset: before[0].arm - before[1].arm,
             impulse,
             work: impulse.map(|impulse| Work::of(impulse, approach, separation)),
-            compliance: with_inertia.map(|(one, two)| Compliance::between(&one, &two)),
+            bodies: before,
+            subjects: [*one, *two],
         })
     }
-}
 
-impl<const N: usize> Touch<N> {
+    /// The compliance, if the inertia of the bodies is known.
+    pub(super) fn compliance(&self) -> Option<Compliance<Uncertain<N>>> {
+        let [one, two] = &self.subjects;
+        Some(Compliance::between(&one.with_inertia(self.bodies[0])?, &two.with_inertia(self.bodies[1])?))
+    }
+
     /// The contact without resolutions, if the inertia of the bodies is known.
     pub(super) fn values(&self) -> Option<Contact> {
-        let k = self.compliance?;
-        let compliance = Compliance { nn: k.nn.value, nt: k.nt.value, tt: k.tt.value, determinant: k.determinant.value };
-        Some(Contact { one: Body::fixed(), two: Body::fixed(), compliance, approach: self.approach.map(|v| v.value) })
+        let values = |i: usize| {
+            let body = self.bodies[i].map(|x| x.value);
+            let (inverse_mass, inverse_yaw_inertia) = self.subjects[i].yields()?;
+            Some(Body { inverse_mass, inverse_yaw_inertia, ..body })
+        };
+        Some(Contact::between(values(0)?, values(1)?))
     }
 }
 

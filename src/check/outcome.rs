@@ -50,6 +50,16 @@ impl Verdict {
     /// Every verdict.
     pub const ALL: [Verdict; 4] = [Verdict::Pass, Verdict::Warn, Verdict::Fail, Verdict::Undecidable];
 
+    /// That of the worst that was found.
+    pub const fn of(worst: Option<Severity>) -> Verdict {
+        match worst {
+            None => Verdict::Pass,
+            Some(Severity::Warn) => Verdict::Warn,
+            Some(Severity::Undecidable) => Verdict::Undecidable,
+            Some(Severity::Fail) => Verdict::Fail,
+        }
+    }
+
     /// Its name in a report.
     pub const fn name(self) -> &'static str {
         match self {
@@ -64,12 +74,7 @@ impl Verdict {
 impl Outcome {
     /// The verdict: that of the worst finding.
     pub fn verdict(&self) -> Verdict {
-        match self.findings.iter().map(|finding| finding.severity).max() {
-            None => Verdict::Pass,
-            Some(Severity::Warn) => Verdict::Warn,
-            Some(Severity::Undecidable) => Verdict::Undecidable,
-            Some(Severity::Fail) => Verdict::Fail,
-        }
+        Verdict::of(self.findings.iter().map(|finding| finding.severity).max())
     }
 
     /// Whether the record was held against a rule.

@@ -33,11 +33,47 @@ pub(super) enum When {
     After,
 }
 
+/// How many places there are for inputs with a resolution.
+pub(super) const PLACES: usize = 32;
+
+/// The place of an input. Results that are reported share theirs with others, since no residual has two that do.
+const fn place(key: Key) -> usize {
+    match key {
+        Key::Mass(side) => 10 * side as usize,
+        Key::YawInertia(side) => 10 * side as usize + 1,
+        Key::CenterX(side) => 10 * side as usize + 2,
+        Key::CenterY(side) => 10 * side as usize + 3,
+        Key::BeforeX(side) => 10 * side as usize + 4,
+        Key::BeforeY(side) => 10 * side as usize + 5,
+        Key::BeforeYawRate(side) => 10 * side as usize + 6,
+        Key::AfterX(side) => 10 * side as usize + 7,
+        Key::AfterY(side) => 10 * side as usize + 8,
+        Key::AfterYawRate(side) => 10 * side as usize + 9,
+        Key::PointX => 20,
+        Key::PointY => 21,
+        Key::NormalAngle => 22,
+        Key::Restitution => 23,
+        Key::ImpulseRatio => 24,
+        // With a mass and the impulse, or with the loss.
+        Key::DeltaV(side) | Key::EquivalentEnergySpeed(side) => 25 + side as usize,
+        // With the heading and the motion.
+        Key::Heading(side) => 27 + side as usize,
+        Key::ForceDirection(side) => 29 + side as usize,
+        Key::EnergyLoss | Key::NormalImpulse | Key::ClosingSpeed => 27,
+        Key::NormalWork | Key::TangentialImpulse | Key::SeparationSpeed => 28,
+        Key::TangentialWork | Key::ImpulseX => 29,
+        Key::EnergyBefore | Key::ImpulseY => 30,
+        Key::EnergyAfter | Key::ImpulseMagnitude => 31,
+        Key::ReportedRatio => 25,
+        Key::CriticalRatio => 26,
+    }
+}
+
 /// A number of the record with its resolution.
 pub(super) fn number<const N: usize>(record: &Record, key: Key) -> Option<Uncertain<N>> {
     let value = record.get(key)?;
     let resolution = if N == 0 { 0.0 } else { record.resolution.of(key).unwrap_or(0.0) };
-    Some(Uncertain::input(value, key.index(), resolution))
+    Some(Uncertain::input(value, place(key), resolution))
 }
 
 /// Two numbers of the record as a vector in ground axes.
@@ -128,6 +164,11 @@ impl<const N: usize> Subject<N> {
             return Some(body);
         }
         Some(Body { inverse_mass: self.mass?.inv(), inverse_yaw_inertia: self.yaw_inertia?.inv(), ..body })
+    }
+
+    /// Its inverse mass and inverse yaw inertia, without resolutions.
+    pub(super) fn yields(&self) -> Option<(f64, f64)> {
+        if self.fixed { Some((0.0, 0.0)) } else { Some((1.0 / self.mass?.value, 1.0 / self.yaw_inertia?.value)) }
     }
 
     /// The kinetic energy of its spin. A fixed body has none.

@@ -118,7 +118,7 @@ fn fraction<const N: usize>(
     claimed: Option<Uncertain<N>>,
     judge: &mut Judge,
 ) {
-    let (Some(fraction), Some(k)) = (claimed, &touch.compliance) else { return };
+    let (Some(fraction), Some(k)) = (claimed, touch.compliance()) else { return };
     let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
     let sticking = k.impulse_for(known.record.model.law.change(touch.approach, e));
     let product = impulse.t * sticking.n - fraction * impulse.n * sticking.t;
@@ -154,13 +154,16 @@ fn beyond_critical<const N: usize>(
     let backward = Residual::new(slip.value.scaled(-pushed), slip.scale);
     judge.not_above(rule, backward, |size, bound| {
         let ratio = impulse.t.value / impulse.n.value;
-        let side = match sticking(known, touch) {
-            Some(sticking) if sticking.n * touch.approach.n.value > 0.0 => {
-                let critical = sticking.t / sticking.n;
-                let how = if ratio * critical < 0.0 { "has the other sign than" } else { "is beyond" };
-                format!("the impulse ratio {} {how} the critical one, {}", Digits(ratio), Digits(critical))
+        let critical = sticking(known, touch).filter(|sticking| sticking.n * touch.approach.n.value > 0.0).map(|p| p.t / p.n);
+        let side = match critical {
+            Some(critical) if ratio * critical < 0.0 => {
+                format!("the impulse ratio {} has the other sign than the critical one, {}", Digits(ratio), Digits(critical))
             }
-            _ => format!("the tangential impulse, {} N s, points the wrong way", Digits(impulse.t.value)),
+            Some(critical) if critical.abs() < ratio.abs() => {
+                format!("the impulse ratio {} is beyond the critical one, {}", Digits(ratio), Digits(critical))
+            }
+            // Where the sticking impulse would pull, or momentum is not conserved.
+            _ => format!("the tangential impulse, {} N s, goes too far or points the wrong way", Digits(impulse.t.value)),
         };
         format!("{side}: after the impact the bodies slide against it at {} m/s, {} may be", Digits(size), Digits(bound))
     });
@@ -181,8 +184,8 @@ fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, ju
         && pushed != slides
     {
         let what = format!(
-            "the tangential impulse on body 1, {} N s, acts against the {} m/s at which body 2 slides past it before the impact: possible, as the \
-             bodies turn, and rare",
+            "the tangential impulse on body 1 is {} N s, and body 2 slides past it with {} m/s along t before the impact: it speeds that up at first, \
+             which is possible, as the bodies turn, and rare",
             Digits(impulse.t.value),
             Digits(touch.approach.t.value)
         );

@@ -114,8 +114,14 @@ impl<const N: usize> Add for Uncertain<N> {
 
 impl<const N: usize> Sub for Uncertain<N> {
     type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
+    fn sub(mut self, other: Self) -> Self {
+        self.value -= other.value;
+        self.size += other.size;
+        for (spread, less) in self.spread.iter_mut().zip(&other.spread) {
+            *spread -= less;
+        }
+        self.rest += other.rest;
+        self
     }
 }
 
