@@ -6,8 +6,8 @@
 //! Each law is tried on 10⁴ collisions; `PROPTEST_CASES` sets another number.
 
 mod angles;
-mod derivatives;
 mod check;
+mod derivatives;
 mod energy;
 mod errata;
 mod laws;

@@ -6,6 +6,9 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use planar_impact::check::Severity;
+
+use crate::quantity;
 use crate::units::Units;
 
 const STATUS: &str = "\
@@ -77,6 +80,33 @@ Examples:
   planar-impact gradient cli/examples/oblique-surfaces.toml --of dV1,dV2 --wrt Gamma,e
   planar-impact gradient cli/examples/position-a.toml --of W_n --second --format json";
 
+const CHECK: &str = r#"A file of records, in any of three forms:
+  a JSON document   { "schema": "planar-impact-record/1", "units": { ... }, "records": [ ... ] }
+  JSON Lines        the same without `records` on the first line, then a record on each line
+  CSV               column names such as b1.after.vx, a line of units, then a record on each line
+{
+  "schema": "planar-impact-record/1",
+  "units": { "length": "m", "mass": "kg", "time": "s", "angle": "deg" },
+  "records": [ {
+    "id": "case-1", "profile": "impulse",
+    "bodies": [
+      { "mass": 1163, "yaw_inertia": 1945, "cg": [0, 0],
+        "before": { "v": [-17.88, 2], "yaw_rate": 0 },
+        "after": { "v": [1.678, -0.709], "yaw_rate": -20.95 } },
+      { "fixed": true } ],
+    "contact": { "point": [-1.94, 0.3], "normal_angle": 0 },
+    "model": { "restitution": 0.1, "impulse_ratio": -0.1385, "ratio_kind": "critical" },
+    "reported": { "energy_loss": 186168, "work_normal": -183017, "delta_v": [19.745, null] },
+    "resolution": { "v": 0.0005, "yaw_rate": 0.005, "energy": 0.5, "impulse_ratio": 0.00005 } } ]
+}
+What is not known is left out, and rules that need it are not checked. Everything is said in the
+documentation: planar_impact::guide::checking.
+
+Examples:
+  planar-impact check cli/examples/check/collision.json
+  planar-impact check cli/examples/check/engine.jsonl cli/examples/check/template.csv --format json
+  planar-impact check --rules"#;
+
 /// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
 #[derive(Debug, Parser)]
 #[command(name = "planar-impact", version, after_help = STATUS, max_term_width = 100)]
@@ -98,6 +128,9 @@ pub enum Verb {
     /// Vary one or two inputs of a collision: tables, data and charts.
     #[command(after_help = SWEEP)]
     Sweep(Sweep),
+    /// Check collision results of any program against the laws of mechanics.
+    #[command(after_help = CHECK)]
+    Check(Check),
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
     Validate(Validate),
@@ -180,6 +213,68 @@ pub enum SweepFormat {
     Json,
     /// A chart: lines over one input, contours over two.
     Svg,
+}
+
+/// The call of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Files of records: a JSON document, JSON Lines or CSV; - reads standard input.
+    #[arg(required_unless_present = "rules")]
+    pub files: Vec<PathBuf>,
+    /// How to print what was found.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub format: CheckFormat,
+    /// The tolerance of numbers without a resolution, as a share of what they would be off by if nothing were right; that of the record's profile, unless given.
+    #[arg(long, value_name = "REL", value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// From which severity on the exit status is 1.
+    #[arg(long, value_enum, value_name = "SEVERITY", default_value_t = FailOn::Fail)]
+    pub fail_on: FailOn,
+    /// Print the rules instead, with what each means.
+    #[arg(long, conflicts_with = "files")]
+    pub rules: bool,
+}
+
+/// How to print what was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CheckFormat {
+    /// For people: the records that do not simply pass, and a summary.
+    Text,
+    /// For programs.
+    Json,
+    /// JUnit XML, for GitLab, Jenkins and others.
+    Junit,
+    /// SARIF 2.1.0, for GitHub and others.
+    Sarif,
+}
+
+/// From which severity on a finding fails the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FailOn {
+    /// Broken rules alone.
+    Fail,
+    /// What cannot be decided too.
+    Undecidable,
+    /// Warnings too.
+    Warn,
+}
+
+impl FailOn {
+    /// Whether a severity is among them.
+    pub fn includes(self, severity: Severity) -> bool {
+        let least = match self {
+            FailOn::Fail => Severity::Fail,
+            FailOn::Undecidable => Severity::Undecidable,
+            FailOn::Warn => Severity::Warn,
+        };
+        severity >= least
+    }
+}
+
+/// A share between 0 and 1.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
+    if value > 0.0 && value < 1.0 { Ok(value) } else { Err("expected a share between 0 and 1, such as 1e-6".to_owned()) }
 }
 
 /// The call of `validate`.

@@ -4,7 +4,7 @@
 //! [`Source::read`] reads the text, [`Document::parse`] makes the tree, and [`Document::read`]
 //! walks it. A mistake found later, by the library, is placed with [`Document::problem`].
 
-mod json;
+pub mod json;
 mod read;
 mod report;
 mod source;
@@ -14,9 +14,7 @@ mod tree;
 pub use read::{Field, Table};
 pub use report::{Problem, Problems};
 pub use source::Source;
-pub use tree::Value;
-
-use tree::{Entry, Node};
+pub use tree::{Entry, Node, Value};
 
 use std::ops::Range;
 use std::path::Path;

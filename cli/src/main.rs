@@ -3,14 +3,15 @@
 mod arguments;
 mod bracket;
 mod case;
+mod check;
 mod derivative;
 mod document;
 mod exit;
 mod gradient;
 mod named;
 mod names;
-mod prove;
 mod progress;
+mod prove;
 mod quantity;
 mod report;
 mod solution;
@@ -63,6 +64,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Solve(call) => solve::run(&call),
         Verb::Gradient(call) => gradient::run(&call),
         Verb::Sweep(call) => sweep::run(&call),
+        Verb::Check(call) => check::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),
         Verb::Completions { shell } => {

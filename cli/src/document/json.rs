@@ -24,13 +24,29 @@ const STRICT: ParseOptions = ParseOptions {
     allow_extended_string_escapes: false,
 };
 
+/// The same, but that `NaN` and `Infinity` are numbers, as some programs write them.
+const WITH_NON_FINITE: ParseOptions = ParseOptions { allow_non_finite_numbers: true, ..STRICT };
+
 /// Parses JSON. The parser stops at its first error and bounds the depth of nesting itself.
 ///
 /// # Errors
 ///
 /// The first syntax error, or every duplicate key and every character JSON has no place for.
-pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
-    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT).map_err(|error| {
+pub fn parse(text: &str) -> Result<Node, Vec<Problem>> {
+    parse_as(text, &STRICT)
+}
+
+/// Parses JSON in which a number may be `NaN` or `Infinity`, which JSON has no place for.
+///
+/// # Errors
+///
+/// Those of [`parse`].
+pub fn parse_with_non_finite(text: &str) -> Result<Node, Vec<Problem>> {
+    parse_as(text, &WITH_NON_FINITE)
+}
+
+fn parse_as(text: &str, options: &ParseOptions) -> Result<Node, Vec<Problem>> {
+    let parsed = parse_to_ast(text, &CollectOptions::default(), options).map_err(|error| {
         let kind = error.kind().to_string();
         vec![problem(span(error.range()), String::new(), format!("this is not JSON: {}", lower(&kind)))]
     })?;
@@ -60,6 +76,10 @@ fn lower(message: &str) -> String {
 /// What the parser lets pass and JSON does not: control characters in strings, and white space
 /// other than space, tab and line ends between values.
 fn stray_characters(text: &str) -> Vec<Problem> {
+    // Most texts have nothing of the kind, and that is soon seen.
+    if text.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
+        return Vec::new();
+    }
     let mut problems = Vec::new();
     let (mut quoted, mut escaped) = (false, false);
     for (at, c) in text.char_indices() {
@@ -94,14 +114,17 @@ fn node(value: ast::Value<'_>, problems: &mut Vec<Problem>) -> Node {
 
 fn entries(object: ast::Object<'_>, problems: &mut Vec<Problem>) -> Vec<Entry> {
     let mut seen = HashSet::new();
-    let mut entries = Vec::new();
+    let mut entries: Vec<Entry> = Vec::with_capacity(object.properties.len());
+    // Of a few keys each is soon compared with the others; a hostile object may have a million.
+    let are_many = object.properties.len() > 16;
     for property in object.properties {
         let key_span = span(property.name.range());
         let key = match property.name {
             ObjectPropName::String(string) => string.value.into_owned(),
             ObjectPropName::Word(word) => word.value.to_owned(),
         };
-        if !seen.insert(key.clone()) && problems.len() < MOST_KEPT {
+        let is_twice = if are_many { !seen.insert(key.clone()) } else { entries.iter().any(|entry| entry.key == key) };
+        if is_twice && problems.len() < MOST_KEPT {
             let message = format!("the key {} stands twice in one object", excerpt(&key));
             problems.push(problem(key_span.clone(), String::new(), message));
         }

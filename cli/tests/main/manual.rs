@@ -19,7 +19,10 @@ fn verbs() -> Vec<String> {
     let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let verbs: Vec<String> =
         lines.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").map(str::to_owned).collect();
-    assert!(["solve", "validate", "prove", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)), "{verbs:?}");
+    assert!(
+        ["solve", "check", "validate", "prove", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)),
+        "{verbs:?}"
+    );
     verbs
 }
 
@@ -45,6 +48,11 @@ fn every_example_of_the_help_runs_as_printed() {
     let folder = Folder::new();
     for path in examples() {
         let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
+        folder.write(&name, &fs::read(&path).expect("the example can be read"));
+    }
+    for file in fs::read_dir(workspace().join("cli/examples/check")).expect("a folder") {
+        let path = file.expect("an entry").path();
+        let name = format!("cli/examples/check/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
         folder.write(&name, &fs::read(&path).expect("the example can be read"));
     }
     fs::copy(folder.path().join("cli/examples/position-a.toml"), folder.path().join("case.toml")).expect("a copy");

@@ -1,0 +1,59 @@
+//! Text for a terminal: the records that do not simply pass, and a summary.
+
+use std::io::{self, Write};
+
+use planar_impact::check::Verdict;
+
+use super::{Report, Summary, clean};
+use crate::check::entry::Entry;
+use crate::table::wrap;
+
+/// The report.
+#[derive(Default)]
+pub struct Text {
+    files: u64,
+}
+
+impl Report for Text {
+    fn begin(&mut self, _: &mut Vec<u8>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn begin_file(&mut self, _: &mut Vec<u8>, _: &str) -> io::Result<()> {
+        self.files += 1;
+        Ok(())
+    }
+
+    fn record(&mut self, to: &mut Vec<u8>, file: &str, entry: &Entry) -> io::Result<()> {
+        if entry.verdict == Verdict::Pass {
+            return Ok(());
+        }
+        let named = if entry.id.is_empty() { String::new() } else { format!("{}, ", clean(&entry.id)) };
+        let head = format!("{named}{} line {}", clean(file), entry.line);
+        to.write_all(wrap(&head, &format!("{}: ", entry.verdict.name().to_uppercase())).as_bytes())?;
+        for found in &entry.findings {
+            let severity = if found.severity.name() == entry.verdict.name() { String::new() } else { format!(" ({})", found.severity) };
+            to.write_all(wrap(&clean(&found.what), &format!("  {}{severity}: ", found.rule)).as_bytes())?;
+        }
+        // Of a record that cannot be read, or whose numbers are none, nothing is checked, which goes without saying.
+        if !entry.not_checked.is_empty() && !entry.not_checked.contains(&"plausible-units") {
+            to.write_all(wrap(&entry.not_checked.join(", "), "  not checked: ").as_bytes())?;
+        }
+        writeln!(to)
+    }
+
+    fn end_file(&mut self, _: &mut Vec<u8>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary) -> io::Result<()> {
+        let Summary { records, pass, warn, fail, undecidable, findings } = summary;
+        let plural = |count: u64| if count == 1 { "" } else { "s" };
+        let files = if self.files == 1 { String::new() } else { format!(" in {} files", self.files) };
+        let counts =
+            format!("{records} record{}{files}: {pass} pass, {warn} warn, {fail} fail, {undecidable} undecidable", plural(*records));
+        to.write_all(wrap(&counts, "").as_bytes())?;
+        let rules: Vec<String> = findings.iter().map(|((severity, rule), count)| format!("{rule} {count} ({severity})")).collect();
+        if rules.is_empty() { Ok(()) } else { to.write_all(wrap(&rules.join(", "), "found: ").as_bytes()) }
+    }
+}

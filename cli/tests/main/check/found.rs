@@ -1,0 +1,189 @@
+//! What is found, and what is not.
+
+use std::fs;
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use super::{HEADER, check, document, lines, records, rules, sound};
+use crate::process::{run, workspace};
+
+fn example(name: &str) -> PathBuf {
+    workspace().join("cli/examples/check").join(name)
+}
+
+#[test]
+fn the_paper_s_tables_as_printed_have_their_misprints_and_no_others() {
+    for (file, count, misprint, rule) in
+        [("paper-table-2.csv", 13, "gamma -2", "group"), ("paper-table-b1.csv", 6, "test 2 e 0.13", "reported")]
+    {
+        let run = run(&workspace(), &["check", &format!("cli/examples/check/{file}"), "--format", "json"]);
+        assert_eq!((run.status, run.err.as_str()), (1, ""), "{file}");
+        let report: Value = serde_json::from_str(&run.out).expect("JSON");
+        assert_eq!(records(&report).len(), count);
+        for record in records(&report) {
+            let found = record["findings"].as_array().expect("findings");
+            if record["id"] == misprint {
+                assert_eq!((rules(record, "fail"), found.len()), (vec![rule], 1), "{record}");
+            } else {
+                assert_eq!((&record["verdict"], found.len()), (&Value::from("pass"), 0), "{record}");
+            }
+        }
+    }
+}
+
+/// The rows of a table, without comments, by the names of its columns.
+fn table(path: PathBuf) -> Vec<Vec<(String, String)>> {
+    let text = fs::read_to_string(path).expect("the table is there");
+    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let names = lines.next().expect("a header");
+    lines.map(|row| names.iter().cloned().zip(row).collect()).collect()
+}
+
+fn cell<'a>(row: &'a [(String, String)], name: &str) -> &'a str {
+    &row.iter().find(|(known, _)| known == name).unwrap_or_else(|| panic!("no column {name}")).1
+}
+
+#[test]
+fn the_paper_s_tables_are_the_printed_digits() {
+    let data = workspace().join("validation/data");
+    let same = |file: &str, records: &str, columns: &[(&str, &str, &str)]| {
+        let (printed, told) = (table(data.join(file)), table(example(records)));
+        // The first row of the records is that of the units.
+        assert_eq!(printed.len() + 1, told.len(), "{file}");
+        for (printed, told) in printed.iter().zip(&told[1..]) {
+            for (column, sign, name) in columns {
+                assert_eq!(format!("{sign}{}", cell(printed, column)), cell(told, name), "{file}, {column}");
+            }
+        }
+    };
+    let of_table_2 = [
+        ("gamma_deg", "", "contact.normal_angle"),
+        ("mu0", "", "model.impulse_ratio"),
+        ("Wn_ftlb", "", "reported.work_normal"),
+        ("Wt_ftlb", "", "reported.work_tangential"),
+    ];
+    same("table2.csv", "paper-table-2.csv", &of_table_2);
+    let of_table_b1 = [
+        ("vn", "", "reported.closing_speed"),
+        ("Ti", "", "reported.kinetic_energy_before"),
+        ("e", "", "model.restitution"),
+        ("TLn", "-", "reported.work_normal"),
+        ("TLt", "-", "reported.work_tangential"),
+        ("TL", "", "reported.energy_loss"),
+        ("dv_ftps", "", "reported.delta_v.1"),
+    ];
+    same("tableB1.csv", "paper-table-b1.csv", &of_table_b1);
+}
+
+#[test]
+fn the_other_examples_pass() {
+    for name in ["collision.json", "engine.jsonl", "template.csv"] {
+        let run = run(&workspace(), &["check", example(name).to_str().expect("a plain name"), "--format", "json", "--fail-on", "warn"]);
+        assert_eq!((run.status, run.err.as_str()), (0, ""), "{name}: {}", run.out);
+    }
+}
+
+/// A digit of an example changed.
+#[test]
+fn the_examples_are_not_passed_unread() {
+    for (name, from, to) in
+        [("collision.json", "-20.95", "-20.59"), ("engine.jsonl", "[3.0, 0.0]", "[3.1, 0.0]"), ("template.csv", ",-21.101,", ",-21.011,")]
+    {
+        let text = fs::read_to_string(example(name)).expect("the example is there");
+        assert!(text.contains(from), "{name}");
+        let (status, report) = check(&text.replace(from, to), &[]);
+        assert_eq!((status, report["summary"]["fail"].as_u64() > Some(0)), (1, true), "{name}: {report}");
+    }
+}
+
+#[test]
+fn numbers_that_are_none_are_found_by_name() {
+    for (number, line) in [("NaN", true), ("-Infinity", true), ("1e999", false), ("-1e400", false)] {
+        let record = sound("a", ("[-1, 0]}", &format!("[{number}, 0]}}")));
+        let (status, report) = check(&lines(&[record.clone(), sound("b", ("", ""))]), &[]);
+        assert_eq!(status, 1);
+        assert!(rules(&records(&report)[0], "fail").iter().all(|rule| *rule == "finite"), "{report}");
+        assert_eq!(records(&report)[1]["verdict"], "pass");
+        if !line {
+            let (status, report) = check(&document(&[record]), &[]);
+            assert_eq!((status, rules(&records(&report)[0], "fail").contains(&"finite")), (1, true), "{number}: {report}");
+        }
+    }
+    for number in ["nan", "inf", "-inf", "1e999"] {
+        let table = format!("id,b1.mass\n,kg\na,{number}\nb,1000\n");
+        let (status, report) = check(&table, &[]);
+        assert_eq!((status, rules(&records(&report)[0], "fail")), (1, vec!["finite"]), "{number}");
+    }
+}
+
+#[test]
+fn masses_in_pounds_need_the_units_of_what_hangs_on_them() {
+    let units = r#""length": "ft", "mass": "lb", "time": "s", "angle": "deg""#;
+    let with = |more: &str| {
+        let header = HEADER.split("\"units\"").next().expect("the schema").to_owned() + &format!("\"units\": {{{units}{more}}}");
+        check(
+            &format!(
+                "{{{header}}}\n{{\"id\": \"a\", \"reported\": {{\"energy_loss\": 5, \"work_normal\": -4, \"work_tangential\": -1}}}}\n"
+            ),
+            &[],
+        )
+    };
+    let (status, report) = with("");
+    assert_eq!((status, rules(&records(&report)[0], "fail")), (1, vec!["malformed"; 3]));
+    assert!(records(&report)[0]["findings"][0]["what"].as_str().expect("a text").contains("ft lbf"));
+    assert_eq!(with(r#", "energy": "ft lb""#).0, 0);
+}
+
+#[test]
+fn the_tolerance_can_be_set() {
+    // 1 kg m/s in 4000.
+    let off = lines(&[sound("a", ("{\"v\": [1, 0]}", "{\"v\": [1.0005, 0]}"))]);
+    for (arguments, status) in [(&[][..], 1), (&["--tolerance", "1e-3"], 0), (&["--tolerance", "1e-4"], 1)] {
+        assert_eq!(check(&off, arguments).0, status, "{arguments:?}");
+    }
+}
+
+#[test]
+fn warnings_and_what_cannot_be_decided_fail_a_run_only_if_asked() {
+    let warned = lines(&[sound("a", ("\"mass\": 2000", "\"yaw_inertia\": 1, \"mass\": 2000"))]);
+    let coarse = lines(&[sound("a", ("\"bodies\"", "\"resolution\": {\"v\": 9}, \"bodies\""))]);
+    for (text, verdict, statuses) in [(&warned, "warn", [0, 0, 0, 1]), (&coarse, "undecidable", [0, 0, 1, 1])] {
+        for (arguments, status) in
+            [&[][..], &["--fail-on", "fail"], &["--fail-on", "undecidable"], &["--fail-on", "warn"]].into_iter().zip(statuses)
+        {
+            let (found, report) = check(text, arguments);
+            assert_eq!((found, &report["records"][0]["verdict"]), (status, &Value::from(verdict)), "{arguments:?}: {report}");
+        }
+    }
+}
+
+#[test]
+fn an_id_that_stands_twice_is_found_in_one_file_and_not_in_two() {
+    let twice = lines(&[sound("a", ("", "")), sound("b", ("", "")), sound("a", ("", ""))]);
+    let (status, report) = check(&twice, &[]);
+    assert_eq!((status, rules(&records(&report)[2], "fail")), (1, vec!["malformed"]));
+    let folder = crate::process::Folder::new();
+    for name in ["one.jsonl", "two.jsonl"] {
+        folder.write(name, lines(&[sound("a", ("", ""))]).as_bytes());
+    }
+    let run = run(folder.path(), &["check", "one.jsonl", "two.jsonl"]);
+    assert_eq!((run.status, run.out.as_str()), (0, "2 records in 2 files: 2 pass, 0 warn, 0 fail, 0 undecidable\n"));
+}
+
+#[test]
+fn a_group_is_held_together() {
+    let member =
+        |id: &str, group: &str, loss: f64| format!("{{\"id\": \"{id}\", \"group\": {group}, \"reported\": {{\"energy_loss\": {loss}}}}}");
+    let group = r#"{"name": "g", "agreement": "loss"}"#;
+    let (status, report) = check(&lines(&[member("a", group, 5.0), member("b", group, 6.0), member("c", group, 5.0)]), &[]);
+    let verdicts: Vec<_> = records(&report).iter().map(|record| record["verdict"].as_str().expect("a verdict")).collect();
+    assert_eq!((status, verdicts), (1, vec!["pass", "fail", "pass"]));
+    let (_, report) = check(&lines(&[member("a", "\"g\"", 5.0), member("b", "\"g\"", 6.0)]), &[]);
+    for record in records(&report) {
+        assert_eq!(rules(record, "fail"), ["group"]);
+        assert!(record["findings"][0]["what"].as_str().expect("a text").contains("cannot be told"));
+    }
+    let (status, report) = check(&lines(&[member("a", "\"g\"", 5.0), member("b", "\"h\"", 6.0), member("c", "\"g\"", 5.0)]), &[]);
+    assert_eq!((status, rules(&records(&report)[2], "warn")), (0, vec!["group"]));
+}

@@ -1,0 +1,60 @@
+//! The verb `check`: three forms of file, four forms of report, and what is found.
+
+mod forms;
+mod found;
+mod reports;
+mod unusable;
+
+use serde_json::Value;
+
+use crate::process::{Folder, Run, run, run_with_input};
+
+/// The header of a file of records in SI and degrees.
+const HEADER: &str = r#""schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "deg"}"#;
+
+/// A record in which nothing is wrong; ID stands for its name.
+const SOUND: &str = r#"{"id": "ID", "bodies": [
+    {"mass": 1000, "before": {"v": [3, 0]}, "after": {"v": [-1, 0]}},
+    {"mass": 2000, "before": {"v": [-1, 0]}, "after": {"v": [1, 0]}}]}"#;
+
+/// The sound record on one line, with a name, and with a text replaced if one is given.
+fn sound(id: &str, (from, to): (&str, &str)) -> String {
+    let changed = SOUND.replace(from, to);
+    assert!(from.is_empty() || changed != SOUND, "{from} is not in the record");
+    changed.replace('\n', " ").replace("\"ID\"", &format!("\"{id}\""))
+}
+
+/// JSON Lines of records.
+fn lines(records: &[String]) -> String {
+    format!("{{{HEADER}}}\n{}\n", records.join("\n"))
+}
+
+/// A JSON document of records.
+fn document(records: &[String]) -> String {
+    format!("{{\n{HEADER},\n\"records\": [\n{}\n]\n}}\n", records.join(",\n"))
+}
+
+/// What `check` finds in a text on standard input, as JSON, and its status.
+fn check(text: &str, arguments: &[&str]) -> (i32, Value) {
+    let run = run_with_input(&[&["check", "-", "--format", "json"], arguments].concat(), text);
+    assert_eq!(run.err, "", "{text}");
+    (run.status, serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error}: {}", run.out)))
+}
+
+/// The rules of the findings of a record that have a severity.
+fn rules<'a>(record: &'a Value, severity: &str) -> Vec<&'a str> {
+    let findings = record["findings"].as_array().expect("findings");
+    let of_severity = findings.iter().filter(|finding| finding["severity"] == severity);
+    of_severity.map(|finding| finding["rule"].as_str().expect("a name")).collect()
+}
+
+fn records(report: &Value) -> &Vec<Value> {
+    report["records"].as_array().expect("records")
+}
+
+/// Runs `check` on a file of a name in a folder of its own.
+fn check_file(name: &str, bytes: &[u8], arguments: &[&str]) -> Run {
+    let folder = Folder::new();
+    folder.write(name, bytes);
+    run(folder.path(), &[&["check", name], arguments].concat())
+}
