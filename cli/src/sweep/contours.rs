@@ -62,9 +62,9 @@ impl Field {
     fn of(sweep: &Sweep<'_>, at: usize) -> Field {
         let (wide, high) = (sweep.ranges[0].si.len(), sweep.ranges[1].si.len());
         let (column, conversion) = (sweep.column(at), sweep.units.conversion(sweep.answers[at].measure()));
-        let value = |i: usize| conversion.of_si(column[(i % wide) * high + i / wide]);
+        let values = transposed(&column, wide, high).map(|value| conversion.of_si(value)).collect();
         let falls = [0, 1].map(|axis| sweep.ranges[axis].shown.first() > sweep.ranges[axis].shown.last());
-        Field { at, values: (0..wide * high).map(value).collect(), wide, high, falls }
+        Field { at, values, wide, high, falls }
     }
 
     fn draw(&self, sweep: &Sweep<'_>, area: &Area<'_>) -> Drawn {
@@ -179,6 +179,11 @@ impl Field {
     }
 }
 
+/// The numbers of a sweep, whose last input runs fastest, with the first running fastest.
+fn transposed(column: &[f64], wide: usize, high: usize) -> impl Iterator<Item = f64> {
+    (0..wide * high).map(move |i| column[(i % wide) * high + i / wide])
+}
+
 /// The value of an axis between two of its values.
 fn between(shown: &[f64], at: f64) -> f64 {
     let below = (at.max(0.0) as usize).min(shown.len() - 1);
@@ -239,6 +244,12 @@ mod tests {
         assert!(field.is_refused(0.35, 0.5) && !field.is_refused(0.65, 0.5));
         field.falls[0] = true;
         assert!(field.is_refused(0.65, 0.5) && !field.is_refused(0.35, 0.5));
+    }
+
+    #[test]
+    fn rows_become_columns() {
+        let swept: Vec<f64> = (0..4).flat_map(|x| (0..3).map(move |y| f64::from(x) + 10.0 * f64::from(y))).collect();
+        assert_eq!(transposed(&swept, 4, 3).collect::<Vec<_>>(), field().values);
     }
 
     #[test]

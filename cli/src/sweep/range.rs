@@ -189,6 +189,7 @@ mod tests {
     #[test]
     fn the_last_value_is_hit_only_by_whole_steps() {
         assert_eq!(read_one("e=0:1:0.3").expect("a range").shown, [0.0, 0.3, 0.6, 0.9]);
+        assert_eq!(read_one("e=0:1:0.4").expect("a range").shown, [0.0, 0.4, 0.8]);
         assert_eq!(read_one("e=1:0:-0.5").expect("a range").shown, [1.0, 0.5, 0.0]);
         assert_eq!(read_one("e=0.2:0.2:0.1").expect("a range").shown, [0.2]);
         let third = read_one("e=0:1:0.3333333333333333").expect("a range");

@@ -282,6 +282,16 @@ fn the_text_fits_and_is_sorted() {
 }
 
 #[test]
+fn second_order_changes_are_those_of_both_inputs_together() {
+    let run = run_with_input(&["gradient", "-", "--of", "T_before", "--wrt", "v1,m1", "--second"], MIXED);
+    let rows: Vec<Vec<&str>> = run.out.lines().map(|line| line.split_whitespace().collect()).collect();
+    // 1 km/h is 0.2778 m/s, and 1 % is 12 kg: ½ m δv² = 46.3 J, v δm δv = 40 J.
+    assert!(rows.contains(&vec!["vehicle.1.speed", "itself", "46"]), "{}", run.out);
+    assert!(rows.contains(&vec!["vehicle.1.speed", "vehicle.1.mass", "40"]), "{}", run.out);
+    assert!(rows.contains(&vec!["vehicle.1.speed", "12.00", "m/s", "14400", "4000", "1", "km/h"]), "{}", run.out);
+}
+
+#[test]
 fn wide_numbers_still_fit() {
     let heavy = MIXED
         .replace("\"1200 kg\"", "\"123456789 kg\"")

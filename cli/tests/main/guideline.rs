@@ -69,6 +69,23 @@ fn the_derivative_between_the_ends_is_that_of_gradient() {
 }
 
 #[test]
+fn the_table_has_both_ends_and_the_slope_per_degree() {
+    let (solution, text) = (solved(&oblique()), run_with_input(&["solve", "-"], &oblique()).out);
+    let bracket = &solution["crush_plane_bracket"];
+    let foot_pounds = |value: &Value| value.as_f64().expect("a number") / 1.355_817_948_331_400_4; // ft lbf in J
+    let name = "energy.normal_work";
+    let expected = [
+        foot_pounds(&bracket["lower"]["outputs"][name]),
+        foot_pounds(&solution["energy"]["normal_work"]),
+        foot_pounds(&bracket["upper"]["outputs"][name]),
+        foot_pounds(&bracket["d"][name]).to_radians(),
+    ];
+    let row = text.lines().find(|line| line.trim_start().starts_with("normal work W_n")).expect("a row");
+    let shown: Vec<f64> = row.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    assert_eq!(shown, expected.map(f64::round), "{text}");
+}
+
+#[test]
 fn either_normal_of_a_surface_will_do() {
     let reference = solved(&oblique());
     for surfaces in ["surfaces = [\"0 deg\", \"45 deg\"]", "surfaces = [\"0 deg\", \"-135 deg\"]", "surfaces = [\"180 deg\", \"225 deg\"]"]

@@ -170,6 +170,17 @@ fn the_csv_is_read_back() {
 }
 
 #[test]
+fn the_csv_is_in_the_units_of_its_header() {
+    let table = done(POSITION_A, &["--vary", "Gamma=0 deg:0 deg:1 deg", "--of", "W_n,dV1,Omega1", "--format", "csv"]);
+    let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines[0][1..4], ["energy.normal_work [ft lb]", "vehicle.1.delta_v_magnitude [ft/s]", "vehicle.1.yaw_rate [deg/s]"]);
+    // Table 2 at 0 deg; the others as `solve` prints them.
+    for (cell, want) in lines[1][1..4].iter().zip(["-30097.2", "22.7", "-252.1"]) {
+        assert_eq!(format!("{:.1}", cell.parse::<f64>().expect("a number")), want);
+    }
+}
+
+#[test]
 fn two_inputs_make_contours() {
     let arguments = ["--vary", "e=0:0.3:0.02", "--vary", "v1=20 mph:40 mph:2 mph", "--of", "W_n,mu0", "--format", "svg"];
     let chart = done(POSITION_A, &arguments);
