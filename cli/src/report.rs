@@ -182,7 +182,7 @@ fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
     let end = |bound: Option<f64>| bound.map_or_else(|| "any".to_owned(), ratio);
     let up_to = |bound: f64| if bound >= 1.0 { "1".to_owned() } else { ratio(bound) };
     format!(
-        "No energy is gained up to e = {} here (up to {} for any approach velocity),\nnor, at this e, for mu from {} to {}.\n",
+        "No energy is gained up to e = {} here (up to {} for any approach),\nnor, at this e, for mu from {} to {}.\n",
         up_to(admissible.restitution),
         up_to(admissible.restitution_for_any_approach),
         end(admissible.least_impulse_ratio),
