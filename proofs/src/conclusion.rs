@@ -70,6 +70,12 @@ const CLAIMS: &[Claim] = &[
         premises: &["Kudlich–Slibar keeps e² of the peak", "the peak is at e = 0, μ = μ0", "P·K P is a sum of squares"],
     },
     Claim {
+        name: "how μ0 answers",
+        statement: "μ0 grows with r; with e it falls where r > 0 and grows where r < 0",
+        reason: "dμ0/dr and −dμ0/de over r are A (1 + C) − B² = m̄² det K > 0 over a square, times 1 + e > 0 or 1",
+        premises: &["μ0 by r", "μ0 by e", "A (1 + C) − B² has the sign of det K", "det K"],
+    },
+    Claim {
         name: "a pushing impulse takes energy by its normal part",
         statement: "W_n ≤ 0, that is E_C ≥ 0, for e from 0 to 1 where P_n v_n ≥ 0",
         reason: "W_n = −½ (1 − e) P_n v_n",
