@@ -5,6 +5,7 @@ mod given;
 mod inputs;
 mod parameter;
 mod setup;
+mod vehicle;
 
 use std::path::Path;
 

@@ -5,8 +5,9 @@ use std::cell::{Cell, RefCell};
 use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine};
 use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Law, Moment, PerpendicularSurfaces, Xy};
 
-use super::inputs::{ContactInputs, Inertia, Inputs, VehicleInputs, Velocity};
+use super::inputs::{ContactInputs, Inputs};
 use super::setup::Crush;
+use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
 use crate::units::{Measure, Units};

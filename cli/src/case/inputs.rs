@@ -1,9 +1,9 @@
 //! The numbers of a case file, read and set by their names.
 
-use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side, Xy};
+use planar_impact::{ImpulseRatio, Input, Law, Moment, Side};
 
 use super::parameter::{self, Parameter};
-use super::setup::Crush;
+use super::vehicle::{Inertia, VehicleInputs, Velocity};
 
 /// What a case file gives as numbers, in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,43 +12,6 @@ pub struct Inputs {
     pub vehicles: [Option<VehicleInputs>; 2],
     /// How they meet.
     pub contact: ContactInputs,
-}
-
-/// What a case file gives of a vehicle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct VehicleInputs {
-    /// The mass.
-    pub mass: f64,
-    /// The yaw inertia, one way or the other.
-    pub inertia: Inertia,
-    /// The angle of the heading.
-    pub heading: f64,
-    /// The velocity, one way or the other.
-    pub velocity: Velocity,
-    /// The yaw rate.
-    pub yaw_rate: f64,
-    /// The impact center.
-    pub impact_center: ForwardLeft,
-    /// The crush, if the file has it.
-    pub crush: Option<Crush>,
-}
-
-/// How a file gives a yaw inertia.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Inertia {
-    /// As it is.
-    Yaw(f64),
-    /// By the radius of gyration.
-    Radius(f64),
-}
-
-/// How a file gives a velocity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Velocity {
-    /// A speed along the heading.
-    Speed(f64),
-    /// Components on the ground.
-    Components(Xy),
 }
 
 /// What a case file gives of the contact.
@@ -64,29 +27,6 @@ pub struct ContactInputs {
     pub law: Law,
     /// The moment impulse.
     pub moment: Moment,
-}
-
-impl VehicleInputs {
-    fn velocity(&self) -> Xy {
-        match self.velocity {
-            Velocity::Speed(speed) => Heading::from_angle(self.heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
-            Velocity::Components(velocity) => velocity,
-        }
-    }
-
-    fn yaw_inertia(&self) -> f64 {
-        match self.inertia {
-            Inertia::Yaw(inertia) => inertia,
-            Inertia::Radius(radius) => self.mass * radius * radius,
-        }
-    }
-
-    fn ahead(&self) -> f64 {
-        match self.velocity {
-            Velocity::Speed(speed) => speed,
-            Velocity::Components(velocity) => Heading::from_angle(self.heading).to_vehicle(velocity).forward,
-        }
-    }
 }
 
 impl Inputs {
@@ -141,7 +81,7 @@ impl Inputs {
         let contact = &self.contact;
         if let Some(side) = parameter.side() {
             let vehicle = self.vehicle(side).ok_or_else(|| format!("vehicle {} is a fixed barrier", parameter::number(side)))?;
-            return value_of_vehicle(vehicle, parameter);
+            return vehicle.value(parameter);
         }
         match parameter {
             Parameter::Input(Input::CrushPlane) => Ok(contact.crush_plane),
@@ -194,7 +134,7 @@ impl Inputs {
             Parameter::MomentOfCritical => contact.moment = Moment::OfCritical(value),
             _ => {
                 let vehicle = parameter.side().and_then(|side| self.vehicles[side as usize].as_mut());
-                set_of_vehicle(vehicle.expect("a value can be set"), parameter, value);
+                vehicle.expect("a value can be set").set(parameter, value);
             }
         }
     }
@@ -228,66 +168,12 @@ pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
     }
 }
 
-fn value_of_vehicle(vehicle: &VehicleInputs, parameter: Parameter) -> Result<f64, String> {
-    let crush = || vehicle.crush.as_ref().ok_or_else(|| "the vehicle has no crush in this case".to_owned());
-    Ok(match parameter {
-        Parameter::Input(Input::Mass(_)) => vehicle.mass,
-        Parameter::Input(Input::YawInertia(_)) => vehicle.yaw_inertia(),
-        Parameter::Input(Input::Heading(_)) => vehicle.heading,
-        Parameter::Input(Input::ImpactCenterForward(_)) => vehicle.impact_center.forward,
-        Parameter::Input(Input::ImpactCenterLeft(_)) => vehicle.impact_center.left,
-        Parameter::Input(Input::VelocityX(_)) => vehicle.velocity().x,
-        Parameter::Input(Input::VelocityY(_)) => vehicle.velocity().y,
-        Parameter::Input(Input::YawRate(_)) => vehicle.yaw_rate,
-        Parameter::Speed(_) => vehicle.ahead(),
-        Parameter::RadiusOfGyration(_) => match vehicle.inertia {
-            Inertia::Radius(radius) => radius,
-            Inertia::Yaw(_) => return Err("the case gives `yaw_inertia` instead".to_owned()),
-        },
-        Parameter::CrushWidth(_) => crush()?.width,
-        Parameter::CrushOnset(_) => crush()?.stiffness.onset,
-        Parameter::CrushSlope(_) => crush()?.stiffness.slope,
-        Parameter::CrushDepth(_, place) => {
-            let depths = &crush()?.depths;
-            let depth = place.checked_sub(1).and_then(|i| depths.get(i));
-            *depth.ok_or_else(|| format!("the crush has {} depths", depths.len()))?
-        }
-        _ => return Err("it belongs to the contact".to_owned()),
-    })
-}
-
-fn set_of_vehicle(vehicle: &mut VehicleInputs, parameter: Parameter, value: f64) {
-    match (parameter, &mut vehicle.crush) {
-        (Parameter::Input(Input::Mass(_)), _) => vehicle.mass = value,
-        (Parameter::Input(Input::YawInertia(_)), _) => vehicle.inertia = Inertia::Yaw(value),
-        (Parameter::RadiusOfGyration(_), _) => vehicle.inertia = Inertia::Radius(value),
-        (Parameter::Input(Input::Heading(_)), _) => vehicle.heading = value,
-        (Parameter::Input(Input::ImpactCenterForward(_)), _) => vehicle.impact_center.forward = value,
-        (Parameter::Input(Input::ImpactCenterLeft(_)), _) => vehicle.impact_center.left = value,
-        (Parameter::Input(Input::VelocityX(_)), _) => vehicle.velocity = Velocity::Components(Xy { x: value, ..vehicle.velocity() }),
-        (Parameter::Input(Input::VelocityY(_)), _) => vehicle.velocity = Velocity::Components(Xy { y: value, ..vehicle.velocity() }),
-        (Parameter::Input(Input::YawRate(_)), _) => vehicle.yaw_rate = value,
-        (Parameter::Speed(_), _) => {
-            vehicle.velocity = match vehicle.velocity {
-                Velocity::Speed(_) => Velocity::Speed(value),
-                Velocity::Components(velocity) => {
-                    let more = ForwardLeft { forward: value - vehicle.ahead(), left: 0.0 };
-                    Velocity::Components(velocity + Heading::from_angle(vehicle.heading).to_ground(more))
-                }
-            }
-        }
-        (Parameter::CrushWidth(_), Some(crush)) => crush.width = value,
-        (Parameter::CrushOnset(_), Some(crush)) => crush.stiffness.onset = value,
-        (Parameter::CrushSlope(_), Some(crush)) => crush.stiffness.slope = value,
-        (Parameter::CrushDepth(_, place), Some(crush)) => crush.depths[place - 1] = value,
-        _ => unreachable!("a value can be set"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::setup::Crush;
     use planar_impact::crush::CrushStiffness;
+    use planar_impact::{ForwardLeft, Xy};
 
     fn vehicle(inertia: Inertia, velocity: Velocity) -> VehicleInputs {
         let stiffness = CrushStiffness { onset: 3.0, slope: 4.0 };

@@ -9,8 +9,9 @@ use planar_impact::{
 };
 
 use super::answers::{Answer, Answers, CrushAnswers};
-use super::inputs::{Inertia, Inputs, VehicleInputs, Velocity, moment_parameter, ratio_parameter};
+use super::inputs::{Inputs, moment_parameter, ratio_parameter};
 use super::parameter::{Parameter, number};
+use super::vehicle::{Inertia, VehicleInputs, Velocity};
 
 /// The crush of a vehicle.
 #[derive(Clone, Debug, PartialEq)]

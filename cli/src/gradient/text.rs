@@ -52,17 +52,17 @@ struct Uncertainty {
 impl Uncertainty {
     fn of(parameter: Parameter, value: f64, units: Units) -> Uncertainty {
         let share = Uncertainty { size: 0.01 * value.abs(), text: "1 %" };
-        let (unit, text) = match (parameter.measure(), units) {
-            (Measure::Angle, _) => ("1 deg", "1 deg"),
-            (Measure::Ratio, _) => ("0.05", "0.05"),
-            (Measure::Length, Units::Us) if !matches!(parameter, Parameter::RadiusOfGyration(_)) => ("1 in", "1 in"),
-            (Measure::Length, Units::Si) if !matches!(parameter, Parameter::RadiusOfGyration(_)) => ("2.5 cm", "2.5 cm"),
-            (Measure::Speed, Units::Us) => ("1 mph", "1 mph"),
-            (Measure::Speed, Units::Si) => ("1 km/h", "1 km/h"),
-            (Measure::YawRate, _) => ("1 deg/s", "1 deg/s"),
+        let text = match (parameter.measure(), units) {
+            (Measure::Angle, _) => "1 deg",
+            (Measure::Ratio, _) => "0.05",
+            (Measure::Length, Units::Us) if !matches!(parameter, Parameter::RadiusOfGyration(_)) => "1 in",
+            (Measure::Length, Units::Si) if !matches!(parameter, Parameter::RadiusOfGyration(_)) => "2.5 cm",
+            (Measure::Speed, Units::Us) => "1 mph",
+            (Measure::Speed, Units::Si) => "1 km/h",
+            (Measure::YawRate, _) => "1 deg/s",
             _ => return share,
         };
-        crate::quantity::parse(unit, parameter.kind()).map_or(share, |quantity| Uncertainty { size: quantity.si, text })
+        crate::quantity::parse(text, parameter.kind()).map_or(share, |quantity| Uncertainty { size: quantity.si, text })
     }
 }
 
@@ -99,9 +99,7 @@ impl Page<'_> {
             text.push_str(&wrap(&format!("{more} more outputs: --of all, or --of with their names."), ""));
         }
         if !self.every_parameter {
-            let more = self.case.inputs.parameters().len() - self.gradient.parameters.len();
-            let other = format!("{more} more inputs say the same as these in another way, as velocity.x for a speed: --wrt all.");
-            text.push_str(&wrap(&other, ""));
+            text.push_str(&wrap("Other inputs say the same as these in another way, as velocity.x for a speed: --wrt all.", ""));
         }
         for note in notes {
             text.push_str(&wrap(&format!("{note}."), "Note: "));
