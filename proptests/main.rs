@@ -10,10 +10,20 @@ mod check;
 mod derivatives;
 mod energy;
 mod errata;
+#[cfg(feature = "symbols")]
+mod exact_dual;
+#[cfg(feature = "symbols")]
+mod formulas;
 mod laws;
 mod limits;
 mod paper;
+#[cfg(feature = "symbols")]
+mod reading;
 mod refusals;
 mod scalars;
+#[cfg(feature = "symbols")]
+mod source;
 mod strategies;
+#[cfg(feature = "symbols")]
+mod symbols;
 mod symmetry;

@@ -23,6 +23,7 @@
 //! | [`collision`] | two parties and how they collide | the impact, whether possible or not |
 //! | [`admissible`] | a collision | how far e and μ may go without a gain of energy |
 //! | [`input`], [`output`] | a name | what goes into a collision and what comes out, each by one name |
+//! | `formula` | a collision, its numbers left aside | the formula of every output, and its derivatives (feature `symbols`) |
 //! | [`refusal`] | | why a collision can be refused |
 //! | [`solve`] | a collision | the impact, or every reason why there is none |
 //! | [`sensitivity`] | a collision | every output with its derivatives by every input |
@@ -42,6 +43,8 @@ pub mod compliance;
 pub mod contact;
 pub mod crush;
 pub mod energy;
+#[cfg(feature = "symbols")]
+pub mod formula;
 pub mod frame;
 #[cfg(feature = "dual")]
 pub mod guide;

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | [`Field`] | everything that is only + − × ÷: the whole of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
 //! | [`Ordered`] | where two numbers must be compared and one of two answers taken: the friction limit | all of these but complex numbers |
-//! | [`Real`] | where an angle comes in, or a magnitude or a direction goes out | floats, dual numbers, lanes |
+//! | [`Real`] | where an angle comes in, or a magnitude or a direction goes out | floats, dual numbers, lanes, symbols |
 //!
 //! A function asks for the lowest rung that it needs. Every rung but the last is a blanket implementation over
 //! `num-traits` and `core`, so a number type from elsewhere needs no line of code here.
@@ -19,7 +19,7 @@
 //! **Why no `Zero` or `One`?** `is_zero` has no honest answer on four lanes or on an interval. Small integers come from [`Field::int`].
 //!
 //! **Why a mask?** Four lanes compare four ways at once, and two overlapping intervals cannot be compared at all. A mask that selects serves them both:
-//! lane by lane, or the hull of both answers.
+//! lane by lane, or the hull of both answers. A symbol keeps both and the condition.
 //!
 //! **Why `libm`?** The sine of the standard library differs between platforms in its last bit. Through `libm` the same input gives the same bits everywhere.
 //!
@@ -28,6 +28,8 @@
 pub mod interval;
 #[cfg(feature = "lanes")]
 pub mod lanes;
+#[cfg(feature = "symbols")]
+pub mod symbol;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
