@@ -5,3 +5,6 @@ pub mod sensitivities {}
 
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
+
+#[doc = include_str!("guide/formulas.md")]
+pub mod formulas {}

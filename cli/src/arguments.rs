@@ -5,9 +5,11 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use planar_impact::{Input, Output};
 
 use planar_impact::check::Severity;
 
+use crate::formula;
 use crate::quantity;
 use crate::units::Units;
 
@@ -107,6 +109,19 @@ Examples:
   planar-impact check cli/examples/check/engine.jsonl cli/examples/check/template.csv --format json
   planar-impact check --rules"#;
 
+const FORMULA: &str = r#"Without a case file the formula is that of two vehicles at the critical impulse
+ratio under the law of Brach; --ratio, --law, --barrier and --moment say otherwise.
+With one it is that of the case, and text has the value of every line, in SI.
+
+Examples:
+  planar-impact formula W_n
+  planar-impact formula W_n --wrt Gamma
+  planar-impact formula T_L --ratio friction --barrier 2
+  planar-impact formula mu0 --wrt contact.restitution --case cli/examples/position-a.toml
+  planar-impact formula dV1 --format latex
+  planar-impact formula energy.loss --wrt vehicle.1.mass --format rust > loss_by_mass.rs
+  planar-impact formula --list"#;
+
 /// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
 #[derive(Debug, Parser)]
 #[command(name = "planar-impact", version, after_help = STATUS, max_term_width = 100)]
@@ -137,6 +152,9 @@ pub enum Verb {
     /// Prove the identities of the mechanics, and show what is wrong in print.
     #[command(after_help = "Examples:\n  planar-impact prove\n  planar-impact prove --format json")]
     Prove(Prove),
+    /// Print the formula that the code computes for an output, or for its derivative.
+    #[command(after_help = FORMULA)]
+    Formula(Formula),
     /// Print a completion script for a shell.
     #[command(after_help = "Example:\n  planar-impact completions bash > ~/.local/share/bash-completion/completions/planar-impact")]
     Completions {
@@ -291,6 +309,82 @@ pub struct Prove {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// The call of `formula`.
+#[derive(Debug, Args)]
+pub struct Formula {
+    /// The output, by its name or its symbol.
+    #[arg(value_name = "NAME", value_parser = formula::output, required_unless_present = "list")]
+    pub output: Option<Output>,
+    /// The input to differentiate by, by its name or its symbol.
+    #[arg(long, value_name = "NAME", value_parser = formula::input)]
+    pub wrt: Option<Input>,
+    /// How to print the formula.
+    #[arg(long, value_enum, default_value_t = Notation::Text)]
+    pub format: Notation,
+    /// A case file that has the kind of collision, and the numbers; - reads standard input.
+    #[arg(long, value_name = "CASE", conflicts_with_all = ["ratio", "law", "barrier", "moment"])]
+    pub case: Option<PathBuf>,
+    /// What the impulse ratio is given by.
+    #[arg(long, value_enum, default_value_t = Ratio::Critical)]
+    pub ratio: Ratio,
+    /// The law of the tangential impulse.
+    #[arg(long, value_enum, default_value_t = TangentialLaw::Brach)]
+    pub law: TangentialLaw,
+    /// Which of the two, 1 or 2, is a fixed barrier.
+    #[arg(long, value_name = "VEHICLE", value_parser = clap::value_parser!(u8).range(1..=2))]
+    pub barrier: Option<u8>,
+    /// What the moment impulse is given by.
+    #[arg(long, value_enum, default_value_t = MomentImpulse::None)]
+    pub moment: MomentImpulse,
+    /// List the outputs and the inputs instead.
+    #[arg(long, conflicts_with_all = ["output", "wrt", "format", "case", "ratio", "law", "barrier", "moment"])]
+    pub list: bool,
+}
+
+/// How to print a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Notation {
+    /// For a terminal.
+    Text,
+    /// For a document.
+    Latex,
+    /// For a program: a function of f64.
+    Rust,
+}
+
+/// What the impulse ratio is given by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Ratio {
+    /// By the law alone: at the critical ratio sliding just ends.
+    Critical,
+    /// By a number.
+    Given,
+    /// By a fraction of the critical ratio.
+    OfCritical,
+    /// By a friction that limits the critical ratio.
+    Friction,
+}
+
+/// The law of the tangential impulse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TangentialLaw {
+    /// Sliding has ended at separation.
+    Brach,
+    /// Restitution holds for both components.
+    KudlichSlibar,
+}
+
+/// What the moment impulse is given by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MomentImpulse {
+    /// There is none.
+    None,
+    /// By a number.
+    Given,
+    /// By a fraction of the moment that ends relative rotation.
+    OfCritical,
 }
 
 /// How to print a result.

@@ -7,6 +7,7 @@ mod check;
 mod derivative;
 mod document;
 mod exit;
+mod formula;
 mod gradient;
 mod named;
 mod names;
@@ -67,6 +68,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Check(call) => check::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),
+        Verb::Formula(call) => formula::run(&call),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "planar-impact", &mut script);

@@ -10,6 +10,8 @@ mod bad_inputs;
 mod check;
 #[path = "main/examples.rs"]
 mod examples;
+#[path = "main/formula.rs"]
+mod formula;
 #[path = "main/gradient.rs"]
 mod gradient;
 #[path = "main/guideline.rs"]

@@ -19,10 +19,8 @@ fn verbs() -> Vec<String> {
     let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let verbs: Vec<String> =
         lines.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").map(str::to_owned).collect();
-    assert!(
-        ["solve", "check", "validate", "prove", "completions", "man"].iter().all(|verb| verbs.iter().any(|known| known == verb)),
-        "{verbs:?}"
-    );
+    let known = ["solve", "gradient", "sweep", "check", "validate", "prove", "formula", "completions", "man"];
+    assert!(known.iter().all(|verb| verbs.iter().any(|found| found == verb)), "{verbs:?}");
     verbs
 }
 

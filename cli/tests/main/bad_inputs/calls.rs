@@ -70,7 +70,8 @@ fn a_full_disk() {
     use crate::process::planar_impact;
     let folder = Folder::new();
     folder.write("case.toml", COLLISION.as_bytes());
-    let calls: [&[&str]; 6] = [
+    let calls: [&[&str]; 7] = [
+        &["formula", "W_n"],
         &["solve", "case.toml"],
         &["solve", "case.toml", "--format", "json"],
         &["validate"],
