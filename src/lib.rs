@@ -2,7 +2,7 @@
 //!
 //! # Pages
 //!
-//! [Sensitivities](guide::sensitivities), [proofs](guide::proofs)
+//! [Sensitivities](guide::sensitivities), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
 //!
 //! # The argument, module by module
 //!
