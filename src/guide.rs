@@ -6,5 +6,8 @@ pub mod sensitivities {}
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
 
+#[doc = include_str!("guide/checking.md")]
+pub mod checking {}
+
 #[doc = include_str!("guide/formulas.md")]
 pub mod formulas {}

@@ -84,6 +84,18 @@ fn the_other_examples_pass() {
     }
 }
 
+#[test]
+fn the_records_of_the_guide_and_of_the_help_pass() {
+    let guide = fs::read_to_string(workspace().join("src/guide/checking.md")).expect("the guide is there");
+    let fenced = guide.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a record");
+    let help = run(&workspace(), &["check", "--help"]).out;
+    let shown: String = help.lines().skip_while(|line| *line != "{").take_while(|line| !line.starts_with("What is not")).collect();
+    for text in [fenced, &shown] {
+        let (status, report) = check(text, &["--fail-on", "warn"]);
+        assert_eq!((status, &report["summary"]["pass"]), (0, &Value::from(1)), "{text}");
+    }
+}
+
 /// A digit of an example changed.
 #[test]
 fn the_examples_are_not_passed_unread() {
