@@ -88,6 +88,25 @@ impl<T> Response<T> {
     }
 }
 
+/// Where a force comes from, in the axes of the vehicle that it acts on. Its length is no matter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceOrigin<T = f64> {
+    /// Ahead of the vehicle.
+    pub ahead: T,
+    /// To its right.
+    pub right: T,
+}
+
+impl<T: Field> Response<T> {
+    /// Where the principal force comes from: whence the vehicle is pushed.
+    #[inline(always)]
+    pub fn force_origin(&self) -> ForceOrigin<T> {
+        let dv = self.delta_v_in_vehicle.clone();
+        // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and no push from 0.
+        ForceOrigin { ahead: T::int(0) - dv.forward, right: dv.left + T::int(0) }
+    }
+}
+
 impl<T: Real> Response<T> {
     /// Magnitude of the change of velocity, ΔV, in m/s.
     #[inline(always)]
@@ -99,8 +118,7 @@ impl<T: Real> Response<T> {
     /// 0 is a frontal impact, π/2 one from the right. Zero where no force acts.
     #[inline(always)]
     pub fn principal_direction_of_force(&self) -> T {
-        let dv = self.delta_v_in_vehicle.clone();
-        // Adding zero makes a negative zero positive, so that a push from straight behind is +π and not −π, and no push is 0.
-        (dv.left + T::int(0)).atan2(T::int(0) - dv.forward)
+        let ForceOrigin { ahead, right } = self.force_origin();
+        right.atan2(ahead)
     }
 }

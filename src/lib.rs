@@ -70,7 +70,7 @@ pub use contact::Contact;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
 pub use guideline::{CrushPlaneBracket, PerpendicularSurfaces};
-pub use impact::{Impact, Response};
+pub use impact::{ForceOrigin, Impact, Response};
 pub use input::{Input, Side};
 pub use law::{ImpulseRatio, Law};
 pub use moment::{Moment, MomentCompliance};

@@ -13,7 +13,7 @@ const SILENCE: Duration = Duration::from_secs(1);
 /// Records between two looks at the clock.
 const STRIDE: u64 = 1024;
 
-const OF_FILES: &str = "{wide_bar} {percent:>3} %, {msg}, {eta} left";
+const OF_FILES: &str = "{wide_bar} {percent:>3} %, {msg}, {elapsed}";
 const OF_A_PIPE: &str = "{spinner} {msg}, {elapsed}";
 
 /// A bar on standard error once a run has lasted a second; nothing where that is no terminal.
@@ -40,8 +40,8 @@ impl Progress {
             self.bar = Some(bar(self.size).with_elapsed(self.started.elapsed()));
         }
         if let Some(bar) = &self.bar {
-            bar.set_message(format!("{} records, {} fail", summary.records, summary.fail));
             bar.set_position(self.bytes.load(Ordering::Relaxed));
+            bar.set_message(format!("{} records, {} fail", summary.records, summary.fail));
         }
     }
 

@@ -23,6 +23,11 @@ pub(super) fn all() -> Vec<Identity> {
             "ΔV is the change of velocity, in every frame",
             "ΔV = V − v, turned into the vehicle's axes; P_x, P_y from P_n, P_t"
         ),
+        identity!(
+            force_origin,
+            "the force comes from where ΔV does not go",
+            "its ahead is −ΔV·(cos θ, sin θ), its right ΔV·(−sin θ, cos θ)"
+        ),
         identity!(two_impulses, "impulses in succession add up", "P then Q is P + Q: the same motions, and losses that add up"),
         identity!(barrier, "a barrier does not move", "v₂ = V₂ = 0, ω₂ = Ω₂ = 0, ΔV₂ = 0 for any P and M"),
     ]
@@ -87,6 +92,20 @@ fn delta_v<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
             let delta_v = side.response.delta_v.clone();
             must.equal(delta_v.clone(), side.response.after.velocity.clone() - side.vehicle.motion.velocity.clone());
             must.equal(side.vehicle.heading.to_ground(side.response.delta_v_in_vehicle.clone()), delta_v);
+        }
+    }
+    must
+}
+
+fn force_origin<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
+    let mut must = Equations::new();
+    for scene in Scene::by_anything(free) {
+        for side in scene.sides() {
+            let ahead = Xy { x: side.vehicle.heading.cos.clone(), y: side.vehicle.heading.sin.clone() };
+            let origin = side.response.force_origin();
+            must.equal(origin.ahead, -ahead.clone().dot(side.response.delta_v.clone()));
+            // What pushes to the left comes from the right.
+            must.equal(origin.right, ahead.quarter_turn().dot(side.response.delta_v.clone()));
         }
     }
     must
