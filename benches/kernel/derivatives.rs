@@ -6,6 +6,7 @@ use criterion::{Criterion, Throughput};
 use num_dual::Dual64;
 use planar_impact::sensitivity::by_definition;
 use planar_impact::{Collision, CrushPlane, Output, Outputs};
+use std::cell::RefCell;
 use std::hint::black_box;
 
 /// Every collision from its angles, and one thing computed of each.
@@ -27,6 +28,12 @@ pub fn derivatives(c: &mut Criterion) {
     // All outputs: asked of first, as `solve` does, and not, as `evaluate`.
     each(c, "jacobian", "solve, all outputs", |collision| collision.solve().map(|impact| Outputs::of(collision, &impact)));
     each(c, "jacobian", "solve, all outputs by all inputs", |collision| collision.sensitivities());
+    let kept = RefCell::new(Outputs::default());
+    each(c, "jacobian", "solve, all outputs by all inputs, written to one place", |collision| {
+        let solved = collision.sensitivities_to(&mut kept.borrow_mut()).is_ok();
+        black_box(&kept);
+        solved
+    });
     each(c, "jacobian", "evaluate, all outputs", |collision| Outputs::of(collision, &collision.evaluate()));
     each(c, "jacobian", "evaluate, all outputs by all inputs", |collision| collision.sensitivities_of(&collision.evaluate()));
     each(c, "jacobian", "by definition, Dual64 for each input", by_definition);
