@@ -28,8 +28,11 @@
 pub mod interval;
 #[cfg(feature = "lanes")]
 pub mod lanes;
+pub mod power;
 #[cfg(feature = "symbols")]
 pub mod symbol;
+
+pub use power::Power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
@@ -137,6 +140,8 @@ pub trait Real: Ordered {
 trait Portable: Sized {
     fn portable_sin_cos(self) -> (Self, Self);
     fn portable_atan2(self, x: Self) -> Self;
+    #[cfg(feature = "dual")]
+    fn portable_pow(self, exponent: Self) -> Self;
 }
 
 impl Portable for f64 {
@@ -149,6 +154,11 @@ impl Portable for f64 {
     fn portable_atan2(self, x: Self) -> Self {
         libm::atan2(self, x)
     }
+
+    #[cfg(feature = "dual")]
+    fn portable_pow(self, exponent: Self) -> Self {
+        libm::pow(self, exponent)
+    }
 }
 
 impl Portable for f32 {
@@ -160,6 +170,11 @@ impl Portable for f32 {
     #[inline(always)]
     fn portable_atan2(self, x: Self) -> Self {
         libm::atan2f(self, x)
+    }
+
+    #[cfg(feature = "dual")]
+    fn portable_pow(self, exponent: Self) -> Self {
+        libm::powf(self, exponent)
     }
 }
 

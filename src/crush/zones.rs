@@ -1,0 +1,156 @@
+//! A stiffness that changes along the width: a stiff corner, an engine block, an overlap with the frame.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::{CrushStiffness, Profile, ProfileMoments};
+use crate::scalar::{Field, Ordered};
+
+/// Zones of stiffness side by side along the surface, each with its own line E* = d₀ + d₁ C.
+///
+/// ```
+/// use planar_impact::crush::{CrushStiffness, Profile, StiffnessZones};
+/// let soft = CrushStiffness { onset: 3.0, slope: 4.0 };
+/// let stiff = CrushStiffness { onset: 3.0, slope: 8.0 };
+/// let profile = Profile::equally_spaced(2.0, vec![0.5, 0.5])?;
+/// // A stiff corner over the last quarter of the width.
+/// let energy = StiffnessZones::new(vec![soft, stiff], vec![1.5])?.crush_energy(&profile);
+/// assert_eq!(energy, 1.5 * 0.5 * 5.0 * 5.0 + 0.5 * 0.5 * 7.0 * 7.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct StiffnessZones<T = f64> {
+    zones: Vec<CrushStiffness<T>>,
+    borders: Vec<T>,
+}
+
+/// The number of borders does not fit the number of zones: n zones have n − 1 borders between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ZoneError {
+    /// The number of zones.
+    pub zones: usize,
+    /// The number of borders.
+    pub borders: usize,
+}
+
+impl fmt::Display for ZoneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} zones of stiffness with {} borders: there is one border between two zones", self.zones, self.borders)
+    }
+}
+
+impl core::error::Error for ZoneError {}
+
+impl<T> StiffnessZones<T> {
+    /// Zones in the order of their stations, and the station of each border between two of them, in m, increasing. The first and the last reach to the ends
+    /// of whatever is crushed. A border that does not lie beyond the one before leaves no width between them.
+    ///
+    /// # Errors
+    ///
+    /// [`ZoneError`]: n zones need n − 1 borders, and there must be one zone.
+    pub fn new(zones: Vec<CrushStiffness<T>>, borders: Vec<T>) -> Result<Self, ZoneError> {
+        if zones.len() != borders.len() + 1 {
+            return Err(ZoneError { zones: zones.len(), borders: borders.len() });
+        }
+        Ok(StiffnessZones { zones, borders })
+    }
+
+    /// The zones.
+    pub fn zones(&self) -> &[CrushStiffness<T>] {
+        &self.zones
+    }
+
+    /// The borders between them.
+    pub fn borders(&self) -> &[T] {
+        &self.borders
+    }
+}
+
+impl<T: Field> From<CrushStiffness<T>> for StiffnessZones<T> {
+    fn from(stiffness: CrushStiffness<T>) -> Self {
+        StiffnessZones { zones: [stiffness].into(), borders: Vec::new() }
+    }
+}
+
+impl<T: Ordered> StiffnessZones<T> {
+    /// Crush energy of a profile, each part of it with the stiffness of its zone, in J   (Eq 4 in each zone).
+    pub fn crush_energy(&self, profile: &Profile<T>) -> T {
+        if let [stiffness] = self.zones.as_slice() {
+            return stiffness.crush_energy(profile.moments());
+        }
+        self.moments(profile).zip(&self.zones).fold(T::int(0), |sum, (moments, zone)| sum + zone.crush_energy(moments))
+    }
+
+    /// K₁, K₂, K₃ of what lies in each zone.
+    pub fn moments<'a>(&'a self, profile: &'a Profile<T>) -> impl Iterator<Item = ProfileMoments<T>> + 'a {
+        let stations = profile.stations();
+        (0..self.zones.len()).map(move |zone| {
+            let ends = stations.windows(2).zip(profile.depths().windows(2));
+            ends.fold(ProfileMoments::zero(), |sum, (at, depth)| {
+                let from = self.borders.get(zone.wrapping_sub(1)).map_or(at[0].clone(), |border| larger(border, &at[0]));
+                let to = self.borders.get(zone).map_or(at[1].clone(), |border| smaller(border, &at[1]));
+                let depth_at = |station: &T| {
+                    let share = (station.clone() - at[0].clone()) / (at[1].clone() - at[0].clone());
+                    depth[0].clone() + (depth[1].clone() - depth[0].clone()) * share
+                };
+                // A zone that does not reach this part has no width in it.
+                let width = larger(&(to.clone() - from.clone()), &T::int(0));
+                sum + ProfileMoments::of_segment(width, depth_at(&from), depth_at(&to))
+            })
+        })
+    }
+}
+
+fn larger<T: Ordered>(one: &T, two: &T) -> T {
+    T::select(one.less(two), two.clone(), one.clone())
+}
+
+fn smaller<T: Ordered>(one: &T, two: &T) -> T {
+    T::select(two.less(one), two.clone(), one.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+    use approx::assert_relative_eq;
+
+    const SOFT: CrushStiffness = CrushStiffness { onset: 3.0, slope: 4.0 };
+    const STIFF: CrushStiffness = CrushStiffness { onset: 2.0, slope: 9.0 };
+
+    #[test]
+    fn the_moments_of_the_zones_are_those_of_their_parts() {
+        let profile = Profile::equally_spaced(4.0, vec![0.0, 1.0, 0.5]).expect("three depths");
+        let zones = StiffnessZones::new(vec![SOFT, STIFF, SOFT], vec![1.0, 3.0]).expect("three zones");
+        let parts: Vec<_> = zones.moments(&profile).collect();
+        let part = |depths: Vec<f64>, width| Profile::equally_spaced(width, depths).expect("two or more").moments();
+        assert_eq!(parts, [part(vec![0.0, 0.5], 1.0), part(vec![0.5, 1.0, 0.75], 2.0), part(vec![0.75, 0.5], 1.0)]);
+        let by_hand = SOFT.crush_energy(parts[0]) + STIFF.crush_energy(parts[1]) + SOFT.crush_energy(parts[2]);
+        assert_eq!(zones.crush_energy(&profile), by_hand);
+    }
+
+    #[test]
+    fn zones_beyond_the_crush_do_not_count() {
+        let profile = Profile::at_stations(vec![1.0, 2.0], vec![0.5, 0.25]).expect("two stations");
+        let alone = SOFT.crush_energy(profile.moments());
+        for borders in [vec![0.0, 0.5], vec![0.5, 3.0], vec![2.0, 3.0], vec![-1.0, 1.0]] {
+            let before = borders[1] <= 1.0;
+            let among = if before {
+                vec![STIFF, STIFF, SOFT]
+            } else if borders[0] < 1.0 {
+                vec![STIFF, SOFT, STIFF]
+            } else {
+                vec![SOFT, STIFF, STIFF]
+            };
+            let zones = StiffnessZones::new(among, borders.clone()).expect("three zones");
+            assert_relative_eq!(zones.crush_energy(&profile), alone, max_relative = 1e-15);
+        }
+        assert_eq!(StiffnessZones::from(SOFT).crush_energy(&profile), alone);
+    }
+
+    #[test]
+    fn there_is_one_border_between_two_zones() {
+        assert_eq!(StiffnessZones::new(vec![SOFT, STIFF], vec![]), Err(ZoneError { zones: 2, borders: 0 }));
+        assert_eq!(StiffnessZones::<f64>::new(vec![], vec![]), Err(ZoneError { zones: 0, borders: 0 }));
+    }
+}
