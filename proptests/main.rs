@@ -7,6 +7,8 @@
 
 mod angles;
 mod check;
+mod crash3;
+mod crush;
 mod derivatives;
 mod energy;
 mod errata;

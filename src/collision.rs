@@ -90,6 +90,12 @@ impl<T> Collision<T> {
 }
 
 impl<T: Field> Collision<T> {
+    /// The same two parties, with no restitution and no sliding left: e = 0, μ = μ₀ and no moment. There the loss is greatest, and neither it nor the
+    /// velocities depend on the crush plane.
+    pub fn at_common_velocity(&self) -> Self {
+        Collision { restitution: T::int(0), impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, moment: Moment::None, ..self.clone() }
+    }
+
     /// The two parties at the impact center.
     #[inline(always)]
     pub fn contact(&self) -> Contact<T> {

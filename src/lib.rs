@@ -29,7 +29,8 @@
 //! | [`sensitivity`] | a collision | every output with its derivatives by every input |
 //! | [`guideline`] | the directions of two undeformed surfaces | the nominal crush plane and its bracket |
 //! | [`check`] | a collision as another program reports it | which law does not hold, and by how much |
-//! | [`crush`] | a crush profile and stiffness | crush energy, equivalent energy speed |
+//! | [`crush`] | a crush profile and stiffness, or another law | crush energy, equivalent energy speed |
+//! | [`crash3`] | crush energies and the direction of force | CRASH3's ΔV, and what its assumptions cost |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -41,6 +42,7 @@ pub mod check;
 pub mod collision;
 pub mod compliance;
 pub mod contact;
+pub mod crash3;
 pub mod crush;
 pub mod energy;
 #[cfg(feature = "symbols")]

@@ -51,10 +51,18 @@ fn sum_of_magnitudes<T: Ordered>(v: &Nt<T>) -> T {
 }
 
 /// The problems found so far.
-struct Findings<T>(Vec<Refusal<T>>);
+pub(crate) struct Findings<T>(Vec<Refusal<T>>);
 
 impl<T: Ordered<Mask = bool>> Findings<T> {
-    fn finite(&mut self, input: &'static str, value: &T) -> bool {
+    pub(crate) fn none() -> Self {
+        Findings(Vec::new())
+    }
+
+    pub(crate) fn add(&mut self, refusal: Refusal<T>) {
+        self.0.push(refusal);
+    }
+
+    pub(crate) fn finite(&mut self, input: &'static str, value: &T) -> bool {
         let finite = is_finite(value);
         if !finite {
             self.0.push(Refusal::NotFinite { input, value: value.clone() });
@@ -62,13 +70,13 @@ impl<T: Ordered<Mask = bool>> Findings<T> {
         finite
     }
 
-    fn positive(&mut self, input: &'static str, value: &T) {
+    pub(crate) fn positive(&mut self, input: &'static str, value: &T) {
         if self.finite(input, value) && !is_positive(value) {
             self.0.push(Refusal::NotPositive { input, value: value.clone() });
         }
     }
 
-    fn within(&mut self, input: &'static str, value: &T, least: i32, greatest: Option<i32>) {
+    pub(crate) fn within(&mut self, input: &'static str, value: &T, least: i32, greatest: Option<i32>) {
         if !self.finite(input, value) {
             return;
         }
@@ -102,7 +110,7 @@ impl<T: Ordered<Mask = bool>> Findings<T> {
         }
     }
 
-    fn done(self) -> Result<(), Refusals<T>> {
+    pub(crate) fn done(self) -> Result<(), Refusals<T>> {
         if self.0.is_empty() { Ok(()) } else { Err(Refusals(self.0)) }
     }
 }
@@ -162,7 +170,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
     }
 
     fn check_inputs(&self) -> Result<(), Refusals<T>> {
-        let mut findings = Findings(Vec::new());
+        let mut findings = Findings::none();
         findings.party(&ONE, &self.one);
         findings.party(&TWO, &self.two);
         if self.one.vehicle().is_none() && self.two.vehicle().is_none() {
@@ -260,7 +268,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
             return Err(Refusals([Refusal::OutOfFloatRange].into()));
         }
         self.check_push(contact, &impact.impulse)?;
-        let mut findings = Findings(Vec::new());
+        let mut findings = Findings::none();
         if let ImpulseRatio::Given(ratio) = &self.impulse_ratio {
             let sticking = self.sticking_impulse(contact);
             // Of tangential impulses with the same normal change, those between none and the sticking one: the ratio itself has no bound

@@ -24,7 +24,7 @@ pub struct Segment<T = f64> {
 /// let even = Profile::equally_spaced(6.0, vec![0.0, 0.6, 0.3])?;
 /// let uneven = Profile::at_stations(vec![0.0, 3.0, 5.0, 6.0], vec![0.0, 0.6, 0.4, 0.3])?;
 /// let stiffness = CrushStiffness { onset: 100.0, slope: 1000.0 };
-/// let difference = stiffness.crush_energy(even.moments()) - stiffness.crush_energy(uneven.moments());
+/// let difference: f64 = stiffness.crush_energy(even.moments()) - stiffness.crush_energy(uneven.moments());
 /// assert!(difference.abs() < 1e-9);
 /// # Ok::<(), planar_impact::crush::ProfileError>(())
 /// ```

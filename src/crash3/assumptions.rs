@@ -1,0 +1,211 @@
+//! What CRASH3 assumes, and what that costs in a given collision.
+//!
+//! Both methods start from the crush energy E_C, the work of the normal impulse, and end at the loss T_L and at ΔV. With k = K (1, μ), the normal and the
+//! tangential velocity that a unit of normal impulse brings along with its tangential part, and V_t = σ v_n what sliding is left, planar mechanics has
+//!
+//! ```text
+//! P_n² = 2 E_C (1 + e) / ((1 − e) k_n)
+//! T_L  = E_C (1 + μ (2 σ k_n + (1 + e) k_t) / ((1 − e) k_n))
+//! ΔV_i = P_n √(1 + μ²) / m_i
+//! ```
+//!
+//! Each assumption changes one thing in it:
+//!
+//! | assumption | in the formula |
+//! |---|---|
+//! | common velocity | e = 0 and σ = 0 |
+//! | a point mass with the equivalent mass along the force | K is κ times the identity, κ = (k_n + μ k_t)/(1 + μ²) = Σ 1/(γ m) |
+//! | tangential factor | T_L = (1 + tan² α) E_C with tan α = μ, and ΔV from T_L as before (Eq 2) |
+//!
+//! All three together are CRASH3. With the first two the third follows: for a point mass at common velocity k_t = μ k_n. With e = 0, an impact through both
+//! centers of mass and the true direction of force none costs anything, and the methods agree exactly (`proptests/crash3.rs`).
+
+use crate::collision::Collision;
+use crate::moment::Moment;
+use crate::scalar::Real;
+
+/// One of the assumptions of CRASH3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Assumption {
+    /// The vehicles reach a common velocity where they touch: no restitution, and no sliding left.
+    CommonVelocity,
+    /// Each is a point mass, its equivalent mass γ m.
+    PointMass,
+    /// Tangential work is tan² α times the crush energy.
+    TangentialFactor,
+}
+
+impl Assumption {
+    /// All three, as the paper lists them.
+    pub const ALL: [Assumption; 3] = [Assumption::CommonVelocity, Assumption::PointMass, Assumption::TangentialFactor];
+
+    /// The assumption in words.
+    pub fn statement(self) -> &'static str {
+        match self {
+            Assumption::CommonVelocity => "the vehicles reach a common velocity where they touch (e = 0, no sliding left)",
+            Assumption::PointMass => "each vehicle is a point with the equivalent mass along the force",
+            Assumption::TangentialFactor => "tangential work is tan^2 alpha times the crush energy",
+        }
+    }
+}
+
+/// What follows from a crush energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Consequence<T = f64> {
+    /// The energy lost in all, T_L, in J.
+    pub loss: T,
+    /// ΔV of vehicle 1, in m/s; zero of a barrier.
+    pub delta_v_1: T,
+    /// ΔV of vehicle 2, in m/s.
+    pub delta_v_2: T,
+}
+
+/// What follows from the crush energy of one collision, with and without the assumptions of CRASH3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assumptions<T = f64> {
+    /// The crush energy that all of them start from, E_C = −W_n, in J.
+    pub crush_energy: T,
+    /// By planar mechanics: with no assumption.
+    pub planar: Consequence<T>,
+    /// With the first alone.
+    pub common_velocity: Consequence<T>,
+    /// With the second alone.
+    pub point_mass: Consequence<T>,
+    /// With the third alone.
+    pub tangential_factor: Consequence<T>,
+    /// With all three: CRASH3, its correction without a limit, α from the normal of the crush plane.
+    pub together: Consequence<T>,
+}
+
+impl<T: Real> Assumptions<T> {
+    /// Of a collision. None with a moment impulse, which CRASH3 knows nothing of.
+    ///
+    /// Without a loss on the normal, at e = 1, there is nothing to start from, and the results are not finite.
+    ///
+    /// ```
+    /// # use planar_impact::*;
+    /// use planar_impact::crash3::Assumptions;
+    /// # let vehicle = |heading: f64, left: f64, speed: f64| Vehicle {
+    /// #     mass: 1000.0,
+    /// #     yaw_inertia: 2000.0,
+    /// #     heading: Heading::from_angle(heading),
+    /// #     impact_center: ForwardLeft { forward: 1.5, left },
+    /// #     motion: Motion { velocity: Xy { x: speed, y: 0.0 }, yaw_rate: 0.0 },
+    /// # };
+    /// # let collision = Collision {
+    /// #   one: vehicle(0.0, 0.0, 20.0).into(),
+    /// #   two: vehicle(std::f64::consts::PI, 0.0, -20.0).into(),
+    /// #   crush_plane: CrushPlane::from_angle(0.0),
+    /// #   restitution: 0.2,
+    /// #   impulse_ratio: ImpulseRatio::Critical,
+    /// #   law: Law::Brach,
+    /// #   moment: Moment::None,
+    /// # };
+    /// // Head on, with e = 0.2: only the common velocity costs, and it costs √(0.8/1.2) of ΔV.
+    /// let assumptions = Assumptions::of(&collision).expect("no moment impulse");
+    /// let shares = [assumptions.together, assumptions.common_velocity].map(|with| with.delta_v_1 / assumptions.planar.delta_v_1);
+    /// assert!(shares.iter().all(|share| (share - (0.8_f64 / 1.2).sqrt()).abs() < 1e-12));
+    /// ```
+    pub fn of(collision: &Collision<T>) -> Option<Self> {
+        if !matches!(collision.moment, Moment::None) {
+            return None;
+        }
+        let contact = collision.contact();
+        let impact = collision.evaluate();
+        let ratio = impact.impulse_ratio();
+        let (k, one) = (contact.compliance.clone(), T::int(1));
+        let planar = Chain {
+            normal: k.nn.clone() + k.nt.clone() * ratio.clone(),
+            tangential: k.nt.clone() + k.tt.clone() * ratio.clone(),
+            restitution: collision.restitution.clone(),
+            sliding: impact.separation.t.clone() / impact.approach.n.clone(),
+            ratio: ratio.clone(),
+        };
+        let crush_energy = -impact.work.n.clone();
+        let inverse_mass = [contact.one.inverse_mass.clone(), contact.two.inverse_mass.clone()];
+        let factor = one + ratio.squared();
+        let both = planar.clone().with_common_velocity().with_point_mass();
+        let follows = |chain: &Chain<T>| chain.consequence(&crush_energy, &inverse_mass);
+        Some(Assumptions {
+            planar: follows(&planar),
+            common_velocity: follows(&planar.clone().with_common_velocity()),
+            point_mass: follows(&planar.clone().with_point_mass()),
+            tangential_factor: follows(&planar).with_loss(crush_energy.clone() * factor.clone()),
+            together: follows(&both).with_loss(crush_energy.clone() * factor),
+            crush_energy,
+        })
+    }
+
+    /// What follows with one assumption alone.
+    pub fn with(&self, assumption: Assumption) -> &Consequence<T> {
+        match assumption {
+            Assumption::CommonVelocity => &self.common_velocity,
+            Assumption::PointMass => &self.point_mass,
+            Assumption::TangentialFactor => &self.tangential_factor,
+        }
+    }
+
+    /// What one assumption alone costs: what follows with it, less what follows without.
+    pub fn cost(&self, assumption: Assumption) -> Consequence<T> {
+        self.with(assumption).less(&self.planar)
+    }
+
+    /// What all of them cost together.
+    pub fn cost_together(&self) -> Consequence<T> {
+        self.together.less(&self.planar)
+    }
+}
+
+impl<T: Real> Consequence<T> {
+    fn less(&self, other: &Self) -> Self {
+        Consequence {
+            loss: self.loss.clone() - other.loss.clone(),
+            delta_v_1: self.delta_v_1.clone() - other.delta_v_1.clone(),
+            delta_v_2: self.delta_v_2.clone() - other.delta_v_2.clone(),
+        }
+    }
+
+    /// The same with another loss: ΔV grows with its root (Eq 2).
+    fn with_loss(self, loss: T) -> Self {
+        let factor = (loss.clone() / self.loss).sqrt();
+        Consequence { loss, delta_v_1: self.delta_v_1 * factor.clone(), delta_v_2: self.delta_v_2 * factor }
+    }
+}
+
+/// What leads from the crush energy to the loss and ΔV.
+#[derive(Clone)]
+struct Chain<T> {
+    /// k_n: change of normal velocity by a unit of normal impulse.
+    normal: T,
+    /// k_t: change of tangential velocity by it.
+    tangential: T,
+    restitution: T,
+    /// σ = V_t/v_n.
+    sliding: T,
+    ratio: T,
+}
+
+impl<T: Real> Chain<T> {
+    fn with_common_velocity(self) -> Self {
+        Chain { restitution: T::int(0), sliding: T::int(0), ..self }
+    }
+
+    fn with_point_mass(self) -> Self {
+        let mean = (self.normal + self.ratio.clone() * self.tangential) / (T::int(1) + self.ratio.clone().squared());
+        Chain { tangential: self.ratio.clone() * mean.clone(), normal: mean, ..self }
+    }
+
+    fn consequence(&self, crush_energy: &T, inverse_mass: &[T; 2]) -> Consequence<T> {
+        let (one, two) = (T::int(1), T::int(2));
+        let (plus, minus) = (one.clone() + self.restitution.clone(), one.clone() - self.restitution.clone());
+        let kept = minus * self.normal.clone();
+        let slid = two.clone() * self.sliding.clone() * self.normal.clone() + plus.clone() * self.tangential.clone();
+        let normal_squared = two * crush_energy.clone() * plus / kept.clone();
+        let impulse = (normal_squared * (one.clone() + self.ratio.clone().squared())).sqrt();
+        Consequence {
+            loss: crush_energy.clone() * (one + self.ratio.clone() * slid / kept),
+            delta_v_1: impulse.clone() * inverse_mass[0].clone(),
+            delta_v_2: impulse * inverse_mass[1].clone(),
+        }
+    }
+}

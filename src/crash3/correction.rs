@@ -1,0 +1,80 @@
+//! The energy correction for a force that is not perpendicular to the crushed surface.
+
+use super::Surface;
+use crate::impact::ForceOrigin;
+use crate::scalar::{Field, Ordered};
+
+/// The most that the correction multiplies an energy by.
+const CAP: i32 = 2;
+
+/// CRASH3's energy correction factor 1 + tan² α, at most 2, with α the angle from the perpendicular of the surface to the principal force.
+///
+/// A force that does not come at the surface at all, |α| ≥ 90°, has the factor 2 as well: the energy of such a crush is no longer that of this force, and
+/// the angle should be questioned.
+///
+/// ```
+/// use planar_impact::ForceOrigin;
+/// use planar_impact::crash3::{Surface, energy_correction};
+/// let from_ahead_and_right = ForceOrigin { ahead: 2.0, right: 1.0 };
+/// assert_eq!(energy_correction(Surface::Front, &from_ahead_and_right), 1.25);
+/// assert_eq!(energy_correction(Surface::Right, &from_ahead_and_right), 2.0); // 5 without the limit
+/// ```
+pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceOrigin<T>) -> T {
+    let Parts { along, length_squared } = Parts::of(surface, origin);
+    let capped = T::int(CAP) * along.clone().squared();
+    let away = T::select(T::int(0).less(&along), capped, T::int(0));
+    let below = length_squared.less(&away);
+    // Above the limit the division is by anything but zero: its result is not taken.
+    let square = T::select(below.clone(), along.squared(), T::int(1));
+    T::select(below, length_squared / square, T::int(CAP))
+}
+
+/// 1 + tan² α without the limit. Not finite for a force along the surface.
+pub fn uncapped_energy_correction<T: Field>(surface: Surface, origin: &ForceOrigin<T>) -> T {
+    let Parts { along, length_squared } = Parts::of(surface, origin);
+    length_squared / along.squared()
+}
+
+/// A force seen from a surface.
+struct Parts<T> {
+    /// The component perpendicular to the surface, positive where it pushes it in.
+    along: T,
+    length_squared: T,
+}
+
+impl<T: Field> Parts<T> {
+    fn of(surface: Surface, origin: &ForceOrigin<T>) -> Self {
+        let perpendicular: ForceOrigin<T> = surface.perpendicular();
+        let (ahead, right) = (origin.ahead.clone(), origin.right.clone());
+        Parts {
+            along: ahead.clone() * perpendicular.ahead + right.clone() * perpendicular.right,
+            length_squared: ahead.squared() + right.squared(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn it_is_one_plus_the_tangent_squared_up_to_two() {
+        for degrees in [-44.9, -30.0, 0.0, 15.3, 44.9] {
+            let (right, ahead) = f64::to_radians(degrees).sin_cos();
+            let expected = 1.0 + f64::to_radians(degrees).tan().powi(2);
+            for length in [1e-3, 1.0, 7e4] {
+                let origin = ForceOrigin { ahead: ahead * length, right: right * length };
+                assert_relative_eq!(energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
+                assert_relative_eq!(uncapped_energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
+            }
+        }
+        for degrees in [45.1, 89.0, 90.0, 120.0, 180.0, -60.0] {
+            let (right, ahead) = f64::to_radians(degrees).sin_cos();
+            assert_eq!(energy_correction(Surface::Front, &ForceOrigin { ahead, right }), 2.0);
+        }
+        assert_eq!(energy_correction(Surface::Front, &ForceOrigin { ahead: 1.0, right: 1.0 }), 2.0);
+        assert_eq!(energy_correction(Surface::Left, &ForceOrigin { ahead: 1.0, right: -2.0 }), 1.25);
+        assert_eq!(energy_correction(Surface::Rear, &ForceOrigin { ahead: -2.0, right: -1.0 }), 1.25);
+    }
+}
