@@ -72,7 +72,8 @@ Names are those of the case file and of the JSON of `solve`, vehicles counted fr
             .impulse_ratio.of_critical, .moment, .moment.of_critical
   outputs   energy.normal_work (W_n), .tangential_work (W_t), .loss (T_L), .before, .after;
             contact.critical_impulse_ratio (mu0), .impulse_ratio (mu), .impulse.normal (P_n), ...;
-            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...
+            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...;
+            vehicle.1.crash3.delta_v_magnitude, .corrected_energy, .effective_mass_factor, ...
   all       every one
 A derivative by one input holds the other keys of the file as they are given. At the critical
 impulse ratio it is that of the critical solution, so the ratio moves with the inputs.
@@ -108,6 +109,36 @@ Examples:
   planar-impact check cli/examples/check/collision.json
   planar-impact check cli/examples/check/engine.jsonl cli/examples/check/template.csv --format json
   planar-impact check --rules"#;
+
+const CRUSH: &str = r#"Under a [[vehicle]] of the case file:
+  [vehicle.crush]
+  width = "1.6 m"                    # or stations = ["0 m", "0.4 m", "1.6 m"]
+  depths = ["0.1 m", "0.3 m", "0 m"] # two or more; equally spaced over a width
+  stiffness = { d0 = "90 N^0.5", d1 = "1000 N^0.5/m" }
+  #         = { A = "90 kN/m", B = "1 MPa" }
+  #         = { b0 = "2 m/s", b1 = "30 1/s", test_mass = "1500 kg", test_width = "1.6 m" }
+  #         = { ..., saturation = "0.5 m" }: the force grows no more beyond that depth
+  #         = [ { to = "0.4 m", d0 = ..., d1 = ... }, { d0 = ..., d1 = ... } ]: zones
+  measured = { offset = "0.2 m", angle = "10 deg" }   # read off from a line outside the surface
+  surface = "front"                  # for crash3: right, rear, left; else from the crush plane
+  pdof = "-10 deg"                   # for crash3: else that of the common-velocity impulse
+The depth is taken straight between two stations. Derivatives by any of these numbers:
+planar-impact gradient, with names such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
+
+Examples:
+  planar-impact crush cli/examples/cavalier-crush.toml
+  planar-impact crush cli/examples/stiff-corner.toml --units si --format json"#;
+
+const CRASH3: &str = "\
+The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
+the crushed surface to the principal force; the effective mass from the moment arm of the force
+through the impact center; delta-V at common velocity; then back along the force from the separation
+velocities of the case. Keys of the crush: planar-impact crush --help.
+
+Examples:
+  planar-impact crash3 cli/examples/cavalier-crush.toml
+  planar-impact crash3 cli/examples/stiff-corner.toml --format json
+  planar-impact gradient cli/examples/cavalier-crush.toml --of vehicle.1.crash3.delta_v_magnitude";
 
 const FORMULA: &str = r#"Without a case file the formula is that of two vehicles at the critical impulse
 ratio under the law of Brach; --ratio, --law, --barrier and --moment say otherwise.
@@ -146,6 +177,12 @@ pub enum Verb {
     /// Check collision results of any program against the laws of mechanics.
     #[command(after_help = CHECK)]
     Check(Check),
+    /// Crush energy of a measured profile: its moments, stiffness and equivalent energy speed.
+    #[command(after_help = CRUSH)]
+    Crush(Crush),
+    /// CRASH3's delta-V from crush energy, beside planar mechanics, and what its assumptions cost.
+    #[command(after_help = CRASH3)]
+    Crash3(Crash3),
     /// Hold every printed cell of the paper's impact tables to account.
     #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
     Validate(Validate),
@@ -169,6 +206,32 @@ pub enum Verb {
 /// The call of `solve`.
 #[derive(Debug, Args)]
 pub struct Solve {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// The call of `crush`.
+#[derive(Debug, Args)]
+pub struct Crush {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// The call of `crash3`.
+#[derive(Debug, Args)]
+pub struct Crash3 {
     /// The case file, TOML or JSON; - reads standard input.
     pub case: PathBuf,
     /// How to print the result.

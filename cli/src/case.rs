@@ -1,6 +1,7 @@
 //! From a case file to the collision it describes.
 
 mod answers;
+mod crush;
 mod given;
 mod inputs;
 mod parameter;
@@ -13,6 +14,9 @@ use given::Given;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
 pub use answers::{Answer, Answers, CrushAnswers};
+pub use crush::Crush;
+#[cfg(test)]
+pub use crush::CrushKey;
 pub use inputs::Inputs;
 pub use parameter::Parameter;
 pub use setup::Setup;
@@ -107,6 +111,12 @@ impl Case {
     pub fn refuse(&self, refusals: &Refusals, units: Units) -> Failure {
         let problems = self.place(refusals, units);
         if refusals.reasons().iter().all(Refusal::is_physical) { Failure::Physics(problems) } else { Failure::Input(problems) }
+    }
+
+    /// Why the file does not do for what is asked of it: a key with a message and a help for each.
+    pub fn unfit(&self, problems: impl IntoIterator<Item = (String, String, Option<String>)>) -> Failure {
+        let list = problems.into_iter().map(|(key, message, help)| self.document.problem(&key, message, help)).collect();
+        Failure::Input(self.document.refuse(list))
     }
 
     fn place(&self, refusals: &Refusals, units: Units) -> Problems {

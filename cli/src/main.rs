@@ -4,6 +4,8 @@ mod arguments;
 mod bracket;
 mod case;
 mod check;
+mod crash3;
+mod crush;
 mod derivative;
 mod document;
 mod exit;
@@ -66,6 +68,8 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Gradient(call) => gradient::run(&call),
         Verb::Sweep(call) => sweep::run(&call),
         Verb::Check(call) => check::run(&call),
+        Verb::Crush(call) => crush::run(&call),
+        Verb::Crash3(call) => crash3::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),
         Verb::Formula(call) => formula::run(&call),

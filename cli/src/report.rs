@@ -196,7 +196,7 @@ pub fn clean(text: &str) -> String {
 }
 
 /// A name of at most so many columns, which leaves room for the table.
-fn shorten(name: &str, most: usize) -> String {
+pub fn shorten(name: &str, most: usize) -> String {
     let clean = clean(name);
     if clean.width() <= most {
         return clean;

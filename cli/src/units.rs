@@ -38,6 +38,12 @@ pub enum Measure {
     RootForce,
     /// A root of a force per length, as d1.
     RootForcePerLength,
+    /// A force per width, as the crush stiffness A.
+    ForcePerWidth,
+    /// The same per depth, as B.
+    ForcePerArea,
+    /// A force, which an energy per width is too, as G.
+    Force,
     /// A pure number.
     Ratio,
 }
@@ -80,6 +86,12 @@ impl Units {
             (Measure::RootForce, Units::Si) => "N^0.5",
             (Measure::RootForcePerLength, Units::Us) => "lbf^0.5/ft",
             (Measure::RootForcePerLength, Units::Si) => "N^0.5/m",
+            (Measure::ForcePerWidth, Units::Us) => "lbf/in",
+            (Measure::ForcePerWidth, Units::Si) => "N/m",
+            (Measure::ForcePerArea, Units::Us) => "lbf/in^2",
+            (Measure::ForcePerArea, Units::Si) => "N/m^2",
+            (Measure::Force, Units::Us) => "lbf",
+            (Measure::Force, Units::Si) => "N",
             (Measure::Ratio, _) => "",
         }
     }
@@ -110,6 +122,8 @@ impl Units {
             Measure::Ratio => 3,
             Measure::Speed | Measure::Length | Measure::RootForce | Measure::RootForcePerLength => 2,
             Measure::RoadSpeed | Measure::YawRate | Measure::Angle | Measure::YawInertia => 1,
+            Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force if self == Units::Us => 1,
+            Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force => 0,
             Measure::Mass | Measure::Impulse | Measure::MomentImpulse | Measure::Energy => 0,
         };
         if !(1e-9..1e12).contains(&value.abs()) {
@@ -161,7 +175,8 @@ mod tests {
     fn every_unit_converts() {
         use Measure::*;
         let mechanical = [Speed, RoadSpeed, YawRate, Angle, Length, Impulse, MomentImpulse, Energy, Ratio];
-        for measure in mechanical.into_iter().chain([Mass, YawInertia, RootForce, RootForcePerLength]) {
+        let structural = [Mass, YawInertia, RootForce, RootForcePerLength, ForcePerWidth, ForcePerArea, Force];
+        for measure in mechanical.into_iter().chain(structural) {
             for units in [Units::Us, Units::Si] {
                 assert!(units.convert(measure, 1.0).is_finite(), "{measure:?}");
             }

@@ -107,6 +107,12 @@ impl<T: Real> Assumptions<T> {
     /// assert!(shares.iter().all(|share| (share - (0.8_f64 / 1.2).sqrt()).abs() < 1e-12));
     /// ```
     pub fn of(collision: &Collision<T>) -> Option<Self> {
+        Self::from_crush_energy(collision, -collision.evaluate().work.n)
+    }
+
+    /// The same from another crush energy, as that of a measured crush: what a collision that differs from the given one in its speeds alone has lost, and
+    /// which ΔV it had. The loss grows with the energy, ΔV with its root.
+    pub fn from_crush_energy(collision: &Collision<T>, crush_energy: T) -> Option<Self> {
         if !matches!(collision.moment, Moment::None) {
             return None;
         }
@@ -121,7 +127,6 @@ impl<T: Real> Assumptions<T> {
             sliding: impact.separation.t.clone() / impact.approach.n.clone(),
             ratio: ratio.clone(),
         };
-        let crush_energy = -impact.work.n.clone();
         let inverse_mass = [contact.one.inverse_mass.clone(), contact.two.inverse_mass.clone()];
         let factor = one + ratio.squared();
         let both = planar.clone().with_common_velocity().with_point_mass();

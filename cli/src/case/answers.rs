@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use planar_impact::{Output, Outputs, Side};
+use planar_impact::crash3::{Damaged, VehicleEstimate};
+use planar_impact::crush::ProfileMoments;
+use planar_impact::{Output, Outputs, Real, Side};
 
 use super::parameter::number;
 use crate::units::Measure;
@@ -18,6 +20,39 @@ pub enum Answer {
     EquivalentEnergySpeed(Side),
     /// The mean depth of the crush.
     MeanDepth(Side),
+    /// What CRASH3 says of the vehicle.
+    Crash3(Side, Crash3Key),
+}
+
+/// What CRASH3 says of a vehicle, by one name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Crash3Key {
+    /// The principal direction of force that it takes.
+    Pdof,
+    /// The energy correction factor.
+    Correction,
+    /// The corrected crush energy.
+    CorrectedEnergy,
+    /// The effective mass factor.
+    EffectiveMassFactor,
+    /// ΔV.
+    DeltaVMagnitude,
+}
+
+impl Crash3Key {
+    /// All of them, in the order of the JSON of `crash3`.
+    pub const ALL: [Crash3Key; 5] =
+        [Crash3Key::Pdof, Crash3Key::Correction, Crash3Key::CorrectedEnergy, Crash3Key::EffectiveMassFactor, Crash3Key::DeltaVMagnitude];
+
+    fn name(self) -> &'static str {
+        match self {
+            Crash3Key::Pdof => "pdof",
+            Crash3Key::Correction => "correction",
+            Crash3Key::CorrectedEnergy => "corrected_energy",
+            Crash3Key::EffectiveMassFactor => "effective_mass_factor",
+            Crash3Key::DeltaVMagnitude => "delta_v_magnitude",
+        }
+    }
 }
 
 /// Everything known.
@@ -25,6 +60,7 @@ pub enum Answer {
 pub struct Answers<T = f64> {
     pub(super) impact: Outputs<T>,
     pub(super) crush: [Option<CrushAnswers<T>>; 2],
+    pub(super) crash3: [Option<Crash3Answers<T>>; 2],
 }
 
 /// What the crush of one vehicle says.
@@ -36,9 +72,45 @@ pub struct CrushAnswers<T = f64> {
     pub equivalent_speed: T,
     /// The mean depth.
     pub mean_depth: T,
+    /// K1, K2, K3 of the profile.
+    pub moments: ProfileMoments<T>,
 }
 
-impl<T: Clone> Answers<T> {
+/// What CRASH3 says of one vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crash3Answers<T = f64> {
+    /// The principal direction of force, clockwise from straight ahead.
+    pub pdof: T,
+    /// The energy correction factor.
+    pub correction: T,
+    /// The corrected crush energy.
+    pub corrected_energy: T,
+    /// The effective mass factor.
+    pub effective_mass_factor: T,
+    /// ΔV.
+    pub delta_v_magnitude: T,
+}
+
+impl<T: Real> Crash3Answers<T> {
+    /// Of a vehicle and what its damage says.
+    pub(super) fn of(damaged: &Damaged<T>, estimate: VehicleEstimate<T>) -> Self {
+        let VehicleEstimate { correction, corrected_energy, effective_mass_factor, delta_v_magnitude, .. } = estimate;
+        let from = damaged.force_origin.clone();
+        Crash3Answers { pdof: from.right.atan2(from.ahead), correction, corrected_energy, effective_mass_factor, delta_v_magnitude }
+    }
+
+    fn get(&self, key: Crash3Key) -> T {
+        match key {
+            Crash3Key::Pdof => self.pdof.clone(),
+            Crash3Key::Correction => self.correction.clone(),
+            Crash3Key::CorrectedEnergy => self.corrected_energy.clone(),
+            Crash3Key::EffectiveMassFactor => self.effective_mass_factor.clone(),
+            Crash3Key::DeltaVMagnitude => self.delta_v_magnitude.clone(),
+        }
+    }
+}
+
+impl<T: Real> Answers<T> {
     /// One of them; none if the case has no such crush.
     pub fn get(&self, answer: Answer) -> Option<T> {
         let crush = |side: Side| self.crush[side as usize].as_ref();
@@ -47,6 +119,7 @@ impl<T: Clone> Answers<T> {
             Answer::CrushEnergy(side) => crush(side).map(|crush| crush.energy.clone()),
             Answer::EquivalentEnergySpeed(side) => crush(side).map(|crush| crush.equivalent_speed.clone()),
             Answer::MeanDepth(side) => crush(side).map(|crush| crush.mean_depth.clone()),
+            Answer::Crash3(side, key) => self.crash3[side as usize].as_ref().map(|crash3| crash3.get(key)),
         }
     }
 }
@@ -82,7 +155,10 @@ impl Answer {
             "crush_energy" => Some(Answer::CrushEnergy(side)),
             "equivalent_energy_speed" => Some(Answer::EquivalentEnergySpeed(side)),
             "mean_depth" => Some(Answer::MeanDepth(side)),
-            _ => None,
+            _ => {
+                let key = key.strip_prefix("crash3.")?;
+                Crash3Key::ALL.into_iter().find(|known| known.name() == key).map(|key| Answer::Crash3(side, key))
+            }
         }
     }
 
@@ -122,6 +198,12 @@ impl Answer {
             Answer::CrushEnergy(_) => Measure::Energy,
             Answer::EquivalentEnergySpeed(_) => Measure::Speed,
             Answer::MeanDepth(_) => Measure::Length,
+            Answer::Crash3(_, key) => match key {
+                Crash3Key::Pdof => Measure::Angle,
+                Crash3Key::Correction | Crash3Key::EffectiveMassFactor => Measure::Ratio,
+                Crash3Key::CorrectedEnergy => Measure::Energy,
+                Crash3Key::DeltaVMagnitude => Measure::Speed,
+            },
         }
     }
 }
@@ -134,6 +216,7 @@ impl fmt::Display for Answer {
             Answer::CrushEnergy(side) => vehicle(f, side, "crush_energy"),
             Answer::EquivalentEnergySpeed(side) => vehicle(f, side, "equivalent_energy_speed"),
             Answer::MeanDepth(side) => vehicle(f, side, "mean_depth"),
+            Answer::Crash3(side, key) => vehicle(f, side, &format!("crash3.{}", key.name())),
         }
     }
 }

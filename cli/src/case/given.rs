@@ -1,12 +1,12 @@
 //! The walk through a case file, key by key.
 
+mod crush;
+
 use std::cell::{Cell, RefCell};
 
-use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine};
 use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Law, Moment, PerpendicularSurfaces, Xy};
 
 use super::inputs::{ContactInputs, Inputs};
-use super::setup::Crush;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
@@ -168,43 +168,6 @@ impl Given {
                 None => None,
             },
         })
-    }
-
-    fn crush(&self, field: Field<'_>) -> Option<Crush> {
-        let crush = field.table()?;
-        let width = self.positive(crush.required("width"), Kind::LENGTH);
-        let depths = crush.required("depths").items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX);
-        let depths = depths.map(|depths| depths.into_iter().map(|depth| self.not_negative(depth, Kind::LENGTH)).collect::<Vec<_>>());
-        let stiffness = self.stiffness(crush.required("stiffness"));
-        crush.finish();
-        Some(Crush { width: width?, depths: depths?.into_iter().collect::<Option<_>>()?, stiffness: stiffness? })
-    }
-
-    fn stiffness(&self, field: Field<'_>) -> Option<CrushStiffness> {
-        let table = field.table()?;
-        let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
-        let value = |key, kind| self.not_negative(table.required(key), kind);
-        let above = |key, kind| self.positive(table.required(key), kind);
-        let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
-            let (onset, slope) = (value("d0", Kind::ROOT_FORCE), value("d1", Kind::ROOT_FORCE_PER_LENGTH));
-            onset.zip(slope).map(|(onset, slope)| CrushStiffness { onset, slope })
-        } else if has(&["A", "B"]) {
-            let (onset, slope) = (value("A", Kind::STIFFNESS), above("B", Kind::STIFFNESS_PER_WIDTH));
-            onset.zip(slope).map(|(onset, slope)| CrushStiffness::from(ForceLine { onset, slope }))
-        } else {
-            let (onset, slope) = (value("b0", Kind::SPEED), value("b1", Kind::SPEED_PER_LENGTH));
-            let (mass, width) = (above("test_mass", Kind::MASS), above("test_width", Kind::LENGTH));
-            let speeds = onset.zip(slope).zip(mass.zip(width));
-            speeds.map(|((onset, slope), (test_mass, test_width))| BarrierSpeedLine { onset, slope, test_mass, test_width }.into())
-        };
-        table.finish();
-        let stiffness = stiffness?;
-        if !Kind::ROOT_FORCE.domain.holds(stiffness.onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(stiffness.slope) {
-            let CrushStiffness { onset, slope } = stiffness;
-            table.problem(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
-            return None;
-        }
-        Some(stiffness)
     }
 
     fn contact(&self, table: &Table<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {

@@ -44,9 +44,7 @@ impl Inputs {
             all.push(Parameter::Speed(side));
             all.extend([Input::YawRate(side), Input::ImpactCenterForward(side), Input::ImpactCenterLeft(side)].map(Parameter::Input));
             if let Some(crush) = &vehicle.crush {
-                all.push(Parameter::CrushWidth(side));
-                all.extend((1..=crush.depths.len()).map(|place| Parameter::CrushDepth(side, place)));
-                all.extend([Parameter::CrushOnset(side), Parameter::CrushSlope(side)]);
+                all.extend(crush.keys().into_iter().map(|key| Parameter::Crush(side, key)));
             }
         }
         all.extend([Input::CrushPlane, Input::Restitution, Input::ImpulseRatio].map(Parameter::Input));
@@ -171,7 +169,7 @@ pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::setup::Crush;
+    use crate::case::crush::{CrushInputs, Places};
     use planar_impact::crush::CrushStiffness;
     use planar_impact::{ForwardLeft, Xy};
 
@@ -184,7 +182,16 @@ mod tests {
             velocity,
             yaw_rate: 0.25,
             impact_center: ForwardLeft { forward: 1.0, left: -1.0 },
-            crush: Some(Crush { width: 1.0, depths: vec![0.5, 0.25], stiffness }),
+            crush: Some(CrushInputs {
+                places: Places::Width(1.0),
+                depths: vec![0.5, 0.25],
+                line: None,
+                stiffness: vec![stiffness],
+                borders: Vec::new(),
+                saturation: None,
+                surface: None,
+                pdof: None,
+            }),
         }
     }
 

@@ -4,6 +4,7 @@ use std::fmt;
 
 use planar_impact::{Input, Side};
 
+use super::crush::CrushKey;
 use crate::quantity::Kind;
 use crate::units::Measure;
 
@@ -18,14 +19,8 @@ pub enum Parameter {
     RadiusOfGyration(Side),
     /// The speed along the heading.
     Speed(Side),
-    /// The width of the crush.
-    CrushWidth(Side),
-    /// A depth of the crush, counted from 1.
-    CrushDepth(Side, usize),
-    /// The crush stiffness d0, whichever form the file gives it in.
-    CrushOnset(Side),
-    /// The crush stiffness d1.
-    CrushSlope(Side),
+    /// A number of the crush.
+    Crush(Side, CrushKey),
     /// The coefficient of friction that limits the impulse ratio.
     Friction,
     /// The fraction of the critical impulse ratio.
@@ -80,14 +75,7 @@ impl Parameter {
         match key {
             "speed" => Some(Parameter::Speed(side)),
             "radius_of_gyration" => Some(Parameter::RadiusOfGyration(side)),
-            "crush.width" => Some(Parameter::CrushWidth(side)),
-            "crush.d0" => Some(Parameter::CrushOnset(side)),
-            "crush.d1" => Some(Parameter::CrushSlope(side)),
-            _ => {
-                let number = key.strip_prefix("crush.depths.")?;
-                let plain = number.bytes().all(|byte| byte.is_ascii_digit()) && !number.starts_with('0');
-                plain.then(|| number.parse().ok()).flatten().map(|number| Parameter::CrushDepth(side, number))
-            }
+            _ => CrushKey::named(key.strip_prefix("crush.")?).map(|key| Parameter::Crush(side, key)),
         }
     }
 
@@ -118,10 +106,7 @@ impl Parameter {
             )
             | Parameter::RadiusOfGyration(side)
             | Parameter::Speed(side)
-            | Parameter::CrushWidth(side)
-            | Parameter::CrushDepth(side, _)
-            | Parameter::CrushOnset(side)
-            | Parameter::CrushSlope(side) => Some(side),
+            | Parameter::Crush(side, _) => Some(side),
             _ => None,
         }
     }
@@ -140,6 +125,9 @@ impl Parameter {
             Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
             Measure::Impulse => Kind::IMPULSE,
             Measure::Energy => Kind::ENERGY,
+            Measure::ForcePerWidth => Kind::STIFFNESS,
+            Measure::ForcePerArea => Kind::STIFFNESS_PER_WIDTH,
+            Measure::Force => Kind::FORCE,
             Measure::Ratio => Kind::PURE,
         }
     }
@@ -158,9 +146,8 @@ impl Parameter {
                 Input::Moment => Measure::MomentImpulse,
             },
             Parameter::Speed(_) => Measure::Speed,
-            Parameter::RadiusOfGyration(_) | Parameter::CrushWidth(_) | Parameter::CrushDepth(..) => Measure::Length,
-            Parameter::CrushOnset(_) => Measure::RootForce,
-            Parameter::CrushSlope(_) => Measure::RootForcePerLength,
+            Parameter::RadiusOfGyration(_) => Measure::Length,
+            Parameter::Crush(_, key) => key.measure(),
             Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
         }
     }
@@ -168,10 +155,9 @@ impl Parameter {
     /// The values that a case file may give it.
     pub fn domain(self) -> Domain {
         match self {
-            Parameter::Input(Input::Mass(_) | Input::YawInertia(_)) | Parameter::RadiusOfGyration(_) | Parameter::CrushWidth(_) => {
-                Domain::Positive
-            }
-            Parameter::CrushDepth(..) | Parameter::CrushOnset(_) | Parameter::CrushSlope(_) | Parameter::Friction => Domain::NotNegative,
+            Parameter::Input(Input::Mass(_) | Input::YawInertia(_)) | Parameter::RadiusOfGyration(_) => Domain::Positive,
+            Parameter::Crush(_, key) => key.domain(),
+            Parameter::Friction => Domain::NotNegative,
             Parameter::Input(Input::Restitution) | Parameter::MomentOfCritical => Domain::Fraction,
             _ => Domain::Any,
         }
@@ -199,10 +185,7 @@ impl fmt::Display for Parameter {
             Parameter::Input(input) => f.write_str(input.name()),
             Parameter::RadiusOfGyration(side) => vehicle(f, side, "radius_of_gyration"),
             Parameter::Speed(side) => vehicle(f, side, "speed"),
-            Parameter::CrushWidth(side) => vehicle(f, side, "crush.width"),
-            Parameter::CrushDepth(side, place) => vehicle(f, side, &format!("crush.depths.{place}")),
-            Parameter::CrushOnset(side) => vehicle(f, side, "crush.d0"),
-            Parameter::CrushSlope(side) => vehicle(f, side, "crush.d1"),
+            Parameter::Crush(side, key) => vehicle(f, side, &format!("crush.{key}")),
             Parameter::Friction => f.write_str("contact.friction"),
             Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
             Parameter::MomentOfCritical => f.write_str("contact.moment.of_critical"),
@@ -218,9 +201,11 @@ mod tests {
     fn every_parameter_is_named_and_read_back() {
         let mut all: Vec<Parameter> = Input::ALL.into_iter().map(Parameter::Input).collect();
         for side in [Side::One, Side::Two] {
-            all.extend([Parameter::RadiusOfGyration(side), Parameter::Speed(side), Parameter::CrushWidth(side)]);
-            all.extend([Parameter::CrushDepth(side, 1), Parameter::CrushDepth(side, 12)]);
-            all.extend([Parameter::CrushOnset(side), Parameter::CrushSlope(side)]);
+            all.extend([Parameter::RadiusOfGyration(side), Parameter::Speed(side)]);
+            use CrushKey::*;
+            let keys = [Width, Station(2), Depth(1), Depth(12), Offset, Angle, Onset, Slope, Saturation, Pdof];
+            let of_zones = [ZoneOnset(1), ZoneSlope(2), ZoneEnd(10)];
+            all.extend(keys.into_iter().chain(of_zones).map(|key| Parameter::Crush(side, key)));
         }
         all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
         for parameter in all {
@@ -232,6 +217,9 @@ mod tests {
         }
         assert_eq!(Parameter::named("k2"), Some(Parameter::RadiusOfGyration(Side::Two)));
         assert_eq!(Parameter::named("Gamma"), Some(Parameter::Input(Input::CrushPlane)));
+        for unknown in ["vehicle.1.crush.zones.d0", "vehicle.1.crush.zones.0.d0", "vehicle.1.crush.zones.1.A", "vehicle.1.crush."] {
+            assert_eq!(Parameter::named(unknown), None, "{unknown}");
+        }
         for unknown in ["", "vehicle.3.mass", "vehicle.1.crush.depths.0", "vehicle.1.crush.depths.+1", "vehicle.1.crush.depths.", "energy"]
         {
             assert_eq!(Parameter::named(unknown), None, "{unknown}");

@@ -3,26 +3,17 @@
 //! A parameter that is varied leaves the other keys of the file as they are given: a vehicle given by its speed turns its velocity with its heading, one
 //! given by its velocity keeps it; one given by its radius of gyration changes its yaw inertia with its mass.
 
-use planar_impact::crush::{CrushStiffness, ProfileMoments, speed_of_energy};
+use planar_impact::crash3::{Damaged, DamagedPair};
+use planar_impact::crush::speed_of_energy;
 use planar_impact::{
     Collision, CrushPlane, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals, Side, Vehicle, Xy,
 };
 
-use super::answers::{Answer, Answers, CrushAnswers};
+use super::answers::{Answer, Answers, Crash3Answers, Crash3Key, CrushAnswers};
+use super::crush::Crush;
 use super::inputs::{Inputs, moment_parameter, ratio_parameter};
 use super::parameter::{Parameter, number};
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
-
-/// The crush of a vehicle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Crush<T = f64> {
-    /// Its width.
-    pub width: T,
-    /// Its depths, two or more, equally spaced over the width.
-    pub depths: Vec<T>,
-    /// The stiffness of the structure that is crushed.
-    pub stiffness: CrushStiffness<T>,
-}
 
 /// A collision and the crush that the file reports of it, on any scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,19 +84,12 @@ fn on_scalar<T: Real + From<f64>>(
         Velocity::Speed(speed) => plus(speed, Parameter::Speed(side)),
         Velocity::Components(_) => plus(0.0, Parameter::Speed(side)),
     };
-    let crush = vehicle.crush.as_ref().map(|crush| Crush {
-        width: plus(crush.width, Parameter::CrushWidth(side)),
-        depths: crush.depths.iter().enumerate().map(|(i, &depth)| plus(depth, Parameter::CrushDepth(side, i + 1))).collect(),
-        stiffness: CrushStiffness {
-            onset: plus(crush.stiffness.onset, Parameter::CrushOnset(side)),
-            slope: plus(crush.stiffness.slope, Parameter::CrushSlope(side)),
-        },
-    });
+    let crush = vehicle.crush.as_ref().map(|crush| crush.on_scalar(|key| by(Parameter::Crush(side, key))));
     let velocity = heading.to_ground(ForwardLeft { forward: along, left: T::int(0) }) + across;
     (Vehicle { mass, yaw_inertia, heading, impact_center, motion: Motion { velocity, yaw_rate } }, crush)
 }
 
-impl<T: Real> Setup<T> {
+impl<T: Real<Mask = bool>> Setup<T> {
     /// What follows, without asking whether the collision is possible.
     pub fn evaluate(&self) -> Answers<T> {
         self.answers_of(&self.collision.evaluate())
@@ -113,19 +97,42 @@ impl<T: Real> Setup<T> {
 
     /// What is known after its impact.
     pub fn answers_of(&self, impact: &Impact<T>) -> Answers<T> {
-        Answers { impact: Outputs::of(&self.collision, impact), crush: self.crush_answers() }
+        Answers { impact: Outputs::of(&self.collision, impact), crush: self.crush_answers(), crash3: self.crash3_answers() }
     }
 
-    /// What the crush of each vehicle says.
+    /// What the crush of each vehicle says; nothing of one whose stations or depths are those of no crush.
     pub fn crush_answers(&self) -> [Option<CrushAnswers<T>>; 2] {
         let parties = [&self.collision.one, &self.collision.two];
         std::array::from_fn(|i| {
             let (vehicle, crush) = (parties[i].vehicle()?, self.crush[i].as_ref()?);
-            let moments = ProfileMoments::of(crush.width.clone(), &crush.depths)?;
-            let energy = crush.stiffness.crush_energy(moments.clone());
+            let moments = crush.profile.clone().checked().ok()?.moments();
+            let energy = crush.energy();
             let equivalent_speed = speed_of_energy(energy.clone(), vehicle.mass.clone());
-            Some(CrushAnswers { energy, equivalent_speed, mean_depth: moments.mean_depth() })
+            Some(CrushAnswers { energy, equivalent_speed, mean_depth: moments.mean_depth(), moments })
         })
+    }
+
+    /// What CRASH3 starts from: the crush of every vehicle, and the direction of force that the file gives or else that of the common-velocity impulse.
+    /// None where a vehicle has no crush.
+    pub fn damaged_pair(&self) -> Option<DamagedPair<T>> {
+        let energies = self.crush_answers().map(|crush| crush.map(|crush| crush.energy));
+        let lacks = |party: &Party<T>, energy: &Option<T>| party.vehicle().is_some() && energy.is_none();
+        if lacks(&self.collision.one, &energies[0]) || lacks(&self.collision.two, &energies[1]) {
+            return None;
+        }
+        let pair = DamagedPair::of_collision(&self.collision, energies.map(|energy| energy.unwrap_or_else(|| T::int(0))));
+        let as_given = |damaged: Option<Damaged<T>>, crush: &Option<Crush<T>>| {
+            let (damaged, crush) = (damaged?, crush.as_ref()?);
+            let surface = crush.surface.unwrap_or(damaged.surface);
+            Some(Damaged { surface, force_origin: crush.force_origin.clone().unwrap_or(damaged.force_origin.clone()), ..damaged })
+        };
+        Some(DamagedPair { one: as_given(pair.one, &self.crush[0]), two: as_given(pair.two, &self.crush[1]) })
+    }
+
+    fn crash3_answers(&self) -> [Option<Crash3Answers<T>>; 2] {
+        let Some(pair) = self.damaged_pair() else { return [None, None] };
+        let estimate = pair.evaluate();
+        [(pair.one, estimate.one), (pair.two, estimate.two)].map(|(damaged, estimate)| Some(Crash3Answers::of(&damaged?, estimate?)))
     }
 }
 
@@ -149,10 +156,19 @@ impl Setup {
             for (side, crush) in [Side::One, Side::Two].into_iter().zip(&self.crush) {
                 if output == Output::PrincipalDirectionOfForce(side) && crush.is_some() {
                     all.extend([Answer::CrushEnergy(side), Answer::EquivalentEnergySpeed(side), Answer::MeanDepth(side)]);
+                    if self.has_crash3() {
+                        all.extend(Crash3Key::ALL.map(|key| Answer::Crash3(side, key)));
+                    }
                 }
             }
         }
         all
+    }
+
+    /// Whether every vehicle has its crush.
+    fn has_crash3(&self) -> bool {
+        let parties = [&self.collision.one, &self.collision.two];
+        parties.into_iter().zip(&self.crush).all(|(party, crush)| party.vehicle().is_none() || crush.is_some())
     }
 
     /// Why this setup does not have an answer; none if it has it.
@@ -161,11 +177,12 @@ impl Setup {
             Answer::Impact(Output::Moment | Output::MomentWork) if self.collision.moment == Moment::None => {
                 Some("the case has no moment impulse".to_owned())
             }
-            Answer::CrushEnergy(side) | Answer::EquivalentEnergySpeed(side) | Answer::MeanDepth(side)
+            Answer::CrushEnergy(side) | Answer::EquivalentEnergySpeed(side) | Answer::MeanDepth(side) | Answer::Crash3(side, _)
                 if self.crush[side as usize].is_none() =>
             {
                 Some(format!("vehicle {} has no crush in this case", number(side)))
             }
+            Answer::Crash3(..) if !self.has_crash3() => Some("CRASH3 needs the crush of both vehicles".to_owned()),
             _ => None,
         }
     }

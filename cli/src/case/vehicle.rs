@@ -2,8 +2,8 @@
 
 use planar_impact::{ForwardLeft, Heading, Input, Xy};
 
+use super::crush::CrushInputs;
 use super::parameter::Parameter;
-use super::setup::Crush;
 
 /// What a case file gives of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct VehicleInputs {
     /// The impact center.
     pub impact_center: ForwardLeft,
     /// The crush, if the file has it.
-    pub crush: Option<Crush>,
+    pub crush: Option<CrushInputs>,
 }
 
 /// How a file gives a yaw inertia.
@@ -85,14 +85,7 @@ impl VehicleInputs {
                 Inertia::Radius(radius) => radius,
                 Inertia::Yaw(_) => return Err("the case gives `yaw_inertia` instead".to_owned()),
             },
-            Parameter::CrushWidth(_) => crush()?.width,
-            Parameter::CrushOnset(_) => crush()?.stiffness.onset,
-            Parameter::CrushSlope(_) => crush()?.stiffness.slope,
-            Parameter::CrushDepth(_, place) => {
-                let depths = &crush()?.depths;
-                let depth = place.checked_sub(1).and_then(|i| depths.get(i));
-                *depth.ok_or_else(|| format!("the crush has {} depths", depths.len()))?
-            }
+            Parameter::Crush(_, key) => crush()?.value(key)?,
             _ => return Err("it belongs to the contact".to_owned()),
         })
     }
@@ -118,10 +111,7 @@ impl VehicleInputs {
                     }
                 }
             }
-            (Parameter::CrushWidth(_), Some(crush)) => crush.width = value,
-            (Parameter::CrushOnset(_), Some(crush)) => crush.stiffness.onset = value,
-            (Parameter::CrushSlope(_), Some(crush)) => crush.stiffness.slope = value,
-            (Parameter::CrushDepth(_, place), Some(crush)) => crush.depths[place - 1] = value,
+            (Parameter::Crush(_, key), Some(crush)) => crush.set(key, value),
             _ => unreachable!("a value can be set"),
         }
     }

@@ -47,6 +47,11 @@ impl<'a> Table<'a> {
         Table { context, path: String::new(), span, entries, known: RefCell::default() }
     }
 
+    /// The dotted path of this table, such as `vehicle.1.crush`; empty for the root.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
     /// Whether the file has `key`, which is known from now on.
     pub fn has(&self, key: &'static str) -> bool {
         self.field(key, false).node.is_some()

@@ -240,6 +240,7 @@ fn significant(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::CrushKey;
     use planar_impact::Input;
 
     #[test]
@@ -260,7 +261,7 @@ mod tests {
         assert_eq!(of(Parameter::Input(Input::Mass(Side::One)), 1500.0, Units::Us), (15.0, "1 %"));
         assert_eq!(of(Parameter::Speed(Side::One), 10.0, Units::Us), (0.44704, "1 mph"));
         assert_eq!(of(Parameter::Speed(Side::One), 10.0, Units::Si).1, "1 km/h");
-        assert_eq!(of(Parameter::CrushDepth(Side::One, 2), 0.1, Units::Si), (0.025, "2.5 cm"));
+        assert_eq!(of(Parameter::Crush(Side::One, CrushKey::Depth(2)), 0.1, Units::Si), (0.025, "2.5 cm"));
         assert_eq!(of(Parameter::Friction, 0.4, Units::Us), (0.05, "0.05"));
         assert_eq!(of(Parameter::RadiusOfGyration(Side::Two), 1.5, Units::Si), (0.015, "1 %"));
         assert_eq!(of(Parameter::Input(Input::CrushPlane), 0.0, Units::Si).0, 1_f64.to_radians());

@@ -196,6 +196,9 @@ pub fn noun(measure: Measure) -> &'static str {
         Measure::YawInertia => "yaw inertia",
         Measure::RootForce => "root of force",
         Measure::RootForcePerLength => "root of force per length",
+        Measure::ForcePerWidth => "force per width",
+        Measure::ForcePerArea => "force per area",
+        Measure::Force => "force",
         Measure::Ratio => "ratio",
     }
 }

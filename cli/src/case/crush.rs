@@ -1,0 +1,241 @@
+//! The crush of a vehicle: what a case file gives of it, and the same on any scalar.
+
+mod key;
+
+use planar_impact::crash3::Surface;
+use planar_impact::crush::{CrushLaw, CrushStiffness, MeasuringLine, Profile, Saturating, StiffnessZones};
+use planar_impact::{ForceOrigin, Real};
+
+pub use key::CrushKey;
+
+/// What a case file gives of a crush, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrushInputs {
+    /// Where the depths are.
+    pub places: Places,
+    /// The depths, two or more, as they are read off.
+    pub depths: Vec<f64>,
+    /// The line that they are read off from, if it is not the undeformed surface.
+    pub line: Option<MeasuringLine>,
+    /// The stiffness of each zone, one or more.
+    pub stiffness: Vec<CrushStiffness>,
+    /// Where each zone but the last ends.
+    pub borders: Vec<f64>,
+    /// The depth beyond which the force does not grow; only with one zone.
+    pub saturation: Option<f64>,
+    /// The surface that is crushed, if the file says so.
+    pub surface: Option<Surface>,
+    /// The investigator's principal direction of force, if the file gives it.
+    pub pdof: Option<f64>,
+}
+
+/// Where depths are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Places {
+    /// Equally spaced over a width.
+    Width(f64),
+    /// At stations.
+    Stations(Vec<f64>),
+}
+
+/// The crush of a vehicle, on any scalar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crush<T = f64> {
+    /// Its shape.
+    pub profile: Profile<T>,
+    /// The stiffness along it.
+    pub zones: StiffnessZones<T>,
+    /// The depth beyond which the force does not grow.
+    pub saturation: Option<T>,
+    /// The surface, if the file gives it.
+    pub surface: Option<Surface>,
+    /// Where the principal force comes from, if the file gives it.
+    pub force_origin: Option<ForceOrigin<T>>,
+}
+
+impl CrushInputs {
+    /// Every number that it is made of, in the order of the file.
+    pub fn keys(&self) -> Vec<CrushKey> {
+        let mut all = match &self.places {
+            Places::Width(_) => vec![CrushKey::Width],
+            Places::Stations(stations) => (1..=stations.len()).map(CrushKey::Station).collect(),
+        };
+        all.extend((1..=self.depths.len()).map(CrushKey::Depth));
+        if self.line.is_some() {
+            all.extend([CrushKey::Offset, CrushKey::Angle]);
+        }
+        if self.stiffness.len() == 1 {
+            all.extend([CrushKey::Onset, CrushKey::Slope]);
+        } else {
+            for zone in 1..=self.stiffness.len() {
+                all.extend([CrushKey::ZoneOnset(zone), CrushKey::ZoneSlope(zone)]);
+                all.extend((zone <= self.borders.len()).then_some(CrushKey::ZoneEnd(zone)));
+            }
+        }
+        all.extend(self.saturation.is_some().then_some(CrushKey::Saturation));
+        all.extend(self.pdof.is_some().then_some(CrushKey::Pdof));
+        all
+    }
+
+    /// The value of one of them.
+    ///
+    /// # Errors
+    ///
+    /// Why this crush does not have it.
+    pub fn value(&self, key: CrushKey) -> Result<f64, String> {
+        self.clone().place(key).map(|place| *place).ok_or_else(|| self.lacks(key))
+    }
+
+    /// Gives one of them, which it must have, another value.
+    pub fn set(&mut self, key: CrushKey, value: f64) {
+        *self.place(key).expect("a value can be set") = value;
+    }
+
+    fn lacks(&self, key: CrushKey) -> String {
+        match key {
+            CrushKey::Width => "the case gives `stations` instead".to_owned(),
+            CrushKey::Station(_) if matches!(self.places, Places::Width(_)) => "the case gives `width` instead".to_owned(),
+            CrushKey::Station(_) | CrushKey::Depth(_) => format!("the crush has {} depths", self.depths.len()),
+            CrushKey::Onset | CrushKey::Slope => {
+                format!("the crush has {} zones: crush.zones.1.d0, crush.zones.1.d1, ...", self.stiffness.len())
+            }
+            CrushKey::ZoneOnset(_) | CrushKey::ZoneSlope(_) | CrushKey::ZoneEnd(_) => match self.stiffness.len() {
+                1 => "the crush has no zones: crush.d0, crush.d1".to_owned(),
+                count => format!("the crush has {count} zones"),
+            },
+            CrushKey::Offset | CrushKey::Angle => "the case does not say from where the depths are measured".to_owned(),
+            CrushKey::Saturation => "the case has no saturation".to_owned(),
+            CrushKey::Pdof => "the case leaves the principal direction of force to the mechanics".to_owned(),
+        }
+    }
+
+    fn place(&mut self, key: CrushKey) -> Option<&mut f64> {
+        let item = |place: usize| place.checked_sub(1);
+        let zones = self.stiffness.len();
+        match key {
+            CrushKey::Width => match &mut self.places {
+                Places::Width(width) => Some(width),
+                Places::Stations(_) => None,
+            },
+            CrushKey::Station(place) => match &mut self.places {
+                Places::Stations(stations) => stations.get_mut(item(place)?),
+                Places::Width(_) => None,
+            },
+            CrushKey::Depth(place) => self.depths.get_mut(item(place)?),
+            CrushKey::Offset => self.line.as_mut().map(|line| &mut line.offset),
+            CrushKey::Angle => self.line.as_mut().map(|line| &mut line.angle),
+            CrushKey::Onset if zones == 1 => Some(&mut self.stiffness[0].onset),
+            CrushKey::Slope if zones == 1 => Some(&mut self.stiffness[0].slope),
+            CrushKey::ZoneOnset(zone) if zones > 1 => self.stiffness.get_mut(item(zone)?).map(|zone| &mut zone.onset),
+            CrushKey::ZoneSlope(zone) if zones > 1 => self.stiffness.get_mut(item(zone)?).map(|zone| &mut zone.slope),
+            CrushKey::ZoneEnd(zone) => self.borders.get_mut(item(zone)?),
+            CrushKey::Saturation => self.saturation.as_mut(),
+            CrushKey::Pdof => self.pdof.as_mut(),
+            _ => None,
+        }
+    }
+
+    /// The crush on any scalar, with something added to each number.
+    pub fn on_scalar<T: Real + From<f64>>(&self, mut by: impl FnMut(CrushKey) -> T) -> Crush<T> {
+        let mut plus = |value: f64, key| T::from(value) + by(key);
+        let one_zone = self.stiffness.len() == 1;
+        let depths: Vec<T> = self.depths.iter().enumerate().map(|(i, &depth)| plus(depth, CrushKey::Depth(i + 1))).collect();
+        let given = match &self.places {
+            Places::Width(width) => Profile::equally_spaced(plus(*width, CrushKey::Width), depths),
+            Places::Stations(stations) => {
+                let stations = stations.iter().enumerate().map(|(i, &station)| plus(station, CrushKey::Station(i + 1))).collect();
+                Profile::at_stations(stations, depths)
+            }
+        };
+        let given = given.ok().expect("two depths or more, and as many stations");
+        let profile = match self.line {
+            None => given,
+            Some(line) => {
+                let line = MeasuringLine { offset: plus(line.offset, CrushKey::Offset), angle: plus(line.angle, CrushKey::Angle) };
+                line.profile(&given.stations(), given.depths()).ok().expect("as many stations as depths")
+            }
+        };
+        let zones = self.stiffness.iter().enumerate().map(|(i, zone)| {
+            let (onset, slope) =
+                if one_zone { (CrushKey::Onset, CrushKey::Slope) } else { (CrushKey::ZoneOnset(i + 1), CrushKey::ZoneSlope(i + 1)) };
+            CrushStiffness { onset: plus(zone.onset, onset), slope: plus(zone.slope, slope) }
+        });
+        let zones = zones.collect();
+        let borders = self.borders.iter().enumerate().map(|(i, &border)| plus(border, CrushKey::ZoneEnd(i + 1))).collect();
+        Crush {
+            profile,
+            zones: StiffnessZones::new(zones, borders).expect("a border between two zones"),
+            saturation: self.saturation.map(|depth| plus(depth, CrushKey::Saturation)),
+            surface: self.surface,
+            force_origin: self.pdof.map(|pdof| {
+                let (right, ahead) = plus(pdof, CrushKey::Pdof).sin_cos();
+                ForceOrigin { ahead, right }
+            }),
+        }
+    }
+}
+
+impl<T: Real> Crush<T> {
+    /// The crush energy.
+    pub fn energy(&self) -> T {
+        match &self.saturation {
+            None => self.zones.crush_energy(&self.profile),
+            Some(depth) => Saturating { stiffness: self.zones.zones()[0].clone(), depth: depth.clone() }.energy_of(&self.profile),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn crush() -> CrushInputs {
+        CrushInputs {
+            places: Places::Stations(vec![0.0, 0.5, 1.5]),
+            depths: vec![0.25, 0.5, 0.125],
+            line: Some(MeasuringLine { offset: 0.0625, angle: 0.25 }),
+            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }, CrushStiffness { onset: 5.0, slope: 6.0 }],
+            borders: vec![0.75],
+            saturation: None,
+            surface: None,
+            pdof: Some(0.5),
+        }
+    }
+
+    #[test]
+    fn every_key_has_a_value_and_takes_another() {
+        let one_zone = CrushInputs {
+            places: Places::Width(1.5),
+            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }],
+            borders: vec![],
+            saturation: Some(0.25),
+            ..crush()
+        };
+        for crush in [crush(), one_zone] {
+            for key in crush.keys() {
+                let before = crush.value(key).expect("it has it");
+                let mut set = crush.clone();
+                set.set(key, before + 0.25);
+                assert_eq!(set.value(key), Ok(before + 0.25), "{key}");
+                let added = crush.on_scalar(|other| if other == key { 0.25 } else { 0.0 });
+                assert_eq!(set.on_scalar(|_| 0.0), added, "{key}");
+                assert_ne!(crush.on_scalar(|_| 0.0), added, "{key}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_it_has_not_it_says() {
+        for (key, why) in [
+            (CrushKey::Width, "stations"),
+            (CrushKey::Station(4), "3 depths"),
+            (CrushKey::Depth(0), "3 depths"),
+            (CrushKey::Onset, "2 zones"),
+            (CrushKey::ZoneSlope(3), "2 zones"),
+            (CrushKey::ZoneEnd(2), "2 zones"),
+            (CrushKey::Saturation, "no saturation"),
+        ] {
+            assert!(crush().value(key).is_err_and(|text| text.contains(why)), "{key}");
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! The keys of a crush.
+
+use planar_impact::crash3::Surface;
+use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, MeasuringLine, ProfileError};
+
+use super::{Given, one_of};
+use crate::case::crush::{CrushInputs, Places};
+use crate::document::{Field, Table, Value};
+use crate::quantity::Kind;
+
+/// A depth beyond which a file deserves a second look: the front of a car is about a meter long.
+const DEEP: f64 = 2.0;
+
+impl Given {
+    pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
+        let crush = field.table()?;
+        let places = match one_of(&crush, "width", "stations") {
+            Some("width") => self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width),
+            Some(_) => self.stations(&crush).map(Places::Stations),
+            None => None,
+        };
+        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
+        let depths = self.lengths(crush.required("depths"), line.is_none());
+        let stiffness = self.zones(crush.required("stiffness"));
+        let surface = match crush.optional("surface").choice(&["front", "right", "rear", "left"]) {
+            Some("front") => Some(Surface::Front),
+            Some("right") => Some(Surface::Right),
+            Some("rear") => Some(Surface::Rear),
+            Some(_) => Some(Surface::Left),
+            None => None,
+        };
+        let pdof = crush.has("pdof").then(|| self.quantity(crush.optional("pdof"), Kind::ANGLE));
+        crush.finish();
+        let (places, depths, Zones { stiffness, borders, saturation }) = (places?, depths?, stiffness?);
+        let line = match line {
+            Some(line) => Some(line?),
+            None => None,
+        };
+        let pdof = match pdof {
+            Some(pdof) => Some(pdof?),
+            None => None,
+        };
+        if let Places::Stations(stations) = &places
+            && stations.len() != depths.len()
+        {
+            crush.optional("stations").report(format!("{} stations for {} depths", stations.len(), depths.len()), None);
+            return None;
+        }
+        let inputs = CrushInputs { places, depths, line, stiffness, borders, saturation, surface, pdof };
+        self.hold(&crush, &inputs).then_some(inputs)
+    }
+
+    /// Whether the profile that was measured can be that of a crush; what can be and is unusual is noted.
+    fn hold(&self, table: &Table<'_>, inputs: &CrushInputs) -> bool {
+        let crush = inputs.on_scalar(|_| 0.0);
+        let profile = match crush.profile.checked() {
+            Ok(profile) => profile,
+            Err(errors) => {
+                // What is wrong without a measuring line has been said where it stands.
+                let depths = table.optional("depths").items("", 0..=usize::MAX).unwrap_or_default();
+                for error in errors {
+                    let place = match error {
+                        ProfileError::NotADepth { place, .. } => depths.get(place - 1).cloned(),
+                        _ => None,
+                    };
+                    let help = "the readings less the offset, along the angle, as `measured` has it";
+                    place.unwrap_or_else(|| table.optional("measured")).report(error.to_string(), Some(help.to_owned()));
+                }
+                return false;
+            }
+        };
+        let mut notes = self.notes.borrow_mut();
+        let path = table.path();
+        if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
+            if deepest > DEEP {
+                notes.push(format!("{path}.depths: {deepest} m is deeper than the structure of a car; check the unit"));
+            }
+            if deepest == 0.0 {
+                notes.push(format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
+            }
+        }
+        let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
+        for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {
+            notes.push(format!("{path}.stiffness.{}.to = {border} m lies outside the crush, which is from {first} m to {last} m", i + 1));
+        }
+        true
+    }
+
+    fn lengths(&self, field: Field<'_>, not_negative: bool) -> Option<Vec<f64>> {
+        let items = field.items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX)?;
+        let length = |item| if not_negative { self.not_negative(item, Kind::LENGTH) } else { self.quantity(item, Kind::LENGTH) };
+        items.into_iter().map(length).collect::<Vec<_>>().into_iter().collect()
+    }
+
+    fn stations(&self, crush: &Table<'_>) -> Option<Vec<f64>> {
+        let stations = self.lengths(crush.required("stations"), false)?;
+        let items = crush.required("stations").items("", 2..=usize::MAX)?;
+        let mut increase = true;
+        for (i, item) in items.into_iter().enumerate().skip(1).filter(|(i, _)| stations[*i] <= stations[*i - 1]) {
+            increase = false;
+            item.report(format!("it is at {} m, not beyond the station before, at {} m", stations[i], stations[i - 1]), None);
+        }
+        increase.then_some(stations)
+    }
+
+    fn measuring_line(&self, field: Field<'_>) -> Option<MeasuringLine> {
+        let table = field.table()?;
+        let offset = table.has("offset").then(|| self.quantity(table.optional("offset"), Kind::LENGTH));
+        let angle = table.has("angle").then(|| self.quantity(table.optional("angle"), Kind::ANGLE));
+        table.finish();
+        if offset.is_none() && angle.is_none() {
+            table.problem("missing `offset` or `angle`", None);
+            return None;
+        }
+        let (offset, angle) = (offset.unwrap_or(Some(0.0))?, angle.unwrap_or(Some(0.0))?);
+        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+            table.optional("angle").report("readings along the surface measure no depth", Some("0 deg is straight in".to_owned()));
+            return None;
+        }
+        Some(MeasuringLine { offset, angle })
+    }
+
+    /// One stiffness, or one for each zone.
+    fn zones(&self, field: Field<'_>) -> Option<Zones> {
+        if !matches!(field.value(), Some(Value::Array(_))) {
+            let table = field.table()?;
+            let saturation = table.has("saturation").then(|| self.not_negative(table.optional("saturation"), Kind::LENGTH));
+            let stiffness = self.stiffness(&table);
+            let saturation = match saturation {
+                Some(depth) => Some(depth?),
+                None => None,
+            };
+            return Some(Zones { stiffness: vec![stiffness?], borders: Vec::new(), saturation });
+        }
+        let place = field.clone();
+        let tables = field.array_of_tables()?;
+        if tables.is_empty() {
+            place.report("no zone: a stiffness, or one for each zone", None);
+            return None;
+        }
+        let last = tables.len() - 1;
+        let mut zones = Zones { stiffness: Vec::new(), borders: Vec::new(), saturation: None };
+        let mut whole = true;
+        for (i, table) in tables.iter().enumerate() {
+            let border = if i < last {
+                self.quantity(table.required("to"), Kind::LENGTH).map(Some)
+            } else if table.has("to") {
+                table.optional("to").report("the last zone reaches to the end of the crush", Some("leave `to` out".to_owned()));
+                None
+            } else {
+                Some(None)
+            };
+            let stiffness = self.stiffness(table);
+            let (Some(border), Some(stiffness)) = (border, stiffness) else {
+                whole = false;
+                continue;
+            };
+            if let (Some(border), Some(before)) = (border, zones.borders.last())
+                && border <= *before
+            {
+                table.optional("to").report(format!("it ends at {border} m, not beyond the zone before, at {before} m"), None);
+                whole = false;
+            }
+            zones.stiffness.push(stiffness);
+            zones.borders.extend(border);
+        }
+        whole.then_some(zones)
+    }
+
+    fn stiffness(&self, table: &Table<'_>) -> Option<CrushStiffness> {
+        let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
+        let value = |key, kind| self.not_negative(table.required(key), kind);
+        let above = |key, kind| self.positive(table.required(key), kind);
+        let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
+            let (onset, slope) = (value("d0", Kind::ROOT_FORCE), value("d1", Kind::ROOT_FORCE_PER_LENGTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness { onset, slope })
+        } else if has(&["A", "B"]) {
+            let (onset, slope) = (value("A", Kind::STIFFNESS), above("B", Kind::STIFFNESS_PER_WIDTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness::from(ForceLine { onset, slope }))
+        } else {
+            let (onset, slope) = (value("b0", Kind::SPEED), value("b1", Kind::SPEED_PER_LENGTH));
+            let (mass, width) = (above("test_mass", Kind::MASS), above("test_width", Kind::LENGTH));
+            let speeds = onset.zip(slope).zip(mass.zip(width));
+            speeds.map(|((onset, slope), (test_mass, test_width))| BarrierSpeedLine { onset, slope, test_mass, test_width }.into())
+        };
+        table.finish();
+        let stiffness = stiffness?;
+        if !Kind::ROOT_FORCE.domain.holds(stiffness.onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(stiffness.slope) {
+            let CrushStiffness { onset, slope } = stiffness;
+            table.problem(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
+            return None;
+        }
+        Some(stiffness)
+    }
+}
+
+/// What `stiffness` gives.
+struct Zones {
+    stiffness: Vec<CrushStiffness>,
+    borders: Vec<f64>,
+    saturation: Option<f64>,
+}

@@ -1,0 +1,136 @@
+//! CRASH3 beside planar mechanics, as a person reads it.
+
+use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, VehicleEstimate, approach_velocity};
+use planar_impact::{Real, Response, Vehicle};
+
+use super::Result3;
+use super::document::name_of;
+use crate::case::Case;
+use crate::report::{clean, shorten};
+use crate::table::{self, Align, wrap};
+use crate::units::{Measure, Units};
+
+/// The report, in tables of at most 80 columns.
+pub fn render(case: &Case, result: &Result3, units: Units) -> String {
+    let page = Page { case, result, units };
+    let mut text = String::new();
+    if !case.title.is_empty() {
+        text.push_str(&wrap(&clean(&case.title), ""));
+        text.push('\n');
+    }
+    text.push_str(&page.vehicles());
+    text.push_str("\n\n");
+    if let Some(assumptions) = &result.assumptions {
+        text.push_str(&page.assumptions(assumptions));
+        text.push_str("\n\n");
+        text.push_str(&wrap(
+            "All from the same crush energy, with the restitution, the impulse ratio and the geometry of the case. An assumption alone is \
+             imposed on planar mechanics; all three are CRASH3, alpha taken from the normal of the crush plane and its correction without a \
+             limit.",
+            "",
+        ));
+    }
+    for note in &result.notes {
+        text.push_str(&wrap(&format!("{note}."), "Note: "));
+    }
+    text
+}
+
+struct Page<'a> {
+    case: &'a Case,
+    result: &'a Result3,
+    units: Units,
+}
+
+impl Page<'_> {
+    fn number(&self, measure: Measure, value: f64) -> String {
+        self.units.number(measure, value, 1e-6)
+    }
+
+    fn vehicles(&self) -> String {
+        let estimate = &self.result.estimate;
+        let pair = [(&self.result.pair.one, &estimate.one), (&self.result.pair.two, &estimate.two)];
+        let row = |what: &str, unit: &str, value: &dyn Fn(&Damaged, &VehicleEstimate) -> String| {
+            let cell = |(damaged, estimate): (&Option<Damaged>, &Option<VehicleEstimate>)| match (damaged, estimate) {
+                (Some(damaged), Some(estimate)) => value(damaged, estimate),
+                _ => "fixed".to_owned(),
+            };
+            vec![what.to_owned(), unit.to_owned(), cell(pair[0]), cell(pair[1])]
+        };
+        let of = |what: &str, measure: Measure, value: fn(&Damaged, &VehicleEstimate) -> f64| {
+            row(what, self.units.unit(measure), &|damaged, estimate| self.number(measure, value(damaged, estimate)))
+        };
+        let mut rows = vec![
+            row("crushed surface", "", &|damaged, _| name_of(damaged.surface).to_owned()),
+            of("crush energy", Measure::Energy, |damaged, _| damaged.crush_energy),
+            of("PDOF, clockwise from ahead", Measure::Angle, |damaged, _| {
+                Real::atan2(damaged.force_origin.right, damaged.force_origin.ahead)
+            }),
+            of("correction 1 + tan^2 alpha", Measure::Ratio, |_, estimate| estimate.correction),
+            of("corrected energy", Measure::Energy, |_, estimate| estimate.corrected_energy),
+            of("moment arm of the force", Measure::Length, |_, estimate| estimate.moment_arm),
+            of("effective mass factor", Measure::Ratio, |_, estimate| estimate.effective_mass_factor),
+            of("delta-V", Measure::Speed, |_, estimate| estimate.delta_v_magnitude),
+            of("", Measure::RoadSpeed, |_, estimate| estimate.delta_v_magnitude),
+        ];
+        rows.extend(self.reconstruction());
+        let names = [0, 1].map(|i| shorten(&self.case.names[i], 18));
+        table::render(&["CRASH3", "unit", &names[0], &names[1]], &[Align::Left, Align::Left, Align::Right, Align::Right], &rows)
+    }
+
+    /// Back from the separation velocities of the case.
+    fn reconstruction(&self) -> Vec<Vec<String>> {
+        let Some(impact) = &self.result.impact else { return Vec::new() };
+        let estimate = &self.result.estimate;
+        let sides = [
+            (self.case.collision.one.vehicle(), &estimate.one, &impact.one),
+            (self.case.collision.two.vehicle(), &estimate.two, &impact.two),
+        ];
+        let row = |what: &str, value: &dyn Fn(&Vehicle, &VehicleEstimate, &Response) -> f64| {
+            let cell = |(vehicle, estimate, response): (Option<&Vehicle>, &Option<VehicleEstimate>, &Response)| {
+                let numbers = vehicle.zip(estimate.as_ref());
+                numbers.map_or("fixed".to_owned(), |(vehicle, estimate)| self.number(Measure::Speed, value(vehicle, estimate, response)))
+            };
+            let unit = self.units.unit(Measure::Speed).to_owned();
+            vec![what.to_owned(), unit, cell(sides[0]), cell(sides[1])]
+        };
+        let back = |vehicle: &Vehicle, estimate: &VehicleEstimate, response: &Response| {
+            approach_velocity(estimate, &vehicle.heading, response.after.velocity)
+        };
+        vec![
+            row("separation of the case: x", &|_, _, response| response.after.velocity.x),
+            row("                        y", &|_, _, response| response.after.velocity.y),
+            row("approach by CRASH3:     x", &|vehicle, estimate, response| back(vehicle, estimate, response).x),
+            row("                        y", &|vehicle, estimate, response| back(vehicle, estimate, response).y),
+            row("approach of the case:   x", &|vehicle, _, _| vehicle.motion.velocity.x),
+            row("                        y", &|vehicle, _, _| vehicle.motion.velocity.y),
+        ]
+    }
+
+    fn assumptions(&self, assumptions: &Assumptions) -> String {
+        let row = |what: &str, with: &Consequence| {
+            let share = |value: f64, of: f64| if of == 0.0 { String::new() } else { format!("{:+.1} %", 100.0 * (value / of - 1.0)) };
+            let fixed = |i: usize| [&self.case.collision.one, &self.case.collision.two][i].vehicle().is_none();
+            let planar = [assumptions.planar.delta_v_1, assumptions.planar.delta_v_2];
+            let mut cells = vec![what.to_owned(), self.number(Measure::Energy, with.loss), share(with.loss, assumptions.planar.loss)];
+            let delta_v = [with.delta_v_1, with.delta_v_2];
+            for i in [0, 1] {
+                cells.push(if fixed(i) { "fixed".to_owned() } else { self.number(Measure::Speed, delta_v[i]) });
+            }
+            let moves = if fixed(0) { 1 } else { 0 };
+            cells.push(share(delta_v[moves], planar[moves]));
+            cells
+        };
+        let mut rows = vec![row("planar mechanics", &assumptions.planar)];
+        for (assumption, words) in Assumption::ALL.into_iter().zip(["common velocity alone", "point mass alone", "tangential factor alone"])
+        {
+            rows.push(row(words, assumptions.with(assumption)));
+        }
+        rows.push(row("all three: CRASH3", &assumptions.together));
+        let loss = format!("T_L {}", self.units.unit(Measure::Energy));
+        let delta_v = [1, 2].map(|i| format!("dV{i} {}", self.units.unit(Measure::Speed)));
+        let header = ["from the crush energy", &loss, "", &delta_v[0], &delta_v[1], ""];
+        let columns = [Align::Left, Align::Right, Align::Right, Align::Right, Align::Right, Align::Right];
+        table::render(&header, &columns, &rows)
+    }
+}
