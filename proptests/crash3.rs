@@ -17,11 +17,11 @@ fn int(n: i32) -> Exact {
 fn damaged<T: Ordered<Mask = bool>>(collision: &Collision<T>, energy: [T; 2]) -> DamagedPair<T> {
     let impact = collision.evaluate();
     let [one, two] = energy;
-    let of = |party: &Party<T>, response: &Response<T>, side, energy| {
-        let surface = Surface::along_crush_plane(collision, side)?;
-        Some(Damaged::of(party.vehicle()?, surface, response.force_origin(), energy))
+    let of = |party: &Party<T>, response: &Response<T>, energy| {
+        let (vehicle, origin) = (party.vehicle()?, response.force_origin());
+        Some(Damaged::of(vehicle, Surface::along(&collision.crush_plane, &vehicle.heading, &origin), origin, energy))
     };
-    DamagedPair { one: of(&collision.one, &impact.one, Side::One, one), two: of(&collision.two, &impact.two, Side::Two, two) }
+    DamagedPair { one: of(&collision.one, &impact.one, one), two: of(&collision.two, &impact.two, two) }
 }
 
 /// Whether any impulse acts.

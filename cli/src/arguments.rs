@@ -122,8 +122,8 @@ const CRUSH: &str = r#"Under a [[vehicle]] of the case file:
   measured = { offset = "0.2 m", angle = "10 deg" }   # read off from a line outside the surface
   surface = "front"                  # for crash3: right, rear, left; else from the crush plane
   pdof = "-10 deg"                   # for crash3: else that of the common-velocity impulse
-The depth is taken straight between two stations. Derivatives by any of these numbers:
-planar-impact gradient, with names such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
+The depth is taken straight between two stations. `gradient` and `sweep` know these numbers by
+names such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
 
 Examples:
   planar-impact crush cli/examples/cavalier-crush.toml
@@ -133,12 +133,12 @@ const CRASH3: &str = "\
 The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
 the crushed surface to the principal force; the effective mass from the moment arm of the force
 through the impact center; delta-V at common velocity; then back along the force from the separation
-velocities of the case. Keys of the crush: planar-impact crush --help.
+velocities of the case. `crush --help` has the keys of the crush; `gradient` knows what is found by
+names such as vehicle.1.crash3.delta_v_magnitude.
 
 Examples:
   planar-impact crash3 cli/examples/cavalier-crush.toml
-  planar-impact crash3 cli/examples/stiff-corner.toml --format json
-  planar-impact gradient cli/examples/cavalier-crush.toml --of vehicle.1.crash3.delta_v_magnitude";
+  planar-impact crash3 cli/examples/stiff-corner.toml --format json";
 
 const FORMULA: &str = r#"Without a case file the formula is that of two vehicles at the critical impulse
 ratio under the law of Brach; --ratio, --law, --barrier and --moment say otherwise.
@@ -177,10 +177,10 @@ pub enum Verb {
     /// Check collision results of any program against the laws of mechanics.
     #[command(after_help = CHECK)]
     Check(Check),
-    /// Crush energy of a measured profile: its moments, stiffness and equivalent energy speed.
+    /// Tell what residual crush stands for: energy and equivalent speed.
     #[command(after_help = CRUSH)]
     Crush(Crush),
-    /// CRASH3's delta-V from crush energy, beside planar mechanics, and what its assumptions cost.
+    /// Reconstruct delta-V from crush as CRASH3 does, beside planar mechanics.
     #[command(after_help = CRASH3)]
     Crash3(Crash3),
     /// Hold every printed cell of the paper's impact tables to account.

@@ -13,7 +13,7 @@ use std::path::Path;
 use given::Given;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
-pub use answers::{Answer, Answers, CrushAnswers};
+pub use answers::{Answer, Answers, Crash3Answers, CrushAnswers};
 pub use crush::Crush;
 #[cfg(test)]
 pub use crush::CrushKey;

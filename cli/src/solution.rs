@@ -4,7 +4,7 @@ use planar_impact::{Impact, Nt, Response};
 use serde::Serialize;
 
 use crate::bracket;
-use crate::case::{Case, CrushAnswers};
+use crate::case::{Case, Crash3Answers, CrushAnswers};
 use crate::named::plain;
 
 /// The JSON document of `solve`.
@@ -38,6 +38,32 @@ struct Vehicle {
     equivalent_energy_speed: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_depth: Option<f64>,
+    /// Only when every vehicle has its crush.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crash3: Option<Crash3>,
+}
+
+/// What CRASH3 makes of the crush of a vehicle.
+#[derive(Debug, Serialize)]
+struct Crash3 {
+    pdof: f64,
+    correction: f64,
+    corrected_energy: f64,
+    effective_mass_factor: f64,
+    delta_v_magnitude: f64,
+}
+
+impl Crash3 {
+    fn of(answers: &Crash3Answers) -> Self {
+        let Crash3Answers { pdof, correction, corrected_energy, effective_mass_factor, delta_v_magnitude } = *answers;
+        Crash3 {
+            pdof: plain(pdof),
+            correction: plain(correction),
+            corrected_energy: plain(corrected_energy),
+            effective_mass_factor: plain(effective_mass_factor),
+            delta_v_magnitude: plain(delta_v_magnitude),
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -85,7 +111,8 @@ impl Solution {
     pub fn of(case: &Case, impact: &Impact, crush_plane_bracket: Option<bracket::Document>, notes: Vec<String>) -> Self {
         let impact = impact.map(plain);
         let [crush_1, crush_2] = case.setup.crush_answers();
-        let vehicle = |name: &String, response: &Response, crush: Option<CrushAnswers>| Vehicle {
+        let [crash3_1, crash3_2] = case.setup.crash3_answers();
+        let vehicle = |name: &String, response: &Response, crush: Option<CrushAnswers>, crash3: Option<Crash3Answers>| Vehicle {
             name: name.clone(),
             velocity: [response.after.velocity.x, response.after.velocity.y],
             yaw_rate: response.after.yaw_rate,
@@ -95,13 +122,14 @@ impl Solution {
             crush_energy: crush.as_ref().map(|crush| crush.energy),
             equivalent_energy_speed: crush.as_ref().map(|crush| crush.equivalent_speed),
             mean_depth: crush.as_ref().map(|crush| crush.mean_depth),
+            crash3: crash3.as_ref().map(Crash3::of),
         };
         let components = |v: Nt| Components { normal: v.n, tangential: v.t };
         let has_moment = case.collision.moment != planar_impact::Moment::None;
         Solution {
             schema: 1,
             title: case.title.clone(),
-            vehicles: [vehicle(&case.names[0], &impact.one, crush_1), vehicle(&case.names[1], &impact.two, crush_2)],
+            vehicles: [vehicle(&case.names[0], &impact.one, crush_1, crash3_1), vehicle(&case.names[1], &impact.two, crush_2, crash3_2)],
             contact: Contact {
                 restitution: case.collision.restitution,
                 impulse_ratio: plain(impact.impulse_ratio()),

@@ -1,13 +1,15 @@
 //! The command line as a process: what it is given, what it prints where, and how it ends.
 //!
 //! One binary, because each would link the program's dependencies again. `bad_inputs` holds what must be refused, `check` what
-//! is found in the results of other programs, `examples` what the manual promises, `reference` and `gradient` the numbers of an
-//! independent solver.
+//! is found in the results of other programs, `examples` what the manual promises, `reference`, `gradient` and `crush` the
+//! numbers of an independent solver.
 
 #[path = "main/bad_inputs/mod.rs"]
 mod bad_inputs;
 #[path = "main/check/mod.rs"]
 mod check;
+#[path = "main/crush.rs"]
+mod crush;
 #[path = "main/examples.rs"]
 mod examples;
 #[path = "main/formula.rs"]

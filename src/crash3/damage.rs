@@ -1,11 +1,10 @@
 //! The damage algorithm: from crush energies to ΔV.
 
 use super::correction::energy_correction;
-use super::surface::{Surface, origin_of};
+use super::surface::Surface;
 use crate::collision::Collision;
 use crate::frame::ForwardLeft;
-use crate::impact::ForceOrigin;
-use crate::input::Side;
+use crate::impact::{ForceOrigin, Response};
 use crate::refusal::{Refusal, Refusals};
 use crate::scalar::{Field, Ordered, Real};
 use crate::solve::Findings;
@@ -110,14 +109,11 @@ impl<T: Real<Mask = bool>> DamagedPair<T> {
     pub fn of_collision(collision: &Collision<T>, crush_energy: [T; 2]) -> Self {
         let impact = collision.at_common_velocity().evaluate();
         let [energy_1, energy_2] = crush_energy;
-        let damaged = |party: &Party<T>, side, push, energy| {
-            let surface = Surface::along_crush_plane(collision, side)?;
-            Some(Damaged::of(party.vehicle()?, surface, origin_of(push), energy))
+        let damaged = |party: &Party<T>, response: &Response<T>, energy| {
+            let (vehicle, origin) = (party.vehicle()?, response.force_origin());
+            Some(Damaged::of(vehicle, Surface::along(&collision.crush_plane, &vehicle.heading, &origin), origin, energy))
         };
-        DamagedPair {
-            one: damaged(&collision.one, Side::One, impact.one.delta_v_in_vehicle, energy_1),
-            two: damaged(&collision.two, Side::Two, impact.two.delta_v_in_vehicle, energy_2),
-        }
+        DamagedPair { one: damaged(&collision.one, &impact.one, energy_1), two: damaged(&collision.two, &impact.two, energy_2) }
     }
 
     /// What the damage says, refused where it cannot say anything.

@@ -1,12 +1,9 @@
 //! Which surface of a vehicle is crushed.
 
-use crate::collision::Collision;
-use crate::frame::{ForwardLeft, Nt};
+use crate::frame::{CrushPlane, ForwardLeft, Heading, Nt};
 use crate::impact::ForceOrigin;
-use crate::input::Side;
 use crate::scalar::{Field, Ordered};
 use crate::solve::slack;
-use crate::vehicle::Party;
 
 /// An end or a side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,45 +45,26 @@ impl Surface {
         }
     }
 
-    /// The surface of a vehicle that lies along the crush plane of a collision: the one whose perpendicular is nearest to the normal that it is pushed
-    /// along. None of a barrier.
+    /// The surface of a vehicle that lies along a crush plane: the one whose perpendicular is nearest to the normal of the plane, on the side that the
+    /// force comes from.
     ///
     /// ```
     /// use planar_impact::crash3::Surface;
-    /// # use planar_impact::*;
-    /// # let vehicle = |heading: f64, speed: f64| Vehicle {
-    /// #     mass: 1000.0,
-    /// #     yaw_inertia: 2000.0,
-    /// #     heading: Heading::from_angle(heading),
-    /// #     impact_center: ForwardLeft { forward: 1.5, left: 0.0 },
-    /// #     motion: Motion { velocity: Xy { x: speed, y: 0.0 }, yaw_rate: 0.0 },
-    /// # };
-    /// // Vehicle 1 drives along x into the left side of vehicle 2, which stands across its way.
-    /// let collision = Collision {
-    ///     one: vehicle(0.0, 10.0).into(),
-    ///     two: vehicle(std::f64::consts::FRAC_PI_2, 0.0).into(),
-    /// #   crush_plane: CrushPlane::from_angle(0.0),
-    /// #   restitution: 0.0,
-    /// #   impulse_ratio: ImpulseRatio::Critical,
-    /// #   law: Law::Brach,
-    /// #   moment: Moment::None,
-    ///     // ...
-    /// };
-    /// assert_eq!(Surface::along_crush_plane(&collision, Side::One), Some(Surface::Front));
-    /// assert_eq!(Surface::along_crush_plane(&collision, Side::Two), Some(Surface::Left));
+    /// use planar_impact::{CrushPlane, ForceOrigin, Heading};
+    /// // A plane across the way, and a force from ahead and farther to the right than 45°: the front is crushed nevertheless.
+    /// let (plane, heading) = (CrushPlane::from_angle(0.1), Heading::from_angle(0.0));
+    /// let origin = ForceOrigin { ahead: 1.0, right: 1.5 };
+    /// assert_eq!(Surface::along(&plane, &heading, &origin), Surface::Front);
+    /// assert_eq!(Surface::facing(&origin), Surface::Right);
     /// ```
-    pub fn along_crush_plane<T: Ordered<Mask = bool>>(collision: &Collision<T>, side: Side) -> Option<Surface> {
-        let party = match side {
-            Side::One => &collision.one,
-            Side::Two => &collision.two,
-        };
-        let Party::Vehicle(vehicle) = party else { return None };
-        // The normal impulse on vehicle 1 has the sign of the normal approach; vehicle 2 gets the opposite.
-        let approach = collision.contact().approach;
-        let pushed_back = approach.n.less(&T::int(0)) == (side == Side::One);
-        let normal = Nt { n: T::int(if pushed_back { -1 } else { 1 }), t: T::int(0) };
-        let push = vehicle.heading.to_vehicle(collision.crush_plane.to_ground(normal));
-        Some(Surface::facing(&origin_of(push)))
+    pub fn along<T: Ordered<Mask = bool>>(plane: &CrushPlane<T>, heading: &Heading<T>, origin: &ForceOrigin<T>) -> Surface {
+        let normal = origin_of(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
+        let towards = normal.ahead.clone() * origin.ahead.clone() + normal.right.clone() * origin.right.clone();
+        if towards.less(&T::int(0)) {
+            Surface::facing(&ForceOrigin { ahead: -normal.ahead, right: -normal.right })
+        } else {
+            Surface::facing(&normal)
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 //! A parameter that is varied leaves the other keys of the file as they are given: a vehicle given by its speed turns its velocity with its heading, one
 //! given by its velocity keeps it; one given by its radius of gyration changes its yaw inertia with its mass.
 
-use planar_impact::crash3::{Damaged, DamagedPair};
+use planar_impact::crash3::{Damaged, DamagedPair, Surface};
 use planar_impact::crush::speed_of_energy;
 use planar_impact::{
     Collision, CrushPlane, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals, Side, Vehicle, Xy,
@@ -121,15 +121,18 @@ impl<T: Real<Mask = bool>> Setup<T> {
             return None;
         }
         let pair = DamagedPair::of_collision(&self.collision, energies.map(|energy| energy.unwrap_or_else(|| T::int(0))));
-        let as_given = |damaged: Option<Damaged<T>>, crush: &Option<Crush<T>>| {
-            let (damaged, crush) = (damaged?, crush.as_ref()?);
-            let surface = crush.surface.unwrap_or(damaged.surface);
-            Some(Damaged { surface, force_origin: crush.force_origin.clone().unwrap_or(damaged.force_origin.clone()), ..damaged })
+        let as_given = |damaged: Option<Damaged<T>>, crush: &Option<Crush<T>>, party: &Party<T>| {
+            let (damaged, crush, vehicle) = (damaged?, crush.as_ref()?, party.vehicle()?);
+            let force_origin = crush.force_origin.clone().unwrap_or(damaged.force_origin.clone());
+            let along = || Surface::along(&self.collision.crush_plane, &vehicle.heading, &force_origin);
+            Some(Damaged { surface: crush.surface.unwrap_or_else(along), force_origin, ..damaged })
         };
-        Some(DamagedPair { one: as_given(pair.one, &self.crush[0]), two: as_given(pair.two, &self.crush[1]) })
+        let (one, two) = (&self.collision.one, &self.collision.two);
+        Some(DamagedPair { one: as_given(pair.one, &self.crush[0], one), two: as_given(pair.two, &self.crush[1], two) })
     }
 
-    fn crash3_answers(&self) -> [Option<Crash3Answers<T>>; 2] {
+    /// What CRASH3 makes of the crush of each vehicle; nothing where one has none.
+    pub fn crash3_answers(&self) -> [Option<Crash3Answers<T>>; 2] {
         let Some(pair) = self.damaged_pair() else { return [None, None] };
         let estimate = pair.evaluate();
         [(pair.one, estimate.one), (pair.two, estimate.two)].map(|(damaged, estimate)| Some(Crash3Answers::of(&damaged?, estimate?)))

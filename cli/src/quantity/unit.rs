@@ -3,7 +3,7 @@
 //! A unit is a product of named factors, then any number of quotients:
 //!
 //! ```text
-//! unit    = factor { (space | "*" | "·" | "-") factor } { "/" factor }
+//! unit    = [ "1" "/" ] factor { (space | "*" | "·" | "-") factor } { "/" factor }
 //! factor  = name [ "^" exponent | superscript ]
 //! ```
 //!
@@ -181,7 +181,10 @@ impl Unit {
     pub(super) fn parse(text: &str) -> Result<Unit, QuantityError> {
         let mut factors = Vec::new();
         let mut rest = text.trim();
-        let mut divided = false;
+        // 1/s has nothing above its line.
+        let below = rest.strip_prefix('1').and_then(|tail| tail.trim_start().strip_prefix('/'));
+        let mut divided = below.is_some();
+        rest = below.map_or(rest, str::trim_start);
         loop {
             let end = rest.find(ends_name).unwrap_or(rest.len());
             let (name, tail) = rest.split_at(end);
@@ -291,6 +294,8 @@ mod tests {
         assert_eq!(dimension("m/s/s"), ACCELERATION);
         assert_eq!(dimension("kg*m^-1*s^-2"), PRESSURE);
         assert_eq!(dimension("ft-lbf"), ENERGY);
+        assert_eq!(dimension("1/s"), Dimension::new(0, 0, -1, 0));
+        assert_eq!(dimension("1 / s/m"), Dimension::new(0, -1, -1, 0));
         assert_eq!(Dimension::halves(1, -1, -2, 0).to_string(), "kg^0.5 m^-0.5 s^-1");
     }
 
@@ -302,7 +307,9 @@ mod tests {
         assert_eq!(message("furlong"), "unknown unit `furlong`");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");
         assert_eq!(message("ft/"), "the name of a unit is missing in `ft/`");
-        assert_eq!(message("1/s"), "unknown unit `1`");
+        assert_eq!(message("1"), "unknown unit `1`");
+        assert_eq!(message("1/"), "the name of a unit is missing in `1/`");
+        assert_eq!(message("s 1/m"), "unknown unit `1`");
         assert_eq!(
             message("J/kg m"),
             "`J/kg m` has a product behind `/`, which can be read in two ways \

@@ -111,7 +111,9 @@ fn every_derivative_of_the_independent_solver() {
         let (sizes, of) = (Sizes(&got), reference["of"].as_array().expect("names"));
         let mut names: Vec<&str> = of.iter().filter_map(Value::as_str).collect();
         names.sort_unstable();
-        assert_eq!(keys(&got["of"]), names, "line {}", i + 1);
+        // What CRASH3 says has its own references.
+        let of_planar = |name: &&str| !name.contains(".crash3.");
+        assert_eq!(keys(&got["of"]).into_iter().filter(of_planar).collect::<Vec<_>>(), names, "line {}", i + 1);
         assert_eq!(keys(&got["wrt"]), keys(&reference["d"]), "line {}", i + 1);
         let mut check = |by: &[&str], want: &Value, find: &dyn Fn(&Value) -> Value| {
             for (output, want) in of.iter().filter_map(Value::as_str).zip(want.as_array().expect("a row")) {

@@ -14,10 +14,12 @@ const DEEP: f64 = 2.0;
 impl Given {
     pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
         let crush = field.table()?;
-        let places = match one_of(&crush, "width", "stations") {
-            Some("width") => self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width),
-            Some(_) => self.stations(&crush).map(Places::Stations),
-            None => None,
+        let places = if crush.has("stations") {
+            // Both of them are one too many.
+            one_of(&crush, "width", "stations");
+            self.stations(&crush).map(Places::Stations)
+        } else {
+            self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width)
         };
         let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
         let depths = self.lengths(crush.required("depths"), line.is_none());

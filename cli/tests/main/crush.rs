@@ -1,0 +1,206 @@
+//! The verbs `crush` and `crash3`, and what they share with `solve`, `gradient` and `sweep`.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::process::{Run, run_with_input, workspace};
+
+/// How far a number may be off, relative to itself, or to 1 for angles, lengths and velocities below it.
+const TOLERANCE: f64 = 1e-12;
+
+fn json(run: &Run) -> Value {
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+fn example(name: &str) -> String {
+    std::fs::read_to_string(workspace().join("cli/examples").join(name)).expect("the example can be read")
+}
+
+/// What differs of everything that is wanted. What is got beside it does not matter here.
+fn compare(got: &Value, want: &Value, path: &str, faults: &mut Vec<String>) {
+    match want {
+        Value::Object(entries) => entries.iter().for_each(|(key, want)| compare(&got[key], want, &format!("{path}.{key}"), faults)),
+        Value::Array(items) => {
+            if got.as_array().map(Vec::len) != Some(items.len()) {
+                faults.push(format!("{path} has not {} items: {got}", items.len()));
+            }
+            items.iter().enumerate().for_each(|(i, want)| compare(&got[i], want, &format!("{path}.{i}"), faults));
+        }
+        // A barrier, or a vehicle without crush: the other tests look at them.
+        Value::Null => (),
+        Value::String(text) => match text.parse::<f64>() {
+            Err(_) if got == want => (),
+            Err(_) => faults.push(format!("{path} is {got}, not {text}")),
+            Ok(want) => {
+                let off = got.as_f64().map_or(f64::INFINITY, |got| difference(path, got, want));
+                if off.is_nan() || off > TOLERANCE {
+                    faults.push(format!("{path} is {got}, not {want}: off by {off:.1e}"));
+                }
+            }
+        },
+        _ => faults.push(format!("{path} wants {want}")),
+    }
+}
+
+fn difference(path: &str, got: f64, want: f64) -> f64 {
+    let difference = (got - want).abs();
+    if path.ends_with(".pdof") {
+        difference.min((difference - TAU).abs())
+    } else if path.contains("delta_v.") || path.contains("velocity") || path.ends_with("moment_arm") {
+        // Components of what is some tens of meters a second, or of an arm of a meter.
+        difference / want.abs().max(if path.ends_with("moment_arm") { 1.0 } else { 30.0 })
+    } else if difference == 0.0 {
+        0.0
+    } else {
+        difference / want.abs()
+    }
+}
+
+#[test]
+fn every_case_of_the_independent_computation() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/crush.jsonl");
+    let text = std::fs::read_to_string(path).expect("the cases can be read");
+    let mut faults = Vec::new();
+    for line in text.lines() {
+        let reference: Value = serde_json::from_str(line).expect("each line is JSON");
+        let case = reference["case"].to_string();
+        let crush = json(&run_with_input(&["crush", "-", "--format", "json"], &case));
+        let crash3 = json(&run_with_input(&["crash3", "-", "--format", "json"], &case));
+        let title = reference["case"]["title"].as_str().expect("a title");
+        compare(&crush["vehicles"], &reference["crush"], &format!("{title}: crush"), &mut faults);
+        compare(&crash3, &reference["crash3"], &format!("{title}: crash3"), &mut faults);
+    }
+    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
+    let count = |words: &str| text.matches(words).count();
+    assert_eq!(text.lines().count(), 120);
+    for (words, least) in
+        [("\"zones\"", 30), ("saturation", 25), ("measured", 30), ("stations", 60), ("\"correction\": \"2.0\"", 20), ("barrier", 20)]
+    {
+        assert!(count(words) >= least, "{words}: {}", count(words));
+    }
+}
+
+#[test]
+fn the_comparison_notices() {
+    let value = |text: &str| serde_json::from_str::<Value>(text).expect("JSON");
+    let want = value(r#"{"vehicles": [{"surface": "front", "K": ["1", "2"], "pdof": "3.141592653589793"}, null]}"#);
+    let faults = |got: &str| {
+        let mut faults = Vec::new();
+        compare(&value(got), &want, "", &mut faults);
+        faults.len()
+    };
+    assert_eq!(faults(r#"{"vehicles": [{"surface": "front", "K": [1, 2.0000000000001], "pdof": -3.141592653589793}, {}]}"#), 0);
+    assert_eq!(faults(r#"{"vehicles": [{"surface": "rear", "K": [1, 2.00000000001], "pdof": 3.14}, {}]}"#), 3);
+    assert_eq!(faults(r#"{"vehicles": [{"surface": "front", "K": [1], "pdof": null}, {}]}"#), 3);
+    assert_eq!(faults(r#"{"vehicles": []}"#), 6);
+}
+
+#[test]
+fn the_second_crabbed_test_of_table_b2() {
+    const FOOT_POUND: f64 = 1.355_817_948_331_4;
+    let crash3 = json(&run_with_input(&["crash3", "-", "--format", "json"], &example("cavalier-crush.toml")));
+    let car = &crash3["vehicles"][0];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    // Printed: T_Ln 44215, T_L 47524 ft lb and 51334 of planar mechanics, from a mean depth of four digits: 9 and 10 ft lb are its rounding.
+    assert!((number(&car["crush_energy"]) / FOOT_POUND - 44_215.0).abs() < 10.0);
+    assert!((number(&car["corrected_energy"]) / FOOT_POUND - 47_524.0).abs() < 10.0);
+    assert!((number(&crash3["planar"]["planar"]["loss"]) / FOOT_POUND - 51_334.0).abs() < 12.0);
+    // Printed: 34.5 ft/s of planar mechanics.
+    assert!((number(&crash3["planar"]["planar"]["delta_v_magnitude"][0]) / 0.3048 - 34.5).abs() < 0.05);
+    let barrier = &crash3["vehicles"][1];
+    for key in ["crush_energy", "pdof", "correction", "corrected_energy", "effective_mass_factor", "delta_v_magnitude"] {
+        assert_eq!(barrier[key], 0.0, "{key}");
+    }
+    let crush = json(&run_with_input(&["crush", "-", "--format", "json"], &example("cavalier-crush.toml")));
+    for key in ["mean_depth", "d0", "d1", "A", "B", "crush_energy", "equivalent_energy_speed"] {
+        assert_eq!(crush["vehicles"][1][key], 0.0, "{key}");
+    }
+    assert_eq!(crush["vehicles"][1]["K"], serde_json::json!([0.0, 0.0, 0.0]));
+}
+
+#[test]
+fn the_texts_fit_a_terminal() {
+    for name in ["cavalier-crush.toml", "stiff-corner.toml", "oblique-surfaces.toml"] {
+        for verb in ["crush", "crash3"] {
+            for units in ["si", "us"] {
+                let run = run_with_input(&[verb, "-", "--units", units], &example(name));
+                assert_eq!((run.status, run.err.as_str()), (0, ""), "{verb} {name}");
+                for line in run.out.lines() {
+                    assert!(line.chars().count() <= 80 && line.trim_end() == line, "{verb} {name}: {line}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_crash3_says_has_derivatives_by_name() {
+    let case = example("stiff-corner.toml");
+    let of = "vehicle.1.crash3.delta_v_magnitude,vehicle.1.crush_energy";
+    let by = [
+        "vehicle.1.crush.zones.2.d1",
+        "vehicle.1.crush.zones.1.to",
+        "vehicle.1.crush.depths.3",
+        "vehicle.1.crush.stations.2",
+        "vehicle.1.crush.measured.offset",
+        "vehicle.1.crush.measured.angle",
+        "vehicle.2.crush.d1",
+        "vehicle.2.crush.width",
+        "vehicle.2.mass",
+        "contact.crush_plane",
+    ];
+    let wrt = by.join(",");
+    let gradient = json(&run_with_input(&["gradient", "-", "--format", "json", "--of", of, "--wrt", &wrt], &case));
+    for name in by {
+        // A sweep of three points around the value, as the difference quotient.
+        let value = gradient["wrt"][name].as_f64().expect("a value");
+        let step = 1e-4 * value.abs().max(0.1);
+        let unit = if name.ends_with("d1") { " N^0.5/m" } else { "" };
+        let vary = format!("{name}={}{unit}:{}{unit}:{step}{unit}", value - step, value + step);
+        let sweep = json(&run_with_input(&["sweep", "-", "--vary", &vary, "--of", of, "--format", "json"], &case));
+        for output in of.split(',') {
+            let values = sweep["of"][output].as_array().expect("values");
+            assert_eq!(values.len(), 3, "{vary}");
+            let at = |i: usize| values[i].as_f64().unwrap_or_else(|| panic!("{vary}: {sweep}"));
+            let (quotient, exact) = ((at(2) - at(0)) / (2.0 * step), gradient["of"][output]["d"][name].as_f64().expect("a derivative"));
+            let size = gradient["of"][output]["value"].as_f64().expect("a value") / value.abs().max(0.1);
+            assert!((quotient - exact).abs() <= 1e-6 * (exact.abs() + size), "{output} by {name}: {quotient} {exact}");
+        }
+    }
+    let nothing = run_with_input(&["gradient", "-", "--wrt", "vehicle.1.crush.d0"], &case);
+    assert_eq!(nothing.status, 2);
+    assert!(nothing.err.contains("the crush has 2 zones"), "{}", nothing.err);
+}
+
+#[test]
+fn what_the_file_gives_is_taken() {
+    let case = example("cavalier-crush.toml");
+    let with = |keys: &str| {
+        let case = case.replace("width = \"5 ft\"", &format!("{keys}\nwidth = \"5 ft\""));
+        json(&run_with_input(&["crash3", "-", "--format", "json"], &case))["vehicles"][0].clone()
+    };
+    let usual = with("");
+    assert_eq!(usual["surface"], "front");
+    let side = with("surface = \"right\"");
+    assert_eq!((side["surface"].as_str(), side["correction"].as_f64()), (Some("right"), Some(2.0)));
+    let ahead = with("pdof = \"0 deg\"");
+    assert_eq!((ahead["pdof"].as_f64(), ahead["correction"].as_f64(), ahead["moment_arm"].as_f64()), (Some(0.0), Some(1.0), Some(0.0)));
+    assert_eq!(ahead["effective_mass_factor"], 1.0);
+}
+
+#[test]
+fn a_case_that_does_not_collide_has_crush_and_no_direction_of_force() {
+    let case = example("cavalier-crush.toml").replace("\"29.3669 ft/s\"", "\"-29.3669 ft/s\"");
+    assert_eq!(run_with_input(&["crush", "-"], &case).status, 0);
+    let refused = run_with_input(&["crash3", "-"], &case);
+    assert_eq!((refused.status, refused.out.as_str()), (3, ""));
+    // With the direction given there is nothing to ask of the mechanics but the comparison.
+    let given = case.replace("width = \"5 ft\"", "pdof = \"10 deg\"\nwidth = \"5 ft\"");
+    let crash3 = json(&run_with_input(&["crash3", "-", "--format", "json"], &given));
+    assert_eq!(crash3["planar"], Value::Null);
+    assert_eq!(crash3["vehicles"][0]["reconstruction"], Value::Null);
+    assert!(crash3["notes"][0].as_str().is_some_and(|note| note.contains("nothing to compare with")), "{}", crash3["notes"]);
+}
