@@ -4,6 +4,7 @@
 //! decides what is learned from it. Each file begins with the list of its identities.
 
 mod compliance;
+mod crash3;
 mod crush;
 mod derivative;
 mod energy;
@@ -77,6 +78,7 @@ pub fn subjects() -> Vec<Subject> {
         Subject { name: "Special cases", identities: limit::all() },
         Subject { name: "Derivatives", identities: derivative::all() },
         Subject { name: "Crush energy", identities: crush::all() },
+        Subject { name: "CRASH3", identities: crash3::all() },
         Subject { name: "The paper's equations", identities: paper::all() },
     ]
 }

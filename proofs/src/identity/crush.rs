@@ -1,6 +1,6 @@
 //! The energy that residual crush stands for.
 
-use planar_impact::crush::{CrushStiffness, ProfileMoments, equivalent_energy_speed_squared};
+use planar_impact::crush::{CrushStiffness, Profile, ProfileMoments, equivalent_energy_speed_squared};
 use planar_impact::{Body, Contact, Field, Nt, Work};
 
 use super::{Identity, identity};
@@ -12,6 +12,7 @@ pub(super) fn all() -> Vec<Identity> {
         identity!(flat_profile, "crush energy of a flat profile", "E* = d₀ + d₁ C:  w E*² = 2 E_C", "Eqs 3, 4"),
         identity!(profile, "crush energy of six depths", "E_C = ½ ∫ (d₀ + d₁ C)² dw, C linear between the depths", "Eq 4"),
         identity!(refined, "more depths on the same lines change nothing", "E_C from the depths and their midpoints is E_C", "Eq 4"),
+        identity!(split, "the energy of a width is that of its parts", "E_C of two profiles side by side is the sum", "Eq 4"),
         identity!(series, "a series of barrier tests adds up", "½ m EES² = −Σ W_n,  EES² = Σ (1 − e²) v_n²", "Eq 9"),
     ]
 }
@@ -58,6 +59,18 @@ fn refined<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     fine.extend(depths.last().cloned());
     let mut must = Equations::new();
     must.equal(energy(&stiffness, width.clone(), &fine), energy(&stiffness, width, &depths));
+    must
+}
+
+fn split<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
+    let stiffness = stiffness(free);
+    let [stations, depths]: [[T; DEPTHS]; 2] = core::array::from_fn(|_| core::array::from_fn(|_| free.variable()));
+    let energy = |range: core::ops::Range<usize>| {
+        let profile = Profile::at_stations(stations[range.clone()].to_vec(), depths[range].to_vec());
+        profile.ok().map_or(T::int(0), |profile| stiffness.crush_energy(profile.moments()))
+    };
+    let mut must = Equations::new();
+    must.equal(energy(0..DEPTHS), energy(0..3) + energy(2..DEPTHS));
     must
 }
 
