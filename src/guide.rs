@@ -3,6 +3,9 @@
 #[doc = include_str!("guide/sensitivities.md")]
 pub mod sensitivities {}
 
+#[doc = include_str!("guide/crush.md")]
+pub mod crush {}
+
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
 

@@ -2,7 +2,7 @@
 //!
 //! # Pages
 //!
-//! [Sensitivities](guide::sensitivities), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
+//! [Sensitivities](guide::sensitivities), [crush and CRASH3](guide::crush), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
 //!
 //! # The argument, module by module
 //!
