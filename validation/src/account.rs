@@ -1,7 +1,7 @@
 //! One cell and its verdict.
 
-use crate::data::Printed;
 use crate::ledger::{Bound, Ledger, Misprint};
+use crate::sheet::Printed;
 
 /// A printed cell that the paper computed.
 #[derive(Clone, Debug, PartialEq)]

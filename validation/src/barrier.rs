@@ -1,8 +1,9 @@
 //! Table B1: a car crabbed by 30° against a barrier, three times over.
 
 use crate::account::Computed;
-use crate::data::{DataError, Sheet};
+use crate::data::DataError;
 use crate::geometry::{Geometry, Wall, solve};
+use crate::sheet::Sheet;
 use planar_impact::{Collision, Impact, Party};
 
 pub(crate) const TABLE_B1: &str = "Table B1";
@@ -53,7 +54,8 @@ pub(crate) fn vehicle_masses(collision: &Collision) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::data::{Printed, Texts};
+    use crate::data::Texts;
+    use crate::sheet::Printed;
 
     fn cells(wall: Wall) -> Vec<Computed> {
         let texts = Texts::embedded();

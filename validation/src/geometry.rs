@@ -1,6 +1,7 @@
 //! The collisions behind the tables, in feet, slugs and seconds: the library takes any coherent units.
 
-use crate::data::{DataError, Sheet};
+use crate::data::DataError;
+use crate::sheet::Sheet;
 use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
 use std::collections::HashMap;
 

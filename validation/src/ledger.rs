@@ -1,7 +1,8 @@
 //! What is known to be off: bounds with their reasons, and misprints.
 
 use crate::account::{Cell, Verdict};
-use crate::data::{DataError, Printed, Sheet};
+use crate::data::DataError;
+use crate::sheet::{Printed, Sheet};
 
 /// How far some cells may be from what is printed.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,12 +7,14 @@ mod geometry;
 mod ledger;
 mod perpendicular;
 mod report;
+mod sheet;
 mod statement;
 
 pub use account::{Cell, Verdict};
-pub use data::{DataError, Printed, Texts};
+pub use data::{DataError, Texts};
 pub use ledger::{Bound, LARGEST_SLACK, Misprint};
 pub use report::{Counts, Problem, Report, TableReport};
+pub use sheet::Printed;
 pub use statement::{Standing, Statement};
 
 /// Computes every cell of the tables that come with the crate, and holds it against the print.

@@ -1,8 +1,9 @@
 //! Tables 1 and 2: two vehicles at right angles.
 
 use crate::account::Computed;
-use crate::data::{DataError, Row, Sheet};
+use crate::data::DataError;
 use crate::geometry::{Geometry, Perpendicular, Position, solve};
+use crate::sheet::{Row, Sheet};
 
 pub(crate) const TABLE_1: &str = "Table 1";
 pub(crate) const TABLE_2: &str = "Table 2";

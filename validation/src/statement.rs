@@ -6,8 +6,9 @@ mod restitution;
 mod speeds;
 
 use crate::account::Computed;
-use crate::data::{DataError, Printed};
+use crate::data::DataError;
 use crate::geometry::Geometry;
+use crate::sheet::Printed;
 
 /// A statement, with what is found when it is computed.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,9 @@
 use super::{Standing, Statement, largest, rounds_to};
 use crate::account::Computed;
 use crate::barrier::{MPH, table_b1, vehicle_masses};
-use crate::data::{DataError, Sheet};
+use crate::data::DataError;
 use crate::geometry::{Geometry, Wall};
+use crate::sheet::Sheet;
 
 const PLACE: &str = "comparison with barrier tests";
 
