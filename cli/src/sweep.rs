@@ -4,7 +4,7 @@ mod chart;
 mod contours;
 mod data;
 mod labels;
-mod plot;
+pub mod plot;
 mod range;
 mod text;
 

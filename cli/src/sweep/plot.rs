@@ -1,4 +1,4 @@
-//! What both kinds of chart have in common: the page, its axes and how their numbers are written.
+//! What all charts have in common: the page, its axes and how their numbers are written.
 
 use std::ops::Range as Span;
 
@@ -37,33 +37,38 @@ pub const GRID: RGBColor = RGBColor(222, 222, 222);
 /// # Errors
 ///
 /// A defect: drawing into memory cannot fail.
-pub fn svg(sweep: &Sweep<'_>) -> Result<String, Failure> {
-    let mut text = String::new();
-    let height = draw(sweep, &mut text).map_err(|error| Failure::Data(error.to_string()))?;
-    // The view box keeps the fine coordinates; the size is in pixels.
-    let size = |fine: u32| format!("<svg width=\"{}\" height=\"{}\"", WIDTH / fine, height / fine);
-    let sized = text.replacen(&size(1), &size(FINE), 1);
-    if sized == text { Err(Failure::Data("the chart has no size".to_owned())) } else { Ok(sized) }
+pub(super) fn svg(sweep: &Sweep<'_>) -> Result<String, Failure> {
+    // A grid of one row is a line.
+    if sweep.ranges.iter().filter(|range| range.si.len() > 1).count() == 2 {
+        page(&title(sweep), contours::height(sweep), |body| contours::draw(sweep, body))
+    } else {
+        page(&title(sweep), chart::height(sweep), |body| chart::draw(sweep, body))
+    }
 }
 
 /// What drawing can fail with.
 pub type Drawn<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
-fn draw(sweep: &Sweep<'_>, text: &mut String) -> Drawn<u32> {
-    // A grid of one row is a line.
-    let grid = sweep.ranges.iter().filter(|range| range.si.len() > 1).count() == 2;
-    let height = TITLE + if grid { contours::height(sweep) } else { chart::height(sweep) };
-    let page = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
-    page.fill(&WHITE)?;
-    let (head, body) = page.split_vertically(TITLE);
-    write(&head, &title(sweep), 21, (16, 12))?;
-    if grid {
-        contours::draw(sweep, &body)?
-    } else {
-        chart::draw(sweep, &body)?
-    }
-    page.present()?;
-    Ok(height)
+/// A page with a title, and below it a drawing of a height.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn page(title: &str, height: u32, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Result<String, Failure> {
+    let (mut text, height) = (String::new(), TITLE + height);
+    let on_page = |text: &mut String| -> Drawn {
+        let page = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
+        page.fill(&WHITE)?;
+        let (head, body) = page.split_vertically(TITLE);
+        write(&head, title, 21, (16, 12))?;
+        draw(&body)?;
+        Ok(page.present()?)
+    };
+    on_page(&mut text).map_err(|error| Failure::Data(error.to_string()))?;
+    // The view box keeps the fine coordinates; the size is in pixels.
+    let size = |fine: u32| format!("<svg width=\"{}\" height=\"{}\"", WIDTH / fine, height / fine);
+    let sized = text.replacen(&size(1), &size(FINE), 1);
+    if sized == text { Err(Failure::Data("the chart has no size".to_owned())) } else { Ok(sized) }
 }
 
 /// The title of the case, with the input that has one value only.
