@@ -83,6 +83,12 @@ Examples:
   planar-impact gradient cli/examples/oblique-surfaces.toml --of dV1,dV2 --wrt Gamma,e
   planar-impact gradient cli/examples/position-a.toml --of W_n --second --format json";
 
+const VALIDATE: &str = "Examples:
+  planar-impact validate
+  planar-impact validate --format json
+  planar-impact validate --figure 6 > figure-6.svg
+  planar-impact validate --figure 7 > figure-7.svg";
+
 const CHECK: &str = r#"A file of records, in any of three forms:
   a JSON document   { "schema": "planar-impact-record/1", "units": { ... }, "records": [ ... ] }
   JSON Lines        the same without `records` on the first line, then a record on each line
@@ -183,8 +189,8 @@ pub enum Verb {
     /// Reconstruct delta-V from crush as CRASH3 does, beside planar mechanics.
     #[command(after_help = CRASH3)]
     Crash3(Crash3),
-    /// Hold every printed cell of the paper's impact tables to account.
-    #[command(after_help = "Examples:\n  planar-impact validate\n  planar-impact validate --format json")]
+    /// Hold every printed cell of the paper's tables to account, then measured tests.
+    #[command(after_help = VALIDATE)]
     Validate(Validate),
     /// Prove the identities of the mechanics, and show what is wrong in print.
     #[command(after_help = "Examples:\n  planar-impact prove\n  planar-impact prove --format json")]
@@ -364,6 +370,20 @@ pub struct Validate {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// Draw a figure of the paper as SVG instead, from the computed numbers.
+    #[arg(long, value_enum, value_name = "NUMBER", conflicts_with = "format")]
+    pub figure: Option<FigureNumber>,
+}
+
+/// A figure that can be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FigureNumber {
+    /// Cumulative crush energy against crush.
+    #[value(name = "6")]
+    Six,
+    /// E* against crush, with the linear model.
+    #[value(name = "7")]
+    Seven,
 }
 
 /// The call of `prove`.

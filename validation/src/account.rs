@@ -104,6 +104,21 @@ pub(crate) struct Computed {
     pub(crate) value: f64,
 }
 
+/// What is computed for a cell; NaN, which agrees with nothing, if there is no such cell.
+pub(crate) fn value(cells: &[Computed], row: &str, column: &str) -> f64 {
+    find(cells, row, column).map_or(f64::NAN, |cell| cell.value)
+}
+
+/// What is printed in a cell; NaN if there is no such cell.
+pub(crate) fn printed(cells: &[Computed], row: &str, column: &str) -> f64 {
+    find(cells, row, column).map_or(f64::NAN, |cell| cell.printed.value())
+}
+
+/// A cell by row and column.
+pub(crate) fn find<'a>(cells: &'a [Computed], row: &str, column: &str) -> Option<&'a Computed> {
+    cells.iter().find(|cell| cell.row == row && cell.column == column)
+}
+
 fn judge(printed: &Printed, value: f64, bound: Option<&Bound>) -> Verdict {
     if printed.agrees_with(value) {
         return Verdict::Agrees;

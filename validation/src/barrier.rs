@@ -2,7 +2,9 @@
 
 use crate::account::Computed;
 use crate::data::DataError;
+use crate::entries::{Entries, GivenColumn, Nature};
 use crate::geometry::{Geometry, Wall, solve};
+use crate::impulses::Measurements;
 use crate::sheet::Sheet;
 use planar_impact::{Collision, Impact, Party};
 
@@ -39,6 +41,25 @@ pub(crate) fn table_b1(geometry: &Geometry, text: &str, wall: Wall) -> Result<Ve
         cell("pdof", "deg", row.number("pdof_deg")?, impact.one.principal_direction_of_force().to_degrees().abs());
     }
     Ok(cells)
+}
+
+/// All cells of Table B1: those above, those that Tables 3 and 4 hold as well, and those that nothing computes.
+pub(crate) fn entries(computed: &[Computed], measurements: &Measurements<'_>, text: &str) -> Result<Entries, DataError> {
+    const GIVEN: [GivenColumn; 3] = [
+        GivenColumn { header: "vi", column: "v_i", unit: "ft/s", nature: Nature::Measured },
+        GivenColumn { header: "omega_test", column: "test_omega", unit: "deg/s", nature: Nature::Measured },
+        GivenColumn { header: "dv_test_mph", column: "test_dv_mph", unit: "mph", nature: Nature::Measured },
+    ];
+    let sheet = Sheet::read("tableB1.csv", text)?;
+    let mut entries = Entries::of(TABLE_B1, &sheet, &["test"]);
+    for row in sheet.rows() {
+        let (test, e) = (row.text("test")?, row.number("e")?);
+        let label = format!("{test} {}", e.text());
+        entries.give(&row, &label, &GIVEN)?;
+        measurements.carry(&mut entries, &row, &label, test)?;
+    }
+    entries.computed.extend_from_slice(computed);
+    Ok(entries)
 }
 
 fn yaw_rate(impact: &Impact) -> f64 {

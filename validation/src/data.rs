@@ -2,21 +2,35 @@
 
 use std::fmt;
 
-/// The six texts of a run, in CSV; lines that begin with `#` are remarks.
+/// The texts of a run, in CSV; lines that begin with `#` are remarks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texts<'a> {
     /// Table 1 as printed.
     pub table_1: &'a str,
     /// Table 2 as printed.
     pub table_2: &'a str,
+    /// Table 3 as printed.
+    pub table_3: &'a str,
+    /// Table 4 as printed.
+    pub table_4: &'a str,
+    /// Table 5 as printed.
+    pub table_5: &'a str,
+    /// Table 6 as printed.
+    pub table_6: &'a str,
     /// Table B1 as printed.
     pub table_b1: &'a str,
+    /// Table B2 as printed.
+    pub table_b2: &'a str,
     /// Masses, inertias and arms.
     pub geometry: &'a str,
     /// Cells known to be wrong in print.
     pub misprints: &'a str,
     /// How far cells may be off, and why.
     pub bounds: &'a str,
+    /// Measured small-overlap barrier tests.
+    pub iihs: &'a str,
+    /// Measured full-frontal barrier tests.
+    pub nhtsa: &'a str,
 }
 
 impl Texts<'static> {
@@ -25,10 +39,17 @@ impl Texts<'static> {
         Texts {
             table_1: include_str!("../data/table1.csv"),
             table_2: include_str!("../data/table2.csv"),
+            table_3: include_str!("../data/table3.csv"),
+            table_4: include_str!("../data/table4.csv"),
+            table_5: include_str!("../data/table5.csv"),
+            table_6: include_str!("../data/table6.csv"),
             table_b1: include_str!("../data/tableB1.csv"),
+            table_b2: include_str!("../data/tableB2.csv"),
             geometry: include_str!("../data/geometry.csv"),
             misprints: include_str!("../data/misprints.csv"),
             bounds: include_str!("../data/bounds.csv"),
+            iihs: include_str!("../data/iihs.csv"),
+            nhtsa: include_str!("../data/nhtsa.csv"),
         }
     }
 }
@@ -74,8 +95,10 @@ pub enum DataError {
         /// The field.
         field: String,
     },
-    /// The geometry lacks an entry, or has it twice.
+    /// A text lacks an entry, or has it twice.
     NotOnce {
+        /// The text.
+        file: &'static str,
         /// The entry.
         entry: String,
     },
@@ -96,7 +119,7 @@ impl fmt::Display for DataError {
             DataError::NoColumn { file, column } => write!(f, "{file}: no column {column}"),
             DataError::NotANumber { file, column, field } => write!(f, "{file}: {column}: {field:?} is not a number that may stand there"),
             DataError::UnknownWord { file, column, field } => write!(f, "{file}: {column}: unknown {field:?}"),
-            DataError::NotOnce { entry } => write!(f, "geometry.csv: {entry} must stand there once"),
+            DataError::NotOnce { file, entry } => write!(f, "{file}: {entry} must stand there once"),
             DataError::Refused { collision, reasons } => write!(f, "{collision}: {reasons}"),
         }
     }

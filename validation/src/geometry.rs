@@ -2,8 +2,11 @@
 
 use crate::data::DataError;
 use crate::sheet::Sheet;
+use planar_impact::crush::CrushStiffness;
 use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
 use std::collections::HashMap;
+
+const FILE: &str = "geometry.csv";
 
 /// Where vehicle 1 hits vehicle 2 (Fig 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,19 +66,23 @@ pub(crate) struct Geometry {
     barrier_arm: f64,
     barrier_yaw_inertia: f64,
     pub(crate) papers_barrier_mass: f64,
+    /// Width of the residual crush in ft.
+    pub(crate) crush_width: f64,
+    /// The line E* = d₀ + d₁ C in √lbf and √lbf/ft.
+    pub(crate) crush: CrushStiffness,
 }
 
 impl Geometry {
     pub(crate) fn read(text: &str) -> Result<Self, DataError> {
-        let sheet = Sheet::read("geometry.csv", text)?;
+        let sheet = Sheet::read(FILE, text)?;
         let mut entries = HashMap::new();
         for row in sheet.rows() {
             let entry = row.text("entry")?.to_owned();
             if entries.insert(entry.clone(), row.number("value")?.value()).is_some() {
-                return Err(DataError::NotOnce { entry });
+                return Err(DataError::NotOnce { file: FILE, entry });
             }
         }
-        let mut take = |entry: &str| entries.remove(entry).ok_or_else(|| DataError::NotOnce { entry: entry.to_owned() });
+        let mut take = |entry: &str| entries.remove(entry).ok_or_else(|| DataError::NotOnce { file: FILE, entry: entry.to_owned() });
         let mut arms = [[Xy::zero(); 2]; 3];
         for (arms, position) in arms.iter_mut().zip(Position::ALL) {
             for (arm, vehicle) in arms.iter_mut().zip(["one", "two"]) {
@@ -93,9 +100,11 @@ impl Geometry {
             barrier_arm: take("barrier.arm")?,
             barrier_yaw_inertia: take("barrier.yaw_inertia")?,
             papers_barrier_mass: take("barrier.papers_mass")?,
+            crush_width: take("crush.width")?,
+            crush: CrushStiffness { onset: take("crush.onset")?, slope: take("crush.slope")? },
         };
         match entries.into_keys().min() {
-            Some(field) => Err(DataError::UnknownWord { file: "geometry.csv", column: "entry", field }),
+            Some(field) => Err(DataError::UnknownWord { file: FILE, column: "entry", field }),
             None => Ok(geometry),
         }
     }
@@ -188,9 +197,9 @@ mod tests {
     fn an_entry_that_is_missing_twice_there_or_unknown_is_refused() {
         let whole = Texts::embedded().geometry;
         let without = whole.replace("barrier.arm,", "barrier.leg,");
-        assert_eq!(Geometry::read(&without).err(), Some(DataError::NotOnce { entry: "barrier.arm".into() }));
+        assert_eq!(Geometry::read(&without).err(), Some(DataError::NotOnce { file: FILE, entry: "barrier.arm".into() }));
         let twice = format!("{whole}gravity,32.2,ft/s2,again\n");
-        assert_eq!(Geometry::read(&twice).err(), Some(DataError::NotOnce { entry: "gravity".into() }));
+        assert_eq!(Geometry::read(&twice).err(), Some(DataError::NotOnce { file: FILE, entry: "gravity".into() }));
         let more = format!("{whole}moon,1,ft,nowhere\n");
         assert!(matches!(Geometry::read(&more).err(), Some(DataError::UnknownWord { field, .. }) if field == "moon"));
     }

@@ -1,10 +1,15 @@
 //! What a run found, and whether it holds.
 
-use crate::account::{Cell, Computed, Verdict};
+use crate::account::{Cell, Verdict};
+use crate::chain::Link;
+use crate::entries::{Entries, Given};
+use crate::figure::Figure;
 use crate::ledger::{Bound, LARGEST_SLACK, Ledger, Misprint, first};
+use crate::measured::Measured;
+use crate::problem::Problem;
 use crate::statement::Statement;
+use crate::tables::{Expected, TABLES};
 use std::collections::HashSet;
-use std::fmt;
 
 /// Everything that a run found.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +22,12 @@ pub struct Report {
     pub bounds: Vec<Bound>,
     /// The misprints of this run.
     pub misprints: Vec<Misprint>,
+    /// How one misprint led to another.
+    pub chain: Vec<Link>,
+    /// Figures 6 and 7, from the same numbers.
+    pub figures: Vec<Figure>,
+    /// The second stage: measured tests that are not the paper's.
+    pub measured: Measured,
 }
 
 /// One table.
@@ -24,12 +35,18 @@ pub struct Report {
 pub struct TableReport {
     /// Its name, such as `Table 1`.
     pub name: &'static str,
-    /// Its computed cells, row by row.
+    /// Its computed cells.
     pub cells: Vec<Cell>,
-    /// How many there should be.
+    /// Its cells that nothing computes.
+    pub given: Vec<Given>,
+    /// How many cells its text has, computed or not.
+    pub printed_cells: usize,
+    /// How many computed cells there should be.
     pub expected_cells: usize,
-    /// Columns that are given or measured: nothing computes them.
-    pub not_computed: &'static str,
+    /// How many given and measured cells there should be.
+    pub expected_given: usize,
+    /// Which cells are given, measured, or taken over from another table.
+    pub remark: &'static str,
 }
 
 /// How many cells have which verdict.
@@ -41,82 +58,28 @@ pub struct Counts {
     pub within_bound: usize,
     /// Cells that are wrong in print.
     pub misprints: usize,
+    /// Cells that are given or measured: nothing computes them.
+    pub given: usize,
     /// Cells that are not accounted for.
     pub unaccounted: usize,
 }
 
-/// Why a report does not hold.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Problem {
-    /// A table is missing, or stands there twice.
-    Table {
-        /// Its name.
-        name: &'static str,
-    },
-    /// A table has more or fewer computed cells than the paper.
-    CellCount {
-        /// The table.
-        table: &'static str,
-        /// How many it should have.
-        expected: usize,
-        /// How many it has.
-        found: usize,
-    },
-    /// A cell stands there twice.
-    Repeated {
-        /// The table.
-        table: &'static str,
-        /// The row's label.
-        row: String,
-        /// The column.
-        column: &'static str,
-    },
-    /// A cell is not accounted for.
-    Cell(Cell),
-    /// A bound covers no cell that needs it.
-    UnusedBound(Bound),
-    /// A bound is wider than [`LARGEST_SLACK`] times what it covers.
-    LooseBound {
-        /// The bound.
-        bound: Bound,
-        /// The largest difference that it covers, as a fraction of it.
-        used: f64,
-    },
-    /// A listed misprint is no misprint of any cell.
-    StaleMisprint(Misprint),
-    /// Fewer statements were checked than there are.
-    StatementCount {
-        /// How many there should be.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// A statement does not stand as expected.
-    Statement(Statement),
-}
-
-/// The tables of the paper that are held to account, with the number of their computed cells.
-pub(crate) const TABLES: [(&str, usize, &str); 3] = [
-    (crate::perpendicular::TABLE_1, 27 * 3, "v_1x, v_2y, e and the position are given"),
-    (crate::perpendicular::TABLE_2, 13 * 3, "Γ is given"),
-    (crate::barrier::TABLE_B1, 6 * 11, "v_i and e are given; μ, Ω and ΔV of the tests are measured"),
-];
-
 impl TableReport {
-    pub(crate) fn judged(which: usize, cells: Vec<Computed>, ledger: &Ledger) -> Self {
-        let (name, expected_cells, not_computed) = TABLES[which];
+    pub(crate) fn judged(expected: &Expected, entries: Entries, ledger: &Ledger) -> Self {
         TableReport {
-            name,
-            cells: cells.into_iter().map(|computed| Cell::judged(computed, ledger)).collect(),
-            expected_cells,
-            not_computed,
+            name: expected.name,
+            cells: entries.computed.into_iter().map(|computed| Cell::judged(computed, ledger)).collect(),
+            given: entries.given,
+            printed_cells: entries.printed,
+            expected_cells: expected.computed,
+            expected_given: expected.given,
+            remark: expected.remark,
         }
     }
 
     /// Its cells by verdict.
     pub fn counts(&self) -> Counts {
-        let mut counts = Counts::default();
+        let mut counts = Counts { given: self.given.len(), ..Counts::default() };
         for cell in &self.cells {
             match cell.verdict {
                 Verdict::Agrees => counts.agree += 1,
@@ -128,16 +91,32 @@ impl TableReport {
         counts
     }
 
-    /// A cell by row and column.
+    /// What is wrong with the number of its cells.
+    fn miscounts(&self) -> Vec<Problem> {
+        let (table, computed, given) = (self.name, self.cells.len(), self.given.len());
+        let mut problems = Vec::new();
+        if computed != self.expected_cells {
+            problems.push(Problem::CellCount { table, expected: self.expected_cells, found: computed });
+        }
+        if given != self.expected_given {
+            problems.push(Problem::GivenCount { table, expected: self.expected_given, found: given });
+        }
+        if computed + given != self.printed_cells {
+            problems.push(Problem::LeftOut { table, printed: self.printed_cells, accounted: computed + given });
+        }
+        problems
+    }
+
+    /// A computed cell by row and column.
     pub fn cell(&self, row: &str, column: &str) -> Option<&Cell> {
         self.cells.iter().find(|cell| cell.row == row && cell.column == column)
     }
 }
 
 impl Counts {
-    /// All of them.
+    /// All of them: every cell in print.
     pub fn total(&self) -> usize {
-        self.agree + self.within_bound + self.misprints + self.unaccounted
+        self.agree + self.within_bound + self.misprints + self.given + self.unaccounted
     }
 }
 
@@ -147,7 +126,7 @@ impl Report {
         self.tables.iter().find(|table| table.name == name)
     }
 
-    /// Every cell of every table.
+    /// Every computed cell of every table.
     pub fn cells(&self) -> impl Iterator<Item = &Cell> {
         self.tables.iter().flat_map(|table| &table.cells)
     }
@@ -158,6 +137,7 @@ impl Report {
             agree: sum.agree + table.agree,
             within_bound: sum.within_bound + table.within_bound,
             misprints: sum.misprints + table.misprints,
+            given: sum.given + table.given,
             unaccounted: sum.unaccounted + table.unaccounted,
         })
     }
@@ -170,19 +150,21 @@ impl Report {
     /// Why it does not hold; empty if it does.
     pub fn problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
-        for (name, expected, _) in TABLES {
+        for Expected { name, .. } in TABLES {
             let mut found = self.tables.iter().filter(|table| table.name == name);
             match (found.next(), found.next()) {
-                (Some(table), None) if table.cells.len() == expected => (),
-                (Some(table), None) => problems.push(Problem::CellCount { table: name, expected, found: table.cells.len() }),
+                (Some(table), None) => problems.extend(table.miscounts()),
                 _ => problems.push(Problem::Table { name }),
             }
         }
         let mut seen = HashSet::new();
-        for cell in self.cells() {
-            if !seen.insert((cell.table, &cell.row, cell.column)) {
-                problems.push(Problem::Repeated { table: cell.table, row: cell.row.clone(), column: cell.column });
+        let given = self.tables.iter().flat_map(|table| &table.given).map(|given| (given.table, &given.row, given.column));
+        for (table, row, column) in self.cells().map(|cell| (cell.table, &cell.row, cell.column)).chain(given) {
+            if !seen.insert((table, row, column)) {
+                problems.push(Problem::Repeated { table, row: row.clone(), column });
             }
+        }
+        for cell in self.cells() {
             if !cell.verdict.is_accounted_for() {
                 problems.push(Problem::Cell(cell.clone()));
             }
@@ -200,6 +182,14 @@ impl Report {
             problems.push(Problem::StatementCount { expected, found: self.statements.len() });
         }
         problems.extend(self.statements.iter().filter(|statement| !statement.is_as_expected()).cloned().map(Problem::Statement));
+        problems.extend(self.chain.iter().filter(|link| !link.follows).cloned().map(Problem::Chain));
+        if self.chain.is_empty() {
+            problems.push(Problem::NoChain);
+        }
+        if self.figures.iter().map(|figure| figure.number).ne([6, 7]) {
+            problems.push(Problem::Figures);
+        }
+        problems.extend(self.measured.problems().into_iter().map(Problem::Measured));
         problems
     }
 
@@ -224,41 +214,12 @@ impl Report {
 
     /// The outcome in one line.
     pub fn summary(&self) -> String {
-        let Counts { agree, within_bound, misprints, unaccounted } = self.counts();
+        let Counts { agree, within_bound, misprints, given, unaccounted } = self.counts();
         let total = self.counts().total();
         let outcome = if self.holds() { "all accounted for" } else { "NOT all accounted for" };
         format!(
-            "{total} cells: {agree} agree to the last digit, {within_bound} within a stated bound, {misprints} misprinted, {unaccounted} unaccounted for; {} statements; {outcome}",
+            "{total} cells: {agree} agree to the last digit, {within_bound} within a stated bound, {misprints} misprinted, {given} given or measured, {unaccounted} unaccounted for; {} statements; {outcome}",
             self.statements.len()
         )
-    }
-}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Problem::Table { name } => write!(f, "{name} must be there once"),
-            Problem::CellCount { table, expected, found } => write!(f, "{table} has {found} computed cells, and should have {expected}"),
-            Problem::Repeated { table, row, column } => write!(f, "{table}, {row}, {column} stands there twice"),
-            Problem::Cell(cell) => {
-                let (table, row, column, verdict) = (cell.table, &cell.row, cell.column, cell.verdict.name());
-                write!(f, "{table}, {row}, {column}: {verdict}: printed {}, computed {}", cell.printed.text(), cell.computed)
-            }
-            Problem::UnusedBound(bound) => {
-                write!(f, "the bound of {}, {}, {} is for no cell that needs it", bound.table, bound.rows, bound.column)
-            }
-            Problem::LooseBound { bound, used } => {
-                write!(f, "the bound of {}, {}, {} is too wide: {used:.2} of it is used", bound.table, bound.rows, bound.column)
-            }
-            Problem::StaleMisprint(misprint) => {
-                let Misprint { table, row, column, .. } = misprint;
-                write!(f, "{table}, {row}, {column} is listed as a misprint of {}, and is none", misprint.holds.text())
-            }
-            Problem::StatementCount { expected, found } => write!(f, "{found} statements were checked, and {expected} should have been"),
-            Problem::Statement(statement) => {
-                let (was, is) = (statement.expected.name(), statement.standing.name());
-                write!(f, "{}: {is}, and should be: {was}; found {}", statement.name, statement.found)
-            }
-        }
     }
 }

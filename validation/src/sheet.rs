@@ -74,6 +74,12 @@ impl Sheet {
         if rows.is_empty() { Err(DataError::Empty { file }) } else { Ok(Sheet { file, header, rows }) }
     }
 
+    /// How many fields are not empty, but for some columns.
+    pub(crate) fn filled(&self, but: &[&str]) -> usize {
+        let counts = |(name, field): &(&str, &str)| !but.contains(name) && !field.is_empty();
+        self.rows.iter().map(|record| self.header.iter().zip(record).filter(counts).count()).sum()
+    }
+
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.rows.iter().map(|record| Row { sheet: self, record })
     }
@@ -88,6 +94,11 @@ impl<'a> Row<'a> {
     pub(crate) fn number(&self, column: &'static str) -> Result<Printed, DataError> {
         let field = self.text(column)?;
         Printed::parse(field).ok_or_else(|| DataError::NotANumber { file: self.sheet.file, column, field: field.to_owned() })
+    }
+
+    /// None where nothing is printed.
+    pub(crate) fn number_if_any(&self, column: &'static str) -> Result<Option<Printed>, DataError> {
+        if self.text(column)?.is_empty() { Ok(None) } else { self.number(column).map(Some) }
     }
 }
 

@@ -2,12 +2,18 @@
 
 mod crabbed;
 mod crush_plane;
+mod energies;
+mod impulses;
 mod restitution;
 mod speeds;
+mod units;
 
 use crate::account::Computed;
 use crate::data::DataError;
+use crate::entries::Entries;
 use crate::geometry::Geometry;
+use crate::reconstruction::Reconstructions;
+use crate::series::Series;
 use crate::sheet::Printed;
 
 /// A statement, with what is found when it is computed.
@@ -39,21 +45,37 @@ pub enum Standing {
 }
 
 /// How many statements a run checks.
-pub(crate) const COUNT: usize = 22;
+pub(crate) const COUNT: usize = 37;
 
-/// The computed cells of Tables 1, 2 and B1.
+/// The cells of the tables, before they are judged.
 pub(crate) struct Cells<'a> {
     pub(crate) table_1: &'a [Computed],
     pub(crate) table_2: &'a [Computed],
+    pub(crate) table_3: &'a Entries,
+    pub(crate) table_5: &'a [Computed],
+    pub(crate) table_6: &'a [Computed],
+    /// What Table B1 computes by planar impact mechanics.
     pub(crate) table_b1: &'a [Computed],
+    pub(crate) table_b2: &'a [Computed],
+}
+
+/// The crabbed tests and what is made of their crush.
+pub(crate) struct Crabbed<'a> {
+    pub(crate) geometry: &'a Geometry,
+    pub(crate) series: &'a Series,
+    pub(crate) found: &'a Reconstructions,
 }
 
 /// Every statement, checked.
-pub(crate) fn all(geometry: &Geometry, cells: &Cells<'_>, table_b1: &str) -> Result<Vec<Statement>, DataError> {
+pub(crate) fn all(cells: &Cells<'_>, crabbed: &Crabbed<'_>, table_b1: &str) -> Result<Vec<Statement>, DataError> {
+    let geometry = crabbed.geometry;
     let mut statements = restitution::statements(cells.table_1);
     statements.extend(speeds::statements(geometry, cells.table_1)?);
     statements.extend(crush_plane::statements(geometry, cells.table_2)?);
-    statements.extend(crabbed::statements(geometry, cells.table_b1, table_b1)?);
+    statements.extend(impulses::statements(cells, crabbed));
+    statements.extend(crabbed::statements(crabbed, cells.table_b1, table_b1)?);
+    statements.extend(energies::statements(cells, crabbed)?);
+    statements.extend(units::statements(cells));
     Ok(statements)
 }
 
@@ -97,6 +119,14 @@ fn rounds_to(computed: f64, digits: &str) -> bool {
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let bigger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     numbers.into_iter().reduce(bigger).unwrap_or(f64::NAN)
+}
+
+fn joined(numbers: impl IntoIterator<Item = f64>, decimals: usize) -> String {
+    let numbers: Vec<_> = numbers.into_iter().map(|number| format!("{number:.decimals$}")).collect();
+    match &numbers[..] {
+        [most @ .., last] if !most.is_empty() => format!("{} and {last}", most.join(", ")),
+        _ => numbers.concat(),
+    }
 }
 
 #[cfg(test)]

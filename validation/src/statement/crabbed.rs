@@ -1,55 +1,22 @@
 //! What Table B1 shows of the tests, and of how the paper computed it.
 
-use super::{Standing, Statement, largest, rounds_to};
-use crate::account::Computed;
+use super::{Crabbed, Standing, Statement, joined, largest, rounds_to};
+use crate::account::{Computed, find, value};
 use crate::barrier::{MPH, table_b1, vehicle_masses};
 use crate::data::DataError;
 use crate::geometry::{Geometry, Wall};
-use crate::sheet::Sheet;
+use crate::series::{CrabbedTest, Restitution, Series};
 
 const PLACE: &str = "comparison with barrier tests";
 
-pub(super) fn statements(geometry: &Geometry, cells: &[Computed], text: &str) -> Result<Vec<Statement>, DataError> {
-    let heavy = table_b1(geometry, text, Wall::Papers)?;
-    let measured = Measured::read(text)?;
+pub(super) fn statements(crabbed: &Crabbed<'_>, cells: &[Computed], text: &str) -> Result<Vec<Statement>, DataError> {
+    let heavy = table_b1(crabbed.geometry, text, Wall::Papers)?;
     Ok(vec![
-        the_papers_wall_is_a_heavy_body(geometry, &heavy),
+        the_papers_wall_is_a_heavy_body(crabbed.geometry, &heavy),
         rounded_cells_are_computed_with(cells, &heavy),
-        velocity_changes_are_within_three_percent(cells, &measured),
-        yaw_rates_are_too_high(cells, &measured),
+        velocity_changes_are_within_three_percent(cells, crabbed.series),
+        yaw_rates_are_too_high(cells, crabbed.series),
     ])
-}
-
-/// What was measured in the tests: those rows whose restitution is the measured one.
-struct Measured {
-    row: String,
-    omega: f64,
-    delta_v: f64,
-}
-
-impl Measured {
-    fn read(text: &str) -> Result<Vec<Self>, DataError> {
-        let sheet = Sheet::read("tableB1.csv", text)?;
-        let mut measured = Vec::new();
-        for row in sheet.rows() {
-            if !row.text("omega_test")?.is_empty() {
-                measured.push(Measured {
-                    row: format!("{} {}", row.text("test")?, row.text("e")?),
-                    omega: row.number("omega_test")?.value(),
-                    delta_v: row.number("dv_test_mph")?.value(),
-                });
-            }
-        }
-        Ok(measured)
-    }
-}
-
-fn find<'a>(cells: &'a [Computed], row: &str, column: &str) -> Option<&'a Computed> {
-    cells.iter().find(|cell| cell.row == row && cell.column == column)
-}
-
-fn value(cells: &[Computed], row: &str, column: &str) -> f64 {
-    find(cells, row, column).map_or(f64::NAN, |cell| cell.value)
 }
 
 fn label(cell: &Computed) -> String {
@@ -103,44 +70,46 @@ fn rounded_cells_are_computed_with(cells: &[Computed], heavy: &[Computed]) -> St
     }
 }
 
-fn velocity_changes_are_within_three_percent(cells: &[Computed], measured: &[Measured]) -> Statement {
-    let off = measured.iter().map(|test| (value(cells, &test.row, "dv_mph") / test.delta_v - 1.0) * 100.0).collect::<Vec<_>>();
+fn velocity_changes_are_within_three_percent(cells: &[Computed], series: &Series) -> Statement {
+    let percent = |test: &CrabbedTest| (value(cells, &test.label(Restitution::Measured), "dv_mph") / test.delta_v_mph - 1.0) * 100.0;
+    let off = series.tests.iter().map(percent).collect::<Vec<_>>();
     Statement {
         name: "velocity changes are within 3 percent",
         place: PLACE,
         says: "the ΔV values from the three collisions are all within 3 % of the test",
-        found: format!("off by {} %", joined(&off, 2)),
+        found: format!("off by {} %", joined(off.iter().copied(), 2)),
         standing: Standing::of(off.len() == 3 && largest(off.iter().map(|percent| percent.abs())) <= 3.0),
         expected: Standing::Holds,
     }
 }
 
-fn yaw_rates_are_too_high(cells: &[Computed], measured: &[Measured]) -> Statement {
-    let factors = measured.iter().map(|test| value(cells, &test.row, "omega") / test.omega).collect::<Vec<_>>();
+fn yaw_rates_are_too_high(cells: &[Computed], series: &Series) -> Statement {
+    let factor = |test: &CrabbedTest| value(cells, &test.label(Restitution::Measured), "omega") / test.yaw_rate;
+    let factors = series.tests.iter().map(factor).collect::<Vec<_>>();
     let least = -largest(factors.iter().map(|factor| -factor));
     Statement {
         name: "yaw rates are too high",
         place: PLACE,
         says: "all computed yaw rates are higher than those of the tests, some by as much as a factor of 2",
-        found: format!("by factors of {}", joined(&factors, 2)),
+        found: format!("by factors of {}", joined(factors.iter().copied(), 2)),
         standing: Standing::of(factors.len() == 3 && least > 1.0 && rounds_to(largest(factors), "2")),
         expected: Standing::Holds,
     }
-}
-
-fn joined(numbers: &[f64], decimals: usize) -> String {
-    numbers.iter().map(|number| format!("{number:.decimals$}")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::data::Texts;
+    use crate::reconstruction::Reconstructions;
 
     fn standings(geometry: &str, table_b1_text: &str) -> Vec<Standing> {
         let geometry = Geometry::read(geometry).expect("digits");
         let cells = table_b1(&geometry, table_b1_text, Wall::Fixed).expect("digits");
-        statements(&geometry, &cells, table_b1_text).expect("digits").into_iter().map(|statement| statement.standing).collect()
+        let series = Series::read(table_b1_text, Texts::embedded().table_b2).expect("digits");
+        let found = Reconstructions::of(&geometry, &series, Wall::Fixed).expect("possible");
+        let crabbed = Crabbed { geometry: &geometry, series: &series, found: &found };
+        statements(&crabbed, &cells, table_b1_text).expect("digits").into_iter().map(|statement| statement.standing).collect()
     }
 
     #[test]
@@ -165,6 +134,6 @@ mod tests {
     #[test]
     fn a_measured_cell_that_is_no_number_is_an_error() {
         let text = Texts::embedded().table_b1.replace(",24.0,", ",fast,");
-        assert!(matches!(Measured::read(&text).err(), Some(DataError::NotANumber { column: "dv_test_mph", .. })));
+        assert!(matches!(Series::read(&text, Texts::embedded().table_b2).err(), Some(DataError::NotANumber { column: "dv_test_mph", .. })));
     }
 }

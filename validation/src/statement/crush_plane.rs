@@ -1,7 +1,7 @@
 //! What Table 2 and its text say of the crush plane Γ.
 
 use super::{Standing, Statement, largest};
-use crate::account::Computed;
+use crate::account::{Computed, find, value};
 use crate::data::DataError;
 use crate::geometry::{Geometry, solve};
 use crate::perpendicular::turned;
@@ -21,14 +21,6 @@ pub(super) fn statements(geometry: &Geometry, cells: &[Computed]) -> Result<Vec<
 
 fn at(geometry: &Geometry, gamma_degrees: f64, restitution: f64) -> Result<Impact, DataError> {
     solve(&geometry.perpendicular(turned(gamma_degrees, restitution)), &format!("position A, Γ = {gamma_degrees}°, e = {restitution}"))
-}
-
-fn find<'a>(cells: &'a [Computed], row: &str, column: &str) -> Option<&'a Computed> {
-    cells.iter().find(|cell| cell.row == row && cell.column == column)
-}
-
-fn value(cells: &[Computed], row: &str, column: &str) -> f64 {
-    find(cells, row, column).map_or(f64::NAN, |cell| cell.value)
 }
 
 fn rows_add_up(cells: &[Computed]) -> Statement {
@@ -149,7 +141,7 @@ mod tests {
     fn a_corrected_row_adds_up() {
         let texts = Texts::embedded();
         let geometry = Geometry::read(texts.geometry).expect("embedded");
-        let standing = |text: &str| rows_add_up(&table_2(&geometry, text).expect("digits")).standing;
+        let standing = |text: &str| rows_add_up(&table_2(&geometry, text).expect("digits").computed).standing;
         assert_eq!(standing(texts.table_2), Standing::HoldsConditionally);
         // The misprint of Γ = −2°, corrected.
         assert_eq!(standing(&texts.table_2.replace("-21631.2", "-21639.2")), Standing::Holds);

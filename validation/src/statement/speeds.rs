@@ -157,12 +157,12 @@ mod tests {
     fn miles_would_show() {
         let texts = Texts::embedded();
         let geometry = Geometry::read(texts.geometry).expect("embedded");
-        let cells = crate::perpendicular::table_1(&geometry, texts.table_1).expect("embedded");
+        let cells = crate::perpendicular::table_1(&geometry, texts.table_1).expect("embedded").computed;
         let statement = speeds_are_in_feet(&geometry, &cells).expect("possible");
         // (22/15)² = 2.1511
         assert!(statement.found.contains("2.151"), "{}", statement.found);
         // Were the works printed for mph, the statement would hold: 45369.6 × 2.15111 = 97595.1.
-        let cells = crate::perpendicular::table_1(&geometry, &texts.table_1.replace("-45369.6", "-97595.1")).expect("digits");
+        let cells = crate::perpendicular::table_1(&geometry, &texts.table_1.replace("-45369.6", "-97595.1")).expect("digits").computed;
         assert_eq!(speeds_are_in_feet(&geometry, &cells).map(|statement| statement.standing), Ok(Standing::Holds));
     }
 }

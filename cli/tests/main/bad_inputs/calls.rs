@@ -70,11 +70,12 @@ fn a_full_disk() {
     use crate::process::planar_impact;
     let folder = Folder::new();
     folder.write("case.toml", COLLISION.as_bytes());
-    let calls: [&[&str]; 7] = [
+    let calls: [&[&str]; 8] = [
         &["formula", "W_n"],
         &["solve", "case.toml"],
         &["solve", "case.toml", "--format", "json"],
         &["validate"],
+        &["validate", "--figure", "7"],
         &["man"],
         &["completions", "bash"],
         &["--help"],

@@ -1,0 +1,192 @@
+//! The second stage: tests that the paper does not have, computed and held against what was measured.
+//!
+//! Nothing here says how well the paper is reproduced, and nothing is fitted here: an error is reported as it is. A run fails where nothing can be computed,
+//! where a vehicle turns the wrong way, where a published coefficient is not found, and where an error has grown beyond the recorded one.
+
+mod frontal;
+mod small_overlap;
+
+use crate::data::DataError;
+use crate::sheet::{Printed, Row};
+use std::fmt;
+
+pub use frontal::{Coefficient, Frontal};
+pub use small_overlap::SmallOverlap;
+
+/// The measured tests of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Small-overlap barrier tests: ΔV and yaw rate.
+    pub small_overlap: Vec<SmallOverlap>,
+    /// Full-frontal barrier tests: stiffness, and energy of the crush.
+    pub frontal: Vec<Frontal>,
+}
+
+/// A measured number beside the computed one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// What was measured.
+    pub quantity: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// As published.
+    pub measured: Printed,
+    /// What the library computes, with the tangential law of the paper where there is one.
+    pub computed: f64,
+    /// The error in percent when the test was added, if one is recorded.
+    pub recorded: Option<Printed>,
+}
+
+/// Root mean squares of errors over the tests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RootMeanSquare {
+    /// In the unit of the quantity.
+    pub error: f64,
+    /// In percent of what was measured.
+    pub percent: f64,
+}
+
+/// Why the measured tests do not hold.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MeasuredProblem {
+    /// The car turns the wrong way.
+    Turn {
+        /// The test.
+        test: String,
+    },
+    /// An error is larger than the recorded one.
+    Worse {
+        /// The test.
+        test: String,
+        /// The reading, with its error.
+        reading: Reading,
+    },
+    /// A published coefficient is another one.
+    Coefficient {
+        /// The test.
+        test: String,
+        /// The coefficient.
+        coefficient: Coefficient,
+    },
+    /// There are no tests of a kind.
+    None {
+        /// Which kind.
+        kind: &'static str,
+    },
+    /// A test stands there twice.
+    Repeated {
+        /// The test.
+        test: String,
+    },
+}
+
+impl Reading {
+    /// Computed less measured.
+    pub fn error(&self) -> f64 {
+        self.error_of(self.computed)
+    }
+
+    /// The error in percent of what was measured.
+    pub fn percent(&self) -> f64 {
+        self.percent_of(self.computed)
+    }
+
+    /// The error of another computed number.
+    pub fn error_of(&self, computed: f64) -> f64 {
+        computed - self.measured.value()
+    }
+
+    /// The error of another computed number, in percent of what was measured.
+    pub fn percent_of(&self, computed: f64) -> f64 {
+        100.0 * self.error_of(computed) / self.measured.value()
+    }
+
+    /// Whether the computed number rounds to the published digits: the tests state no uncertainty but those.
+    pub fn is_within_digits(&self) -> bool {
+        self.measured.agrees_with(self.computed)
+    }
+
+    /// Whether the error has not grown beyond the recorded one. Written so that a NaN has.
+    pub fn is_as_recorded(&self) -> bool {
+        self.recorded.as_ref().is_none_or(|recorded| self.percent().abs() <= recorded.value().abs() + recorded.half_unit())
+    }
+}
+
+impl RootMeanSquare {
+    /// Of readings, each with a computed number.
+    pub(crate) fn of<'a>(readings: impl IntoIterator<Item = (&'a Reading, f64)>) -> Self {
+        let (mut errors, mut percents, mut count) = (0.0, 0.0, 0.0);
+        for (reading, computed) in readings {
+            errors += reading.error_of(computed).powi(2);
+            percents += reading.percent_of(computed).powi(2);
+            count += 1.0;
+        }
+        RootMeanSquare { error: f64::sqrt(errors / count), percent: f64::sqrt(percents / count) }
+    }
+}
+
+impl Measured {
+    pub(crate) fn read(iihs: &str, nhtsa: &str) -> Result<Self, DataError> {
+        Ok(Measured { small_overlap: small_overlap::read(iihs)?, frontal: frontal::read(nhtsa)? })
+    }
+
+    /// Every reading with the name of its test.
+    pub fn readings(&self) -> impl Iterator<Item = (&str, &Reading)> {
+        let overlap =
+            self.small_overlap.iter().flat_map(|test| [&test.delta_v, &test.yaw_rate].map(|reading| (test.test.as_str(), reading)));
+        overlap.chain(self.frontal.iter().map(|test| (test.test.as_str(), &test.energy)))
+    }
+
+    /// What does not hold; empty if all does.
+    pub fn problems(&self) -> Vec<MeasuredProblem> {
+        let name = |test: &str| test.to_owned();
+        let kinds = [("small-overlap", self.small_overlap.len()), ("full-frontal", self.frontal.len())];
+        let missing = kinds.into_iter().filter(|kind| kind.1 == 0);
+        let mut problems: Vec<_> = missing.map(|(kind, _)| MeasuredProblem::None { kind }).collect();
+        for test in self.small_overlap.iter().filter(|test| !test.turns_as_measured()) {
+            problems.push(MeasuredProblem::Turn { test: name(&test.test) });
+        }
+        for (test, reading) in self.readings().filter(|(_, reading)| !reading.is_as_recorded()) {
+            problems.push(MeasuredProblem::Worse { test: name(test), reading: reading.clone() });
+        }
+        for test in &self.frontal {
+            for coefficient in test.coefficients.iter().filter(|coefficient| !coefficient.is_as_published()) {
+                problems.push(MeasuredProblem::Coefficient { test: name(&test.test), coefficient: coefficient.clone() });
+            }
+        }
+        let names: Vec<&str> =
+            self.small_overlap.iter().map(|t| t.test.as_str()).chain(self.frontal.iter().map(|t| t.test.as_str())).collect();
+        for (_, test) in names.iter().enumerate().filter(|(which, test)| names[..*which].contains(test)) {
+            problems.push(MeasuredProblem::Repeated { test: name(test) });
+        }
+        problems
+    }
+}
+
+/// The error that a row records, and why it is what it is: one needs the other.
+fn recorded(file: &'static str, row: &Row<'_>, column: &'static str) -> Result<Option<Printed>, DataError> {
+    let recorded = row.number_if_any(column)?;
+    if recorded.is_some() && row.text("reason")?.is_empty() {
+        return Err(DataError::UnknownWord { file, column: "reason", field: String::new() });
+    }
+    Ok(recorded)
+}
+
+impl fmt::Display for MeasuredProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            MeasuredProblem::Turn { test } => write!(f, "{test}: the car turns the wrong way"),
+            MeasuredProblem::Worse { test, reading } => {
+                let recorded = reading.recorded.as_ref().map_or("", Printed::text);
+                write!(f, "{test}: {} is off by {:.2} %, recorded was {recorded} %", reading.quantity, reading.percent())
+            }
+            MeasuredProblem::Coefficient { test, coefficient } => {
+                let published = coefficient.published.as_ref().map_or("", Printed::text);
+                write!(f, "{test}: {} is {}, published was {published}", coefficient.name, coefficient.computed)
+            }
+            MeasuredProblem::None { kind } => write!(f, "there are no {kind} tests"),
+            MeasuredProblem::Repeated { test } => write!(f, "{test} stands there twice"),
+        }
+    }
+}

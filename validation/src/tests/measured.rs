@@ -1,0 +1,81 @@
+//! The measured tests, tampered with.
+
+use super::*;
+
+fn of(problems: &[Problem]) -> Vec<&MeasuredProblem> {
+    problems.iter().filter_map(|problem| if let Problem::Measured(problem) = problem { Some(problem) } else { None }).collect()
+}
+
+#[test]
+fn the_tests_are_there_with_their_errors() {
+    let measured = run().expect("embedded").measured;
+    let names: Vec<_> = measured.small_overlap.iter().map(|test| test.test.as_str()).collect();
+    assert!(["CF10023", "CF10020", "CEN1212"].iter().all(|test| names.contains(test)), "{names:?}");
+    assert!(measured.frontal.iter().any(|test| test.test == "6268"));
+    // No error is hidden: none of the tests is met to its digits, and every recorded error is the one there is.
+    for (test, reading) in measured.readings() {
+        assert!(!reading.is_within_digits(), "{test}");
+        let recorded = reading.recorded.as_ref().expect("recorded");
+        assert!(recorded.agrees_with(reading.percent()), "{test} {} {}", reading.quantity, reading.percent());
+    }
+}
+
+#[test]
+fn an_error_that_grows_is_found() {
+    // The measured ΔV of CF10020, farther from the computed one.
+    let found = problems(|texts| swap(&mut texts.iihs, ",49.9,", ",50.9,"));
+    assert!(
+        matches!(of(&found)[..], [MeasuredProblem::Worse { test, reading }] if test == "CF10020" && reading.quantity == "delta-V"),
+        "{found:?}"
+    );
+    // Another mass, another yaw rate.
+    let found = problems(|texts| texts.iihs = texts.iihs.replace("CEN1212,3574.2,", "CEN1212,3674.2,"));
+    assert!(of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::Worse { test, .. } if test == "CEN1212")), "{found:?}");
+    // An energy that is better than recorded is no problem.
+    assert!(report(|texts| swap(&mut texts.nhtsa, ",1.60,", ",1.70,")).holds());
+}
+
+#[test]
+fn the_wrong_direction_of_rotation_is_found() {
+    // The impact center and the plane of CF10020 on the other side.
+    let found = problems(|texts| swap(&mut texts.iihs, ",37.5,77.6,", ",-37.5,-77.6,"));
+    assert!(of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::Turn { test } if test == "CF10020")), "{found:?}");
+    // A plane turned the wrong way does not meet the car so, or turns it by another yaw rate.
+    let found = run_owned(|texts| swap(&mut texts.iihs, ",37.5,77.6,", ",37.5,-77.6,"));
+    assert!(found.is_err() || !found.expect("computed").holds());
+}
+
+#[test]
+fn a_test_is_one_line() {
+    // Made up: CF10020 at another speed. ΔV and yaw rate grow with it; no error is recorded yet.
+    let report = report(|texts| texts.iihs.push_str("MADE-UP,3574.2,2336.3,0,0.959,3.8,37.5,77.6,29.30,24.9,96.2,,,\n"));
+    assert!(report.holds(), "{:?}", report.problems());
+    let test = report.measured.small_overlap.last().expect("four");
+    assert!((test.delta_v.computed - 46.986 / 2.0).abs() < 1e-3 && test.delta_v.recorded.is_none());
+    let more = "1,made up,1500,15,1.5,0.4 0.4,2,,,,,\n";
+    assert!(super::report(|texts| texts.nhtsa.push_str(more)).holds());
+    // The same test twice is not.
+    let twice = problems(|texts| texts.nhtsa.push_str(&more.replacen('1', "6268", 1)));
+    assert!(matches!(of(&twice)[..], [MeasuredProblem::Repeated { test }] if test == "6268"), "{twice:?}");
+}
+
+#[test]
+fn a_published_coefficient_that_is_another_is_found() {
+    let found = problems(|texts| swap(&mut texts.nhtsa, ",1071581,", ",1071591,"));
+    assert!(matches!(of(&found)[..], [MeasuredProblem::Coefficient { coefficient, .. }] if coefficient.name == "B"), "{found:?}");
+}
+
+#[test]
+fn data_that_cannot_be_computed_is_an_error() {
+    let cases: [fn(&mut Owned); 6] = [
+        |texts| texts.iihs.clear(),
+        |texts| texts.nhtsa.clear(),
+        |texts| swap(&mut texts.iihs, "CF10020,3574.2,", "CF10020,0,"),
+        |texts| swap(&mut texts.iihs, ",0.959,", ",1.2,"),
+        |texts| swap(&mut texts.iihs, ",0.103,", ",fast,"),
+        |texts| swap(&mut texts.nhtsa, "0.265 0.474 0.504 0.505 0.475 0.310", "0.265"),
+    ];
+    for (which, case) in cases.into_iter().enumerate() {
+        assert!(run_owned(case).is_err(), "case {which}");
+    }
+}

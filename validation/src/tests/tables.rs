@@ -1,0 +1,120 @@
+//! Tables 3 to 6 and B2, and the chain of misprints, tampered with.
+
+use super::*;
+
+fn disagrees(problems: &[Problem], table: &str, row: &str, column: &str) -> bool {
+    problems.iter().any(|problem| {
+        matches!(problem, Problem::Cell(cell) if cell.table == table && cell.row == row && cell.column == column && !cell.verdict.is_accounted_for())
+    })
+}
+
+#[test]
+fn a_nudged_cell_of_every_table_is_found() {
+    type Text = fn(&mut Owned) -> &mut String;
+    // By one unit of the last digit, but for energies: by more than their bound.
+    let cases: [(Text, &str, &str, &str, &str, &str); 10] = [
+        (|t| &mut t.table_3, ",7208,", ",7209,", "Table 3", "1", "normal"),
+        (|t| &mut t.table_3, ",0.283", ",0.284", "Table 3", "2", "ratio"),
+        (|t| &mut t.table_4, ",0.12", ",0.13", "Table 4", "3", "mean"),
+        (|t| &mut t.table_5, ",145048,39.2", ",145048,39.3", "Table 5", "3", "planar_dv"),
+        (|t| &mut t.table_5, "1,13674,", "1,13675,", "Table 5", "1", "test_energy"),
+        (|t| &mut t.table_6, ",63.1", ",63.2", "Table 6", "3", "planar_dv"),
+        (|t| &mut t.table_6, ",170.0,", ",170.1,", "Table 6", "3", "test_energy"),
+        (|t| &mut t.table_b2, ",51.3,", ",51.4,", "Table B2", "3 0.00", "planar_dv_ftps"),
+        (|t| &mut t.table_b2, ",1758,", ",1759,", "Table B2", "1 0.18", "planar_T_Lt"),
+        (|t| &mut t.table_b2, ",34.5,23.6", ",34.5,23.7", "Table B2", "2 0.13", "planar_dv_mph"),
+    ];
+    for (text, from, to, table, row, column) in cases {
+        let problems = problems(|texts| swap(text(texts), from, to));
+        assert!(disagrees(&problems, table, row, column), "{to}: {problems:?}");
+    }
+}
+
+#[test]
+fn a_measured_cell_moves_what_follows_from_it() {
+    // Table 3's wing impulse of test 1, Table 4's kinematics of test 1, Table B2's depth of test 3, Table B1's speed of test 1.
+    let wing = problems(|texts| swap(&mut texts.table_3, ",1720,", ",1820,"));
+    assert!(disagrees(&wing, "Table 3", "1", "ratio") && disagrees(&wing, "Table B1", "1 0.18", "test_mu"), "{wing:?}");
+    let restitution = problems(|texts| swap(&mut texts.table_4, "1,0.111,", "1,0.131,"));
+    assert!(disagrees(&restitution, "Table 4", "1", "mean") && disagrees(&restitution, "Table B2", "1 0.18", "e"), "{restitution:?}");
+    let depth = problems(|texts| swap(&mut texts.table_b2, ",1.0768,", ",1.0868,"));
+    assert!(disagrees(&depth, "Table B2", "3 0.00", "crash3_T_Ln") && disagrees(&depth, "Table 6", "3", "planar_dv"), "{depth:?}");
+    let speed = problems(|texts| texts.table_b1 = texts.table_b1.replace("1,19.23,", "1,19.33,"));
+    assert!(disagrees(&speed, "Table 5", "3", "test_energy") && disagrees(&speed, "Table B2", "2 0.13", "test_E_C"), "{speed:?}");
+}
+
+#[test]
+fn a_cell_that_is_left_out_is_missed() {
+    let problems = problems(|texts| swap(&mut texts.table_b2, ",144759,", ",,"));
+    assert!(problems.contains(&Problem::CellCount { table: "Table B2", expected: 98, found: 97 }), "{problems:?}");
+    let problems = super::problems(|texts| swap(&mut texts.table_b1, ",0.283,", ",,"));
+    assert!(problems.contains(&Problem::CellCount { table: "Table B1", expected: 72, found: 71 }), "{problems:?}");
+}
+
+#[test]
+fn a_given_cell_that_is_left_out_is_missed() {
+    // A row of Table 1 less: its given cells are missed beside its computed ones.
+    let problems = problems(|texts| drop_line(&mut texts.table_1, "-40,20,0.30,0.142,-41286.4"));
+    assert!(problems.contains(&Problem::GivenCount { table: "Table 1", expected: 81, found: 78 }), "{problems:?}");
+}
+
+#[test]
+fn a_cell_that_nothing_looks_at_is_missed() {
+    // A column more, in Table 4.
+    let problems = problems(|texts| {
+        swap(&mut texts.table_4, ",average", ",average,guess");
+        for mean in ["0.18", "0.13", "0.12"] {
+            swap(&mut texts.table_4, &format!(",{mean}\n"), &format!(",{mean},0.1\n"));
+        }
+    });
+    assert_eq!(problems, [Problem::LeftOut { table: "Table 4", printed: 12, accounted: 9 }]);
+}
+
+#[test]
+fn rows_that_fit_no_test_are_refused() {
+    let refused = |alter: fn(&mut Owned)| run_owned(alter).err();
+    let file =
+        |error: Option<DataError>| if let Some(DataError::UnknownWord { file, column, .. }) = error { (file, column) } else { ("", "") };
+    assert_eq!(file(refused(|t| t.table_5 = t.table_5.replace("\n3,", "\n4,"))), ("table5.csv", "test"));
+    assert_eq!(file(refused(|t| t.table_6 = t.table_6.replace("\n3,", "\n4,"))), ("table6.csv", "test"));
+    assert_eq!(file(refused(|t| t.table_b2 = t.table_b2.replace(",0.18,", ",0.19,"))), ("tableB2.csv", "e"));
+    assert!(refused(|t| swap(&mut t.table_3, ",3999,", ",much,")).is_some());
+}
+
+#[test]
+fn other_crush_coefficients_do_not_hold() {
+    // geometry.csv's width, onset and slope, each by half a per cent.
+    for (from, to) in [("width,5,", "width,5.025,"), ("onset,48.27,", "onset,48.51,"), ("slope,162.8,", "slope,163.6,")] {
+        let problems = problems(|texts| swap(&mut texts.geometry, from, to));
+        assert!(disagrees(&problems, "Table B2", "3 0.00", "crash3_T_Ln") || disagrees(&problems, "Table B2", "1 0.00", "test_E*"), "{to}");
+    }
+}
+
+#[test]
+fn the_chain_is_as_told() {
+    let links = run().expect("embedded").chain;
+    let told: Vec<_> = links.iter().map(|link| (link.printed.as_str(), link.holds.as_str(), link.follows)).collect();
+    assert_eq!(told, [("51334", "51334", true), ("61334", "51334", true), ("83.3", "69.6", true)]);
+}
+
+#[test]
+fn a_number_that_does_not_follow_breaks_the_chain() {
+    let broken = |alter: fn(&mut Owned)| -> Vec<&'static str> {
+        problems(alter).iter().filter_map(|problem| if let Problem::Chain(link) = problem { Some(link.place) } else { None }).collect()
+    };
+    let [sum, digit, conversion] =
+        ["Table B2, test 2, planar T_L, ft lb", "Table 5, test 2, planar crush energy, ft lb", "Table 6, test 2, planar crush energy, kJ"];
+    assert_eq!(broken(|t| swap(&mut t.table_b2, ",7120,", ",7140,")), [sum]);
+    assert_eq!(broken(|t| swap(&mut t.table_5, "61334", "51334")), [digit, conversion]);
+    assert_eq!(broken(|t| swap(&mut t.table_6, "83.3", "84.3")), [conversion]);
+    assert_eq!(broken(|t| swap(&mut t.table_6, "83.3", "69.7")), [conversion]);
+}
+
+#[test]
+fn a_corrected_misprint_of_the_chain_is_stale() {
+    let problems = problems(|texts| swap(&mut texts.table_6, ",83.3,", ",69.7,"));
+    assert!(
+        problems.iter().any(|problem| matches!(problem, Problem::StaleMisprint(m) if m.table == "Table 6" && m.row == "2")),
+        "{problems:?}"
+    );
+}
