@@ -79,3 +79,16 @@ fn data_that_cannot_be_computed_is_an_error() {
         assert!(run_owned(case).is_err(), "case {which}");
     }
 }
+
+#[test]
+fn root_mean_squares_are_over_the_tests() {
+    let tests = run().expect("embedded").measured.small_overlap;
+    let [delta_v, yaw_rate] = SmallOverlap::root_mean_squares(&tests);
+    // The errors of README.md: in percent 4.24, -5.84, -0.44 and -25.59, 0.84, -1.37; in ft/s 2.07, -2.91, -0.23.
+    let of = |a: f64, b: f64, c: f64| ((a * a + b * b + c * c) / 3.0).sqrt();
+    assert!((delta_v.percent - of(4.24, 5.84, 0.44)).abs() < 0.01 && (yaw_rate.percent - of(25.59, 0.84, 1.37)).abs() < 0.01);
+    assert!((delta_v.error - of(2.07, 2.91, 0.23)).abs() < 0.01, "{delta_v:?}");
+    // By the other law CEN1212 is off by 7.94 and 12.06 %.
+    let [delta_v, yaw_rate] = SmallOverlap::kudlich_slibar_root_mean_squares(&tests);
+    assert!((delta_v.percent - of(4.24, 5.84, 7.94)).abs() < 0.01 && (yaw_rate.percent - of(25.59, 0.84, 12.06)).abs() < 0.01);
+}
