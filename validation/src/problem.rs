@@ -56,7 +56,7 @@ pub enum Problem {
     Cell(Cell),
     /// A bound covers no cell that needs it.
     UnusedBound(Bound),
-    /// A bound is wider than [`LARGEST_SLACK`] times what it covers.
+    /// A bound is wider than [`LARGEST_SLACK`](crate::LARGEST_SLACK) times what it covers.
     LooseBound {
         /// The bound.
         bound: Bound,
