@@ -55,8 +55,8 @@ impl Page<'_> {
             self.row("K2", &format!("{length}^2"), |_, answers| self.power(answers.moments.second, 2)),
             self.row("K3", &format!("{length}^3"), |_, answers| self.power(answers.moments.third, 3)),
         ];
-        for (what, measure, value) in STIFFNESS {
-            rows.push(self.row(what, self.units.unit(measure), |crush, _| match crush.zones.zones() {
+        for Form { name, measure, value } in FORMS {
+            rows.push(self.row(name, self.units.unit(measure), |crush, _| match crush.zones.zones() {
                 [stiffness] => self.number(measure, value(stiffness)),
                 _ => "zones".to_owned(),
             }));
@@ -108,11 +108,17 @@ impl Page<'_> {
     }
 }
 
-/// The forms of a stiffness.
-const STIFFNESS: [(&str, Measure, fn(&CrushStiffness) -> f64); 5] = [
-    ("stiffness d0", Measure::RootForce, |line| line.onset),
-    ("          d1", Measure::RootForcePerLength, |line| line.slope),
-    ("          A = d0 d1", Measure::ForcePerWidth, |line| ForceLine::from(*line).onset),
-    ("          B = d1^2", Measure::ForcePerArea, |line| ForceLine::from(*line).slope),
-    ("          G = d0^2/2", Measure::Force, |line| line.energy_without_crush()),
+/// One of the numbers that the field gives a stiffness by.
+struct Form {
+    name: &'static str,
+    measure: Measure,
+    value: fn(&CrushStiffness) -> f64,
+}
+
+const FORMS: [Form; 5] = [
+    Form { name: "stiffness d0", measure: Measure::RootForce, value: |line| line.onset },
+    Form { name: "          d1", measure: Measure::RootForcePerLength, value: |line| line.slope },
+    Form { name: "          A = d0 d1", measure: Measure::ForcePerWidth, value: |line| ForceLine::from(*line).onset },
+    Form { name: "          B = d1^2", measure: Measure::ForcePerArea, value: |line| ForceLine::from(*line).slope },
+    Form { name: "          G = d0^2/2", measure: Measure::Force, value: |line| line.energy_without_crush() },
 ];

@@ -10,15 +10,11 @@ use crate::free::Free;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(
-            equivalent_mass,
-            "the equivalent mass is what yields along the force",
-            "Σ 1/(γ m) P·P = P·K P, γ = k²/(k² + h²), for any impulse P"
-        ),
-        identity!(whole_loss, "at common velocity the whole loss gives the whole impulse", "e = 0, μ = μ0: P·P Σ 1/(γ m) = 2 T_L"),
+        identity!(equivalent_mass, "γ m is what yields along the force", "Σ 1/(γ m) P·P = P·K P, γ = k²/(k² + h²), for any impulse P"),
+        identity!(whole_loss, "at common velocity T_L gives the impulse", "e = 0, μ = μ0: P·P Σ 1/(γ m) = 2 T_L"),
         identity!(
             tangential_factor,
-            "the tangential factor is that of point masses at common velocity",
+            "the tangential factor is that of points",
             "r = 0, e = 0, μ = μ0: W_t = μ² W_n, so T_L = (1 + tan² α) E_C"
         ),
     ]

@@ -130,9 +130,12 @@ fn fallen(alter: impl FnOnce(&mut Owned)) -> Vec<&'static str> {
         .collect()
 }
 
+/// A change of the texts.
+type Altered = fn(&mut Owned);
+
 #[test]
 fn statements_about_energies_and_units_can_fall() {
-    let cases: [(fn(&mut Owned), &str); 7] = [
+    let cases: [(Altered, &str); 7] = [
         // The speeds and the energies of test 1 in Table 5, each alone.
         (|t| swap(&mut t.table_5, "11550,9.9,", "11550,9.8,"), "test 1 in the text"),
         (|t| swap(&mut t.table_5, ",11550,", ",11450,"), "test 1 in the text"),
