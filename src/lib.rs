@@ -31,12 +31,14 @@
 //! | [`check`] | a collision as another program reports it | which law does not hold, and by how much |
 //! | [`crush`] | a crush profile and stiffness, or another law | crush energy, equivalent energy speed |
 //! | [`crash3`] | crush energies and the direction of force | CRASH3's ΔV, and what its assumptions cost |
+//! | [`barrier`] | instrumented barrier tests: speeds and crush, force records, films | stiffness with its covariance, impulses, restitution |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;
 
 pub mod admissible;
+pub mod barrier;
 pub mod body;
 pub mod check;
 pub mod collision;

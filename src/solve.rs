@@ -21,7 +21,7 @@ fn is_single<T: Ordered<Mask = bool>>() -> bool {
 }
 
 /// 2⁻⁴⁸: what is smaller than this share of the terms it was summed from is their rounding. 2⁻²⁰ of an f32.
-fn rounding<T: Ordered<Mask = bool>>() -> T {
+pub(crate) fn rounding<T: Ordered<Mask = bool>>() -> T {
     let step = T::int(1) / T::int(if is_single::<T>() { 1 << 10 } else { 1 << 24 });
     step.squared()
 }
@@ -32,13 +32,13 @@ pub(crate) fn slack<T: Ordered<Mask = bool>>() -> T {
     step.squared()
 }
 
-fn is_finite<T: Ordered<Mask = bool>>(x: &T) -> bool {
+pub(crate) fn is_finite<T: Ordered<Mask = bool>>(x: &T) -> bool {
     // Zero for every finite number, and not a number for the others.
     let nothing = x.clone() - x.clone();
     nothing.less(&T::int(1)) && T::int(-1).less(&nothing)
 }
 
-fn is_positive<T: Ordered<Mask = bool>>(x: &T) -> bool {
+pub(crate) fn is_positive<T: Ordered<Mask = bool>>(x: &T) -> bool {
     T::int(0).less(x)
 }
 

@@ -1,0 +1,62 @@
+//! Instrumented barrier tests: from what was measured when a vehicle ran into a fixed barrier to its stiffness, to the impulse and to the restitution.
+//!
+//! # The argument, file by file
+//!
+//! | what is known | what follows | here |
+//! |---|---|---|
+//! | mass, normal speed, restitution and crush of one test, and an assumed onset | its crush energy ½ m (1 − e²) v_n²; d₀ and d₁ | [`BarrierTest`] |
+//! | repeated tests of one vehicle | the energies add up: EES = √Σ (1 − e²) v_n² (Eq 9) | [`TestSeries`] |
+//! | several tests with their standard deviations | E* = √(2 E_C/w) of each, and the covariance of these | [`Observations`] |
+//! | E* of several crushes | d₀ and d₁ with covariance and residuals, and what they leave of E_C uncertain | [`StiffnessFit`] |
+//!
+//! # Stiffness from tests
+//!
+//! Restitution enters as 1 − e²: the rebound takes e² of the energy away, and what is left is in the crush. From one test and an assumed onset there are two
+//! answers. [`BarrierTest::speed_line`] is the customary one, which takes the crush for its mean depth; published A and B are made so.
+//! [`BarrierTest::stiffness`] gives back the energy of the test exactly from the profile as measured. The same two are there for several tests:
+//! [`StiffnessFit::on_mean_depth`] is the line of the paper's Figure 7, in closed form, [`StiffnessFit::on_profiles`] is Eq 4 itself.
+//!
+//! The Struble–Welsh series of the paper, three tests on one car:
+//!
+//! ```
+//! use planar_impact::barrier::{BarrierTest, MeasuredTest, Observations, StiffnessFit};
+//! use planar_impact::crush::ProfileMoments;
+//! // Tables B1 and B2, in ft, slug, s and lbf; 0.3 ft/s and 0.05 are taken for the standard deviations.
+//! let test = |speed, restitution, depth| {
+//!     let crush = ProfileMoments::of(5.0, &[depth, depth]).unwrap();
+//!     let test = BarrierTest { mass: 101.91, speed, restitution, crush };
+//!     MeasuredTest { test, speed_deviation: 0.3, restitution_deviation: 0.05, scatter: 5.0 }
+//! };
+//! let series = [test(16.6537, 0.18, 0.1062), test(29.3669, 0.13, 0.5203), test(36.858, 0.12, 1.0768)];
+//! let fit = StiffnessFit::on_mean_depth(&Observations::of_tests(&[series])?)?;
+//! // The pair of Table B2, from NHTSA's tests, is 48.27 √lbf and 162.8 √lbf/ft: this car takes more energy at first, and gains less with depth.
+//! assert_eq!(format!("{:.1} ± {:.1}", fit.stiffness.onset, fit.onset().deviation()), "62.7 ± 5.3");
+//! assert_eq!(format!("{:.1} ± {:.1}", fit.stiffness.slope, fit.slope().deviation()), "152.8 ± 7.5");
+//! // Its energy at a depth of 1 ft, in ft lb.
+//! let energy = fit.energy_at(1.0, 5.0);
+//! assert_eq!(format!("{:.0} ± {:.0}", energy.value, energy.deviation()), "116062 ± 4903");
+//! # Ok::<(), planar_impact::barrier::Problems>(())
+//! ```
+//!
+//! # What is not corrected
+//!
+//! Nothing is clamped, reordered or left out. A negative d₀ comes out negative, and [`StiffnessFit::findings`] says so; a restitution outside of 0 to 1 comes out of a film as it
+//! is, and is refused where a test is made with it. Every input that cannot be right is an error with its name, place and number, all of them at once ([`Problems`]).
+//!
+mod estimate;
+mod findings;
+mod fit;
+mod line_fit;
+mod observation;
+mod problem;
+mod profile_fit;
+mod series;
+mod test;
+mod weight;
+
+pub use estimate::Estimate;
+pub use fit::{CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessCovariance, StiffnessFit};
+pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
+pub use problem::{Place, Problem, Problems};
+pub use series::TestSeries;
+pub use test::BarrierTest;

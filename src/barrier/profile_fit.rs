@@ -1,0 +1,159 @@
+//! The fit that takes each measured profile as it is. E* = √q with q = 2 E_C/w = d₀² + 2 d₀ d₁ C̄ + d₁² C̄², C̄ and C̄² the means over the width: not linear in
+//! d₀ and d₁, but convex in them and nearly linear.
+
+use super::fit::StiffnessCovariance;
+use super::observation::Observations;
+use super::problem::{Problem, Problems};
+use super::test::mean_square_depth;
+use super::weight::{Weight, dot};
+use crate::crush::{CrushStiffness, ProfileMoments};
+use crate::scalar::{Field, Ordered, Real};
+use crate::solve::{is_positive, slack};
+use alloc::vec::Vec;
+
+/// Newton's steps: a handful is enough, or it will never settle.
+const STEPS: usize = 60;
+/// After the value has settled to rounding: each step doubles the order up to which derivatives are right, and the start may have the value by luck.
+const STEPS_OF_DERIVATIVES: usize = 1;
+
+/// E* of a profile.
+pub(super) fn intensity<T: Real>(stiffness: &CrushStiffness<T>, crush: &ProfileMoments<T>) -> T {
+    (stiffness.crush_energy(crush.clone()) / crush.first.clone()).sqrt()
+}
+
+/// A symmetric 2×2 matrix.
+struct Symmetric<T> {
+    first: T,
+    between: T,
+    second: T,
+}
+
+impl<T: Field> Symmetric<T> {
+    fn determinant(&self) -> T {
+        self.first.clone() * self.second.clone() - self.between.clone().squared()
+    }
+
+    fn solve(&self, first: T, second: T) -> CrushStiffness<T> {
+        let determinant = self.determinant();
+        CrushStiffness {
+            onset: (self.second.clone() * first.clone() - self.between.clone() * second.clone()) / determinant.clone(),
+            slope: (self.first.clone() * second - self.between.clone() * first) / determinant,
+        }
+    }
+}
+
+/// The best fit near to a start, and its covariance.
+pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
+    observations: &Observations<T>,
+    weight: &Weight<T>,
+    start: CrushStiffness<T>,
+) -> Result<(CrushStiffness<T>, StiffnessCovariance<T>), Problems<T>> {
+    let mut stiffness = start;
+    let mut settled_for = 0;
+    let depth = observations.points.iter().fold(T::int(0), |sum, point| sum + point.crush.mean_depth().magnitude());
+    for _ in 0..STEPS {
+        let local = Local::at(observations, weight, &stiffness).ok_or(Problem::NotConverged { steps: STEPS })?;
+        if settled_for > STEPS_OF_DERIVATIVES {
+            let determinant = local.information.determinant();
+            let share = |entry: T| entry / determinant.clone();
+            let covariance = StiffnessCovariance {
+                onset: share(local.information.second),
+                between: share(-local.information.between),
+                slope: share(local.information.first),
+            };
+            return Ok((stiffness, covariance));
+        }
+        let step = local.step();
+        let size = |s: &CrushStiffness<T>| s.onset.clone().magnitude() + (s.slope.clone() * depth.clone()).magnitude();
+        let small = !(size(&stiffness) * slack()).less(&size(&step));
+        settled_for = if small { settled_for + 1 } else { 0 };
+        stiffness = CrushStiffness { onset: stiffness.onset + step.onset, slope: stiffness.slope + step.slope };
+    }
+    Err(Problem::NotConverged { steps: STEPS }.into())
+}
+
+/// The sum of squares about a stiffness: its slope, its curvature, and the curvature without the residuals, which is the information that the tests carry.
+struct Local<T> {
+    downhill: (T, T),
+    information: Symmetric<T>,
+    curvature: Symmetric<T>,
+}
+
+impl<T: Real + Ordered<Mask = bool>> Local<T> {
+    /// None where E* is zero for a test, and has no derivative.
+    fn at(observations: &Observations<T>, weight: &Weight<T>, stiffness: &CrushStiffness<T>) -> Option<Self> {
+        let CrushStiffness { onset, slope } = stiffness;
+        let (mut by_onset, mut by_slope, mut residuals) = (Vec::new(), Vec::new(), Vec::new());
+        for point in &observations.points {
+            let (mean, mean_square) = (point.crush.mean_depth(), mean_square_depth(&point.crush));
+            let fitted = intensity(stiffness, &point.crush);
+            if !is_positive(&fitted) {
+                return None;
+            }
+            by_onset.push((onset.clone() + slope.clone() * mean.clone()) / fitted.clone());
+            by_slope.push((onset.clone() * mean + slope.clone() * mean_square) / fitted.clone());
+            residuals.push(point.intensity.clone() - fitted);
+        }
+        let (weighed_onset, weighed_slope) = (weight.times(&by_onset), weight.times(&by_slope));
+        let information = Symmetric {
+            first: dot(&weighed_onset, &by_onset),
+            between: dot(&weighed_onset, &by_slope),
+            second: dot(&weighed_slope, &by_slope),
+        };
+        let (mut first, mut between, mut second) = (information.first.clone(), information.between.clone(), information.second.clone());
+        let weighed = weight.times(&residuals);
+        for (i, point) in observations.points.iter().enumerate() {
+            let (mean, mean_square) = (point.crush.mean_depth(), mean_square_depth(&point.crush));
+            // Second derivatives of √q: those of q/2, less the product of the first, over √q.
+            let pull = weighed[i].clone() / (point.intensity.clone() - residuals[i].clone());
+            let (a, b) = (by_onset[i].clone(), by_slope[i].clone());
+            first = first - pull.clone() * (T::int(1) - a.clone().squared());
+            between = between - pull.clone() * (mean - a * b.clone());
+            second = second - pull * (mean_square - b.squared());
+        }
+        let downhill = (dot(&weighed, &by_onset), dot(&weighed, &by_slope));
+        Some(Local { downhill, information, curvature: Symmetric { first, between, second } })
+    }
+
+    /// Newton's step, or that of Gauss and Newton where the sum of squares is not curved upwards.
+    fn step(&self) -> CrushStiffness<T> {
+        let upwards = is_positive(&self.curvature.first) && is_positive(&self.curvature.determinant());
+        let matrix = if upwards { &self.curvature } else { &self.information };
+        matrix.solve(self.downhill.0.clone(), self.downhill.1.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Observation;
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn slope_and_curvature_are_those_of_the_sum_of_squares() {
+        let observe = |depths: [f64; 3], intensity| {
+            let crush = ProfileMoments::of(1.5, &depths).expect("three depths");
+            Observation { crush, intensity, deviation: 0.5 }
+        };
+        let observations = [observe([0.1, 0.3, 0.0], 4.0), observe([0.5, 0.2, 0.4], 3.0), observe([0.9, 0.1, 0.8], 9.0)];
+        let observations = Observations::independent(&observations).expect("good numbers");
+        let weight = Weight::of(&observations.covariance).expect("positive");
+        let at = |onset, slope| Local::at(&observations, &weight, &CrushStiffness { onset, slope }).expect("some energy");
+        let half_chi_square = |onset: f64, slope: f64| {
+            let stiffness = CrushStiffness { onset, slope };
+            observations.points.iter().map(|p| 2.0 * (p.intensity - intensity(&stiffness, &p.crush)).powi(2)).sum::<f64>()
+        };
+        let (onset, slope, h) = (2.0, 7.0, 1e-5);
+        let local = at(onset, slope);
+        let quotient = |ahead: f64, behind: f64| (ahead - behind) / (2.0 * h);
+        let by_onset = quotient(half_chi_square(onset + h, slope), half_chi_square(onset - h, slope));
+        let by_slope = quotient(half_chi_square(onset, slope + h), half_chi_square(onset, slope - h));
+        assert_relative_eq!(local.downhill.0, -by_onset, max_relative = 1e-7);
+        assert_relative_eq!(local.downhill.1, -by_slope, max_relative = 1e-7);
+        let (more, less) = (at(onset + h, slope).downhill, at(onset - h, slope).downhill);
+        assert_relative_eq!(local.curvature.first, -quotient(more.0, less.0), max_relative = 1e-7);
+        assert_relative_eq!(local.curvature.between, -quotient(more.1, less.1), max_relative = 1e-7);
+        let (more, less) = (at(onset, slope + h).downhill, at(onset, slope - h).downhill);
+        assert_relative_eq!(local.curvature.second, -quotient(more.1, less.1), max_relative = 1e-7);
+    }
+}

@@ -1,0 +1,203 @@
+//! One test of a vehicle against a fixed barrier, and what it says of the stiffness when the onset is assumed.
+
+use super::findings::{Findings, finite};
+use super::problem::{Place, Problem, Problems};
+use crate::crush::{BarrierSpeedLine, CrushStiffness, ProfileMoments};
+use crate::scalar::{Field, Ordered, Real};
+use crate::solve::slack;
+
+/// A vehicle that ran into a fixed barrier, and the crush that is measured after it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BarrierTest<T = f64> {
+    /// Mass m of the vehicle as tested, in kg.
+    pub mass: T,
+    /// Closing speed normal to the barrier, v_n, in m/s.
+    pub speed: T,
+    /// Restitution e of the test.
+    pub restitution: T,
+    /// Moments of the residual crush, of which K₁ is half the width. Of a vehicle tested before, of all the crush it now has.
+    pub crush: ProfileMoments<T>,
+}
+
+impl<T: Field> BarrierTest<T> {
+    /// The energy that the crush of this test keeps, E_C = ½ m (1 − e²) v_n², in J.
+    ///
+    /// The rebound takes e² of the energy away again, so it is no crush energy. On a vehicle that was tested before, this is what the test added.
+    pub fn crush_energy(&self) -> T {
+        (self.mass.clone() * (T::int(1) - self.restitution.clone().squared()) * self.speed.clone().squared()).half()
+    }
+
+    /// Width w of the crush, in m.
+    pub fn width(&self) -> T {
+        T::int(2) * self.crush.first.clone()
+    }
+}
+
+/// The mean of the squares of the depths, ∫ C² dw/w = K₃/K₁, in m².
+pub(super) fn mean_square_depth<T: Field>(crush: &ProfileMoments<T>) -> T {
+    crush.third.clone() / crush.first.clone()
+}
+
+/// Finds what is wrong with the moments of a profile.
+pub(super) fn check_crush<T: Ordered<Mask = bool>>(crush: &ProfileMoments<T>, place: Place, findings: &mut Findings<T>) -> bool {
+    let wide = findings.positive(place.named("width"), &crush.first);
+    let finite = findings.finite(place.named("crush.second"), &crush.second) & findings.finite(place.named("crush.third"), &crush.third);
+    if !(wide && finite) {
+        return false;
+    }
+    let (mean, mean_square) = (crush.mean_depth(), mean_square_depth(crush));
+    let square = mean.clone().squared();
+    // Of a flat profile they are equal, to rounding.
+    let impossible = mean_square.less(&(square.clone() - square * slack()));
+    if impossible {
+        findings.push(Problem::ImpossibleProfile { place: place.named("crush"), mean, mean_square });
+    }
+    !impossible
+}
+
+impl<T: Ordered<Mask = bool>> BarrierTest<T> {
+    /// Whether the crush stands.
+    pub(super) fn check(&self, place: Place, findings: &mut Findings<T>) -> bool {
+        findings.positive(place.named("mass"), &self.mass);
+        findings.positive(place.named("speed"), &self.speed);
+        findings.within(place.named("restitution"), &self.restitution, T::int(0), Some(T::int(1)));
+        check_crush(&self.crush, place, findings)
+    }
+}
+
+impl<T: Real> BarrierTest<T> {
+    /// The speed whose energy the crush keeps, v_n √(1 − e²), in m/s.
+    pub fn corrected_speed(&self) -> T {
+        (T::int(1) - self.restitution.clone().squared()).sqrt() * self.speed.clone()
+    }
+}
+
+impl<T: Real + Ordered<Mask = bool>> BarrierTest<T> {
+    /// The line of barrier speeds as it is customarily made of one test: b₁ = (v_n √(1 − e²) − b₀)/C, where C is the mean depth and b₀ the speed that is
+    /// assumed to leave no crush, in m/s. Published A and B are made so.
+    ///
+    /// It is the truth for a flat profile. Of another the crush energy of its own line (Eq 4) is above that of the test: see [`Self::stiffness`].
+    ///
+    /// ```
+    /// use planar_impact::barrier::BarrierTest;
+    /// use planar_impact::crush::{CrushStiffness, ProfileMoments};
+    /// // Malibu 2008, NHTSA test 6268; b₀ is assumed to be 2.2 m/s.
+    /// let crush = ProfileMoments::of(1.478, &[0.265, 0.474, 0.504, 0.505, 0.475, 0.310]).unwrap();
+    /// let test = BarrierTest { mass: 1779.0, speed: 15.6, restitution: 0.0, crush };
+    /// let line = test.speed_line(2.2)?;
+    /// assert_eq!(format!("{:.4}", line.slope), "29.8375"); // b₁
+    /// let stiffness = CrushStiffness::from(line);
+    /// assert_eq!(format!("{:.1}", stiffness.onset * stiffness.slope), "79010.7"); // A = d₀ d₁
+    /// assert_eq!(format!("{:.0}", stiffness.slope * stiffness.slope), "1071581"); // B = d₁²
+    /// # Ok::<(), planar_impact::barrier::Problems>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Every number that is out of order, and an onset above the speed of the test.
+    pub fn speed_line(&self, onset: T) -> Result<BarrierSpeedLine<T>, Problems<T>> {
+        self.check_with(&onset)?;
+        let slope = (self.corrected_speed() - onset.clone()) / self.crush.mean_depth();
+        let slope = finite("b1", slope)?;
+        Ok(BarrierSpeedLine { onset, slope, test_mass: self.mass.clone(), test_width: self.width() })
+    }
+
+    /// The stiffness with which the crush energy of the measured profile is that of the test, exactly: d₀ = b₀ √(m/w), and d₁ ≥ 0 the root of
+    /// d₀² K₁ + d₀ d₁ K₂ + d₁² K₃ = ½ m (1 − e²) v_n²   (Eq 4).
+    ///
+    /// # Errors
+    ///
+    /// Every number that is out of order, and an onset above the speed of the test.
+    pub fn stiffness(&self, onset: T) -> Result<CrushStiffness<T>, Problems<T>> {
+        self.check_with(&onset)?;
+        // The energy of the test less d₀² K₁, as a product: never below zero by rounding.
+        let speed = self.corrected_speed();
+        let beyond_onset = (self.mass.clone() * (speed.clone() - onset.clone()) * (speed + onset.clone())).half();
+        let onset = (self.mass.clone() / self.width()).sqrt() * onset;
+        let ProfileMoments { second, third, .. } = self.crush.clone();
+        let linear = onset.clone() * second;
+        // The form of the root that loses no digits: no difference of like numbers.
+        let root = (linear.clone().squared() + T::int(4) * third * beyond_onset.clone()).sqrt();
+        let slope = finite("d1", T::int(2) * beyond_onset / (linear + root))?;
+        Ok(CrushStiffness { onset: finite("d0", onset)?, slope })
+    }
+
+    fn check_with(&self, onset: &T) -> Result<(), Problems<T>> {
+        let mut findings = Findings::none();
+        let crush_stands = self.check(Place::of("test"), &mut findings);
+        let onset_stands = findings.not_negative(Place::of("onset"), onset);
+        if crush_stands {
+            findings.positive(Place::of("mean depth"), &self.crush.mean_depth());
+        }
+        let speed = self.corrected_speed();
+        if onset_stands && speed.less(onset) {
+            findings.push(Problem::OnsetTooFast { onset: onset.clone(), speed });
+        }
+        findings.done()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    // Malibu 2008, NHTSA test 6268.
+    fn malibu() -> BarrierTest {
+        let crush = ProfileMoments::of(1.478, &[0.265, 0.474, 0.504, 0.505, 0.475, 0.310]).expect("six depths");
+        BarrierTest { mass: 1779.0, speed: 15.6, restitution: 0.0, crush }
+    }
+
+    #[test]
+    fn the_exact_line_has_the_energy_of_the_test_and_the_customary_one_more() {
+        for restitution in [0.0, 0.2] {
+            let test = BarrierTest { restitution, ..malibu() };
+            let exact = test.stiffness(2.2).expect("a good test");
+            assert_relative_eq!(exact.crush_energy(test.crush), test.crush_energy(), max_relative = 1e-15);
+            let customary = CrushStiffness::from(test.speed_line(2.2).expect("a good test"));
+            assert!(customary.crush_energy(test.crush) > 1.01 * test.crush_energy());
+            assert_relative_eq!(customary.onset, exact.onset, max_relative = 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_flat_profile_has_one_line() {
+        let crush = ProfileMoments::of(2.0, &[0.5, 0.5]).expect("two depths");
+        // E* = 3 + 4 · ½ = 5, so E_C = 25 J = ½ · 8 · (1 − 0.6²) v².
+        let test = BarrierTest { mass: 8.0, speed: 2.5 / 0.8, restitution: 0.6, crush };
+        assert_relative_eq!(test.crush_energy(), 25.0, max_relative = 1e-15);
+        let line = CrushStiffness::from(test.speed_line(1.5).expect("a good test"));
+        let exact = test.stiffness(1.5).expect("a good test");
+        for got in [line, exact] {
+            assert_relative_eq!(got.onset, 3.0, max_relative = 1e-15);
+            assert_relative_eq!(got.slope, 4.0, max_relative = 1e-15);
+        }
+        // No onset, and the onset at the very speed of the test.
+        assert_relative_eq!(test.stiffness(0.0).expect("no onset").slope, 10.0, max_relative = 1e-15);
+        assert_eq!(BarrierTest { restitution: 0.0, ..test }.stiffness(test.speed).expect("all onset").slope, 0.0);
+    }
+
+    #[test]
+    fn every_bad_number_is_named() {
+        let bad =
+            BarrierTest { mass: -1.0, speed: 0.0, restitution: 1.5, crush: ProfileMoments { first: 0.0, second: f64::NAN, third: 1.0 } };
+        let problems = bad.stiffness(-2.0).expect_err("bad numbers");
+        let names = ["mass", "speed", "restitution", "width", "crush.second", "onset"];
+        let said = alloc::string::ToString::to_string(&problems);
+        assert_eq!(problems.all().len(), names.len(), "{said}");
+        assert!(names.iter().all(|name| said.contains(name)), "{said}");
+        assert_eq!(said, alloc::string::ToString::to_string(&bad.speed_line(-2.0).expect_err("bad numbers")));
+    }
+
+    #[test]
+    fn an_onset_above_the_test_and_a_profile_of_nothing_are_refused() {
+        let fast = malibu().stiffness(15.7).expect_err("too fast");
+        assert_eq!(fast.all(), [Problem::OnsetTooFast { onset: 15.7, speed: 15.6 }]);
+        let crush = ProfileMoments::of(1.0, &[0.0, 0.0]).expect("two depths");
+        let flat = BarrierTest { crush, ..malibu() }.speed_line(2.2).expect_err("no crush");
+        assert_eq!(flat.all(), [Problem::NotPositive { place: Place::of("mean depth"), value: 0.0 }]);
+        let crush = ProfileMoments { first: 0.5, second: 1.0, third: 0.4 };
+        let impossible = BarrierTest { crush, ..malibu() }.speed_line(2.2).expect_err("mean 1, mean square 0.8");
+        assert_eq!(impossible.all(), [Problem::ImpossibleProfile { place: Place::of("crush"), mean: 1.0, mean_square: 0.8 }]);
+    }
+}

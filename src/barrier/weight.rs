@@ -1,0 +1,83 @@
+//! The inverse of a covariance, which is what a least-squares fit weighs with.
+
+use super::problem::{Place, Problem, Problems};
+use crate::scalar::{Field, Ordered};
+use crate::solve::is_positive;
+use alloc::vec::Vec;
+
+/// A covariance as L D Lᵀ, L with ones on its diagonal. It needs no root, so it is exact in rationals.
+pub(super) struct Weight<T> {
+    /// Rows of L, each up to its diagonal and without it.
+    lower: Vec<Vec<T>>,
+    pivots: Vec<T>,
+}
+
+impl<T: Ordered<Mask = bool>> Weight<T> {
+    /// Of the rows of a covariance, each up to its diagonal.
+    pub fn of(covariance: &[Vec<T>]) -> Result<Self, Problems<T>> {
+        let mut weight = Weight { lower: Vec::new(), pivots: Vec::<T>::new() };
+        for (i, row) in covariance.iter().enumerate() {
+            // L D of this row, then L.
+            let mut scaled: Vec<T> = Vec::with_capacity(i);
+            for (j, entry) in row[..i].iter().enumerate() {
+                let known = dot(&scaled, &weight.lower[j]);
+                scaled.push(entry.clone() - known);
+            }
+            let lower: Vec<T> = scaled.iter().zip(&weight.pivots).map(|(s, d)| s.clone() / d.clone()).collect();
+            let pivot = row[i].clone() - dot(&scaled, &lower);
+            if !is_positive(&pivot) {
+                return Err(Problem::NotPositive { place: Place::of("pivot of the covariance").at(i), value: pivot }.into());
+            }
+            weight.lower.push(lower);
+            weight.pivots.push(pivot);
+        }
+        Ok(weight)
+    }
+}
+
+impl<T: Field> Weight<T> {
+    /// The inverse of the covariance times a column.
+    pub fn times(&self, column: &[T]) -> Vec<T> {
+        let mut solved: Vec<T> = Vec::with_capacity(column.len());
+        for (row, entry) in self.lower.iter().zip(column) {
+            let known = dot(row, &solved);
+            solved.push(entry.clone() - known);
+        }
+        for (entry, pivot) in solved.iter_mut().zip(&self.pivots) {
+            *entry = entry.clone() / pivot.clone();
+        }
+        for i in (0..solved.len()).rev() {
+            let value = solved[i].clone();
+            for (entry, factor) in solved.iter_mut().zip(&self.lower[i]) {
+                *entry = entry.clone() - factor.clone() * value.clone();
+            }
+        }
+        solved
+    }
+}
+
+/// The sum of products over the shorter of two columns.
+pub(super) fn dot<T: Field>(a: &[T], b: &[T]) -> T {
+    a.iter().zip(b).fold(T::int(0), |sum, (a, b)| sum + a.clone() * b.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    #[test]
+    fn the_inverse_undoes_the_covariance() {
+        // By hand: [[4, 2, −2], [2, 10, 2], [−2, 2, 6]] (1, −2, 3)ᵀ = (−6, −12, 12).
+        let weight = Weight::of(&[vec![4.0], vec![2.0, 10.0], vec![-2.0, 2.0, 6.0]]).expect("positive definite");
+        for (got, expected) in weight.times(&[-6.0, -12.0, 12.0]).into_iter().zip([1.0, -2.0, 3.0]) {
+            approx::assert_relative_eq!(got, expected, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn what_is_no_covariance_is_refused() {
+        assert!(Weight::of(&[vec![1.0], vec![2.0, 1.0]]).is_err());
+        assert!(Weight::of(&[vec![f64::NAN]]).is_err());
+    }
+}
