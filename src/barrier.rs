@@ -8,6 +8,8 @@
 //! | repeated tests of one vehicle | the energies add up: EES = √Σ (1 − e²) v_n² (Eq 9) | [`TestSeries`] |
 //! | several tests with their standard deviations | E* = √(2 E_C/w) of each, and the covariance of these | [`Observations`] |
 //! | E* of several crushes | d₀ and d₁ with covariance and residuals, and what they leave of E_C uncertain | [`StiffnessFit`] |
+//! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
+//! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
 //!
 //! # Stiffness from tests
 //!
@@ -43,20 +45,26 @@
 //! Nothing is clamped, reordered or left out. A negative d₀ comes out negative, and [`StiffnessFit::findings`] says so; a restitution outside of 0 to 1 comes out of a film as it
 //! is, and is refused where a test is made with it. Every input that cannot be right is an error with its name, place and number, all of them at once ([`Problems`]).
 //!
+mod bank;
 mod estimate;
 mod findings;
 mod fit;
+mod kinematics;
 mod line_fit;
 mod observation;
 mod problem;
 mod profile_fit;
+mod record;
 mod series;
 mod test;
 mod weight;
 
+pub use bank::{BarrierRecord, bank, impulse_ratio};
 pub use estimate::Estimate;
 pub use fit::{CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessCovariance, StiffnessFit};
+pub use kinematics::{MeasuredContact, PointOfVehicle, heading_at_separation, restitution};
 pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
 pub use problem::{Place, Problem, Problems};
+pub use record::{Clock, Record, Window};
 pub use series::TestSeries;
 pub use test::BarrierTest;

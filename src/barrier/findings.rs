@@ -32,6 +32,14 @@ impl<T: Ordered<Mask = bool>> Findings<T> {
         finite
     }
 
+    /// Says of a list only where it begins to be bad: a record may have a million samples.
+    pub fn all_finite(&mut self, name: &'static str, values: &[T]) {
+        let mut bad = (0..values.len()).filter(|&i| !is_finite(&values[i]));
+        if let Some(first) = bad.next() {
+            self.push(Problem::NotFiniteIn { name, first, count: 1 + bad.count() });
+        }
+    }
+
     pub fn positive(&mut self, place: Place, value: &T) -> bool {
         let finite = self.finite(place, value);
         let positive = is_positive(value);

@@ -1,0 +1,124 @@
+//! Load cells of a barrier, summed into banks, and the impulse on the vehicle.
+
+use super::findings::Findings;
+use super::problem::{Place, Problem, Problems};
+use super::record::{Record, Window};
+use crate::frame::Nt;
+use crate::scalar::Ordered;
+use alloc::vec::Vec;
+
+/// The channels of a barrier: those that feel the normal force and those that feel the tangential one, as forces on the vehicle, in N.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarrierRecord<T = f64> {
+    /// Load cells of the main face, normal to it.
+    pub normal: Vec<Record<T>>,
+    /// Load cells along the main face, as those of a wing.
+    pub tangential: Vec<Record<T>>,
+}
+
+/// The sum of channels that were sampled at the same instants.
+///
+/// # Errors
+///
+/// No channel at all, and every channel whose instants are not those of the first.
+pub fn bank<T: Ordered<Mask = bool>>(channels: &[Record<T>]) -> Result<Record<T>, Problems<T>> {
+    let mut findings = Findings::none();
+    let [first, others @ ..] = channels else {
+        return Err(Problem::TooFew { name: "channels", count: 0, least: 1 }.into());
+    };
+    for (i, other) in others.iter().enumerate() {
+        if !are_simultaneous(first, other) {
+            findings
+                .push(Problem::NotAlike { place: Place::of("channel").at(i + 1), like: "the first channel, sampled at the same instants" });
+        }
+    }
+    findings.done()?;
+    let mut sums = first.values().to_vec();
+    for other in others {
+        sums.iter_mut().zip(other.values()).for_each(|(sum, value)| *sum = sum.clone() + value.clone());
+    }
+    Ok(first.with_values(sums))
+}
+
+impl<T: Ordered<Mask = bool>> BarrierRecord<T> {
+    /// The impulse over a window, the baseline before it taken off, along the normal and the tangent, in N s.
+    ///
+    /// # Errors
+    ///
+    /// As [`bank`], [`Record::baseline`] and [`Record::impulse_over`].
+    pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Nt<T>, Problems<T>> {
+        let along = |channels: &[Record<T>]| bank(channels)?.corrected(before)?.impulse_over(over);
+        Ok(Nt { n: along(&self.normal)?, t: along(&self.tangential)? })
+    }
+}
+
+/// The impulse ratio μ = P_t/P_n   (A8).
+///
+/// ```
+/// use planar_impact::{Nt, barrier::impulse_ratio};
+/// // Table 3 of the paper, test 1: main barrier left and right, and wing, in N s.
+/// let ratio = impulse_ratio(Nt { n: 2596.0 + 4612.0, t: 1720.0 })?;
+/// assert_eq!(format!("{ratio:.3}"), "0.239");
+/// # Ok::<(), planar_impact::barrier::Problems>(())
+/// ```
+///
+/// # Errors
+///
+/// A normal impulse of zero, and impulses that are not finite.
+pub fn impulse_ratio<T: Ordered<Mask = bool>>(impulse: Nt<T>) -> Result<T, Problems<T>> {
+    let mut findings = Findings::none();
+    findings.positive(Place::of("magnitude of the normal impulse"), &impulse.n.clone().magnitude());
+    findings.finite(Place::of("tangential impulse"), &impulse.t);
+    findings.done().map(|()| impulse.t / impulse.n)
+}
+
+/// Whether two channels were sampled at the same instants, to rounding.
+fn are_simultaneous<T: Ordered<Mask = bool>>(one: &Record<T>, other: &Record<T>) -> bool {
+    let slack = (one.time(one.len() - 1) - one.time(0)) * crate::solve::slack();
+    one.len() == other.len() && (0..one.len()).all(|i| !slack.less(&(one.time(i) - other.time(i)).magnitude()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn channel(start: f64, values: [f64; 4]) -> Record {
+        Record::uniform(start, 1.0, values.to_vec()).expect("a good record")
+    }
+
+    #[test]
+    fn ratios_of_table_3() {
+        // Table 3: left, right, their sum as printed, wing, and the ratio as printed.
+        for (left, right, normal, wing, ratio) in
+            [(2596.0, 4612.0, 7208.0, 1720.0, 0.239), (3301.0, 6788.0, 10089.0, 2857.0, 0.283), (3999.0, 7715.0, 11714.0, 6262.0, 0.535)]
+        {
+            assert_eq!(left + right, normal);
+            let got = impulse_ratio(Nt { n: left + right, t: wing }).expect("a normal impulse");
+            assert!((got - ratio).magnitude() <= 0.0005, "{got} where Table 3 has {ratio}");
+        }
+    }
+
+    #[test]
+    fn banks_add_up_and_keep_the_side() {
+        let normal = alloc::vec![channel(-1.0, [1.0, 1.0, 5.0, 1.0]), channel(-1.0, [2.0, 2.0, 8.0, 2.0])];
+        let record = BarrierRecord { normal, tangential: alloc::vec![channel(-1.0, [0.0, 0.0, -2.0, 0.0])] };
+        let impulse = record.impulse(&Window { from: 0.0, to: 2.0 }, &Window { from: -1.0, to: 0.0 }).expect("good records");
+        assert_eq!(impulse, Nt { n: 10.0, t: -2.0 });
+        assert_eq!(impulse_ratio(impulse), Ok(-0.2));
+    }
+
+    #[test]
+    fn channels_of_other_instants_are_named() {
+        let channels = [channel(0.0, [0.0; 4]), channel(0.5, [0.0; 4]), channel(0.0, [0.0; 4])];
+        let problems = bank(&channels).expect_err("one channel is late");
+        assert_eq!(problems.all().len(), 1);
+        assert!(alloc::string::ToString::to_string(&problems).contains("channel[1]"));
+        let given = Record::at_times(alloc::vec![0.0, 1.0, 2.0, 3.0], alloc::vec![1.0; 4]).expect("a good record");
+        assert!(bank(&[channel(0.0, [0.0; 4]), given]).is_ok());
+        let longer = Record::uniform(0.0, 1.0, alloc::vec![0.0; 5]).expect("a good record");
+        assert!(bank(&[channel(0.0, [0.0; 4]), longer]).is_err());
+        assert!(bank::<f64>(&[]).is_err());
+        assert!(impulse_ratio(Nt { n: 0.0, t: 1.0 }).is_err());
+        assert!(impulse_ratio(Nt { n: f64::NAN, t: f64::NAN }).is_err());
+    }
+}
