@@ -8,6 +8,7 @@
 //! | repeated tests of one vehicle | the energies add up: EES = √Σ (1 − e²) v_n² (Eq 9) | [`TestSeries`] |
 //! | several tests with their standard deviations | E* = √(2 E_C/w) of each, and the covariance of these | [`Observations`] |
 //! | E* of several crushes | d₀ and d₁ with covariance and residuals, and what they leave of E_C uncertain | [`StiffnessFit`] |
+//! | forces over time | baseline, filter of a channel frequency class, impulse with its variance | [`Record`], [`ChannelFilter`] |
 //! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
 //! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
 //!
@@ -47,6 +48,7 @@
 //!
 mod bank;
 mod estimate;
+mod filter;
 mod findings;
 mod fit;
 mod kinematics;
@@ -61,6 +63,7 @@ mod weight;
 
 pub use bank::{BarrierRecord, bank, impulse_ratio};
 pub use estimate::Estimate;
+pub use filter::{ChannelClass, ChannelFilter};
 pub use fit::{CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessCovariance, StiffnessFit};
 pub use kinematics::{MeasuredContact, PointOfVehicle, heading_at_separation, restitution};
 pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
