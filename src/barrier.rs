@@ -11,6 +11,7 @@
 //! | forces over time | baseline, filter of a channel frequency class, impulse with its variance | [`Record`], [`ChannelFilter`] |
 //! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
 //! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
+//! | the distance of a point from the barrier over time | e by the slope of the smoothed distance, with its variance | [`Lowess`], [`restitution_from_film`] |
 //!
 //! # Stiffness from tests
 //!
@@ -48,11 +49,13 @@
 //!
 mod bank;
 mod estimate;
+mod film;
 mod filter;
 mod findings;
 mod fit;
 mod kinematics;
 mod line_fit;
+mod lowess;
 mod observation;
 mod problem;
 mod profile_fit;
@@ -63,9 +66,11 @@ mod weight;
 
 pub use bank::{BarrierRecord, bank, impulse_ratio};
 pub use estimate::Estimate;
+pub use film::restitution_from_film;
 pub use filter::{ChannelClass, ChannelFilter};
 pub use fit::{CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessCovariance, StiffnessFit};
 pub use kinematics::{MeasuredContact, PointOfVehicle, heading_at_separation, restitution};
+pub use lowess::{LocalLine, Lowess, Smoothed};
 pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
 pub use problem::{Place, Problem, Problems};
 pub use record::{Clock, Record, Window};

@@ -1,0 +1,79 @@
+//! Restitution from film: the distance of a point from the barrier over time, smoothed and differentiated.
+
+use super::estimate::Estimate;
+use super::findings::Findings;
+use super::lowess::Lowess;
+use super::problem::{Place, Problems};
+use super::record::Record;
+use crate::scalar::Ordered;
+
+/// The restitution of a point from its distance to the barrier over time, e = V_Cn/v_Cn: the slope of the smoothed distance at separation over the closing speed.
+///
+/// The distance is perpendicular to the barrier, in m, and grows when the point rebounds. The separation time is in s, the closing speed normal to the barrier in
+/// m/s. The variance has the noise of the distances and that of the closing speed, not the bias of the smoothing: see [`Lowess::smooth`].
+///
+/// ```
+/// use planar_impact::barrier::{Estimate, Lowess, Record, restitution_from_film};
+/// // 10 ms apart: in at 10 m/s, out at 1.5 m/s from 0.1 s on, read to 1 mm.
+/// let distance = |i: i32| if i < 10 { 1.0 - 0.1 * f64::from(i) } else { 0.015 * f64::from(i - 10) };
+/// let read = (0..30).map(|i| (distance(i) * 1000.0).round() / 1000.0).collect();
+/// let film = Record::uniform(0.0, 0.01, read)?;
+/// let lowess = Lowess { neighbors: 9, robust_passes: 3 };
+/// let restitution = restitution_from_film(&film, lowess, 0.2, Estimate::with_deviation(10.0, 0.05))?;
+/// assert!((restitution.value - 0.15).abs() < 3.0 * restitution.deviation());
+/// # Ok::<(), planar_impact::barrier::Problems>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`Lowess::smooth`], a separation time outside of the record, a closing speed that is not above zero, a negative variance.
+pub fn restitution_from_film<T: Ordered<Mask = bool>>(
+    distance: &Record<T>,
+    lowess: Lowess,
+    separation: T,
+    closing: Estimate<T>,
+) -> Result<Estimate<T>, Problems<T>> {
+    let mut findings = Findings::none();
+    findings.positive(Place::of("closing speed"), &closing.value);
+    findings.not_negative(Place::of("variance of the closing speed"), &closing.variance);
+    findings.done()?;
+    let line = lowess.smooth(distance)?.at(separation)?;
+    Ok(line.slope.over(closing))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec::Vec;
+    use approx::assert_relative_eq;
+
+    const LOWESS: Lowess = Lowess { neighbors: 8, robust_passes: 0 };
+
+    fn film(noise: f64) -> Record {
+        let distances: Vec<f64> = (0..20).map(|i| 0.02 * f64::from(i) + noise * if i % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        Record::uniform(0.0, 0.01, distances).expect("a good record")
+    }
+
+    #[test]
+    fn a_clean_film_is_the_ratio_of_the_speeds() {
+        let e = restitution_from_film(&film(0.0), LOWESS, 0.1, Estimate::with_deviation(10.0, 0.5)).expect("a good film");
+        assert_relative_eq!(e.value, 0.2, max_relative = 1e-12);
+        // The closing speed alone is uncertain: by 5 %.
+        assert_relative_eq!(e.deviation(), 0.01, max_relative = 1e-9);
+    }
+
+    #[test]
+    fn noise_on_the_film_makes_it_uncertain() {
+        let of =
+            |noise| restitution_from_film(&film(noise), LOWESS, 0.1, Estimate::with_deviation(10.0, 0.0)).expect("a good film").deviation();
+        assert_relative_eq!(of(0.004), 2.0 * of(0.002), max_relative = 1e-9);
+        assert!(of(0.002) > 1e-3);
+    }
+
+    #[test]
+    fn a_vehicle_that_does_not_close_is_refused() {
+        let problems = restitution_from_film(&film(0.0), LOWESS, 0.1, Estimate { value: -1.0, variance: -1.0 }).expect_err("two problems");
+        assert_eq!(problems.all().len(), 2);
+        assert!(restitution_from_film(&film(0.0), LOWESS, 0.2, Estimate::with_deviation(1.0, 0.0)).is_err());
+    }
+}

@@ -1,0 +1,264 @@
+//! LOWESS: locally weighted lines through the nearest samples of a record (Cleveland 1979), with the uncertainty of their value and slope.
+
+use super::estimate::Estimate;
+use super::findings::{Findings, finite};
+use super::problem::{Place, Problem, Problems};
+use super::record::{Record, whole};
+use super::weight::dot;
+use crate::scalar::{Field, Ordered};
+use crate::solve::{is_finite, is_positive, rounding};
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+/// How to smooth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lowess {
+    /// How many samples a local line goes through. The farthest of them has no weight any more, so four is the least that can be enough.
+    pub neighbors: usize,
+    /// How often the lines are laid again with less weight on samples far from them (bisquare). None for clean data, three for outliers.
+    pub robust_passes: usize,
+}
+
+/// A record with all that is needed to lay a local line anywhere in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Smoothed<T = f64> {
+    times: Vec<T>,
+    values: Vec<T>,
+    neighbors: usize,
+    /// What robustness has left of the weight of each sample.
+    trust: Vec<T>,
+    /// Variance of one sample about the smoothed record.
+    noise: T,
+}
+
+/// The local line at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalLine<T = f64> {
+    /// The smoothed value, in the unit of the record.
+    pub value: Estimate<T>,
+    /// The slope there, in that unit per second.
+    pub slope: Estimate<T>,
+}
+
+/// What each sample counts in the value and in the slope of a local line.
+struct Shares<T> {
+    value: Vec<T>,
+    slope: Vec<T>,
+}
+
+impl Lowess {
+    /// Smooths a record: at t the line of least squares through the nearest samples, weighted by the tricube (1 − (|t_i − t|/h)³)³, h the distance of the farthest.
+    ///
+    /// The noise is that of the residuals r = (1 − L) y over its degrees of freedom, σ² = Σ δ_i r_i² / Σ δ_i ‖row i of 1 − L‖², L the smoother and δ the robustness
+    /// weights, which are taken as given. It has to be the same for all samples and independent from one to the next. A record that is curved within the span adds
+    /// a bias that no standard deviation here shows: compare a shorter span.
+    ///
+    /// # Errors
+    ///
+    /// More neighbors than samples, and a span too narrow for a line, or for the residuals to tell the noise.
+    pub fn smooth<T: Ordered<Mask = bool>>(&self, record: &Record<T>) -> Result<Smoothed<T>, Problems<T>> {
+        self.smooth_points(record.times(), record.values().to_vec())
+    }
+
+    fn smooth_points<T: Ordered<Mask = bool>>(&self, times: Vec<T>, values: Vec<T>) -> Result<Smoothed<T>, Problems<T>> {
+        let mut findings = Findings::none();
+        findings.at_least("neighbors", self.neighbors, 2);
+        findings.at_least("samples for so many neighbors", values.len(), self.neighbors);
+        findings.done()?;
+        let trust = alloc::vec![T::int(1); values.len()];
+        let mut smoothed = Smoothed { times, values, neighbors: self.neighbors, trust, noise: T::int(0) };
+        for _ in 0..self.robust_passes {
+            let Some(trust) = bisquare(&smoothed.residuals()?) else { break };
+            smoothed.trust = trust;
+        }
+        smoothed.noise = finite("noise", smoothed.estimate_noise()?)?;
+        Ok(smoothed)
+    }
+}
+
+impl<T: Ordered<Mask = bool>> Smoothed<T> {
+    /// The local line at a time within the record, in s.
+    ///
+    /// # Errors
+    ///
+    /// A time outside of the record: a smoother does not extrapolate.
+    pub fn at(&self, time: T) -> Result<LocalLine<T>, Problems<T>> {
+        let mut findings = Findings::none();
+        if let [first, .., last] = self.times.as_slice() {
+            findings.within(Place::of("time"), &time, first.clone(), Some(last.clone()));
+        }
+        findings.done()?;
+        let shares = self.shares_at(&time)?;
+        let estimate = |name, shares: &[T]| -> Result<Estimate<T>, Problems<T>> {
+            let variance = finite("variance of the smoothed record", dot(shares, shares) * self.noise.clone())?;
+            Ok(Estimate { value: finite(name, dot(shares, &self.values))?, variance })
+        };
+        Ok(LocalLine { value: estimate("smoothed value", &shares.value)?, slope: estimate("slope", &shares.slope)? })
+    }
+
+    /// The variance of one sample about the smoothed record, in the square of its unit.
+    pub fn noise(&self) -> T {
+        self.noise.clone()
+    }
+
+    fn residuals(&self) -> Result<Vec<T>, Problems<T>> {
+        let residual = |(time, value): (&T, &T)| Ok(value.clone() - dot(&self.shares_at(time)?.value, &self.values));
+        self.times.iter().zip(&self.values).map(residual).collect()
+    }
+
+    fn estimate_noise(&self) -> Result<T, Problems<T>> {
+        let (mut squares, mut freedom) = (T::int(0), T::int(0));
+        for (i, time) in self.times.iter().enumerate() {
+            let mut row: Vec<T> = self.shares_at(time)?.value.into_iter().map(|share| -share).collect();
+            row[i] = row[i].clone() + T::int(1);
+            squares = squares + self.trust[i].clone() * dot(&row, &self.values).squared();
+            freedom = freedom + self.trust[i].clone() * dot(&row, &row);
+        }
+        // Lines through two samples each leave nothing but rounding.
+        if !rounding::<T>().less(&freedom) {
+            return Err(Problem::SpanTooNarrow { neighbors: self.neighbors, time: self.times[0].clone() }.into());
+        }
+        Ok(squares / freedom)
+    }
+
+    /// The line of weighted least squares at a time, as sums over the samples.
+    fn shares_at(&self, time: &T) -> Result<Shares<T>, Problems<T>> {
+        let apart: Vec<T> = self.times.iter().map(|each| each.clone() - time.clone()).collect();
+        let weights: Vec<T> = tricube(&apart, self.neighbors).into_iter().zip(&self.trust).map(|(w, trust)| w * trust.clone()).collect();
+        let total = weights.iter().fold(T::int(0), |sum, weight| sum + weight.clone());
+        let too_narrow = || Problem::SpanTooNarrow { neighbors: self.neighbors, time: time.clone() };
+        if !is_positive(&total) {
+            return Err(too_narrow().into());
+        }
+        let middle = dot(&weights, &apart) / total.clone();
+        let levers: Vec<T> = weights.iter().zip(&apart).map(|(w, each)| w.clone() * (each.clone() - middle.clone())).collect();
+        let spread = dot(&levers, &apart);
+        let size = weights.iter().zip(&apart).fold(T::int(0), |sum, (w, each)| sum + w.clone() * each.clone().squared());
+        if !(size * rounding::<T>()).less(&spread) {
+            return Err(too_narrow().into());
+        }
+        let slope: Vec<T> = levers.into_iter().map(|lever| lever / spread.clone()).collect();
+        let value = weights.into_iter().zip(&slope).map(|(w, lever)| w / total.clone() - middle.clone() * lever.clone()).collect();
+        Ok(Shares { value, slope })
+    }
+}
+
+/// The weight of each sample by its distance, zero from the distance of the last neighbor on.
+fn tricube<T: Ordered<Mask = bool>>(apart: &[T], neighbors: usize) -> Vec<T> {
+    let distances: Vec<T> = apart.iter().map(|each| each.clone().magnitude()).collect();
+    let mut sorted = distances.clone();
+    sorted.sort_by(order);
+    let reach = sorted[neighbors - 1].clone();
+    let weight = |distance: T| {
+        if !distance.less(&reach) {
+            return T::int(0);
+        }
+        let share = distance / reach.clone();
+        cubed(T::int(1) - cubed(share))
+    };
+    distances.into_iter().map(weight).collect()
+}
+
+/// (1 − (r/6s)²)² with the median s of the magnitudes. None where the median is rounding: the lines go through the samples.
+fn bisquare<T: Ordered<Mask = bool>>(residuals: &[T]) -> Option<Vec<T>> {
+    let magnitudes: Vec<T> = residuals.iter().map(|each| each.clone().magnitude()).collect();
+    let mut sorted = magnitudes.clone();
+    sorted.sort_by(order);
+    let half = sorted.len() / 2;
+    let median = if sorted.len() % 2 == 1 { sorted[half].clone() } else { (sorted[half - 1].clone() + sorted[half].clone()).half() };
+    let mean = magnitudes.iter().fold(T::int(0), |sum, each| sum + each.clone()) / whole::<T>(magnitudes.len());
+    let reach = T::int(6) * median;
+    if !(mean / T::int(10_000_000)).less(&reach) {
+        return None;
+    }
+    let trust =
+        |magnitude: T| if magnitude.less(&reach) { (T::int(1) - (magnitude / reach.clone()).squared()).squared() } else { T::int(0) };
+    Some(magnitudes.into_iter().map(trust).collect())
+}
+
+/// From small to large; what overflowed comes last, so that the order is total.
+fn order<T: Ordered<Mask = bool>>(a: &T, b: &T) -> Ordering {
+    is_finite(b).cmp(&is_finite(a)).then_with(|| b.less(a).cmp(&a.less(b)))
+}
+
+fn cubed<T: Field>(x: T) -> T {
+    x.clone().squared() * x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    // R's data set `cars`: speed and stopping distance.
+    const SPEED: [u8; 50] = [
+        4, 4, 7, 7, 8, 9, 10, 10, 10, 11, 11, 12, 12, 12, 12, 13, 13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 16, 16, 17, 17, 17, 18, 18, 18,
+        18, 19, 19, 19, 20, 20, 20, 20, 20, 22, 23, 24, 24, 24, 24, 25,
+    ];
+    const DISTANCE: [u8; 50] = [
+        2, 10, 4, 22, 16, 10, 18, 26, 34, 17, 28, 14, 20, 24, 28, 26, 34, 34, 46, 26, 36, 60, 80, 20, 26, 54, 32, 40, 32, 40, 50, 42, 56,
+        76, 84, 36, 46, 68, 32, 48, 52, 56, 64, 66, 54, 70, 92, 93, 120, 85,
+    ];
+
+    #[test]
+    fn what_r_makes_of_cars() {
+        // R, lowess(cars): f = 2/3, so 33 of the 50, and 3 robust passes; at the 19 different speeds.
+        let expected = [
+            4.965459, 13.124495, 15.858633, 18.579691, 21.280313, 24.129277, 27.119549, 30.027276, 32.962506, 36.757728, 40.435075,
+            43.463492, 46.885479, 50.793152, 56.491224, 67.585824, 73.079695, 78.643164, 84.328698,
+        ];
+        let mut speeds = SPEED.to_vec();
+        let points = |from: &[u8]| from.iter().map(|&each| f64::from(each)).collect::<Vec<_>>();
+        let smoothed = Lowess { neighbors: 33, robust_passes: 3 }.smooth_points(points(&SPEED), points(&DISTANCE)).expect("enough points");
+        speeds.dedup();
+        assert_eq!(speeds.len(), expected.len());
+        for (speed, expected) in speeds.into_iter().zip(expected) {
+            // R gives samples within 0.1 % of the span's end, or of the residuals', the weight 0 or 1.
+            assert_abs_diff_eq!(smoothed.at(f64::from(speed)).expect("inside").value.value, expected, epsilon = 5e-6);
+        }
+    }
+
+    #[test]
+    fn one_line_through_all_is_the_textbook() {
+        // Far away neighbors: the weights of a very wide span are all but equal, so the line, its slope and their deviations are those of simple regression.
+        // By hand: t = −1, 0, 1, y = 0, 3, 3: slope 3/2, mean 2, residuals −½, 1, −½, σ² = 3/2 over one degree of freedom.
+        let smoothed = Smoothed {
+            times: alloc::vec![-1.0, 0.0, 1.0, 1e9],
+            values: alloc::vec![0.0, 3.0, 3.0, 0.0],
+            neighbors: 4,
+            trust: alloc::vec![1.0; 4],
+            noise: 1.5,
+        };
+        let line = smoothed.at(0.0).expect("inside");
+        assert_abs_diff_eq!(line.value.value, 2.0, epsilon = 1e-9);
+        assert_abs_diff_eq!(line.slope.value, 1.5, epsilon = 1e-9);
+        assert_abs_diff_eq!(line.value.variance, 0.5, epsilon = 1e-9);
+        assert_abs_diff_eq!(line.slope.variance, 0.75, epsilon = 1e-9);
+    }
+
+    #[test]
+    fn robustness_forgets_an_outlier() {
+        let times: Vec<f64> = (0..40).map(f64::from).collect();
+        let mut values: Vec<f64> = times.iter().map(|t| 2.0 * t + if t % 2.0 == 0.0 { 0.5 } else { -0.5 }).collect();
+        values[20] += 50.0;
+        let slope = |robust_passes| {
+            let record = Record::at_times(times.clone(), values.clone()).expect("a good record");
+            Lowess { neighbors: 15, robust_passes }.smooth(&record).expect("wide enough").at(17.0).expect("inside").slope.value
+        };
+        assert!((slope(0) - 2.0).abs() > 1.0);
+        // What is left is of the zigzag of ½.
+        assert_abs_diff_eq!(slope(3), 2.0, epsilon = 0.05);
+    }
+
+    #[test]
+    fn narrow_spans_and_times_outside_are_refused() {
+        let record = Record::uniform(0.0, 1.0, alloc::vec![0.0, 1.0, 4.0, 9.0, 16.0]).expect("a good record");
+        for neighbors in [0, 1, 2, 3, 6, usize::MAX] {
+            assert!(Lowess { neighbors, robust_passes: 0 }.smooth(&record).is_err(), "{neighbors}");
+        }
+        let smoothed = Lowess { neighbors: 5, robust_passes: 0 }.smooth(&record).expect("wide enough");
+        for time in [-0.1, 4.1, f64::NAN] {
+            assert!(smoothed.at(time).is_err());
+        }
+    }
+}
