@@ -6,6 +6,7 @@
 //! Each law is tried on 10⁴ collisions; `PROPTEST_CASES` sets another number.
 
 mod angles;
+mod barrier;
 mod check;
 mod crash3;
 mod crush;
@@ -18,9 +19,11 @@ mod exact_dual;
 mod formulas;
 mod laws;
 mod limits;
+mod noise;
 mod paper;
 #[cfg(feature = "symbols")]
 mod reading;
+mod records;
 mod refusals;
 mod scalars;
 #[cfg(feature = "symbols")]

@@ -47,6 +47,20 @@
 //! Nothing is clamped, reordered or left out. A negative d₀ comes out negative, and [`StiffnessFit::findings`] says so; a restitution outside of 0 to 1 comes out of a film as it
 //! is, and is refused where a test is made with it. Every input that cannot be right is an error with its name, place and number, all of them at once ([`Problems`]).
 //!
+//! # Properties
+//!
+//! | what holds | test in `proptests/` |
+//! |---|---|
+//! | exact data give back the stiffness exactly, whatever the weights | `barrier.rs`, `exact_data_give_back_the_stiffness`, `exact_profiles_give_back_the_stiffness` |
+//! | one test's stiffness has the energy of the test, and the customary line more | `barrier.rs`, `one_test_has_its_energy` |
+//! | the covariance covers noisy data at the stated rate, as given, by the residuals, and of repeated tests | `barrier.rs`, `the_covariance_covers_at_its_rate`, `the_covariance_of_repeated_tests_covers_at_its_rate` |
+//! | without duration, kinematics give back the restitution of any impact | `barrier.rs`, `kinematics_give_back_the_restitution` |
+//! | impulses of pulses in closed form, with offset and noise, are found within the bound that the noise sets | `records.rs`, `impulses_of_known_pulses` |
+//! | the filter is linear, keeps constants and impulses, and delays nothing | `records.rs`, `the_filter_is_linear`, `the_filter_keeps_the_impulse`, `the_filter_is_symmetric` |
+//! | LOWESS is exact on straight lines for any span | `records.rs`, `lowess_keeps_straight_lines` |
+//! | the variance of its slope covers noisy lines at the stated rate | `records.rs`, `the_slope_covers_at_its_rate` |
+//! | derivatives by dual numbers are difference quotients | both, `derivatives…` |
+
 mod bank;
 mod estimate;
 mod film;

@@ -1,0 +1,257 @@
+//! Force records and films: known pulses, the filter, and LOWESS.
+
+use crate::noise::{Count, Noise};
+use crate::strategies::{Fraction, config};
+use num_dual::Dual64;
+use num_rational::BigRational;
+use planar_impact::barrier::*;
+use planar_impact::{Field, Ordered, Real};
+use proptest::prelude::*;
+use proptest::test_runner::Config;
+use std::f64::consts::PI;
+use std::fmt::Debug;
+
+#[derive(Clone, Copy, Debug)]
+enum Pulse {
+    Haversine,
+    HalfSine,
+    Triangle,
+}
+
+impl Pulse {
+    /// At a share of the duration, as a share of the peak.
+    fn at(self, share: f64) -> f64 {
+        match self {
+            _ if !(0.0..=1.0).contains(&share) => 0.0,
+            Pulse::Haversine => (PI * share).sin().powi(2),
+            Pulse::HalfSine => (PI * share).sin(),
+            Pulse::Triangle => 1.0 - (2.0 * share - 1.0).abs(),
+        }
+    }
+
+    /// The integral over the duration, as a share of peak and duration.
+    fn integral(self) -> f64 {
+        match self {
+            Pulse::Haversine | Pulse::Triangle => 0.5,
+            Pulse::HalfSine => 2.0 / PI,
+        }
+    }
+}
+
+const STEP: f64 = 1e-4;
+
+/// 0.1 s of nothing, then 0.3 s with a pulse in it.
+fn record(pulse: Pulse, peak: f64, start: f64, duration: f64, mut disturbance: impl FnMut() -> f64) -> Record {
+    let time = |i: i32| STEP * f64::from(i - 1000);
+    let values = (0..=4000).map(|i| peak * pulse.at((time(i) - start) / duration) + disturbance()).collect();
+    Record::uniform(time(0), STEP, values).expect("a good record")
+}
+
+const BEFORE: Window = Window { from: -0.1, to: -STEP };
+const OVER: Window = Window { from: 0.0, to: 0.3 };
+
+fn pulse() -> impl Strategy<Value = (Pulse, f64, f64)> {
+    let shape = prop_oneof![Just(Pulse::Haversine), Just(Pulse::HalfSine), Just(Pulse::Triangle)];
+    (shape, 0.01..0.08_f64, 0.04..0.12_f64)
+}
+
+proptest! {
+    #![proptest_config(Config { cases: config().cases / 50, ..config() })]
+
+    #[test]
+    fn impulses_of_known_pulses((pulse, start, duration) in pulse(), offset in -2e3..2e3_f64, level in 0.0..1e3_f64, seed in any::<u8>()) {
+        let peak = 1e5;
+        let mut noise = Noise::of_seed(seed);
+        let raw = record(pulse, peak, start, duration, || offset + level * noise.normal());
+        let exact = peak * duration * pulse.integral();
+        // Trapezoids between samples that know nothing of the kinks: each kink costs h²/8 times its change of slope, and curvature h²/12 times its integral. Of
+        // the slopes of all three pulses, in F/T, these sum up to less than 2.
+        let of_sampling = 2.0 * STEP * STEP * peak / duration;
+        // The 3000 intervals of the window, and its length times the mean of 1000 samples: all of the same noise.
+        let of_noise = 6.0 * level * STEP * (3000.0_f64 + 3000.0 * 3000.0 / 1000.0).sqrt();
+        let impulse = raw.impulse(&OVER, &BEFORE).expect("good windows");
+        let allowed = of_sampling + of_noise + 1e-9 * exact;
+        prop_assert!((impulse.value - exact).abs() <= allowed, "{} where {} is exact, {} allowed", impulse.value, exact, allowed);
+        // The noise of 1000 samples tells its own level to 1/√2000.
+        prop_assert!((6.0 * impulse.deviation() - of_noise).abs() <= of_noise * 6.0 / 2000_f64.sqrt() + 1e-9 * exact);
+        // Step by step it is the same.
+        let step_by_step = raw.corrected(&BEFORE).expect("a good window").impulse_over(&OVER).expect("a good window");
+        prop_assert!((impulse.value - step_by_step).abs() <= 1e-9 * (exact + 3e3 * offset.abs()));
+    }
+
+    #[test]
+    fn the_filter_keeps_the_impulse((pulse, start, duration) in pulse(), class in 0..4_usize) {
+        let raw = record(pulse, 1e5, start, duration, || 0.0);
+        let filtered = raw.filtered(ChannelClass::ALL[class]).expect("sampled at 10 kHz");
+        prop_assert!((filtered.integral() - raw.integral()).abs() <= 1e-9 * raw.integral());
+    }
+
+    /// Turned around in time, the filtered record is turned around; moved by some samples, it is moved. So nothing is delayed.
+    #[test]
+    fn the_filter_is_symmetric((pulse, start, duration) in pulse(), moved in 1..500_usize, class in 0..4_usize) {
+        let raw = record(pulse, 1.0, start, duration, || 0.0);
+        let filter = ChannelFilter::new(ChannelClass::ALL[class], STEP).expect("sampled at 10 kHz");
+        let mut skewed: Vec<f64> = raw.values().iter().enumerate().map(|(i, value)| value * i as f64 / 4000.0).collect();
+        let filtered = filter.filter(&skewed);
+        skewed.rotate_right(moved);
+        for (i, value) in filter.filter(&skewed).into_iter().enumerate().skip(moved) {
+            prop_assert!((value - filtered[i - moved]).abs() < 1e-9, "moved by {}: {} and {} at {}", moved, value, filtered[i - moved], i);
+        }
+        skewed.rotate_left(moved);
+        skewed.reverse();
+        let turned = filter.filter(&skewed);
+        for (one, other) in filtered.iter().zip(turned.iter().rev()) {
+            prop_assert!((one - other).abs() < 1e-9, "turned around: {} and {}", one, other);
+        }
+    }
+}
+
+fn small() -> impl Strategy<Value = Vec<i32>> {
+    proptest::collection::vec(-9..=9_i32, 5)
+}
+
+fn exact(values: &[i32]) -> Vec<BigRational> {
+    values.iter().map(|&value| BigRational::int(value)).collect()
+}
+
+proptest! {
+    #![proptest_config(Config { cases: config().cases / 100, ..config() })]
+
+    /// With any coefficients of its kind, in rationals.
+    #[test]
+    fn the_filter_is_linear(one in small(), other in small(), factor in -5..=5_i32, constant in -9..=9_i32, corner in 1..=4_i32) {
+        let filter = ChannelFilter::of_warped_corner(Fraction(corner, 5).of(), Fraction(7, 5).of::<BigRational>());
+        let factor = BigRational::int(factor);
+        let sum: Vec<_> = exact(&one).into_iter().zip(exact(&other)).map(|(a, b)| a + factor.clone() * b).collect();
+        let expected: Vec<_> = filter.filter(&exact(&one)).into_iter().zip(filter.filter(&exact(&other))).map(|(a, b)| a + factor.clone() * b).collect();
+        prop_assert_eq!(filter.filter(&sum), expected);
+        prop_assert_eq!(filter.filter(&exact(&[constant; 5])), exact(&[constant; 5]));
+    }
+
+    #[test]
+    fn lowess_keeps_straight_lines(gaps in proptest::collection::vec(1..=3_i32, 4..10), (a, b) in (-9..=9_i32, -9..=9_i32), neighbors in 4..=11_usize, even in any::<bool>(), share in 0..=12_i32) {
+        let int = BigRational::int;
+        let mut times = vec![int(0)];
+        for gap in gaps {
+            let last = times[times.len() - 1].clone();
+            times.push(last + int(if even { 1 } else { gap }));
+        }
+        let at = times[times.len() - 1].clone() * Fraction(share, 12).of::<BigRational>();
+        let values = times.iter().map(|t| int(a) + int(b) * t.clone()).collect();
+        let record = Record::at_times(times, values).expect("a good record");
+        let line = Lowess { neighbors, robust_passes: 2 }.smooth(&record).and_then(|smoothed| smoothed.at(at.clone()));
+        // At even times four neighbors are always enough; uneven ones can leave a sample alone within its span.
+        prop_assert!(line.is_ok() || !even || neighbors > record.len());
+        if let Ok(line) = line {
+            prop_assert_eq!(line.value.value, int(a) + int(b) * at);
+            prop_assert_eq!(line.slope.value, int(b));
+            prop_assert_eq!(line.slope.variance, int(0));
+        }
+    }
+}
+
+/// Numbers of any kind: not numbers, infinite, huge, tiny.
+fn any_number() -> impl Strategy<Value = f64> {
+    prop_oneof![proptest::num::f64::ANY, Just(0.0), Just(f64::MAX), Just(f64::MIN), Just(f64::MIN_POSITIVE), -10.0..10.0_f64]
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn no_record_panics(values in proptest::collection::vec(any_number(), 0..12), times in proptest::collection::vec(any_number(), 0..12), a in any_number(), b in any_number(), c in any_number(), neighbors in 0..14_usize) {
+        let mut sorted = times.clone();
+        sorted.sort_by(f64::total_cmp);
+        let records = [Record::uniform(a, b, values.clone()), Record::at_times(times, values.clone()), Record::at_times(sorted, values)];
+        for record in records.into_iter().flatten() {
+            let (over, before) = (Window { from: a, to: b }, Window { from: a, to: c });
+            if let Ok(impulse) = record.impulse(&over, &before) {
+                prop_assert!(impulse.value.is_finite() && impulse.variance.is_finite());
+            }
+            let _ = (record.impulse_over(&over), record.corrected(&before), record.filtered(ChannelClass::Cfc60), bank(&[record.clone(), record.clone()]));
+            for robust_passes in [0, 2] {
+                let closing = Estimate { value: a, variance: c };
+                if let Ok(e) = restitution_from_film(&record, Lowess { neighbors, robust_passes }, b, closing) {
+                    prop_assert!(e.value.is_finite() || a < 1e-100, "{:?} of {:?}", e, record);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_slope_covers_at_its_rate() {
+    let mut noise = Noise::of_seed(4);
+    let (samples, data_sets, deviation) = (40, 5000, 0.004);
+    let (mut slopes, mut values, mut variance) = (Count::default(), Count::default(), 0.0);
+    for i in 0..data_sets {
+        let distances = (0..samples).map(|i| 0.3 + 0.02 * f64::from(i) + deviation * noise.normal()).collect();
+        let film = Record::uniform(0.0, 0.01, distances).expect("a good record");
+        let smoothed = Lowess { neighbors: 13, robust_passes: 0 }.smooth(&film).expect("wide enough");
+        variance += smoothed.noise() / f64::from(data_sets);
+        let time = f64::from(i % 37) * 0.01;
+        let line = smoothed.at(time).expect("inside");
+        slopes.add((line.slope.value - 2.0).abs() < line.slope.deviation());
+        values.add((line.value.value - 0.3 - 2.0 * time).abs() < line.value.deviation());
+    }
+    // The noise is told by some 33 degrees of freedom: Student's t has 0.6754 within one deviation there.
+    slopes.assert_rate("slope", 0.6754);
+    values.assert_rate("value", 0.6754);
+    // Its variance is without bias.
+    let allowed = 5.0 * (2.0 / 33.0 / f64::from(data_sets)).sqrt();
+    assert!((variance / (deviation * deviation) - 1.0).abs() < allowed, "{variance}, within {allowed}");
+}
+
+/// Some number of a record that depends on one of its samples, on its step and on an end of the window.
+fn numbers<T: Real + Ordered<Mask = bool> + Debug>(sample: T, step: T, to: T) -> [T; 5] {
+    let of = |x: f64| T::from_f64(x).expect("a finite number");
+    let mut values: Vec<T> = (0..60).map(|i| of((0.17 * f64::from(i)).sin() + 0.1 * f64::from(i % 3))).collect();
+    values[20] = sample;
+    let record = Record::uniform(of(0.0), step.clone(), values).expect("a good record");
+    let window = Window { from: of(0.0035), to: to.clone() };
+    let impulse = record.impulse(&window, &Window { from: of(0.0), to: of(0.0021) }).expect("good windows");
+    let filtered = record.filtered(ChannelClass::Cfc180).expect("fast enough").values()[22].clone();
+    let closing = Estimate::with_deviation(of(100.0), of(2.0));
+    let e = restitution_from_film(&record, Lowess { neighbors: 9, robust_passes: 1 }, to, closing).expect("a good film");
+    [impulse.value.clone(), impulse.deviation(), filtered, e.value.clone(), e.deviation()]
+}
+
+/// A window that ends on samples: the integral is smooth there, though another interval begins.
+#[test]
+fn an_end_on_a_sample_has_its_derivative() {
+    fn impulse<T: Real + Ordered<Mask = bool> + Debug>(step: T, from: T, to: T) -> T {
+        let values = [3, 1, 4, 1, 5, 9, 2, 6].map(T::int).to_vec();
+        let record = Record::uniform(T::int(0), step, values).expect("a good record");
+        record.impulse_over(&Window { from, to }).expect("inside")
+    }
+    let h = 1e-6;
+    for i in 0..3 {
+        let at = |size: f64| {
+            let by: [f64; 3] = std::array::from_fn(|j| if i == j { size } else { 0.0 });
+            impulse(0.5 + by[0], 1.0 + by[1], 2.5 + by[2])
+        };
+        let unit: [f64; 3] = std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
+        let dual = impulse(Dual64::new(0.5, unit[0]), Dual64::new(1.0, unit[1]), Dual64::new(2.5, unit[2])).eps;
+        let quotient = (at(h) - at(-h)) / (2.0 * h);
+        // The curvature jumps there, by less than 300.
+        assert!((dual - quotient).abs() < 300.0 * h, "by {i}: {dual} and {quotient}");
+    }
+}
+
+#[test]
+fn derivatives_are_difference_quotients() {
+    let (sample, step, to, h) = (0.4, 2.5e-4, 0.00512, 1e-6);
+    let at = |by: [f64; 3]| numbers(sample + by[0], step + by[1], to + by[2]);
+    for i in 0..3 {
+        // The step is small against its own size.
+        let h = if i == 0 { h } else { h * 1e-3 };
+        let by = |size: f64| std::array::from_fn(|j| if i == j { size } else { 0.0 });
+        let (ahead, behind) = (at(by(h)), at(by(-h)));
+        let unit = by(1.0);
+        let dual = numbers(Dual64::new(sample, unit[0]), Dual64::new(step, unit[1]), Dual64::new(to, unit[2]));
+        for (j, number) in dual.into_iter().enumerate() {
+            let quotient = (ahead[j] - behind[j]) / (2.0 * h);
+            assert!((number.eps - quotient).abs() <= 1e-5 * quotient.abs() + 1e-6, "{j} by {i}: {} and {quotient}", number.eps);
+        }
+    }
+}
