@@ -234,6 +234,11 @@ mod tests {
             let (one, other) = (law.energy_of_segment(&segment), law.energy_of_segment(&a_little_less));
             assert_relative_eq!(one, other, max_relative = 1e-11);
             assert_relative_eq!(law.energy_of_segment(&a_little_less), energy_by_quadrature(&law, &a_little_less), max_relative = 1e-13);
+            // Between depths that are nearly one, a difference of powers would have no digits left.
+            for (from, to) in [(0.5, 0.5 + 1e-12), (2.0, 2.0 - 1e-12), (0.125, 0.125)] {
+                let level = Segment { width: 2.0, from, to };
+                assert_relative_eq!(law.energy_of_segment(&level), 2.0 * law.energy(from), max_relative = 1e-11);
+            }
         }
     }
 }
