@@ -135,6 +135,29 @@ Examples:
   planar-impact crush cli/examples/cavalier-crush.toml
   planar-impact crush cli/examples/stiff-corner.toml --units si --format json"#;
 
+const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
+  schema = 1
+  [[vehicle]]
+  name = "sedan"
+  [[vehicle.test]]                   # one or more, in order: their energies add up
+  mass = "1500 kg"
+  speed = "15.6 m/s"                 # normal to the barrier
+  restitution = 0.1                  # the crush keeps 1 - e^2 of the energy
+  width = "1.5 m"                    # or stations
+  depths = ["0.3 m", "0.5 m"]        # all the crush that is there after the test
+  speed_sd = "0.1 m/s"               # standard deviations, each may be left out
+  restitution_sd = 0.03
+  scatter = "10 N^0.5"               # of E* by all that is not speed or restitution
+  [fit]                              # may be left out
+  onset = "2 m/s"                    # b0, assumed: the stiffness from each first test alone
+  depth = "0.4 m"                    # where to say how uncertain E_C is
+  width = "1.5 m"
+Without any standard deviation the tests weigh alike, and the residuals tell the scatter.
+
+Examples:
+  planar-impact stiffness cli/examples/tests/struble-welsh.toml
+  planar-impact stiffness cli/examples/tests/malibu.toml --format json"#;
+
 const CRASH3: &str = "\
 The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
 the crushed surface to the principal force; the effective mass from the moment arm of the force
@@ -189,6 +212,9 @@ pub enum Verb {
     /// Reconstruct delta-V from crush as CRASH3 does, beside planar mechanics.
     #[command(after_help = CRASH3)]
     Crash3(Crash3),
+    /// Fit crush stiffness to barrier tests, with its uncertainty.
+    #[command(after_help = STIFFNESS)]
+    Stiffness(Stiffness),
     /// Hold every printed cell of the paper's tables to account, then measured tests.
     #[command(after_help = VALIDATE)]
     Validate(Validate),
@@ -244,6 +270,19 @@ pub struct Crash3 {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
     /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+}
+
+/// The call of `stiffness`.
+#[derive(Debug, Args)]
+pub struct Stiffness {
+    /// The file of barrier tests, TOML or JSON; - reads standard input.
+    pub tests: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the file is in, unless given. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<Units>,
 }

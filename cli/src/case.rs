@@ -10,13 +10,13 @@ mod vehicle;
 
 use std::path::Path;
 
-use given::Given;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
 pub use answers::{Answer, Answers, Crash3Answers, CrushAnswers};
 pub use crush::Crush;
 #[cfg(test)]
 pub use crush::CrushKey;
+pub(crate) use given::Given;
 pub use inputs::Inputs;
 pub use parameter::Parameter;
 pub use setup::Setup;

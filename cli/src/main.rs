@@ -19,6 +19,7 @@ mod quantity;
 mod report;
 mod solution;
 mod solve;
+mod stiffness;
 mod sweep;
 mod table;
 mod units;
@@ -70,6 +71,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Check(call) => check::run(&call),
         Verb::Crush(call) => crush::run(&call),
         Verb::Crash3(call) => crash3::run(&call),
+        Verb::Stiffness(call) => stiffness::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),
         Verb::Formula(call) => formula::run(&call),

@@ -24,5 +24,7 @@ mod manual;
 mod process;
 #[path = "main/reference.rs"]
 mod reference;
+#[path = "main/stiffness.rs"]
+mod stiffness;
 #[path = "main/sweep.rs"]
 mod sweep;

@@ -8,15 +8,22 @@ use planar_impact::{ForceOrigin, Real};
 
 pub use key::CrushKey;
 
-/// What a case file gives of a crush, in SI.
+/// What a file gives of the shape of a crush, in SI.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CrushInputs {
+pub struct ProfileInputs {
     /// Where the depths are.
     pub places: Places,
     /// The depths, two or more, as they are read off.
     pub depths: Vec<f64>,
     /// The line that they are read off from, if it is not the undeformed surface.
     pub line: Option<MeasuringLine>,
+}
+
+/// What a case file gives of a crush, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrushInputs {
+    /// Its shape.
+    pub profile: ProfileInputs,
     /// The stiffness of each zone, one or more.
     pub stiffness: Vec<CrushStiffness>,
     /// Where each zone but the last ends.
@@ -53,15 +60,41 @@ pub struct Crush<T = f64> {
     pub force_origin: Option<ForceOrigin<T>>,
 }
 
+impl ProfileInputs {
+    /// The profile on any scalar, with something added to each number.
+    pub fn on_scalar<T: Real + From<f64>>(&self, mut by: impl FnMut(CrushKey) -> T) -> Profile<T> {
+        self.plus(&mut |value, key| T::from(value) + by(key))
+    }
+
+    fn plus<T: Real>(&self, plus: &mut impl FnMut(f64, CrushKey) -> T) -> Profile<T> {
+        let depths: Vec<T> = self.depths.iter().enumerate().map(|(i, &depth)| plus(depth, CrushKey::Depth(i + 1))).collect();
+        let given = match &self.places {
+            Places::Width(width) => Profile::equally_spaced(plus(*width, CrushKey::Width), depths),
+            Places::Stations(stations) => {
+                let stations = stations.iter().enumerate().map(|(i, &station)| plus(station, CrushKey::Station(i + 1))).collect();
+                Profile::at_stations(stations, depths)
+            }
+        };
+        let given = given.ok().expect("two depths or more, and as many stations");
+        match self.line {
+            None => given,
+            Some(line) => {
+                let line = MeasuringLine { offset: plus(line.offset, CrushKey::Offset), angle: plus(line.angle, CrushKey::Angle) };
+                line.profile(&given.stations(), given.depths()).ok().expect("as many stations as depths")
+            }
+        }
+    }
+}
+
 impl CrushInputs {
     /// Every number that it is made of, in the order of the file.
     pub fn keys(&self) -> Vec<CrushKey> {
-        let mut all = match &self.places {
+        let mut all = match &self.profile.places {
             Places::Width(_) => vec![CrushKey::Width],
             Places::Stations(stations) => (1..=stations.len()).map(CrushKey::Station).collect(),
         };
-        all.extend((1..=self.depths.len()).map(CrushKey::Depth));
-        if self.line.is_some() {
+        all.extend((1..=self.profile.depths.len()).map(CrushKey::Depth));
+        if self.profile.line.is_some() {
             all.extend([CrushKey::Offset, CrushKey::Angle]);
         }
         if self.stiffness.len() == 1 {
@@ -94,8 +127,8 @@ impl CrushInputs {
     fn lacks(&self, key: CrushKey) -> String {
         match key {
             CrushKey::Width => "the case gives `stations` instead".to_owned(),
-            CrushKey::Station(_) if matches!(self.places, Places::Width(_)) => "the case gives `width` instead".to_owned(),
-            CrushKey::Station(_) | CrushKey::Depth(_) => format!("the crush has {} depths", self.depths.len()),
+            CrushKey::Station(_) if matches!(self.profile.places, Places::Width(_)) => "the case gives `width` instead".to_owned(),
+            CrushKey::Station(_) | CrushKey::Depth(_) => format!("the crush has {} depths", self.profile.depths.len()),
             CrushKey::Onset | CrushKey::Slope => {
                 format!("the crush has {} zones: crush.zones.1.d0, crush.zones.1.d1, ...", self.stiffness.len())
             }
@@ -113,17 +146,17 @@ impl CrushInputs {
         let item = |place: usize| place.checked_sub(1);
         let zones = self.stiffness.len();
         match key {
-            CrushKey::Width => match &mut self.places {
+            CrushKey::Width => match &mut self.profile.places {
                 Places::Width(width) => Some(width),
                 Places::Stations(_) => None,
             },
-            CrushKey::Station(place) => match &mut self.places {
+            CrushKey::Station(place) => match &mut self.profile.places {
                 Places::Stations(stations) => stations.get_mut(item(place)?),
                 Places::Width(_) => None,
             },
-            CrushKey::Depth(place) => self.depths.get_mut(item(place)?),
-            CrushKey::Offset => self.line.as_mut().map(|line| &mut line.offset),
-            CrushKey::Angle => self.line.as_mut().map(|line| &mut line.angle),
+            CrushKey::Depth(place) => self.profile.depths.get_mut(item(place)?),
+            CrushKey::Offset => self.profile.line.as_mut().map(|line| &mut line.offset),
+            CrushKey::Angle => self.profile.line.as_mut().map(|line| &mut line.angle),
             CrushKey::Onset if zones == 1 => Some(&mut self.stiffness[0].onset),
             CrushKey::Slope if zones == 1 => Some(&mut self.stiffness[0].slope),
             CrushKey::ZoneOnset(zone) if zones > 1 => self.stiffness.get_mut(item(zone)?).map(|zone| &mut zone.onset),
@@ -139,22 +172,7 @@ impl CrushInputs {
     pub fn on_scalar<T: Real + From<f64>>(&self, mut by: impl FnMut(CrushKey) -> T) -> Crush<T> {
         let mut plus = |value: f64, key| T::from(value) + by(key);
         let one_zone = self.stiffness.len() == 1;
-        let depths: Vec<T> = self.depths.iter().enumerate().map(|(i, &depth)| plus(depth, CrushKey::Depth(i + 1))).collect();
-        let given = match &self.places {
-            Places::Width(width) => Profile::equally_spaced(plus(*width, CrushKey::Width), depths),
-            Places::Stations(stations) => {
-                let stations = stations.iter().enumerate().map(|(i, &station)| plus(station, CrushKey::Station(i + 1))).collect();
-                Profile::at_stations(stations, depths)
-            }
-        };
-        let given = given.ok().expect("two depths or more, and as many stations");
-        let profile = match self.line {
-            None => given,
-            Some(line) => {
-                let line = MeasuringLine { offset: plus(line.offset, CrushKey::Offset), angle: plus(line.angle, CrushKey::Angle) };
-                line.profile(&given.stations(), given.depths()).ok().expect("as many stations as depths")
-            }
-        };
+        let profile = self.profile.plus(&mut plus);
         let zones = self.stiffness.iter().enumerate().map(|(i, zone)| {
             let (onset, slope) =
                 if one_zone { (CrushKey::Onset, CrushKey::Slope) } else { (CrushKey::ZoneOnset(i + 1), CrushKey::ZoneSlope(i + 1)) };
@@ -191,9 +209,11 @@ mod tests {
 
     fn crush() -> CrushInputs {
         CrushInputs {
-            places: Places::Stations(vec![0.0, 0.5, 1.5]),
-            depths: vec![0.25, 0.5, 0.125],
-            line: Some(MeasuringLine { offset: 0.0625, angle: 0.25 }),
+            profile: ProfileInputs {
+                places: Places::Stations(vec![0.0, 0.5, 1.5]),
+                depths: vec![0.25, 0.5, 0.125],
+                line: Some(MeasuringLine { offset: 0.0625, angle: 0.25 }),
+            },
             stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }, CrushStiffness { onset: 5.0, slope: 6.0 }],
             borders: vec![0.75],
             saturation: None,
@@ -205,7 +225,7 @@ mod tests {
     #[test]
     fn every_key_has_a_value_and_takes_another() {
         let one_zone = CrushInputs {
-            places: Places::Width(1.5),
+            profile: ProfileInputs { places: Places::Width(1.5), ..crush().profile },
             stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }],
             borders: vec![],
             saturation: Some(0.25),

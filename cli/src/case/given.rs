@@ -23,15 +23,15 @@ pub(super) struct Read {
 
 /// The units met on the way through the file.
 #[derive(Default)]
-pub(super) struct Given {
-    pub(super) notes: RefCell<Vec<String>>,
+pub(crate) struct Given {
+    pub(crate) notes: RefCell<Vec<String>>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
 
 impl Given {
     /// The system that most quantities are in.
-    pub(super) fn units(&self) -> Units {
+    pub(crate) fn units(&self) -> Units {
         if self.us.get() > self.si.get() { Units::Us } else { Units::Si }
     }
 
@@ -49,13 +49,13 @@ impl Given {
         si
     }
 
-    fn quantity(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+    pub(crate) fn quantity(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let path = field.path().to_owned();
         field.quantity(kind).map(|quantity| self.take(&path, quantity))
     }
 
     /// A quantity that must be above zero. The library refuses it too; said here, it is said together with everything else that is wrong in the file.
-    fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+    pub(crate) fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, kind)?;
         if value > 0.0 {
@@ -66,7 +66,7 @@ impl Given {
     }
 
     /// A quantity that may be zero but not below.
-    fn not_negative(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+    pub(crate) fn not_negative(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, kind)?;
         if value >= 0.0 {
@@ -77,7 +77,7 @@ impl Given {
     }
 
     /// A pure number that must lie between 0 and a greatest value.
-    fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
+    pub(crate) fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, Kind::PURE)?;
         if (0.0..=greatest).contains(&value) {

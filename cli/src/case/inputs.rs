@@ -169,7 +169,7 @@ pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::crush::{CrushInputs, Places};
+    use crate::case::crush::{CrushInputs, Places, ProfileInputs};
     use planar_impact::crush::CrushStiffness;
     use planar_impact::{ForwardLeft, Xy};
 
@@ -183,9 +183,7 @@ mod tests {
             yaw_rate: 0.25,
             impact_center: ForwardLeft { forward: 1.0, left: -1.0 },
             crush: Some(CrushInputs {
-                places: Places::Width(1.0),
-                depths: vec![0.5, 0.25],
-                line: None,
+                profile: ProfileInputs { places: Places::Width(1.0), depths: vec![0.5, 0.25], line: None },
                 stiffness: vec![stiffness],
                 borders: Vec::new(),
                 saturation: None,

@@ -48,10 +48,12 @@ fn every_example_of_the_help_runs_as_printed() {
         let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
         folder.write(&name, &fs::read(&path).expect("the example can be read"));
     }
-    for file in fs::read_dir(workspace().join("cli/examples/check")).expect("a folder") {
-        let path = file.expect("an entry").path();
-        let name = format!("cli/examples/check/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
-        folder.write(&name, &fs::read(&path).expect("the example can be read"));
+    for kind in ["check", "tests"] {
+        for file in fs::read_dir(workspace().join("cli/examples").join(kind)).expect("a folder") {
+            let path = file.expect("an entry").path();
+            let name = format!("cli/examples/{kind}/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
+            folder.write(&name, &fs::read(&path).expect("the example can be read"));
+        }
     }
     fs::copy(folder.path().join("cli/examples/position-a.toml"), folder.path().join("case.toml")).expect("a copy");
     for verb in verbs() {

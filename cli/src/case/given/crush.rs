@@ -4,7 +4,7 @@ use planar_impact::crash3::Surface;
 use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, MeasuringLine, ProfileError};
 
 use super::{Given, one_of};
-use crate::case::crush::{CrushInputs, Places};
+use crate::case::crush::{CrushInputs, Places, ProfileInputs};
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
 
@@ -14,15 +14,7 @@ const DEEP: f64 = 2.0;
 impl Given {
     pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
         let crush = field.table()?;
-        let places = if crush.has("stations") {
-            // Both of them are one too many.
-            one_of(&crush, "width", "stations");
-            self.stations(&crush).map(Places::Stations)
-        } else {
-            self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width)
-        };
-        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
-        let depths = self.lengths(crush.required("depths"), line.is_none());
+        let profile = self.profile(&crush);
         let stiffness = self.zones(crush.required("stiffness"));
         let surface = match crush.optional("surface").choice(&["front", "right", "rear", "left"]) {
             Some("front") => Some(Surface::Front),
@@ -33,30 +25,46 @@ impl Given {
         };
         let pdof = crush.has("pdof").then(|| self.quantity(crush.optional("pdof"), Kind::ANGLE));
         crush.finish();
-        let (places, depths, Zones { stiffness, borders, saturation }) = (places?, depths?, stiffness?);
-        let line = match line {
-            Some(line) => Some(line?),
-            None => None,
-        };
+        let (profile, Zones { stiffness, borders, saturation }) = (profile?, stiffness?);
         let pdof = match pdof {
             Some(pdof) => Some(pdof?),
             None => None,
         };
+        let inputs = CrushInputs { profile, stiffness, borders, saturation, surface, pdof };
+        self.note_unusual(&crush, &inputs);
+        Some(inputs)
+    }
+
+    /// The depths, where they are, and from where they are measured; refused where that is the profile of no crush.
+    pub(crate) fn profile(&self, crush: &Table<'_>) -> Option<ProfileInputs> {
+        let places = if crush.has("stations") {
+            // Both of them are one too many.
+            one_of(crush, "width", "stations");
+            self.stations(crush).map(Places::Stations)
+        } else {
+            self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width)
+        };
+        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
+        let depths = self.lengths(crush.required("depths"), line.is_none());
+        let line = match line {
+            Some(line) => Some(line?),
+            None => None,
+        };
+        let (places, depths) = (places?, depths?);
         if let Places::Stations(stations) = &places
             && stations.len() != depths.len()
         {
             crush.optional("stations").report(format!("{} stations for {} depths", stations.len(), depths.len()), None);
             return None;
         }
-        let inputs = CrushInputs { places, depths, line, stiffness, borders, saturation, surface, pdof };
-        self.hold(&crush, &inputs).then_some(inputs)
+        let profile = ProfileInputs { places, depths, line };
+        self.hold(crush, &profile).then_some(profile)
     }
 
-    /// Whether the profile that was measured can be that of a crush; what can be and is unusual is noted.
-    fn hold(&self, table: &Table<'_>, inputs: &CrushInputs) -> bool {
-        let crush = inputs.on_scalar(|_| 0.0);
-        let profile = match crush.profile.checked() {
-            Ok(profile) => profile,
+    /// Whether the profile that was measured can be that of a crush.
+    fn hold(&self, table: &Table<'_>, inputs: &ProfileInputs) -> bool {
+        match inputs.on_scalar(|_| 0.0).checked() {
+            Ok(_) => true,
             Err(errors) => {
                 // What is wrong without a measuring line has been said where it stands.
                 let depths = table.optional("depths").items("", 0..=usize::MAX).unwrap_or_default();
@@ -68,9 +76,13 @@ impl Given {
                     let help = "the readings less the offset, along the angle, as `measured` has it";
                     place.unwrap_or_else(|| table.optional("measured")).report(error.to_string(), Some(help.to_owned()));
                 }
-                return false;
+                false
             }
-        };
+        }
+    }
+
+    fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
+        let profile = inputs.on_scalar(|_| 0.0).profile;
         let mut notes = self.notes.borrow_mut();
         let path = table.path();
         if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
@@ -85,7 +97,6 @@ impl Given {
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {
             notes.push(format!("{path}.stiffness.{}.to = {border} m lies outside the crush, which is from {first} m to {last} m", i + 1));
         }
-        true
     }
 
     fn lengths(&self, field: Field<'_>, not_negative: bool) -> Option<Vec<f64>> {

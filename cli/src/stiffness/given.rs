@@ -1,0 +1,143 @@
+//! The file of barrier tests.
+
+use planar_impact::barrier::{BarrierTest, MeasuredTest};
+
+use crate::case::Given;
+use crate::document::{Document, Problems, Table};
+use crate::quantity::Kind;
+use crate::units::Units;
+
+/// What a file of barrier tests gives.
+pub struct TestFile {
+    pub title: String,
+    /// The vehicles with their tests, one or more each, in order.
+    pub vehicles: Vec<Tested>,
+    /// The speed that is assumed to leave no crush.
+    pub onset: Option<f64>,
+    /// Where to say what the fit leaves uncertain.
+    pub prediction: Option<Prediction>,
+    /// Whether the file gives any standard deviation.
+    pub has_deviations: bool,
+    pub units: Units,
+    pub notes: Vec<String>,
+}
+
+/// A vehicle with its tests.
+pub struct Tested {
+    pub name: String,
+    pub tests: Vec<MeasuredTest>,
+}
+
+/// A flat crush whose energy is asked for.
+pub struct Prediction {
+    pub depth: f64,
+    pub width: f64,
+}
+
+/// A test with what the file says of its scatter.
+struct Read {
+    test: BarrierTest,
+    speed_sd: Option<f64>,
+    restitution_sd: Option<f64>,
+    scatter: Option<f64>,
+}
+
+impl TestFile {
+    /// # Errors
+    ///
+    /// Everything wrong with the file.
+    pub fn read(document: &Document) -> Result<TestFile, Problems> {
+        let given = Given::default();
+        let mut file = document.read(|root| given.tests(root))?;
+        file.units = given.units();
+        file.notes = given.notes.into_inner();
+        Ok(file)
+    }
+}
+
+impl Given {
+    fn tests(&self, root: &Table<'_>) -> Option<TestFile> {
+        let schema = root.required("schema").integer(1..=1);
+        let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let vehicles = root.required("vehicle").array_of_tables();
+        let vehicles = vehicles.map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1)).collect::<Vec<_>>());
+        let fit = root.has("fit").then(|| root.optional("fit").table().and_then(|table| self.fit(&table)));
+        schema?;
+        let (onset, prediction) = match fit {
+            Some(fit) => fit?,
+            None => (None, None),
+        };
+        let vehicles: Vec<(String, Vec<Read>)> = vehicles?.into_iter().collect::<Option<_>>()?;
+        let has_deviations = vehicles.iter().flat_map(|(_, tests)| tests).any(Read::has_deviation);
+        let measured = |read: Read| MeasuredTest {
+            test: read.test,
+            speed_deviation: read.speed_sd.unwrap_or(0.0),
+            restitution_deviation: read.restitution_sd.unwrap_or(0.0),
+            // Any number alike for all, where the file has none.
+            scatter: read.scatter.unwrap_or(if has_deviations { 0.0 } else { 1.0 }),
+        };
+        let vehicles = vehicles.into_iter().map(|(name, tests)| Tested { name, tests: tests.into_iter().map(measured).collect() });
+        let vehicles = vehicles.collect();
+        Some(TestFile { title, vehicles, onset, prediction, has_deviations, units: Units::Si, notes: Vec::new() })
+    }
+
+    fn tested(&self, table: &Table<'_>, number: usize) -> Option<(String, Vec<Read>)> {
+        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        let field = table.required("test");
+        let place = field.clone();
+        let tests = field.array_of_tables();
+        table.finish();
+        let tests = tests?;
+        if tests.is_empty() {
+            place.report("no test", None);
+            return None;
+        }
+        let tests: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
+        Some((name, tests.into_iter().collect::<Option<_>>()?))
+    }
+
+    fn test(&self, table: &Table<'_>) -> Option<Read> {
+        let mass = self.positive(table.required("mass"), Kind::MASS);
+        let speed = self.positive(table.required("speed"), Kind::SPEED);
+        let restitution = self.coefficient(table.required("restitution"), 1.0);
+        let profile = self.profile(table);
+        let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
+        let speed_sd = deviation("speed_sd", Kind::SPEED);
+        let restitution_sd = deviation("restitution_sd", Kind::PURE);
+        let scatter = deviation("scatter", Kind::ROOT_FORCE);
+        table.finish();
+        let crush = profile?.on_scalar(|_| 0.0).moments();
+        let test = BarrierTest { mass: mass?, speed: speed?, restitution: restitution?, crush };
+        let known = |deviation: Option<Option<f64>>| match deviation {
+            Some(value) => value.map(Some),
+            None => Some(None),
+        };
+        Some(Read { test, speed_sd: known(speed_sd)?, restitution_sd: known(restitution_sd)?, scatter: known(scatter)? })
+    }
+
+    fn fit(&self, table: &Table<'_>) -> Option<(Option<f64>, Option<Prediction>)> {
+        let onset = table.has("onset").then(|| self.not_negative(table.optional("onset"), Kind::SPEED));
+        let asked = table.has("depth") || table.has("width");
+        let prediction = asked.then(|| {
+            let (depth, width) =
+                (self.not_negative(table.required("depth"), Kind::LENGTH), self.positive(table.required("width"), Kind::LENGTH));
+            Some(Prediction { depth: depth?, width: width? })
+        });
+        table.finish();
+        let onset = match onset {
+            Some(onset) => Some(onset?),
+            None => None,
+        };
+        let prediction = match prediction {
+            Some(prediction) => Some(prediction?),
+            None => None,
+        };
+        Some((onset, prediction))
+    }
+}
+
+impl Read {
+    fn has_deviation(&self) -> bool {
+        self.speed_sd.is_some() || self.restitution_sd.is_some() || self.scatter.is_some()
+    }
+}

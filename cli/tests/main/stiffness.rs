@@ -1,0 +1,128 @@
+//! The verb `stiffness`.
+
+use serde_json::Value;
+
+use crate::process::{Run, run_with_input, workspace};
+
+fn example(name: &str) -> String {
+    std::fs::read_to_string(workspace().join("cli/examples/tests").join(name)).expect("the example can be read")
+}
+
+fn json(text: &str) -> Value {
+    let run = run_with_input(&["stiffness", "-", "--format", "json"], text);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+/// 1 lbf^0.5 in N^0.5, and 1 ft lbf in J.
+const ROOT_POUND: f64 = 2.109_118_866_413_4;
+const FOOT_POUND: f64 = 1.355_817_948_331_4;
+
+#[test]
+fn the_published_coefficients_of_one_test() {
+    let document = json(&example("malibu.toml"));
+    let test = &document["tests"][0];
+    // NHTSA test 6268 as published: b1 = 29.8375 1/s, A = 79010.7 N/m, B = 1071581 N/m².
+    for (key, published, digit) in [("b1", 29.8375, 0.000_05), ("A", 79_010.7, 0.05), ("B", 1_071_581.0, 0.5)] {
+        assert!((number(&test["on_mean_depth"][key]) - published).abs() <= digit, "{key}");
+    }
+    // The profile as measured keeps the energy of the test with a lower slope: ½ 1779 kg (15.6 m/s)².
+    assert!((number(&test["crush_energy"]) - 0.5 * 1779.0 * 15.6 * 15.6).abs() < 1e-6);
+    assert!(number(&test["on_profile"]["d1"]) < number(&test["on_mean_depth"]["d1"]));
+    assert_eq!(document["fits"], serde_json::json!([]));
+}
+
+#[test]
+fn three_tests_of_one_car() {
+    let document = json(&example("struble-welsh.toml"));
+    let energies: Vec<f64> =
+        document["tests"].as_array().expect("tests").iter().map(|test| (number(&test["crush_energy"]) / FOOT_POUND).round()).collect();
+    // Table B2, the energies of the tests with restitution.
+    assert_eq!(energies, [13_674.0, 56_876.0, 125_102.0]);
+    let fit = &document["fits"][0];
+    assert_eq!((fit["model"].as_str(), fit["degrees_of_freedom"].as_u64()), (Some("mean depth"), Some(1)));
+    assert!((number(&fit["d0"]) / ROOT_POUND - 62.65).abs() < 0.005, "{fit}");
+    // Flat profiles: both fits are the same.
+    let other = &document["fits"][1];
+    for key in ["d0", "d1", "chi_square"] {
+        assert!((number(&fit[key]) / number(&other[key]) - 1.0).abs() < 1e-9, "{key}");
+    }
+    assert!((number(&fit["prediction"]["crush_energy"]) / FOOT_POUND - 116_062.0).abs() < 1.0);
+    assert!((number(&fit["prediction"]["sd"]) / FOOT_POUND - 4_903.0).abs() < 1.0);
+}
+
+#[test]
+fn without_deviations_the_residuals_tell_the_scatter() {
+    let bare: String = example("struble-welsh.toml")
+        .lines()
+        .filter(|line| !line.contains("_sd") && !line.contains("scatter"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let document = json(&bare);
+    let fit = &document["fits"][0];
+    assert_eq!(fit["covariance"]["basis"], "residuals");
+    assert_eq!(fit["residuals"][0]["standardised"], Value::Null);
+    // The line of the figure that is fitted to the three points, and by hand the scatter of one degree of freedom.
+    let (x, y): (Vec<f64>, Vec<f64>) = [(0.1062, 73.9587), (0.5203, 150.8325), (1.0768, 223.6984)].into_iter().unzip();
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / 3.0;
+    let sxx: f64 = x.iter().map(|x_i| (x_i - mean(&x)).powi(2)).sum();
+    let slope = x.iter().zip(&y).map(|(x_i, y_i)| (x_i - mean(&x)) * y_i).sum::<f64>() / sxx;
+    let onset = mean(&y) - slope * mean(&x);
+    let scatter: f64 = x.iter().zip(&y).map(|(x_i, y_i)| (y_i - onset - slope * x_i).powi(2)).sum();
+    assert!((number(&fit["d0"]) / ROOT_POUND - onset).abs() < 0.01);
+    assert!((number(&fit["covariance"]["d1_sd"]) / ROOT_POUND * 0.3048 - (scatter / sxx).sqrt()).abs() < 0.01);
+    // Two tests leave nothing to tell it from.
+    let two = bare.split("[[vehicle.test]]").enumerate().filter(|(i, _)| *i != 2).map(|(_, part)| part).collect::<Vec<_>>();
+    let document = json(&two.join("[[vehicle.test]]"));
+    assert_eq!((&document["fits"][0]["covariance"], &document["fits"][0]["prediction"]["sd"]), (&Value::Null, &Value::Null));
+}
+
+#[test]
+fn the_text_fits_a_terminal() {
+    for name in ["struble-welsh.toml", "malibu.toml"] {
+        for units in ["si", "us"] {
+            let run = run_with_input(&["stiffness", "-", "--units", units], &example(name));
+            assert_eq!((run.status, run.err.as_str()), (0, ""), "{name}");
+            for line in run.out.lines() {
+                assert!(line.chars().count() <= 80 && line.trim_end() == line, "{name} {units}: {line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn each_mistake_is_named_where_it_is() {
+    let refused = |from: &str, to: &str, says: &[&str]| {
+        let text = example("struble-welsh.toml");
+        assert!(text.contains(from), "{from}");
+        let run: Run = run_with_input(&["stiffness", "-"], &text.replacen(from, to, 1));
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{to}: {}", run.err);
+        for words in says {
+            assert!(run.err.contains(words), "{to}: {words}: {}", run.err);
+        }
+        assert!(!run.err.contains("panicked") && !run.err.contains("defect"), "{}", run.err);
+    };
+    refused("mass = \"101.91 slug\"", "mass = 0", &["vehicle.1.test.1.mass", "above zero"]);
+    refused("\"16.6537 ft/s\"", "\"-16.6537 ft/s\"", &["vehicle.1.test.1.speed", "above zero"]);
+    refused("0.18", "1.18", &["vehicle.1.test.1.restitution", "from 0 to 1"]);
+    refused("restitution = 0.18", "restitution = 1", &["vehicle.1.test.1", "crush energy"]);
+    refused("width = \"5 ft\"\n", "", &["vehicle.1.test.1.width: missing"]);
+    refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"0.1062 ft\"]", &["vehicle.1.test.1.depths", "at least 2"]);
+    refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"2 ft\", \"2 ft\"]", &["vehicle.1.test.2.depths", "out of order", "in their order"]);
+    refused("speed_sd = \"0.3 ft/s\"", "speed_sd = \"-0.3 ft/s\"", &["vehicle.1.test.1.speed_sd", "below zero"]);
+    refused("scatter = \"5 lbf^0.5\"", "scatter = \"5 lbf\"", &["vehicle.1.test.1.scatter"]);
+    refused("scatter", "skatter", &["vehicle.1.test.1.skatter: unknown key", "`scatter`"]);
+    refused("depth = \"1 ft\"\n", "", &["fit.depth: missing"]);
+    refused("[fit]", "[fit]\nonset = \"60 ft/s\"", &["fit.onset", "60"]);
+    refused("name = \"Cavalier\"", "name = 3", &["vehicle.1.name"]);
+    let none = run_with_input(&["stiffness", "-"], "schema = 1\n[[vehicle]]\nname = \"new\"\n");
+    assert!(none.status == 2 && none.err.contains("vehicle.1.test: missing"), "{}", none.err);
+    let one = example("malibu.toml").replace("onset = \"2.2 m/s\"", "");
+    let alone = run_with_input(&["stiffness", "-"], &one);
+    assert_eq!(alone.status, 2, "one test without an onset tells no stiffness: {}", alone.out);
+    assert!(alone.err.contains("onset"), "{}", alone.err);
+}
