@@ -256,6 +256,7 @@ impl<T: Real> MeasuringLine<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::string::ToString;
     use alloc::vec;
     use approx::assert_relative_eq;
 
@@ -287,8 +288,27 @@ mod tests {
             let errors = profile.checked().expect_err("no width");
             assert!(matches!(errors.as_slice(), [ProfileError::NoWidth { .. }]), "{width}");
         }
-        let right = Profile::equally_spaced(1.0, vec![0.0, 0.2]).expect("two depths");
+        let deep = Profile::equally_spaced(1.0, vec![0.9, f64::INFINITY]).expect("two depths");
+        assert_eq!(deep.checked(), Err(vec![ProfileError::NotADepth { place: 2, depth: f64::INFINITY }]));
+        let right = Profile::equally_spaced(1.0, vec![0.0, 1.2]).expect("two depths");
         assert_eq!(right.clone().checked(), Ok(right));
+    }
+
+    #[test]
+    fn errors_have_their_numbers() {
+        let words: [(ProfileError, &str); 5] = [
+            (ProfileError::TooFewDepths { count: 1 }, "1 depths make no crush profile: two or more are needed"),
+            (ProfileError::Unequal { depths: 2, stations: 3 }, "2 depths at 3 stations: each depth needs its station"),
+            (ProfileError::NoWidth { width: -1.5 }, "the width of the crush is -1.5 m: it must be above zero"),
+            (
+                ProfileError::NotIncreasing { place: 3, station: 0.5, before: 0.75 },
+                "station 3 at 0.5 m does not lie beyond station 2 at 0.75 m",
+            ),
+            (ProfileError::NotADepth { place: 2, depth: -0.1 }, "depth 2 is -0.1 m: it must not be below zero"),
+        ];
+        for (error, text) in words {
+            assert_eq!(error.to_string(), text);
+        }
     }
 
     #[test]

@@ -129,6 +129,8 @@ mod tests {
         assert_eq!((CrushStiffness::from(force), ForceLine::from(line)), (line, force));
         // F/w is the slope of E/w: of ½ (d₀ + d₁ C)² at C = ½ it is d₁ (d₀ + d₁ C) = 20 = A + B C.
         assert_eq!(line.slope * line.crush_intensity(0.5), 12.0 + 16.0 * 0.5);
+        let other = BarrierSpeedLine { onset: 1.0, slope: 4.0, test_mass: 18.0, test_width: 2.0 };
+        assert_eq!(CrushStiffness::from(other), CrushStiffness { onset: 3.0, slope: 12.0 });
         let barrier = BarrierSpeedLine { onset: 1.5, slope: 2.0, test_mass: 8.0, test_width: 2.0 };
         assert_eq!(CrushStiffness::from(barrier), line);
         // The crush of the test itself is worth the speed of the test: b₀ + b₁ C.

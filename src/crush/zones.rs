@@ -112,6 +112,7 @@ fn smaller<T: Ordered>(one: &T, two: &T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::string::ToString;
     use alloc::vec;
     use approx::assert_relative_eq;
 
@@ -150,7 +151,11 @@ mod tests {
 
     #[test]
     fn there_is_one_border_between_two_zones() {
-        assert_eq!(StiffnessZones::new(vec![SOFT, STIFF], vec![]), Err(ZoneError { zones: 2, borders: 0 }));
+        let zones = StiffnessZones::new(vec![SOFT, STIFF], vec![1.0]).expect("one border");
+        assert_eq!((zones.zones(), zones.borders()), (&[SOFT, STIFF][..], &[1.0][..]));
+        let error = StiffnessZones::new(vec![SOFT, STIFF], vec![]).expect_err("no border");
+        assert_eq!(error, ZoneError { zones: 2, borders: 0 });
+        assert_eq!(error.to_string(), "2 zones of stiffness with 0 borders: there is one border between two zones");
         assert_eq!(StiffnessZones::<f64>::new(vec![], vec![]), Err(ZoneError { zones: 0, borders: 0 }));
     }
 }
