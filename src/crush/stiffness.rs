@@ -132,7 +132,7 @@ mod tests {
         let other = BarrierSpeedLine { onset: 1.0, slope: 4.0, test_mass: 18.0, test_width: 2.0 };
         assert_eq!(CrushStiffness::from(other), CrushStiffness { onset: 3.0, slope: 12.0 });
         let barrier = BarrierSpeedLine { onset: 1.5, slope: 2.0, test_mass: 8.0, test_width: 2.0 };
-        assert_eq!(CrushStiffness::from(barrier), line);
+        assert_eq!((CrushStiffness::from(barrier), line.as_barrier_speed(8.0, 2.0)), (line, barrier));
         // The crush of the test itself is worth the speed of the test: b₀ + b₁ C.
         let energy = line.crush_energy(ProfileMoments::of(2.0, &[0.5, 0.5]).expect("two depths"));
         assert_eq!(speed_of_energy(energy, 8.0), 2.5);

@@ -3,6 +3,7 @@
 use crate::geometry::Geometry;
 use crate::reconstruction::Reconstructions;
 use crate::series::{Restitution, Series};
+use planar_impact::barrier::{Observation, Observations, StiffnessFit};
 use planar_impact::crush::{CrushStiffness, ProfileMoments};
 
 /// A figure of the paper, drawn from computed numbers.
@@ -74,17 +75,15 @@ pub(crate) fn intensities(series: &Series, reconstructions: &Reconstructions, re
     tests.map(|(which, test)| Point { x: test.depth, y: reconstructions.get(which, restitution).cumulative.intensity }).collect()
 }
 
-/// The line E* = d₀ + d₁ C of least squares through points of depth and E*.
+/// The line E* = d₀ + d₁ C of least squares through points of depth and E*, all of one weight. Not a number where the points make no line.
 pub(crate) fn fitted_line(points: &[Point]) -> CrushStiffness {
-    let mean = |of: fn(&Point) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
-    let (x, y) = (mean(|point| point.x), mean(|point| point.y));
-    let (mut across, mut along) = (0.0, 0.0);
-    for point in points {
-        across += (point.x - x) * (point.y - y);
-        along += (point.x - x) * (point.x - x);
-    }
-    let slope = across / along;
-    CrushStiffness { onset: y - slope * x, slope }
+    let observed = |point: &Point| {
+        let crush = ProfileMoments::of(1.0, &[point.x, point.x]).expect("two depths are a profile");
+        Observation { crush, intensity: point.y, deviation: 1.0 }
+    };
+    let observations: Vec<Observation> = points.iter().map(observed).collect();
+    let fit = Observations::independent(&observations).and_then(|observations| StiffnessFit::on_mean_depth(&observations));
+    fit.map_or(CrushStiffness { onset: f64::NAN, slope: f64::NAN }, |fit| fit.stiffness)
 }
 
 fn curve(of: impl Fn(f64) -> f64) -> Vec<Point> {
