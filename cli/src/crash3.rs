@@ -7,7 +7,7 @@ use planar_impact::Impact;
 use planar_impact::crash3::{Assumptions, DamagedPair, PairEstimate};
 
 use crate::Done;
-use crate::arguments::{Crash3 as Call, Format};
+use crate::arguments::{Format, OfCase as Call};
 use crate::case::Case;
 use crate::exit::Failure;
 use crate::units::Units;

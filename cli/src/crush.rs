@@ -4,7 +4,7 @@ mod document;
 mod text;
 
 use crate::Done;
-use crate::arguments::{Crush as Call, Format};
+use crate::arguments::{Format, OfCase as Call};
 use crate::case::Case;
 use crate::exit::Failure;
 

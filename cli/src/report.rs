@@ -12,11 +12,7 @@ use crate::units::{Measure, Units};
 /// The report, in tables of at most 80 columns.
 pub fn render(case: &Case, impact: &Impact, bracket: Option<&Bracket<'_>>, units: Units, notes: &[String]) -> String {
     let page = Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) };
-    let mut text = String::new();
-    if !case.title.is_empty() {
-        text.push_str(&table::wrap(&clean(&case.title), ""));
-        text.push('\n');
-    }
+    let mut text = heading(&case.title);
     for section in [page.vehicles(), page.contact(), page.energies()] {
         text.push_str(&section);
         text.push_str("\n\n");
@@ -26,10 +22,18 @@ pub fn render(case: &Case, impact: &Impact, bracket: Option<&Bracket<'_>>, units
         text.push('\n');
     }
     text.push_str(&page.remarks());
-    for note in notes {
-        text.push_str(&table::wrap(&format!("{note}."), "Note: "));
-    }
+    text.push_str(&notes_below(notes));
     text
+}
+
+/// The title of a file with an empty line behind it; nothing where it has none.
+pub fn heading(title: &str) -> String {
+    if title.is_empty() { String::new() } else { table::wrap(&clean(title), "") + "\n" }
+}
+
+/// What was taken for granted and what deserves a second look, a paragraph each.
+pub fn notes_below(notes: &[String]) -> String {
+    notes.iter().map(|note| table::wrap(&format!("{note}."), "Note: ")).collect()
 }
 
 struct Page<'a> {

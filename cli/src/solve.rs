@@ -1,7 +1,7 @@
 //! The verb `solve`.
 
 use crate::Done;
-use crate::arguments::{Format, Solve};
+use crate::arguments::{Format, OfCase as Call};
 use crate::bracket::Bracket;
 use crate::case::Case;
 use crate::exit::Failure;
@@ -13,7 +13,7 @@ use crate::solution::Solution;
 /// # Errors
 ///
 /// Everything wrong with the file, or every reason why the physics refuses it.
-pub fn run(call: &Solve) -> Result<Done, Failure> {
+pub fn run(call: &Call) -> Result<Done, Failure> {
     let case = Case::read(&call.case).map_err(Failure::Input)?;
     let units = call.units.unwrap_or(case.units);
     let impact = case.collision.solve().map_err(|refusals| case.refuse(&refusals, units))?;

@@ -6,18 +6,14 @@ use planar_impact::{Real, Response, Vehicle};
 use super::Result3;
 use super::document::name_of;
 use crate::case::Case;
-use crate::report::{clean, shorten};
+use crate::report::{heading, notes_below, shorten};
 use crate::table::{self, Align, wrap};
 use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
 pub fn render(case: &Case, result: &Result3, units: Units) -> String {
     let page = Page { case, result, units };
-    let mut text = String::new();
-    if !case.title.is_empty() {
-        text.push_str(&wrap(&clean(&case.title), ""));
-        text.push('\n');
-    }
+    let mut text = heading(&case.title);
     text.push_str(&page.vehicles());
     text.push_str("\n\n");
     if let Some(assumptions) = &result.assumptions {
@@ -30,9 +26,7 @@ pub fn render(case: &Case, result: &Result3, units: Units) -> String {
             "",
         ));
     }
-    for note in &result.notes {
-        text.push_str(&wrap(&format!("{note}."), "Note: "));
-    }
+    text.push_str(&notes_below(&result.notes));
     text
 }
 

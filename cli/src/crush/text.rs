@@ -3,18 +3,14 @@
 use planar_impact::crush::{CrushStiffness, ForceLine};
 
 use crate::case::{Case, Crush, CrushAnswers};
-use crate::report::{clean, shorten};
+use crate::report::{heading, notes_below, shorten};
 use crate::table::{self, Align, wrap};
 use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
 pub fn render(case: &Case, units: Units) -> String {
     let page = Page { case, units, answers: case.setup.crush_answers() };
-    let mut text = String::new();
-    if !case.title.is_empty() {
-        text.push_str(&wrap(&clean(&case.title), ""));
-        text.push('\n');
-    }
+    let mut text = heading(&case.title);
     text.push_str(&page.vehicles());
     text.push('\n');
     for i in [0, 1] {
@@ -22,9 +18,7 @@ pub fn render(case: &Case, units: Units) -> String {
     }
     text.push('\n');
     text.push_str(&wrap("E_C = d0^2 K1 + d0 d1 K2 + d1^2 K3, the depth taken straight between two stations.", ""));
-    for note in &case.notes {
-        text.push_str(&wrap(&format!("{note}."), "Note: "));
-    }
+    text.push_str(&notes_below(&case.notes));
     text
 }
 

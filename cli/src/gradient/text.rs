@@ -4,7 +4,7 @@ use planar_impact::{ImpulseRatio, Output, Side};
 
 use super::{Gradient, Row};
 use crate::case::{Answer, Case, Parameter};
-use crate::report::clean;
+use crate::report::{heading, notes_below};
 use crate::table::{self, Align, wrap};
 use crate::units::{Measure, Units};
 
@@ -78,11 +78,7 @@ struct Line<'a> {
 impl Page<'_> {
     /// All of it, in at most 80 columns.
     pub fn render(&self, notes: &[String]) -> String {
-        let mut text = String::new();
-        if !self.case.title.is_empty() {
-            text.push_str(&wrap(&clean(&self.case.title), ""));
-            text.push('\n');
-        }
+        let mut text = heading(&self.case.title);
         let value = |parameter| self.case.inputs.value(parameter).unwrap_or(0.0);
         let values: Vec<f64> = self.gradient.parameters.iter().map(|&parameter| value(parameter)).collect();
         let pairs = self.gradient.parameters.iter().zip(&values);
@@ -101,9 +97,7 @@ impl Page<'_> {
         if !self.every_parameter {
             text.push_str(&wrap("Other inputs say the same as these in another way, as velocity.x for a speed: --wrt all.", ""));
         }
-        for note in notes {
-            text.push_str(&wrap(&format!("{note}."), "Note: "));
-        }
+        text.push_str(&notes_below(notes));
         text
     }
 

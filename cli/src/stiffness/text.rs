@@ -6,18 +6,14 @@ use planar_impact::crush::{CrushStiffness, ForceLine, crush_intensity};
 use super::document::{basis, model, said};
 use super::given::TestFile;
 use super::{Findings, Found, is_uncertain, predicted};
-use crate::report::{clean, shorten};
+use crate::report::{heading, notes_below, shorten};
 use crate::table::{self, Align, wrap};
 use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
 pub fn render(file: &TestFile, findings: &Findings, units: Units) -> String {
     let page = Page { file, findings, units };
-    let mut text = String::new();
-    if !file.title.is_empty() {
-        text.push_str(&wrap(&clean(&file.title), ""));
-        text.push('\n');
-    }
+    let mut text = heading(&file.title);
     text.push_str(&page.tests());
     for section in [page.alone(), page.fits()].into_iter().flatten() {
         text.push_str("\n\n");
@@ -170,9 +166,7 @@ impl Page<'_> {
                 text.push_str(&wrap(&format!("fitted on {}: {}.", model(fit.model), said(&finding)), "Note: "));
             }
         }
-        for note in &self.file.notes {
-            text.push_str(&wrap(&format!("{note}."), "Note: "));
-        }
+        text.push_str(&notes_below(&self.file.notes));
         text
     }
 }

@@ -1,0 +1,170 @@
+//! What the help of each verb says below its options.
+
+pub(super) const STATUS: &str = "\
+Exit status:
+   0  done
+   1  done, and a check did not hold
+   2  the input or the call is wrong, or a file cannot be read
+   3  the physics refuses the input
+  70  a defect of the program
+  74  the output cannot be written
+ 130  interrupted";
+
+pub(super) const CASE: &str = r#"A case file, TOML or JSON:
+  schema = 1
+  [[vehicle]]                        # exactly two
+  name = "sedan"
+  mass = "1163 kg"
+  yaw_inertia = "1945 kg m^2"        # or radius_of_gyration = "1.3 m"
+  heading = "180 deg"                # from x, counter-clockwise
+  speed = "12 m/s"                   # or velocity = ["-12 m/s", "0 m/s"]
+  yaw_rate = "0 deg/s"               # may be left out
+  impact_center = ["1.9 m", "0 m"]   # from the center of mass: forward, left
+  [[vehicle]]
+  name = "wall"
+  barrier = true                     # a fixed barrier has nothing else
+  [contact]
+  crush_plane = "0 deg"              # from x to the normal
+  restitution = 0.15
+  impulse_ratio = "critical"         # or 0.4, or { of_critical = 0.9 }
+  # friction = 0.45                  # instead of impulse_ratio
+  tangential_law = "brach"           # or "kudlich-slibar"
+Quantities are strings with a unit, or bare numbers in SI.
+
+Examples:
+  planar-impact solve cli/examples/position-a.toml
+  planar-impact solve cli/examples/sideswipe.toml --units us --format json"#;
+
+pub(super) const SWEEP: &str = "\
+The last value is among the points when it is a whole number of steps away. Values are written as in
+a case file; the table and the chart show them in the unit of the first one. A ratio that the case
+leaves critical is given when it is varied: contact.impulse_ratio, contact.friction or
+contact.impulse_ratio.of_critical; so is a moment. A point that the physics refuses is left empty,
+with the reason. Names are those of `planar-impact gradient --help`.
+
+The paper's Table 2 and its Figure 4:
+  planar-impact sweep cli/examples/position-a.toml --vary \"contact.crush_plane=-10deg:10deg:1deg\"
+  planar-impact sweep cli/examples/position-a.toml --vary Gamma=-10deg:10deg:1deg --format svg
+
+More examples:
+  planar-impact sweep cli/examples/position-a.toml --vary mu=0:0.6:0.1 --of W_t,dV1 --format csv
+  planar-impact sweep case.toml --vary e=0:0.3:0.02 --vary \"v1=30 mph:40 mph:1 mph\" --format svg";
+
+pub(super) const GRADIENT: &str = "\
+Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
+  inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),
+            .speed (v1), .velocity.x, .velocity.y, .yaw_rate (omega1), .impact_center.forward,
+            .impact_center.left, .crush.width, .crush.depths.3, .crush.d0, .crush.d1;
+            contact.crush_plane (Gamma), .restitution (e), .impulse_ratio (mu), .friction,
+            .impulse_ratio.of_critical, .moment, .moment.of_critical
+  outputs   energy.normal_work (W_n), .tangential_work (W_t), .loss (T_L), .before, .after;
+            contact.critical_impulse_ratio (mu0), .impulse_ratio (mu), .impulse.normal (P_n), ...;
+            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...;
+            vehicle.1.crash3.delta_v_magnitude, .corrected_energy, .effective_mass_factor, ...
+  all       every one
+A derivative by one input holds the other keys of the file as they are given. At the critical
+impulse ratio it is that of the critical solution, so the ratio moves with the inputs.
+
+Examples:
+  planar-impact gradient cli/examples/position-a.toml
+  planar-impact gradient cli/examples/oblique-surfaces.toml --of dV1,dV2 --wrt Gamma,e
+  planar-impact gradient cli/examples/position-a.toml --of W_n --second --format json";
+
+pub(super) const VALIDATE: &str = "Examples:
+  planar-impact validate
+  planar-impact validate --format json
+  planar-impact validate --figure 6 > figure-6.svg
+  planar-impact validate --figure 7 > figure-7.svg";
+
+pub(super) const CHECK: &str = r#"A file of records, in any of three forms:
+  a JSON document   { "schema": "planar-impact-record/1", "units": { ... }, "records": [ ... ] }
+  JSON Lines        the same without `records` on the first line, then a record on each line
+  CSV               column names such as b1.after.vx, a line of units, then a record on each line
+{
+  "schema": "planar-impact-record/1",
+  "units": { "length": "m", "mass": "kg", "time": "s", "angle": "deg" },
+  "records": [ {
+    "id": "case-1", "profile": "impulse",
+    "bodies": [
+      { "mass": 1163, "yaw_inertia": 1945, "cg": [0, 0],
+        "before": { "v": [-17.88, 2], "yaw_rate": 0 },
+        "after": { "v": [1.678, -0.709], "yaw_rate": -20.95 } },
+      { "fixed": true } ],
+    "contact": { "point": [-1.94, 0.3], "normal_angle": 0 },
+    "model": { "restitution": 0.1, "impulse_ratio": -0.1385, "ratio_kind": "critical" },
+    "reported": { "energy_loss": 186168, "work_normal": -183017, "delta_v": [19.745, null] },
+    "resolution": { "v": 0.0005, "yaw_rate": 0.005, "energy": 0.5, "impulse_ratio": 0.00005 } } ]
+}
+What is not known is left out, and rules that need it are not checked. Everything is said in the
+documentation: planar_impact::guide::checking.
+
+Examples:
+  planar-impact check cli/examples/check/collision.json
+  planar-impact check cli/examples/check/engine.jsonl cli/examples/check/template.csv --format json
+  planar-impact check --rules"#;
+
+pub(super) const CRUSH: &str = r#"Under a [[vehicle]] of the case file:
+  [vehicle.crush]
+  width = "1.6 m"                    # or stations = ["0 m", "0.4 m", "1.6 m"]
+  depths = ["0.1 m", "0.3 m", "0 m"] # two or more; equally spaced over a width
+  stiffness = { d0 = "90 N^0.5", d1 = "1000 N^0.5/m" }
+  #         = { A = "90 kN/m", B = "1 MPa" }
+  #         = { b0 = "2 m/s", b1 = "30 1/s", test_mass = "1500 kg", test_width = "1.6 m" }
+  #         = { ..., saturation = "0.5 m" }: the force grows no more beyond that depth
+  #         = [ { to = "0.4 m", d0 = ..., d1 = ... }, { d0 = ..., d1 = ... } ]: zones
+  measured = { offset = "0.2 m", angle = "10 deg" }   # read off from a line outside the surface
+  surface = "front"                  # for crash3: right, rear, left; else from the crush plane
+  pdof = "-10 deg"                   # for crash3: else that of the common-velocity impulse
+The depth is taken straight between two stations. `gradient` and `sweep` know these numbers by
+names such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
+
+Examples:
+  planar-impact crush cli/examples/cavalier-crush.toml
+  planar-impact crush cli/examples/stiff-corner.toml --units si --format json"#;
+
+pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
+  schema = 1
+  [[vehicle]]
+  name = "sedan"
+  [[vehicle.test]]                   # one or more, in order: their energies add up
+  mass = "1500 kg"
+  speed = "15.6 m/s"                 # normal to the barrier
+  restitution = 0.1                  # the crush keeps 1 - e^2 of the energy
+  width = "1.5 m"                    # or stations
+  depths = ["0.3 m", "0.5 m"]        # all the crush that is there after the test
+  speed_sd = "0.1 m/s"               # standard deviations, each may be left out
+  restitution_sd = 0.03
+  scatter = "10 N^0.5"               # of E* by all that is not speed or restitution
+  [fit]                              # may be left out
+  onset = "2 m/s"                    # b0, assumed: the stiffness from each first test alone
+  depth = "0.4 m"                    # where to say how uncertain E_C is
+  width = "1.5 m"
+Without any standard deviation the tests weigh alike, and the residuals tell the scatter.
+
+Examples:
+  planar-impact stiffness cli/examples/tests/struble-welsh.toml
+  planar-impact stiffness cli/examples/tests/malibu.toml --format json"#;
+
+pub(super) const CRASH3: &str = "\
+The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
+the crushed surface to the principal force; the effective mass from the moment arm of the force
+through the impact center; delta-V at common velocity; then back along the force from the separation
+velocities of the case. `crush --help` has the keys of the crush; `gradient` knows what is found by
+names such as vehicle.1.crash3.delta_v_magnitude.
+
+Examples:
+  planar-impact crash3 cli/examples/cavalier-crush.toml
+  planar-impact crash3 cli/examples/stiff-corner.toml --format json";
+
+pub(super) const FORMULA: &str = r#"Without a case file the formula is that of two vehicles at the critical impulse
+ratio under the law of Brach; --ratio, --law, --barrier and --moment say otherwise.
+With one it is that of the case, and text has the value of every line, in SI.
+
+Examples:
+  planar-impact formula W_n
+  planar-impact formula W_n --wrt Gamma
+  planar-impact formula T_L --ratio friction --barrier 2
+  planar-impact formula mu0 --wrt contact.restitution --case cli/examples/position-a.toml
+  planar-impact formula dV1 --format latex
+  planar-impact formula energy.loss --wrt vehicle.1.mass --format rust > loss_by_mass.rs
+  planar-impact formula --list"#;
