@@ -101,11 +101,27 @@ impl Given {
         let vehicles = self.vehicles(root);
         let contact = root.required("contact").table().and_then(|contact| self.contact(&contact));
         // What other verbs read of the same file.
-        root.has("evidence");
         root.has("unknown");
+        let evidence = root.has("evidence").then(|| root.optional("evidence").table());
         schema?;
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
+        if let Some(evidence) = evidence {
+            self.one_crush_energy(&evidence?, [&one, &two])?;
+        }
         Some(Read { title, names: [name_1, name_2], inputs: Inputs { vehicles: [one, two], contact }, bracket })
+    }
+
+    /// A crush energy that is given in the evidence is not that of a crush that is given as well.
+    fn one_crush_energy(&self, evidence: &Table<'_>, vehicles: [&Option<VehicleInputs>; 2]) -> Option<()> {
+        let field = evidence.optional("crush_energy");
+        let from_crush = field.value().is_none_or(|value| matches!(value, Value::String(text) if text == "from crush"));
+        let crushed = vehicles.into_iter().flatten().any(|vehicle| vehicle.crush.is_some());
+        if from_crush || !crushed {
+            return Some(());
+        }
+        let help = "write crush_energy = \"from crush\", or leave [vehicle.crush] out".to_owned();
+        field.report("a crush energy is given, and the crush that has one of its own", Some(help));
+        None
     }
 
     fn vehicles(&self, root: &Table<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {

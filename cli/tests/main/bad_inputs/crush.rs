@@ -77,10 +77,20 @@ pub const BAD: &[Bad] = &[
     )
     .of(CRUSHED),
     wrong("saturation above the surface", &[("{ d0", "{ saturation = -1, d0")], 18, &["stiffness.saturation", "below zero"]).of(CRUSHED),
+    wrong("an energy beside the depths", &[(WIDTH, "width = 1\nenergy = \"50 kJ\"\n")], 17, &["vehicle.2.crush.energy: unknown key"])
+        .of(CRUSHED),
+    wrong(
+        "a crush energy and the crush",
+        &[("[contact]", "[evidence]\ncrush_energy = \"50 kJ\"\n[contact]")],
+        21,
+        &["evidence.crush_energy", "of its own", "\"from crush\""],
+    )
+    .of(CRUSHED),
     // CRASH3.
     wrong("a surface of no car", &[(WIDTH, "width = 1\nsurface = \"roof\"\n")], 17, &["vehicle.2.crush.surface", "\"front\""]).of(CRUSHED),
     wrong("a PDOF of length", &[(WIDTH, "width = 1\npdof = \"1 m\"\n")], 17, &["vehicle.2.crush.pdof", "an angle is expected"]).of(CRUSHED),
     // Accepted.
+    wrong("the energy of the crush", &[("[contact]", "[evidence]\ncrush_energy = \"from crush\"\n[contact]")], 0, &[]).of(CRUSHED).ends(0),
     wrong("no crush to speak of", &[(DEPTHS, "depths = [0, 0]")], 0, &[]).of(CRUSHED).ends(0),
     wrong("nine depths", &[(DEPTHS, "depths = [0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.1, 0]")], 0, &[]).of(CRUSHED).ends(0),
     wrong("a structure that does not stiffen", &[("162.8", "0")], 0, &[]).of(CRUSHED).ends(0),
