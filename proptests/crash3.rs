@@ -141,6 +141,60 @@ proptest! {
     }
 
     #[test]
+    fn each_assumption_alone_is_what_it_says(draw in draw()) {
+        let collision = draw.of::<f64>();
+        let Ok(impact) = collision.solve() else { return Ok(()) };
+        prop_assume!(impact.work.n < -1e-3 && impact.loss() > 1e-3 * impact.kinetic_energy.before);
+        let assumptions = Assumptions::of(&collision).expect("no moment impulse");
+        let near = |one: f64, two: f64| (one - two).abs() <= 1e-9 * two.abs().max(1e-3);
+        let holds = |with: &Consequence, loss: f64, impulse: f64| {
+            let delta_v = |party: &Party| party.vehicle().map_or(0.0, |vehicle| impulse / vehicle.mass);
+            near(with.loss, loss) && near(with.delta_v_1, delta_v(&collision.one)) && near(with.delta_v_2, delta_v(&collision.two))
+        };
+        let (compliance, energy, ratio) = (collision.contact().compliance, assumptions.crush_energy, impact.impulse_ratio());
+        // At common velocity an impulse P ends the approach velocity K P: E_C = ½ P_n (K P)_n and T_L = ½ P·K P.
+        let unit = Nt { n: 1.0, t: ratio };
+        let push = unit * (2.0 * energy / compliance.yield_to(unit).n).sqrt();
+        let loss = 0.5 * push.dot(compliance.yield_to(push));
+        prop_assert!(holds(&assumptions.common_velocity, loss, push.length()), "{:?}", assumptions.common_velocity);
+        // One point of the equivalent mass against a barrier, with the restitution, the ratio and the sliding of the case.
+        let yielding = compliance.yield_to(unit).dot(unit) / unit.length_squared();
+        let point = |normal: f64, tangential: f64| Collision {
+            one: Party::Vehicle(Vehicle {
+                mass: yielding.recip(),
+                yaw_inertia: 1.0,
+                heading: Heading { cos: 1.0, sin: 0.0 },
+                impact_center: ForwardLeft::zero(),
+                motion: Motion { velocity: Xy { x: -normal, y: -tangential }, yaw_rate: 0.0 },
+            }),
+            two: Party::Barrier,
+            crush_plane: CrushPlane { cos: 1.0, sin: 0.0 },
+            impulse_ratio: ImpulseRatio::Given(ratio),
+            ..collision
+        }
+        .evaluate();
+        let slid = impact.separation.t / impact.approach.n;
+        let one = point(1.0, slid + ratio * (1.0 + collision.restitution));
+        prop_assert!((one.separation.t - slid).abs() <= 1e-9 * (1.0 + ratio.abs()), "{} {}", one.separation.t, slid);
+        let scale = energy / -one.work.n;
+        prop_assert!(holds(&assumptions.point_mass, scale * one.loss(), scale.sqrt() * one.impulse.length()), "{:?}", assumptions.point_mass);
+        // By Eq 2 ΔV is that of the loss, which alone is another.
+        let loss = energy * unit.length_squared();
+        let push = impact.impulse.length() * (loss / impact.loss()).sqrt();
+        prop_assert!(holds(&assumptions.tangential_factor, loss, push), "{:?}", assumptions.tangential_factor);
+        // What each costs is the difference from planar mechanics.
+        for assumption in Assumption::ALL {
+            let (with, cost) = (assumptions.with(assumption), assumptions.cost(assumption));
+            prop_assert_eq!(cost.loss, with.loss - assumptions.planar.loss);
+            prop_assert_eq!(cost.delta_v_1, with.delta_v_1 - assumptions.planar.delta_v_1);
+            prop_assert_eq!(cost.delta_v_2, with.delta_v_2 - assumptions.planar.delta_v_2);
+        }
+        let together = assumptions.cost_together();
+        prop_assert_eq!(together.loss, assumptions.together.loss - assumptions.planar.loss);
+        prop_assert_eq!(together.delta_v_1, assumptions.together.delta_v_1 - assumptions.planar.delta_v_1);
+    }
+
+    #[test]
     fn an_assumption_that_holds_costs_nothing(draw in draw()) {
         let draw = square_on(&draw);
         let collision = draw.of::<f64>().at_common_velocity();

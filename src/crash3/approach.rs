@@ -10,3 +10,27 @@ use crate::scalar::Real;
 pub fn approach_velocity<T: Real>(estimate: &VehicleEstimate<T>, heading: &Heading<T>, separation: Xy<T>) -> Xy<T> {
     separation - heading.to_ground(estimate.delta_v.clone())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Damaged, DamagedPair, Surface};
+    use super::*;
+    use crate::frame::ForwardLeft;
+    use crate::impact::ForceOrigin;
+
+    #[test]
+    fn the_push_is_taken_back() {
+        // Heading along y, pushed back from ahead by 4 m/s: 16 kJ in 2 t.
+        let damaged = Damaged {
+            mass: 2000.0,
+            yaw_inertia: 3000.0,
+            impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
+            surface: Surface::Front,
+            force_origin: ForceOrigin { ahead: 0.5, right: 0.0 },
+            crush_energy: 16_000.0,
+        };
+        let estimate = DamagedPair { one: Some(damaged), two: None }.evaluate().one.expect("a vehicle");
+        let approach = approach_velocity(&estimate, &Heading { cos: 0.0, sin: 1.0 }, Xy { x: 1.0, y: -0.5 });
+        assert_eq!(approach, Xy { x: 1.0, y: 3.5 });
+    }
+}

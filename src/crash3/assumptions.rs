@@ -39,12 +39,21 @@ impl Assumption {
     /// All three, as the paper lists them.
     pub const ALL: [Assumption; 3] = [Assumption::CommonVelocity, Assumption::PointMass, Assumption::TangentialFactor];
 
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Assumption::CommonVelocity => "common velocity",
+            Assumption::PointMass => "point mass",
+            Assumption::TangentialFactor => "tangential factor",
+        }
+    }
+
     /// The assumption in words.
     pub fn statement(self) -> &'static str {
         match self {
-            Assumption::CommonVelocity => "the vehicles reach a common velocity where they touch (e = 0, no sliding left)",
-            Assumption::PointMass => "each vehicle is a point with the equivalent mass along the force",
-            Assumption::TangentialFactor => "tangential work is tan^2 alpha times the crush energy",
+            Assumption::CommonVelocity => "the vehicles reach a common velocity where they touch: no restitution, no sliding left",
+            Assumption::PointMass => "each vehicle is a point mass, of the equivalent mass along the force",
+            Assumption::TangentialFactor => "the tangential factor: tangential work is tan^2 alpha of the crush energy",
         }
     }
 }
@@ -211,6 +220,19 @@ impl<T: Real> Chain<T> {
             loss: crush_energy.clone() * (one + self.ratio.clone() * slid / kept),
             delta_v_1: impulse.clone() * inverse_mass[0].clone(),
             delta_v_2: impulse * inverse_mass[1].clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_assumption_is_stated_by_its_name() {
+        for assumption in Assumption::ALL {
+            assert!(assumption.statement().contains(assumption.name()), "{assumption:?}");
+            assert!(Assumption::ALL.iter().filter(|other| other.name() == assumption.name()).count() == 1);
         }
     }
 }

@@ -61,6 +61,9 @@ struct Planar {
 /// What follows, and its difference from planar mechanics.
 #[derive(Serialize)]
 struct Follows {
+    /// The assumption in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    assumption: Option<&'static str>,
     loss: f64,
     delta_v_magnitude: [f64; 2],
     cost: Cost,
@@ -132,12 +135,16 @@ impl Planar {
         let follows = |with: &Consequence, cost: Consequence| {
             let delta_v = |of: &Consequence| [of.delta_v_1, of.delta_v_2].map(plain);
             Follows {
+                assumption: None,
                 loss: plain(with.loss),
                 delta_v_magnitude: delta_v(with),
                 cost: Cost { loss: plain(cost.loss), delta_v_magnitude: delta_v(&cost) },
             }
         };
-        let alone = |assumption| follows(assumptions.with(assumption), assumptions.cost(assumption));
+        let alone = |assumption: Assumption| Follows {
+            assumption: Some(assumption.statement()),
+            ..follows(assumptions.with(assumption), assumptions.cost(assumption))
+        };
         Planar {
             crush_energy: plain(assumptions.crush_energy),
             planar: follows(&assumptions.planar, Consequence { loss: 0.0, delta_v_1: 0.0, delta_v_2: 0.0 }),

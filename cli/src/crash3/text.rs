@@ -19,10 +19,12 @@ pub fn render(case: &Case, result: &Result3, units: Units) -> String {
     if let Some(assumptions) = &result.assumptions {
         text.push_str(&page.assumptions(assumptions));
         text.push_str("\n\n");
+        for assumption in Assumption::ALL {
+            text.push_str(&wrap(&format!("{}.", assumption.statement()), "- "));
+        }
         text.push_str(&wrap(
-            "All from the same crush energy, with the restitution, the impulse ratio and the geometry of the case. An assumption alone is \
-             imposed on planar mechanics; all three are CRASH3, alpha taken from the normal of the crush plane and its correction without a \
-             limit.",
+            "All from the same crush energy, with the restitution, the impulse ratio and the geometry of the case: an assumption alone, on \
+             planar mechanics; all three are CRASH3, alpha taken from the normal of the crush plane and its correction without a limit.",
             "",
         ));
     }
