@@ -1,5 +1,6 @@
 //! Load cells of a barrier, summed into banks, and the impulse on the vehicle.
 
+use super::estimate::Estimate;
 use super::findings::Findings;
 use super::problem::{Place, Problem, Problems};
 use super::record::{Record, Window};
@@ -49,6 +50,19 @@ impl<T: Ordered<Mask = bool>> BarrierRecord<T> {
     pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Nt<T>, Problems<T>> {
         let along = |channels: &[Record<T>]| bank(channels)?.corrected(before)?.impulse_over(over);
         Ok(Nt { n: along(&self.normal)?, t: along(&self.tangential)? })
+    }
+}
+
+impl<T: Ordered<Mask = bool>> BarrierRecord<T> {
+    /// The impulse ratio over a window, μ = P_t/P_n, with its variance from the noise of the two banks, which is taken as independent   (A8).
+    ///
+    /// # Errors
+    ///
+    /// As [`bank`] and [`Record::impulse`], and a normal impulse of zero.
+    pub fn ratio(&self, over: &Window<T>, before: &Window<T>) -> Result<Estimate<T>, Problems<T>> {
+        let (normal, tangential) = (bank(&self.normal)?.impulse(over, before)?, bank(&self.tangential)?.impulse(over, before)?);
+        impulse_ratio(Nt { n: normal.value.clone(), t: tangential.value.clone() })?;
+        Ok(tangential.over(normal))
     }
 }
 
@@ -105,6 +119,18 @@ mod tests {
         let impulse = record.impulse(&Window { from: 0.0, to: 2.0 }, &Window { from: -1.0, to: 0.0 }).expect("good records");
         assert_eq!(impulse, Nt { n: 10.0, t: -2.0 });
         assert_eq!(impulse_ratio(impulse), Ok(-0.2));
+    }
+
+    #[test]
+    fn the_noise_of_the_banks_is_in_the_ratio() {
+        let (over, before) = (Window { from: 0.0, to: 2.0 }, Window { from: -1.0, to: 0.0 });
+        let quiet = channel(-1.0, [1.0, 1.0, 5.0, 1.0]);
+        let noisy = BarrierRecord { normal: alloc::vec![quiet.clone()], tangential: alloc::vec![channel(-1.0, [1.0, -1.0, 2.0, 0.0])] };
+        let ratio = noisy.ratio(&over, &before).expect("a normal impulse");
+        // P_n is 4, P_t is −½ + 2 with variance 2 · (1 + (½ − 1)² + 1 + ½²): the baseline and the window share a sample.
+        assert_eq!((ratio.value, ratio.variance), (1.5 / 4.0, 2.0 * 2.5 / 16.0));
+        let nothing = BarrierRecord { normal: alloc::vec![channel(-1.0, [1.0; 4])], tangential: alloc::vec![quiet] };
+        assert!(nothing.ratio(&over, &before).is_err());
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::{line_fit, profile_fit};
 use crate::crush::{CrushStiffness, ProfileMoments};
 use crate::scalar::{Field, Ordered, Real};
 use alloc::vec::Vec;
+use core::fmt;
 
 /// Covariance of d₀ and d₁.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +62,18 @@ pub enum FitFinding<T = f64> {
     NegativeSlope(T),
     /// As many tests as coefficients: the residuals say nothing of the scatter.
     NoFreedom,
+}
+
+impl<T: fmt::Display> fmt::Display for FitFinding<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FitFinding::NegativeOnset(onset) => write!(f, "d0 is {onset}, below zero: the tests would leave crush at no energy"),
+            FitFinding::NegativeSlope(slope) => {
+                write!(f, "d1 is {slope}, below zero: the structure would take less energy the deeper it is crushed")
+            }
+            FitFinding::NoFreedom => write!(f, "there are as many tests as coefficients: the residuals say nothing of the scatter"),
+        }
+    }
 }
 
 /// A stiffness that was fitted to tests.

@@ -143,7 +143,7 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
         }
         findings.done()?;
         let observe = |known: &CrushEnergy<T>| {
-            let width = T::int(2) * known.crush.first.clone();
+            let width = known.crush.width();
             let intensity = crush_intensity(known.energy.clone(), width.clone());
             let deviation = known.deviation.clone() / (width * intensity.clone());
             Observation { crush: known.crush.clone(), intensity, deviation }

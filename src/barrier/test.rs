@@ -15,7 +15,8 @@ pub struct BarrierTest<T = f64> {
     pub speed: T,
     /// Restitution e of the test.
     pub restitution: T,
-    /// Moments of the residual crush, of which K₁ is half the width. Of a vehicle tested before, of all the crush it now has.
+    /// Moments of the residual crush, as [`Profile::moments`](crate::crush::Profile::moments) has them; K₁ is half the width. Of a vehicle tested before, of all the
+    /// crush it now has.
     pub crush: ProfileMoments<T>,
 }
 
@@ -29,7 +30,7 @@ impl<T: Field> BarrierTest<T> {
 
     /// Width w of the crush, in m.
     pub fn width(&self) -> T {
-        T::int(2) * self.crush.first.clone()
+        self.crush.width()
     }
 }
 
@@ -80,15 +81,14 @@ impl<T: Real + Ordered<Mask = bool>> BarrierTest<T> {
     ///
     /// ```
     /// use planar_impact::barrier::BarrierTest;
-    /// use planar_impact::crush::{CrushStiffness, ProfileMoments};
+    /// use planar_impact::crush::{CrushStiffness, ForceLine, ProfileMoments};
     /// // Malibu 2008, NHTSA test 6268; b₀ is assumed to be 2.2 m/s.
     /// let crush = ProfileMoments::of(1.478, &[0.265, 0.474, 0.504, 0.505, 0.475, 0.310]).unwrap();
     /// let test = BarrierTest { mass: 1779.0, speed: 15.6, restitution: 0.0, crush };
     /// let line = test.speed_line(2.2)?;
     /// assert_eq!(format!("{:.4}", line.slope), "29.8375"); // b₁
-    /// let stiffness = CrushStiffness::from(line);
-    /// assert_eq!(format!("{:.1}", stiffness.onset * stiffness.slope), "79010.7"); // A = d₀ d₁
-    /// assert_eq!(format!("{:.0}", stiffness.slope * stiffness.slope), "1071581"); // B = d₁²
+    /// let force = ForceLine::from(CrushStiffness::from(line));
+    /// assert_eq!(format!("{:.1}, {:.0}", force.onset, force.slope), "79010.7, 1071581"); // A and B
     /// # Ok::<(), planar_impact::barrier::Problems>(())
     /// ```
     ///

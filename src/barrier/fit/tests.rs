@@ -61,6 +61,7 @@ fn what_a_stiffness_should_not_be_is_found_and_kept() {
     assert_relative_eq!(falling.stiffness.slope, -20.0, max_relative = 1e-13);
     let findings = falling.findings();
     assert!(matches!(findings[..], [FitFinding::NegativeSlope(_), FitFinding::NoFreedom]), "{findings:?}");
+    assert!(alloc::string::ToString::to_string(&findings[0]).contains("d1 is -"));
     assert_eq!(falling.rescaled(), None);
     let steep = fit(&[flat(0.1, 1.0, 1.0), flat(0.2, 8.0, 1.0), flat(0.3, 15.0, 1.0)]);
     assert!(matches!(steep.findings()[..], [FitFinding::NegativeOnset(onset)] if (onset + 6.0).abs() < 1e-12));
