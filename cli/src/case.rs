@@ -10,7 +10,7 @@ mod vehicle;
 
 use std::path::Path;
 
-use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals, Xy};
 
 pub use answers::{Answer, Answers, Crash3Answers, CrushAnswers};
 pub use crush::Crush;
@@ -40,6 +40,8 @@ pub struct Case {
     pub collision: Collision,
     /// The bracket of the crush plane, where the file gives the surfaces that meet.
     pub bracket: Option<CrushPlaneBracket>,
+    /// The separation velocity of each vehicle, where the evidence has it.
+    pub separation: [Option<Xy>; 2],
     /// The units that most of its quantities are in.
     pub units: Units,
     /// What was taken for granted, such as the unit of a number without one.
@@ -75,6 +77,7 @@ impl Case {
             collision: setup.collision,
             setup,
             bracket: read.bracket,
+            separation: read.separation,
             units,
             notes: given.notes.into_inner(),
         })

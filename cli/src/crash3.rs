@@ -3,8 +3,8 @@
 mod document;
 mod text;
 
-use planar_impact::Impact;
 use planar_impact::crash3::{Assumptions, DamagedPair, PairEstimate};
+use planar_impact::{Impact, Xy};
 
 use crate::Done;
 use crate::arguments::{Format, OfCase as Call};
@@ -35,8 +35,8 @@ pub fn run(call: &Call) -> Result<Done, Failure> {
 struct Result3 {
     pair: DamagedPair,
     estimate: PairEstimate,
-    /// The impact of the case, if it has one: CRASH3 starts from its separation velocities.
-    impact: Option<Impact>,
+    /// The separation velocity of each vehicle that CRASH3 goes back from: that of the evidence, or else of the case.
+    separation: [Option<Xy>; 2],
     /// What both methods make of the same crush energy, where planar mechanics can be asked.
     assumptions: Option<Assumptions>,
     notes: Vec<String>,
@@ -73,10 +73,15 @@ impl Result3 {
             let reasons: Vec<String> = refusals.reasons().iter().map(|refusal| crate::wording::refusal(refusal, units).1).collect();
             notes.push(format!("nothing to compare with: planar mechanics refuses the case, {}", reasons.join("; ")));
         }
-        let impact = impact.ok();
+        let impact: Option<Impact> = impact.ok();
+        let responses = [impact.as_ref().map(|impact| &impact.one), impact.as_ref().map(|impact| &impact.two)];
+        let separation = [0, 1].map(|i| case.separation[i].or_else(|| responses[i].map(|response| response.after.velocity)));
+        if case.separation.iter().all(Option::is_none) && impact.is_some() {
+            notes.push("the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned());
+        }
         let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
         let can_be_asked = impact.is_some() && case.collision.restitution < 1.0;
         let assumptions = can_be_asked.then(|| Assumptions::from_crush_energy(&case.collision, energy)).flatten();
-        Ok(Result3 { pair, estimate, impact, assumptions, notes })
+        Ok(Result3 { pair, estimate, separation, assumptions, notes })
     }
 }

@@ -96,4 +96,35 @@ mod tests {
             assert_eq!(Surface::facing(&ForceOrigin { ahead, right }), surface, "{degrees}");
         }
     }
+
+    #[test]
+    fn along_a_plane_it_is_the_surface_nearest_to_the_normal_on_the_side_of_the_force() {
+        // Directions as they are seen from the vehicle, clockwise from ahead: that of the normal is the heading less the plane's angle.
+        for (heading, plane, pdof, surface) in [
+            (0.0, 0.0, 10.0, Surface::Front),
+            (0.0, 0.0, 170.0, Surface::Rear),
+            (90.0, 0.0, 60.0, Surface::Right),
+            (90.0, 0.0, -60.0, Surface::Left),
+            (30.0, 0.0, 80.0, Surface::Front),
+            (60.0, 0.0, 20.0, Surface::Right),
+            (60.0, 0.0, -40.0, Surface::Left),
+            (-60.0, 0.0, -20.0, Surface::Left),
+            (200.0, 100.0, 75.0, Surface::Right),
+            (100.0, 240.0, -120.0, Surface::Rear),
+            (100.0, 240.0, 30.0, Surface::Front),
+        ] {
+            let (right, ahead) = f64::to_radians(pdof).sin_cos();
+            let (plane, heading) = (CrushPlane::from_angle(f64::to_radians(plane)), Heading::from_angle(f64::to_radians(heading)));
+            for length in [1e-3, 1.0, 4e4] {
+                let origin = ForceOrigin { ahead: ahead * length, right: right * length };
+                assert_eq!(Surface::along(&plane, &heading, &origin), surface, "{heading:?} {plane:?} {pdof}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_push_comes_from_where_it_does_not_go() {
+        let push = ForwardLeft { forward: 3.0, left: 4.0 };
+        assert_eq!(origin_of(push), ForceOrigin { ahead: -3.0, right: 4.0 });
+    }
 }

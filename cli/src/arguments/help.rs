@@ -149,8 +149,11 @@ pub(super) const CRASH3: &str = "\
 The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
 the crushed surface to the principal force; the effective mass from the moment arm of the force
 through the impact center; delta-V at common velocity; then back along the force from the separation
-velocities of the case. `crush --help` has the keys of the crush; `gradient` knows what is found by
-names such as vehicle.1.crash3.delta_v_magnitude.
+velocities, those of the case unless the file has others:
+  [evidence]
+  vehicle.1.separation_velocity = [\"-3 m/s\", \"4 m/s\"]    # x, y
+`crush --help` has the keys of the crush; `gradient` knows what is found by names such as
+vehicle.1.crash3.delta_v_magnitude.
 
 Examples:
   planar-impact crash3 cli/examples/cavalier-crush.toml

@@ -1,6 +1,7 @@
 //! The walk through a case file, key by key.
 
 mod crush;
+mod evidence;
 
 use std::cell::{Cell, RefCell};
 
@@ -19,6 +20,7 @@ pub(super) struct Read {
     pub(super) names: [String; 2],
     pub(super) inputs: Inputs,
     pub(super) bracket: Option<CrushPlaneBracket>,
+    pub(super) separation: [Option<Xy>; 2],
 }
 
 /// The units met on the way through the file.
@@ -105,10 +107,16 @@ impl Given {
         let evidence = root.has("evidence").then(|| root.optional("evidence").table());
         schema?;
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
-        if let Some(evidence) = evidence {
-            self.one_crush_energy(&evidence?, [&one, &two])?;
-        }
-        Some(Read { title, names: [name_1, name_2], inputs: Inputs { vehicles: [one, two], contact }, bracket })
+        let separation = match evidence {
+            Some(evidence) => {
+                let evidence = evidence?;
+                let separation = self.separation_velocities(&evidence);
+                self.one_crush_energy(&evidence, [&one, &two])?;
+                separation?
+            }
+            None => [None, None],
+        };
+        Some(Read { title, names: [name_1, name_2], inputs: Inputs { vehicles: [one, two], contact }, bracket, separation })
     }
 
     /// A crush energy that is given in the evidence is not that of a crush that is given as well.

@@ -1,7 +1,7 @@
 //! The JSON document of `crash3`.
 
 use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, Surface, VehicleEstimate, approach_velocity};
-use planar_impact::{Heading, Response};
+use planar_impact::{Heading, Xy};
 use serde::Serialize;
 
 use super::Result3;
@@ -37,7 +37,7 @@ struct Vehicle<'a> {
     delta_v_magnitude: f64,
     /// Along x and y.
     delta_v: [f64; 2],
-    /// What CRASH3 makes of the separation velocity of the case; `null` where planar mechanics refuses it.
+    /// What CRASH3 makes of the separation velocity; `null` where neither the evidence nor planar mechanics has one.
     reconstruction: Option<Reconstruction>,
 }
 
@@ -78,22 +78,15 @@ struct Cost {
 impl<'a> Document<'a> {
     pub fn of(case: &'a Case, result: &'a Result3) -> Self {
         let headings = [&case.collision.one, &case.collision.two].map(|party| party.vehicle().map(|vehicle| vehicle.heading));
-        let vehicle = |i: usize, damaged: &Option<Damaged>, estimate: &Option<VehicleEstimate>, response: Option<&Response>| match (
-            damaged,
-            estimate,
-            headings[i],
-        ) {
-            (Some(damaged), Some(estimate), Some(heading)) => Vehicle::of(&case.names[i], damaged, estimate, heading, response),
+        let vehicle = |i: usize, damaged: &Option<Damaged>, estimate: &Option<VehicleEstimate>| match (damaged, estimate, headings[i]) {
+            (Some(damaged), Some(estimate), Some(heading)) => Vehicle::of(&case.names[i], damaged, estimate, heading, result.separation[i]),
             _ => Vehicle { name: &case.names[i], ..Vehicle::default() },
         };
-        let (pair, estimate, impact) = (&result.pair, &result.estimate, result.impact.as_ref());
+        let (pair, estimate) = (&result.pair, &result.estimate);
         Document {
             schema: 1,
             title: &case.title,
-            vehicles: [
-                vehicle(0, &pair.one, &estimate.one, impact.map(|impact| &impact.one)),
-                vehicle(1, &pair.two, &estimate.two, impact.map(|impact| &impact.two)),
-            ],
+            vehicles: [vehicle(0, &pair.one, &estimate.one), vehicle(1, &pair.two, &estimate.two)],
             corrected_energy: plain(estimate.energy),
             impulse: plain(estimate.impulse),
             planar: result.assumptions.as_ref().map(Planar::of),
@@ -103,10 +96,9 @@ impl<'a> Document<'a> {
 }
 
 impl<'a> Vehicle<'a> {
-    fn of(name: &'a str, damaged: &Damaged, estimate: &VehicleEstimate, heading: Heading, response: Option<&Response>) -> Self {
+    fn of(name: &'a str, damaged: &Damaged, estimate: &VehicleEstimate, heading: Heading, separation: Option<Xy>) -> Self {
         let delta_v = heading.to_ground(estimate.delta_v);
-        let reconstruction = |response: &Response| {
-            let separation = response.after.velocity;
+        let reconstruction = |separation: Xy| {
             let approach = approach_velocity(estimate, &heading, separation);
             Reconstruction {
                 separation_velocity: [separation.x, separation.y].map(plain),
@@ -125,7 +117,7 @@ impl<'a> Vehicle<'a> {
             effective_mass_factor: plain(estimate.effective_mass_factor),
             delta_v_magnitude: plain(estimate.delta_v_magnitude),
             delta_v: [delta_v.x, delta_v.y].map(plain),
-            reconstruction: response.map(reconstruction),
+            reconstruction: separation.map(reconstruction),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! CRASH3 beside planar mechanics, as a person reads it.
 
 use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, VehicleEstimate, approach_velocity};
-use planar_impact::{Real, Response, Vehicle};
+use planar_impact::{Real, Vehicle, Xy};
 
 use super::Result3;
 use super::document::name_of;
@@ -74,32 +74,32 @@ impl Page<'_> {
         table::render(&["CRASH3", "unit", &names[0], &names[1]], &[Align::Left, Align::Left, Align::Right, Align::Right], &rows)
     }
 
-    /// Back from the separation velocities of the case.
+    /// Back from the separation velocities.
     fn reconstruction(&self) -> Vec<Vec<String>> {
-        let Some(impact) = &self.result.impact else { return Vec::new() };
-        let estimate = &self.result.estimate;
+        let Result3 { separation, estimate, .. } = self.result;
         let sides = [
-            (self.case.collision.one.vehicle(), &estimate.one, &impact.one),
-            (self.case.collision.two.vehicle(), &estimate.two, &impact.two),
+            (self.case.collision.one.vehicle(), &estimate.one, separation[0]),
+            (self.case.collision.two.vehicle(), &estimate.two, separation[1]),
         ];
-        let row = |what: &str, value: &dyn Fn(&Vehicle, &VehicleEstimate, &Response) -> f64| {
-            let cell = |(vehicle, estimate, response): (Option<&Vehicle>, &Option<VehicleEstimate>, &Response)| {
-                let numbers = vehicle.zip(estimate.as_ref());
-                numbers.map_or("fixed".to_owned(), |(vehicle, estimate)| self.number(Measure::Speed, value(vehicle, estimate, response)))
+        if sides.iter().all(|(vehicle, _, separation)| vehicle.is_none() || separation.is_none()) {
+            return Vec::new();
+        }
+        let row = |what: &str, value: &dyn Fn(&Vehicle, &VehicleEstimate, Xy) -> f64| {
+            let cell = |(vehicle, estimate, separation): (Option<&Vehicle>, &Option<VehicleEstimate>, Option<Xy>)| {
+                let Some((vehicle, estimate)) = vehicle.zip(estimate.as_ref()) else { return "fixed".to_owned() };
+                separation.map_or("-".to_owned(), |separation| self.number(Measure::Speed, value(vehicle, estimate, separation)))
             };
             let unit = self.units.unit(Measure::Speed).to_owned();
             vec![what.to_owned(), unit, cell(sides[0]), cell(sides[1])]
         };
-        let back = |vehicle: &Vehicle, estimate: &VehicleEstimate, response: &Response| {
-            approach_velocity(estimate, &vehicle.heading, response.after.velocity)
-        };
+        let back = |vehicle: &Vehicle, estimate: &VehicleEstimate, separation| approach_velocity(estimate, &vehicle.heading, separation);
         vec![
-            row("separation of the case: x", &|_, _, response| response.after.velocity.x),
-            row("                        y", &|_, _, response| response.after.velocity.y),
-            row("approach by CRASH3:     x", &|vehicle, estimate, response| back(vehicle, estimate, response).x),
-            row("                        y", &|vehicle, estimate, response| back(vehicle, estimate, response).y),
-            row("approach of the case:   x", &|vehicle, _, _| vehicle.motion.velocity.x),
-            row("                        y", &|vehicle, _, _| vehicle.motion.velocity.y),
+            row("separation velocity x", &|_, _, separation| separation.x),
+            row("                    y", &|_, _, separation| separation.y),
+            row("approach by CRASH3  x", &|vehicle, estimate, separation| back(vehicle, estimate, separation).x),
+            row("                    y", &|vehicle, estimate, separation| back(vehicle, estimate, separation).y),
+            row("approach of the case x", &|vehicle, _, _| vehicle.motion.velocity.x),
+            row("                     y", &|vehicle, _, _| vehicle.motion.velocity.y),
         ]
     }
 

@@ -192,6 +192,41 @@ fn what_the_file_gives_is_taken() {
 }
 
 #[test]
+fn crash3_goes_back_from_the_separation_velocity_of_the_evidence() {
+    let given = |velocity: &str| {
+        let case = example("cavalier-crush.toml") + &format!("\n[evidence]\nvehicle.1.separation_velocity = {velocity}\n");
+        run_with_input(&["crash3", "-", "--format", "json"], &case)
+    };
+    let plain = json(&run_with_input(&["crash3", "-", "--format", "json"], &example("cavalier-crush.toml")));
+    let delta_v = &plain["vehicles"][0]["delta_v"];
+    for velocity in [
+        "[\"-2 m/s\", \"1 m/s\"]",
+        "[-2, 1]",
+        "[\"-2 m/s ± 0.5 m/s\", \"1 m/s +/- 1 m/s\"]",
+        "[{ value = \"-2 m/s\", sd = \"0.5 m/s\" }, { value = 1 }]",
+    ] {
+        let car = json(&given(velocity))["vehicles"][0].clone();
+        assert_eq!(&car["delta_v"], delta_v, "{velocity}");
+        for (i, separation) in [-2.0, 1.0].into_iter().enumerate() {
+            assert_eq!(car["reconstruction"]["separation_velocity"][i], separation, "{velocity}");
+            let approach = car["reconstruction"]["approach_velocity"][i].as_f64().expect("a number");
+            assert!((approach - (separation - delta_v[i].as_f64().expect("a number"))).abs() < 1e-12, "{velocity}");
+        }
+    }
+    for (velocity, words) in [
+        ("\"-2 m/s\"", "an array of two values"),
+        ("[\"-2 m/s\"]", "an array of two values"),
+        ("[\"-2 m/s ± 1 kg\", 0]", "evidence.vehicle.1.separation_velocity.1"),
+        ("[\"-2 m/s ± -1 m/s\", 0]", "below zero"),
+        ("[{ sd = 1 }, 0]", "evidence.vehicle.1.separation_velocity.1.value: missing"),
+        ("[{ value = 1, sdd = 1 }, 0]", "unknown key"),
+    ] {
+        let run = given(velocity);
+        assert!(run.status == 2 && run.out.is_empty() && run.err.contains(words), "{velocity}: {}", run.err);
+    }
+}
+
+#[test]
 fn a_case_that_does_not_collide_has_crush_and_no_direction_of_force() {
     let case = example("cavalier-crush.toml").replace("\"29.3669 ft/s\"", "\"-29.3669 ft/s\"");
     assert_eq!(run_with_input(&["crush", "-"], &case).status, 0);
