@@ -5,10 +5,12 @@
 //! | `directions` | from directions (cosine and sine given) to motions, impulse, μ₀ and works: + − × ÷ only |
 //! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: three sines, two roots, two arctangents more |
 //! | `jacobian`, `gradient`, `hessian` | derivatives by all inputs beside the solution that they belong to |
+//! | `crush` | a crush energy beside the textbook's formula, its derivative, and CRASH3 |
 //! | `scalars` | the same one definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions, and criterion prints the throughput in collisions a second.
 
+mod crush;
 mod derivatives;
 mod hand;
 mod inputs;
@@ -173,5 +175,5 @@ fn scalars(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, directions, angles, scalars, derivatives::derivatives);
+criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush);
 criterion_main!(benches);
