@@ -10,9 +10,8 @@
 //! | common velocity where they touch | ΔV_i = √(2 (E'₁ + E'₂) μ_γ)/m_i with 1/μ_γ = 1/(γ₁ m₁) + 1/(γ₂ m₂) | `damage` |
 //! | reconstruction | approach velocity = separation velocity − ΔV along the force | `approach` |
 //!
-//! A fixed barrier adds neither energy nor 1/(γ m). The force goes through the impact center of the vehicle. The factor's limit of 2 is that of the
-//! program's users; α itself may be larger, and it is a surface's: 90° from the front for a side. (CRASH3 Technical Manual, Calspan, DOT HS 805 732;
-//! R. R. McHenry and B. G. McHenry on the energy correction factor.)
+//! A fixed barrier adds neither energy nor 1/(γ m). The force goes through the impact center of the vehicle. The limit of 2 on the factor is custom: α itself
+//! may be larger, and it is counted from the perpendicular of the crushed surface, end or side. (CRASH3 User's Guide and Technical Manual, NHTSA, DOT HS 805 732, 1981.)
 //!
 //! The method assumes common velocity, which is e = 0 and μ = μ₀. Its principal direction of force is therefore that of the
 //! [common-velocity](crate::Collision::at_common_velocity) impulse, unless an investigator's estimate is given. [`Assumptions`] has what each of its
@@ -43,10 +42,11 @@ mod approach;
 mod assumptions;
 mod correction;
 mod damage;
+mod refuse;
 mod surface;
 
 pub use approach::approach_velocity;
 pub use assumptions::{Assumption, Assumptions, Consequence};
-pub use correction::{energy_correction, uncapped_energy_correction};
+pub use correction::energy_correction;
 pub use damage::{Damaged, DamagedPair, PairEstimate, VehicleEstimate};
 pub use surface::Surface;

@@ -4,7 +4,8 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `profile` | depths at stations across the crush, linear in between; how they are measured |
+//! | `profile` | depths at stations across the crush, linear in between |
+//! | `measuring_line` | depths read off a line outside the surface |
 //! | `moments` | K₁, K₂, K₃ of a profile |
 //! | `stiffness` | the linear law: as d₀, d₁, as A, B, G and as b₀, b₁ |
 //! | `zones` | a stiffness that changes along the width |
@@ -13,6 +14,7 @@
 //! | `speed` | the speed that an energy stands for |
 
 mod law;
+mod measuring_line;
 mod moments;
 mod profile;
 mod quadrature;
@@ -21,8 +23,9 @@ mod stiffness;
 mod zones;
 
 pub use law::{ConstantForce, CrushLaw, PowerLaw, Saturating};
+pub use measuring_line::MeasuringLine;
 pub use moments::ProfileMoments;
-pub use profile::{MeasuringLine, Profile, ProfileError, Segment};
+pub use profile::{Profile, ProfileError, Segment};
 pub use quadrature::energy_by_quadrature;
 pub use speed::{crush_intensity, equivalent_energy_speed, equivalent_energy_speed_squared, speed_of_energy};
 pub use stiffness::{BarrierSpeedLine, CrushStiffness, ForceLine};

@@ -5,8 +5,9 @@
 //! | [`Field`] | everything that is only + − × ÷: the whole of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
 //! | [`Ordered`] | where two numbers must be compared and one of two answers taken: the friction limit | all of these but complex numbers |
 //! | [`Real`] | where an angle comes in, or a magnitude or a direction goes out | floats, dual numbers, lanes, symbols |
+//! | [`Power`] | beside the three: powers with any exponent, for one law of crush | floats, dual numbers |
 //!
-//! A function asks for the lowest rung that it needs. Every rung but the last is a blanket implementation over
+//! A function asks for the lowest rung that it needs. The first two are blanket implementations over
 //! `num-traits` and `core`, so a number type from elsewhere needs no line of code here.
 //!
 //! # Why it is so

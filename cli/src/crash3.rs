@@ -3,14 +3,14 @@
 mod document;
 mod text;
 
-use planar_impact::crash3::{Assumptions, DamagedPair, PairEstimate};
-use planar_impact::{Impact, Xy};
+use planar_impact::crash3::{Assumptions, Damaged, DamagedPair, PairEstimate};
+use planar_impact::{ForwardLeft, Impact, Party, Real, Xy};
 
 use crate::Done;
 use crate::arguments::{Format, OfCase as Call};
 use crate::case::Case;
 use crate::exit::Failure;
-use crate::units::Units;
+use crate::units::{Measure, Units};
 
 /// Reads the case and prints what CRASH3 makes of its crush.
 ///
@@ -20,7 +20,7 @@ use crate::units::Units;
 pub fn run(call: &Call) -> Result<Done, Failure> {
     let case = Case::read(&call.case).map_err(Failure::Input)?;
     let units = call.units.unwrap_or(case.units);
-    let result = Result3::of(&case, units)?;
+    let result = Comparison::of(&case, units)?;
     match call.format {
         Format::Text => Ok(Done::with(text::render(&case, &result, units))),
         Format::Json => {
@@ -31,8 +31,21 @@ pub fn run(call: &Call) -> Result<Done, Failure> {
     }
 }
 
+/// How far two directions of force may be from opposite without a word: two estimates of a clock direction are no better.
+const OPPOSITE: f64 = 0.087;
+
+/// How far the force on one vehicle is from being opposite to that on the other, on the ground; none against a barrier.
+fn crossing(case: &Case, pair: &DamagedPair) -> Option<f64> {
+    let push = |damaged: &Option<Damaged>, party: &Party| {
+        let from = damaged.as_ref()?.force_origin;
+        Some(party.vehicle()?.heading.to_ground(ForwardLeft { forward: -from.ahead, left: from.right }))
+    };
+    let (one, two) = (push(&pair.one, &case.collision.one)?, push(&pair.two, &case.collision.two)?);
+    Some(Real::atan2(one.cross(two), -one.dot(two)).abs())
+}
+
 /// What CRASH3 says, and what planar mechanics says beside it.
-struct Result3 {
+struct Comparison {
     pair: DamagedPair,
     estimate: PairEstimate,
     /// The separation velocity of each vehicle that CRASH3 goes back from: that of the evidence, or else of the case.
@@ -42,7 +55,7 @@ struct Result3 {
     notes: Vec<String>,
 }
 
-impl Result3 {
+impl Comparison {
     fn of(case: &Case, units: Units) -> Result<Self, Failure> {
         let parties = [&case.collision.one, &case.collision.two];
         let without = |i: &usize| parties[*i].vehicle().is_some() && case.setup.crush[*i].is_none();
@@ -80,8 +93,19 @@ impl Result3 {
             notes.push("the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned());
         }
         let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
+        if impact.is_some() && case.collision.restitution >= 1.0 {
+            notes.push(
+                "nothing to compare with: at e = 1 the normal impulse does no work, so no crush follows from planar mechanics".to_owned(),
+            );
+        }
+        if let Some(angle) = crossing(case, &pair).filter(|angle| *angle > OPPOSITE) {
+            let angle = units.quantity(Measure::Angle, angle);
+            notes.push(format!(
+                "the forces on the two vehicles are {angle} from being opposite, which they must be; check the pdof of each"
+            ));
+        }
         let can_be_asked = impact.is_some() && case.collision.restitution < 1.0;
         let assumptions = can_be_asked.then(|| Assumptions::from_crush_energy(&case.collision, energy)).flatten();
-        Ok(Result3 { pair, estimate, separation, assumptions, notes })
+        Ok(Comparison { pair, estimate, separation, assumptions, notes })
     }
 }

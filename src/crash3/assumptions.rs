@@ -13,7 +13,7 @@
 //!
 //! | assumption | in the formula |
 //! |---|---|
-//! | common velocity | e = 0 and σ = 0 |
+//! | common velocity | e = 0, μ = μ₀ and σ = 0, from the same direction of approach |
 //! | a point mass with the equivalent mass along the force | K is κ times the identity, κ = (k_n + μ k_t)/(1 + μ²) = Σ 1/(γ m) |
 //! | tangential factor | T_L = (1 + tan² α) E_C with tan α = μ, and ΔV from T_L as before (Eq 2) |
 //!
@@ -82,7 +82,7 @@ pub struct Assumptions<T = f64> {
     pub point_mass: Consequence<T>,
     /// With the third alone.
     pub tangential_factor: Consequence<T>,
-    /// With all three: CRASH3, its correction without a limit, α from the normal of the crush plane.
+    /// With all three: CRASH3 with the force of the common-velocity impulse, α from the normal of the crush plane and the correction without a limit.
     pub together: Consequence<T>,
 }
 
@@ -125,27 +125,17 @@ impl<T: Real> Assumptions<T> {
         if !matches!(collision.moment, Moment::None) {
             return None;
         }
+        let planar = Chain::of(collision);
+        let common = Chain::of(&collision.at_common_velocity());
         let contact = collision.contact();
-        let impact = collision.evaluate();
-        let ratio = impact.impulse_ratio();
-        let (k, one) = (contact.compliance.clone(), T::int(1));
-        let planar = Chain {
-            normal: k.nn.clone() + k.nt.clone() * ratio.clone(),
-            tangential: k.nt.clone() + k.tt.clone() * ratio.clone(),
-            restitution: collision.restitution.clone(),
-            sliding: impact.separation.t.clone() / impact.approach.n.clone(),
-            ratio: ratio.clone(),
-        };
-        let inverse_mass = [contact.one.inverse_mass.clone(), contact.two.inverse_mass.clone()];
-        let factor = one + ratio.squared();
-        let both = planar.clone().with_common_velocity().with_point_mass();
-        let follows = |chain: &Chain<T>| chain.consequence(&crush_energy, &inverse_mass);
+        let inverse_mass = [contact.one.inverse_mass, contact.two.inverse_mass];
+        let follows = |chain: Chain<T>| chain.consequence(&crush_energy, &inverse_mass);
         Some(Assumptions {
-            planar: follows(&planar),
-            common_velocity: follows(&planar.clone().with_common_velocity()),
-            point_mass: follows(&planar.clone().with_point_mass()),
-            tangential_factor: follows(&planar).with_loss(crush_energy.clone() * factor.clone()),
-            together: follows(&both).with_loss(crush_energy.clone() * factor),
+            planar: follows(planar.clone()),
+            common_velocity: follows(common.clone()),
+            point_mass: follows(planar.clone().with_point_mass()),
+            tangential_factor: planar.with_tangential_factor(&crush_energy, &inverse_mass),
+            together: follows(common.with_point_mass()),
             crush_energy,
         })
     }
@@ -178,12 +168,6 @@ impl<T: Real> Consequence<T> {
             delta_v_2: self.delta_v_2.clone() - other.delta_v_2.clone(),
         }
     }
-
-    /// The same with another loss: ΔV grows with its root (Eq 2).
-    fn with_loss(self, loss: T) -> Self {
-        let factor = (loss.clone() / self.loss).sqrt();
-        Consequence { loss, delta_v_1: self.delta_v_1 * factor.clone(), delta_v_2: self.delta_v_2 * factor }
-    }
 }
 
 /// What leads from the crush energy to the loss and ΔV.
@@ -200,24 +184,55 @@ struct Chain<T> {
 }
 
 impl<T: Real> Chain<T> {
-    fn with_common_velocity(self) -> Self {
-        Chain { restitution: T::int(0), sliding: T::int(0), ..self }
+    fn of(collision: &Collision<T>) -> Self {
+        let (impact, k) = (collision.evaluate(), collision.contact().compliance);
+        let ratio = impact.impulse_ratio();
+        Chain {
+            normal: k.nn + k.nt.clone() * ratio.clone(),
+            tangential: k.nt + k.tt * ratio.clone(),
+            restitution: collision.restitution.clone(),
+            sliding: impact.separation.t / impact.approach.n,
+            ratio,
+        }
     }
 
     fn with_point_mass(self) -> Self {
-        let mean = (self.normal + self.ratio.clone() * self.tangential) / (T::int(1) + self.ratio.clone().squared());
+        let mean = (self.normal.clone() + self.ratio.clone() * self.tangential.clone()) / self.length_squared();
         Chain { tangential: self.ratio.clone() * mean.clone(), normal: mean, ..self }
     }
 
+    /// 1 + μ²: also 1 + tan² α.
+    fn length_squared(&self) -> T {
+        T::int(1) + self.ratio.clone().squared()
+    }
+
+    /// T_L/E_C.
+    fn loss_of_energy(&self) -> T {
+        let (plus, minus) = (T::int(1) + self.restitution.clone(), T::int(1) - self.restitution.clone());
+        let slid = T::int(2) * self.sliding.clone() * self.normal.clone() + plus * self.tangential.clone();
+        T::int(1) + self.ratio.clone() * slid / (minus * self.normal.clone())
+    }
+
+    /// P²/E_C.
+    fn impulse_squared_of_energy(&self) -> T {
+        let (plus, minus) = (T::int(1) + self.restitution.clone(), T::int(1) - self.restitution.clone());
+        T::int(2) * plus * self.length_squared() / (minus * self.normal.clone())
+    }
+
     fn consequence(&self, crush_energy: &T, inverse_mass: &[T; 2]) -> Consequence<T> {
-        let (one, two) = (T::int(1), T::int(2));
-        let (plus, minus) = (one.clone() + self.restitution.clone(), one.clone() - self.restitution.clone());
-        let kept = minus * self.normal.clone();
-        let slid = two.clone() * self.sliding.clone() * self.normal.clone() + plus.clone() * self.tangential.clone();
-        let normal_squared = two * crush_energy.clone() * plus / kept.clone();
-        let impulse = (normal_squared * (one.clone() + self.ratio.clone().squared())).sqrt();
+        self.with_loss_of_energy(self.loss_of_energy(), crush_energy, inverse_mass)
+    }
+
+    fn with_tangential_factor(&self, crush_energy: &T, inverse_mass: &[T; 2]) -> Consequence<T> {
+        self.with_loss_of_energy(self.length_squared(), crush_energy, inverse_mass)
+    }
+
+    /// What follows with a given T_L/E_C: P² grows with the loss (Eq 2).
+    fn with_loss_of_energy(&self, loss_of_energy: T, crush_energy: &T, inverse_mass: &[T; 2]) -> Consequence<T> {
+        let share = loss_of_energy.clone() / self.loss_of_energy();
+        let impulse = (crush_energy.clone() * self.impulse_squared_of_energy() * share).sqrt();
         Consequence {
-            loss: crush_energy.clone() * (one + self.ratio.clone() * slid / kept),
+            loss: crush_energy.clone() * loss_of_energy,
             delta_v_1: impulse.clone() * inverse_mass[0].clone(),
             delta_v_2: impulse * inverse_mass[1].clone(),
         }

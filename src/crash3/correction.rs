@@ -29,12 +29,6 @@ pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceOrigin<T>) 
     T::select(below, length_squared / square, T::int(CAP))
 }
 
-/// 1 + tan² α without the limit. Not finite for a force along the surface.
-pub fn uncapped_energy_correction<T: Field>(surface: Surface, origin: &ForceOrigin<T>) -> T {
-    let Parts { along, length_squared } = Parts::of(surface, origin);
-    length_squared / along.squared()
-}
-
 /// A force seen from a surface.
 struct Parts<T> {
     /// The component perpendicular to the surface, positive where it pushes it in.
@@ -66,7 +60,6 @@ mod tests {
             for length in [1e-3, 1.0, 7e4] {
                 let origin = ForceOrigin { ahead: ahead * length, right: right * length };
                 assert_relative_eq!(energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
-                assert_relative_eq!(uncapped_energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
             }
         }
         for degrees in [45.1, 89.0, 90.0, 120.0, 180.0, -60.0] {

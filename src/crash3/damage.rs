@@ -5,9 +5,7 @@ use super::surface::Surface;
 use crate::collision::Collision;
 use crate::frame::ForwardLeft;
 use crate::impact::{ForceOrigin, Response};
-use crate::refusal::{Refusal, Refusals};
 use crate::scalar::{Field, Ordered, Real};
-use crate::solve::Findings;
 use crate::vehicle::{Party, Vehicle};
 
 /// What CRASH3 knows of a vehicle.
@@ -79,7 +77,7 @@ impl<T: Field> Damaged<T> {
         r.forward * from.right + r.left * from.ahead
     }
 
-    fn origin_squared(&self) -> T {
+    pub(super) fn origin_squared(&self) -> T {
         self.force_origin.ahead.clone().squared() + self.force_origin.right.clone().squared()
     }
 
@@ -114,34 +112,6 @@ impl<T: Real<Mask = bool>> DamagedPair<T> {
             Some(Damaged::of(vehicle, Surface::along(&collision.crush_plane, &vehicle.heading, &origin), origin, energy))
         };
         DamagedPair { one: damaged(&collision.one, &impact.one, energy_1), two: damaged(&collision.two, &impact.two, energy_2) }
-    }
-
-    /// What the damage says, refused where it cannot say anything.
-    ///
-    /// # Errors
-    ///
-    /// A mass or a yaw inertia that is not above zero, a crush energy below zero, a force from nowhere, a number that is not finite, or two barriers:
-    /// each of them.
-    pub fn solve(&self) -> Result<PairEstimate<T>, Refusals<T>> {
-        let mut findings = Findings::none();
-        for (damaged, names) in [(&self.one, &ONE), (&self.two, &TWO)] {
-            if let Some(damaged) = damaged {
-                findings.positive(names.mass, &damaged.mass);
-                findings.positive(names.yaw_inertia, &damaged.yaw_inertia);
-                findings.finite(names.forward, &damaged.impact_center.forward);
-                findings.finite(names.left, &damaged.impact_center.left);
-                findings.within(names.crush_energy, &damaged.crush_energy, 0, None);
-                let length_squared = damaged.origin_squared();
-                if findings.finite(names.pdof, &length_squared) && !T::int(0).less(&length_squared) {
-                    findings.add(Refusal::NotADirection { input: names.pdof, length_squared });
-                }
-            }
-        }
-        if self.one.is_none() && self.two.is_none() {
-            findings.add(Refusal::NothingMoves);
-        }
-        findings.done()?;
-        Ok(self.evaluate())
     }
 }
 
@@ -199,37 +169,9 @@ impl<T: Real> VehicleEstimate<T> {
     }
 }
 
-struct Names {
-    mass: &'static str,
-    yaw_inertia: &'static str,
-    forward: &'static str,
-    left: &'static str,
-    crush_energy: &'static str,
-    pdof: &'static str,
-}
-
-const ONE: Names = Names {
-    mass: "vehicle.1.mass",
-    yaw_inertia: "vehicle.1.yaw_inertia",
-    forward: "vehicle.1.impact_center.forward",
-    left: "vehicle.1.impact_center.left",
-    crush_energy: "vehicle.1.crush_energy",
-    pdof: "vehicle.1.pdof",
-};
-
-const TWO: Names = Names {
-    mass: "vehicle.2.mass",
-    yaw_inertia: "vehicle.2.yaw_inertia",
-    forward: "vehicle.2.impact_center.forward",
-    left: "vehicle.2.impact_center.left",
-    crush_energy: "vehicle.2.crush_energy",
-    pdof: "vehicle.2.pdof",
-};
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use alloc::vec::Vec;
     use approx::assert_relative_eq;
 
     fn damaged() -> Damaged {
@@ -268,28 +210,5 @@ mod tests {
         let effective = [1000.0 * one.effective_mass_factor, 4000.0 * two.effective_mass_factor];
         let reduced = effective[0] * effective[1] / (effective[0] + effective[1]);
         assert_relative_eq!(estimate.impulse, (2.0 * estimate.energy * reduced).sqrt(), max_relative = 1e-15);
-    }
-
-    #[test]
-    fn everything_wrong_is_refused_at_once() {
-        let nowhere = ForceOrigin { ahead: 0.0, right: 0.0 };
-        let wrong = Damaged { mass: -1.0, yaw_inertia: f64::NAN, crush_energy: -8.0, force_origin: nowhere, ..damaged() };
-        let refusals = DamagedPair { one: None, two: Some(wrong) }.solve().expect_err("four numbers are wrong");
-        let inputs: Vec<_> = refusals
-            .reasons()
-            .iter()
-            .map(|reason| match reason {
-                Refusal::NotPositive { input, .. }
-                | Refusal::NotFinite { input, .. }
-                | Refusal::OutOfRange { input, .. }
-                | Refusal::NotADirection { input, .. } => *input,
-                _ => "",
-            })
-            .collect();
-        assert_eq!(inputs, ["vehicle.2.mass", "vehicle.2.yaw_inertia", "vehicle.2.crush_energy", "vehicle.2.pdof"]);
-        let barriers = DamagedPair::<f64> { one: None, two: None }.solve().expect_err("nothing moves");
-        assert_eq!(barriers.reasons(), [Refusal::NothingMoves]);
-        let fine = DamagedPair { one: Some(damaged()), two: None };
-        assert_eq!(fine.solve(), Ok(fine.evaluate()));
     }
 }

@@ -4,7 +4,7 @@ use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, Surfa
 use planar_impact::{Heading, Xy};
 use serde::Serialize;
 
-use super::Result3;
+use super::Comparison;
 use crate::case::Case;
 use crate::named::plain;
 
@@ -76,7 +76,7 @@ struct Cost {
 }
 
 impl<'a> Document<'a> {
-    pub fn of(case: &'a Case, result: &'a Result3) -> Self {
+    pub fn of(case: &'a Case, result: &'a Comparison) -> Self {
         let headings = [&case.collision.one, &case.collision.two].map(|party| party.vehicle().map(|vehicle| vehicle.heading));
         let vehicle = |i: usize, damaged: &Option<Damaged>, estimate: &Option<VehicleEstimate>| match (damaged, estimate, headings[i]) {
             (Some(damaged), Some(estimate), Some(heading)) => Vehicle::of(&case.names[i], damaged, estimate, heading, result.separation[i]),

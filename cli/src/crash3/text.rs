@@ -3,7 +3,7 @@
 use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, VehicleEstimate, approach_velocity};
 use planar_impact::{Real, Vehicle, Xy};
 
-use super::Result3;
+use super::Comparison;
 use super::document::name_of;
 use crate::case::Case;
 use crate::report::{heading, notes_below, shorten};
@@ -11,7 +11,7 @@ use crate::table::{self, Align, wrap};
 use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
-pub fn render(case: &Case, result: &Result3, units: Units) -> String {
+pub fn render(case: &Case, result: &Comparison, units: Units) -> String {
     let page = Page { case, result, units };
     let mut text = heading(&case.title);
     text.push_str(&page.vehicles());
@@ -23,8 +23,8 @@ pub fn render(case: &Case, result: &Result3, units: Units) -> String {
             text.push_str(&wrap(&format!("{}.", assumption.statement()), "- "));
         }
         text.push_str(&wrap(
-            "All from the same crush energy, with the restitution, the impulse ratio and the geometry of the case: an assumption alone, on \
-             planar mechanics; all three are CRASH3, alpha taken from the normal of the crush plane and its correction without a limit.",
+            "All from the same crush energy and the same direction of approach: each assumption alone, on planar mechanics; all three are CRASH3, \
+             alpha taken from the normal of the crush plane and its correction without a limit.",
             "",
         ));
     }
@@ -34,7 +34,7 @@ pub fn render(case: &Case, result: &Result3, units: Units) -> String {
 
 struct Page<'a> {
     case: &'a Case,
-    result: &'a Result3,
+    result: &'a Comparison,
     units: Units,
 }
 
@@ -76,7 +76,7 @@ impl Page<'_> {
 
     /// Back from the separation velocities.
     fn reconstruction(&self) -> Vec<Vec<String>> {
-        let Result3 { separation, estimate, .. } = self.result;
+        let Comparison { separation, estimate, .. } = self.result;
         let sides = [
             (self.case.collision.one.vehicle(), &estimate.one, separation[0]),
             (self.case.collision.two.vehicle(), &estimate.two, separation[1]),

@@ -228,7 +228,32 @@ def crash3_answer(made, bodies, energies):
         raise Unclear
     scale = mp.sqrt(sum(energies) / -work)
     changes = [mp.hypot(*actual[:2]) / body.mass if body.mass else mpf(0) for body in bodies]
-    planar = {"crush_energy": sum(energies), "planar": {"loss": scale ** 2 * loss, "delta_v_magnitude": [scale * change for change in changes]}}
+    energy = sum(energies)
+    row = lambda lost, impulse: {"loss": lost, "delta_v_magnitude": [impulse / body.mass if body.mass else mpf(0) for body in bodies]}
+
+    def yielding_along(push):
+        """How readily the impact center yields along an impulse: the sum of 1/m + h^2/I, h the arm of its line about each center of mass."""
+        x, y = turned(push[0], push[1], plane)
+        length = mp.hypot(x, y)
+        arms = [(body.arm[0] * y - body.arm[1] * x) / length for body in bodies]
+        return sum(1 / body.mass + arm ** 2 / body.inertia for body, arm in zip(bodies, arms) if not body.fixed)
+
+    impulse = scale * mp.hypot(*actual[:2])
+    planar = {"crush_energy": energy, "planar": row(scale ** 2 * loss, impulse)}
+    # The same at common velocity: all of the relative motion is lost, e = 0.
+    common_work = [p * v / 2 for p, v in zip(common[:2], approach)]
+    if not clear(common_work[0] / abs(sum(common_work))):
+        raise Unclear
+    share = energy / common_work[0]
+    planar["common_velocity"] = row(share * sum(common_work), mp.sqrt(share) * mp.hypot(*common[:2]))
+    # A point of the effective mass M: E_C = M v_n^2 (1 - e^2)/2, P_n = M v_n (1 + e), and the tangential part brings P_t/M, from which it loses P_t^2/(2 M).
+    ratio = actual[1] / actual[0]
+    mass = 1 / yielding_along(actual)
+    normal = mp.sqrt(2 * energy / (mass * (1 - restitution ** 2))) * mass * (1 + restitution)
+    planar["point_mass"] = row(energy + (ratio * normal) ** 2 / (2 * mass), normal * mp.sqrt(1 + ratio ** 2))
+    planar["tangential_factor"] = row(energy * (1 + ratio ** 2), impulse * mp.sqrt(energy * (1 + ratio ** 2) / (scale ** 2 * loss)))
+    whole = energy * (1 + (common[1] / common[0]) ** 2)
+    planar["together"] = row(whole, mp.sqrt(2 * whole / yielding_along(common)))
     return {"vehicles": answers, "corrected_energy": corrected, "impulse": reduced * closing, "planar": planar}
 
 
