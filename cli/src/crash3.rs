@@ -70,6 +70,7 @@ impl Comparison {
         let mut notes = case.notes.clone();
         let given = case.setup.crush.iter().flatten().all(|crush| crush.force_origin.is_some());
         let common = case.collision.at_common_velocity().solve();
+        let has_common_velocity = common.is_ok();
         if !given {
             common.map_err(|refusals| case.refuse(&refusals, units))?;
             notes.push("the PDOF is that of the common-velocity impulse, e = 0 and mu = mu0, which CRASH3 assumes".to_owned());
@@ -104,7 +105,10 @@ impl Comparison {
                 "the forces on the two vehicles are {angle} from being opposite, which they must be; check the pdof of each"
             ));
         }
-        let can_be_asked = impact.is_some() && case.collision.restitution < 1.0;
+        if impact.is_some() && !has_common_velocity {
+            notes.push("nothing to compare with: no push brings the vehicles to a common velocity".to_owned());
+        }
+        let can_be_asked = impact.is_some() && has_common_velocity && case.collision.restitution < 1.0;
         let assumptions = can_be_asked.then(|| Assumptions::from_crush_energy(&case.collision, energy)).flatten();
         Ok(Comparison { pair, estimate, separation, assumptions, notes })
     }

@@ -89,7 +89,8 @@ pub struct Assumptions<T = f64> {
 impl<T: Real> Assumptions<T> {
     /// Of a collision. None with a moment impulse, which CRASH3 knows nothing of.
     ///
-    /// Without a loss on the normal, at e = 1, there is nothing to start from, and the results are not finite.
+    /// Without a loss on the normal, at e = 1, there is nothing to start from, and the results are not finite. Nor are those with common velocity where the
+    /// impulse that ends sliding would pull.
     ///
     /// ```
     /// # use planar_impact::*;
