@@ -240,6 +240,30 @@ proptest! {
     }
 
     #[test]
+    fn a_border_on_a_station_counts_once(draw in profile(), one in stiffness(), two in stiffness(), place in 0..7_usize) {
+        // The derivatives by a border that lies on a station, and by that station, are those of a border beside it.
+        let place = place % draw.depths.len();
+        let energy = |border: Dual64, station: f64| {
+            let mut stations = draw.stations::<Dual64>();
+            stations[place].eps = station;
+            let profile = Profile::at_stations(stations, draw.depths()).expect("as many stations as depths");
+            StiffnessZones::new(vec![line(one), line(two)], vec![border]).expect("two zones").crush_energy(&profile)
+        };
+        let on = draw.stations::<f64>()[place];
+        // Before the first station and from the last one on a border moves nothing: the derivative there is that of one side.
+        let inner = place > 0 && place + 1 < draw.depths.len();
+        let by_border = [on - 1e-9, on, on + 1e-9].map(|border| energy(Dual64::new(border, 1.0), 0.0));
+        let by_station = [on - 1e-9, on, on + 1e-9].map(|border| energy(Dual64::from(border), 1.0));
+        let jump = (by_border[0].eps - by_border[2].eps).abs() + (by_station[0].eps - by_station[2].eps).abs();
+        let bound = 1e-6 * (1.0 + by_border[1].re.abs());
+        prop_assert!(!inner || jump <= bound, "{:?} {:?}", by_border, by_station);
+        for [before, at, after] in [by_border, by_station] {
+            let (low, high) = (before.eps.min(after.eps) - bound, before.eps.max(after.eps) + bound);
+            prop_assert!((low..=high).contains(&at.eps), "{:?} {:?}", by_border, by_station);
+        }
+    }
+
+    #[test]
     fn a_border_moves_energy_from_one_zone_to_the_other(draw in profile(), one in stiffness(), two in stiffness(), share in 1..=8_i32) {
         // dE/dx of a border at x is the difference of the energies per width there.
         let (first, width) = (f64::from(draw.origin) / 10.0, draw.of::<f64>().width());

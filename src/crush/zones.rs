@@ -87,26 +87,28 @@ impl<T: Ordered> StiffnessZones<T> {
         (0..self.zones.len()).map(move |zone| {
             let ends = stations.windows(2).zip(profile.depths().windows(2));
             ends.fold(ProfileMoments::zero(), |sum, (at, depth)| {
-                let from = self.borders.get(zone.wrapping_sub(1)).map_or(at[0].clone(), |border| larger(border, &at[0]));
-                let to = self.borders.get(zone).map_or(at[1].clone(), |border| smaller(border, &at[1]));
+                let (begin, end) = (at[0].clone(), at[1].clone());
+                let (mut from, mut to) = (begin.clone(), end.clone());
+                // A border belongs to the part that begins at it: where it lies on a station it moves that part, and not the one before as well.
+                if let Some(border) = zone.checked_sub(1).and_then(|before| self.borders.get(before)) {
+                    let inside = T::select(border.less(&end), border.clone(), end.clone());
+                    from = T::select(border.less(&begin), from, inside);
+                }
+                if let Some(border) = self.borders.get(zone) {
+                    let inside = T::select(border.less(&begin), begin.clone(), border.clone());
+                    to = T::select(border.less(&end), inside, to);
+                }
                 let depth_at = |station: &T| {
-                    let share = (station.clone() - at[0].clone()) / (at[1].clone() - at[0].clone());
+                    let share = (station.clone() - begin.clone()) / (end.clone() - begin.clone());
                     depth[0].clone() + (depth[1].clone() - depth[0].clone()) * share
                 };
-                // A zone that does not reach this part has no width in it.
-                let width = larger(&(to.clone() - from.clone()), &T::int(0));
+                // Borders out of order leave nothing between them.
+                let width = to.clone() - from.clone();
+                let width = T::select(width.less(&T::int(0)), T::int(0), width);
                 sum + ProfileMoments::of_segment(width, depth_at(&from), depth_at(&to))
             })
         })
     }
-}
-
-fn larger<T: Ordered>(one: &T, two: &T) -> T {
-    T::select(one.less(two), two.clone(), one.clone())
-}
-
-fn smaller<T: Ordered>(one: &T, two: &T) -> T {
-    T::select(two.less(one), two.clone(), one.clone())
 }
 
 #[cfg(test)]
