@@ -12,7 +12,7 @@ use std::path::Path;
 
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals, Xy};
 
-pub use answers::{Answer, Answers, Crash3Answers, CrushAnswers};
+pub use answers::{Answer, Answers, Crash3Answers, Crash3Key, CrushAnswers};
 pub use crush::Crush;
 #[cfg(test)]
 pub use crush::CrushKey;

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::Done;
 use crate::arguments::{Format, Gradient as Call};
-use crate::case::{Answer, Answers, Case, Parameter};
+use crate::case::{Answer, Answers, Case, Crash3Key, Parameter};
 use crate::derivative;
 use crate::document::{Problem, Problems};
 use crate::exit::Failure;
@@ -98,7 +98,7 @@ impl Gradient {
         for &parameter in &choice.parameters {
             let by = derivative::by(&case.inputs, parameter);
             for row in &mut rows {
-                row.first.push(row.defined(by.get(row.answer).map(|dual| dual.eps)));
+                row.first.push(row.defined(&[parameter], by.get(row.answer).map(|dual| dual.eps)));
             }
         }
         if choice.second {
@@ -108,7 +108,7 @@ impl Gradient {
                 for (j, &two) in choice.parameters.iter().enumerate().skip(i) {
                     let by = derivative::by_both(&case.inputs, one, two);
                     for row in &mut rows {
-                        let value = row.defined(by.get(row.answer).map(|dual| dual.eps1eps2));
+                        let value = row.defined(&[one, two], by.get(row.answer).map(|dual| dual.eps1eps2));
                         (row.second[i][j], row.second[j][i]) = (value, value);
                     }
                 }
@@ -119,9 +119,10 @@ impl Gradient {
 }
 
 impl Row {
-    /// A root has no derivative at zero.
-    fn defined(&self, derivative: Option<f64>) -> f64 {
-        let at_corner = matches!(self.answer, Answer::EquivalentEnergySpeed(_)) && self.value == 0.0;
+    /// A root has no derivative at zero: speeds of a crush energy have none by what the energy is made of, and do not move by the rest.
+    fn defined(&self, by: &[Parameter], derivative: Option<f64>) -> f64 {
+        let is_root = matches!(self.answer, Answer::EquivalentEnergySpeed(_) | Answer::Crash3(_, Crash3Key::DeltaVMagnitude));
+        let at_corner = is_root && self.value == 0.0 && by.iter().any(|parameter| matches!(parameter, Parameter::Crush(..)));
         derivative.filter(|_| !at_corner).map_or(f64::NAN, plain)
     }
 }

@@ -194,9 +194,10 @@ fn bounds(admissible: &Admissible, ratio: &dyn Fn(f64) -> String) -> String {
     )
 }
 
-/// Without line breaks and escapes, which must not reach the terminal.
+/// Without line breaks, escapes and changes of direction, which must not reach the terminal.
 pub fn clean(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    let turns = |c: char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    text.chars().map(|c| if c.is_control() || turns(c) { ' ' } else { c }).collect()
 }
 
 /// A name of at most so many columns, which leaves room for the table.
@@ -224,6 +225,7 @@ mod tests {
         assert_eq!(shorten("sedan", 18), "sedan");
         assert_eq!(shorten("a sedan of a very long name", 18), "a sedan of a very…");
         assert_eq!(shorten("\u{1b}[31mred", 18), " [31mred");
+        assert_eq!(shorten("a\u{202e}b\u{2028}c", 18), "a b c");
         assert!(shorten(&"漢".repeat(20), 18).width() <= 18);
     }
 }

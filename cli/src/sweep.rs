@@ -12,7 +12,7 @@ use planar_impact::{Output, Refusals};
 
 use crate::Done;
 use crate::arguments::{Sweep as Call, SweepFormat};
-use crate::case::{Answer, Case};
+use crate::case::{Answer, Case, Crush};
 use crate::document::{Problem, Problems};
 use crate::exit::Failure;
 use crate::names;
@@ -108,7 +108,12 @@ impl<'a> Sweep<'a> {
                 return Err(Failure::Interrupted);
             }
             let values: Vec<_> = sweep.at(at).map(|(range, i)| (range.parameter, range.si[i])).collect();
-            let point = case.inputs.set_all(&values).as_given().solve();
+            let setup = case.inputs.set_all(&values).as_given();
+            let unfit = setup.crush.iter().flatten().find_map(Crush::unfit);
+            let point = match unfit {
+                Some(reason) => Err(Refused { short: "no crush", reason }),
+                None => setup.solve().map_err(|refusals| Refused::of(&refusals, units)),
+            };
             if let Ok(found) = &point {
                 for (scale, answer) in sweep.scales.iter_mut().zip(&sweep.answers) {
                     *scale = scale.max(found.scale(answer.measure()));
@@ -117,7 +122,7 @@ impl<'a> Sweep<'a> {
             let numbers = |found: &crate::case::Answers| {
                 sweep.answers.iter().map(|&answer| crate::named::plain(found.get(answer).unwrap_or(f64::NAN))).collect()
             };
-            sweep.points.push(point.as_ref().map(numbers).map_err(|refusals| Refused::of(refusals, units)));
+            sweep.points.push(point.as_ref().map(numbers).map_err(Clone::clone));
         }
         Ok(sweep)
     }

@@ -193,6 +193,17 @@ impl CrushInputs {
     }
 }
 
+impl Crush {
+    /// Why it is the crush of no vehicle; none if it can be one. A file that says so is refused; a sweep can come to it.
+    pub fn unfit(&self) -> Option<String> {
+        let errors = self.profile.clone().checked().err().unwrap_or_default();
+        let borders = self.zones.borders().windows(2).filter(|pair| pair[1] <= pair[0]);
+        let borders = borders.map(|pair| format!("a zone ends at {} m, not beyond the one before, at {} m", pair[1], pair[0]));
+        let all: Vec<String> = errors.iter().map(ToString::to_string).chain(borders).collect();
+        (!all.is_empty()).then(|| all.join("; "))
+    }
+}
+
 impl<T: Real> Crush<T> {
     /// The crush energy.
     pub fn energy(&self) -> T {

@@ -176,6 +176,58 @@ fn what_crash3_says_has_derivatives_by_name() {
 }
 
 #[test]
+fn a_sweep_says_where_there_is_no_crush() {
+    let case = example("stiff-corner.toml");
+    let sweep =
+        |vary: &str| json(&run_with_input(&["sweep", "-", "--vary", vary, "--of", "vehicle.1.crush_energy", "--format", "json"], &case));
+    for (vary, words) in [
+        ("vehicle.1.crush.stations.2=-0.5 m:0.7 m:0.4 m", "does not lie beyond station 2"),
+        ("vehicle.1.crush.measured.offset=0 m:0.2 m:0.05 m", "must not be below zero"),
+    ] {
+        let document = sweep(vary);
+        let energies = document["of"]["vehicle.1.crush_energy"].as_array().expect("energies");
+        let reasons = document["refused"].as_array().expect("reasons");
+        assert!(energies[0].is_f64() && reasons[0].is_null(), "{document}");
+        let last = energies.len() - 1;
+        assert!(energies[last].is_null() && reasons[last].as_str().is_some_and(|reason| reason.contains(words)), "{document}");
+    }
+    let third = case.replace("{ to = \"40 cm\"", "{ to = \"10 cm\", d0 = 90, d1 = 900 },\n  { to = \"40 cm\"");
+    let vary =
+        ["sweep", "-", "--vary", "vehicle.1.crush.zones.1.to=0.1 m:0.5 m:0.2 m", "--of", "vehicle.1.crush_energy", "--format", "json"];
+    let reasons = json(&run_with_input(&vary, &third))["refused"].clone();
+    assert!(reasons[1].is_null() && reasons[2].as_str().is_some_and(|reason| reason.contains("a zone ends at 0.4 m")), "{reasons}");
+}
+
+#[test]
+fn speeds_of_no_energy_have_no_derivatives_by_what_it_is_made_of() {
+    let case = example("cavalier-crush.toml").replace("\"0.5203 ft\", \"0.5203 ft\"", "0, 0").replace("48.27", "0");
+    let of = "vehicle.1.crash3.delta_v_magnitude,vehicle.1.equivalent_energy_speed,vehicle.1.crush_energy";
+    let wrt = "vehicle.1.crush.d0,vehicle.1.crush.depths.1,vehicle.1.mass";
+    let gradient = json(&run_with_input(&["gradient", "-", "--of", of, "--wrt", wrt, "--format", "json"], &case));
+    for output in of.split(',').take(2) {
+        let d = &gradient["of"][output]["d"];
+        let expected = serde_json::json!({ "vehicle.1.crush.d0": null, "vehicle.1.crush.depths.1": null, "vehicle.1.mass": 0.0 });
+        assert_eq!((&gradient["of"][output]["value"], d), (&serde_json::json!(0.0), &expected), "{output}");
+    }
+    assert_eq!(gradient["of"]["vehicle.1.crush_energy"]["d"]["vehicle.1.crush.d0"], 0.0);
+    let crash3 = run_with_input(&["crash3", "-"], &case);
+    assert!(crash3.status == 0 && !crash3.out.contains("NaN"), "{}", crash3.out);
+    let document = json(&run_with_input(&["crash3", "-", "--format", "json"], &case));
+    assert_eq!(document["planar"]["together"]["delta_v_magnitude"], serde_json::json!([0.0, 0.0]));
+}
+
+#[test]
+fn forces_that_are_not_opposite_are_noted() {
+    let case = example("stiff-corner.toml");
+    let notes = |case: &str| json(&run_with_input(&["crash3", "-", "--format", "json"], case))["notes"].to_string();
+    assert!(!notes(&case).contains("opposite"));
+    let crossed = case.replace("surface = \"front\"", "surface = \"front\"\npdof = \"40 deg\"");
+    assert!(notes(&crossed).contains("from being opposite"), "{}", notes(&crossed));
+    let elastic = case.replace("restitution = 0.08", "restitution = 1");
+    assert!(notes(&elastic).contains("at e = 1"), "{}", notes(&elastic));
+}
+
+#[test]
 fn what_the_file_gives_is_taken() {
     let case = example("cavalier-crush.toml");
     let with = |keys: &str| {

@@ -10,6 +10,11 @@ use crate::quantity::Kind;
 
 /// A depth beyond which a file deserves a second look: the front of a car is about a meter long.
 const DEEP: f64 = 2.0;
+/// A width that does: a bus has twelve meters of side, and a lamp post a decimeter.
+const WIDE: f64 = 15.0;
+const NARROW: f64 = 0.01;
+/// The most zones: what is measured has a few, and each takes part in every depth.
+const MOST_ZONES: usize = 32;
 
 impl Given {
     pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
@@ -89,6 +94,10 @@ impl Given {
             if deepest > DEEP {
                 notes.push(format!("{path}.depths: {deepest} m is deeper than the structure of a car; check the unit"));
             }
+            let width = profile.width();
+            if !(NARROW..=WIDE).contains(&width) {
+                notes.push(format!("{path}: a width of {width:.3e} m is not that of a crush; check the unit"));
+            }
             if deepest == 0.0 {
                 notes.push(format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
             }
@@ -149,6 +158,10 @@ impl Given {
         let tables = field.array_of_tables()?;
         if tables.is_empty() {
             place.report("no zone: a stiffness, or one for each zone", None);
+            return None;
+        }
+        if tables.len() > MOST_ZONES {
+            place.report(format!("{} zones are more than the {MOST_ZONES} that are taken", tables.len()), None);
             return None;
         }
         let last = tables.len() - 1;

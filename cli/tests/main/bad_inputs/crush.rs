@@ -144,11 +144,26 @@ fn what_is_missing_is_named_with_the_verb_that_needs_it() {
 }
 
 #[test]
+fn more_zones_than_anybody_measures_are_refused() {
+    let folder = Folder::new();
+    for (count, status) in [(32, 0), (33, 2)] {
+        let zones: Vec<String> = (1..count).map(|i| format!("{{ to = {i}, d0 = 1, d1 = 2 }}")).collect();
+        let zones = format!("[{}, {{ d0 = 1, d1 = 2 }}]", zones.join(", "));
+        folder.write("case.toml", CRUSHED.replacen(D0_D1, &zones, 1).as_bytes());
+        let run = Run::of(planar_impact(folder.path()).args(["crush", "case.toml"]).output().expect("the program starts"));
+        assert_eq!(run.status, status, "{count}: {}", run.err);
+        assert!(status == 0 || run.err.contains("vehicle.2.crush.stiffness") && run.err.contains("33 zones"), "{}", run.err);
+    }
+}
+
+#[test]
 fn what_is_unusual_is_noted() {
     let folder = Folder::new();
     for (edits, words) in [
         ((DEPTHS, "depths = [12.5, 10]"), "12.5 m is deeper than the structure of a car"),
         ((DEPTHS, "depths = [0, 0]"), "from d0 alone"),
+        (("width = \"5 ft\"", "width = \"5 mm\""), "is not that of a crush"),
+        (("width = \"5 ft\"", "width = \"60 ft\""), "is not that of a crush"),
         ((D0_D1, "[{ to = 9, d0 = 1, d1 = 2 }, { d0 = 1, d1 = 2 }]"), "lies outside the crush"),
         ((DEPTHS, "depths = [0.5, 0.25]"), "has no unit"),
     ] {
