@@ -33,7 +33,8 @@
 //! };
 //! let series = [test(16.6537, 0.18, 0.1062), test(29.3669, 0.13, 0.5203), test(36.858, 0.12, 1.0768)];
 //! let fit = StiffnessFit::on_mean_depth(&Observations::of_tests(&[series])?)?;
-//! // The pair of Table B2, from NHTSA's tests, is 48.27 √lbf and 162.8 √lbf/ft: this car takes more energy at first, and gains less with depth.
+//! // The pair of Table B2, from NHTSA's tests, is 48.27 √lbf and 162.8 √lbf/ft: this car takes more energy at first, by 2.7 standard
+//! // deviations; its slope does not differ significantly, by 1.3.
 //! assert_eq!(format!("{:.1} ± {:.1}", fit.stiffness.onset, fit.onset().deviation()), "62.7 ± 5.3");
 //! assert_eq!(format!("{:.1} ± {:.1}", fit.stiffness.slope, fit.slope().deviation()), "152.8 ± 7.5");
 //! // Its energy at a depth of 1 ft, in ft lb.

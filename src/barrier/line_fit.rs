@@ -26,7 +26,7 @@ pub(super) fn ready<T: Ordered<Mask = bool>>(observations: &Observations<T>) -> 
     if !others.iter().any(differs) {
         return Err(Problem::OneDepth { depth: first.clone() }.into());
     }
-    Weight::of(&observations.covariance)
+    Weight::of(&observations.covariance, |i| observations.points[i].place)
 }
 
 /// The weighted line through the mean depths, and its covariance.

@@ -53,6 +53,8 @@ pub struct Observations<T = f64> {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Point<T> {
+    /// Where the input has it.
+    pub place: Place,
     pub crush: ProfileMoments<T>,
     pub intensity: T,
 }
@@ -72,7 +74,12 @@ impl<T: Ordered<Mask = bool>> Observations<T> {
             findings.positive(place.named("deviation"), &observation.deviation);
         }
         findings.done()?;
-        let points = observations.iter().map(|o| Point { crush: o.crush.clone(), intensity: o.intensity.clone() }).collect();
+        let point = |(i, observation): (usize, &Observation<T>)| Point {
+            place: Place::of("observation").at(i),
+            crush: observation.crush.clone(),
+            intensity: observation.intensity.clone(),
+        };
+        let points = observations.iter().enumerate().map(point).collect();
         let row = |(i, observation): (usize, &Observation<T>)| {
             let mut row = alloc::vec![T::int(0); i];
             row.push(observation.deviation.clone().squared());
@@ -117,7 +124,9 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
         }
         findings.done()?;
         let mut observations = Observations { points: Vec::new(), covariance: Vec::new() };
-        vehicles.iter().for_each(|tests| observations.add_vehicle(tests.as_ref()));
+        for (series, tests) in vehicles.iter().enumerate() {
+            observations.add_vehicle(tests.as_ref(), Place::of("test").in_series(series));
+        }
         observations.check_deviations()?;
         Ok(observations)
     }
@@ -151,12 +160,12 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
         Self::independent(&series.iter().map(observe).collect::<Vec<_>>())
     }
 
-    fn add_vehicle(&mut self, tests: &[MeasuredTest<T>]) {
+    fn add_vehicle(&mut self, tests: &[MeasuredTest<T>], place: Place) {
         let first = self.points.len();
         let (mut energy, mut energy_variance) = (T::int(0), T::int(0));
         // w E* of each test so far, and the variance of the energy by then.
         let mut before: Vec<(T, T)> = Vec::new();
-        for measured in tests {
+        for (i, measured) in tests.iter().enumerate() {
             let test = &measured.test;
             energy = energy + test.crush_energy();
             energy_variance = energy_variance + measured.energy_variance();
@@ -165,7 +174,7 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
             let mut row = alloc::vec![T::int(0); first];
             row.extend(before.iter().map(|(other, shared)| shared.clone() / (other.clone() * lever.clone())));
             row.push(energy_variance.clone() / lever.clone().squared() + measured.scatter.clone().squared());
-            self.points.push(Point { crush: test.crush.clone(), intensity });
+            self.points.push(Point { place: place.at(i), crush: test.crush.clone(), intensity });
             self.covariance.push(row);
             before.push((lever, energy_variance.clone()));
         }
@@ -173,9 +182,9 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
 
     fn check_deviations(&self) -> Result<(), Problems<T>> {
         let mut findings = Findings::none();
-        for (i, row) in self.covariance.iter().enumerate() {
+        for (point, row) in self.points.iter().zip(&self.covariance) {
             if let Some(variance) = row.last() {
-                findings.positive(Place::of("variance").at(i), variance);
+                findings.positive(point.place.named("variance"), variance);
             }
         }
         findings.done()
@@ -194,6 +203,7 @@ impl<T: crate::scalar::Field> MeasuredTest<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::vec;
     use approx::assert_relative_eq;
 
     fn measured(speed: f64, depth: f64) -> MeasuredTest {
@@ -261,7 +271,7 @@ mod tests {
         let problems = Observations::of_tests(&[[elastic]]).expect_err("no energy");
         assert_eq!(problems.all(), [Problem::NotPositive { place: Place::of("crush energy").in_series(0).at(0), value: 0.0 }]);
         let certain = MeasuredTest { speed_deviation: 0.0, ..measured(3.0, 0.1) };
-        let problems = Observations::of_tests(&[[certain]]).expect_err("no deviation");
-        assert_eq!(problems.all(), [Problem::NotPositive { place: Place::of("variance").at(0), value: 0.0 }]);
+        let problems = Observations::of_tests(&[vec![measured(3.0, 0.1); 2], vec![certain]]).expect_err("no deviation");
+        assert_eq!(problems.all(), [Problem::NotPositive { place: Place::of("variance").in_series(1).at(0), value: 0.0 }]);
     }
 }

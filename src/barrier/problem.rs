@@ -130,6 +130,51 @@ impl<T> Problems<T> {
     pub fn all(&self) -> &[Problem<T>] {
         &self.0
     }
+
+    /// The same problems of a test that stands in a list: in which series and at which place, both counted from zero. What has a place already keeps it.
+    ///
+    /// ```
+    /// use planar_impact::barrier::BarrierTest;
+    /// use planar_impact::crush::ProfileMoments;
+    /// let crush = ProfileMoments::of(1.5, &[0.3, 0.5]).unwrap();
+    /// let problems = BarrierTest { mass: -1.0, speed: 15.6, restitution: 0.0, crush }.stiffness(2.0).unwrap_err();
+    /// assert_eq!(problems.of_test(2, 0).to_string(), "mass[2][0] is -1; it must be above zero");
+    /// ```
+    #[must_use]
+    pub fn of_test(mut self, series: usize, index: usize) -> Self {
+        for place in self.0.iter_mut().filter_map(Problem::place_mut) {
+            place.series.get_or_insert(series);
+            place.index.get_or_insert(index);
+        }
+        self
+    }
+}
+
+impl<T> Problem<T> {
+    /// Where the input has what is wrong, if the problem is one of a place.
+    pub fn place(&self) -> Option<&Place> {
+        match self {
+            Problem::NotFinite { place, .. }
+            | Problem::NotPositive { place, .. }
+            | Problem::OutOfRange { place, .. }
+            | Problem::NotAlike { place, .. }
+            | Problem::OutOfOrder { place, .. }
+            | Problem::ImpossibleProfile { place, .. } => Some(place),
+            _ => None,
+        }
+    }
+
+    fn place_mut(&mut self) -> Option<&mut Place> {
+        match self {
+            Problem::NotFinite { place, .. }
+            | Problem::NotPositive { place, .. }
+            | Problem::OutOfRange { place, .. }
+            | Problem::NotAlike { place, .. }
+            | Problem::OutOfOrder { place, .. }
+            | Problem::ImpossibleProfile { place, .. } => Some(place),
+            _ => None,
+        }
+    }
 }
 
 impl<T> From<Problem<T>> for Problems<T> {

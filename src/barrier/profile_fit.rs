@@ -137,7 +137,7 @@ mod tests {
         };
         let observations = [observe([0.1, 0.3, 0.0], 4.0), observe([0.5, 0.2, 0.4], 3.0), observe([0.9, 0.1, 0.8], 9.0)];
         let observations = Observations::independent(&observations).expect("good numbers");
-        let weight = Weight::of(&observations.covariance).expect("positive");
+        let weight = Weight::of(&observations.covariance, |i| observations.points[i].place).expect("positive");
         let at = |onset, slope| Local::at(&observations, &weight, &CrushStiffness { onset, slope }).expect("some energy");
         let half_chi_square = |onset: f64, slope: f64| {
             let stiffness = CrushStiffness { onset, slope };

@@ -23,7 +23,8 @@ pub struct BarrierTest<T = f64> {
 impl<T: Field> BarrierTest<T> {
     /// The energy that the crush of this test keeps, E_C = ½ m (1 − e²) v_n², in J.
     ///
-    /// The rebound takes e² of the energy away again, so it is no crush energy. On a vehicle that was tested before, this is what the test added.
+    /// The rebound takes e² of the energy away again, so it is no crush energy. All the normal motion is stopped only if the impact center lies on the normal
+    /// through the center of mass: with an offset part of the energy goes into yaw, and this is more than the crush keeps. On a vehicle that was tested before, this is what the test added.
     pub fn crush_energy(&self) -> T {
         (self.mass.clone() * (T::int(1) - self.restitution.clone().squared()) * self.speed.clone().squared()).half()
     }

@@ -13,8 +13,8 @@ pub(super) struct Weight<T> {
 }
 
 impl<T: Ordered<Mask = bool>> Weight<T> {
-    /// Of the rows of a covariance, each up to its diagonal.
-    pub fn of(covariance: &[Vec<T>]) -> Result<Self, Problems<T>> {
+    /// Of the rows of a covariance, each up to its diagonal, and where the input has them.
+    pub fn of(covariance: &[Vec<T>], place: impl Fn(usize) -> Place) -> Result<Self, Problems<T>> {
         let mut weight = Weight { lower: Vec::new(), pivots: Vec::<T>::new() };
         for (i, row) in covariance.iter().enumerate() {
             // L D of this row, then L.
@@ -26,7 +26,7 @@ impl<T: Ordered<Mask = bool>> Weight<T> {
             let lower: Vec<T> = scaled.iter().zip(&weight.pivots).map(|(s, d)| s.clone() / d.clone()).collect();
             let pivot = row[i].clone() - dot(&scaled, &lower);
             if !is_positive(&pivot) {
-                return Err(Problem::NotPositive { place: Place::of("pivot of the covariance").at(i), value: pivot }.into());
+                return Err(Problem::NotPositive { place: place(i).named("pivot of the covariance"), value: pivot }.into());
             }
             weight.lower.push(lower);
             weight.pivots.push(pivot);
@@ -66,10 +66,14 @@ mod tests {
     use super::*;
     use alloc::vec;
 
+    fn row(i: usize) -> Place {
+        Place::of("row").at(i)
+    }
+
     #[test]
     fn the_inverse_undoes_the_covariance() {
         // By hand: [[4, 2, −2], [2, 10, 2], [−2, 2, 6]] (1, −2, 3)ᵀ = (−6, −12, 12).
-        let weight = Weight::of(&[vec![4.0], vec![2.0, 10.0], vec![-2.0, 2.0, 6.0]]).expect("positive definite");
+        let weight = Weight::of(&[vec![4.0], vec![2.0, 10.0], vec![-2.0, 2.0, 6.0]], row).expect("positive definite");
         for (got, expected) in weight.times(&[-6.0, -12.0, 12.0]).into_iter().zip([1.0, -2.0, 3.0]) {
             approx::assert_relative_eq!(got, expected, max_relative = 1e-14);
         }
@@ -77,7 +81,7 @@ mod tests {
 
     #[test]
     fn what_is_no_covariance_is_refused() {
-        assert!(Weight::of(&[vec![1.0], vec![2.0, 1.0]]).is_err());
-        assert!(Weight::of(&[vec![f64::NAN]]).is_err());
+        assert!(Weight::of(&[vec![1.0], vec![2.0, 1.0]], row).is_err());
+        assert!(Weight::of(&[vec![f64::NAN]], row).is_err());
     }
 }
