@@ -43,6 +43,8 @@ struct Findings {
     tests: Vec<Found>,
     /// The fit on mean depths and that on the profiles; none of one test.
     fits: Vec<StiffnessFit>,
+    /// What the file leaves to be said, and why there is no fit of several tests.
+    notes: Vec<String>,
 }
 
 /// What one test tells.
@@ -66,31 +68,52 @@ struct Alone {
 }
 
 impl Findings {
-    fn of(file: &TestFile) -> Result<Self, AllWrong> {
+    fn of(file: &TestFile) -> Result<Self, Vec<Wrong>> {
         let series: Vec<&[MeasuredTest]> = file.vehicles.iter().map(|vehicle| vehicle.tests.as_slice()).collect();
         let count: usize = series.iter().map(|tests| tests.len()).sum();
-        let observations = Observations::of_tests(&series)?;
-        let mut tests = Vec::with_capacity(count);
+        let all = |wrong: AllWrong| wrong.all().to_vec();
+        let observations = Observations::of_tests(&series).map_err(all)?;
+        let (mut tests, mut problems) = (Vec::with_capacity(count), Vec::new());
         for (vehicle, measured) in series.iter().enumerate() {
-            let series = TestSeries::new(measured.iter().map(|measured| measured.test).collect::<Vec<_>>())?;
+            let series = TestSeries::new(measured.iter().map(|measured| measured.test).collect::<Vec<_>>()).map_err(all)?;
             let numbers = series.crush_energies().into_iter().zip(series.equivalent_energy_speeds());
             for (i, (&test, (crush_energy, equivalent_energy_speed))) in series.tests().iter().zip(numbers).enumerate() {
-                let alone = match file.onset {
-                    Some(onset) if i == 0 => Some(Alone { line: test.speed_line(onset)?, exact: test.stiffness(onset)? }),
-                    _ => None,
-                };
+                let alone = file.onset.filter(|_| i == 0).map(|onset| Alone::of(&test, onset).map_err(|wrong| wrong.of_test(vehicle, i)));
+                let alone = alone.transpose().unwrap_or_else(|wrong| {
+                    problems.extend(all(wrong));
+                    None
+                });
                 tests.push(Found { vehicle, test, crush_energy, equivalent_energy_speed, alone });
             }
         }
-        let fits = if count < 2 {
-            Vec::new()
-        } else {
-            let fits = vec![StiffnessFit::on_mean_depth(&observations)?, StiffnessFit::on_profiles(&observations)?];
+        let mut notes = file.notes.clone();
+        let fits = match fits(&observations) {
+            _ if count < 2 => Vec::new(),
             // Without standard deviations the tests weigh alike, and the residuals alone tell the scatter.
-            if file.has_deviations { fits } else { fits.iter().map(|fit| fit.rescaled().unwrap_or_else(|| fit.clone())).collect() }
+            Ok(fits) if !file.has_deviations => fits.iter().map(|fit| fit.rescaled().unwrap_or_else(|| fit.clone())).collect(),
+            Ok(fits) => fits,
+            Err(wrong) if file.onset.is_some() && matches!(wrong.all(), [Wrong::OneDepth { .. }]) => {
+                notes.push("all tests have the same mean depth: no line can be fitted through them".to_owned());
+                Vec::new()
+            }
+            Err(wrong) => {
+                problems.extend(all(wrong));
+                Vec::new()
+            }
         };
-        Ok(Findings { tests, fits })
+        if problems.is_empty() { Ok(Findings { tests, fits, notes }) } else { Err(problems) }
     }
+}
+
+impl Alone {
+    fn of(test: &BarrierTest, onset: f64) -> Result<Self, AllWrong> {
+        Ok(Alone { line: test.speed_line(onset)?, exact: test.stiffness(onset)? })
+    }
+}
+
+/// On mean depths and on the profiles.
+fn fits(observations: &Observations) -> Result<Vec<StiffnessFit>, AllWrong> {
+    Ok(vec![StiffnessFit::on_mean_depth(observations)?, StiffnessFit::on_profiles(observations)?])
 }
 
 /// What a fit expects of the crush energy at the depth that the file asks for.
@@ -104,32 +127,39 @@ fn is_uncertain(file: &TestFile, fit: &StiffnessFit) -> bool {
 }
 
 /// What the library refuses, each at its place in the file.
-fn place(document: &Document, wrong: &AllWrong) -> Vec<crate::document::Problem> {
+fn place(document: &Document, wrong: &[Wrong]) -> Vec<crate::document::Problem> {
     let problem = |wrong: &Wrong| {
-        let (place, help) = match wrong {
-            Wrong::NotFinite { place, .. }
-            | Wrong::NotPositive { place, .. }
-            | Wrong::OutOfRange { place, .. }
-            | Wrong::NotAlike { place, .. }
-            | Wrong::ImpossibleProfile { place, .. } => (Some(place), None),
-            Wrong::OutOfOrder { place, .. } => (Some(place), Some("list the tests of one vehicle in their order, each with all its crush")),
-            Wrong::OnsetTooFast { .. } => return document.problem("fit.onset", wrong.to_string(), None),
-            Wrong::OneDepth { .. } | Wrong::TooFew { .. } => (None, Some("or assume an onset: onset = \"2 m/s\" under [fit]")),
-            _ => (None, None),
+        let help = match wrong {
+            Wrong::OutOfOrder { .. } => Some("list the tests of one vehicle in their order, each with all its crush"),
+            Wrong::OneDepth { .. } | Wrong::TooFew { .. } => Some("or assume an onset: onset = \"2 m/s\" under [fit]"),
+            Wrong::NotPositive { place, .. } if ["variance", "pivot of the covariance"].contains(&place.name) => {
+                Some("the standard deviations leave no doubt of E*: give a scatter above zero")
+            }
+            _ => None,
         };
-        let key = place.map_or("vehicle".to_owned(), |place| {
-            let vehicle = format!("vehicle.{}", place.series.unwrap_or(0) + 1);
-            let test = place.index.map_or(String::new(), |index| format!(".test.{}", index + 1));
-            let key = match place.name {
-                "mass" | "speed" | "restitution" | "width" | "scatter" => format!(".{}", place.name),
-                "speed_deviation" => ".speed_sd".to_owned(),
-                "restitution_deviation" => ".restitution_sd".to_owned(),
-                "mean depth" => ".depths".to_owned(),
-                _ => String::new(),
-            };
-            format!("{vehicle}{test}{key}")
-        });
-        document.problem(&key, wrong.to_string(), help.map(str::to_owned))
+        // The key says where it is, counted from one.
+        let said = wrong.place().map_or_else(|| wrong.to_string(), |place| wrong.to_string().replacen(&place.to_string(), place.name, 1));
+        document.problem(&key(wrong), said, help.map(str::to_owned))
     };
-    wrong.all().iter().map(problem).collect()
+    wrong.iter().map(problem).collect()
+}
+
+/// The key of the file that a problem is about.
+fn key(wrong: &Wrong) -> String {
+    let place = match (wrong, wrong.place()) {
+        (Wrong::OnsetTooFast { .. }, _) => return "fit.onset".to_owned(),
+        (_, Some(place)) => place,
+        (_, None) => return "vehicle".to_owned(),
+    };
+    let (Some(series), Some(index)) = (place.series, place.index) else {
+        return "vehicle".to_owned();
+    };
+    let key = match place.name {
+        "mass" | "speed" | "restitution" | "width" | "scatter" => format!(".{}", place.name),
+        "speed_deviation" => ".speed_sd".to_owned(),
+        "restitution_deviation" => ".restitution_sd".to_owned(),
+        "mean depth" => ".depths".to_owned(),
+        _ => String::new(),
+    };
+    format!("vehicle.{}.test.{}{key}", series + 1, index + 1)
 }

@@ -140,6 +140,8 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   depth = "0.4 m"                    # where to say how uncertain E_C is
   width = "1.5 m"
 Without any standard deviation the tests weigh alike, and the residuals tell the scatter.
+The energy of a test is 1/2 m (1 - e^2) v^2: the normal through the impact center has to meet
+the center of mass. With an offset, part of the energy goes into yaw.
 
 Examples:
   planar-impact stiffness cli/examples/tests/struble-welsh.toml

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::given::TestFile;
 use super::{Alone, Findings, Found, is_uncertain, predicted};
 use crate::named::plain;
+use crate::units::{Measure, Units};
 
 #[derive(Serialize)]
 pub struct Document<'a> {
@@ -93,7 +94,7 @@ struct Predicted {
 }
 
 impl<'a> Document<'a> {
-    pub fn of(file: &'a TestFile, findings: &Findings) -> Self {
+    pub fn of(file: &'a TestFile, findings: &'a Findings) -> Self {
         let test = |found: &Found| Test {
             vehicle: &file.vehicles[found.vehicle].name,
             mean_depth: plain(found.test.crush.mean_depth()),
@@ -108,7 +109,7 @@ impl<'a> Document<'a> {
             title: &file.title,
             tests: findings.tests.iter().map(test).collect(),
             fits: findings.fits.iter().map(|fit| Fit::of(file, fit)).collect(),
-            notes: &file.notes,
+            notes: &findings.notes,
         }
     }
 }
@@ -157,7 +158,7 @@ impl Fit {
             residuals: fit.residuals.iter().map(residual).collect(),
             covariance: uncertain.then(covariance),
             prediction,
-            findings: fit.findings().iter().map(said).collect(),
+            findings: fit.findings().iter().map(|finding| said(finding, Units::Si)).collect(),
         }
     }
 }
@@ -178,12 +179,11 @@ pub fn basis(basis: CovarianceBasis) -> &'static str {
     }
 }
 
-/// What a fit says that a stiffness should not.
-pub fn said(finding: &FitFinding) -> String {
+/// What a fit says that a stiffness should not, its numbers in some units.
+pub fn said(finding: &FitFinding, units: Units) -> String {
     match finding {
-        FitFinding::NegativeOnset(onset) => format!("d0 is below zero, {onset:.3} N^0.5: the tests would leave crush at no energy"),
-        FitFinding::NegativeSlope(slope) => format!("d1 is below zero, {slope:.3} N^0.5/m: less energy for more crush"),
-        FitFinding::NoFreedom => "as many coefficients as tests: the residuals say nothing of the scatter".to_owned(),
-        other => format!("{other:?}"),
+        FitFinding::NegativeOnset(onset) => FitFinding::NegativeOnset(units.quantity(Measure::RootForce, *onset)).to_string(),
+        FitFinding::NegativeSlope(slope) => FitFinding::NegativeSlope(units.quantity(Measure::RootForcePerLength, *slope)).to_string(),
+        other => other.to_string(),
     }
 }

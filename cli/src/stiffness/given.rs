@@ -34,6 +34,13 @@ pub struct Prediction {
     pub width: f64,
 }
 
+/// Which tests of a file have standard deviations: all or none must.
+#[derive(Default)]
+struct Deviations<'a> {
+    bare: Vec<Table<'a>>,
+    is_any: bool,
+}
+
 /// A test with what the file says of its scatter.
 struct Read {
     test: BarrierTest,
@@ -60,15 +67,17 @@ impl Given {
         let schema = root.required("schema").integer(1..=1);
         let title = root.optional("title").string().unwrap_or_default().to_owned();
         let vehicles = root.required("vehicle").array_of_tables();
-        let vehicles = vehicles.map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1)).collect::<Vec<_>>());
+        let mut deviations = Deviations::default();
+        let vehicles = vehicles
+            .map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1, &mut deviations)).collect::<Vec<_>>());
         let fit = root.has("fit").then(|| root.optional("fit").table().and_then(|table| self.fit(&table)));
+        let has_deviations = deviations.finish();
         schema?;
         let (onset, prediction) = match fit {
             Some(fit) => fit?,
             None => (None, None),
         };
         let vehicles: Vec<(String, Vec<Read>)> = vehicles?.into_iter().collect::<Option<_>>()?;
-        let has_deviations = vehicles.iter().flat_map(|(_, tests)| tests).any(Read::has_deviation);
         let measured = |read: Read| MeasuredTest {
             test: read.test,
             speed_deviation: read.speed_sd.unwrap_or(0.0),
@@ -81,7 +90,7 @@ impl Given {
         Some(TestFile { title, vehicles, onset, prediction, has_deviations, units: Units::Si, notes: Vec::new() })
     }
 
-    fn tested(&self, table: &Table<'_>, number: usize) -> Option<(String, Vec<Read>)> {
+    fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Vec<Read>)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         let field = table.required("test");
         let place = field.clone();
@@ -92,8 +101,9 @@ impl Given {
             place.report("no test", None);
             return None;
         }
-        let tests: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
-        Some((name, tests.into_iter().collect::<Option<_>>()?))
+        let read: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
+        tests.into_iter().for_each(|test| deviations.add(test));
+        Some((name, read.into_iter().collect::<Option<_>>()?))
     }
 
     fn test(&self, table: &Table<'_>) -> Option<Read> {
@@ -136,8 +146,21 @@ impl Given {
     }
 }
 
-impl Read {
-    fn has_deviation(&self) -> bool {
-        self.speed_sd.is_some() || self.restitution_sd.is_some() || self.scatter.is_some()
+impl<'a> Deviations<'a> {
+    fn add(&mut self, test: Table<'a>) {
+        if ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
+            self.is_any = true;
+        } else {
+            self.bare.push(test);
+        }
+    }
+
+    /// Whether the file gives any, with a report at each test that has none then.
+    fn finish(self) -> bool {
+        for test in self.bare.iter().filter(|_| self.is_any) {
+            let help = "give a speed_sd, a restitution_sd or a scatter, or leave them out everywhere: then all tests weigh alike";
+            test.problem("no standard deviation here, though other tests have one", Some(help.to_owned()));
+        }
+        self.is_any
     }
 }

@@ -163,10 +163,10 @@ impl Page<'_> {
         }
         for fit in &self.findings.fits {
             for finding in fit.findings() {
-                text.push_str(&wrap(&format!("fitted on {}: {}.", model(fit.model), said(&finding)), "Note: "));
+                text.push_str(&wrap(&format!("fitted on {}: {}.", model(fit.model), said(&finding, self.units)), "Note: "));
             }
         }
-        text.push_str(&notes_below(&self.file.notes));
+        text.push_str(&notes_below(&self.findings.notes));
         text
     }
 }

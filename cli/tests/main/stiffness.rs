@@ -119,10 +119,64 @@ fn each_mistake_is_named_where_it_is() {
     refused("depth = \"1 ft\"\n", "", &["fit.depth: missing"]);
     refused("[fit]", "[fit]\nonset = \"60 ft/s\"", &["fit.onset", "60"]);
     refused("name = \"Cavalier\"", "name = 3", &["vehicle.1.name"]);
+    // Of another vehicle, the place is that of its own test.
+    let second =
+        "\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = 15\nrestitution = 0.1\nwidth = 1.5\ndepths = [0.4, 0.4]\nscatter = 10\n";
+    let at_second = |from: &str, to: &str, says: &[&str]| {
+        assert!(second.contains(from), "{from}");
+        refused("\n[fit]", &format!("{}\n[fit]\nonset = \"2 m/s\"", second.replacen(from, to, 1)), says);
+    };
+    at_second("mass = 1500", "mass = 0", &["vehicle.2.test.1.mass", "above zero"]);
+    at_second("scatter = 10", "scatter = 0", &["vehicle.2.test.1: variance is 0", "above zero", "scatter above zero"]);
+    at_second("[0.4, 0.4]", "[0, 0]", &["vehicle.2.test.1.depths: mean depth is 0", "above zero"]);
+    at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 2"]);
+    at_second("scatter = 10\n", "", &["vehicle.2.test.1: no standard deviation here, though other tests have one", "scatter"]);
     let none = run_with_input(&["stiffness", "-"], "schema = 1\n[[vehicle]]\nname = \"new\"\n");
     assert!(none.status == 2 && none.err.contains("vehicle.1.test: missing"), "{}", none.err);
     let one = example("malibu.toml").replace("onset = \"2.2 m/s\"", "");
     let alone = run_with_input(&["stiffness", "-"], &one);
     assert_eq!(alone.status, 2, "one test without an onset tells no stiffness: {}", alone.out);
     assert!(alone.err.contains("onset"), "{}", alone.err);
+}
+
+/// Two vehicles whose mean depths are the same, and an onset if wanted.
+fn one_depth(onset: &str) -> String {
+    let test = |speed: i32| {
+        format!("[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [0.4, 0.4]\n")
+    };
+    format!("schema = 1\n{}{}[fit]\n{onset}\n", test(15), test(16))
+}
+
+#[test]
+fn one_depth_has_no_line_but_a_stiffness_with_an_onset() {
+    let refused = run_with_input(&["stiffness", "-"], &one_depth(""));
+    assert!(refused.status == 2 && refused.out.is_empty(), "{}", refused.out);
+    assert!(
+        refused.err.contains("vehicle: every test has the mean depth 0.4") && refused.err.contains("assume an onset"),
+        "{}",
+        refused.err
+    );
+    let document = json(&one_depth("onset = 2"));
+    assert_eq!(document["fits"], serde_json::json!([]));
+    let note = "all tests have the same mean depth: no line can be fitted through them";
+    assert!(document["notes"].as_array().is_some_and(|notes| notes.iter().any(|each| each == note)), "{document}");
+    for (i, speed) in [15.0, 16.0].into_iter().enumerate() {
+        // b1 = (v √(1 − e²) − b0)/C, by hand.
+        let b1 = (speed * 0.99_f64.sqrt() - 2.0) / 0.4;
+        assert!((number(&document["tests"][i]["on_mean_depth"]["b1"]) - b1).abs() < 1e-12, "{document}");
+    }
+    let run = run_with_input(&["stiffness", "-"], &one_depth("onset = 2"));
+    assert!(run.status == 0 && run.out.contains("same mean depth") && run.out.contains("2: profile"), "{}{}", run.out, run.err);
+}
+
+#[test]
+fn findings_are_said_in_the_units_of_the_report() {
+    let falling = one_depth("").replacen("[0.4, 0.4]", "[0.5, 0.5]", 1).replace("speed = 16", "speed = 20");
+    let finding =
+        |units: &str| run_with_input(&["stiffness", "-", "--units", units], &falling).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(finding("si").contains("d1 is -") && finding("si").contains("N^0.5/m, below zero"), "{}", finding("si"));
+    assert!(finding("us").contains("lbf^0.5/ft, below zero") && !finding("us").contains("N^0.5"), "{}", finding("us"));
+    let document = json(&falling);
+    let said = document["fits"][0]["findings"][0].as_str().expect("a finding").to_owned();
+    assert!(said.contains("N^0.5/m, below zero: the structure would take less energy the deeper it is crushed"), "{said}");
 }
