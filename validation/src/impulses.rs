@@ -4,6 +4,8 @@ use crate::account::{Computed, value};
 use crate::data::DataError;
 use crate::entries::{Entries, GivenColumn, Nature};
 use crate::sheet::{Row, Sheet};
+use planar_impact::Nt;
+use planar_impact::barrier::{Problems, impulse_ratio};
 
 pub(crate) const TABLE_3: &str = "Table 3";
 pub(crate) const TABLE_4: &str = "Table 4";
@@ -26,7 +28,10 @@ pub(crate) fn table_3(text: &str) -> Result<Entries, DataError> {
         entries.give(&row, label, &IMPULSES)?;
         let [left, right, wing] = [row.number("left_Ns")?, row.number("right_Ns")?, row.number("wing_Ns")?].map(|impulse| impulse.value());
         entries.compute(label, "normal", "N s", row.number("normal_Ns")?, left + right);
-        entries.compute(label, "ratio", "1", row.number("impulse_ratio")?, wing / (left + right));
+        let refused =
+            |reasons: Problems| DataError::Refused { collision: format!("{TABLE_3}, test {label}"), reasons: reasons.to_string() };
+        let ratio = impulse_ratio(Nt { n: left + right, t: wing }).map_err(refused)?;
+        entries.compute(label, "ratio", "1", row.number("impulse_ratio")?, ratio);
     }
     Ok(entries)
 }

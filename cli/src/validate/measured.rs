@@ -9,8 +9,8 @@ use crate::table::{Align, narrow, render, wrap};
 /// The second stage of the report.
 pub fn section(measured: &Measured) -> String {
     let mut text = wrap(
-        "Measured tests, which are not the paper's. Nothing is fitted here; an error is shown as it is, and the run fails when it grows beyond the \
-         recorded one.",
+        "Measured tests, which are not the paper's. Nothing is fitted here; an error is shown as it is, and the run fails when it is not \
+         the recorded one.",
         "",
     );
     text.push('\n');
@@ -103,13 +103,15 @@ fn frontal(test: &Frontal) -> String {
     let mut found = String::new();
     let _ = write!(
         found,
-        "crush energy of the profile {:.0} J, kinetic energy {} J: {:+.0} J, {:+.2} %{recorded}; of the unevenness of the profile {:.0} J. The speed of \
+        "crush energy of the profile {:.0} J, kinetic energy {} J: {:+.0} J, {:+.2} %{recorded}; of the unevenness of the profile {:.0} J. With the \
+         stiffness that the profile has exactly: {:+.2} %. The speed of \
          the energy is {:.2} m/s, that of the test {} m/s.",
         energy.computed,
         energy.measured.text(),
         energy.error(),
         energy.percent(),
         test.unevenness,
+        energy.percent_of(test.energy_by_profile),
         test.speed_of_crush,
         test.speed.text()
     );

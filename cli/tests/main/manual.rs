@@ -168,6 +168,7 @@ fn validate_reports_the_error_of_measured_tests() {
     let frontal = &report["measured"]["full_frontal"][0];
     assert_eq!(frontal["test"], "6268");
     assert!(frontal["crush_energy"]["percent"].as_f64().is_some_and(|percent| (percent - 1.6).abs() < 0.01));
+    assert!(frontal["crush_energy"]["by_profile"]["percent"].as_f64().is_some_and(|percent| percent.abs() < 1e-4));
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use super::{Reading, recorded};
 use crate::data::DataError;
 use crate::sheet::{Printed, Row, Sheet};
-use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ProfileMoments, speed_of_energy};
+use planar_impact::barrier::{BarrierTest, Problems};
+use planar_impact::crush::{CrushStiffness, ProfileMoments, speed_of_energy};
 
 const FILE: &str = "nhtsa.csv";
 
@@ -20,6 +21,8 @@ pub struct Frontal {
     pub coefficients: Vec<Coefficient>,
     /// Energy of the crush profile beside the kinetic energy ½ m v², in J.
     pub energy: Reading,
+    /// The same with the stiffness that is made of the profile and not of its mean depth, in J: the energy of the test, whatever the profile.
+    pub energy_by_profile: f64,
     /// What the profile has more than a flat one of the same mean depth, ½ B ∫ (C − C̄)² dw, in J.
     pub unevenness: f64,
     /// Speed of the energy of the profile, in m/s.
@@ -60,20 +63,21 @@ fn one(row: &Row<'_>) -> Result<Frontal, DataError> {
     let profile = ProfileMoments::of(width, &depths(row)?).ok_or_else(|| no_depths(row))?;
     let mean_depth = profile.mean_depth();
     // The line goes through the test: v = b₀ + b₁ C̄.
-    let slope = (speed.value() - onset) / mean_depth;
-    let stiffness = CrushStiffness::from(BarrierSpeedLine { onset, slope, test_mass: mass, test_width: width });
+    let test = BarrierTest { mass, speed: speed.value(), restitution: 0.0, crush: profile };
+    let refused = |reasons: Problems| refused(row, reasons.to_string());
+    let line = test.speed_line(onset).map_err(refused)?;
+    let stiffness = CrushStiffness::from(line);
     let coefficient = |name, unit, computed, column: Option<&'static str>| {
         let published = column.map(|column| row.number_if_any(column)).transpose()?.flatten();
         Ok(Coefficient { name, unit, computed, published })
     };
     let energy = stiffness.crush_energy(profile);
-    let kinetic = mass * speed.value() * speed.value() / 2.0;
     Ok(Frontal {
         test: row.text("test")?.to_owned(),
         vehicle: row.text("vehicle")?.to_owned(),
         mean_depth,
         coefficients: vec![
-            coefficient("b1", "1/s", slope, Some("b1_1ps"))?,
+            coefficient("b1", "1/s", line.slope, Some("b1_1ps"))?,
             coefficient("A", "N/m", stiffness.onset * stiffness.slope, Some("A_Npm"))?,
             coefficient("B", "N/m^2", stiffness.slope * stiffness.slope, Some("B_Npm2"))?,
             coefficient("d0", "N^0.5", stiffness.onset, None)?,
@@ -82,10 +86,11 @@ fn one(row: &Row<'_>) -> Result<Frontal, DataError> {
         energy: Reading {
             quantity: "crush energy",
             unit: "J",
-            measured: whole(kinetic, row)?,
+            measured: whole(test.crush_energy(), row)?,
             computed: energy,
             recorded: recorded(FILE, row, "energy_recorded")?,
         },
+        energy_by_profile: test.stiffness(onset).map_err(refused)?.crush_energy(profile),
         unevenness: stiffness.slope * stiffness.slope * (profile.third - profile.first * mean_depth * mean_depth),
         speed_of_crush: speed_of_energy(energy, mass),
         speed,
@@ -95,9 +100,11 @@ fn one(row: &Row<'_>) -> Result<Frontal, DataError> {
 
 /// The kinetic energy to a tenth of a joule: it is computed from what was measured, so its digits say nothing.
 fn whole(kinetic: f64, row: &Row<'_>) -> Result<Printed, DataError> {
-    let refused =
-        || DataError::Refused { collision: format!("{FILE}, {}", row.text("test").unwrap_or_default()), reasons: "no energy".into() };
-    Printed::parse(&format!("{kinetic:.1}")).filter(|energy| energy.value() > 0.0).ok_or_else(refused)
+    Printed::parse(&format!("{kinetic:.1}")).filter(|energy| energy.value() > 0.0).ok_or_else(|| refused(row, "no energy".to_owned()))
+}
+
+fn refused(row: &Row<'_>, reasons: String) -> DataError {
+    DataError::Refused { collision: format!("{FILE}, {}", row.text("test").unwrap_or_default()), reasons }
 }
 
 fn depths(row: &Row<'_>) -> Result<Vec<f64>, DataError> {
@@ -122,6 +129,8 @@ mod tests {
             // ½ (d₀ + d₁ C̄)² w is ½ m v², as the line goes through the test.
             assert!((test.energy.error() - test.unevenness).abs() < 0.1, "{} {}", test.energy.error(), test.unevenness);
             assert!(test.unevenness > 0.0);
+            // The profile's own stiffness has the energy of the test, which is shown to a tenth of a joule.
+            assert!(test.energy.error_of(test.energy_by_profile).abs() <= 0.05, "{}", test.energy_by_profile);
         }
         // Test 6268: depths 0.265 and 0.310 count by half, over five gaps.
         assert!((tests[0].mean_depth - 0.4491).abs() < 1e-12);
@@ -144,6 +153,8 @@ mod tests {
             let text = text.replace("0.265 0.474 0.504 0.505 0.475 0.310", bad);
             assert!(matches!(read(&text).err(), Some(DataError::NotANumber { column: "depths_m", .. })), "{bad}");
         }
-        assert!(matches!(read(&text.replace(",15.6,", ",0,")).err(), Some(DataError::Refused { .. })));
+        for speed in [",0,", ",2.1,"] {
+            assert!(matches!(read(&text.replace(",15.6,", speed)).err(), Some(DataError::Refused { .. })), "{speed}");
+        }
     }
 }

@@ -21,18 +21,30 @@ fn the_tests_are_there_with_their_errors() {
 }
 
 #[test]
-fn an_error_that_grows_is_found() {
+fn an_error_that_is_not_the_recorded_one_is_found() {
     // The measured ΔV of CF10020, farther from the computed one.
     let found = problems(|texts| swap(&mut texts.iihs, ",49.9,", ",50.9,"));
     assert!(
-        matches!(of(&found)[..], [MeasuredProblem::Worse { test, reading }] if test == "CF10020" && reading.quantity == "delta-V"),
+        matches!(of(&found)[..], [MeasuredProblem::NotAsRecorded { test, reading }] if test == "CF10020" && reading.quantity == "delta-V"),
         "{found:?}"
     );
     // Another mass, another yaw rate.
     let found = problems(|texts| texts.iihs = texts.iihs.replace("CEN1212,3574.2,", "CEN1212,3674.2,"));
-    assert!(of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::Worse { test, .. } if test == "CEN1212")), "{found:?}");
-    // An energy that is better than recorded is no problem.
-    assert!(report(|texts| swap(&mut texts.nhtsa, ",1.60,", ",1.70,")).holds());
+    assert!(
+        of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::NotAsRecorded { test, .. } if test == "CEN1212")),
+        "{found:?}"
+    );
+    // Of the other sign, and as large.
+    assert_eq!(of(&problems(|texts| swap(&mut texts.iihs, ",-5.84,", ",5.84,"))).len(), 1);
+    // An energy that is better than recorded is to be recorded.
+    let said = |recorded: &str| {
+        let found = problems(|texts| swap(&mut texts.nhtsa, ",1.60,", recorded));
+        assert!(matches!(of(&found)[..], [MeasuredProblem::NotAsRecorded { test, .. }] if test == "6268"), "{found:?}");
+        of(&found)[0].to_string()
+    };
+    assert!(said(",1.70,").contains("record the new error") && !said(",1.50,").contains("record the new error"));
+    // To the recorded digit: 1.6 is 1.60, half a unit off.
+    assert!(report(|texts| swap(&mut texts.nhtsa, ",1.60,", ",1.6,")).holds());
 }
 
 #[test]

@@ -22,9 +22,12 @@ struct ReadingEntry<'a> {
     recorded_percent: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     kudlich_slibar: Option<Other>,
+    /// With the stiffness that is made of the profile itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    by_profile: Option<Other>,
 }
 
-/// The same by the other tangential law.
+/// The same, computed otherwise.
 #[derive(Serialize)]
 struct Other {
     computed: f64,
@@ -95,8 +98,7 @@ impl<'a> Measured<'a> {
 }
 
 impl<'a> ReadingEntry<'a> {
-    fn of(reading: &'a Reading, kudlich_slibar: Option<f64>) -> Self {
-        let other = |computed| Other { computed, error: reading.error_of(computed), percent: reading.percent_of(computed) };
+    fn of(reading: &'a Reading) -> Self {
         ReadingEntry {
             unit: reading.unit,
             measured: reading.measured.text(),
@@ -105,17 +107,26 @@ impl<'a> ReadingEntry<'a> {
             percent: reading.percent(),
             within_digits: reading.is_within_digits(),
             recorded_percent: reading.recorded.as_ref().map(|recorded| recorded.value()),
-            kudlich_slibar: kudlich_slibar.map(other),
+            kudlich_slibar: None,
+            by_profile: None,
         }
+    }
+}
+
+impl Other {
+    fn of(reading: &Reading, computed: f64) -> Self {
+        Other { computed, error: reading.error_of(computed), percent: reading.percent_of(computed) }
     }
 }
 
 impl<'a> SmallOverlapEntry<'a> {
     fn of(test: &'a SmallOverlap) -> Self {
+        let reading =
+            |reading: &'a Reading, other| ReadingEntry { kudlich_slibar: Some(Other::of(reading, other)), ..ReadingEntry::of(reading) };
         SmallOverlapEntry {
             test: &test.test,
-            delta_v: ReadingEntry::of(&test.delta_v, Some(test.kudlich_slibar_delta_v)),
-            yaw_rate: ReadingEntry::of(&test.yaw_rate, Some(test.kudlich_slibar_yaw_rate)),
+            delta_v: reading(&test.delta_v, test.kudlich_slibar_delta_v),
+            yaw_rate: reading(&test.yaw_rate, test.kudlich_slibar_yaw_rate),
             turns_as_measured: test.turns_as_measured(),
             reason: &test.reason,
         }
@@ -142,7 +153,10 @@ impl<'a> FrontalEntry<'a> {
             vehicle: &test.vehicle,
             mean_depth: test.mean_depth,
             coefficients: coefficients.collect(),
-            crush_energy: ReadingEntry::of(&test.energy, None),
+            crush_energy: ReadingEntry {
+                by_profile: Some(Other::of(&test.energy, test.energy_by_profile)),
+                ..ReadingEntry::of(&test.energy)
+            },
             unevenness: test.unevenness,
             speed: test.speed.text(),
             speed_of_crush: test.speed_of_crush,
