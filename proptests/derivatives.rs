@@ -2,13 +2,12 @@
 //!
 //! `==` on dual numbers compares values alone; here derivatives are compared.
 
-use crate::strategies::{computable, config};
+use crate::strategies::{computable, config, fewer};
 use num_complex::Complex64;
 use num_dual::Dual64;
 use planar_impact::sensitivity::{by_definition, curvature_by_definition};
 use planar_impact::*;
 use proptest::prelude::*;
-use proptest::test_runner::Config;
 
 /// How far an input would have to move to matter: its own size, or one unit.
 fn size(collision: &Collision, input: Input) -> f64 {
@@ -80,7 +79,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(Config { cases: config().cases / 20, ..config() })]
+    #![proptest_config(fewer(20))]
 
     #[test]
     fn the_fast_curvature_is_the_definition(draw in computable(), at in 0..Output::COUNT) {
@@ -212,7 +211,7 @@ fn with_moment() -> impl Strategy<Value = Collision> {
 }
 
 proptest! {
-    #![proptest_config(Config { cases: config().cases / 5, ..config() })]
+    #![proptest_config(fewer(5))]
 
     #[test]
     fn the_definition_is_the_complex_step(collision in with_moment()) {

@@ -16,6 +16,12 @@ pub fn config() -> Config {
     }
 }
 
+/// For what takes long: one case in so many, and still some of them.
+pub fn fewer(one_in: u32) -> Config {
+    let config = config();
+    Config { cases: (config.cases / one_in).max(32), ..config }
+}
+
 /// n/d, in any field.
 #[derive(Clone, Copy, Debug)]
 pub struct Fraction(pub i32, pub i32);

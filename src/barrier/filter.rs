@@ -1,6 +1,7 @@
 //! Channel frequency classes of SAE J211-1: a Butterworth filter of two poles, run over the record forwards and backwards.
 
-use super::problem::{Problem, Problems};
+use super::findings::Findings;
+use super::problem::{Place, Problem, Problems};
 use super::record::{Clock, Record};
 use crate::scalar::{Field, Ordered, Real};
 use alloc::vec::Vec;
@@ -27,6 +28,8 @@ pub struct ChannelFilter<T = f64> {
     pub last: T,
     /// b₂: what the one before counts.
     pub last_but_one: T,
+    /// The time between two samples, Δt, in s.
+    pub step: T,
 }
 
 impl ChannelClass {
@@ -56,7 +59,7 @@ impl<T: Real + Ordered<Mask = bool>> ChannelFilter<T> {
     /// use planar_impact::barrier::{ChannelClass, ChannelFilter};
     /// let filter = ChannelFilter::<f64>::new(ChannelClass::Cfc60, 1e-4)?;
     /// // −3 dB at 100 Hz, after both passes.
-    /// assert!((20.0 * filter.gain(100.0, 1e-4).log10() + 3.0).abs() < 0.05);
+    /// assert!((20.0 * filter.gain(100.0).log10() + 3.0).abs() < 0.05);
     /// # Ok::<(), planar_impact::barrier::Problems>(())
     /// ```
     ///
@@ -65,24 +68,23 @@ impl<T: Real + Ordered<Mask = bool>> ChannelFilter<T> {
     /// A step that is not above zero, or longer than [`ChannelClass::longest_step`].
     pub fn new(class: ChannelClass, step: T) -> Result<Self, Problems<T>> {
         let longest: T = class.longest_step();
-        if !crate::solve::is_positive(&step) {
-            let place = super::Place::of("step");
-            return Err(Problem::NotPositive { place, value: step }.into());
-        }
+        let mut findings = Findings::none();
+        findings.positive(Place::of("step"), &step);
+        findings.done()?;
         if (longest.clone() + longest.clone() * crate::solve::slack()).less(&step) {
             return Err(Problem::SampledTooSlowly { step, longest }.into());
         }
         let pi = T::int(0).atan2(T::int(-1));
         // ω_d = 2π · 2.0775 CFC is where one pass has −3 dB; two passes have it at 5/3 CFC.
         let corner = T::int(2) * pi * T::int(20775 * class.number()) / T::int(10_000);
-        let (sin, cos) = (corner * step).half().sin_cos();
-        Ok(Self::of_warped_corner(sin / cos, T::int(2).sqrt()))
+        let (sin, cos) = (corner * step.clone()).half().sin_cos();
+        Ok(Self::of_warped_corner(step, sin / cos, T::int(2).sqrt()))
     }
 
-    /// What is left of a sine of a frequency in Hz after both passes, at a sampling interval in s. There is no phase.
-    pub fn gain(&self, frequency: T, step: T) -> T {
+    /// What is left of a sine of a frequency in Hz after both passes. There is no phase.
+    pub fn gain(&self, frequency: T) -> T {
         let pi = T::int(0).atan2(T::int(-1));
-        let (sin, cos) = (T::int(2) * pi * frequency * step).sin_cos();
+        let (sin, cos) = (T::int(2) * pi * frequency * self.step.clone()).sin_cos();
         let (sin_twice, cos_twice) = (T::int(2) * sin.clone() * cos.clone(), cos.clone().squared() - sin.clone().squared());
         let ahead = (T::int(2) * self.feed.clone() * (T::int(1) + cos.clone())).squared();
         let real = T::int(1) - self.last.clone() * cos - self.last_but_one.clone() * cos_twice;
@@ -93,7 +95,8 @@ impl<T: Real + Ordered<Mask = bool>> ChannelFilter<T> {
 
 impl<T: Field> ChannelFilter<T> {
     /// From ω_a = tan(ω_d Δt/2) and √2, which no rational number is. Whatever they are, a constant passes unchanged.
-    pub fn of_warped_corner(corner: T, root_two: T) -> Self {
+    #[doc(hidden)]
+    pub fn of_warped_corner(step: T, corner: T, root_two: T) -> Self {
         let square = corner.clone().squared();
         let damping = root_two * corner;
         let one = T::int(1);
@@ -102,6 +105,7 @@ impl<T: Field> ChannelFilter<T> {
             feed: square.clone() * scale.clone(),
             last: T::int(2) * (one.clone() - square.clone()) * scale.clone(),
             last_but_one: (damping - one - square) * scale,
+            step,
         }
     }
 
@@ -164,7 +168,7 @@ mod tests {
 
     fn decibel(class: ChannelClass, frequency: f64, step: f64) -> f64 {
         let filter = ChannelFilter::new(class, step).expect("fast enough");
-        20.0 * filter.gain(frequency, step).log10()
+        20.0 * filter.gain(frequency).log10()
     }
 
     #[test]
@@ -203,7 +207,7 @@ mod tests {
         let phase = |i: i32| core::f64::consts::TAU * frequency * step * f64::from(i);
         let sine: Vec<f64> = (0..4000).map(|i| phase(i).sin()).collect();
         let filtered = filter.filter(&sine);
-        let gain = filter.gain(frequency, step);
+        let gain = filter.gain(frequency);
         for i in 1000..3000 {
             assert_abs_diff_eq!(filtered[i], gain * sine[i], epsilon = 1e-9);
         }
@@ -226,8 +230,9 @@ mod tests {
         assert!(ChannelFilter::new(ChannelClass::Cfc60, 1.0 / 600.0).is_ok());
         let problems = ChannelFilter::new(ChannelClass::Cfc1000, 1.1e-4).expect_err("too slow");
         assert_eq!(problems.all(), [Problem::SampledTooSlowly { step: 1.1e-4, longest: 1e-4 }]);
-        assert!(ChannelFilter::new(ChannelClass::Cfc60, f64::NAN).is_err());
-        assert!(ChannelFilter::new(ChannelClass::Cfc60, -1.0).is_err());
+        let problem = |step: f64| ChannelFilter::new(ChannelClass::Cfc60, step).expect_err("no step").all().to_vec();
+        assert!(matches!(problem(f64::NAN)[..], [Problem::NotFinite { .. }]));
+        assert_eq!(problem(-1.0), [Problem::NotPositive { place: Place::of("step"), value: -1.0 }]);
         let uneven = Record::at_times(alloc::vec![0.0, 1.0, 3.0], alloc::vec![0.0; 3]).expect("a good record");
         assert_eq!(uneven.filtered(ChannelClass::Cfc60).expect_err("uneven").all(), [Problem::NotUniform]);
     }

@@ -53,6 +53,8 @@ impl Lowess {
     /// weights, which are taken as given. It has to be the same for all samples and independent from one to the next. A record that is curved within the span adds
     /// a bias that no standard deviation here shows: compare a shorter span.
     ///
+    /// The cost grows with the square of the number of samples: a film of a thousand frames takes a million steps each time the lines are laid.
+    ///
     /// # Errors
     ///
     /// More neighbors than samples, and a span too narrow for a line, or for the residuals to tell the noise.
