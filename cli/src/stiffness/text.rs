@@ -43,7 +43,7 @@ impl Page<'_> {
         let row = |(i, found): (usize, &Found)| {
             let intensity = crush_intensity(found.crush_energy, found.test.width());
             vec![
-                format!("{} {}", i + 1, shorten(&self.file.vehicles[found.vehicle].name, 16)),
+                format!("{} {}", i + 1, shorten(&self.file.vehicles[found.vehicle].name, 12)),
                 self.number(Measure::Speed, found.test.speed),
                 self.number(Measure::Ratio, found.test.restitution),
                 self.number(Measure::Length, found.test.crush.mean_depth()),

@@ -85,7 +85,8 @@ fn without_deviations_the_residuals_tell_the_scatter() {
 fn the_text_fits_a_terminal() {
     for name in ["struble-welsh.toml", "malibu.toml"] {
         for units in ["si", "us"] {
-            let run = run_with_input(&["stiffness", "-", "--units", units], &example(name));
+            let long = example(name).replace("name = \"", "name = \"a car with a very long name, a ");
+            let run = run_with_input(&["stiffness", "-", "--units", units], &long);
             assert_eq!((run.status, run.err.as_str()), (0, ""), "{name}");
             for line in run.out.lines() {
                 assert!(line.chars().count() <= 80 && line.trim_end() == line, "{name} {units}: {line}");
@@ -131,6 +132,9 @@ fn each_mistake_is_named_where_it_is() {
     at_second("[0.4, 0.4]", "[0, 0]", &["vehicle.2.test.1.depths: mean depth is 0", "above zero"]);
     at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 2"]);
     at_second("scatter = 10\n", "", &["vehicle.2.test.1: no standard deviation here, though other tests have one", "scatter"]);
+    let many = "[[vehicle.test]]\nmass = 1\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n".repeat(501);
+    let many = run_with_input(&["stiffness", "-"], &format!("schema = 1\n[[vehicle]]\n{many}"));
+    assert!(many.status == 2 && many.err.contains("501 tests"), "{}", many.err);
     let none = run_with_input(&["stiffness", "-"], "schema = 1\n[[vehicle]]\nname = \"new\"\n");
     assert!(none.status == 2 && none.err.contains("vehicle.1.test: missing"), "{}", none.err);
     let one = example("malibu.toml").replace("onset = \"2.2 m/s\"", "");
