@@ -4,7 +4,7 @@ mod document;
 mod text;
 
 use planar_impact::crash3::{Assumptions, Damaged, DamagedPair, PairEstimate};
-use planar_impact::{ForwardLeft, Impact, Party, Real, Xy};
+use planar_impact::{ForwardLeft, Impact, Moment, Party, Real, Refusals, Xy};
 
 use crate::Done;
 use crate::arguments::{Format, OfCase as Call};
@@ -31,7 +31,7 @@ pub fn run(call: &Call) -> Result<Done, Failure> {
     }
 }
 
-/// How far two directions of force may be from opposite without a word: two estimates of a clock direction are no better.
+/// 5°: how far two directions of force may be from opposite without a word.
 const OPPOSITE: f64 = 0.087;
 
 /// How far the force on one vehicle is from being opposite to that on the other, on the ground; none against a barrier.
@@ -57,59 +57,76 @@ struct Comparison {
 
 impl Comparison {
     fn of(case: &Case, units: Units) -> Result<Self, Failure> {
-        let parties = [&case.collision.one, &case.collision.two];
-        let without = |i: &usize| parties[*i].vehicle().is_some() && case.setup.crush[*i].is_none();
-        let lacking: Vec<_> = (0..2).filter(without).collect();
-        if !lacking.is_empty() {
-            let problem = |i: usize| {
-                let help = "CRASH3 adds up the crush energy of every vehicle; one that was not crushed has depths of 0".to_owned();
-                (format!("vehicle.{}.crush", i + 1), "missing".to_owned(), Some(help))
-            };
-            return Err(case.unfit(lacking.into_iter().map(problem)));
-        }
+        every_vehicle_has_crush(case)?;
         let mut notes = case.notes.clone();
-        let given = case.setup.crush.iter().flatten().all(|crush| crush.force_origin.is_some());
         let common = case.collision.at_common_velocity().solve();
         let has_common_velocity = common.is_ok();
-        if !given {
+        if case.setup.crush.iter().flatten().any(|crush| crush.force_origin.is_none()) {
             common.map_err(|refusals| case.refuse(&refusals, units))?;
             notes.push("the PDOF is that of the common-velocity impulse, e = 0 and mu = mu0, which CRASH3 assumes".to_owned());
         }
         let pair = case.setup.damaged_pair().ok_or(Failure::Defect)?;
         let estimate = pair.solve().map_err(|refusals| case.refuse(&refusals, units))?;
-        for (i, vehicle) in [&estimate.one, &estimate.two].into_iter().enumerate() {
-            if vehicle.is_some_and(|vehicle| vehicle.correction >= 2.0) {
-                notes.push(format!("vehicle.{}: the energy correction is at its limit of 2; the force comes 45 deg or more off", i + 1));
-            }
-        }
+        notes.extend(cautions(case, &pair, &estimate, units));
         let impact = case.collision.solve();
-        if let Err(refusals) = &impact {
-            let reasons: Vec<String> = refusals.reasons().iter().map(|refusal| crate::wording::refusal(refusal, units).1).collect();
-            notes.push(format!("nothing to compare with: planar mechanics refuses the case, {}", reasons.join("; ")));
-        }
-        let impact: Option<Impact> = impact.ok();
-        let responses = [impact.as_ref().map(|impact| &impact.one), impact.as_ref().map(|impact| &impact.two)];
-        let separation = [0, 1].map(|i| case.separation[i].or_else(|| responses[i].map(|response| response.after.velocity)));
-        if case.separation.iter().all(Option::is_none) && impact.is_some() {
+        let assumptions = match nothing_to_compare(case, &impact, has_common_velocity, units) {
+            Some(why) => {
+                notes.push(format!("nothing to compare with: {why}"));
+                None
+            }
+            None => {
+                let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
+                Assumptions::from_crush_energy(&case.collision, energy)
+            }
+        };
+        let after = impact.ok().map(|impact| [impact.one.after.velocity, impact.two.after.velocity]);
+        let separation = [0, 1].map(|i| case.separation[i].or(after.map(|after| after[i])));
+        if case.separation.iter().all(Option::is_none) && after.is_some() {
             notes.push("the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned());
         }
-        let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
-        if impact.is_some() && case.collision.restitution >= 1.0 {
-            notes.push(
-                "nothing to compare with: at e = 1 the normal impulse does no work, so no crush follows from planar mechanics".to_owned(),
-            );
-        }
-        if let Some(angle) = crossing(case, &pair).filter(|angle| *angle > OPPOSITE) {
-            let angle = units.quantity(Measure::Angle, angle);
-            notes.push(format!(
-                "the forces on the two vehicles are {angle} from being opposite, which they must be; check the pdof of each"
-            ));
-        }
-        if impact.is_some() && !has_common_velocity {
-            notes.push("nothing to compare with: no push brings the vehicles to a common velocity".to_owned());
-        }
-        let can_be_asked = impact.is_some() && has_common_velocity && case.collision.restitution < 1.0;
-        let assumptions = can_be_asked.then(|| Assumptions::from_crush_energy(&case.collision, energy)).flatten();
         Ok(Comparison { pair, estimate, separation, assumptions, notes })
+    }
+}
+
+fn every_vehicle_has_crush(case: &Case) -> Result<(), Failure> {
+    let parties = [&case.collision.one, &case.collision.two];
+    let lacking: Vec<usize> = (0..2).filter(|&i| parties[i].vehicle().is_some() && case.setup.crush[i].is_none()).collect();
+    if lacking.is_empty() {
+        return Ok(());
+    }
+    let problem = |i: usize| {
+        let help = "CRASH3 adds up the crush energy of every vehicle; one that was not crushed has depths of 0".to_owned();
+        (format!("vehicle.{}.crush", i + 1), "missing".to_owned(), Some(help))
+    };
+    Err(case.unfit(lacking.into_iter().map(problem)))
+}
+
+/// What is possible and still deserves a second look.
+fn cautions(case: &Case, pair: &DamagedPair, estimate: &PairEstimate, units: Units) -> Vec<String> {
+    let mut cautions = Vec::new();
+    for (i, vehicle) in [&estimate.one, &estimate.two].into_iter().enumerate() {
+        if vehicle.is_some_and(|vehicle| vehicle.correction >= 2.0) {
+            cautions.push(format!("vehicle.{}: the energy correction is at its limit of 2; the force comes 45 deg or more off", i + 1));
+        }
+    }
+    if let Some(angle) = crossing(case, pair).filter(|angle| *angle > OPPOSITE) {
+        let angle = units.quantity(Measure::Angle, angle);
+        cautions
+            .push(format!("the forces on the two vehicles are {angle} from being opposite, which they must be; check the pdof of each"));
+    }
+    cautions
+}
+
+/// Why planar mechanics has nothing to say of the same crush energy; none if it has.
+fn nothing_to_compare(case: &Case, impact: &Result<Impact, Refusals>, has_common_velocity: bool, units: Units) -> Option<String> {
+    match impact {
+        Err(refusals) => {
+            let reasons: Vec<String> = refusals.reasons().iter().map(|refusal| crate::wording::refusal(refusal, units).1).collect();
+            Some(format!("planar mechanics refuses the case, {}", reasons.join("; ")))
+        }
+        Ok(_) if case.collision.restitution >= 1.0 => Some("at e = 1 the normal impulse does no work, so it leaves no crush".to_owned()),
+        Ok(_) if !has_common_velocity => Some("no push brings the vehicles to a common velocity".to_owned()),
+        Ok(_) if case.collision.moment != Moment::None => Some("CRASH3 knows no moment impulse".to_owned()),
+        Ok(_) => None,
     }
 }
