@@ -97,13 +97,28 @@ pub struct ForceOrigin<T = f64> {
     pub right: T,
 }
 
+impl<T: Field> ForceOrigin<T> {
+    /// Whence a push in the vehicle's axes comes.
+    #[inline(always)]
+    pub fn of_push(push: ForwardLeft<T>) -> Self {
+        // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and no push from 0.
+        ForceOrigin { ahead: T::int(0) - push.forward, right: push.left + T::int(0) }
+    }
+}
+
+impl<T: Real> ForceOrigin<T> {
+    /// Its direction in radians clockwise from straight ahead, in (−π, π]; zero where no force comes.
+    #[inline(always)]
+    pub fn direction(self) -> T {
+        self.right.atan2(self.ahead)
+    }
+}
+
 impl<T: Field> Response<T> {
     /// Where the principal force comes from: whence the vehicle is pushed.
     #[inline(always)]
     pub fn force_origin(&self) -> ForceOrigin<T> {
-        let dv = self.delta_v_in_vehicle.clone();
-        // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and no push from 0.
-        ForceOrigin { ahead: T::int(0) - dv.forward, right: dv.left + T::int(0) }
+        ForceOrigin::of_push(self.delta_v_in_vehicle.clone())
     }
 }
 
@@ -118,7 +133,6 @@ impl<T: Real> Response<T> {
     /// 0 is a frontal impact, π/2 one from the right. Zero where no force acts.
     #[inline(always)]
     pub fn principal_direction_of_force(&self) -> T {
-        let ForceOrigin { ahead, right } = self.force_origin();
-        right.atan2(ahead)
+        self.force_origin().direction()
     }
 }

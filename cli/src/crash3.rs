@@ -65,7 +65,7 @@ impl Comparison {
             common.map_err(|refusals| case.refuse(&refusals, units))?;
             notes.push("the PDOF is that of the common-velocity impulse, e = 0 and mu = mu0, which CRASH3 assumes".to_owned());
         }
-        let pair = case.setup.damaged_pair().ok_or(Failure::Defect)?;
+        let pair = case.setup.damaged_pair(&case.setup.crush_answers()).ok_or(Failure::Defect)?;
         let estimate = pair.solve().map_err(|refusals| case.refuse(&refusals, units))?;
         notes.extend(cautions(case, &pair, &estimate, units));
         let impact = case.collision.solve();

@@ -110,8 +110,9 @@ impl Solution {
     /// Of a case and its impact.
     pub fn of(case: &Case, impact: &Impact, crush_plane_bracket: Option<bracket::Document>, notes: Vec<String>) -> Self {
         let impact = impact.map(plain);
-        let [crush_1, crush_2] = case.setup.crush_answers();
-        let [crash3_1, crash3_2] = case.setup.crash3_answers();
+        let crush = case.setup.crush_answers();
+        let [crash3_1, crash3_2] = case.setup.crash3_answers(&crush);
+        let [crush_1, crush_2] = crush;
         let vehicle = |name: &String, response: &Response, crush: Option<CrushAnswers>, crash3: Option<Crash3Answers>| Vehicle {
             name: name.clone(),
             velocity: [response.after.velocity.x, response.after.velocity.y],

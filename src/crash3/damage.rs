@@ -170,11 +170,11 @@ impl<T: Real> VehicleEstimate<T> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    fn damaged() -> Damaged {
+    pub(in crate::crash3) fn damaged() -> Damaged {
         Damaged {
             mass: 1000.0,
             yaw_inertia: 1690.0,

@@ -64,22 +64,11 @@ const TWO: Names = Names {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Damaged, Surface};
+    use super::super::Damaged;
+    use super::super::damage::tests::damaged;
     use super::*;
-    use crate::frame::ForwardLeft;
     use crate::impact::ForceOrigin;
     use alloc::vec::Vec;
-
-    fn damaged() -> Damaged {
-        Damaged {
-            mass: 1000.0,
-            yaw_inertia: 1690.0,
-            impact_center: ForwardLeft { forward: 2.0, left: 0.5 },
-            surface: Surface::Front,
-            force_origin: ForceOrigin { ahead: 4.0, right: 3.0 },
-            crush_energy: 8000.0,
-        }
-    }
 
     #[test]
     fn everything_wrong_is_refused_at_once() {

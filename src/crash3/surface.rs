@@ -1,6 +1,6 @@
 //! Which surface of a vehicle is crushed.
 
-use crate::frame::{CrushPlane, ForwardLeft, Heading, Nt};
+use crate::frame::{CrushPlane, Heading, Nt};
 use crate::impact::ForceOrigin;
 use crate::scalar::{Field, Ordered};
 use crate::solve::slack;
@@ -58,7 +58,7 @@ impl Surface {
     /// assert_eq!(Surface::facing(&origin), Surface::Right);
     /// ```
     pub fn along<T: Ordered<Mask = bool>>(plane: &CrushPlane<T>, heading: &Heading<T>, origin: &ForceOrigin<T>) -> Surface {
-        let normal = origin_of(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
+        let normal = ForceOrigin::of_push(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
         let towards = normal.ahead.clone() * origin.ahead.clone() + normal.right.clone() * origin.right.clone();
         if towards.less(&T::int(0)) {
             Surface::facing(&ForceOrigin { ahead: -normal.ahead, right: -normal.right })
@@ -68,14 +68,10 @@ impl Surface {
     }
 }
 
-/// Whence a push comes.
-pub(super) fn origin_of<T: Field>(push: ForwardLeft<T>) -> ForceOrigin<T> {
-    ForceOrigin { ahead: T::int(0) - push.forward, right: push.left + T::int(0) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frame::ForwardLeft;
 
     #[test]
     fn a_force_comes_at_the_nearest_surface() {
@@ -125,6 +121,6 @@ mod tests {
     #[test]
     fn a_push_comes_from_where_it_does_not_go() {
         let push = ForwardLeft { forward: 3.0, left: 4.0 };
-        assert_eq!(origin_of(push), ForceOrigin { ahead: -3.0, right: 4.0 });
+        assert_eq!(ForceOrigin::of_push(push), ForceOrigin { ahead: -3.0, right: 4.0 });
     }
 }

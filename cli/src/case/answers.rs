@@ -95,8 +95,8 @@ impl<T: Real> Crash3Answers<T> {
     /// Of a vehicle and what its damage says.
     pub(super) fn of(damaged: &Damaged<T>, estimate: VehicleEstimate<T>) -> Self {
         let VehicleEstimate { correction, corrected_energy, effective_mass_factor, delta_v_magnitude, .. } = estimate;
-        let from = damaged.force_origin.clone();
-        Crash3Answers { pdof: from.right.atan2(from.ahead), correction, corrected_energy, effective_mass_factor, delta_v_magnitude }
+        let pdof = damaged.force_origin.clone().direction();
+        Crash3Answers { pdof, correction, corrected_energy, effective_mass_factor, delta_v_magnitude }
     }
 
     fn get(&self, key: Crash3Key) -> T {

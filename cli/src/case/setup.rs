@@ -97,7 +97,8 @@ impl<T: Real<Mask = bool>> Setup<T> {
 
     /// What is known after its impact.
     pub fn answers_of(&self, impact: &Impact<T>) -> Answers<T> {
-        Answers { impact: Outputs::of(&self.collision, impact), crush: self.crush_answers(), crash3: self.crash3_answers() }
+        let crush = self.crush_answers();
+        Answers { impact: Outputs::of(&self.collision, impact), crash3: self.crash3_answers(&crush), crush }
     }
 
     /// What the crush of each vehicle says; nothing of one whose stations or depths are those of no crush.
@@ -112,10 +113,10 @@ impl<T: Real<Mask = bool>> Setup<T> {
         })
     }
 
-    /// What CRASH3 starts from: the crush of every vehicle, and the direction of force that the file gives or else that of the common-velocity impulse.
+    /// What CRASH3 starts from: what the crush of every vehicle says, and the direction of force that the file gives or else that of the common-velocity impulse.
     /// None where a vehicle has no crush.
-    pub fn damaged_pair(&self) -> Option<DamagedPair<T>> {
-        let energies = self.crush_answers().map(|crush| crush.map(|crush| crush.energy));
+    pub fn damaged_pair(&self, crush: &[Option<CrushAnswers<T>>; 2]) -> Option<DamagedPair<T>> {
+        let energies = crush.each_ref().map(|crush| crush.as_ref().map(|crush| crush.energy.clone()));
         let lacks = |party: &Party<T>, energy: &Option<T>| party.vehicle().is_some() && energy.is_none();
         if lacks(&self.collision.one, &energies[0]) || lacks(&self.collision.two, &energies[1]) {
             return None;
@@ -132,8 +133,8 @@ impl<T: Real<Mask = bool>> Setup<T> {
     }
 
     /// What CRASH3 makes of the crush of each vehicle; nothing where one has none.
-    pub fn crash3_answers(&self) -> [Option<Crash3Answers<T>>; 2] {
-        let Some(pair) = self.damaged_pair() else { return [None, None] };
+    pub fn crash3_answers(&self, crush: &[Option<CrushAnswers<T>>; 2]) -> [Option<Crash3Answers<T>>; 2] {
+        let Some(pair) = self.damaged_pair(crush) else { return [None, None] };
         let estimate = pair.evaluate();
         [(pair.one, estimate.one), (pair.two, estimate.two)].map(|(damaged, estimate)| Some(Crash3Answers::of(&damaged?, estimate?)))
     }

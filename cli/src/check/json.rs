@@ -269,23 +269,18 @@ impl Reader<'_> {
 
     /// Two numbers, of which neither may be missing.
     fn pair(&mut self, name: &str, keys: [Key; 2], node: &Node) {
-        match &node.value {
-            Value::Array(items) if items.len() == 2 => {
-                for (key, item) in keys.into_iter().zip(items) {
-                    self.number(key, item);
-                }
-            }
-            Value::Null => (),
-            other => {
-                let path = keys[0].name().strip_suffix('x').unwrap_or(keys[0].name()).to_owned();
-                let message = format!("`{name}` has two components, along x and y; found {}", other.describe());
-                self.draft.complaints.push(path.trim_end_matches('.'), message);
-            }
-        }
+        let path = keys[0].name().strip_suffix('x').unwrap_or(keys[0].name());
+        let wanted = format!("`{name}` has two components, along x and y;");
+        self.two(keys, node, path.trim_end_matches('.'), &wanted);
     }
 
     /// A number for each body, either of which may be missing.
     fn of_bodies(&mut self, name: &str, keys: [Key; 2], node: &Node) {
+        self.two(keys, node, &format!("reported.{name}"), "expected one number or null for each of the two bodies,");
+    }
+
+    /// Two numbers, or nothing at all; `path` and `wanted` say of anything else where it is and what should be there.
+    fn two(&mut self, keys: [Key; 2], node: &Node, path: &str, wanted: &str) {
         match &node.value {
             Value::Array(items) if items.len() == 2 => {
                 for (key, item) in keys.into_iter().zip(items) {
@@ -293,12 +288,7 @@ impl Reader<'_> {
                 }
             }
             Value::Null => (),
-            other => {
-                let path = format!("reported.{name}");
-                self.draft
-                    .complaints
-                    .push(&path, format!("expected one number or null for each of the two bodies, found {}", other.describe()));
-            }
+            other => self.draft.complaints.push(path, format!("{wanted} found {}", other.describe())),
         }
     }
 

@@ -105,12 +105,11 @@ impl<'a> Vehicle<'a> {
                 approach_velocity: [approach.x, approach.y].map(plain),
             }
         };
-        let from = damaged.force_origin;
         Vehicle {
             name,
             surface: Some(name_of(damaged.surface)),
             crush_energy: plain(damaged.crush_energy),
-            pdof: plain(planar_impact::Real::atan2(from.right, from.ahead)),
+            pdof: plain(damaged.force_origin.direction()),
             correction: plain(estimate.correction),
             corrected_energy: plain(estimate.corrected_energy),
             moment_arm: plain(estimate.moment_arm),

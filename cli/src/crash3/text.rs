@@ -1,7 +1,7 @@
 //! CRASH3 beside planar mechanics, as a person reads it.
 
 use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, VehicleEstimate, approach_velocity};
-use planar_impact::{Real, Vehicle, Xy};
+use planar_impact::{Vehicle, Xy};
 
 use super::Comparison;
 use super::document::name_of;
@@ -59,9 +59,7 @@ impl Page<'_> {
         let mut rows = vec![
             row("crushed surface", "", &|damaged, _| name_of(damaged.surface).to_owned()),
             of("crush energy", Measure::Energy, |damaged, _| damaged.crush_energy),
-            of("PDOF, clockwise from ahead", Measure::Angle, |damaged, _| {
-                Real::atan2(damaged.force_origin.right, damaged.force_origin.ahead)
-            }),
+            of("PDOF, clockwise from ahead", Measure::Angle, |damaged, _| damaged.force_origin.direction()),
             of("correction 1 + tan^2 alpha", Measure::Ratio, |_, estimate| estimate.correction),
             of("corrected energy", Measure::Energy, |_, estimate| estimate.corrected_energy),
             of("moment arm of the force", Measure::Length, |_, estimate| estimate.moment_arm),
