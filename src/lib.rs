@@ -56,6 +56,8 @@ pub mod guideline;
 pub mod impact;
 pub mod input;
 pub mod law;
+#[cfg(feature = "reconstruct")]
+pub(crate) mod least_squares;
 pub mod moment;
 pub mod output;
 pub mod paper;

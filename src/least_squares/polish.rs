@@ -1,0 +1,127 @@
+//! The last digits: Gauss–Newton steps of the unknowns that no bound holds.
+
+use alloc::vec::Vec;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Bound, CONVERGED, Minimum, Residuals, Span, Stopped};
+
+/// The most steps that are taken. Where the residuals are large the steps shrink by a factor only.
+const STEPS: usize = 60;
+
+/// Shares of the largest singular value below which a direction moves no residual.
+pub(crate) const NOTHING: f64 = 1e-11;
+
+/// How near to a bound, in scales, counts as on it.
+const ON_BOUND: f64 = 1e-9;
+
+/// Goes from near a minimum to it.
+pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], before: usize, at_most: usize) -> Result<Minimum, Stopped> {
+    let mut unknowns = start;
+    for (x, span) in unknowns.iter_mut().zip(spans) {
+        settle(x, span);
+    }
+    let mut residuals = DVector::from_vec(of.at(&unknowns).unwrap_or_default());
+    let (mut step, mut taken) = (f64::INFINITY, 0);
+    while taken < STEPS.min(at_most) && !residuals.is_empty() {
+        let last = step;
+        let jacobian = scaled(of.jacobian(&unknowns), spans);
+        let wanted = wanted_step(&jacobian, &residuals, &unknowns, spans);
+        let Some(tried) = shortened(of, &unknowns, &wanted, spans, residuals.norm_squared()) else {
+            // Nothing that is possible is better: the end, if hardly anything was asked for.
+            step = wanted.amax();
+            break;
+        };
+        step = distance(&unknowns, &tried.unknowns, spans);
+        (unknowns, residuals) = (tried.unknowns, tried.residuals);
+        taken += 1;
+        if !(wanted.amax() > CONVERGED) && !(step < last / 2.0) || step == 0.0 {
+            step = step.min(wanted.amax());
+            break;
+        }
+    }
+    let (sum_of_squares, iterations) = (residuals.norm_squared(), before + taken);
+    if residuals.is_empty() || !(step <= CONVERGED) {
+        return Err(Stopped { unknowns, sum_of_squares, step, iterations });
+    }
+    let at = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
+    Ok(Minimum { unknowns, sum_of_squares, at, iterations })
+}
+
+fn scaled(mut jacobian: DMatrix<f64>, spans: &[Span]) -> DMatrix<f64> {
+    for (mut column, span) in jacobian.column_iter_mut().zip(spans) {
+        column *= span.scale;
+    }
+    jacobian
+}
+
+/// The Gauss–Newton step, in scales, of the unknowns that are not pressed against a bound. One that would cross its bound goes to it, and the others take the
+/// step that is best with it there.
+fn wanted_step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknowns: &[f64], spans: &[Span]) -> DVector<f64> {
+    let slope = jacobian.tr_mul(residuals);
+    let mut free: Vec<usize> = (0..unknowns.len()).filter(|&i| !is_pressed(unknowns[i], slope[i], &spans[i])).collect();
+    let mut step = DVector::zeros(unknowns.len());
+    while !free.is_empty() {
+        let svd = jacobian.select_columns(&free).svd(true, true);
+        let cutoff = svd.singular_values.max() * NOTHING;
+        let Ok(of_free) = svd.solve(&(residuals + jacobian * &step), cutoff) else { break };
+        let end = |i: usize, value: f64| unknowns[i] - value * spans[i].scale;
+        let crosses = |i: usize, value: f64| !(spans[i].min..=spans[i].max).contains(&end(i, value));
+        let (crossing, inside): (Vec<(usize, f64)>, Vec<(usize, f64)>) =
+            free.iter().copied().zip(of_free.iter().copied()).partition(|&(i, value)| crosses(i, value));
+        for &(i, value) in if crossing.is_empty() { &inside } else { &crossing } {
+            step[i] = (end(i, value).clamp(spans[i].min, spans[i].max) - unknowns[i]) / spans[i].scale;
+        }
+        if crossing.is_empty() {
+            break;
+        }
+        free = inside.into_iter().map(|(i, _)| i).collect();
+    }
+    step
+}
+
+/// Whether an unknown is on a bound and the sum of squares falls beyond it.
+fn is_pressed(x: f64, slope: f64, span: &Span) -> bool {
+    (x <= span.min && slope > 0.0) || (x >= span.max && slope < 0.0)
+}
+
+struct Tried {
+    unknowns: Vec<f64>,
+    residuals: DVector<f64>,
+}
+
+/// The step, or the largest half, quarter … of it that does not make the sum larger.
+fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Span], sum: f64) -> Option<Tried> {
+    // Rounding alone may make the sum this much larger.
+    let limit = sum * (1.0 + 1e-12) + f64::MIN_POSITIVE;
+    let mut share = 1.0;
+    for _ in 0..12 {
+        let to = |i: usize| (from[i] + share * step[i] * spans[i].scale).clamp(spans[i].min, spans[i].max);
+        let unknowns: Vec<f64> = (0..from.len()).map(to).collect();
+        if let Some(residuals) = of.at(&unknowns).map(DVector::from_vec)
+            && residuals.norm_squared() <= limit
+        {
+            return Some(Tried { unknowns, residuals });
+        }
+        share *= 0.5;
+    }
+    None
+}
+
+fn distance(from: &[f64], to: &[f64], spans: &[Span]) -> f64 {
+    (0..from.len()).map(|i| (to[i] - from[i]).abs() / spans[i].scale).fold(0.0, f64::max)
+}
+
+/// Puts an unknown that is as good as on a bound on it.
+fn settle(x: &mut f64, span: &Span) -> Option<Bound> {
+    let near = |bound: f64| (*x - bound).abs() <= ON_BOUND * span.scale;
+    let (bound, at) = if near(span.min) {
+        (span.min, Bound::Min)
+    } else if near(span.max) {
+        (span.max, Bound::Max)
+    } else {
+        return None;
+    };
+    *x = bound;
+    Some(at)
+}
