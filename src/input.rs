@@ -110,6 +110,21 @@ impl Input {
         ]
     };
 
+    /// The vehicle that it is of, if of one.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Input::Mass(side)
+            | Input::YawInertia(side)
+            | Input::Heading(side)
+            | Input::ImpactCenterForward(side)
+            | Input::ImpactCenterLeft(side)
+            | Input::VelocityX(side)
+            | Input::VelocityY(side)
+            | Input::YawRate(side) => Some(side),
+            Input::CrushPlane | Input::Restitution | Input::ImpulseRatio | Input::Moment => None,
+        }
+    }
+
     /// Its place in [`Input::ALL`].
     #[inline(always)]
     pub const fn index(self) -> usize {

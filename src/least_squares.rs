@@ -65,6 +65,8 @@ pub struct Stopped {
     pub step: f64,
     /// Steps taken.
     pub iterations: usize,
+    /// Where that step would lead.
+    pub toward: Vec<f64>,
 }
 
 /// Why there is no minimum.

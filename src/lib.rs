@@ -61,6 +61,8 @@ pub(crate) mod least_squares;
 pub mod moment;
 pub mod output;
 pub mod paper;
+#[cfg(feature = "reconstruct")]
+pub mod reconstruct;
 pub mod refusal;
 pub mod scalar;
 #[cfg(feature = "dual")]

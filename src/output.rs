@@ -202,6 +202,20 @@ impl Output {
         Output::ALL.iter().position(|&output| output == self).expect("every output is among all of them")
     }
 
+    /// The vehicle that it is of, if of one.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Output::VelocityX(side)
+            | Output::VelocityY(side)
+            | Output::YawRate(side)
+            | Output::DeltaVX(side)
+            | Output::DeltaVY(side)
+            | Output::DeltaVMagnitude(side)
+            | Output::PrincipalDirectionOfForce(side) => Some(side),
+            _ => None,
+        }
+    }
+
     /// Its name, such as `energy.normal_work`.
     pub fn name(self) -> &'static str {
         NAMES[self.index()].0

@@ -23,6 +23,7 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
     }
     let mut residuals = DVector::from_vec(of.at(&unknowns).unwrap_or_default());
     let (mut step, mut taken) = (f64::INFINITY, 0);
+    let mut toward = unknowns.clone();
     while taken < STEPS.min(at_most) && !residuals.is_empty() {
         let last = step;
         let jacobian = scaled(of.jacobian(&unknowns), spans);
@@ -30,6 +31,7 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
         let Some(tried) = shortened(of, &unknowns, &wanted, spans, residuals.norm_squared()) else {
             // Nothing that is possible is better: the end, if hardly anything was asked for.
             step = wanted.amax();
+            toward = moved(&unknowns, &wanted, spans);
             break;
         };
         step = distance(&unknowns, &tried.unknowns, spans);
@@ -42,7 +44,7 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
     }
     let (sum_of_squares, iterations) = (residuals.norm_squared(), before + taken);
     if residuals.is_empty() || !(step <= CONVERGED) {
-        return Err(Stopped { unknowns, sum_of_squares, step, iterations });
+        return Err(Stopped { unknowns, sum_of_squares, step, iterations, toward });
     }
     let at = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
     Ok(Minimum { unknowns, sum_of_squares, at, iterations })
@@ -96,8 +98,7 @@ fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Sp
     let limit = sum * (1.0 + 1e-12) + f64::MIN_POSITIVE;
     let mut share = 1.0;
     for _ in 0..12 {
-        let to = |i: usize| (from[i] + share * step[i] * spans[i].scale).clamp(spans[i].min, spans[i].max);
-        let unknowns: Vec<f64> = (0..from.len()).map(to).collect();
+        let unknowns = moved(from, &(step * share), spans);
         if let Some(residuals) = of.at(&unknowns).map(DVector::from_vec)
             && residuals.norm_squared() <= limit
         {
@@ -106,6 +107,10 @@ fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Sp
         share *= 0.5;
     }
     None
+}
+
+fn moved(from: &[f64], step: &DVector<f64>, spans: &[Span]) -> Vec<f64> {
+    (0..from.len()).map(|i| (from[i] + step[i] * spans[i].scale).clamp(spans[i].min, spans[i].max)).collect()
 }
 
 fn distance(from: &[f64], to: &[f64], spans: &[Span]) -> f64 {

@@ -1,0 +1,73 @@
+//! What the evidence determines, by singular values.
+
+use nalgebra::DMatrix;
+
+use super::variable::Variable;
+
+/// The share of the largest singular value below which a direction changes no piece of evidence.
+const NOTHING: f64 = 1e-9;
+
+/// A way in which the unknowns can move together without any piece of evidence noticing, to first order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Direction {
+    /// The unknowns that move, and by how much beside each other, in SI units; the largest in its scale (1 m/s, 1 rad/s, 0.1 of the rest) moves by that.
+    pub parts: Vec<(Variable, f64)>,
+}
+
+impl Direction {
+    /// The unknowns that move.
+    pub fn variables(&self) -> impl Iterator<Item = Variable> {
+        self.parts.iter().map(|(variable, _)| *variable)
+    }
+}
+
+/// The directions of the unknowns that no evidence notices, from derivatives of the evidence by the unknowns in their scales.
+///
+/// Rows are brought to the same size first: how well a piece of evidence is known says nothing of what it is evidence of.
+pub(super) fn blind(derivatives: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    let unknowns = derivatives.ncols();
+    let rows = derivatives.nrows().max(unknowns);
+    let mut matrix = DMatrix::zeros(rows, unknowns);
+    for (mut to, from) in matrix.row_iter_mut().zip(derivatives.row_iter()) {
+        let size = from.norm();
+        if size > 0.0 {
+            to.copy_from(&(from / size));
+        }
+    }
+    let svd = matrix.svd(false, true);
+    let Some(directions) = svd.v_t else { return Vec::new() };
+    let largest = svd.singular_values.max();
+    let is_blind = |k: &usize| !(svd.singular_values[*k] > NOTHING * largest);
+    (0..unknowns).filter(is_blind).map(|k| directions.row(k).iter().copied().collect()).collect()
+}
+
+/// A direction in scales, in units, without what is rounding.
+pub(super) fn named(direction: &[f64], variables: &[Variable], scales: &[f64]) -> Direction {
+    let largest = direction.iter().fold(0.0_f64, |largest, part| if part.abs() > largest.abs() { *part } else { largest });
+    let part = |i: usize| (variables[i], direction[i] / largest * scales[i]);
+    let moves = |i: &usize| direction[*i].abs() > 1e-6 * largest.abs();
+    Direction { parts: (0..direction.len()).filter(moves).map(part).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Side;
+
+    #[test]
+    fn a_sum_alone_does_not_tell_its_terms() {
+        let sum = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 3e5, 3e5]);
+        let blind = blind(&sum);
+        assert_eq!(blind.len(), 1);
+        let direction = named(&blind[0], &[Variable::Speed(Side::One), Variable::Speed(Side::Two)], &[1.0, 1.0]);
+        let [(_, one), (_, two)] = direction.parts[..] else { panic!("{direction:?}") };
+        assert!((one + two).abs() < 1e-12 && one.abs().max(two.abs()) == 1.0, "{direction:?}");
+    }
+
+    #[test]
+    fn weak_evidence_is_evidence() {
+        assert!(blind(&DMatrix::from_row_slice(2, 2, &[1e6, 0.0, 0.0, 1e-6])).is_empty());
+        assert_eq!(blind(&DMatrix::from_row_slice(1, 2, &[1.0, 0.0])).len(), 1);
+        assert_eq!(blind(&DMatrix::zeros(2, 2)).len(), 2);
+    }
+}

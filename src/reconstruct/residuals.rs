@@ -1,0 +1,108 @@
+//! What the evidence is off by at given unknowns, and how that moves.
+
+use nalgebra::{DMatrix, DVector};
+use num_dual::{Dual64, HyperDual64};
+
+use super::given::{Evidence, Reconstruction};
+use super::scene::{Placed, Scene};
+use super::weight::Weights;
+use crate::impact::Impact;
+use crate::least_squares::Residuals;
+use crate::refusal::Refusals;
+use crate::scalar::Real;
+
+/// A question ready to be computed with.
+pub(super) struct Model<'a> {
+    pub(super) question: &'a Reconstruction,
+    /// The evidence, then the priors.
+    pub(super) evidence: Vec<Evidence>,
+    pub(super) weights: Weights,
+    scene: Scene,
+}
+
+impl<'a> Model<'a> {
+    pub(super) fn of(question: &'a Reconstruction) -> Self {
+        let evidence = question.all_evidence();
+        Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question }
+    }
+
+    /// The collision at given unknowns and its impact.
+    pub(super) fn solve(&self, unknowns: &[f64]) -> Result<(Placed<f64>, Impact), Refusals> {
+        let placed = self.scene.place(unknowns);
+        let impact = placed.collision.solve()?;
+        Ok((placed, impact))
+    }
+
+    /// What the evidence would be there.
+    pub(super) fn computed(&self, unknowns: &[f64]) -> Result<Vec<f64>, Refusals> {
+        let (placed, impact) = self.solve(unknowns)?;
+        Ok(self.measured(&placed, &impact))
+    }
+
+    fn measured<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
+        let nothing = || T::int(0);
+        self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect()
+    }
+
+    /// Given less computed, angles by the shorter way.
+    pub(super) fn residuals(&self, computed: &[f64]) -> Vec<f64> {
+        let residual = |(evidence, computed): (&Evidence, &f64)| {
+            let difference = evidence.value - computed;
+            match evidence.of.period() {
+                Some(period) => difference - period * (difference / period).round(),
+                None => difference,
+            }
+        };
+        self.evidence.iter().zip(computed).map(residual).collect()
+    }
+
+    /// The derivatives of what the evidence would be: a row for each piece, a column for each unknown.
+    pub(super) fn derivatives(&self, unknowns: &[f64]) -> DMatrix<f64> {
+        let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
+        let mut matrix = DMatrix::zeros(self.evidence.len(), unknowns.len());
+        for k in 0..unknowns.len() {
+            point[k].eps = 1.0;
+            let placed = self.scene.place(&point);
+            let impact = placed.collision.evaluate();
+            for (i, evidence) in self.evidence.iter().enumerate() {
+                matrix[(i, k)] = evidence.of.of(&placed, &impact).map_or(0.0, |value| value.eps);
+            }
+            point[k].eps = 0.0;
+        }
+        matrix
+    }
+
+    /// The second derivatives of a sum of what the evidence would be, each piece times a factor.
+    pub(super) fn curvature(&self, unknowns: &[f64], factors: &DVector<f64>) -> DMatrix<f64> {
+        let n = unknowns.len();
+        let mut point: Vec<HyperDual64> = unknowns.iter().copied().map(HyperDual64::from).collect();
+        let mut matrix = DMatrix::zeros(n, n);
+        for i in 0..n {
+            for k in i..n {
+                point[i].eps1 = 1.0;
+                point[k].eps2 = 1.0;
+                let placed = self.scene.place(&point);
+                let impact = placed.collision.evaluate();
+                let twice = self.measured(&placed, &impact).iter().zip(factors).map(|(value, factor)| value.eps1eps2 * factor).sum();
+                matrix[(i, k)] = twice;
+                matrix[(k, i)] = twice;
+                point[i].eps1 = 0.0;
+                point[k].eps2 = 0.0;
+            }
+        }
+        matrix
+    }
+}
+
+impl Residuals for Model<'_> {
+    fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
+        let residuals = self.residuals(&self.computed(unknowns).ok()?);
+        let rows = self.weights.whiten(DMatrix::from_vec(residuals.len(), 1, residuals));
+        // What has no derivative, as the direction of a velocity of zero, stays out as what is impossible does.
+        rows.iter().all(|residual| residual.is_finite()).then(|| rows.data.into())
+    }
+
+    fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
+        -self.weights.whiten(self.derivatives(unknowns))
+    }
+}

@@ -1,0 +1,137 @@
+//! What can be unknown.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use crate::collision::Collision;
+use crate::frame::ForwardLeft;
+use crate::input::{Input, Side};
+use crate::law::ImpulseRatio;
+use crate::moment::Moment;
+use crate::scalar::Real;
+use crate::vehicle::{Party, Vehicle};
+
+/// What can be unknown of a collision, and what it can have a prior of.
+///
+/// ```
+/// use planar_impact::reconstruct::Variable;
+/// use planar_impact::{Input, Side};
+/// assert_eq!(Variable::named("vehicle.1.speed"), Some(Variable::Speed(Side::One)));
+/// assert_eq!(Variable::named("Gamma"), Some(Variable::Input(Input::CrushPlane)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variable {
+    /// An input of the collision. [`Input::ImpulseRatio`] is the number that the collision has there: the ratio μ, or the fraction of the critical one.
+    Input(Input),
+    /// The speed of a vehicle along its heading, before the impact. A vehicle whose speed is unknown drives along its heading.
+    Speed(Side),
+    /// The share of the crush energy that vehicle 1 has. The mechanics says nothing of it; stiffness does.
+    CrushShare,
+}
+
+impl Variable {
+    /// Its name, such as `vehicle.1.speed`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Variable::Input(input) => input.name(),
+            Variable::Speed(Side::One) => "vehicle.1.speed",
+            Variable::Speed(Side::Two) => "vehicle.2.speed",
+            Variable::CrushShare => "contact.crush_share",
+        }
+    }
+
+    /// The variable of a name or of the paper's symbol.
+    pub fn named(name: &str) -> Option<Variable> {
+        match name {
+            "vehicle.1.speed" | "v1" => Some(Variable::Speed(Side::One)),
+            "vehicle.2.speed" | "v2" => Some(Variable::Speed(Side::Two)),
+            "contact.crush_share" => Some(Variable::CrushShare),
+            _ => Input::named(name).map(Variable::Input),
+        }
+    }
+
+    /// The vehicle that it is of, if of one.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Variable::Speed(side) => Some(side),
+            Variable::CrushShare => None,
+            Variable::Input(input) => input.side(),
+        }
+    }
+
+    /// The value in a collision; none where the collision does not have it, as the mass of a barrier.
+    pub fn of<T: Real>(self, collision: &Collision<T>, crush_share: &T) -> Option<T> {
+        match self {
+            Variable::Input(input) => collision.input(input),
+            Variable::Speed(side) => party(collision, side).vehicle().map(speed),
+            Variable::CrushShare => Some(crush_share.clone()),
+        }
+    }
+
+    /// The angle after which it is the same again, if it is an angle.
+    pub(super) fn period(self) -> Option<f64> {
+        match self {
+            Variable::Input(Input::CrushPlane) => Some(PI),
+            Variable::Input(Input::Heading(_)) => Some(TAU),
+            _ => None,
+        }
+    }
+
+    /// The least and the most that it can be whatever the case.
+    pub(super) fn domain(self, collision: &Collision) -> (f64, f64) {
+        let of_critical = matches!(collision.impulse_ratio, ImpulseRatio::OfCritical(_));
+        match self {
+            Variable::Input(Input::Restitution) | Variable::CrushShare => (0.0, 1.0),
+            Variable::Input(Input::ImpulseRatio) if of_critical => (0.0, 1.0),
+            Variable::Input(Input::ImpulseRatio) if matches!(collision.impulse_ratio, ImpulseRatio::LimitedByFriction(_)) => {
+                (0.0, f64::INFINITY)
+            }
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => (f64::MIN_POSITIVE, f64::INFINITY),
+            _ => (f64::NEG_INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// A change that matters, in its unit.
+    pub(super) fn scale(self, value: f64) -> f64 {
+        match self {
+            Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_) | Input::Moment) => (0.1 * value.abs()).max(f64::MIN_POSITIVE),
+            Variable::CrushShare | Variable::Input(_) => 0.1,
+        }
+    }
+
+    /// How far from the start other starts lie, where no bound says so.
+    pub(super) fn spread(self, value: f64) -> f64 {
+        match self {
+            Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => 20.0,
+            Variable::Input(Input::YawRate(_)) => 5.0,
+            Variable::Input(Input::Heading(_)) => PI,
+            Variable::Input(Input::CrushPlane) => FRAC_PI_2,
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_) | Input::Moment) => 0.5 * value.abs(),
+            Variable::CrushShare | Variable::Input(_) => 1.0,
+        }
+    }
+
+    /// Whether the collision has it.
+    pub(super) fn is_in(self, collision: &Collision) -> bool {
+        match self {
+            Variable::CrushShare => collision.one.vehicle().is_some() && collision.two.vehicle().is_some(),
+            Variable::Input(Input::ImpulseRatio) => collision.impulse_ratio != ImpulseRatio::Critical,
+            Variable::Input(Input::Moment) => collision.moment != Moment::None,
+            _ => self.side().is_none_or(|side| party(collision, side).vehicle().is_some()),
+        }
+    }
+}
+
+/// The party of a side.
+pub(super) fn party<T>(collision: &Collision<T>, side: Side) -> &Party<T> {
+    match side {
+        Side::One => &collision.one,
+        Side::Two => &collision.two,
+    }
+}
+
+/// How fast a vehicle goes along its heading.
+pub(super) fn speed<T: Real>(vehicle: &Vehicle<T>) -> T {
+    let ForwardLeft { forward, .. } = vehicle.heading.to_vehicle(vehicle.motion.velocity.clone());
+    forward
+}

@@ -1,0 +1,82 @@
+//! What each residual counts: divided by its standard deviation, and freed of what it shares with others.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
+
+use super::given::{Evidence, Reconstruction};
+
+/// The least eigenvalue that a matrix of correlations may have.
+pub(super) const SINGULAR: f64 = 1e-9;
+
+/// The covariance of the evidence, as what residuals are divided by.
+pub(super) struct Weights {
+    /// What each residual is divided by: its standard deviation, or what it is held to.
+    pub(super) scales: Vec<f64>,
+    /// The Cholesky factor of the correlations, where there are any.
+    factor: Option<Cholesky<f64, Dyn>>,
+}
+
+impl Weights {
+    /// Of evidence in order, whose correlations have passed the check.
+    pub(super) fn of(question: &Reconstruction, evidence: &[Evidence]) -> Self {
+        let scales = evidence.iter().map(Evidence::weight_scale).collect();
+        let has_any = !question.correlations.is_empty();
+        Weights { scales, factor: has_any.then(|| correlations(question, evidence)).and_then(Cholesky::new) }
+    }
+
+    /// Residuals or rows of derivatives of them, so that their errors have a standard deviation of 1 each and no correlation.
+    pub(super) fn whiten(&self, mut rows: DMatrix<f64>) -> DMatrix<f64> {
+        for (mut row, scale) in rows.row_iter_mut().zip(&self.scales) {
+            row /= *scale;
+        }
+        if let Some(factor) = &self.factor {
+            factor.l_dirty().solve_lower_triangular_mut(&mut rows);
+        }
+        rows
+    }
+
+    /// The inverse of the covariance times residuals.
+    pub(super) fn inverse_times(&self, residuals: &DVector<f64>) -> DVector<f64> {
+        let mut result = residuals.clone();
+        self.divide(&mut result);
+        if let Some(factor) = &self.factor {
+            factor.solve_mut(&mut result);
+        }
+        self.divide(&mut result);
+        result
+    }
+
+    fn divide(&self, residuals: &mut DVector<f64>) {
+        for (residual, scale) in residuals.iter_mut().zip(&self.scales) {
+            *residual /= scale;
+        }
+    }
+
+    /// The covariance of the evidence that has one; what is exact has none.
+    pub(super) fn covariance(&self, question: &Reconstruction, evidence: &[Evidence]) -> DMatrix<f64> {
+        let sd: Vec<f64> = evidence.iter().map(|evidence| evidence.uncertainty.standard_deviation().unwrap_or(0.0)).collect();
+        let correlations = correlations(question, evidence);
+        DMatrix::from_fn(sd.len(), sd.len(), |i, k| sd[i] * correlations[(i, k)] * sd[k])
+    }
+}
+
+/// The matrix of correlations of the evidence.
+fn correlations(question: &Reconstruction, evidence: &[Evidence]) -> DMatrix<f64> {
+    let mut matrix = DMatrix::identity(evidence.len(), evidence.len());
+    let place = |of| question.evidence.iter().position(|evidence| evidence.of == of);
+    for correlation in &question.correlations {
+        if let (Some(i), Some(k)) = (place(correlation.one), place(correlation.other)) {
+            matrix[(i, k)] = correlation.coefficient;
+            matrix[(k, i)] = correlation.coefficient;
+        }
+    }
+    matrix
+}
+
+/// The least eigenvalue of the correlations; not a number where they have none.
+pub(super) fn least_eigenvalue(question: &Reconstruction) -> f64 {
+    let matrix = correlations(question, &question.evidence);
+    if matrix.iter().any(|x| !x.is_finite()) {
+        return f64::NAN;
+    }
+    SymmetricEigen::new(matrix).eigenvalues.min()
+}
