@@ -87,8 +87,8 @@ pub(crate) const CONVERGED: f64 = 1e-9;
 ///
 /// [`NoMinimum`]: the residuals are not defined at the start, or no minimum is reached in so many iterations.
 pub fn minimum(of: &impl Residuals, start: &[f64], spans: &[Span], iterations: usize) -> Result<Minimum, NoMinimum> {
-    of.at(start).ok_or(NoMinimum::NoStart)?;
-    let scaled = Scaled::of(of, spans);
+    let residuals = of.at(start).ok_or(NoMinimum::NoStart)?.len();
+    let scaled = Scaled::of(of, residuals, spans);
     let from = start.iter().zip(spans).map(|(x, span)| x / span.scale).collect();
     let solver = TrustRegionReflective::new()
         .with_absolute_scaled_gradient_tolerance(1e-12)
@@ -103,15 +103,17 @@ pub fn minimum(of: &impl Residuals, start: &[f64], spans: &[Span], iterations: u
 /// The residuals over the unknowns in their scales.
 struct Scaled<'a, R> {
     of: &'a R,
+    /// How many residuals there are.
+    residuals: usize,
     spans: &'a [Span],
     lower: Vec<f64>,
     upper: Vec<f64>,
 }
 
 impl<'a, R: Residuals> Scaled<'a, R> {
-    fn of(of: &'a R, spans: &'a [Span]) -> Self {
+    fn of(of: &'a R, residuals: usize, spans: &'a [Span]) -> Self {
         let each = |bound: fn(&Span) -> f64| spans.iter().map(|span| bound(span) / span.scale).collect();
-        Scaled { of, spans, lower: each(|span| span.min), upper: each(|span| span.max) }
+        Scaled { of, residuals, spans, lower: each(|span| span.min), upper: each(|span| span.max) }
     }
 
     fn unscaled(&self, point: &[f64]) -> Vec<f64> {
@@ -134,7 +136,7 @@ impl<R: Residuals> Residual for Scaled<'_, R> {
 
     fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
         // What is not a number makes the trust region smaller.
-        Ok(self.of.at(&self.unscaled(point)).unwrap_or_else(|| alloc::vec![f64::NAN]))
+        Ok(self.of.at(&self.unscaled(point)).unwrap_or_else(|| alloc::vec![f64::NAN; self.residuals]))
     }
 }
 
