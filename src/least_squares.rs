@@ -1,7 +1,7 @@
 //! The least sum of squares within bounds, from one start: the tool of both ways back, from evidence to speeds and from rest to separation.
 //!
-//! The steps are those of a trust region with reflections at the bounds (Branch, Coleman and Li 1999), of the crate `basin`. It stays inside the bounds, so
-//! what it ends with is brought to its end here: unknowns that press against a bound are put on it, and the others take Gauss–Newton steps until these are
+//! The steps are Levenberg's and Marquardt's, scaled by the distance to the bounds (Branch, Coleman and Li 1999), of the crate `basin`. They stay inside the bounds,
+//! so what they end with is brought to its end here: unknowns that press against a bound are put on it, and the others take Gauss–Newton steps until these are
 //! nothing beside the unknowns' scale. Only that is called converged.
 
 mod polish;
@@ -9,7 +9,7 @@ mod polish;
 use alloc::vec::Vec;
 use core::convert::Infallible;
 
-use basin::{BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual, TrustRegionReflective};
+use basin::{BoundedLevenbergMarquardt, BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual};
 use nalgebra::DMatrix;
 
 /// What is to be made small: residuals and how they move.
@@ -90,11 +90,7 @@ pub fn minimum(of: &impl Residuals, start: &[f64], spans: &[Span], iterations: u
     let residuals = of.at(start).ok_or(NoMinimum::NoStart)?.len();
     let scaled = Scaled::of(of, residuals, spans);
     let from = start.iter().zip(spans).map(|(x, span)| x / span.scale).collect();
-    let solver = TrustRegionReflective::new()
-        .with_absolute_scaled_gradient_tolerance(1e-12)
-        .with_initial_radius(1.0)
-        .with_max_subproblem_iterations(100)
-        .with_relative_cost_change_tolerance(1e-9);
+    let solver = BoundedLevenbergMarquardt::new().with_absolute_scaled_gradient_tolerance(1e-6).with_relative_cost_change_tolerance(1e-6);
     let run = Executor::from_start(scaled, solver, from).max_iter(iterations as u64).run().map_err(|_| NoMinimum::NoStart)?;
     let unknowns: Vec<f64> = run.param().iter().zip(spans).map(|(z, span)| (z * span.scale).clamp(span.min, span.max)).collect();
     polish::polish(of, unknowns, spans, run.iter() as usize, iterations).map_err(NoMinimum::Stopped)
