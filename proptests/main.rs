@@ -24,6 +24,8 @@ mod noise;
 mod paper;
 #[cfg(feature = "symbols")]
 mod reading;
+#[cfg(feature = "reconstruct")]
+mod reconstruct;
 mod records;
 mod refusals;
 mod scalars;

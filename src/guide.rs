@@ -6,6 +6,10 @@ pub mod sensitivities {}
 #[doc = include_str!("guide/crush.md")]
 pub mod crush {}
 
+#[cfg(feature = "reconstruct")]
+#[doc = include_str!("guide/reconstruction.md")]
+pub mod reconstruction {}
+
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
 

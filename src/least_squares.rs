@@ -48,8 +48,10 @@ pub struct Minimum {
     pub unknowns: Vec<f64>,
     /// The sum of the squares of the residuals.
     pub sum_of_squares: f64,
-    /// The bound that each unknown presses against.
+    /// The bound that each unknown is on.
     pub at: Vec<Option<Bound>>,
+    /// Whether that bound holds it: beyond it the sum would be less.
+    pub is_held: Vec<bool>,
     /// Steps taken.
     pub iterations: usize,
 }

@@ -46,8 +46,10 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
     if residuals.is_empty() || !(step <= CONVERGED) {
         return Err(Stopped { unknowns, sum_of_squares, step, iterations, toward });
     }
-    let at = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
-    Ok(Minimum { unknowns, sum_of_squares, at, iterations })
+    let at: Vec<Option<Bound>> = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
+    let jacobian = scaled(of.jacobian(&unknowns), spans);
+    let is_held = (0..at.len()).map(|i| at[i].is_some_and(|at| presses(&jacobian, &residuals, i, at))).collect();
+    Ok(Minimum { unknowns, sum_of_squares, at, is_held, iterations })
 }
 
 fn scaled(mut jacobian: DMatrix<f64>, spans: &[Span]) -> DMatrix<f64> {
@@ -85,6 +87,16 @@ fn wanted_step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknowns: &[f6
 /// Whether an unknown is on a bound and the sum of squares falls beyond it.
 fn is_pressed(x: f64, slope: f64, span: &Span) -> bool {
     (x <= span.min && slope > 0.0) || (x >= span.max && slope < 0.0)
+}
+
+/// Whether the sum of squares would be less beyond the bound that an unknown is on, by more than rounding.
+fn presses(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknown: usize, at: Bound) -> bool {
+    /// What rounding makes of a sum of squares.
+    const ROUNDING: f64 = 1e-10;
+    let column = jacobian.column(unknown);
+    let slope = column.dot(residuals);
+    let outward = if at == Bound::Min { slope > 0.0 } else { slope < 0.0 };
+    outward && slope * slope > ROUNDING * column.norm_squared()
 }
 
 struct Tried {

@@ -26,6 +26,10 @@ impl Direction {
 /// Rows are brought to the same size first: how well a piece of evidence is known says nothing of what it is evidence of.
 pub(super) fn blind(derivatives: &DMatrix<f64>) -> Vec<Vec<f64>> {
     let unknowns = derivatives.ncols();
+    // Bounds hold them all.
+    if unknowns == 0 {
+        return Vec::new();
+    }
     let rows = derivatives.nrows().max(unknowns);
     let mut matrix = DMatrix::zeros(rows, unknowns);
     for (mut to, from) in matrix.row_iter_mut().zip(derivatives.row_iter()) {

@@ -19,7 +19,7 @@ pub struct Estimate {
     pub of: Variable,
     /// Its value, in SI. Where the evidence does not determine it, one of the values that it may have.
     pub value: f64,
-    /// Its standard deviation. None where the evidence does not determine it, where a bound holds it, and where no piece of evidence has an uncertainty.
+    /// Its standard deviation. None where the evidence does not determine it, where a bound holds it short of what the evidence asks for, and where no piece of evidence has an uncertainty.
     pub sd: Option<f64>,
     /// The bound that it sits on.
     pub at: Option<Bound>,
@@ -144,7 +144,7 @@ impl Solution {
         let moves = |i: usize| slopes.blind.iter().any(|direction| (direction[i] * unscaled(i)).abs() > 1e-6 * unscaled(i));
         let estimate = |i: usize| {
             let is_determined = !moves(i);
-            let has_sd = has_errors && is_determined && minimum.at[i].is_none();
+            let has_sd = has_errors && is_determined && !minimum.is_held[i];
             Estimate {
                 of: model.question.unknowns[i].of,
                 value: values[i],
@@ -209,9 +209,9 @@ struct Slopes {
 impl Slopes {
     fn of(model: &Model<'_>, minimum: &Minimum, spans: &[Span]) -> Self {
         let mut derivatives = model.derivatives(&minimum.unknowns);
-        let free: Vec<usize> = (0..spans.len()).filter(|&i| minimum.at[i].is_none()).collect();
+        let free: Vec<usize> = (0..spans.len()).filter(|&i| !minimum.is_held[i]).collect();
         for (i, mut column) in derivatives.column_iter_mut().enumerate() {
-            column *= if minimum.at[i].is_none() { spans[i].scale } else { 0.0 };
+            column *= if minimum.is_held[i] { 0.0 } else { spans[i].scale };
         }
         let of_free = blind(&derivatives.select_columns(&free));
         let spread = |direction: &Vec<f64>| {
@@ -225,6 +225,9 @@ impl Slopes {
 
     /// How the unknowns move with the evidence: the point where the slope of ½χ² is zero moves with what moves the slope.
     fn influence(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> DMatrix<f64> {
+        if self.determined.ncols() == 0 {
+            return DMatrix::zeros(spans.len(), model.evidence.len());
+        }
         let weighted = self.weighted(model);
         let straight = weighted.transpose() * &self.derivatives;
         let factors = model.weights.inverse_times(residuals);

@@ -1,0 +1,5 @@
+//! From evidence back to what it is evidence of.
+
+mod calibration;
+mod scene;
+mod table;

@@ -1,0 +1,1 @@
+//! Whether the uncertainty is right.

@@ -1,0 +1,131 @@
+//! Random oblique collisions of two cars, and what would be measured of them.
+
+use planar_impact::reconstruct::{Measurable, Reconstruction, Unknown, Variable};
+use planar_impact::*;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// A source of collisions that is the same in every run.
+pub struct Source(pub ChaCha8Rng);
+
+impl Source {
+    pub fn of(seed: u64) -> Self {
+        Source(ChaCha8Rng::seed_from_u64(seed))
+    }
+
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.0.random::<f64>()
+    }
+
+    fn car(&mut self, heading: f64) -> Vehicle {
+        let (mass, speed) = (self.between(900.0, 2500.0), self.between(8.0, 30.0));
+        let heading = Heading::from_angle(heading);
+        Vehicle {
+            mass,
+            yaw_inertia: mass * self.between(1.2, 1.6).powi(2),
+            heading,
+            impact_center: ForwardLeft { forward: self.between(0.5, 2.2), left: self.between(-0.8, 0.8) },
+            motion: Motion { velocity: heading.to_ground(ForwardLeft { forward: speed, left: 0.0 }), yaw_rate: 0.0 },
+        }
+    }
+
+    /// Two cars that meet obliquely or head on, with some sliding left.
+    pub fn collision(&mut self) -> Collision {
+        loop {
+            let heading = self.between(1.8, 4.4);
+            let collision = Collision {
+                one: self.car(0.0).into(),
+                two: self.car(heading).into(),
+                crush_plane: CrushPlane::from_angle(self.between(-0.5, 0.5)),
+                restitution: self.between(0.02, 0.25),
+                impulse_ratio: ImpulseRatio::OfCritical(self.between(0.5, 0.98)),
+                law: Law::Brach,
+                moment: Moment::None,
+            };
+            if collision.solve().is_ok() {
+                return collision;
+            }
+        }
+    }
+}
+
+/// A collision as it was.
+pub struct Truth {
+    pub collision: Collision,
+    pub impact: Impact,
+    pub crush_share: f64,
+}
+
+impl Truth {
+    pub fn of(collision: Collision, crush_share: f64) -> Self {
+        let impact = collision.solve().expect("it has been solved before");
+        Truth { collision, impact, crush_share }
+    }
+
+    fn vehicle(&self, side: Side) -> Vehicle {
+        let party = match side {
+            Side::One => &self.collision.one,
+            Side::Two => &self.collision.two,
+        };
+        *party.vehicle().expect("both are vehicles")
+    }
+
+    pub fn variable(&self, variable: Variable) -> f64 {
+        match variable {
+            Variable::Input(input) => self.collision.input(input).expect("the collision has it"),
+            Variable::Speed(side) => self.vehicle(side).motion.velocity.length(),
+            Variable::CrushShare => self.crush_share,
+        }
+    }
+
+    /// What would be measured; computed apart from the library's own way from a measurable to a number.
+    pub fn measured(&self, measurable: Measurable) -> f64 {
+        let response = |side| match side {
+            Side::One => &self.impact.one,
+            Side::Two => &self.impact.two,
+        };
+        let crush_energy = -self.impact.work.n;
+        match measurable {
+            Measurable::Variable(variable) => self.variable(variable),
+            Measurable::Output(output) => Outputs::of(&self.collision, &self.impact)[output],
+            Measurable::CrushEnergy => crush_energy,
+            Measurable::CrushEnergyOf(Side::One) => crush_energy * self.crush_share,
+            Measurable::CrushEnergyOf(Side::Two) => crush_energy * (1.0 - self.crush_share),
+            Measurable::SeparationSpeed(side) => response(side).after.velocity.x.hypot(response(side).after.velocity.y),
+            Measurable::SeparationDirection(side) => response(side).after.velocity.y.atan2(response(side).after.velocity.x),
+            Measurable::DeltaVForward(side) => {
+                let (delta_v, heading) = (response(side).delta_v, self.vehicle(side).heading);
+                delta_v.x * heading.cos + delta_v.y * heading.sin
+            }
+            Measurable::DeltaVLeft(side) => {
+                let (delta_v, heading) = (response(side).delta_v, self.vehicle(side).heading);
+                delta_v.y * heading.cos - delta_v.x * heading.sin
+            }
+        }
+    }
+}
+
+/// How well such things are known.
+pub fn deviation(measurable: Measurable, value: f64) -> f64 {
+    match measurable {
+        Measurable::CrushEnergy | Measurable::CrushEnergyOf(_) => 0.05 * value,
+        Measurable::Output(Output::NormalWork) => 0.05 * value.abs(),
+        Measurable::SeparationDirection(_) | Measurable::Output(Output::PrincipalDirectionOfForce(_)) => 0.03,
+        _ => 0.3,
+    }
+}
+
+/// The question with one more unknown, from a start that knows nothing of the truth but, for components, its neighborhood.
+pub fn asking(question: Reconstruction, variable: Variable, truth: f64, source: &mut Source) -> Reconstruction {
+    match variable {
+        Variable::Speed(_) => question.with(Unknown { of: variable, start: 15.0, min: Some(0.0), max: Some(50.0), prior: None }),
+        Variable::CrushShare => question.between(variable, 0.5, 0.0, 1.0),
+        Variable::Input(Input::Restitution) => question.between(variable, 0.15, 0.0, 0.4),
+        Variable::Input(Input::ImpulseRatio) => question.between(variable, 0.75, 0.0, 1.0),
+        Variable::Input(Input::CrushPlane) => question.between(variable, 0.0, -0.8, 0.8),
+        Variable::Input(Input::ImpactCenterForward(_) | Input::ImpactCenterLeft(_)) => question.between(variable, 0.0, -1.0, 1.0),
+        Variable::Input(Input::YawRate(_)) => question.unknown(variable, 0.0),
+        Variable::Input(Input::Heading(_)) => question.between(variable, 0.1, -0.8, 0.8),
+        Variable::Input(_) => question.unknown(variable, truth + source.between(-5.0, 5.0)),
+    }
+}
