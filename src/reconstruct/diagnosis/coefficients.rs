@@ -1,0 +1,79 @@
+//! The two coefficients of the impact beside what is known of them.
+
+use super::{Figure, Finding, Limit, Question};
+use crate::input::Input;
+use crate::least_squares::Bound;
+use crate::reconstruct::{Reconstruction, Solution, Variable};
+
+/// The closing speed along the normal, in m/s, up to which bumpers spring back: velocity changes of 2 to 5 mph of the vehicle that is struck.
+const LOW_SPEED: f64 = 3.5;
+
+/// The restitution is one that tests show at this closing speed.
+pub(super) fn restitution(solution: &Solution) -> Finding {
+    let closing = solution.impact.approach.n.abs();
+    let e = solution.collision.restitution;
+    let (least, most, source) = if closing <= LOW_SPEED {
+        (0.2, 0.4, "SAE 931842: 0.2 to 0.4 at velocity changes of 2 to 5 mph")
+    } else {
+        (0.0, 0.3, "the paper, on choosing e: 0 to 0.3 in most collisions of light vehicles, most of them low")
+    };
+    let meaning = format!(
+        "e is {e:.3} at a normal closing speed of {closing:.1} m/s, where tests show {least} to {most}; the more is crushed, the less springs back, save at an axle \
+         or another hard point"
+    );
+    Finding::new(Question::Restitution, Figure::Number(e), Limit::Between(Figure::Number(least), Figure::Number(most)), source, meaning)
+}
+
+/// The paper's guideline: a restitution that the fit drives to its upper bound points at something else.
+pub(super) fn restitution_bound(solution: &Solution, question: &Reconstruction) -> Finding {
+    let source = "the paper, on choosing e: a value at the upper extreme without a reason";
+    let unknown = Variable::Input(Input::Restitution);
+    let upper = question.unknowns.iter().find(|other| other.of == unknown).map(|other| other.max.unwrap_or(1.0));
+    let (Some(upper), Some(estimate)) = (upper, solution.estimate(unknown)) else {
+        let limit = Limit::AtMost(Figure::Number(1.0));
+        return Finding::not_checked(Question::RestitutionBound, limit, source, "not checked: the restitution is given");
+    };
+    let is_at_top = estimate.at == Some(Bound::Max);
+    let meaning = if is_at_top {
+        format!(
+            "e is at its upper bound of {upper}. Unless there is a reason for it, as an impact at an axle, re-examine the geometry: the impact center, the crush plane, the \
+             headings"
+        )
+    } else {
+        format!("e is below its upper bound of {upper}")
+    };
+    // What sits on the bound is beyond what the guideline takes for granted.
+    let limit = Limit::AtMost(Figure::Number(if is_at_top { upper - super::ON_BOUND } else { upper }));
+    Finding::new(Question::RestitutionBound, Figure::Number(estimate.value), limit, source, meaning)
+}
+
+/// The impulse ratio is the critical one.
+pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
+    let limit = Limit::Between(Figure::Share(0.9), Figure::Share(1.0));
+    let source = "the paper, on choosing mu: sliding ends in most collisions of light vehicles, mu = mu0; within 10 %";
+    let critical = solution.impact.critical_impulse_ratio();
+    let ratio = solution.impact.impulse_ratio();
+    if critical.abs() < 1e-9 {
+        let why = "not checked: the critical ratio is zero, so there is nothing tangential to compare";
+        return Finding::not_checked(Question::ImpulseRatio, limit, source, why);
+    }
+    let share = ratio / critical;
+    let meaning = if (0.9..=1.0 + 1e-9).contains(&share) {
+        format!(
+            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: sliding has ended, or nearly, as in most collisions",
+            100.0 * share
+        )
+    } else if (0.0..0.9).contains(&share) {
+        format!(
+            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: the vehicles slide past each other to the end. That is a sideswipe; the traces of it \
+             should be there",
+            100.0 * share
+        )
+    } else {
+        format!(
+            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: more than ends the sliding. Something snagged, or the crush plane is another",
+            100.0 * share
+        )
+    };
+    Finding::new(Question::ImpulseRatio, Figure::Share(share), limit, source, meaning)
+}
