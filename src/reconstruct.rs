@@ -8,12 +8,14 @@
 //! | what can be unknown, and what can be evidence | [`Variable`], [`Measurable`] |
 //! | the question | [`Reconstruction`] of [`Unknown`]s and [`Evidence`] |
 //! | the answer | [`Answer`]: a [`Verdict`] and every [`Solution`] |
+//! | where it is a formula | [`closed_form`] |
 //! | what to look at first | [`diagnosis`] |
 //! | no answer | [`Unsolved`], with every [`Problem`] of the question |
 //!
 //! The search runs on f64 with derivatives by dual numbers through the one kernel; the solution is then differentiated as what it is, a point where the
 //! slope is zero, and its uncertainty and its answer to each piece of evidence follow from that.
 
+pub mod closed_form;
 mod determined;
 pub mod diagnosis;
 mod given;

@@ -4,14 +4,20 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
+use super::closed_form::at_crush_energy;
 use super::determined::{Direction, named};
 use super::given::{Reconstruction, Search, Unknown};
+use super::measurable::Measurable;
 use super::problem::{Stop, Unsolved};
 use super::residuals::Model;
+use super::scene::Scene;
 use super::solution::Solution;
-use super::variable::Variable;
+use super::variable::{Variable, party, speed};
 use super::verdict::{Answer, Verdict};
+use crate::input::Side;
 use crate::least_squares::{self, Minimum, NoMinimum, Residuals, Span, Stopped};
+use crate::moment::Moment;
+use crate::vehicle::{Motion, Party};
 
 /// How near, in scales, two ends of a search are the same.
 const SAME: f64 = 1e-5;
@@ -46,6 +52,9 @@ fn span(question: &Reconstruction, unknown: &Unknown) -> Span {
 
 /// Where the searches start: where the question says, and at points drawn at random. The mechanics refuses none of them.
 fn starts(model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Vec<Vec<f64>>, Unsolved> {
+    if let Some(speed) = speed_alone(model.question) {
+        return Ok(vec![vec![speed.clamp(spans[0].min, spans[0].max)]]);
+    }
     let given: Vec<f64> = model.question.unknowns.iter().map(|unknown| unknown.start).collect();
     let refused = model.solve(&given).err();
     let mut starts: Vec<Vec<f64>> = model.at(&given).map(|_| given).into_iter().collect();
@@ -65,6 +74,25 @@ fn starts(model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Vec<Vec<
         (true, Some(refusals)) => Err(Unsolved::NoStart { starts: 1 + DRAWS, refusals }),
         _ => Ok(starts),
     }
+}
+
+/// The speed that the crush energy alone tells, where nothing else moves: works grow with its square, so there is no other.
+fn speed_alone(question: &Reconstruction) -> Option<f64> {
+    let ([unknown], [evidence], []) = (&question.unknowns[..], &question.evidence[..], &question.correlations[..]) else { return None };
+    let (Variable::Speed(side), Measurable::CrushEnergy, None) = (unknown.of, evidence.of, unknown.prior) else { return None };
+    let at_rest = |party: &Party| party.vehicle().is_none_or(|vehicle| vehicle.motion == Motion::rest());
+    let other = match side {
+        Side::One => &question.collision.two,
+        Side::Two => &question.collision.one,
+    };
+    let mut placed = Scene::of(question).place(&[unknown.start]).collision;
+    if !at_rest(other) || party(&placed, side).vehicle()?.motion.yaw_rate != 0.0 || question.collision.moment != Moment::None {
+        return None;
+    }
+    placed.solve().ok()?;
+    placed = at_crush_energy(&placed, evidence.value);
+    placed.solve().ok()?;
+    party(&placed, side).vehicle().map(speed)
 }
 
 /// A value of an unknown: anywhere between its bounds; where one is missing, as far from the start as such unknowns are apart; by its prior where it has one.
