@@ -1,5 +1,8 @@
 //! From evidence back to what it is evidence of.
 
+mod answers;
 mod calibration;
+mod closed_form;
 mod scene;
 mod table;
+mod verdicts;

@@ -1,0 +1,247 @@
+//! What is said where there is no one answer.
+
+use planar_impact::reconstruct::*;
+use planar_impact::*;
+
+use super::scene::{Source, Truth};
+
+const SPEED_1: Variable = Variable::Speed(Side::One);
+const SPEED_2: Variable = Variable::Speed(Side::Two);
+
+fn crash(seed: u64) -> Truth {
+    Truth::of(Source::of(seed).collision(), 0.4)
+}
+
+/// The question for both speeds, from given evidence.
+fn speeds(truth: &Truth, evidence: &[(Measurable, f64)]) -> Reconstruction {
+    let question = Reconstruction::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(SPEED_2, 15.0, 0.0, 60.0);
+    evidence.iter().fold(question, |question, &(of, sd)| question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(sd)))
+}
+
+const AFTER_1: [(Measurable, f64); 2] =
+    [(Measurable::Output(Output::VelocityX(Side::One)), 0.5), (Measurable::Output(Output::VelocityY(Side::One)), 0.5)];
+
+#[test]
+fn evidence_that_contradicts_itself_is_called_so() {
+    let truth = crash(1);
+    let delta_v = truth.impact.two.delta_v_magnitude();
+    let of = Measurable::Output(Output::DeltaVMagnitude(Side::Two));
+    let question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 5e3)]);
+    let question = question.evidence(of, delta_v + 8.0, Uncertainty::StandardDeviation(0.5));
+    let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
+    assert_eq!(answer.verdict, Verdict::Contradicted);
+    let best = answer.best();
+    assert!(best.degrees_of_freedom == 2 && best.probability < Answer::CONTRADICTION && best.chi_square > 10.83);
+    let by_hand: f64 = best.evidence.iter().filter_map(Fitted::standardised_residual).map(|z| z * z).sum();
+    assert!((best.chi_square / by_hand - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn as_much_as_chance_explains_is_no_contradiction() {
+    let truth = crash(1);
+    let of = Measurable::Output(Output::DeltaVMagnitude(Side::Two));
+    let near = truth.impact.two.delta_v_magnitude() + 0.5;
+    let question = speeds(&truth, &AFTER_1).evidence(of, near, Uncertainty::StandardDeviation(0.5));
+    assert_eq!(question.solve(&Search::default()).expect("it has an answer").verdict, Verdict::Agrees);
+}
+
+#[test]
+fn bounds_that_leave_the_solution_out_are_named() {
+    let truth = crash(2);
+    let speed = truth.variable(SPEED_1);
+    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 3e3)]);
+    question.unknowns[0] = Unknown { max: Some(speed - 6.0), start: speed - 7.0, ..question.unknowns[0] };
+    let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
+    assert_eq!(answer.verdict, Verdict::BoundsExclude);
+    assert_eq!((answer.best().unknowns[0].at, answer.best().unknowns[0].value), (Some(Bound::Max), speed - 6.0));
+    assert_eq!(answer.best().unknowns[0].sd, None);
+    let beyond = answer.without_bounds.expect("it is what the evidence asks for");
+    assert!((beyond.unknowns[0].value - speed).abs() < 1e-9 && beyond.is_explained());
+}
+
+#[test]
+fn both_of_two_solutions_are_returned() {
+    // Straight into a barrier, a crush plane turned to the left takes as much as one turned to the right.
+    let car = Vehicle {
+        mass: 1500.0,
+        yaw_inertia: 2500.0,
+        heading: Heading::from_angle(0.0),
+        impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
+        motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
+    };
+    let collision = Collision {
+        one: car.into(),
+        two: Party::Barrier,
+        crush_plane: CrushPlane::from_angle(0.3),
+        restitution: 0.1,
+        impulse_ratio: ImpulseRatio::Critical,
+        law: Law::Brach,
+        moment: Moment::None,
+    };
+    let plane = Variable::Input(Input::CrushPlane);
+    let truth = Truth::of(collision, 1.0);
+    let question = Reconstruction::of(collision).between(plane, 0.1, -0.6, 0.6).evidence(
+        Measurable::CrushEnergy,
+        truth.measured(Measurable::CrushEnergy),
+        Uncertainty::StandardDeviation(2e3),
+    );
+    let answer = question.solve(&Search::default()).expect("it has answers");
+    assert_eq!(answer.verdict, Verdict::SeveralSolutions);
+    let mut planes: Vec<f64> = answer.solutions.iter().map(|solution| solution.unknowns[0].value).collect();
+    planes.sort_by(f64::total_cmp);
+    let [right, left] = planes[..] else { panic!("{planes:?}") };
+    assert!((right + 0.3).abs() < 1e-9 && (left - 0.3).abs() < 1e-9, "{planes:?}");
+}
+
+#[test]
+fn what_is_open_is_named_with_how_it_moves() {
+    let truth = crash(3);
+    let magnitude = |side| (Measurable::Output(Output::DeltaVMagnitude(side)), 0.3);
+    let answer = speeds(&truth, &[magnitude(Side::One), magnitude(Side::Two)]).solve(&Search::default()).expect("it has one of many");
+    assert_eq!(answer.verdict, Verdict::Undetermined);
+    let [direction] = &answer.not_determined[..] else { panic!("{:?}", answer.not_determined) };
+    assert_eq!(direction.variables().collect::<Vec<_>>(), [SPEED_1, SPEED_2]);
+    assert!(answer.best().unknowns.iter().all(|unknown| !unknown.is_determined && unknown.sd.is_none()));
+    assert!(!answer.determines(SPEED_1));
+    // A step along it changes no piece of evidence.
+    let mut stepped = truth.collision;
+    for (variable, by) in &direction.parts {
+        let party = if *variable == SPEED_1 { &mut stepped.one } else { &mut stepped.two };
+        if let Party::Vehicle(car) = party {
+            let along = car.heading.to_ground(ForwardLeft { forward: 1e-4 * by, left: 0.0 });
+            car.motion.velocity = car.motion.velocity + along;
+        }
+    }
+    let delta_v = stepped.solve().expect("near a possible one").two.delta_v_magnitude();
+    let at_truth = truth.impact.two.delta_v_magnitude();
+    assert!((delta_v - at_truth).abs() < 1e-6 && delta_v != at_truth);
+}
+
+#[test]
+fn part_of_the_unknowns_can_be_determined() {
+    // ΔV of one vehicle gives its speed against a standing one; nothing is said of the share of the crush energy.
+    let truth = crash(4);
+    let mut question = Reconstruction::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(Variable::CrushShare, 0.5, 0.0, 1.0);
+    for of in [Measurable::DeltaVForward(Side::One), Measurable::DeltaVLeft(Side::One)] {
+        question = question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.3));
+    }
+    let answer = question.solve(&Search::default()).expect("it has one of many");
+    assert_eq!(answer.verdict, Verdict::Undetermined);
+    assert!(answer.determines(SPEED_1) && !answer.determines(Variable::CrushShare));
+    let [speed, share] = &answer.best().unknowns[..] else { panic!() };
+    assert!((speed.value - truth.variable(SPEED_1)).abs() < 1e-9 && speed.sd.is_some());
+    assert!(share.sd.is_none() && !share.is_determined);
+}
+
+#[test]
+fn evidence_that_leads_to_the_impossible_says_what_it_meets() {
+    // More tangential impulse than ends the sliding.
+    let mut truth = crash(5);
+    let critical = truth.impact.critical_impulse_ratio();
+    truth.collision.impulse_ratio = ImpulseRatio::Given(0.5 * critical);
+    let sliding = Truth::of(truth.collision, 0.5);
+    let beyond = Collision { impulse_ratio: ImpulseRatio::Given(1.6 * critical), ..truth.collision }.evaluate();
+    let question = Reconstruction::of(sliding.collision)
+        .unknown(Variable::Input(Input::ImpulseRatio), 0.5 * critical)
+        .evidence(Measurable::Output(Output::YawRate(Side::One)), beyond.one.after.yaw_rate, Uncertainty::StandardDeviation(0.01))
+        .evidence(Measurable::Output(Output::YawRate(Side::Two)), beyond.two.after.yaw_rate, Uncertainty::StandardDeviation(0.01));
+    let Err(Unsolved::NotConverged { nearest, searches }) = question.solve(&Search::default()) else { panic!("it has no answer") };
+    assert!(searches > 1 && nearest.chi_square > 10.0 && nearest.step > 0.0);
+    let refusals = nearest.beyond.expect("the mechanics refuses what lies there");
+    assert!(matches!(refusals.reasons(), [Refusal::BeyondCritical { .. }]), "{refusals}");
+    assert!((nearest.unknowns[0].1 / critical - 1.0).abs() < 0.05, "{:?}", nearest.unknowns);
+}
+
+#[test]
+fn too_few_steps_are_no_answer() {
+    let truth = crash(6);
+    let search = Search { starts: 3, iterations: 1, ..Search::default() };
+    let unsolved = speeds(&truth, &[AFTER_1[0], (Measurable::CrushEnergy, 1e3)]).solve(&search);
+    let Err(Unsolved::NotConverged { nearest, searches: 3 }) = unsolved else { panic!("{unsolved:?}") };
+    assert!(nearest.beyond.is_none() && nearest.step > 1e-9);
+    assert!(Unsolved::NotConverged { nearest, searches: 3 }.to_string().contains("chi-square"));
+}
+
+#[test]
+fn a_pair_that_never_closes_has_no_start() {
+    let truth = crash(7);
+    let Party::Vehicle(mut car) = truth.collision.one else { panic!() };
+    car.motion.velocity = Xy { x: -80.0, y: 0.0 };
+    let leaving = Collision { one: car.into(), ..truth.collision };
+    let question = Reconstruction::of(leaving).between(SPEED_2, 1.0, 0.0, 2.0).evidence(Measurable::CrushEnergy, 1e4, Uncertainty::Exact);
+    let unsolved = question.solve(&Search::default());
+    let Err(Unsolved::NoStart { refusals, .. }) = &unsolved else { panic!("{unsolved:?}") };
+    assert!(matches!(refusals.reasons(), [Refusal::NotClosing { .. }]));
+}
+
+#[test]
+fn every_problem_of_a_question_is_reported_at_once() {
+    let truth = crash(8);
+    let barrier = Collision { two: Party::Barrier, impulse_ratio: ImpulseRatio::Critical, ..truth.collision };
+    let sd = Uncertainty::StandardDeviation;
+    let question = Reconstruction::of(barrier)
+        .unknown(SPEED_1, f64::NAN)
+        .unknown(SPEED_1, 3.0)
+        .unknown(SPEED_2, 3.0)
+        .unknown(Variable::Input(Input::VelocityX(Side::One)), 3.0)
+        .unknown(Variable::Input(Input::ImpulseRatio), 0.3)
+        .between(Variable::Input(Input::Restitution), 0.5, 0.3, 0.2)
+        .between(Variable::Input(Input::CrushPlane), 0.5, 0.1, 0.2)
+        .between(Variable::Input(Input::Mass(Side::One)), 1e3, -5.0, 2e3)
+        .prior(Variable::Input(Input::YawRate(Side::One)), 0.0, 0.0)
+        .evidence(Measurable::CrushEnergy, f64::INFINITY, sd(1.0))
+        .evidence(Measurable::CrushEnergy, 1e4, sd(-1.0))
+        .evidence(Measurable::SeparationSpeed(Side::Two), 1e4, Uncertainty::Resolution(0.0));
+    let question =
+        Reconstruction { correlations: vec![Correlation { one: SAME, other: SAME, coefficient: 0.5 }], crush_share: Some(1.5), ..question };
+    let problems = question.check().expect_err("everything is wrong with it");
+    let has = |wanted: fn(&Problem) -> bool| problems.list().iter().filter(|problem| wanted(problem)).count();
+    assert_eq!(has(|p| matches!(p, Problem::UnknownNotFinite { what: "start", .. })), 1);
+    assert_eq!(has(|p| matches!(p, Problem::UnknownTwice(SPEED_1))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::NotInCase(_))), 2);
+    assert_eq!(has(|p| matches!(p, Problem::SpeedAndVelocity(Side::One))), 2);
+    assert_eq!(has(|p| matches!(p, Problem::BoundsCrossed { .. })), 1);
+    assert_eq!(has(|p| matches!(p, Problem::StartOutside { .. })), 1);
+    assert_eq!(has(|p| matches!(p, Problem::BoundOutside { bound: -5.0, .. })), 1);
+    assert_eq!(has(|p| matches!(p, Problem::NotPositive { .. })), 3);
+    assert_eq!(has(|p| matches!(p, Problem::EvidenceNotFinite { what: "value", .. })), 1);
+    assert_eq!(has(|p| matches!(p, Problem::EvidenceTwice(_))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::NothingToMeasure(_))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::CorrelationOfNothing(..))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::NotAShare(_))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::TooLittleEvidence { evidence: 4, .. })), 1);
+    // Not a number is not itself.
+    let Err(Unsolved::Problems(again)) = question.solve(&Search::default()) else { panic!("it cannot be asked") };
+    assert_eq!(format!("{again:?}"), format!("{problems:?}"));
+    let text = problems.to_string();
+    assert!(problems.list().iter().all(|problem| text.contains(&problem.to_string())));
+}
+
+const SAME: Measurable = Measurable::CrushEnergy;
+
+#[test]
+fn nothing_unknown_and_a_share_unsaid_are_problems() {
+    let truth = crash(9);
+    let nothing = Reconstruction::of(truth.collision).check().expect_err("nothing is asked");
+    assert_eq!(nothing.list(), [Problem::NothingUnknown]);
+    let of = Measurable::CrushEnergyOf(Side::One);
+    let question = Reconstruction::of(truth.collision).unknown(SPEED_1, 10.0).evidence(of, 5e4, Uncertainty::Exact);
+    assert_eq!(question.check().expect_err("whose share?").list(), [Problem::ShareUnknown(of)]);
+    let known = Reconstruction { crush_share: Some(0.4), ..question };
+    assert!(known.check().is_ok());
+}
+
+#[test]
+fn correlations_that_cannot_be_are_refused_with_their_eigenvalue() {
+    let truth = crash(10);
+    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 3e3)]);
+    let [x, y, energy] = [AFTER_1[0].0, AFTER_1[1].0, Measurable::CrushEnergy];
+    let pair = |one, other, coefficient| Correlation { one, other, coefficient };
+    question.correlations = vec![pair(x, y, 0.9), pair(y, energy, 0.9), pair(x, energy, -0.9)];
+    let problems = question.check().expect_err("they contradict each other");
+    // The matrix with ±0.9 off its diagonal, one of three reversed, has the eigenvalue 1 − 2 × 0.9.
+    let [Problem::CorrelationsImpossible { eigenvalue }] = problems.list() else { panic!("{problems}") };
+    assert!((eigenvalue + 0.8).abs() < 1e-12);
+    question.correlations = vec![pair(x, y, f64::NAN)];
+    assert!(matches!(question.check().expect_err("no number").list(), [Problem::CorrelationsImpossible { .. }]));
+}
