@@ -1,12 +1,14 @@
 //! The verb `reconstruct`: from what is left after the crash to how it happened, and how sure that is.
 
+mod diagnostics;
 mod document;
 mod question;
 mod text;
 mod unsolved;
 mod wording;
 
-use planar_impact::reconstruct::{Answer, Fitted, Search, Solution, Variable, Verdict};
+use planar_impact::reconstruct::diagnosis::Finding;
+use planar_impact::reconstruct::{Answer, Estimate, Fitted, Measurable, Search, Solution, Unknown, Variable, Verdict};
 
 use crate::Done;
 use crate::arguments::{Format, Reconstruct as Call};
@@ -45,6 +47,8 @@ struct Reconstructed {
     search: Search,
     /// The case with the best solution in it.
     solved: Case,
+    /// What to look at first.
+    findings: Vec<Finding>,
     /// What CRASH3 makes of the same evidence.
     crash3: Option<Comparison>,
     notes: Vec<String>,
@@ -54,11 +58,14 @@ impl Reconstructed {
     fn of(question: Question, answer: Answer, search: Search, units: Units) -> Self {
         let solved = solved(&question.case, answer.best());
         let mut notes = question.notes.clone();
-        let crash3 = if answer.verdict == Verdict::Undetermined { None } else { crash3(&solved, answer.best(), units, &mut notes) };
+        let (mut findings, mut crash3) = (Vec::new(), None);
+        // Where an unknown is open, the best is one of many.
         if answer.verdict != Verdict::Undetermined {
+            findings = diagnostics::of(&question, &solved, answer.best());
+            crash3 = through_crash3(&solved, answer.best(), units, &mut notes);
             notes.extend(solved.cautions(&answer.best().impact));
         }
-        Reconstructed { question, answer, search, solved, crash3, notes }
+        Reconstructed { question, answer, search, solved, findings, crash3, notes }
     }
 
     /// Whether the numbers of the best solution stand for something, if only for the least disagreement.
@@ -75,26 +82,26 @@ impl Reconstructed {
     }
 
     /// What the search has for an unknown beforehand.
-    fn unknown(&self, of: Variable) -> Option<&planar_impact::reconstruct::Unknown> {
+    fn unknown(&self, of: Variable) -> Option<&Unknown> {
         self.question.asked.unknowns.iter().find(|unknown| unknown.of == of)
     }
 }
 
 /// The case with a solution in it.
 fn solved(case: &Case, solution: &Solution) -> Case {
-    let value = |estimate: &planar_impact::reconstruct::Estimate| Some((key_of(estimate.of, case)?, estimate.value));
+    let value = |estimate: &Estimate| Some((key_of(estimate.of, case)?, estimate.value));
     let values: Vec<(Parameter, f64)> = solution.unknowns.iter().filter_map(value).collect();
     case.with_collision(&values, solution.collision)
 }
 
 /// What CRASH3 makes of the crush of every vehicle, or else of the crush energy that the evidence has or the solution.
-fn crash3(solved: &Case, best: &Solution, units: Units, notes: &mut Vec<String>) -> Option<Comparison> {
+fn through_crash3(solved: &Case, best: &Solution, units: Units, notes: &mut Vec<String>) -> Option<Comparison> {
     let parties = [&solved.collision.one, &solved.collision.two];
     let has_crush = (0..2).all(|i| parties[i].vehicle().is_none() || solved.setup.crush[i].is_some());
     let comparison = if has_crush {
         Comparison::of(solved, units).ok()
     } else {
-        let given = best.evidence.iter().find(|fitted| fitted.of == planar_impact::reconstruct::Measurable::CrushEnergy);
+        let given = best.evidence.iter().find(|fitted| fitted.of == Measurable::CrushEnergy);
         let energy = given.map_or(-best.impact.work.n, |fitted| fitted.given);
         if given.is_none() {
             notes.push("CRASH3 starts from a crush energy, and the evidence has none: it is given that of the solution".to_owned());

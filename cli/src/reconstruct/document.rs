@@ -3,8 +3,7 @@
 use planar_impact::reconstruct::{Bound, Estimate, Fitted, Solution, Verdict};
 use serde::Serialize;
 
-use super::Reconstructed;
-use super::wording;
+use super::{Reconstructed, diagnostics, wording};
 use crate::crash3::document::Body;
 use crate::named::{Named, plain};
 use crate::solution;
@@ -41,6 +40,7 @@ pub struct Document<'a> {
     searches: usize,
     searches_converged: usize,
     seed: u64,
+    diagnostics: Vec<diagnostics::Document<'a>>,
     crash3: Option<Body<'a>>,
     /// `null` where the evidence leaves an unknown open.
     solution: Option<solution::Solution>,
@@ -107,6 +107,7 @@ impl<'a> Document<'a> {
             searches: answer.searches,
             searches_converged: answer.converged,
             seed: result.search.seed,
+            diagnostics: result.findings.iter().map(diagnostics::Document::of).collect(),
             crash3: result.crash3.as_ref().map(|comparison| Body::of(&result.solved, comparison)),
             solution: result.has_solution().then(|| solution::Solution::of(&result.solved, &best.impact, None, Vec::new())),
             notes: &result.notes,

@@ -1,6 +1,7 @@
 //! The reconstruction as a person reads it: what it is worth first.
 
 mod collision;
+mod diagnostics;
 mod evidence;
 mod headline;
 mod unknowns;
@@ -27,6 +28,7 @@ pub fn render(result: &Reconstructed, units: Units) -> String {
         page.evidence(),
         page.correlations(),
         page.influence(),
+        page.diagnostics(),
         page.collision(),
         page.crash3(),
         page.search(),

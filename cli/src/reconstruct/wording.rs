@@ -37,6 +37,11 @@ pub fn with_spread(measure: Measure, value: f64, sd: Option<f64>, units: Units) 
     format!("{number}{spread} {}", units.unit(measure)).trim_end().to_owned()
 }
 
+/// A share in per cent.
+pub fn share(value: f64) -> String {
+    format!("{} %", trim((value * 1e3).round() / 10.0))
+}
+
 /// How unknowns can move together without the evidence noticing: `vehicle.1.speed by 1 m/s with vehicle.2.speed by -1 m/s`.
 pub fn direction(direction: &Direction, case: &Case, units: Units) -> String {
     say(direction, |of, amount| {

@@ -77,9 +77,7 @@ impl Page<'_> {
     fn at(&self, estimate: &Estimate, bound: Bound) -> String {
         let end = if bound == Bound::Min { "lower" } else { "upper" };
         let meaning = match (estimate.of, bound) {
-            (Variable::Input(Input::Restitution), Bound::Max) => {
-                "without a reason for so high a restitution, re-examine the geometry: impact center and crush plane."
-            }
+            (Variable::Input(Input::Restitution), Bound::Max) => "without a reason for so high a value, re-examine the geometry.",
             (Variable::Input(Input::Restitution), Bound::Min) => "a common velocity along the normal, as in most severe crashes.",
             _ => "it would go further; its standard deviation and what depends on it leave that out.",
         };
