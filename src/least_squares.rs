@@ -19,6 +19,12 @@ pub trait Residuals {
 
     /// The derivatives of the residuals, a row for each residual and a column for each unknown, where [`Residuals::at`] has them.
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64>;
+
+    /// The sum of the second derivatives of the residuals, each times its residual, by each two unknowns; none where they are not known. Where residuals are
+    /// large and an unknown moves them little, the last digits need it.
+    fn bend(&self, _unknowns: &[f64]) -> Option<DMatrix<f64>> {
+        None
+    }
 }
 
 /// The range of one unknown, and what counts as a change of it.
@@ -189,6 +195,30 @@ mod tests {
         let spans = [Span { scale: 1e-4, ..FREE }, Span { scale: 1e3, ..FREE }];
         let minimum = minimum(&Valley, &[-1.2, 1.0], &spans, 500).expect("it converges");
         assert!(minimum.unknowns.iter().all(|x| (x - 1.0).abs() < 1e-9), "{minimum:?}");
+    }
+
+    /// A residual of 3 that bends as much as the other grows: straight lines take a twentieth of the way with each step.
+    struct Bent;
+
+    impl Residuals for Bent {
+        fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+            Some(vec![x[0] - 0.01, 3.0 - 0.95 / 6.0 * x[0] * x[0]])
+        }
+
+        fn jacobian(&self, x: &[f64]) -> DMatrix<f64> {
+            DMatrix::from_row_slice(2, 1, &[1.0, -0.95 / 3.0 * x[0]])
+        }
+
+        fn bend(&self, x: &[f64]) -> Option<DMatrix<f64>> {
+            Some(DMatrix::from_element(1, 1, -0.95 / 3.0 * (3.0 - 0.95 / 6.0 * x[0] * x[0])))
+        }
+    }
+
+    #[test]
+    fn large_residuals_that_bend_are_no_obstacle() {
+        let minimum = minimum(&Bent, &[0.5], &[FREE], 200).expect("it converges");
+        let slope = Bent.jacobian(&minimum.unknowns).tr_mul(&nalgebra::DVector::from_vec(Bent.at(&minimum.unknowns).expect("defined")));
+        assert!(slope[0].abs() < 1e-12, "{minimum:?}");
     }
 
     /// √x − 1, which is nowhere below zero, and a slope that leads there.

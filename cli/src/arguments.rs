@@ -45,6 +45,9 @@ pub enum Verb {
     /// Reconstruct delta-V from crush as CRASH3 does, beside planar mechanics.
     #[command(after_help = help::CRASH3)]
     Crash3(OfCase),
+    /// Reconstruct speeds from what is left after the crash, and say how sure that is.
+    #[command(after_help = help::RECONSTRUCT)]
+    Reconstruct(Reconstruct),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
@@ -79,6 +82,25 @@ pub struct OfCase {
     /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<Units>,
+}
+
+/// The call of `reconstruct`.
+#[derive(Debug, Args)]
+pub struct Reconstruct {
+    /// The case file with [evidence] and [unknown], TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
+    /// How many searches there are: the first from the given starts, the others from points drawn within the bounds.
+    #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub starts: u64,
+    /// The seed of those draws: the same seed gives the same answer.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
 }
 
 /// The call of `stiffness`.

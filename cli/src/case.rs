@@ -4,13 +4,14 @@ mod answers;
 mod crush;
 mod given;
 mod inputs;
+mod knowledge;
 mod parameter;
 mod setup;
 mod vehicle;
 
 use std::path::Path;
 
-use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals, Xy};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
 pub use answers::{Answer, Answers, Crash3Answers, Crash3Key, CrushAnswers};
 pub use crush::Crush;
@@ -18,14 +19,17 @@ pub use crush::Crush;
 pub use crush::CrushKey;
 pub(crate) use given::Given;
 pub use inputs::Inputs;
+pub use knowledge::{Knowledge, Known, Sought, measure_of, measure_of_variable, parameter_of};
 pub use parameter::Parameter;
 pub use setup::Setup;
+pub use vehicle::Velocity;
 
 use crate::document::{Document, Problem, Problems, Source};
 use crate::exit::Failure;
 use crate::units::Units;
 
 /// What a case file says.
+#[derive(Clone)]
 pub struct Case {
     document: Document,
     /// Its title; empty if it has none.
@@ -40,8 +44,8 @@ pub struct Case {
     pub collision: Collision,
     /// The bracket of the crush plane, where the file gives the surfaces that meet.
     pub bracket: Option<CrushPlaneBracket>,
-    /// The separation velocity of each vehicle, where the evidence has it.
-    pub separation: [Option<Xy>; 2],
+    /// What is known after the crash, and what is asked.
+    pub knowledge: Knowledge,
     /// The units that most of its quantities are in.
     pub units: Units,
     /// What was taken for granted, such as the unit of a number without one.
@@ -49,12 +53,28 @@ pub struct Case {
 }
 
 impl Case {
-    /// Reads a file, or standard input for `-`.
+    /// Reads a file, or standard input for `-`, for what needs every number.
+    ///
+    /// # Errors
+    ///
+    /// Everything wrong with it, and everything that it leaves out because it is unknown.
+    pub fn read(path: &Path) -> Result<Case, Problems> {
+        let case = Case::read_with_unknowns(path)?;
+        let unknown = |left_out: &knowledge::LeftOut| {
+            let help = "`planar-impact reconstruct` solves for it";
+            let at = case.document.problem(&left_out.key, "it is unknown, and not given", Some(help.to_owned()));
+            Problem { key: left_out.of.name().to_owned(), ..at }
+        };
+        let list: Vec<Problem> = case.knowledge.left_out.iter().map(unknown).collect();
+        if list.is_empty() { Ok(case) } else { Err(case.document.refuse(list)) }
+    }
+
+    /// Reads a file of which some numbers may be unknown: what stands in their place is where the search for them starts.
     ///
     /// # Errors
     ///
     /// Everything wrong with it.
-    pub fn read(path: &Path) -> Result<Case, Problems> {
+    pub fn read_with_unknowns(path: &Path) -> Result<Case, Problems> {
         Case::parse(Source::read(path)?)
     }
 
@@ -77,10 +97,23 @@ impl Case {
             collision: setup.collision,
             setup,
             bracket: read.bracket,
-            separation: read.separation,
+            knowledge: read.knowledge,
             units,
             notes: given.notes.into_inner(),
         })
+    }
+
+    /// The same case with other values of some parameters, each of which [can be set](Inputs::can_set).
+    pub fn with(&self, values: &[(Parameter, f64)]) -> Case {
+        let inputs = self.inputs.set_all(values);
+        let setup = inputs.as_given();
+        Case { inputs, collision: setup.collision, setup, ..self.clone() }
+    }
+
+    /// The same case with another collision, which its inputs make to the last rounding.
+    pub fn with_collision(&self, values: &[(Parameter, f64)], collision: Collision) -> Case {
+        let case = self.with(values);
+        Case { setup: Setup { collision, crush: case.setup.crush.clone() }, collision, ..case }
     }
 
     /// What is possible and still deserves a second look.
@@ -120,6 +153,14 @@ impl Case {
     pub fn unfit(&self, problems: impl IntoIterator<Item = (String, String, Option<String>)>) -> Failure {
         let list = problems.into_iter().map(|(key, message, help)| self.document.problem(&key, message, help)).collect();
         Failure::Input(self.document.refuse(list))
+    }
+
+    /// The same where the physics refuses what is asked.
+    pub fn refused(&self, problems: impl IntoIterator<Item = (String, String, Option<String>)>) -> Failure {
+        match self.unfit(problems) {
+            Failure::Input(problems) => Failure::Physics(problems),
+            other => other,
+        }
     }
 
     fn place(&self, refusals: &Refusals, units: Units) -> Problems {

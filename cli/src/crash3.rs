@@ -1,7 +1,7 @@
 //! The verb `crash3`: CRASH3's damage algorithm beside planar mechanics.
 
-mod document;
-mod text;
+pub mod document;
+pub mod text;
 
 use planar_impact::crash3::{Assumptions, Damaged, DamagedPair, PairEstimate};
 use planar_impact::{ForwardLeft, Impact, Moment, Party, Real, Refusals, Xy};
@@ -20,7 +20,8 @@ use crate::units::{Measure, Units};
 pub fn run(call: &Call) -> Result<Done, Failure> {
     let case = Case::read(&call.case).map_err(Failure::Input)?;
     let units = call.units.unwrap_or(case.units);
-    let result = Comparison::of(&case, units)?;
+    let mut result = every_vehicle_has_crush(&case).and_then(|()| Comparison::of(&case, units))?;
+    result.notes.splice(0..0, case.notes.iter().cloned());
     match call.format {
         Format::Text => Ok(Done::with(text::render(&case, &result, units))),
         Format::Json => {
@@ -44,21 +45,31 @@ fn crossing(case: &Case, pair: &DamagedPair) -> Option<f64> {
     Some(Real::atan2(one.cross(two), -one.dot(two)).abs())
 }
 
-/// What CRASH3 says, and what planar mechanics says beside it.
-struct Comparison {
+/// What CRASH3 says of the crush of every vehicle.
+struct Damage {
     pair: DamagedPair,
     estimate: PairEstimate,
     /// The separation velocity of each vehicle that CRASH3 goes back from: that of the evidence, or else of the case.
     separation: [Option<Xy>; 2],
+}
+
+/// What CRASH3 says, and what planar mechanics says beside it.
+pub struct Comparison {
+    /// None where a vehicle has no crush.
+    damage: Option<Damage>,
     /// What both methods make of the same crush energy, where planar mechanics can be asked.
     assumptions: Option<Assumptions>,
     notes: Vec<String>,
 }
 
 impl Comparison {
-    fn of(case: &Case, units: Units) -> Result<Self, Failure> {
-        every_vehicle_has_crush(case)?;
-        let mut notes = case.notes.clone();
+    /// Of a case in which every vehicle has its crush.
+    ///
+    /// # Errors
+    ///
+    /// Why the physics refuses the impact that the direction of force is taken from.
+    pub fn of(case: &Case, units: Units) -> Result<Self, Failure> {
+        let mut notes = Vec::new();
         let common = case.collision.at_common_velocity().solve();
         let has_common_velocity = common.is_ok();
         if case.setup.crush.iter().flatten().any(|crush| crush.force_origin.is_none()) {
@@ -68,23 +79,51 @@ impl Comparison {
         let pair = case.setup.damaged_pair(&case.setup.crush_answers()).ok_or(Failure::Defect)?;
         let estimate = pair.solve().map_err(|refusals| case.refuse(&refusals, units))?;
         notes.extend(cautions(case, &pair, &estimate, units));
+        let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
         let impact = case.collision.solve();
-        let assumptions = match nothing_to_compare(case, &impact, has_common_velocity, units) {
-            Some(why) => {
-                notes.push(format!("nothing to compare with: {why}"));
-                None
-            }
-            None => {
-                let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
-                Assumptions::from_crush_energy(&case.collision, energy)
-            }
-        };
+        let assumptions = assumptions(case, &impact, has_common_velocity, energy, units, &mut notes);
         let after = impact.ok().map(|impact| [impact.one.after.velocity, impact.two.after.velocity]);
-        let separation = [0, 1].map(|i| case.separation[i].or(after.map(|after| after[i])));
-        if case.separation.iter().all(Option::is_none) && after.is_some() {
+        let given = case.knowledge.separation();
+        let separation = [0, 1].map(|i| given[i].or(after.map(|after| after[i])));
+        if given.iter().all(Option::is_none) && after.is_some() {
             notes.push("the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned());
         }
-        Ok(Comparison { pair, estimate, separation, assumptions, notes })
+        Ok(Comparison { damage: Some(Damage { pair, estimate, separation }), assumptions, notes })
+    }
+
+    /// Of a crush energy alone: what the assumptions cost, and nothing of a single vehicle.
+    pub fn of_energy(case: &Case, energy: f64, units: Units) -> Self {
+        let mut notes = Vec::new();
+        let has_common_velocity = case.collision.at_common_velocity().solve().is_ok();
+        let assumptions = assumptions(case, &case.collision.solve(), has_common_velocity, energy, units, &mut notes);
+        Comparison { damage: None, assumptions, notes }
+    }
+
+    /// Whether there is nothing to say.
+    pub fn is_empty(&self) -> bool {
+        self.damage.is_none() && self.assumptions.is_none()
+    }
+
+    /// What was taken for granted.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+}
+
+fn assumptions(
+    case: &Case,
+    impact: &Result<Impact, Refusals>,
+    has_common_velocity: bool,
+    energy: f64,
+    units: Units,
+    notes: &mut Vec<String>,
+) -> Option<Assumptions> {
+    match nothing_to_compare(case, impact, has_common_velocity, units) {
+        Some(why) => {
+            notes.push(format!("nothing to compare with: {why}"));
+            None
+        }
+        None => Assumptions::from_crush_energy(&case.collision, energy),
     }
 }
 

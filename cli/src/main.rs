@@ -16,6 +16,7 @@ mod names;
 mod progress;
 mod prove;
 mod quantity;
+mod reconstruct;
 mod report;
 mod solution;
 mod solve;
@@ -61,6 +62,11 @@ impl Done {
     pub fn with(text: String) -> Done {
         Done { text, status: Status::Done }
     }
+
+    /// Done, and something does not hold.
+    pub fn without_agreement(text: String) -> Done {
+        Done { text, status: Status::DoesNotHold }
+    }
 }
 
 fn run(verb: Verb) -> Result<Done, Failure> {
@@ -71,6 +77,7 @@ fn run(verb: Verb) -> Result<Done, Failure> {
         Verb::Check(call) => check::run(&call),
         Verb::Crush(call) => crush::run(&call),
         Verb::Crash3(call) => crash3::run(&call),
+        Verb::Reconstruct(call) => reconstruct::run(&call),
         Verb::Stiffness(call) => stiffness::run(&call),
         Verb::Validate(call) => validate::run(&call),
         Verb::Prove(call) => prove::run(&call),

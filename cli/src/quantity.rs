@@ -80,6 +80,25 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
     Ok(Quantity { si, value, unit: written.to_owned(), bare: false })
 }
 
+/// Reads a value and how far it may be off, each with its unit; a unit that stands behind one of them is that of both, as in `12 ± 1 ft/s`.
+///
+/// # Errors
+///
+/// As [`parse`], of either.
+pub fn parse_pair(value: &str, deviation: &str, kind: Kind) -> Result<[Quantity; 2], QuantityError> {
+    let unit = |text: &str| number::split(text.trim()).map(|(_, unit)| unit.to_owned());
+    let (of_value, of_deviation) = (unit(value)?, unit(deviation)?);
+    let has_unit = kind.dimension != Kind::PURE.dimension;
+    let with = |text: &str, own: &str, other: &str| match own {
+        // A percent behind one of two pure numbers is its own.
+        "" if has_unit => format!("{} {other}", text.trim()),
+        _ => text.to_owned(),
+    };
+    let value = parse(&with(value, &of_value, &of_deviation), kind)?;
+    let deviation = parse(&with(deviation, &of_deviation, &of_value), kind.difference())?;
+    Ok([value, deviation])
+}
+
 /// Takes a number without a unit in SI; `text` is how the file wrote it.
 ///
 /// # Errors

@@ -11,12 +11,9 @@ use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
 pub fn render(case: &Case, impact: &Impact, bracket: Option<&Bracket<'_>>, units: Units, notes: &[String]) -> String {
-    let page = Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) };
+    let page = Page::of(case, impact, units);
     let mut text = heading(&case.title);
-    for section in [page.vehicles(), page.contact(), page.energies()] {
-        text.push_str(&section);
-        text.push_str("\n\n");
-    }
+    text.push_str(&page.tables());
     if let Some(bracket) = bracket {
         text.push_str(&bracket.render(units));
         text.push('\n');
@@ -24,6 +21,12 @@ pub fn render(case: &Case, impact: &Impact, bracket: Option<&Bracket<'_>>, units
     text.push_str(&page.remarks());
     text.push_str(&notes_below(notes));
     text
+}
+
+/// The tables alone, and the coefficients below them.
+pub fn tables(case: &Case, impact: &Impact, units: Units) -> String {
+    let page = Page::of(case, impact, units);
+    page.tables() + &page.remarks()
 }
 
 /// The title of a file with an empty line behind it; nothing where it has none.
@@ -57,7 +60,17 @@ fn energy_scale(impact: &Impact) -> f64 {
     impact.kinetic_energy.before.max(impact.kinetic_energy.after).max(exchanged)
 }
 
+impl<'a> Page<'a> {
+    fn of(case: &'a Case, impact: &'a Impact, units: Units) -> Self {
+        Page { case, impact, units, speed: speed_scale(case, impact), energy: energy_scale(impact) }
+    }
+}
+
 impl Page<'_> {
+    fn tables(&self) -> String {
+        [self.vehicles(), self.contact(), self.energies()].map(|section| section + "\n\n").concat()
+    }
+
     fn speed(&self, value: f64) -> String {
         self.units.number(Measure::Speed, value, self.speed)
     }

@@ -1,6 +1,6 @@
 //! The units that results are printed in.
 
-use crate::quantity::Conversion;
+use crate::quantity::{Conversion, Kind};
 
 /// A system of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -46,6 +46,29 @@ pub enum Measure {
     Force,
     /// A pure number.
     Ratio,
+}
+
+impl Measure {
+    /// What its values are written as.
+    pub fn kind(self) -> Kind {
+        match self {
+            Measure::Mass => Kind::MASS,
+            Measure::YawInertia => Kind::YAW_INERTIA,
+            Measure::Angle => Kind::ANGLE,
+            Measure::Length => Kind::LENGTH,
+            Measure::Speed | Measure::RoadSpeed => Kind::SPEED,
+            Measure::YawRate => Kind::YAW_RATE,
+            Measure::RootForce => Kind::ROOT_FORCE,
+            Measure::RootForcePerLength => Kind::ROOT_FORCE_PER_LENGTH,
+            Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
+            Measure::Impulse => Kind::IMPULSE,
+            Measure::Energy => Kind::ENERGY,
+            Measure::ForcePerWidth => Kind::STIFFNESS,
+            Measure::ForcePerArea => Kind::STIFFNESS_PER_WIDTH,
+            Measure::Force => Kind::FORCE,
+            Measure::Ratio => Kind::PURE,
+        }
+    }
 }
 
 impl Units {

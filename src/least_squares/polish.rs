@@ -1,4 +1,4 @@
-//! The last digits: Gauss–Newton steps of the unknowns that no bound holds.
+//! The last digits: Gauss–Newton steps of the unknowns that no bound holds, and Newton steps where those are slow.
 
 use alloc::vec::Vec;
 
@@ -8,6 +8,9 @@ use super::{Bound, CONVERGED, Minimum, Residuals, Span, Stopped};
 
 /// The most steps that are taken. Where the residuals are large the steps shrink by a factor only.
 const STEPS: usize = 60;
+
+/// After how many of them the second derivatives are worth their price.
+const SLOW: usize = 6;
 
 /// Shares of the largest singular value below which a direction moves no residual.
 pub(crate) const NOTHING: f64 = 1e-11;
@@ -27,7 +30,8 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
     while taken < STEPS.min(at_most) && !residuals.is_empty() {
         let last = step;
         let jacobian = scaled(of.jacobian(&unknowns), spans);
-        let wanted = wanted_step(&jacobian, &residuals, &unknowns, spans);
+        let bend = if taken < SLOW { None } else { of.bend(&unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans)) };
+        let wanted = wanted_step(&jacobian, bend.as_ref(), &residuals, &unknowns, spans);
         let Some(tried) = shortened(of, &unknowns, &wanted, spans, residuals.norm_squared()) else {
             // Nothing that is possible is better: the end, if hardly anything was asked for.
             step = wanted.amax();
@@ -59,16 +63,21 @@ fn scaled(mut jacobian: DMatrix<f64>, spans: &[Span]) -> DMatrix<f64> {
     jacobian
 }
 
-/// The Gauss–Newton step, in scales, of the unknowns that are not pressed against a bound. One that would cross its bound goes to it, and the others take the
+/// The step to where the slope is zero, in scales, of the unknowns that are not pressed against a bound. One that would cross its bound goes to it, and the others take the
 /// step that is best with it there.
-fn wanted_step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknowns: &[f64], spans: &[Span]) -> DVector<f64> {
+fn wanted_step(
+    jacobian: &DMatrix<f64>,
+    bend: Option<&DMatrix<f64>>,
+    residuals: &DVector<f64>,
+    unknowns: &[f64],
+    spans: &[Span],
+) -> DVector<f64> {
     let slope = jacobian.tr_mul(residuals);
     let mut free: Vec<usize> = (0..unknowns.len()).filter(|&i| !is_pressed(unknowns[i], slope[i], &spans[i])).collect();
     let mut step = DVector::zeros(unknowns.len());
     while !free.is_empty() {
-        let svd = jacobian.select_columns(&free).svd(true, true);
-        let cutoff = svd.singular_values.max() * NOTHING;
-        let Ok(of_free) = svd.solve(&(residuals + jacobian * &step), cutoff) else { break };
+        let by_curvature = bend.and_then(|bend| newton(jacobian, bend, residuals, &step, &free));
+        let Some(of_free) = by_curvature.or_else(|| gauss_newton(jacobian, residuals, &step, &free)) else { break };
         let end = |i: usize, value: f64| unknowns[i] - value * spans[i].scale;
         let crosses = |i: usize, value: f64| !(spans[i].min..=spans[i].max).contains(&end(i, value));
         let (crossing, inside): (Vec<(usize, f64)>, Vec<(usize, f64)>) =
@@ -82,6 +91,31 @@ fn wanted_step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknowns: &[f6
         free = inside.into_iter().map(|(i, _)| i).collect();
     }
     step
+}
+
+/// The step of some unknowns to where straight lines have the least sum of squares; the others move by `step`.
+fn gauss_newton(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, step: &DVector<f64>, free: &[usize]) -> Option<DVector<f64>> {
+    let svd = jacobian.select_columns(free).svd(true, true);
+    let cutoff = svd.singular_values.max() * NOTHING;
+    svd.solve(&(residuals + jacobian * step), cutoff).ok()
+}
+
+/// The same of parabolas; none where these open downward, or hardly upward.
+fn newton(
+    jacobian: &DMatrix<f64>,
+    bend: &DMatrix<f64>,
+    residuals: &DVector<f64>,
+    step: &DVector<f64>,
+    free: &[usize],
+) -> Option<DVector<f64>> {
+    /// The share of the greatest curvature below which one is rounding.
+    const FLAT: f64 = 1e-12;
+    let slope = jacobian.tr_mul(&(residuals + jacobian * step)) + bend * step;
+    let curvature = (jacobian.tr_mul(jacobian) + bend).select_columns(free).select_rows(free);
+    let size = curvature.diagonal().amax();
+    let factor = curvature.cholesky()?;
+    let is_flat = factor.l_dirty().diagonal().iter().any(|root| root * root < FLAT * size);
+    (!is_flat).then(|| factor.solve(&slope.select_rows(free)))
 }
 
 /// Whether an unknown is on a bound and the sum of squares falls beyond it.

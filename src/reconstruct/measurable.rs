@@ -33,6 +33,8 @@ pub enum Measurable {
     SeparationSpeed(Side),
     /// Which way it leaves: the angle from x, counter-clockwise, in rad.
     SeparationDirection(Side),
+    /// Which way it comes, whatever its heading, as tire marks tell of a car that slides: the angle from x, counter-clockwise, in rad.
+    ApproachDirection(Side),
     /// Change of velocity along the vehicle, forward positive, in m/s: the longitudinal ΔV of an event data recorder.
     DeltaVForward(Side),
     /// Change of velocity across the vehicle, to its left positive, in m/s: the lateral ΔV of an event data recorder, which counts it to the right.
@@ -40,7 +42,7 @@ pub enum Measurable {
 }
 
 /// The names that are not those of an output or of an input.
-const NAMES: [(&str, Measurable); 23] = {
+const NAMES: [(&str, Measurable); 25] = {
     use Measurable as M;
     use Side::{One, Two};
     [
@@ -51,6 +53,7 @@ const NAMES: [(&str, Measurable); 23] = {
         ("vehicle.1.separation_speed", M::SeparationSpeed(One)),
         ("vehicle.1.separation_direction", M::SeparationDirection(One)),
         ("vehicle.1.separation_yaw_rate", M::Output(Output::YawRate(One))),
+        ("vehicle.1.approach_direction", M::ApproachDirection(One)),
         ("vehicle.1.delta_v_forward", M::DeltaVForward(One)),
         ("vehicle.1.delta_v_left", M::DeltaVLeft(One)),
         ("vehicle.2.crush_energy", M::CrushEnergyOf(Two)),
@@ -59,6 +62,7 @@ const NAMES: [(&str, Measurable); 23] = {
         ("vehicle.2.separation_speed", M::SeparationSpeed(Two)),
         ("vehicle.2.separation_direction", M::SeparationDirection(Two)),
         ("vehicle.2.separation_yaw_rate", M::Output(Output::YawRate(Two))),
+        ("vehicle.2.approach_direction", M::ApproachDirection(Two)),
         ("vehicle.2.delta_v_forward", M::DeltaVForward(Two)),
         ("vehicle.2.delta_v_left", M::DeltaVLeft(Two)),
         ("contact.restitution", M::Variable(Variable::Input(Input::Restitution))),
@@ -102,7 +106,14 @@ impl Measurable {
         let outputs = Output::ALL.into_iter().filter(|output| *output != Output::Restitution).map(Measurable::Output);
         let of_side = |side| {
             use Measurable::*;
-            [CrushEnergyOf(side), SeparationSpeed(side), SeparationDirection(side), DeltaVForward(side), DeltaVLeft(side)]
+            [
+                CrushEnergyOf(side),
+                SeparationSpeed(side),
+                SeparationDirection(side),
+                ApproachDirection(side),
+                DeltaVForward(side),
+                DeltaVLeft(side),
+            ]
         };
         variables.chain(outputs).chain([Measurable::CrushEnergy]).chain(sides.into_iter().flat_map(of_side))
     }
@@ -114,7 +125,8 @@ impl Measurable {
             Variable(variable) => variable.side(),
             Output(output) => output.side(),
             CrushEnergy => None,
-            CrushEnergyOf(side) | SeparationSpeed(side) | SeparationDirection(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
+            CrushEnergyOf(side) | SeparationSpeed(side) | SeparationDirection(side) => Some(side),
+            ApproachDirection(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
         }
     }
 
@@ -144,6 +156,10 @@ impl Measurable {
                 let velocity = after(side);
                 velocity.y.atan2(velocity.x)
             }
+            Measurable::ApproachDirection(side) => {
+                let velocity = &party(collision, side).vehicle()?.motion.velocity;
+                velocity.y.clone().atan2(velocity.x.clone())
+            }
             Measurable::DeltaVForward(side) => response(side).delta_v_in_vehicle.forward.clone(),
             Measurable::DeltaVLeft(side) => response(side).delta_v_in_vehicle.left.clone(),
         })
@@ -166,7 +182,9 @@ impl Measurable {
     pub(super) fn period(self) -> Option<f64> {
         match self {
             Measurable::Variable(variable) => variable.period(),
-            Measurable::Output(Output::PrincipalDirectionOfForce(_)) | Measurable::SeparationDirection(_) => Some(TAU),
+            Measurable::Output(Output::PrincipalDirectionOfForce(_))
+            | Measurable::SeparationDirection(_)
+            | Measurable::ApproachDirection(_) => Some(TAU),
             _ => None,
         }
     }

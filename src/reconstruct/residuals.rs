@@ -105,4 +105,9 @@ impl Residuals for Model<'_> {
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
         -self.weights.whiten(self.derivatives(unknowns))
     }
+
+    fn bend(&self, unknowns: &[f64]) -> Option<DMatrix<f64>> {
+        let residuals = DVector::from_vec(self.residuals(&self.computed(unknowns).ok()?));
+        Some(-self.curvature(unknowns, &self.weights.inverse_times(&residuals)))
+    }
 }

@@ -3,9 +3,9 @@
 pub(super) const STATUS: &str = "\
 Exit status:
    0  done
-   1  done, and a check did not hold
+   1  done, and a check did not hold or a reconstruction has no one answer
    2  the input or the call is wrong, or a file cannot be read
-   3  the physics refuses the input
+   3  the physics refuses the input, or a search does not converge
   70  a defect of the program
   74  the output cannot be written
  130  interrupted";
@@ -173,3 +173,29 @@ Examples:
   planar-impact formula dV1 --format latex
   planar-impact formula energy.loss --wrt vehicle.1.mass --format rust > loss_by_mass.rs
   planar-impact formula --list"#;
+
+pub(super) const RECONSTRUCT: &str = r#"A case file in which some numbers are unknown, and what is known instead:
+  [evidence]                         # a value, "12 m/s ± 1 m/s" (or +/-), { value = ..., sd = ... }
+                                     # or { value = ..., resolution = ... }; without any it is exact
+  crush_energy = "from crush"        # or a value, or { value = "from crush", relative = 0.1 }
+  vehicle.1.separation_velocity = ["-3 m/s ± 0.5 m/s", "4 m/s ± 0.5 m/s"]
+  vehicle.1.separation_yaw_rate = "80 deg/s ± 10 deg/s"
+  vehicle.2.speed = "30 mph ± 1 mph"
+  vehicle.2.delta_v_magnitude = { value = "24 km/h", resolution = "1 km/h" }
+  [unknown]                          # a start, bounds, and what is known beforehand, each may be left out
+  vehicle.1.speed = { start = "30 mph", min = "0 mph" }
+  contact.restitution = { start = 0.1, min = 0, max = 0.3 }
+  contact.crush_plane = { start = "22 deg", sd = "5 deg" }
+Evidence of a vehicle: separation_velocity, separation_speed, separation_direction, separation_yaw_rate,
+delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left, pdof, crush_energy,
+approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
+What the evidence knows of an input with an uncertainty is solved for too.
+
+Exit status: 0 when the evidence agrees with one solution; 1 when it agrees with several, leaves an
+unknown open, contradicts itself or asks for what the bounds exclude, each with its numbers; 2 when
+the input is wrong, as more unknowns than evidence; 3 when no search converges.
+
+Examples:
+  planar-impact reconstruct cli/examples/reconstruct/position-a.toml
+  planar-impact reconstruct cli/examples/reconstruct/oblique.toml
+  planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --starts 8 --seed 7"#;

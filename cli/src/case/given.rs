@@ -2,12 +2,19 @@
 
 mod crush;
 mod evidence;
+mod measured;
+mod stand_in;
+mod unknown;
 
 use std::cell::{Cell, RefCell};
 
-use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Law, Moment, PerpendicularSurfaces, Xy};
+use planar_impact::reconstruct::Variable;
+use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Input, Law, Moment, PerpendicularSurfaces, Side, Xy};
 
+use self::stand_in::StandIns;
 use super::inputs::{ContactInputs, Inputs};
+use super::knowledge::Knowledge;
+use super::parameter::Parameter;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
@@ -20,7 +27,7 @@ pub(super) struct Read {
     pub(super) names: [String; 2],
     pub(super) inputs: Inputs,
     pub(super) bracket: Option<CrushPlaneBracket>,
-    pub(super) separation: [Option<Xy>; 2],
+    pub(super) knowledge: Knowledge,
 }
 
 /// The units met on the way through the file.
@@ -100,39 +107,30 @@ impl Given {
     pub(super) fn case(&self, root: &Table<'_>) -> Option<Read> {
         let schema = root.required("schema").integer(1..=1);
         let title = root.optional("title").string().unwrap_or_default().to_owned();
-        let vehicles = self.vehicles(root);
-        let contact = root.required("contact").table().and_then(|contact| self.contact(&contact));
-        // What other verbs read of the same file.
-        root.has("unknown");
-        let evidence = root.has("evidence").then(|| root.optional("evidence").table());
+        let evidence = self.part(root, "evidence", Given::evidence);
+        let unknowns = self.part(root, "unknown", Given::unknowns);
+        // What is wrong with these is no reason to call a key missing that they may stand in for.
+        let whole = evidence.is_some() && unknowns.is_some();
+        let (evidence, unknowns) = (evidence.unwrap_or_default(), unknowns.unwrap_or_default());
+        let stand_ins = StandIns::of(&evidence, &unknowns, whole);
+        let vehicles = self.vehicles(root, &stand_ins);
+        let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &stand_ins));
         schema?;
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
-        let separation = match evidence {
-            Some(evidence) => {
-                let evidence = evidence?;
-                let separation = self.separation_velocities(&evidence);
-                self.one_crush_energy(&evidence, [&one, &two])?;
-                separation?
-            }
-            None => [None, None],
-        };
-        Some(Read { title, names: [name_1, name_2], inputs: Inputs { vehicles: [one, two], contact }, bracket, separation })
+        let evidence = self.settle(&evidence, [&one, &two]);
+        let inputs = Inputs { vehicles: [one, two], contact };
+        let agrees = stand_ins.agree_with(&inputs);
+        let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.sought.clone()).collect();
+        let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: stand_ins.left_out() };
+        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge })
     }
 
-    /// A crush energy that is given in the evidence is not that of a crush that is given as well.
-    fn one_crush_energy(&self, evidence: &Table<'_>, vehicles: [&Option<VehicleInputs>; 2]) -> Option<()> {
-        let field = evidence.optional("crush_energy");
-        let from_crush = field.value().is_none_or(|value| matches!(value, Value::String(text) if text == "from crush"));
-        let crushed = vehicles.into_iter().flatten().any(|vehicle| vehicle.crush.is_some());
-        if from_crush || !crushed {
-            return Some(());
-        }
-        let help = "write crush_energy = \"from crush\", or leave [vehicle.crush] out".to_owned();
-        field.report("a crush energy is given, and the crush that has one of its own", Some(help));
-        None
+    /// A table that may be missing, read as a list.
+    fn part<'a, T>(&self, root: &Table<'a>, key: &'static str, read: impl Fn(&Self, &Table<'a>) -> Option<Vec<T>>) -> Option<Vec<T>> {
+        if root.has(key) { root.optional(key).table().and_then(|table| read(self, &table)) } else { Some(Vec::new()) }
     }
 
-    fn vehicles(&self, root: &Table<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {
+    fn vehicles(&self, root: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {
         let field = root.required("vehicle");
         let place = root.optional("vehicle");
         let tables = field.array_of_tables()?;
@@ -143,12 +141,12 @@ impl Given {
                 Some("a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned()),
             );
         }
-        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1)).collect();
+        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1, stand_ins)).collect();
         let both: Option<Vec<_>> = read.into_iter().collect();
         both?.try_into().ok()
     }
 
-    fn party(&self, table: &Table<'_>, number: usize) -> Option<(String, Option<VehicleInputs>)> {
+    fn party(&self, table: &Table<'_>, number: usize, stand_ins: &StandIns<'_>) -> Option<(String, Option<VehicleInputs>)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         if table.has("barrier") {
             // Neither true nor false says nothing of the other keys.
@@ -157,27 +155,30 @@ impl Given {
                 return Some((name, None));
             }
         }
-        let vehicle = self.vehicle(table);
+        let side = if number == 2 { Side::Two } else { Side::One };
+        let vehicle = self.vehicle(table, side, stand_ins);
         table.finish();
         vehicle.map(|vehicle| (name, Some(vehicle)))
     }
 
-    fn vehicle(&self, table: &Table<'_>) -> Option<VehicleInputs> {
-        let mass = self.positive(table.required("mass"), Kind::MASS);
-        let heading = self.quantity(table.required("heading"), Kind::ANGLE);
-        let impact_center = self.pair(table.required("impact_center"), Kind::LENGTH);
-        let yaw_rate = table.has("yaw_rate").then(|| self.quantity(table.optional("yaw_rate"), Kind::YAW_RATE));
-        let inertia = match one_of(table, "yaw_inertia", "radius_of_gyration") {
-            Some("yaw_inertia") => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA).map(Inertia::Yaw),
-            // Squared it would lose its sign.
-            Some(_) => self.positive(table.required("radius_of_gyration"), Kind::LENGTH).map(Inertia::Radius),
-            None => None,
+    fn vehicle(&self, table: &Table<'_>, side: Side, stand_ins: &StandIns<'_>) -> Option<VehicleInputs> {
+        let or = |key, input: fn(Side) -> Input, read: &dyn Fn(Field<'_>) -> Option<f64>| match stand_ins.of_key(table, key, input(side)) {
+            Some(value) => value,
+            None => read(table.required(key)),
         };
-        let velocity = match one_of(table, "speed", "velocity") {
-            Some("speed") => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
-            Some(_) => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
-            None => None,
+        let mass = or("mass", Input::Mass, &|field| self.positive(field, Kind::MASS));
+        let heading = or("heading", Input::Heading, &|field| self.quantity(field, Kind::ANGLE));
+        let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| Variable::Input(input(side)));
+        let impact_center = match stand_ins.of_pair(table, "impact_center", center) {
+            Some(pair) => pair,
+            None => self.pair(table.required("impact_center"), Kind::LENGTH),
         };
+        let yaw_rate = match stand_ins.of_optional(table, "yaw_rate", Input::YawRate(side), 0.0) {
+            Some(value) => Some(value),
+            None => self.quantity(table.required("yaw_rate"), Kind::YAW_RATE),
+        };
+        let inertia = self.inertia(table, side, stand_ins);
+        let velocity = self.velocity(table, side, stand_ins);
         let crush = table.has("crush").then(|| self.crush(table.optional("crush")));
         let [forward, left] = impact_center?;
         Some(VehicleInputs {
@@ -185,7 +186,7 @@ impl Given {
             inertia: inertia?,
             heading: heading?,
             velocity: velocity?,
-            yaw_rate: yaw_rate.unwrap_or(Some(0.0))?,
+            yaw_rate: yaw_rate?,
             impact_center: ForwardLeft { forward, left },
             crush: match crush {
                 Some(crush) => Some(crush?),
@@ -194,15 +195,47 @@ impl Given {
         })
     }
 
-    fn contact(&self, table: &Table<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
-        let crush_plane = self.crush_plane(table);
-        let restitution = self.coefficient(table.required("restitution"), 1.0);
-        let impulse_ratio = self.impulse_ratio(table);
+    fn inertia(&self, table: &Table<'_>, side: Side, stand_ins: &StandIns<'_>) -> Option<Inertia> {
+        if !table.has("radius_of_gyration")
+            && let Some(value) = stand_ins.of_key(table, "yaw_inertia", Input::YawInertia(side))
+        {
+            return value.map(Inertia::Yaw);
+        }
+        match one_of(table, "yaw_inertia", "radius_of_gyration")? {
+            "yaw_inertia" => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA).map(Inertia::Yaw),
+            // Squared it would lose its sign.
+            _ => self.positive(table.required("radius_of_gyration"), Kind::LENGTH).map(Inertia::Radius),
+        }
+    }
+
+    fn velocity(&self, table: &Table<'_>, side: Side, stand_ins: &StandIns<'_>) -> Option<Velocity> {
+        if !table.has("speed") && !table.has("velocity") {
+            if let Some(speed) = stand_ins.of_key(table, "speed", Variable::Speed(side)) {
+                return speed.map(Velocity::Speed);
+            }
+            let components = [Input::VelocityX(side), Input::VelocityY(side)].map(Variable::Input);
+            if let Some(pair) = stand_ins.of_pair(table, "velocity", components) {
+                return pair.map(|[x, y]| Velocity::Components(Xy { x, y }));
+            }
+        }
+        match one_of(table, "speed", "velocity")? {
+            "speed" => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
+            _ => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
+        }
+    }
+
+    fn contact(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+        let crush_plane = self.crush_plane(table, stand_ins);
+        let restitution = match stand_ins.of_key(table, "restitution", Input::Restitution) {
+            Some(value) => value,
+            None => self.coefficient(table.required("restitution"), 1.0),
+        };
+        let impulse_ratio = self.impulse_ratio(table, stand_ins);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
             Some("kudlich-slibar") => Law::KudlichSlibar,
             _ => Law::Brach,
         };
-        let moment = self.moment(table);
+        let moment = self.moment(table, stand_ins);
         table.finish();
         let (crush_plane, bracket) = crush_plane?;
         let contact = ContactInputs { crush_plane, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? };
@@ -210,7 +243,12 @@ impl Given {
     }
 
     /// The angle of the crush plane, and its bracket where it comes from the surfaces that meet.
-    fn crush_plane(&self, table: &Table<'_>) -> Option<(f64, Option<CrushPlaneBracket>)> {
+    fn crush_plane(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<(f64, Option<CrushPlaneBracket>)> {
+        if !table.has("surfaces")
+            && let Some(value) = stand_ins.of_key(table, "crush_plane", Input::CrushPlane)
+        {
+            return value.map(|angle| (angle, None));
+        }
         if one_of(table, "crush_plane", "surfaces")? == "crush_plane" {
             return self.quantity(table.required("crush_plane"), Kind::ANGLE).map(|angle| (angle, None));
         }
@@ -228,7 +266,16 @@ impl Given {
         }
     }
 
-    fn impulse_ratio(&self, table: &Table<'_>) -> Option<ImpulseRatio> {
+    fn impulse_ratio(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<ImpulseRatio> {
+        if !table.has("friction")
+            && let Some(value) = stand_ins.of_key(table, "impulse_ratio", Input::ImpulseRatio)
+        {
+            return value.map(|value| match stand_ins.called(Input::ImpulseRatio) {
+                Some(Parameter::RatioOfCritical) => ImpulseRatio::OfCritical(value),
+                Some(Parameter::Friction) => ImpulseRatio::LimitedByFriction(value),
+                _ => ImpulseRatio::Given(value),
+            });
+        }
         if table.has("friction") {
             if table.has("impulse_ratio") {
                 let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
@@ -250,7 +297,13 @@ impl Given {
         }
     }
 
-    fn moment(&self, table: &Table<'_>) -> Option<Moment> {
+    fn moment(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<Moment> {
+        if let Some(value) = stand_ins.of_key(table, "moment", Input::Moment) {
+            return value.map(|value| match stand_ins.called(Input::Moment) {
+                Some(Parameter::MomentOfCritical) => Moment::OfCritical(value),
+                _ => Moment::Given(value),
+            });
+        }
         let field = table.optional("moment");
         match field.value() {
             None => Some(Moment::None),

@@ -113,23 +113,7 @@ impl Parameter {
 
     /// What its values are written as.
     pub fn kind(self) -> Kind {
-        match self.measure() {
-            Measure::Mass => Kind::MASS,
-            Measure::YawInertia => Kind::YAW_INERTIA,
-            Measure::Angle => Kind::ANGLE,
-            Measure::Length => Kind::LENGTH,
-            Measure::Speed | Measure::RoadSpeed => Kind::SPEED,
-            Measure::YawRate => Kind::YAW_RATE,
-            Measure::RootForce => Kind::ROOT_FORCE,
-            Measure::RootForcePerLength => Kind::ROOT_FORCE_PER_LENGTH,
-            Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
-            Measure::Impulse => Kind::IMPULSE,
-            Measure::Energy => Kind::ENERGY,
-            Measure::ForcePerWidth => Kind::STIFFNESS,
-            Measure::ForcePerArea => Kind::STIFFNESS_PER_WIDTH,
-            Measure::Force => Kind::FORCE,
-            Measure::Ratio => Kind::PURE,
-        }
+        self.measure().kind()
     }
 
     /// What it measures.

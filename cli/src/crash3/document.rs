@@ -4,22 +4,36 @@ use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, Surfa
 use planar_impact::{Heading, Xy};
 use serde::Serialize;
 
-use super::Comparison;
+use super::{Comparison, Damage};
 use crate::case::Case;
 use crate::named::plain;
 
+/// The JSON document of `crash3`.
 #[derive(Serialize)]
 pub struct Document<'a> {
     schema: u32,
     title: &'a str,
+    #[serde(flatten)]
+    body: Body<'a>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    notes: &'a [String],
+}
+
+/// What it says of the two vehicles.
+#[derive(Serialize)]
+pub struct Body<'a> {
+    #[serde(flatten)]
+    damage: Option<OfDamage<'a>>,
+    /// What both methods make of the crush energy; `null` where planar mechanics refuses the case.
+    planar: Option<Planar>,
+}
+
+#[derive(Serialize)]
+struct OfDamage<'a> {
     vehicles: [Vehicle<'a>; 2],
     /// The corrected energies of both.
     corrected_energy: f64,
     impulse: f64,
-    /// What both methods make of the crush energy; `null` where planar mechanics refuses the case.
-    planar: Option<Planar>,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    notes: &'a [String],
 }
 
 /// What CRASH3 says of a vehicle; zeros of a barrier.
@@ -77,20 +91,30 @@ struct Cost {
 
 impl<'a> Document<'a> {
     pub fn of(case: &'a Case, result: &'a Comparison) -> Self {
+        Document { schema: 1, title: &case.title, body: Body::of(case, result), notes: &result.notes }
+    }
+}
+
+impl<'a> Body<'a> {
+    pub fn of(case: &'a Case, result: &Comparison) -> Self {
+        Body {
+            damage: result.damage.as_ref().map(|damage| OfDamage::of(case, damage)),
+            planar: result.assumptions.as_ref().map(Planar::of),
+        }
+    }
+}
+
+impl<'a> OfDamage<'a> {
+    fn of(case: &'a Case, Damage { pair, estimate, separation }: &Damage) -> Self {
         let headings = [&case.collision.one, &case.collision.two].map(|party| party.vehicle().map(|vehicle| vehicle.heading));
         let vehicle = |i: usize, damaged: &Option<Damaged>, estimate: &Option<VehicleEstimate>| match (damaged, estimate, headings[i]) {
-            (Some(damaged), Some(estimate), Some(heading)) => Vehicle::of(&case.names[i], damaged, estimate, heading, result.separation[i]),
+            (Some(damaged), Some(estimate), Some(heading)) => Vehicle::of(&case.names[i], damaged, estimate, heading, separation[i]),
             _ => Vehicle { name: &case.names[i], ..Vehicle::default() },
         };
-        let (pair, estimate) = (&result.pair, &result.estimate);
-        Document {
-            schema: 1,
-            title: &case.title,
+        OfDamage {
             vehicles: [vehicle(0, &pair.one, &estimate.one), vehicle(1, &pair.two, &estimate.two)],
             corrected_energy: plain(estimate.energy),
             impulse: plain(estimate.impulse),
-            planar: result.assumptions.as_ref().map(Planar::of),
-            notes: &result.notes,
         }
     }
 }

@@ -3,8 +3,8 @@
 use planar_impact::crash3::{Assumption, Assumptions, Consequence, Damaged, VehicleEstimate, approach_velocity};
 use planar_impact::{Vehicle, Xy};
 
-use super::Comparison;
 use super::document::name_of;
+use super::{Comparison, Damage};
 use crate::case::Case;
 use crate::report::{heading, notes_below, shorten};
 use crate::table::{self, Align, wrap};
@@ -12,10 +12,20 @@ use crate::units::{Measure, Units};
 
 /// The report, in tables of at most 80 columns.
 pub fn render(case: &Case, result: &Comparison, units: Units) -> String {
-    let page = Page { case, result, units };
     let mut text = heading(&case.title);
-    text.push_str(&page.vehicles());
-    text.push_str("\n\n");
+    text.push_str(&body(case, result, units));
+    text.push_str(&notes_below(&result.notes));
+    text
+}
+
+/// What it says, without title and notes.
+pub fn body(case: &Case, result: &Comparison, units: Units) -> String {
+    let page = Page { case, units };
+    let mut text = String::new();
+    if let Some(damage) = &result.damage {
+        text.push_str(&page.vehicles(damage));
+        text.push_str("\n\n");
+    }
     if let Some(assumptions) = &result.assumptions {
         text.push_str(&page.assumptions(assumptions));
         text.push_str("\n\n");
@@ -28,13 +38,11 @@ pub fn render(case: &Case, result: &Comparison, units: Units) -> String {
             "",
         ));
     }
-    text.push_str(&notes_below(&result.notes));
     text
 }
 
 struct Page<'a> {
     case: &'a Case,
-    result: &'a Comparison,
     units: Units,
 }
 
@@ -43,9 +51,9 @@ impl Page<'_> {
         self.units.number(measure, value, 1e-6)
     }
 
-    fn vehicles(&self) -> String {
-        let estimate = &self.result.estimate;
-        let pair = [(&self.result.pair.one, &estimate.one), (&self.result.pair.two, &estimate.two)];
+    fn vehicles(&self, damage: &Damage) -> String {
+        let estimate = &damage.estimate;
+        let pair = [(&damage.pair.one, &estimate.one), (&damage.pair.two, &estimate.two)];
         let row = |what: &str, unit: &str, value: &dyn Fn(&Damaged, &VehicleEstimate) -> String| {
             let cell = |(damaged, estimate): (&Option<Damaged>, &Option<VehicleEstimate>)| match (damaged, estimate) {
                 (Some(damaged), Some(estimate)) => value(damaged, estimate),
@@ -67,14 +75,14 @@ impl Page<'_> {
             of("delta-V", Measure::Speed, |_, estimate| estimate.delta_v_magnitude),
             of("", Measure::RoadSpeed, |_, estimate| estimate.delta_v_magnitude),
         ];
-        rows.extend(self.reconstruction());
+        rows.extend(self.reconstruction(damage));
         let names = [0, 1].map(|i| shorten(&self.case.names[i], 18));
         table::render(&["CRASH3", "unit", &names[0], &names[1]], &[Align::Left, Align::Left, Align::Right, Align::Right], &rows)
     }
 
     /// Back from the separation velocities.
-    fn reconstruction(&self) -> Vec<Vec<String>> {
-        let Comparison { separation, estimate, .. } = self.result;
+    fn reconstruction(&self, damage: &Damage) -> Vec<Vec<String>> {
+        let Damage { separation, estimate, .. } = damage;
         let sides = [
             (self.case.collision.one.vehicle(), &estimate.one, separation[0]),
             (self.case.collision.two.vehicle(), &estimate.two, separation[1]),

@@ -67,6 +67,15 @@ impl<'a> Table<'a> {
         self.field(key, false)
     }
 
+    /// Every value of the table by its key, in the order of the file: for a table whose keys are names.
+    pub fn fields(&self) -> Vec<(&'a str, Field<'a>)> {
+        let field = |entry: &'a Entry| {
+            let path = join(&self.path, &entry.key);
+            (entry.key.as_str(), Field { context: self.context, path, node: Some(&entry.node), table: self.span.clone(), required: true })
+        };
+        self.entries.iter().map(field).collect()
+    }
+
     /// Reports a problem with this table as a whole, at its header.
     pub fn problem(&self, message: impl Into<String>, help: Option<String>) {
         self.context.push(self.span.clone(), &self.path, message.into(), help);

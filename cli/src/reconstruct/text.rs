@@ -1,0 +1,123 @@
+//! The reconstruction as a person reads it: what it is worth first.
+
+mod collision;
+mod diagnostics;
+mod evidence;
+mod headline;
+mod unknowns;
+
+use planar_impact::reconstruct::Verdict;
+use unicode_width::UnicodeWidthStr;
+
+use super::Reconstructed;
+use crate::report::{heading, notes_below};
+use crate::table::{self, Align, wrap};
+use crate::units::Units;
+
+/// The columns of a terminal.
+const WIDTH: usize = 80;
+
+/// The report, in at most 80 columns.
+pub fn render(result: &Reconstructed, units: Units) -> String {
+    let page = Page { result, units };
+    let mut text = heading(&result.question.case.title);
+    let sections = [
+        page.headline(),
+        page.unknowns(),
+        page.alternatives(),
+        page.evidence(),
+        page.correlations(),
+        page.influence(),
+        page.diagnostics(),
+        page.collision(),
+        page.crash3(),
+        page.search(),
+    ];
+    let sections: Vec<String> = sections.into_iter().filter(|section| !section.is_empty()).collect();
+    text.push_str(&sections.join("\n"));
+    if !result.notes.is_empty() {
+        text.push('\n');
+        text.push_str(&notes_below(&result.notes));
+    }
+    text
+}
+
+struct Page<'a> {
+    result: &'a Reconstructed,
+    units: Units,
+}
+
+impl Page<'_> {
+    fn verdict(&self) -> Verdict {
+        self.result.answer.verdict
+    }
+
+    /// How it was searched for, so that it can be searched for again.
+    fn search(&self) -> String {
+        let answer = &self.result.answer;
+        let ended = match &answer.solutions[..] {
+            [one] => format!("{} of them at this one", one.searches),
+            several => {
+                several.iter().map(|solution| solution.searches.to_string()).collect::<Vec<_>>().join(", ") + " at the solutions in turn"
+            }
+        };
+        let worse = match answer.worse.len() {
+            0 => String::new(),
+            1 => " One other least sum of squares was found, which the evidence tells from the best.".to_owned(),
+            count => format!(" {count} other least sums of squares were found, which the evidence tells from the best."),
+        };
+        wrap(
+            &format!(
+                "{} searches (--starts) from starts drawn with seed {} (--seed): {} came to an end, {ended}.{worse}",
+                answer.searches, self.result.search.seed, answer.converged
+            ),
+            "",
+        )
+    }
+}
+
+/// A table of at most 80 columns: where it would be wider, the names in its first column break after a point.
+fn fitted(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> String {
+    let whole = table::narrow(header, columns, rows);
+    let over = whole.lines().map(UnicodeWidthStr::width).max().unwrap_or(0).saturating_sub(WIDTH);
+    if over == 0 {
+        return whole + "\n";
+    }
+    let longest = rows.iter().map(|row| row[0].width()).max().unwrap_or(0);
+    let most = longest.saturating_sub(over).max(8);
+    let broken: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| {
+            let mut row = row.clone();
+            row[0] = broken(&row[0], most);
+            row
+        })
+        .collect();
+    table::narrow(header, columns, &broken) + "\n"
+}
+
+/// A name in two lines if it is longer than it may be.
+fn broken(name: &str, most: usize) -> String {
+    if name.width() <= most {
+        return name.to_owned();
+    }
+    let points = name.char_indices().filter(|(_, c)| matches!(c, '.' | '_' | ' ')).map(|(at, _)| at + 1);
+    match points.filter(|at| *at <= most && name.len() - at + 2 <= most).last() {
+        Some(at) => format!("{}\n  {}", &name[..at], &name[at..]),
+        None => name.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_names_break_after_a_point() {
+        assert_eq!(broken("vehicle.1.speed", 20), "vehicle.1.speed");
+        assert_eq!(broken("vehicle.1.separation_velocity.x", 26), "vehicle.1.separation_\n  velocity.x");
+        let row = vec!["vehicle.1.separation_velocity.x".to_owned(), "x".repeat(52)];
+        let text = fitted(&["a", "b"], &[Align::Left, Align::Left], &[row]);
+        assert!(text.lines().all(|line| line.width() <= WIDTH), "{text}");
+    }
+}
