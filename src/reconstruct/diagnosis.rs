@@ -5,7 +5,10 @@
 
 mod coefficients;
 mod force;
+mod meaning;
 mod motion;
+
+pub use meaning::Meaning;
 
 use super::given::Reconstruction;
 use super::solution::Solution;
@@ -47,6 +50,10 @@ pub enum Figure {
     Angle(f64),
     /// A velocity in m/s.
     Speed(f64),
+    /// A yaw rate in rad/s.
+    YawRate(f64),
+    /// A force in N.
+    Force(f64),
 }
 
 /// What is expected of a figure.
@@ -85,7 +92,7 @@ pub struct Finding {
     /// Where that comes from.
     pub source: &'static str,
     /// What it means.
-    pub meaning: String,
+    pub meaning: Meaning,
 }
 
 /// The residual crush of one vehicle, as far as the questions need it.
@@ -141,13 +148,13 @@ impl Damage {
 }
 
 impl Finding {
-    fn new(question: Question, figure: Figure, limit: Limit, source: &'static str, meaning: String) -> Self {
+    fn new(question: Question, figure: Figure, limit: Limit, source: &'static str, meaning: Meaning) -> Self {
         let reading = if limit.admits(figure) { Reading::Within } else { Reading::Outside };
         Finding { question, reading, figure: Some(figure), limit, source, meaning }
     }
 
     fn not_checked(question: Question, limit: Limit, source: &'static str, why: &str) -> Self {
-        Finding { question, reading: Reading::NotChecked, figure: None, limit, source, meaning: why.to_owned() }
+        Finding { question, reading: Reading::NotChecked, figure: None, limit, source, meaning: Meaning::of(why) }
     }
 }
 
@@ -155,7 +162,12 @@ impl Figure {
     /// The number, whatever its kind, in SI.
     pub fn value(self) -> f64 {
         match self {
-            Figure::Number(value) | Figure::Share(value) | Figure::Angle(value) | Figure::Speed(value) => value,
+            Figure::Number(value)
+            | Figure::Share(value)
+            | Figure::Angle(value)
+            | Figure::Speed(value)
+            | Figure::YawRate(value)
+            | Figure::Force(value) => value,
         }
     }
 }

@@ -27,14 +27,14 @@ fn damage(crush: &Crush) -> Damage {
 
 /// A finding in the form that other tools read, in SI.
 #[derive(Serialize)]
-pub struct Document<'a> {
+pub struct Document {
     name: &'static str,
     /// `within`, `outside` or `not checked`.
     reading: &'static str,
     figure: Option<f64>,
     limit: Range,
     source: &'static str,
-    meaning: &'a str,
+    meaning: String,
 }
 
 #[derive(Serialize)]
@@ -45,8 +45,8 @@ enum Range {
     SameSign,
 }
 
-impl<'a> Document<'a> {
-    pub fn of(finding: &'a Finding) -> Self {
+impl Document {
+    pub fn of(finding: &Finding) -> Self {
         Document {
             name: finding.question.name(),
             reading: reading(finding.reading),
@@ -57,7 +57,7 @@ impl<'a> Document<'a> {
                 Limit::SameSign => Range::SameSign,
             },
             source: finding.source,
-            meaning: &finding.meaning,
+            meaning: finding.meaning.to_string(),
         }
     }
 }
@@ -73,7 +73,8 @@ fn reading(reading: Reading) -> &'static str {
 /// A finding as a paragraph: the figure, its limit, what it means and where the limit is from.
 pub fn paragraph(finding: &Finding, units: Units) -> String {
     let name = finding.question.name();
-    let Some(figure) = finding.figure else { return format!("{name}: {}.", finding.meaning) };
+    let meaning = finding.meaning.with(|figure| say(figure, units));
+    let Some(figure) = finding.figure else { return format!("{name}: {meaning}.") };
     let said = match (finding.limit, finding.reading) {
         (Limit::AtMost(most), reading) => format!("{}, {} at most {}", say(figure, units), place(reading), say(most, units)),
         (Limit::Between(least, most), reading) => {
@@ -83,7 +84,7 @@ pub fn paragraph(finding: &Finding, units: Units) -> String {
         (Limit::SameSign, _) if figure.value() == 0.0 => "none to speak of".to_owned(),
         (Limit::SameSign, _) => "of the same sign".to_owned(),
     };
-    format!("{name}: {said}. {}. [{}]", capital(&finding.meaning), finding.source)
+    format!("{name}: {said}. {}. [{}]", capital(&meaning), finding.source)
 }
 
 /// What is outside should not be read past.
@@ -97,6 +98,8 @@ fn say(figure: Figure, units: Units) -> String {
         Figure::Share(value) => share(value),
         Figure::Angle(value) => units.quantity(Measure::Angle, value),
         Figure::Speed(value) => units.quantity(Measure::Speed, value),
+        Figure::YawRate(value) => units.quantity(Measure::YawRate, value),
+        Figure::Force(value) => units.quantity(Measure::Force, value),
     }
 }
 
@@ -117,7 +120,7 @@ pub fn is_outside(finding: &Finding) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planar_impact::reconstruct::diagnosis::Question;
+    use planar_impact::reconstruct::diagnosis::{Meaning, Question};
 
     #[test]
     fn a_finding_reads_as_a_paragraph() {
@@ -127,7 +130,7 @@ mod tests {
             figure,
             limit,
             source: "a book",
-            meaning: "mu is low".to_owned(),
+            meaning: Meaning::of("mu is low"),
         };
         let limit = Limit::Between(Figure::Share(0.9), Figure::Share(1.0));
         let say = |finding: Finding| paragraph(&finding, Units::Si);

@@ -40,7 +40,7 @@ pub struct Document<'a> {
     searches: usize,
     searches_converged: usize,
     seed: u64,
-    diagnostics: Vec<diagnostics::Document<'a>>,
+    diagnostics: Vec<diagnostics::Document>,
     crash3: Option<Body<'a>>,
     /// `null` where the evidence leaves an unknown open.
     solution: Option<solution::Solution>,

@@ -1,6 +1,6 @@
 //! The two coefficients of the impact beside what is known of them.
 
-use super::{Figure, Finding, Limit, Question};
+use super::{Figure, Finding, Limit, Meaning, Question};
 use crate::input::Input;
 use crate::least_squares::Bound;
 use crate::reconstruct::{Reconstruction, Solution, Variable};
@@ -17,10 +17,9 @@ pub(super) fn restitution(solution: &Solution) -> Finding {
     } else {
         (0.0, 0.3, "the paper, on choosing e: 0 to 0.3 in most collisions of light vehicles, most of them low")
     };
-    let meaning = format!(
-        "e is {e:.3} at a normal closing speed of {closing:.1} m/s, where tests show {least} to {most}; the more is crushed, the less springs back, save at an axle \
-         or another hard point"
-    );
+    let meaning = Meaning::of("at a normal closing speed of ")
+        .figure(Figure::Speed(closing))
+        .words(format!(" tests show {least} to {most}; the more is crushed, the less springs back, save at an axle or another hard point"));
     Finding::new(Question::Restitution, Figure::Number(e), Limit::Between(Figure::Number(least), Figure::Number(most)), source, meaning)
 }
 
@@ -44,7 +43,7 @@ pub(super) fn restitution_bound(solution: &Solution, question: &Reconstruction) 
     };
     // What sits on the bound is beyond what the guideline takes for granted.
     let limit = Limit::AtMost(Figure::Number(if is_at_top { upper - super::ON_BOUND } else { upper }));
-    Finding::new(Question::RestitutionBound, Figure::Number(estimate.value), limit, source, meaning)
+    Finding::new(Question::RestitutionBound, Figure::Number(estimate.value), limit, source, Meaning::of(meaning))
 }
 
 /// The impulse ratio is the critical one.
@@ -58,22 +57,17 @@ pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
         return Finding::not_checked(Question::ImpulseRatio, limit, source, why);
     }
     let share = ratio / critical;
-    let meaning = if (0.9..=1.0 + 1e-9).contains(&share) {
-        format!(
-            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: sliding has ended, or nearly, as in most collisions",
-            100.0 * share
-        )
+    let said = if (0.9..=1.0 + 1e-9).contains(&share) {
+        "sliding has ended, or nearly, as in most collisions"
     } else if (0.0..0.9).contains(&share) {
-        format!(
-            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: the vehicles slide past each other to the end. That is a sideswipe; the traces of it \
-             should be there",
-            100.0 * share
-        )
+        "the vehicles slide past each other to the end. That is a sideswipe; the traces of it should be there"
     } else {
-        format!(
-            "mu is {ratio:.3}, {:.0} % of the critical {critical:.3}: more than ends the sliding. Something snagged, or the crush plane is another",
-            100.0 * share
-        )
+        "more than ends the sliding. Something snagged, or the crush plane is another"
     };
+    let meaning = Meaning::of("mu is ")
+        .figure(Figure::Number(ratio))
+        .words(", the critical ratio ")
+        .figure(Figure::Number(critical))
+        .words(format!(": {said}"));
     Finding::new(Question::ImpulseRatio, Figure::Share(share), limit, source, meaning)
 }

@@ -1,6 +1,6 @@
 //! The forces that the crush of the two vehicles speaks of.
 
-use super::{Damage, Figure, Finding, Limit, Question};
+use super::{Damage, Figure, Finding, Limit, Meaning, Question};
 use crate::frame::{ForwardLeft, Xy};
 use crate::impact::ForceOrigin;
 use crate::reconstruct::Solution;
@@ -22,12 +22,14 @@ pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Find
     });
     let (less, more) = (principal[0].min(principal[1]), principal[0].max(principal[1]));
     let stiffer = if principal[0] > principal[1] { 1 } else { 2 };
-    let meaning = format!(
-        "the crush of vehicle 1 speaks of {:.0} kN, that of vehicle 2 of {:.0} kN; the forces are one and the same, so where they differ much, the stiffness \
-         or the depths of one are wrong: those of vehicle {stiffer} are too large or those of the other too small",
-        principal[0] / 1e3,
-        principal[1] / 1e3,
-    );
+    let meaning = Meaning::of("the crush of vehicle 1 speaks of ")
+        .figure(Figure::Force(principal[0]))
+        .words(", that of vehicle 2 of ")
+        .figure(Figure::Force(principal[1]))
+        .words(format!(
+            "; the forces are one and the same, so where they differ much, stiffness or depths are wrong: those of vehicle {stiffer} are too large or those of the other \
+             too small"
+        ));
     Finding::new(Question::ForceBalance, Figure::Share((more - less) / less), limit, source, meaning)
 }
 
@@ -59,14 +61,14 @@ pub(super) fn opposite(solution: &Solution, damage: &[Option<Damage>; 2]) -> Fin
             let angle = Real::atan2(one.cross(two), -one.dot(two)).abs();
             let meaning = "the force on one vehicle is opposite to that on the other on the ground; where the PDOFs read off them are not, one of them or a \
                            heading is wrong";
-            Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, meaning.to_owned())
+            Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, Meaning::of(meaning))
         }
         (one, two) => match one.or(two.map(|force| -force)) {
             Some(force) => {
                 let impulse = solution.impact.impulse_on_ground;
                 let angle = Real::atan2(force.cross(impulse), force.dot(impulse)).abs();
                 let meaning = "only one PDOF was read off; this is how far it is from the direction of the reconstructed impulse";
-                Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, meaning.to_owned())
+                Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, Meaning::of(meaning))
             }
             None => Finding::not_checked(
                 Question::OppositeForces,
@@ -91,12 +93,14 @@ pub(super) fn share(solution: &Solution, damage: &[Option<Damage>; 2]) -> Findin
     let odds = (energy_1 * b_1) / (energy_2 * b_2);
     let used = solution.crush_share;
     let by_share = solution.estimate(crate::reconstruct::Variable::CrushShare);
-    let solved = if by_share.is_some() { format!("; the reconstruction has {:.0} %", 100.0 * used) } else { String::new() };
-    let meaning = format!(
-        "vehicle 1 has {:.0} % of the crush energy, by the stiffness of both it should have {:.0} %{solved}; the softer vehicle takes more. The figure is the ratio \
-         of the two energies over that by stiffness",
-        100.0 * measured,
-        100.0 * expected,
-    );
+    let meaning = Meaning::of("vehicle 1 has ")
+        .figure(Figure::Share(measured))
+        .words(" of the crush energy, by the stiffness of both it should have ")
+        .figure(Figure::Share(expected));
+    let meaning = match by_share {
+        Some(_) => meaning.words("; the reconstruction has ").figure(Figure::Share(used)),
+        None => meaning,
+    };
+    let meaning = meaning.words("; the softer vehicle takes more. The figure is the ratio of the two energies over that by stiffness");
     Finding::new(Question::CrushShare, Figure::Number(odds), limit, source, meaning)
 }

@@ -1,6 +1,6 @@
 //! How the vehicles move after it.
 
-use super::{Figure, Finding, Limit, Question};
+use super::{Figure, Finding, Limit, Meaning, Question};
 use crate::input::Side;
 use crate::output::Output;
 use crate::reconstruct::{Measurable, Solution};
@@ -30,16 +30,15 @@ fn of_vehicle(solution: &Solution, side: Side) -> Option<Finding> {
     let number = side as usize + 1;
     let turns = |rate: f64| if rate >= 0.0 { "counter-clockwise" } else { "clockwise" };
     let meaning = if is_seen {
-        format!(
-            "the impulse turns vehicle {number} {}, by {:.0} deg/s; the evidence has it turn {}, by {:.0} deg/s. Where the two are of opposite sign, the impact center is on the \
-             wrong side of the line of force, or the force points elsewhere",
-            turns(computed),
-            computed.abs().to_degrees(),
-            turns(seen),
-            seen.abs().to_degrees()
-        )
+        Meaning::of(format!("the impulse turns vehicle {number} {}, by ", turns(computed)))
+            .figure(Figure::YawRate(computed.abs()))
+            .words(format!("; the evidence has it turn {}, by ", turns(seen)))
+            .figure(Figure::YawRate(seen.abs()))
+            .words(
+                ". Where the two are of opposite sign, the impact center is on the wrong side of the line of force, or the force points elsewhere",
+            )
     } else {
-        format!("vehicle {number} hardly turned: the evidence of it is within two standard deviations of none")
+        Meaning::of(format!("vehicle {number} hardly turned: the evidence of it is within two standard deviations of none"))
     };
     let agreement = if is_seen { seen.signum() * computed.signum() } else { 0.0 };
     Some(Finding::new(Question::Rotation, Figure::Number(agreement), Limit::SameSign, LEVER, meaning))
@@ -51,12 +50,10 @@ pub(super) fn common_velocity(solution: &Solution) -> Finding {
     let source = "EDCRASH's run-time diagnostics: 10 %";
     let impact = &solution.impact;
     let share = impact.separation.length() / impact.approach.length();
-    let meaning = format!(
-        "of the relative velocity at the impact center {:.0} % is left, {:.2} m/s along the normal and {:.2} m/s along the crush plane; methods that assume a \
-         common velocity, as CRASH3 does, hold as far as nothing is left",
-        100.0 * share,
-        impact.separation.n.abs(),
-        impact.separation.t.abs(),
-    );
+    let meaning = Meaning::of("of the relative velocity at the impact center ")
+        .figure(Figure::Speed(impact.separation.n.abs()))
+        .words(" is left along the normal and ")
+        .figure(Figure::Speed(impact.separation.t.abs()))
+        .words(" along the crush plane; methods that assume a common velocity, as CRASH3 does, hold as far as nothing is left");
     Finding::new(Question::CommonVelocity, Figure::Share(share), limit, source, meaning)
 }
