@@ -6,6 +6,7 @@
 //! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: three sines, two roots, two arctangents more |
 //! | `jacobian`, `gradient`, `hessian` | derivatives by all inputs beside the solution that they belong to |
 //! | `crush` | a crush energy beside the textbook's formula, its derivative, and CRASH3 |
+//! | `reconstruct` | the way back with six unknowns, from one start and from 64, beside least squares put together by hand (feature `reconstruct`) |
 //! | `scalars` | the same one definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions, and criterion prints the throughput in collisions a second.
@@ -14,6 +15,8 @@ mod crush;
 mod derivatives;
 mod hand;
 mod inputs;
+#[cfg(feature = "reconstruct")]
+mod reconstruct;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use hand::{Directions, Libm, Outputs, Std};
@@ -22,6 +25,8 @@ use num_dual::{Dual64, DualSVec64};
 use num_rational::BigRational;
 use planar_impact::scalar::interval::Interval;
 use planar_impact::scalar::lanes::Lanes;
+#[cfg(feature = "reconstruct")]
+use reconstruct::reconstruct;
 use std::hint::black_box;
 
 const COLLISIONS: usize = 256;
@@ -175,5 +180,9 @@ fn scalars(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush);
+/// Without the feature there is nothing to time.
+#[cfg(not(feature = "reconstruct"))]
+fn reconstruct(_: &mut Criterion) {}
+
+criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush, reconstruct);
 criterion_main!(benches);
