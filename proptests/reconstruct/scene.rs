@@ -91,6 +91,10 @@ impl Truth {
             Measurable::CrushEnergy => crush_energy,
             Measurable::CrushEnergyOf(Side::One) => crush_energy * self.crush_share,
             Measurable::CrushEnergyOf(Side::Two) => crush_energy * (1.0 - self.crush_share),
+            Measurable::ApproachDirection(side) => {
+                let velocity = self.vehicle(side).motion.velocity;
+                velocity.y.atan2(velocity.x)
+            }
             Measurable::SeparationSpeed(side) => response(side).after.velocity.x.hypot(response(side).after.velocity.y),
             Measurable::SeparationDirection(side) => response(side).after.velocity.y.atan2(response(side).after.velocity.x),
             Measurable::DeltaVForward(side) => {
@@ -110,7 +114,9 @@ pub fn deviation(measurable: Measurable, value: f64) -> f64 {
     match measurable {
         Measurable::CrushEnergy | Measurable::CrushEnergyOf(_) => 0.05 * value,
         Measurable::Output(Output::NormalWork) => 0.05 * value.abs(),
-        Measurable::SeparationDirection(_) | Measurable::Output(Output::PrincipalDirectionOfForce(_)) => 0.03,
+        Measurable::ApproachDirection(_)
+        | Measurable::SeparationDirection(_)
+        | Measurable::Output(Output::PrincipalDirectionOfForce(_)) => 0.03,
         _ => 0.3,
     }
 }
