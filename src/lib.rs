@@ -2,7 +2,7 @@
 //!
 //! # Pages
 //!
-//! [Sensitivities](guide::sensitivities), [crush and CRASH3](guide::crush), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
+//! [Sensitivities](guide::sensitivities), [crush and CRASH3](guide::crush), reconstruction (`guide::reconstruction`), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
 //!
 //! # The argument, module by module
 //!
@@ -32,6 +32,8 @@
 //! | [`crush`] | a crush profile and stiffness, or another law | crush energy, equivalent energy speed |
 //! | [`crash3`] | crush energies and the direction of force | CRASH3's ΔV, and what its assumptions cost |
 //! | [`barrier`] | instrumented barrier tests: speeds and crush, force records, films | stiffness with its covariance, impulses, restitution |
+//! | `reconstruct` | a collision with unknowns, and evidence | every solution with its uncertainty, what it hangs on, what to look at first (feature `reconstruct`) |
+//! | `rest` | where a vehicle came to rest | how it separated (feature `rest`) |
 //! | [`paper`] | two bodies | every numbered equation in the paper's letters, **with what the print gets wrong** |
 #![cfg_attr(not(feature = "std"), no_std)]
 
