@@ -241,6 +241,27 @@ mod tests {
         assert_eq!(minimum(&Edge, &[-4.0], &[FREE], 200), Err(NoMinimum::NoStart));
     }
 
+    /// |x|, which has no slope where it is least.
+    struct Kink;
+
+    impl Residuals for Kink {
+        fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+            Some(vec![x[0].abs() + 1.0])
+        }
+
+        fn jacobian(&self, x: &[f64]) -> DMatrix<f64> {
+            DMatrix::from_element(1, 1, x[0] / x[0].abs())
+        }
+    }
+
+    #[test]
+    fn where_there_is_no_slope_there_is_no_minimum_and_no_panic() {
+        for start in [0.0, 1.0, -3.0] {
+            let end = minimum(&Kink, &[start], &[FREE], 200);
+            assert!(matches!(end, Err(NoMinimum::Stopped(_))), "{end:?}");
+        }
+    }
+
     #[test]
     fn too_few_iterations_are_no_minimum() {
         let end = minimum(&Valley, &[-1.2, 1.0], &[FREE, FREE], 1);

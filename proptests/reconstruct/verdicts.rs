@@ -191,7 +191,7 @@ fn every_problem_of_a_question_is_reported_at_once() {
         .prior(Variable::Input(Input::YawRate(Side::One)), 0.0, 0.0)
         .evidence(Measurable::CrushEnergy, f64::INFINITY, sd(1.0))
         .evidence(Measurable::CrushEnergy, 1e4, sd(-1.0))
-        .evidence(Measurable::SeparationSpeed(Side::Two), 1e4, Uncertainty::Resolution(0.0));
+        .evidence(Measurable::SeparationSpeed(Side::Two), -1e4, Uncertainty::Resolution(0.0));
     let question =
         Reconstruction { correlations: vec![Correlation { one: SAME, other: SAME, coefficient: 0.5 }], crush_share: Some(1.5), ..question };
     let problems = question.check().expect_err("everything is wrong with it");
@@ -207,6 +207,7 @@ fn every_problem_of_a_question_is_reported_at_once() {
     assert_eq!(has(|p| matches!(p, Problem::EvidenceNotFinite { what: "value", .. })), 1);
     assert_eq!(has(|p| matches!(p, Problem::EvidenceTwice(_))), 1);
     assert_eq!(has(|p| matches!(p, Problem::NothingToMeasure(_))), 1);
+    assert_eq!(has(|p| matches!(p, Problem::BelowZero { value: -1e4, .. })), 1);
     assert_eq!(has(|p| matches!(p, Problem::CorrelationOfNothing(..))), 1);
     assert_eq!(has(|p| matches!(p, Problem::NotAShare(_))), 1);
     assert_eq!(has(|p| matches!(p, Problem::TooLittleEvidence { evidence: 4, .. })), 1);

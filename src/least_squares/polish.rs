@@ -25,35 +25,38 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
         settle(x, span);
     }
     let mut residuals = DVector::from_vec(of.at(&unknowns).unwrap_or_default());
-    let (mut step, mut taken) = (f64::INFINITY, 0);
+    let (mut step, mut asked, mut taken) = (f64::INFINITY, f64::INFINITY, 0);
     let mut toward = unknowns.clone();
     while taken < STEPS.min(at_most) && !residuals.is_empty() {
         let last = step;
-        let jacobian = scaled(of.jacobian(&unknowns), spans);
+        let Some(jacobian) = slopes(of, &unknowns, spans) else { break };
         let bend = if taken < SLOW { None } else { of.bend(&unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans)) };
         let wanted = wanted_step(&jacobian, bend.as_ref(), &residuals, &unknowns, spans);
+        asked = wanted.amax();
         let Some(tried) = shortened(of, &unknowns, &wanted, spans, residuals.norm_squared()) else {
             // Nothing that is possible is better: the end, if hardly anything was asked for.
-            step = wanted.amax();
             toward = moved(&unknowns, &wanted, spans);
             break;
         };
         step = distance(&unknowns, &tried.unknowns, spans);
         (unknowns, residuals) = (tried.unknowns, tried.residuals);
         taken += 1;
-        if !(wanted.amax() > CONVERGED) && !(step < last / 2.0) || step == 0.0 {
-            step = step.min(wanted.amax());
+        if !(asked > CONVERGED) && !(step < last / 2.0) || step == 0.0 {
             break;
         }
     }
     let (sum_of_squares, iterations) = (residuals.norm_squared(), before + taken);
-    if residuals.is_empty() || !(step <= CONVERGED) {
-        return Err(Stopped { unknowns, sum_of_squares, step, iterations, toward });
-    }
+    let jacobian = if asked <= CONVERGED { slopes(of, &unknowns, spans) } else { None };
+    let Some(jacobian) = jacobian else { return Err(Stopped { unknowns, sum_of_squares, step: asked, iterations, toward }) };
     let at: Vec<Option<Bound>> = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
-    let jacobian = scaled(of.jacobian(&unknowns), spans);
     let is_held = (0..at.len()).map(|i| at[i].is_some_and(|at| presses(&jacobian, &residuals, i, at))).collect();
     Ok(Minimum { unknowns, sum_of_squares, at, is_held, iterations })
+}
+
+/// The derivatives of the residuals by the unknowns in their scales; none where one of them has none.
+fn slopes(of: &impl Residuals, unknowns: &[f64], spans: &[Span]) -> Option<DMatrix<f64>> {
+    let jacobian = scaled(of.jacobian(unknowns), spans);
+    jacobian.iter().all(|entry| entry.is_finite()).then_some(jacobian)
 }
 
 fn scaled(mut jacobian: DMatrix<f64>, spans: &[Span]) -> DMatrix<f64> {
@@ -112,6 +115,9 @@ fn newton(
     const FLAT: f64 = 1e-12;
     let slope = jacobian.tr_mul(&(residuals + jacobian * step)) + bend * step;
     let curvature = (jacobian.tr_mul(jacobian) + bend).select_columns(free).select_rows(free);
+    if curvature.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
     let size = curvature.diagonal().amax();
     let factor = curvature.cholesky()?;
     let is_flat = factor.l_dirty().diagonal().iter().any(|root| root * root < FLAT * size);

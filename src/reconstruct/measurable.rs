@@ -189,6 +189,18 @@ impl Measurable {
         }
     }
 
+    /// Whether it is never below zero.
+    pub(super) fn is_magnitude(self) -> bool {
+        use Output::*;
+        match self {
+            Measurable::CrushEnergy | Measurable::CrushEnergyOf(_) | Measurable::SeparationSpeed(_) => true,
+            Measurable::Variable(Variable::Input(input)) => matches!(input, Input::Mass(_) | Input::YawInertia(_) | Input::Restitution),
+            Measurable::Variable(Variable::CrushShare) => true,
+            Measurable::Output(output) => matches!(output, DeltaVMagnitude(_) | EnergyBefore | EnergyAfter | Loss),
+            _ => false,
+        }
+    }
+
     /// Below this size, in its unit, the size of a value says nothing of how well it is known.
     pub(super) fn least_size(self) -> f64 {
         use Output::*;

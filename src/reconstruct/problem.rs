@@ -59,6 +59,13 @@ pub enum Problem {
         /// Its value.
         value: f64,
     },
+    /// Evidence below zero of what cannot be, as a speed or a crush energy.
+    BelowZero {
+        /// Of what.
+        of: Measurable,
+        /// Its value.
+        value: f64,
+    },
     /// The lower bound is not below the upper one.
     BoundsCrossed {
         /// Of what.
@@ -248,6 +255,9 @@ fn evidence(question: &Reconstruction, found: &mut Vec<Problem>) {
                 found.push(Problem::EvidenceNotFinite { of, what, value });
             }
         }
+        if of.is_magnitude() && evidence.value < 0.0 && evidence.value.is_finite() {
+            found.push(Problem::BelowZero { of, value: evidence.value });
+        }
         if let Some(value) = size.filter(|size| size.is_finite() && *size <= 0.0) {
             found.push(Problem::NotPositive { of, what, value });
         }
@@ -292,6 +302,7 @@ impl fmt::Display for Problem {
             UnknownNotFinite { of, what, value } => write!(f, "the {what} of {} is {value}; a finite number is expected", of.name()),
             EvidenceNotFinite { of, what, value } => write!(f, "the {what} of {} is {value}; a finite number is expected", of.name()),
             NotPositive { of, what, value } => write!(f, "the {what} of {} is {value}; it must be above zero", of.name()),
+            BelowZero { of, value } => write!(f, "{} is {value}; it cannot be below zero", of.name()),
             BoundsCrossed { of, min, max } => write!(f, "{}: min {min} is not below max {max}", of.name()),
             StartOutside { of, start, min, max } => write!(f, "{}: the start {start} is not between {min} and {max}", of.name()),
             BoundOutside { of, bound, least, most } => write!(f, "{}: a bound of {bound} is not between {least} and {most}", of.name()),

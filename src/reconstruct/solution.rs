@@ -235,7 +235,9 @@ impl Slopes {
         let bent = &scales * model.curvature(&minimum.unknowns, &factors) * &scales;
         let seen = &self.determined;
         let within = |matrix: DMatrix<f64>| seen.transpose() * matrix * seen;
-        let inverse = Cholesky::new(within(&straight - bent)).or_else(|| Cholesky::new(within(straight)));
+        let curved = within(&straight - bent);
+        let is_finite = curved.iter().all(|entry| entry.is_finite());
+        let inverse = is_finite.then(|| Cholesky::new(curved)).flatten().or_else(|| Cholesky::new(within(straight)));
         let Some(inverse) = inverse else { return DMatrix::zeros(spans.len(), model.evidence.len()) };
         scales * seen * inverse.solve(&(seen.transpose() * weighted.transpose()))
     }
