@@ -18,39 +18,96 @@ pub(crate) const NOTHING: f64 = 1e-11;
 /// How near to a bound, in scales, counts as on it.
 const ON_BOUND: f64 = 1e-9;
 
+/// How many full steps are taken on trust.
+const TRUSTED: usize = 12;
+
 /// Goes from near a minimum to it.
 pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], before: usize, at_most: usize) -> Result<Minimum, Stopped> {
-    let mut unknowns = start;
-    for (x, span) in unknowns.iter_mut().zip(spans) {
-        settle(x, span);
+    let mut point = Point::at(of, start, spans);
+    if point.residuals.is_empty() {
+        let Point { unknowns, toward, .. } = point;
+        return Err(Stopped { unknowns, sum_of_squares: f64::INFINITY, step: f64::INFINITY, iterations: before, toward });
     }
-    let mut residuals = DVector::from_vec(of.at(&unknowns).unwrap_or_default());
-    let (mut step, mut asked, mut taken) = (f64::INFINITY, f64::INFINITY, 0);
-    let mut toward = unknowns.clone();
-    while taken < STEPS.min(at_most) && !residuals.is_empty() {
-        let last = step;
-        let Some(jacobian) = slopes(of, &unknowns, spans) else { break };
-        let bend = if taken < SLOW { None } else { of.bend(&unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans)) };
-        let wanted = wanted_step(&jacobian, bend.as_ref(), &residuals, &unknowns, spans);
-        asked = wanted.amax();
-        let Some(tried) = shortened(of, &unknowns, &wanted, spans, residuals.norm_squared()) else {
-            // Nothing that is possible is better: the end, if hardly anything was asked for.
-            toward = moved(&unknowns, &wanted, spans);
-            break;
-        };
-        step = distance(&unknowns, &tried.unknowns, spans);
-        (unknowns, residuals) = (tried.unknowns, tried.residuals);
-        taken += 1;
-        if !(asked > CONVERGED) && !(step < last / 2.0) || step == 0.0 {
-            break;
+    let taken = match point.sprint(of, spans, TRUSTED.min(at_most)) {
+        Some((end, taken)) => {
+            point = end;
+            taken
         }
-    }
-    let (sum_of_squares, iterations) = (residuals.norm_squared(), before + taken);
+        None => point.walk(of, spans, STEPS.min(at_most)),
+    };
+    let (sum_of_squares, iterations) = (point.residuals.norm_squared(), before + taken);
+    let Point { mut unknowns, residuals, asked, toward } = point;
     let jacobian = if asked <= CONVERGED { slopes(of, &unknowns, spans) } else { None };
     let Some(jacobian) = jacobian else { return Err(Stopped { unknowns, sum_of_squares, step: asked, iterations, toward }) };
     let at: Vec<Option<Bound>> = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
     let is_held = (0..at.len()).map(|i| at[i].is_some_and(|at| presses(&jacobian, &residuals, i, at))).collect();
     Ok(Minimum { unknowns, sum_of_squares, at, is_held, iterations })
+}
+
+/// A point on the way.
+#[derive(Clone)]
+struct Point {
+    unknowns: Vec<f64>,
+    residuals: DVector<f64>,
+    /// The last step that the residuals asked for, in scales.
+    asked: f64,
+    /// Where that step leads, if nothing on the way there is better.
+    toward: Vec<f64>,
+}
+
+impl Point {
+    fn at(of: &impl Residuals, mut unknowns: Vec<f64>, spans: &[Span]) -> Self {
+        for (x, span) in unknowns.iter_mut().zip(spans) {
+            settle(x, span);
+        }
+        let residuals = DVector::from_vec(of.at(&unknowns).unwrap_or_default());
+        Point { toward: unknowns.clone(), unknowns, residuals, asked: f64::INFINITY }
+    }
+
+    /// Full steps, even where the sum of squares grows on the way: along a narrow valley that bends it must. None where they lead nowhere, or not below.
+    fn sprint(&self, of: &impl Residuals, spans: &[Span], at_most: usize) -> Option<(Point, usize)> {
+        let mut point = self.clone();
+        for taken in 1..=at_most {
+            let last = point.asked;
+            let wanted = wanted_step(&slopes(of, &point.unknowns, spans)?, None, &point.residuals, &point.unknowns, spans);
+            point.unknowns = moved(&point.unknowns, &wanted, spans);
+            point.residuals = DVector::from_vec(of.at(&point.unknowns)?);
+            point.asked = wanted.amax();
+            let is_over = point.asked <= CONVERGED && point.asked >= last / 2.0 || point.asked == 0.0;
+            if is_over {
+                return (point.residuals.norm_squared() <= limit(self.residuals.norm_squared())).then_some((point, taken));
+            }
+        }
+        None
+    }
+
+    /// Steps that never make the sum of squares larger. How many there were.
+    fn walk(&mut self, of: &impl Residuals, spans: &[Span], at_most: usize) -> usize {
+        let mut step = f64::INFINITY;
+        for taken in 0..at_most {
+            let last = step;
+            let Some(jacobian) = slopes(of, &self.unknowns, spans) else { return taken };
+            let bend = if taken < SLOW { None } else { of.bend(&self.unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans)) };
+            let wanted = wanted_step(&jacobian, bend.as_ref(), &self.residuals, &self.unknowns, spans);
+            self.asked = wanted.amax();
+            let Some(tried) = shortened(of, &self.unknowns, &wanted, spans, self.residuals.norm_squared()) else {
+                // Nothing that is possible is better: the end, if hardly anything was asked for.
+                self.toward = moved(&self.unknowns, &wanted, spans);
+                return taken;
+            };
+            step = distance(&self.unknowns, &tried.unknowns, spans);
+            (self.unknowns, self.residuals) = (tried.unknowns, tried.residuals);
+            if self.asked <= CONVERGED && step >= last / 2.0 || step == 0.0 {
+                return taken + 1;
+            }
+        }
+        at_most
+    }
+}
+
+/// A sum of squares that is no larger but for rounding.
+fn limit(sum: f64) -> f64 {
+    sum * (1.0 + 1e-12) + f64::MIN_POSITIVE
 }
 
 /// The derivatives of the residuals by the unknowns in their scales; none where one of them has none.
@@ -83,15 +140,15 @@ fn wanted_step(
         let Some(of_free) = by_curvature.or_else(|| gauss_newton(jacobian, residuals, &step, &free)) else { break };
         let end = |i: usize, value: f64| unknowns[i] - value * spans[i].scale;
         let crosses = |i: usize, value: f64| !(spans[i].min..=spans[i].max).contains(&end(i, value));
-        let (crossing, inside): (Vec<(usize, f64)>, Vec<(usize, f64)>) =
-            free.iter().copied().zip(of_free.iter().copied()).partition(|&(i, value)| crosses(i, value));
-        for &(i, value) in if crossing.is_empty() { &inside } else { &crossing } {
+        let values: Vec<(usize, f64)> = free.iter().copied().zip(of_free.iter().copied()).collect();
+        let any_crosses = values.iter().any(|&(i, value)| crosses(i, value));
+        for &(i, value) in values.iter().filter(|&&(i, value)| !any_crosses || crosses(i, value)) {
             step[i] = (end(i, value).clamp(spans[i].min, spans[i].max) - unknowns[i]) / spans[i].scale;
         }
-        if crossing.is_empty() {
+        if !any_crosses {
             break;
         }
-        free = inside.into_iter().map(|(i, _)| i).collect();
+        free = values.into_iter().filter(|&(i, value)| !crosses(i, value)).map(|(i, _)| i).collect();
     }
     step
 }
@@ -146,13 +203,11 @@ struct Tried {
 
 /// The step, or the largest half, quarter … of it that does not make the sum larger.
 fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Span], sum: f64) -> Option<Tried> {
-    // Rounding alone may make the sum this much larger.
-    let limit = sum * (1.0 + 1e-12) + f64::MIN_POSITIVE;
     let mut share = 1.0;
     for _ in 0..12 {
         let unknowns = moved(from, &(step * share), spans);
         if let Some(residuals) = of.at(&unknowns).map(DVector::from_vec)
-            && residuals.norm_squared() <= limit
+            && residuals.norm_squared() <= limit(sum)
         {
             return Some(Tried { unknowns, residuals });
         }

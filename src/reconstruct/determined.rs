@@ -41,8 +41,19 @@ pub(super) fn blind(derivatives: &DMatrix<f64>) -> Vec<Vec<f64>> {
     let svd = matrix.svd(false, true);
     let Some(directions) = svd.v_t else { return Vec::new() };
     let largest = svd.singular_values.max();
-    let is_blind = |k: &usize| !(svd.singular_values[*k] > NOTHING * largest);
+    let is_blind = |k: &usize| svd.singular_values[*k] <= NOTHING * largest;
     (0..unknowns).filter(is_blind).map(|k| directions.row(k).iter().copied().collect()).collect()
+}
+
+/// The direction that the evidence notices least, of length 1; none without unknowns.
+pub(super) fn weakest(derivatives: &DMatrix<f64>) -> Option<Vec<f64>> {
+    if derivatives.is_empty() {
+        return None;
+    }
+    let svd = derivatives.clone().svd(false, true);
+    // Singular values are in descending order.
+    let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
+    Some(last)
 }
 
 /// A direction in scales, in units, without what is rounding.

@@ -275,8 +275,7 @@ fn correlations(question: &Reconstruction, found: &mut Vec<Problem>) {
     }
     if found.len() == before && !question.correlations.is_empty() {
         let eigenvalue = weight::least_eigenvalue(question);
-        // Also what is not a number.
-        if !(eigenvalue > weight::SINGULAR) {
+        if eigenvalue.is_nan() || eigenvalue <= weight::SINGULAR {
             found.push(Problem::CorrelationsImpossible { eigenvalue });
         }
     }

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
 use super::closed_form::at_crush_energy;
-use super::determined::{Direction, named};
+use super::determined::{Direction, named, weakest};
 use super::given::{Reconstruction, Search, Unknown};
 use super::measurable::Measurable;
 use super::problem::{Stop, Unsolved};
@@ -120,18 +120,49 @@ impl Found {
     fn by(model: &Model<'_>, spans: &[Span], starts: &[Vec<f64>], search: &Search) -> Result<Self, Unsolved> {
         let mut found = Found { minima: Vec::new(), nearest: None, searches: starts.len() };
         for start in starts {
-            match least_squares::minimum(model, start, spans, search.iterations) {
-                Ok(minimum) => found.add(model, spans, minimum),
-                Err(NoMinimum::Stopped(stopped)) => {
-                    if found.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
-                        found.nearest = Some(stopped);
-                    }
-                }
-                Err(NoMinimum::NoStart) => (),
+            found.search_from(start, model, spans, search);
+        }
+        if starts.len() > 1 {
+            for twin in found.twins(model, spans) {
+                found.search_from(&twin, model, spans, search);
             }
         }
         found.minima.sort_by(|one, other| one.0.sum_of_squares.total_cmp(&other.0.sum_of_squares));
         if found.minima.is_empty() { Err(found.not_converged(model)) } else { Ok(found) }
+    }
+
+    fn search_from(&mut self, start: &[f64], model: &Model<'_>, spans: &[Span], search: &Search) {
+        match least_squares::minimum(model, start, spans, search.iterations) {
+            Ok(minimum) => self.add(model, spans, minimum),
+            Err(NoMinimum::Stopped(stopped)) => {
+                if self.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
+                    self.nearest = Some(stopped);
+                }
+            }
+            Err(NoMinimum::NoStart) => (),
+        }
+    }
+
+    /// Where a solution close to one that was found may lie: two that the evidence hardly tells apart lie along the direction that it notices least, too near to
+    /// each other for starts from afar to end at both.
+    fn twins(&self, model: &Model<'_>, spans: &[Span]) -> Vec<Vec<f64>> {
+        /// The first minima of so many have their twins looked for.
+        const MINIMA: usize = 4;
+        /// How far off, in scales.
+        const DISTANCES: [f64; 4] = [1e-3, -1e-3, 3e-2, -3e-2];
+        let mut starts = Vec::new();
+        for (minimum, _) in self.minima.iter().take(MINIMA) {
+            let mut jacobian = model.jacobian(&minimum.unknowns);
+            for (mut column, span) in jacobian.column_iter_mut().zip(spans) {
+                column *= span.scale;
+            }
+            let Some(direction) = weakest(&jacobian) else { continue };
+            for distance in DISTANCES {
+                let step = |i: usize| minimum.unknowns[i] + distance * direction[i] * spans[i].scale;
+                starts.push((0..spans.len()).map(|i| step(i).clamp(spans[i].min, spans[i].max)).collect());
+            }
+        }
+        starts
     }
 
     fn add(&mut self, model: &Model<'_>, spans: &[Span], minimum: Minimum) {
