@@ -66,6 +66,8 @@ pub mod paper;
 #[cfg(feature = "reconstruct")]
 pub mod reconstruct;
 pub mod refusal;
+#[cfg(feature = "rest")]
+pub mod rest;
 pub mod scalar;
 #[cfg(feature = "dual")]
 pub mod sensitivity;

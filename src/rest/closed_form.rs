@@ -1,0 +1,101 @@
+//! Separation speed and yaw rate from distance, rotation and drag alone: the work of the tires along a straight way.
+//!
+//! CRASH begins with relations of Marquard (ATZ 68, 1966) between the distance and the rotation to rest and the velocity and yaw rate at separation, of wheels
+//! that all roll or are all locked, with empirical coefficients. Their formulas are not at hand in a source that could be cited, so what stands here is the
+//! same idea without coefficients: what the tires take, integrated over the way.
+//!
+//! 1. The center of mass goes straight from separation to rest, and the heading turns in proportion: at the share s of the way it is at r₀ + s Δr, θ₀ + s Δθ.
+//! 2. There every contact moves along Δr + Δθ × arm, which is the direction of its slip; the tire law of [`Tires::force`](super::Tires::force) and the friction
+//!    under the wheel give force F and moment M.
+//! 3. The force takes the energy of the translation, the moment that of the rotation:
+//!
+//! ```text
+//! ½ m V² = −∫ F · Δr ds        ½ I Ω² = −∫ M Δθ ds
+//! ```
+//!
+//! Exact for locked wheels without rotation, V² = 2 μ g |Δr|, and for rotation on the spot. Else the way bends, and how much of the rotation happens early is
+//! not known: that error is not in the standard deviations, which are those of the input alone. The direction of V is that to the rest; a vehicle that turns
+//! leaves it first to the one side.
+
+use super::evidence::{MotionCovariance, NoSeparation, RestEvidence, Separation};
+use super::slide::Slide;
+use super::vehicle::Pose;
+use crate::frame::Xy;
+use crate::scalar::Real;
+use crate::vehicle::Motion;
+use num_dual::Dual64;
+
+/// The parts of the way.
+const PARTS: i32 = 200;
+
+impl<T: Real<Mask = bool>> Slide<T> {
+    /// The motion at separation by the work of the tires along a straight way from there to the rest; not a number where they would drive the vehicle.
+    ///
+    /// The regularization is taken to be nothing. Derivatives are right also where the vehicle does not turn.
+    pub fn closed_form(&self, separation: &Pose<T>, rest: &Pose<T>) -> Motion<T> {
+        let (zero, one) = (T::int(0), T::int(1));
+        let millionth = one.clone() / T::int(1_000_000);
+        let travel = rest.position.clone() - separation.position.clone();
+        let turn = rest.heading.clone() - separation.heading.clone();
+        let distance = travel.clone().length();
+        // Ω is in proportion to a small Δθ. A root of nothing would hide that from derivatives, so less than a millionth is taken for a millionth.
+        let counted = if turn.clone().magnitude().less(&millionth) { millionth.clone() } else { turn.clone() };
+        let mut slide = self.clone();
+        let arm = slide.vehicle.front_axle.clone() + slide.vehicle.rear_axle.clone();
+        slide.vehicle.tires.regularization = (distance.clone() + arm * counted.clone().magnitude()) * millionth;
+        // Moved over the whole way in a second: only the direction of the slip counts.
+        let direction = Motion { velocity: travel.clone(), yaw_rate: counted.clone() };
+        let (mut of_travel, mut of_turn) = (zero.clone(), zero.clone());
+        for part in 0..PARTS {
+            let share = T::int(2 * part + 1) / T::int(2 * PARTS);
+            let pose = Pose {
+                position: separation.position.clone() + travel.clone() * share.clone(),
+                heading: separation.heading.clone() + turn.clone() * share,
+            };
+            let drag = slide.drag(&pose, &direction);
+            of_travel = of_travel - drag.force.dot(travel.clone()) / T::int(PARTS);
+            of_turn = of_turn - drag.moment * counted.clone() / T::int(PARTS);
+        }
+        let speed = (T::int(2) * of_travel / self.vehicle.mass.clone()).sqrt();
+        let rate = (T::int(2) * of_turn / self.vehicle.yaw_inertia.clone()).sqrt() / counted.magnitude();
+        let along = if zero.less(&distance) { travel * (speed / distance) } else { Xy::zero() };
+        Motion { velocity: along, yaw_rate: turn * rate }
+    }
+}
+
+impl Slide {
+    pub(super) fn separation_in_closed_form(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
+        let motion = self.closed_form(&evidence.separation, &evidence.rest);
+        if ![motion.velocity.x, motion.velocity.y, motion.yaw_rate].iter().all(|value| value.is_finite()) {
+            return Err(NoSeparation::Driven);
+        }
+        let distance = (evidence.rest.position - evidence.separation.position).length();
+        let deviation = evidence.position_deviation.x.max(evidence.position_deviation.y);
+        if distance <= deviation {
+            return Err(NoSeparation::TooShort { distance, deviation });
+        }
+        let deviations =
+            [evidence.position_deviation.x, evidence.position_deviation.y, evidence.heading_deviation, evidence.friction_deviation];
+        let mut covariance = [[0.0; 3]; 3];
+        for (input, deviation) in deviations.into_iter().enumerate() {
+            let by = self.closed_form_by(evidence, input);
+            for i in 0..3 {
+                for k in 0..3 {
+                    covariance[i][k] += by[i] * by[k] * deviation * deviation;
+                }
+            }
+        }
+        Ok(Separation { motion, covariance: MotionCovariance(covariance), fit: None })
+    }
+
+    /// The derivatives of V_x, V_y and Ω by x, y or heading at rest, or by the common factor of the frictions.
+    fn closed_form_by(&self, evidence: &RestEvidence, input: usize) -> [f64; 3] {
+        let seed = |value: f64, number: usize| Dual64::new(value, if number == input { 1.0 } else { 0.0 });
+        let mut slide = self.clone().map(Dual64::from);
+        slide.ground = slide.ground.times(seed(1.0, 3));
+        let rest = evidence.rest;
+        let rest = Pose { position: Xy { x: seed(rest.position.x, 0), y: seed(rest.position.y, 1) }, heading: seed(rest.heading, 2) };
+        let motion = slide.closed_form(&evidence.separation.map(Dual64::from), &rest);
+        [motion.velocity.x.eps, motion.velocity.y.eps, motion.yaw_rate.eps]
+    }
+}

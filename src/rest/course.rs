@@ -1,0 +1,289 @@
+//! The way of a vehicle to rest: its equations of motion over time, until hardly anything is left of its motion.
+
+use alloc::vec::Vec;
+
+use differential_equations::control::ControlFlag;
+use differential_equations::error::Error;
+use differential_equations::interpolate::Interpolation;
+use differential_equations::methods::ExplicitRungeKutta;
+use differential_equations::ode::{ODE, solve_ode};
+use differential_equations::solout::Solout;
+use differential_equations::solution::Solution;
+use differential_equations::traits::State;
+
+use super::problem::{NoRest, Problems};
+use super::slide::Slide;
+use super::vehicle::Pose;
+use crate::frame::Xy;
+use crate::scalar::Real;
+use crate::vehicle::Motion;
+
+/// The longest time that a vehicle is given to come to rest, in s.
+pub const TIME_LIMIT: f64 = 600.0;
+
+/// The speed that counts as rest, in regularization speeds: below it the force of a sliding tire is not that of friction any more.
+pub const REST_SPEED: f64 = 5.0;
+
+/// The most steps, of which each takes a few microseconds.
+const MOST_STEPS: usize = 200_000;
+/// The error of a step, relative and in m, rad, m/s and rad/s.
+const TOLERANCE: f64 = 1e-12;
+
+/// Where a vehicle is at a time, and how it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// The time since the start, in s.
+    pub time: f64,
+    /// Where it is.
+    pub pose: Pose,
+    /// How it moves.
+    pub motion: Motion,
+}
+
+/// How a vehicle came to rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rest {
+    /// Where it rests.
+    pub pose: Pose,
+    /// After what time, in s.
+    pub time: f64,
+    /// What its tires dissipated on the way, in J.
+    pub dissipated: f64,
+    /// What was left of its motion where the steps ended, and was taken to its end with the deceleration it had there.
+    pub last: Passing,
+    /// The way there, from the start to that place.
+    pub path: Vec<Passing>,
+}
+
+/// A state of the equations of motion: the pose, the motion, and the energy dissipated; behind them, perhaps, derivatives of the first six.
+pub(super) trait Moving: State<f64> {
+    fn passing(&self, time: f64) -> Passing {
+        let [x, y, heading, vx, vy, yaw_rate] = core::array::from_fn(|i| self.get_component(i));
+        let motion = Motion { velocity: Xy { x: vx, y: vy }, yaw_rate };
+        Passing { time, pose: Pose { position: Xy { x, y }, heading }, motion }
+    }
+}
+
+impl<const N: usize> Moving for [f64; N] {}
+
+/// The equations of motion as the integrator wants them.
+struct Equations<'a>(&'a Slide);
+
+impl ODE<f64, [f64; 7]> for Equations<'_> {
+    fn diff(&self, _: f64, y: &[f64; 7], change: &mut [f64; 7]) {
+        let Passing { pose, motion, .. } = y.passing(0.0);
+        let drag = self.0.drag(&pose, &motion);
+        let acceleration = self.0.acceleration_by(&drag);
+        *change = [
+            motion.velocity.x,
+            motion.velocity.y,
+            motion.yaw_rate,
+            acceleration.velocity.x,
+            acceleration.velocity.y,
+            acceleration.yaw_rate,
+            drag.dissipation,
+        ];
+    }
+}
+
+impl Slide {
+    /// Where the vehicle comes to rest that leaves a pose with a motion.
+    ///
+    /// The way ends where 2T/m = v² + k²ω² falls to the square of [`REST_SPEED`] · ε. What is left of the motion is taken to its end as with the deceleration that
+    /// it has there: T falls with the square of the time left, so the vehicle goes on for T/Ṫ of its velocity and yaw rate, fractions of a millimeter where it
+    /// slides.
+    ///
+    /// # Errors
+    ///
+    /// [`NoRest`]: everything wrong with the input, or that it does not come to rest, with its motion in the end.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use planar_impact::rest::*;
+    /// use planar_impact::{Motion, Xy};
+    ///
+    /// let vehicle = SlidingVehicle {
+    ///     mass: 1500.0,
+    ///     yaw_inertia: 2500.0,
+    ///     front_axle: 1.2,
+    ///     rear_axle: 1.5,
+    ///     track: 1.5,
+    ///     wheels: Wheels::all(Wheel::LOCKED),
+    ///     tires: Tires::ORDINARY,
+    /// };
+    /// let slide = Slide { vehicle, ground: Ground::uniform(0.7) };
+    /// let motion = Motion { velocity: Xy { x: 20.0, y: 0.0 }, yaw_rate: 0.0 };
+    /// let rest = slide.to_rest(&Pose::default(), &motion)?;
+    /// let distance = 20.0 * 20.0 / (2.0 * 0.7 * 9.80665); // v²/(2μg)
+    /// assert!((rest.pose.position.x / distance - 1.0).abs() < 1e-5);
+    /// # Ok::<(), NoRest>(())
+    /// ```
+    pub fn to_rest(&self, from: &Pose, motion: &Motion) -> Result<Rest, NoRest> {
+        self.check_start(from, motion).map_err(NoRest::Refused)?;
+        let start = [from.position.x, from.position.y, from.heading, motion.velocity.x, motion.velocity.y, motion.yaw_rate, 0.0];
+        let end = follow(self, &Equations(self), start)?;
+        let last = end.state.passing(end.time);
+        let left = self.remainder(&last.pose, &last.motion);
+        let rest = self.stand_still(&last)?;
+        let mut path = end.path;
+        path.push(last);
+        Ok(Rest {
+            pose: rest,
+            time: last.time + 2.0 * left,
+            dissipated: end.state[6] + self.kinetic_energy(&last.motion),
+            last,
+            path,
+        })
+    }
+
+    /// The pose at rest, from where the steps ended.
+    pub(super) fn stand_still(&self, last: &Passing) -> Result<Pose, NoRest> {
+        // Nothing is left to go where nothing moves, with or without friction.
+        if self.kinetic_energy(&last.motion) == 0.0 {
+            return Ok(last.pose);
+        }
+        let left = self.remainder(&last.pose, &last.motion);
+        if !(0.0..=TIME_LIMIT / 2.0).contains(&left) {
+            return Err(NoRest::Moves(*last));
+        }
+        Ok(self.after_remainder(&last.pose, &last.motion))
+    }
+}
+
+impl<T: Real<Mask = bool>> Slide<T> {
+    /// T/Ṫ: half the time that the motion still takes, in s.
+    fn remainder(&self, pose: &Pose<T>, motion: &Motion<T>) -> T {
+        self.kinetic_energy(motion) / self.drag(pose, motion).dissipation
+    }
+
+    /// Where the motion ends.
+    pub(super) fn after_remainder(&self, pose: &Pose<T>, motion: &Motion<T>) -> Pose<T> {
+        let left = self.remainder(pose, motion);
+        Pose {
+            position: pose.position.clone() + motion.velocity.clone() * left.clone(),
+            heading: pose.heading.clone() + motion.yaw_rate.clone() * left,
+        }
+    }
+
+    /// v² + k²ω² less the square of the speed that counts as rest: falls through zero at rest.
+    pub(super) fn above_rest(&self, motion: &Motion<T>, rest_speed: T) -> T {
+        T::int(2) * self.kinetic_energy(motion) / self.vehicle.mass.clone() - rest_speed.squared()
+    }
+}
+
+/// Where the steps ended.
+pub(super) struct End<Y> {
+    pub time: f64,
+    pub state: Y,
+    pub path: Vec<Passing>,
+}
+
+/// Follows equations of motion from a state until it counts as rest.
+pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, start: Y) -> Result<End<Y>, NoRest> {
+    let mut watch = Watch { slide, path: Vec::new(), end: None, steps: 0 };
+    let from = start.passing(0.0);
+    if slide.is_at_rest(&from.motion) {
+        return Ok(End { time: 0.0, state: start, path: Vec::new() });
+    }
+    watch.path.push(from);
+    let (mut time, mut state) = (0.0, start);
+    let longest = slide.longest_step(&from.motion);
+    loop {
+        let mut method = ExplicitRungeKutta::dop853().rtol(TOLERANCE).atol(TOLERANCE).h_max(longest).max_steps(MOST_STEPS - watch.steps);
+        match solve_ode(&mut method, equations, time, TIME_LIMIT, &state, &mut watch) {
+            // What it takes for stiff is a wheel that rolls slowly: short steps do.
+            Err(Error::Stiffness { t, y }) if t > time && watch.steps < MOST_STEPS => (time, state) = (t, y),
+            Err(Error::MaxSteps { t, y } | Error::StepSize { t, y } | Error::Stiffness { t, y }) => {
+                return Err(NoRest::NotFollowed(y.passing(t)));
+            }
+            Err(_) => return Err(NoRest::NotFollowed(state.passing(time))),
+            Ok(solution) => {
+                let last = solution.t.last().copied().zip(solution.y.last().cloned());
+                return match watch.end {
+                    Some((time, state)) => Ok(End { time, state, path: watch.path }),
+                    None => Err(NoRest::Moves(last.map_or(from, |(time, state)| state.passing(time)))),
+                };
+            }
+        }
+    }
+}
+
+impl Slide {
+    fn rest_speed(&self) -> f64 {
+        REST_SPEED * self.vehicle.tires.regularization
+    }
+
+    fn is_at_rest(&self, motion: &Motion) -> bool {
+        self.above_rest(motion, self.rest_speed()) <= 0.0
+    }
+
+    /// No step may jump over a border.
+    fn longest_step(&self, start: &Motion) -> f64 {
+        if self.ground.regions.is_empty() {
+            return TIME_LIMIT;
+        }
+        let vehicle = &self.vehicle;
+        let arm = vehicle.front_axle.max(vehicle.rear_axle) + vehicle.track;
+        let fastest = start.velocity.length() + arm * start.yaw_rate.abs();
+        (self.ground.contact_length / fastest).clamp(1e-4, TIME_LIMIT)
+    }
+}
+
+/// Looks after each step whether the vehicle is at rest.
+struct Watch<'a, Y> {
+    slide: &'a Slide,
+    path: Vec<Passing>,
+    end: Option<(f64, Y)>,
+    steps: usize,
+}
+
+impl<Y: Moving> Solout<f64, Y> for Watch<'_, Y> {
+    fn solout<I>(
+        &mut self,
+        time: f64,
+        time_before: f64,
+        state: &Y,
+        _: &Y,
+        between: &mut I,
+        solution: &mut Solution<f64, Y>,
+    ) -> ControlFlag<f64, Y>
+    where
+        I: Interpolation<f64, Y> + ?Sized,
+    {
+        // Only the last state is of use.
+        (solution.t, solution.y) = (alloc::vec![time], alloc::vec![state.clone()]);
+        if time <= time_before {
+            return ControlFlag::Continue;
+        }
+        self.steps += 1;
+        let now = state.passing(time);
+        if !self.slide.is_at_rest(&now.motion) {
+            self.path.push(now);
+            return ControlFlag::Continue;
+        }
+        // Halving the step finds the instant to the last bit, and cannot leave the step.
+        let (mut moving, mut resting) = (time_before, (time, state.clone()));
+        for _ in 0..60 {
+            let middle = f64::midpoint(moving, resting.0);
+            match between.interpolate(middle) {
+                Ok(state) if self.slide.is_at_rest(&state.passing(middle).motion) => resting = (middle, state),
+                Ok(_) => moving = middle,
+                Err(_) => break,
+            }
+        }
+        self.end = Some(resting);
+        ControlFlag::Terminate
+    }
+}
+
+impl Slide {
+    fn check_start(&self, from: &Pose, motion: &Motion) -> Result<(), Problems> {
+        let mut findings = self.findings();
+        findings.pose(["start.position.x", "start.position.y", "start.heading"], from);
+        findings.finite("start.velocity.x", motion.velocity.x);
+        findings.finite("start.velocity.y", motion.velocity.y);
+        findings.finite("start.yaw_rate", motion.yaw_rate);
+        findings.done()
+    }
+}

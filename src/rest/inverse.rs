@@ -1,0 +1,272 @@
+//! The way back: the separation whose slide ends in the pose at rest.
+
+use alloc::vec::Vec;
+use core::cell::RefCell;
+
+use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use super::course::TIME_LIMIT;
+use super::evidence::{Miss, MotionCovariance, NoSeparation, OtherSeparation, RestEvidence, Separation, SlideFit};
+use super::problem::NoRest;
+use super::slide::Slide;
+use super::variation::VARIED;
+use crate::frame::Xy;
+use crate::least_squares::{self, NoMinimum, Residuals, Span};
+use crate::vehicle::Motion;
+
+/// Starts of the search; the first is the closed form.
+const STARTS: usize = 16;
+/// The most steps of one search.
+const ITERATIONS: usize = 60;
+/// A change of speed that counts, in m/s, and one of the yaw rate, in rad/s.
+const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
+/// Two solutions are one if they differ by no more, in these scales.
+const SAME: f64 = 1e-4;
+/// Shares of the largest singular value below which a direction moves no rest.
+const NOTHING: f64 = 1e-8;
+
+/// The pose at rest, computed less given, in standard deviations.
+struct ToRest<'a> {
+    slide: &'a Slide,
+    evidence: &'a RestEvidence,
+    /// Why the first motion that does not come to rest does not.
+    never: RefCell<Option<NoRest>>,
+}
+
+fn motion(unknowns: &[f64]) -> Motion {
+    Motion { velocity: Xy { x: unknowns[0], y: unknowns[1] }, yaw_rate: unknowns[2] }
+}
+
+impl ToRest<'_> {
+    fn deviations(&self) -> [f64; 3] {
+        [self.evidence.position_deviation.x, self.evidence.position_deviation.y, self.evidence.heading_deviation]
+    }
+
+    fn miss(&self, unknowns: &[f64]) -> Result<Miss, NoRest> {
+        let rest = self.slide.to_rest(&self.evidence.separation, &motion(unknowns))?;
+        Ok(Miss::of(&rest.pose, &self.evidence.rest))
+    }
+
+    /// The derivatives of the pose at rest by the motion and by the factor of the frictions, in standard deviations.
+    fn slopes(&self, unknowns: &[f64]) -> SMatrix<f64, 3, VARIED> {
+        let deviations = self.deviations();
+        match self.slide.varied_rest(&self.evidence.separation, &motion(unknowns)) {
+            Ok(varied) => SMatrix::from_fn(|i, k| varied.by[i][k] / deviations[i]),
+            Err(_) => SMatrix::zeros(),
+        }
+    }
+}
+
+impl Residuals for ToRest<'_> {
+    fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
+        match self.miss(unknowns) {
+            Ok(Miss { position, heading }) => {
+                Some([position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect())
+            }
+            Err(why) => {
+                self.never.borrow_mut().get_or_insert(why);
+                None
+            }
+        }
+    }
+
+    fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
+        let slopes = self.slopes(unknowns);
+        DMatrix::from_fn(3, 3, |i, k| slopes[(i, k)])
+    }
+}
+
+/// A motion that the search ended with.
+#[derive(Clone)]
+struct Found {
+    unknowns: Vec<f64>,
+    sum_of_squares: f64,
+    iterations: usize,
+}
+
+impl Slide {
+    pub(super) fn separation_by_slide(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
+        let search = ToRest { slide: self, evidence, never: RefCell::new(None) };
+        let first = self.first_guess(evidence);
+        let (mut found, mut stopped): (Vec<Found>, Option<Found>) = (Vec::new(), None);
+        let mut converged = 0;
+        for start in starts(first) {
+            let spans = SCALES.map(|scale| Span { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
+            match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
+                Ok(minimum) => {
+                    converged += 1;
+                    let one = Found {
+                        unknowns: minimum.unknowns,
+                        sum_of_squares: minimum.sum_of_squares,
+                        iterations: minimum.iterations,
+                    };
+                    if !found.iter().any(|other| distance(&other.unknowns, &one.unknowns) <= SAME) {
+                        found.push(one);
+                    }
+                }
+                Err(NoMinimum::Stopped(end)) => {
+                    if stopped.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) {
+                        stopped =
+                            Some(Found { unknowns: end.unknowns, sum_of_squares: end.sum_of_squares, iterations: end.iterations });
+                    }
+                }
+                Err(NoMinimum::NoStart) => (),
+            }
+        }
+        let Some(best) = best_of(&mut found, &first) else { return Err(none_found(&search, stopped)) };
+        let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
+        let covariance = covariance(&search.slopes(&best.unknowns), evidence)?;
+        let other = |other: &Found| {
+            Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? })
+        };
+        let others = found.iter().filter_map(other).collect();
+        let fit = SlideFit { iterations: best.iterations, starts: STARTS, converged, miss, others };
+        Ok(Separation { motion: motion(&best.unknowns), covariance, fit: Some(fit) })
+    }
+
+    /// The closed form, or where the tires would drive the vehicle a rotation in proportion to the way.
+    fn first_guess(&self, evidence: &RestEvidence) -> [f64; 3] {
+        let Motion { velocity, yaw_rate } = self.closed_form(&evidence.separation, &evidence.rest);
+        let travel = evidence.rest.position - evidence.separation.position;
+        let turn = evidence.rest.heading - evidence.separation.heading;
+        let velocity = if velocity.x.is_finite() && velocity.y.is_finite() { velocity } else { travel };
+        let yaw_rate = if yaw_rate.is_finite() { yaw_rate } else { turn * velocity.length() / travel.length().max(1.0) };
+        [velocity.x, velocity.y, yaw_rate]
+    }
+}
+
+/// The first guess, and others around it: up to 60° to either side, from half to twice as fast, and turning up to twice as fast either way.
+fn starts(first: [f64; 3]) -> Vec<[f64; 3]> {
+    let mut random = ChaCha8Rng::seed_from_u64(1966);
+    let mut starts = alloc::vec![first];
+    let speed = libm::hypot(first[0], first[1]);
+    while starts.len() < STARTS {
+        let aside = random.random_range(-1.05..1.05);
+        let faster = random.random_range(0.5..2.0);
+        let turning = random.random_range(-1.0..2.0) * first[2] + random.random_range(-0.5..0.5);
+        let (sin, cos) = libm::sincos(libm::atan2(first[1], first[0]) + aside);
+        starts.push([faster * speed * cos, faster * speed * sin, turning]);
+    }
+    starts
+}
+
+/// How far two motions are apart, in the scales.
+fn distance(one: &[f64], other: &[f64]) -> f64 {
+    (0..3).map(|i| (one[i] - other[i]).abs() / SCALES[i]).fold(0.0, f64::max)
+}
+
+/// Takes out of what was found what is best: the least sum of squares, and of several that are as good, in a hundredth of a deviation, that nearest to the
+/// first guess. What is worse is dropped.
+fn best_of(found: &mut Vec<Found>, first: &[f64; 3]) -> Option<Found> {
+    let least = found.iter().map(|one| one.sum_of_squares).reduce(f64::min)?;
+    found.retain(|one| one.sum_of_squares <= least + 1e-4);
+    found.sort_by(|a, b| distance(&a.unknowns, first).total_cmp(&distance(&b.unknowns, first)));
+    Some(found.remove(0))
+}
+
+fn none_found(search: &ToRest<'_>, stopped: Option<Found>) -> NoSeparation {
+    if let Some(best) = stopped
+        && let Ok(miss) = search.miss(&best.unknowns)
+    {
+        return NoSeparation::NotConverged { motion: motion(&best.unknowns), miss };
+    }
+    let why = search.never.borrow_mut().take();
+    NoSeparation::NoRest(why.unwrap_or_else(|| {
+        let passing = super::Passing { time: TIME_LIMIT, pose: search.evidence.separation, motion: Motion::rest() };
+        NoRest::NotFollowed(passing)
+    }))
+}
+
+/// The covariance of the motion by that of the pose at rest, which is 1 in standard deviations, and by the friction: with J the derivatives by the motion and
+/// j those by the friction, A = (JᵀJ)⁻¹ Jᵀ and C = A (1 + j σ² jᵀ) Aᵀ.
+fn covariance(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Result<MotionCovariance, NoSeparation> {
+    let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
+    let jacobian = slopes.fixed_columns::<3>(0) * scales;
+    let svd = jacobian.svd(true, true);
+    let largest = svd.singular_values.max();
+    let (smallest, least) = svd.singular_values.argmin();
+    if !(least > NOTHING * largest) {
+        let along = svd.v_t.map(|v_t| scales * v_t.row(smallest).transpose()).unwrap_or_default().normalize();
+        return Err(NoSeparation::NotDetermined { along: motion(along.as_slice()) });
+    }
+    let Ok(inverse) = svd.pseudo_inverse(0.0) else {
+        return Err(NoSeparation::NotDetermined { along: Motion::rest() });
+    };
+    let back = scales * inverse;
+    let by_friction = back * slopes.column(VARIED - 1) * evidence.friction_deviation;
+    let covariance = back * back.transpose() + by_friction * by_friction.transpose();
+    Ok(MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)]))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rest::{Ground, Method, Pose, Restraint, SlidingVehicle, Tires, Wheel, Wheels};
+
+    pub(super) fn slide(wheels: Wheels<Wheel>) -> Slide {
+        let vehicle = SlidingVehicle {
+            mass: 1500.0,
+            yaw_inertia: 2400.0,
+            front_axle: 1.2,
+            rear_axle: 1.5,
+            track: 1.5,
+            wheels,
+            tires: Tires::ORDINARY,
+        };
+        Slide { vehicle, ground: Ground::uniform(0.7) }
+    }
+
+    fn damaged() -> Wheels<Wheel> {
+        Wheels {
+            front_left: Wheel::LOCKED,
+            front_right: Wheel::braked(0.4).steered(0.1),
+            rear_left: Wheel::ROLLING,
+            rear_right: Wheel { restraint: Restraint::Braked(0.2), steer: 0.0 },
+        }
+    }
+
+    #[test]
+    fn there_and_back() {
+        for wheels in [Wheels::all(Wheel::LOCKED), damaged(), Wheels::all(Wheel::ROLLING), Wheels::all(Wheel::braked(0.3))] {
+            let slide = slide(wheels);
+            for [vx, vy, yaw_rate] in [[9.0, 4.0, 2.5], [12.0, -3.0, -4.0], [3.0, 8.0, 0.5], [15.0, 1.0, 0.0]] {
+                let motion = Motion { velocity: Xy { x: vx, y: vy }, yaw_rate };
+                let separation = Pose { position: Xy { x: 1.0, y: 2.0 }, heading: 0.3 };
+                let rest = slide.to_rest(&separation, &motion).expect("it comes to rest").pose;
+                let evidence = RestEvidence {
+                    separation,
+                    rest,
+                    position_deviation: Xy { x: 0.3, y: 0.3 },
+                    heading_deviation: 0.09,
+                    friction_deviation: 0.07,
+                };
+                let time = std::time::Instant::now();
+                let found = slide.separation(&evidence, Method::Slide);
+                std::println!("{motion:?} in {:?}", time.elapsed());
+                match found {
+                    Ok(found) => {
+                        let fit = found.fit.as_ref().expect("a fit");
+                        std::println!(
+                            "   {:?} {:?} miss {:?} it {} conv {} others {}",
+                            found.motion,
+                            found.covariance.deviations(),
+                            fit.miss,
+                            fit.iterations,
+                            fit.converged,
+                            fit.others.len()
+                        );
+                        for other in &fit.others {
+                            std::println!("      {other:?}");
+                        }
+                    }
+                    Err(why) => std::println!("   {why}"),
+                }
+                let cf = slide.separation(&evidence, Method::ClosedForm);
+                std::println!("   cf {:?}", cf.map(|cf| (cf.motion, cf.covariance.deviations())));
+            }
+        }
+    }
+}
