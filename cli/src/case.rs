@@ -6,6 +6,7 @@ mod given;
 mod inputs;
 mod knowledge;
 mod parameter;
+mod rest;
 mod setup;
 mod vehicle;
 
@@ -21,6 +22,7 @@ pub(crate) use given::Given;
 pub use inputs::Inputs;
 pub use knowledge::{Knowledge, Known, Sought, measure_of, measure_of_variable, parameter_of};
 pub use parameter::Parameter;
+pub use rest::RestInputs;
 pub use setup::Setup;
 pub use vehicle::Velocity;
 
@@ -46,6 +48,8 @@ pub struct Case {
     pub bracket: Option<CrushPlaneBracket>,
     /// What is known after the crash, and what is asked.
     pub knowledge: Knowledge,
+    /// How the vehicles came to rest, where the file says so.
+    pub rest: Option<RestInputs>,
     /// The units that most of its quantities are in.
     pub units: Units,
     /// What was taken for granted, such as the unit of a number without one.
@@ -98,6 +102,7 @@ impl Case {
             setup,
             bracket: read.bracket,
             knowledge: read.knowledge,
+            rest: read.rest,
             units,
             notes: given.notes.into_inner(),
         })

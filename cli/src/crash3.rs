@@ -49,7 +49,7 @@ fn crossing(case: &Case, pair: &DamagedPair) -> Option<f64> {
 struct Damage {
     pair: DamagedPair,
     estimate: PairEstimate,
-    /// The separation velocity of each vehicle that CRASH3 goes back from: that of the evidence, or else of the case.
+    /// The separation velocity of each vehicle that CRASH3 goes back from: that of the evidence, or else of its rest, or else of the case.
     separation: [Option<Xy>; 2],
 }
 
@@ -84,8 +84,12 @@ impl Comparison {
         let assumptions = assumptions(case, &impact, has_common_velocity, energy, units, &mut notes);
         let after = impact.ok().map(|impact| [impact.one.after.velocity, impact.two.after.velocity]);
         let given = case.knowledge.separation();
-        let separation = [0, 1].map(|i| given[i].or(after.map(|after| after[i])));
-        if given.iter().all(Option::is_none) && after.is_some() {
+        let from_rest = case.separations_from_rest()?.map(|separation| separation.map(|separation| separation.motion.velocity));
+        let separation = [0, 1].map(|i| given[i].or(from_rest[i]).or(after.map(|after| after[i])));
+        for i in (0..2).filter(|&i| given[i].is_none() && from_rest[i].is_some()) {
+            notes.push(format!("vehicle.{}: the separation velocity is that from which it comes to rest where [rest] says", i + 1));
+        }
+        if given.iter().chain(&from_rest).all(Option::is_none) && after.is_some() {
             notes.push("the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned());
         }
         Ok(Comparison { damage: Some(Damage { pair, estimate, separation }), assumptions, notes })

@@ -26,7 +26,7 @@ pub const REST_SPEED: f64 = 5.0;
 
 /// The most steps, of which each takes a few microseconds.
 const MOST_STEPS: usize = 200_000;
-/// The error of a step, relative and in m, rad, m/s and rad/s.
+/// The error of a step, relative and in m, rad, m/s and rad/s. The way back wants the end to be a smooth function of the start to some 1e-10.
 const TOLERANCE: f64 = 1e-12;
 
 /// Where a vehicle is at a time, and how it moves.
@@ -122,19 +122,13 @@ impl Slide {
     pub fn to_rest(&self, from: &Pose, motion: &Motion) -> Result<Rest, NoRest> {
         self.check_start(from, motion).map_err(NoRest::Refused)?;
         let start = [from.position.x, from.position.y, from.heading, motion.velocity.x, motion.velocity.y, motion.yaw_rate, 0.0];
-        let end = follow(self, &Equations(self), start)?;
+        let end = follow(self, &Equations(self), start, TOLERANCE)?;
         let last = end.state.passing(end.time);
         let left = self.remainder(&last.pose, &last.motion);
         let rest = self.stand_still(&last)?;
         let mut path = end.path;
         path.push(last);
-        Ok(Rest {
-            pose: rest,
-            time: last.time + 2.0 * left,
-            dissipated: end.state[6] + self.kinetic_energy(&last.motion),
-            last,
-            path,
-        })
+        Ok(Rest { pose: rest, time: last.time + 2.0 * left, dissipated: end.state[6] + self.kinetic_energy(&last.motion), last, path })
     }
 
     /// The pose at rest, from where the steps ended.
@@ -179,8 +173,8 @@ pub(super) struct End<Y> {
     pub path: Vec<Passing>,
 }
 
-/// Follows equations of motion from a state until it counts as rest.
-pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, start: Y) -> Result<End<Y>, NoRest> {
+/// Follows equations of motion from a state until it counts as rest, each step within a tolerance.
+pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, start: Y, tolerance: f64) -> Result<End<Y>, NoRest> {
     let mut watch = Watch { slide, path: Vec::new(), end: None, steps: 0 };
     let from = start.passing(0.0);
     if slide.is_at_rest(&from.motion) {
@@ -190,7 +184,7 @@ pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, sta
     let (mut time, mut state) = (0.0, start);
     let longest = slide.longest_step(&from.motion);
     loop {
-        let mut method = ExplicitRungeKutta::dop853().rtol(TOLERANCE).atol(TOLERANCE).h_max(longest).max_steps(MOST_STEPS - watch.steps);
+        let mut method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).h_max(longest).max_steps(MOST_STEPS - watch.steps);
         match solve_ode(&mut method, equations, time, TIME_LIMIT, &state, &mut watch) {
             // What it takes for stiff is a wheel that rolls slowly: short steps do.
             Err(Error::Stiffness { t, y }) if t > time && watch.steps < MOST_STEPS => (time, state) = (t, y),

@@ -183,10 +183,9 @@ impl fmt::Display for NoSeparation {
                 along.velocity.x, along.velocity.y, along.yaw_rate
             ),
             NoSeparation::Driven => write!(f, "on a straight way to the pose at rest the tires would drive the vehicle"),
-            NoSeparation::TooShort { distance, deviation } => write!(
-                f,
-                "the vehicle moved {distance:.3} m, no further than the position at rest is uncertain, {deviation:.3} m"
-            ),
+            NoSeparation::TooShort { distance, deviation } => {
+                write!(f, "the vehicle moved {distance:.3} m, no further than the position at rest is uncertain, {deviation:.3} m")
+            }
         }
     }
 }

@@ -67,6 +67,7 @@ impl<T: Real<Mask = bool>> Slide<T> {
     /// Kinetic energy, in J.
     pub fn kinetic_energy(&self, motion: &Motion<T>) -> T {
         let vehicle = &self.vehicle;
-        (vehicle.mass.clone() * motion.velocity.clone().length_squared() + vehicle.yaw_inertia.clone() * motion.yaw_rate.clone().squared()).half()
+        (vehicle.mass.clone() * motion.velocity.clone().length_squared() + vehicle.yaw_inertia.clone() * motion.yaw_rate.clone().squared())
+            .half()
     }
 }

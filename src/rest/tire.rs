@@ -44,11 +44,7 @@ impl<T> Restraint<T> {
 impl<T> Tires<T> {
     /// The same on another scalar.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Tires<U> {
-        Tires {
-            rolling_resistance: f(self.rolling_resistance),
-            slip_angle: f(self.slip_angle),
-            regularization: f(self.regularization),
-        }
+        Tires { rolling_resistance: f(self.rolling_resistance), slip_angle: f(self.slip_angle), regularization: f(self.regularization) }
     }
 }
 

@@ -3,6 +3,7 @@
 mod crush;
 mod evidence;
 mod measured;
+mod rest;
 mod stand_in;
 mod unknown;
 
@@ -15,6 +16,7 @@ use self::stand_in::StandIns;
 use super::inputs::{ContactInputs, Inputs};
 use super::knowledge::Knowledge;
 use super::parameter::Parameter;
+use super::rest::RestInputs;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table, Value};
 use crate::quantity::{Kind, Quantity};
@@ -28,6 +30,7 @@ pub(super) struct Read {
     pub(super) inputs: Inputs,
     pub(super) bracket: Option<CrushPlaneBracket>,
     pub(super) knowledge: Knowledge,
+    pub(super) rest: Option<RestInputs>,
 }
 
 /// The units met on the way through the file.
@@ -115,6 +118,10 @@ impl Given {
         let stand_ins = StandIns::of(&evidence, &unknowns, whole);
         let vehicles = self.vehicles(root, &stand_ins);
         let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &stand_ins));
+        let rest = root.has("rest").then(|| {
+            let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
+            self.rest(root, vehicles)
+        });
         schema?;
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
         let evidence = self.settle(&evidence, [&one, &two]);
@@ -122,7 +129,11 @@ impl Given {
         let agrees = stand_ins.agree_with(&inputs);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.sought.clone()).collect();
         let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: stand_ins.left_out() };
-        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge })
+        let rest = match rest {
+            Some(rest) => Some(rest?),
+            None => None,
+        };
+        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge, rest })
     }
 
     /// A table that may be missing, read as a list.

@@ -50,7 +50,7 @@ impl VehicleInputs {
         }
     }
 
-    fn yaw_inertia(&self) -> f64 {
+    pub(super) fn yaw_inertia(&self) -> f64 {
         match self.inertia {
             Inertia::Yaw(inertia) => inertia,
             Inertia::Radius(radius) => self.mass * radius * radius,
