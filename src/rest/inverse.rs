@@ -1,7 +1,7 @@
 //! The way back: the separation whose slide ends in the pose at rest.
 
 use alloc::vec::Vec;
-use core::cell::RefCell;
+use core::cell::{Cell, RefCell};
 
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 use rand::RngExt;
@@ -12,17 +12,19 @@ use super::course::TIME_LIMIT;
 use super::evidence::{Miss, MotionCovariance, NoSeparation, OtherSeparation, RestEvidence, Separation, SlideFit};
 use super::problem::NoRest;
 use super::slide::Slide;
-use super::variation::VARIED;
+use super::variation::{COARSE, FINE, VARIED};
 use crate::frame::Xy;
-use crate::least_squares::{self, Minimum, NoMinimum, Residuals, Span};
+use crate::least_squares::{self, Minimum, NoMinimum, Residuals, Span, Stopped};
 use crate::vehicle::Motion;
 
 /// Starts of the search; the first is the closed form.
 const STARTS: usize = 12;
 /// The most steps of one search.
 const ITERATIONS: usize = 60;
-/// The most steps of all searches together, of which each takes up to ten milliseconds: starts that are left over are not tried.
-const ALL_ITERATIONS: usize = 240;
+/// The most steps of integration in all searches together, about a second of them: what is left over is not tried.
+const WORK: usize = 600_000;
+/// What a step with its derivatives costs, in steps without.
+const COST_OF_DERIVATIVES: usize = 6;
 /// A change of speed that counts, in m/s, and one of the yaw rate, in rad/s.
 const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
 /// Two solutions are one if they differ by no more, in these scales.
@@ -38,6 +40,9 @@ struct ToRest<'a> {
     evidence: &'a RestEvidence,
     /// Why the first motion that does not come to rest does not.
     never: RefCell<Option<NoRest>>,
+    /// The steps of integration that may still be taken, and how many the last slide took.
+    work: Cell<usize>,
+    last: Cell<usize>,
 }
 
 fn motion(unknowns: &[f64]) -> Motion {
@@ -50,14 +55,22 @@ impl ToRest<'_> {
     }
 
     fn miss(&self, unknowns: &[f64]) -> Result<Miss, NoRest> {
-        let rest = self.slide.to_rest(&self.evidence.separation, &motion(unknowns))?;
+        let rest = self.slide.to_rest(&self.evidence.separation, &motion(unknowns));
+        // One that does not come to rest takes the longest.
+        self.spend(rest.as_ref().map_or(1000, |rest| rest.path.len()));
+        let rest = rest?;
         Ok(Miss::of(&rest.pose, &self.evidence.rest))
     }
 
+    fn spend(&self, steps: usize) {
+        self.last.set(steps);
+        self.work.set(self.work.get().saturating_sub(steps));
+    }
+
     /// The derivatives of the pose at rest by the motion and by the factor of the frictions, in standard deviations.
-    fn slopes(&self, unknowns: &[f64]) -> SMatrix<f64, 3, VARIED> {
+    fn slopes(&self, unknowns: &[f64], tolerance: f64) -> SMatrix<f64, 3, VARIED> {
         let deviations = self.deviations();
-        match self.slide.varied_rest(&self.evidence.separation, &motion(unknowns)) {
+        match self.slide.varied_rest(&self.evidence.separation, &motion(unknowns), tolerance) {
             Ok(varied) => SMatrix::from_fn(|i, k| varied.by[i][k] / deviations[i]),
             Err(_) => SMatrix::zeros(),
         }
@@ -66,6 +79,9 @@ impl ToRest<'_> {
 
 impl Residuals for ToRest<'_> {
     fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
+        if self.work.get() == 0 {
+            return None;
+        }
         match self.miss(unknowns) {
             Ok(Miss { position, heading }) => {
                 Some([position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect())
@@ -78,7 +94,8 @@ impl Residuals for ToRest<'_> {
     }
 
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        let slopes = self.slopes(unknowns);
+        self.work.set(self.work.get().saturating_sub(COST_OF_DERIVATIVES * self.last.get()));
+        let slopes = self.slopes(unknowns, COARSE);
         DMatrix::from_fn(3, 3, |i, k| slopes[(i, k)])
     }
 }
@@ -93,41 +110,37 @@ struct Found {
 
 impl Slide {
     pub(super) fn separation_by_slide(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
-        let search = ToRest { slide: self, evidence, never: RefCell::new(None) };
+        let search = ToRest { slide: self, evidence, never: RefCell::new(None), work: Cell::new(WORK), last: Cell::new(0) };
         let first = self.first_guess(evidence);
         let (mut found, mut stopped): (Vec<Found>, Option<Found>) = (Vec::new(), None);
-        let (mut tried, mut converged, mut left) = (0, 0, ALL_ITERATIONS);
+        let (mut tried, mut converged) = (0, 0);
         for start in starts(first) {
-            if left == 0 {
+            if search.work.get() == 0 {
                 break;
             }
             tried += 1;
             let spans = SCALES.map(|scale| Span { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
-            match least_squares::minimum(&search, &start, &spans, ITERATIONS.min(left)) {
-                Ok(minimum) => {
+            let end = match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
+                Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Ok(Found { unknowns, sum_of_squares, iterations }),
+                Err(NoMinimum::Stopped(Stopped { unknowns, sum_of_squares, iterations, .. })) => {
+                    let end = Found { unknowns, sum_of_squares, iterations };
+                    // The pose is reached, if not to the last digits: where hardly anything depends on the motion, these are noise.
+                    if sum_of_squares <= REACHED { Ok(end) } else { Err(end) }
+                }
+                Err(NoMinimum::NoStart) => continue,
+            };
+            match end {
+                Ok(end) => {
                     converged += 1;
-                    left = left.saturating_sub(minimum.iterations);
-                    let Minimum { unknowns, sum_of_squares, iterations, .. } = minimum;
-                    keep(&mut found, Found { unknowns, sum_of_squares, iterations });
+                    keep(&mut found, end);
                 }
-                // The pose is reached, if not to the last digits: where hardly anything depends on the motion, these are noise.
-                Err(NoMinimum::Stopped(end)) if end.sum_of_squares <= REACHED => {
-                    converged += 1;
-                    left = left.saturating_sub(end.iterations);
-                    keep(&mut found, Found { unknowns: end.unknowns, sum_of_squares: end.sum_of_squares, iterations: end.iterations });
-                }
-                Err(NoMinimum::Stopped(end)) => {
-                    left = left.saturating_sub(end.iterations);
-                    if stopped.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) {
-                        stopped = Some(Found { unknowns: end.unknowns, sum_of_squares: end.sum_of_squares, iterations: end.iterations });
-                    }
-                }
-                Err(NoMinimum::NoStart) => (),
+                Err(end) if stopped.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) => stopped = Some(end),
+                Err(_) => (),
             }
         }
         let Some(best) = best_of(&mut found, &first) else { return Err(none_found(&search, stopped)) };
         let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
-        let covariance = covariance(&search.slopes(&best.unknowns), evidence)?;
+        let covariance = covariance(&search.slopes(&best.unknowns, FINE), evidence)?;
         let other = |other: &Found| Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? });
         let others = found.iter().filter_map(other).collect();
         let fit = SlideFit { iterations: best.iterations, starts: tried, converged, miss, others };
@@ -160,10 +173,12 @@ fn starts(first: [f64; 3]) -> Vec<[f64; 3]> {
     starts
 }
 
-/// Keeps what was found, unless it was found before.
+/// Keeps what was found, or what was found before if it is the same and better.
 fn keep(found: &mut Vec<Found>, one: Found) {
-    if !found.iter().any(|other| distance(&other.unknowns, &one.unknowns) <= SAME) {
-        found.push(one);
+    match found.iter_mut().find(|other| distance(&other.unknowns, &one.unknowns) <= SAME) {
+        Some(other) if one.sum_of_squares < other.sum_of_squares => *other = one,
+        Some(_) => (),
+        None => found.push(one),
     }
 }
 
@@ -257,7 +272,7 @@ mod tests {
                     heading_deviation: 0.09,
                     friction_deviation: 0.07,
                 };
-                let found = slide.separation(&evidence, Method::Slide).expect("a solution");
+                let found = slide.separation(&evidence, Method::Slide).unwrap();
                 let fit = found.fit.clone().expect("a fit");
                 assert!(fit.miss.is_nothing() && fit.converged > 0, "{fit:?}");
                 let all = fit.others.iter().map(|other| other.motion).chain([found.motion]);

@@ -18,8 +18,10 @@ pub(super) const VARIED: usize = 4;
 /// Pose and motion, and their derivatives.
 const SIZE: usize = 6 * (1 + VARIED);
 
-/// The error of a step. Derivatives of eight digits do for the next step of a search, and for a covariance.
-const TOLERANCE: f64 = 1e-8;
+/// The error of a step where the derivatives lead the next step of a search.
+pub(super) const COARSE: f64 = 1e-5;
+/// The error of a step where they are the answer.
+pub(super) const FINE: f64 = 1e-9;
 
 /// How a pose at rest moves.
 pub(super) struct VariedRest {
@@ -77,8 +79,8 @@ impl ODE<f64, [f64; SIZE]> for VariationalEquations {
 }
 
 impl Slide {
-    /// Where a checked slide ends, with its derivatives.
-    pub(super) fn varied_rest(&self, from: &Pose, motion: &Motion) -> Result<VariedRest, NoRest> {
+    /// How the end of a checked slide moves.
+    pub(super) fn varied_rest(&self, from: &Pose, motion: &Motion, tolerance: f64) -> Result<VariedRest, NoRest> {
         let mut start = [0.0; SIZE];
         start[..6].copy_from_slice(&[
             from.position.x,
@@ -93,7 +95,7 @@ impl Slide {
             start[6 * (1 + varied) + 3 + varied] = 1.0;
         }
         let equations = VariationalEquations::of(self);
-        let end = follow(self, &equations, start, TOLERANCE)?;
+        let end = follow(self, &equations, start, tolerance)?;
         let last: Passing = end.state.passing(end.time);
         self.stand_still(&last)?;
         let mut by = [[0.0; VARIED]; 3];
@@ -162,7 +164,7 @@ mod tests {
         let motion = |v: [f64; 3]| Motion { velocity: Xy { x: v[0], y: v[1] }, yaw_rate: v[2] };
         let at = [9.0, 4.0, 2.5];
         for (number, slide) in slides().into_iter().enumerate() {
-            let varied = slide.varied_rest(&from, &motion(at)).expect("it comes to rest");
+            let varied = slide.varied_rest(&from, &motion(at), FINE).expect("it comes to rest");
             for k in 0..VARIED {
                 let end = |by: f64| {
                     let mut v = at;
