@@ -28,6 +28,8 @@ mod reading;
 mod reconstruct;
 mod records;
 mod refusals;
+#[cfg(feature = "rest")]
+mod rest;
 mod scalars;
 #[cfg(feature = "symbols")]
 mod source;

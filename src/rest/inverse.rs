@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
+use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 use rand::RngExt;
@@ -19,6 +20,9 @@ use crate::vehicle::Motion;
 
 /// Starts of the search; the first is the closed form.
 const STARTS: usize = 12;
+/// Those of them that are taken at random, and how many are looked at for the others.
+const AT_RANDOM: usize = 4;
+const LOOKED_AT: usize = 160;
 /// The most steps of one search.
 const ITERATIONS: usize = 60;
 /// The most steps of integration in all searches together, about a second of them: what is left over is not tried.
@@ -29,8 +33,8 @@ const COST_OF_DERIVATIVES: usize = 6;
 const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
 /// Two solutions are one if they differ by no more, in these scales.
 const SAME: f64 = 1e-4;
-/// The sum of squares, in squares of standard deviations, at which the pose at rest is reached: a millionth of a deviation.
-const REACHED: f64 = 1e-12;
+/// The sum of squares, in squares of standard deviations, at which the pose at rest is reached: a hundred-thousandth of a deviation.
+const REACHED: f64 = 1e-10;
 /// Shares of the largest singular value below which a direction moves no rest.
 const NOTHING: f64 = 1e-8;
 
@@ -62,6 +66,15 @@ impl ToRest<'_> {
         Ok(Miss::of(&rest.pose, &self.evidence.rest))
     }
 
+    fn residuals(&self, unknowns: &[f64]) -> Result<Vec<f64>, NoRest> {
+        let Miss { position, heading } = self.miss(unknowns)?;
+        Ok([position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect())
+    }
+
+    fn sum_of_squares(&self, unknowns: &[f64]) -> Result<f64, NoRest> {
+        Ok(self.residuals(unknowns)?.iter().map(|residual| residual * residual).sum())
+    }
+
     fn spend(&self, steps: usize) {
         self.last.set(steps);
         self.work.set(self.work.get().saturating_sub(steps));
@@ -82,15 +95,11 @@ impl Residuals for ToRest<'_> {
         if self.work.get() == 0 {
             return None;
         }
-        match self.miss(unknowns) {
-            Ok(Miss { position, heading }) => {
-                Some([position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect())
-            }
-            Err(why) => {
+        self.residuals(unknowns)
+            .map_err(|why| {
                 self.never.borrow_mut().get_or_insert(why);
-                None
-            }
-        }
+            })
+            .ok()
     }
 
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
@@ -114,7 +123,7 @@ impl Slide {
         let first = self.first_guess(evidence);
         let (mut found, mut stopped): (Vec<Found>, Option<Found>) = (Vec::new(), None);
         let (mut tried, mut converged) = (0, 0);
-        for start in starts(first) {
+        for start in starts(&search, first) {
             if search.work.get() == 0 {
                 break;
             }
@@ -122,7 +131,9 @@ impl Slide {
             let spans = SCALES.map(|scale| Span { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
             let end = match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
                 Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Ok(Found { unknowns, sum_of_squares, iterations }),
-                Err(NoMinimum::Stopped(Stopped { unknowns, sum_of_squares, iterations, .. })) => {
+                Err(NoMinimum::Stopped(Stopped { unknowns, iterations, .. })) => {
+                    // Where the work came to its end, the search did not look any more.
+                    let Ok(sum_of_squares) = search.sum_of_squares(&unknowns) else { continue };
                     let end = Found { unknowns, sum_of_squares, iterations };
                     // The pose is reached, if not to the last digits: where hardly anything depends on the motion, these are noise.
                     if sum_of_squares <= REACHED { Ok(end) } else { Err(end) }
@@ -158,19 +169,31 @@ impl Slide {
     }
 }
 
-/// The first guess, and others around it: up to 60° to either side, from half to twice as fast, and turning up to twice as fast either way.
-fn starts(first: [f64; 3]) -> Vec<[f64; 3]> {
+/// The first guess, and others around it: a few at random, for what else there is, and of many those whose slides end nearest to the pose. They go up to 90° to
+/// either side, from a third to one and a half times as fast, and turning up to five times as fast.
+fn starts(search: &ToRest<'_>, first: [f64; 3]) -> Vec<[f64; 3]> {
     let mut random = ChaCha8Rng::seed_from_u64(1966);
-    let mut starts = alloc::vec![first];
     let speed = libm::hypot(first[0], first[1]);
-    while starts.len() < STARTS {
-        let aside = random.random_range(-1.05..1.05);
-        let faster = random.random_range(0.5..2.0);
-        let turning = random.random_range(-1.0..2.0) * first[2] + random.random_range(-0.5..0.5);
+    let mut draw = || {
+        let aside = random.random_range(-FRAC_PI_2..FRAC_PI_2);
+        let faster = random.random_range(0.33..1.5);
+        let turning = random.random_range(-1.0..5.0) * first[2] + random.random_range(-0.5..0.5);
         let (sin, cos) = libm::sincos(libm::atan2(first[1], first[0]) + aside);
-        starts.push([faster * speed * cos, faster * speed * sin, turning]);
+        [faster * speed * cos, faster * speed * sin, turning]
+    };
+    let at_random: Vec<[f64; 3]> = (0..AT_RANDOM).map(|_| draw()).collect();
+    let mut near: Vec<(f64, [f64; 3])> = Vec::new();
+    for _ in 0..LOOKED_AT {
+        let start = draw();
+        if search.work.get() > WORK / 2
+            && let Ok(sum_of_squares) = search.sum_of_squares(&start)
+        {
+            near.push((sum_of_squares, start));
+        }
     }
-    starts
+    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let near = near.into_iter().take(STARTS - 1 - AT_RANDOM).map(|(_, start)| start);
+    core::iter::once(first).chain(near).chain(at_random).collect()
 }
 
 /// Keeps what was found, or what was found before if it is the same and better.
@@ -187,11 +210,11 @@ fn distance(one: &[f64], other: &[f64]) -> f64 {
     (0..3).map(|i| (one[i] - other[i]).abs() / SCALES[i]).fold(0.0, f64::max)
 }
 
-/// Takes out of what was found what is best: the least sum of squares, and of several that are as good, in a hundredth of a deviation, that nearest to the
-/// first guess. What is worse is dropped.
+/// Takes out of what was found what is best: the least sum of squares, and of several that are as good that nearest to the first guess. What is worse is dropped:
+/// beside slides that end in the pose, one that stops short of it where the search could not go on.
 fn best_of(found: &mut Vec<Found>, first: &[f64; 3]) -> Option<Found> {
     let least = found.iter().map(|one| one.sum_of_squares).reduce(f64::min)?;
-    found.retain(|one| one.sum_of_squares <= least + 1e-4);
+    found.retain(|one| one.sum_of_squares <= (least * (1.0 + 1e-6)).max(REACHED));
     found.sort_by(|a, b| distance(&a.unknowns, first).total_cmp(&distance(&b.unknowns, first)));
     Some(found.remove(0))
 }
@@ -235,7 +258,7 @@ mod tests {
     use super::*;
     use crate::rest::{Ground, Method, Pose, Restraint, SlidingVehicle, Tires, Wheel, Wheels};
 
-    pub(super) fn slide(wheels: Wheels<Wheel>) -> Slide {
+    fn slide(wheels: Wheels<Wheel>) -> Slide {
         let vehicle = SlidingVehicle {
             mass: 1500.0,
             yaw_inertia: 2400.0,
@@ -257,22 +280,30 @@ mod tests {
         }
     }
 
+    const MOTIONS: [[f64; 3]; 4] = [[9.0, 4.0, 2.5], [3.0, 8.0, 0.5], [15.0, 1.0, 0.0], [12.0, -3.0, -4.0]];
+
+    fn evidence(rest: Pose) -> RestEvidence {
+        RestEvidence {
+            separation: FROM,
+            rest,
+            position_deviation: Xy { x: 0.3, y: 0.2 },
+            heading_deviation: 0.09,
+            friction_deviation: 0.07,
+        }
+    }
+
+    const FROM: Pose = Pose { position: Xy { x: 1.0, y: 2.0 }, heading: 0.3 };
+
     #[test]
     fn there_and_back() {
-        for wheels in [Wheels::all(Wheel::LOCKED), damaged(), Wheels::all(Wheel::ROLLING), Wheels::all(Wheel::braked(0.3))] {
+        // A vehicle whose wheels all roll freely goes far, and where depends on everything: not all ways lead back.
+        let all = [(Wheels::all(Wheel::LOCKED), 4), (damaged(), 4), (Wheels::all(Wheel::braked(0.3)), 4), (Wheels::all(Wheel::ROLLING), 2)];
+        for (wheels, motions) in all {
             let slide = slide(wheels);
-            for [vx, vy, yaw_rate] in [[9.0, 4.0, 2.5], [12.0, -3.0, -4.0], [3.0, 8.0, 0.5], [15.0, 1.0, 0.0]] {
-                let motion = Motion { velocity: Xy { x: vx, y: vy }, yaw_rate };
-                let separation = Pose { position: Xy { x: 1.0, y: 2.0 }, heading: 0.3 };
-                let rest = slide.to_rest(&separation, &motion).expect("it comes to rest").pose;
-                let evidence = RestEvidence {
-                    separation,
-                    rest,
-                    position_deviation: Xy { x: 0.3, y: 0.3 },
-                    heading_deviation: 0.09,
-                    friction_deviation: 0.07,
-                };
-                let found = slide.separation(&evidence, Method::Slide).unwrap();
+            for [vx, vy, yaw_rate] in &MOTIONS[..motions] {
+                let motion = Motion { velocity: Xy { x: *vx, y: *vy }, yaw_rate: *yaw_rate };
+                let rest = slide.to_rest(&FROM, &motion).expect("it comes to rest").pose;
+                let found = slide.separation(&evidence(rest), Method::Slide).expect("a solution");
                 let fit = found.fit.clone().expect("a fit");
                 assert!(fit.miss.is_nothing() && fit.converged > 0, "{fit:?}");
                 let all = fit.others.iter().map(|other| other.motion).chain([found.motion]);
@@ -283,5 +314,79 @@ mod tests {
                 assert!(nearest < 1e-9 * (x + y + rate).max(1.0), "{motion:?} {found:?}");
             }
         }
+    }
+
+    /// The rest moved by a deviation, or the friction, moves the separation by what the covariance says, input by input.
+    #[test]
+    fn the_covariance_is_that_of_solutions_to_moved_evidence() {
+        for method in [Method::Slide, Method::ClosedForm] {
+            let slide = slide(damaged());
+            let rest = slide.to_rest(&FROM, &motion(&MOTIONS[0])).expect("it comes to rest").pose;
+            let given = RestEvidence {
+                position_deviation: Xy { x: 1e-3, y: 2e-3 },
+                heading_deviation: 1e-3,
+                friction_deviation: 1e-3,
+                ..evidence(rest)
+            };
+            let of = |slide: &Slide, rest: Pose| {
+                let motion = slide.separation(&RestEvidence { rest, ..given }, method).expect("a solution").motion;
+                [motion.velocity.x, motion.velocity.y, motion.yaw_rate]
+            };
+            let moved = |by: [f64; 4]| {
+                let mut slide = slide.clone();
+                slide.ground = slide.ground.times(1.0 + by[3]);
+                let position = Xy { x: rest.position.x + by[0], y: rest.position.y + by[1] };
+                of(&slide, Pose { position, heading: rest.heading + by[2] })
+            };
+            let mut sum = [[0.0; 3]; 3];
+            for (input, deviation) in [1e-3, 2e-3, 1e-3, 1e-3].into_iter().enumerate() {
+                let by = |sign: f64| core::array::from_fn(|i| if i == input { sign * deviation } else { 0.0 });
+                let (more, less) = (moved(by(1.0)), moved(by(-1.0)));
+                let change: [f64; 3] = core::array::from_fn(|i| (more[i] - less[i]) / 2.0);
+                for i in 0..3 {
+                    for k in 0..3 {
+                        sum[i][k] += change[i] * change[k];
+                    }
+                }
+            }
+            let found = slide.separation(&given, method).expect("a solution").covariance;
+            for i in 0..3 {
+                for k in 0..3 {
+                    let scale = (sum[i][i] * sum[k][k]).sqrt();
+                    assert!((found.0[i][k] - sum[i][k]).abs() < 1e-3 * scale, "{method:?} {i} {k}: {found:?} {sum:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_pose_out_of_reach_says_by_how_much() {
+        // Straight on without brakes and without resistance: such a vehicle stops only where it slides sideways.
+        let mut slide = slide(Wheels::all(Wheel::ROLLING));
+        slide.vehicle.tires.rolling_resistance = 0.0;
+        let end = slide.separation(&evidence(Pose { position: Xy { x: 20.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
+        let Err(NoSeparation::NotConverged { miss, .. }) = end else { panic!("{end:?}") };
+        assert!(!miss.is_nothing(), "{miss:?}");
+    }
+
+    #[test]
+    fn what_never_rests_is_said() {
+        let mut slide = slide(Wheels::all(Wheel::LOCKED));
+        slide.ground.friction = 0.0;
+        let end = slide.separation(&evidence(Pose { position: Xy { x: 20.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
+        assert!(matches!(end, Err(NoSeparation::NoRest(NoRest::Moves(_)))), "{end:?}");
+    }
+
+    #[test]
+    fn everything_wrong_is_said_at_once() {
+        let mut slide = slide(Wheels::all(Wheel::braked(1.5)));
+        (slide.vehicle.mass, slide.ground.friction) = (0.0, f64::NAN);
+        let given = RestEvidence { heading_deviation: 0.0, ..evidence(Pose { heading: f64::INFINITY, ..FROM }) };
+        let end = slide.separation(&given, Method::Slide);
+        let Err(NoSeparation::Refused(problems)) = end else { panic!("{end:?}") };
+        assert_eq!(problems.all().len(), 4 + 4, "{problems}");
+        let start = slide.to_rest(&Pose::default(), &motion(&[f64::NAN, 1.0, 2.0]));
+        let Err(NoRest::Refused(problems)) = start else { panic!("{start:?}") };
+        assert_eq!(problems.all().len(), 4 + 2 + 1, "{problems}");
     }
 }

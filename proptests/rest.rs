@@ -1,0 +1,311 @@
+//! Sliding to rest: the laws of the way there, and the way back.
+
+use crate::strategies::fewer;
+use differential_equations::methods::ExplicitRungeKutta;
+use differential_equations::ode::{ODE, solve_ode};
+use differential_equations::solout::DefaultSolout;
+use planar_impact::rest::*;
+use planar_impact::*;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+const GRAVITY: f64 = 9.80665;
+
+fn restraints() -> impl Strategy<Value = Restraint> {
+    prop_oneof![
+        Just(Restraint::Rolling),
+        Just(Restraint::Locked),
+        (0..=10_i32).prop_map(|tenths| Restraint::Braked(f64::from(tenths) / 10.0))
+    ]
+}
+
+fn wheels() -> impl Strategy<Value = Wheels<Wheel>> {
+    let wheel = || (restraints(), -3..=3_i32).prop_map(|(restraint, steer)| Wheel { restraint, steer: f64::from(steer) / 20.0 });
+    (wheel(), wheel(), wheel(), wheel()).prop_map(|(front_left, front_right, rear_left, rear_right)| Wheels {
+        front_left,
+        front_right,
+        rear_left,
+        rear_right,
+    })
+}
+
+fn vehicle(wheels: Wheels<Wheel>) -> SlidingVehicle {
+    SlidingVehicle { mass: 1400.0, yaw_inertia: 2300.0, front_axle: 1.1, rear_axle: 1.5, track: 1.5, wheels, tires: Tires::ORDINARY }
+}
+
+fn on_a_road(wheels: Wheels<Wheel>) -> Slide {
+    Slide { vehicle: vehicle(wheels), ground: Ground::uniform(0.7) }
+}
+
+/// Up to 15 m/s either way, and 3 rad/s.
+fn motions() -> impl Strategy<Value = Motion> {
+    (-15..=15_i32, -15..=15_i32, -6..=6_i32)
+        .prop_map(|(x, y, rate)| Motion { velocity: Xy { x: f64::from(x), y: f64::from(y) }, yaw_rate: f64::from(rate) / 2.0 })
+}
+
+/// A wet lane across the way, and a square of gravel in it.
+fn lane() -> Vec<Region> {
+    let at = |x, y| Xy { x, y };
+    vec![
+        Region { friction: 0.4, area: Area::HalfPlane { from: at(6.0, 0.0), toward: at(1.0, 0.2) } },
+        Region { friction: 0.55, area: Area::Polygon(vec![at(5.0, -3.0), at(9.0, -3.0), at(9.0, 3.0), at(5.0, 3.0)]) },
+    ]
+}
+
+fn turned(point: Xy, by: f64) -> Xy {
+    Heading::from_angle(by).to_ground(ForwardLeft { forward: point.x, left: point.y })
+}
+
+fn mirrored(point: Xy) -> Xy {
+    Xy { x: point.x, y: -point.y }
+}
+
+fn moved(ground: &Ground, point: impl Fn(Xy) -> Xy) -> Ground {
+    let area = |area: &Area| match area {
+        Area::HalfPlane { from, toward } => Area::HalfPlane { from: point(*from), toward: point(*toward) },
+        Area::Polygon(corners) => Area::Polygon(corners.iter().map(|corner| point(*corner)).collect()),
+    };
+    let regions = ground.regions.iter().map(|region| Region { friction: region.friction, area: area(&region.area) }).collect();
+    Ground { regions, ..ground.clone() }
+}
+
+fn close(one: &Pose, other: &Pose, within: f64) -> bool {
+    (one.position - other.position).length() <= within && (one.heading - other.heading).abs() <= within
+}
+
+/// The distance that a locked vehicle slides straight on, with the force of a regularized tire: ∫ √(v² + ε²) dv / (μ g).
+fn locked_distance(speed: f64, friction: f64, epsilon: f64) -> f64 {
+    let root = (speed * speed + epsilon * epsilon).sqrt();
+    (speed * root + epsilon * epsilon * (speed / epsilon).asinh()) / (2.0 * friction * GRAVITY)
+}
+
+proptest! {
+    #![proptest_config(fewer(50))]
+
+    /// v²/(2μg), in any direction to the vehicle; what the regularization adds is in closed form, below ε² (1 + ln(2v/ε))/(2μg), and vanishes with it.
+    #[test]
+    fn locked_wheels_stop_in_half_the_square_over_friction(tenths in 20..=250_i32, hundredths in 20..=90_i32, degrees in -180..=180_i32, steer in -5..=5_i32) {
+        let (speed, friction) = (f64::from(tenths) / 10.0, f64::from(hundredths) / 100.0);
+        let exact = speed * speed / (2.0 * friction * GRAVITY);
+        let mut before = f64::INFINITY;
+        for epsilon in [0.04, 0.02, 0.01, 0.001] {
+            let mut slide = on_a_road(Wheels::all(Wheel::LOCKED.steered(f64::from(steer) / 10.0)));
+            slide.ground.friction = friction;
+            slide.vehicle.tires.regularization = epsilon;
+            let pose = Pose { position: Xy { x: 3.0, y: -2.0 }, heading: f64::from(degrees).to_radians() };
+            let motion = Motion { velocity: turned(Xy { x: speed, y: 0.0 }, 0.3), yaw_rate: 0.0 };
+            let rest = slide.to_rest(&pose, &motion).expect("it comes to rest");
+            let distance = (rest.pose.position - pose.position).length();
+            prop_assert!((rest.pose.heading - pose.heading).abs() < 1e-12);
+            // Below five ε the rest of the way is taken with the deceleration there: wrong by less than the whole of its regularization.
+            let beside = epsilon * epsilon / (friction * GRAVITY);
+            prop_assert!((distance - locked_distance(speed, friction, epsilon)).abs() < 2.0 * beside, "{} {}", distance, exact);
+            let excess = distance - exact;
+            prop_assert!(excess > -beside && excess < beside * (2.0 + (2.0 * speed / epsilon).ln()) / 2.0, "{} of {}", excess, exact);
+            prop_assert!(excess.abs() < before);
+            before = excess.abs() + 1e-9;
+        }
+    }
+
+    #[test]
+    fn the_tires_dissipate_what_there_was(wheels in wheels(), motion in motions(), is_wet in any::<bool>()) {
+        let mut slide = on_a_road(wheels);
+        if is_wet {
+            slide.ground.regions = lane();
+        }
+        if let Ok(rest) = slide.to_rest(&Pose::default(), &motion) {
+            let energy = slide.kinetic_energy(&motion);
+            prop_assert!((rest.dissipated - energy).abs() <= 1e-8 * energy, "{} of {}", rest.dissipated, energy);
+            for pair in rest.path.windows(2) {
+                prop_assert!(slide.kinetic_energy(&pair[1].motion) <= slide.kinetic_energy(&pair[0].motion) * (1.0 + 1e-9));
+            }
+        }
+    }
+
+    /// The whole scene turned, moved and mirrored.
+    #[test]
+    fn the_end_turns_with_the_scene(wheels in wheels(), motion in motions(), degrees in -180..=180_i32) {
+        let slide = Slide { ground: Ground { regions: lane(), ..Ground::uniform(0.7) }, ..on_a_road(wheels) };
+        let from = Pose { position: Xy { x: 0.5, y: 1.0 }, heading: 0.4 };
+        let Ok(rest) = slide.to_rest(&from, &motion) else { return Ok(()) };
+        let (by, along) = (f64::from(degrees).to_radians(), Xy { x: 7.0, y: -11.0 });
+
+        // A direction turns and does not move.
+        let mut ground = moved(&slide.ground, |point| turned(point, by));
+        for region in &mut ground.regions {
+            match &mut region.area {
+                Area::HalfPlane { from, .. } => *from = *from + along,
+                Area::Polygon(corners) => corners.iter_mut().for_each(|corner| *corner = *corner + along),
+            }
+        }
+        let scene = Slide { ground, ..slide.clone() };
+        let start = Pose { position: turned(from.position, by) + along, heading: from.heading + by };
+        let there = scene.to_rest(&start, &Motion { velocity: turned(motion.velocity, by), ..motion }).expect("it comes to rest as well");
+        let expected = Pose { position: turned(rest.pose.position, by) + along, heading: rest.pose.heading + by };
+        prop_assert!(close(&there.pose, &expected, 1e-5), "{:?} {:?}", there.pose, expected);
+
+        let left_is_right = |wheel: Wheel| Wheel { steer: -wheel.steer, ..wheel };
+        let wheels = Wheels {
+            front_left: left_is_right(wheels.front_right),
+            front_right: left_is_right(wheels.front_left),
+            rear_left: left_is_right(wheels.rear_right),
+            rear_right: left_is_right(wheels.rear_left),
+        };
+        let mirror = Slide { vehicle: vehicle(wheels), ground: moved(&slide.ground, mirrored) };
+        let start = Pose { position: mirrored(from.position), heading: -from.heading };
+        let motion = Motion { velocity: mirrored(motion.velocity), yaw_rate: -motion.yaw_rate };
+        let there = mirror.to_rest(&start, &motion).expect("it comes to rest as well");
+        let expected = Pose { position: mirrored(rest.pose.position), heading: -rest.pose.heading };
+        prop_assert!(close(&there.pose, &expected, 1e-5), "{:?} {:?}", there.pose, expected);
+    }
+
+    /// Mass and inertia times one factor change nothing. Lengths times L and speeds times √L do, with the same friction: every length times L, the time times √L.
+    #[test]
+    fn the_end_scales(wheels in wheels(), motion in motions(), factor in 2..=5_i32) {
+        let slide = on_a_road(wheels);
+        let Ok(rest) = slide.to_rest(&Pose::default(), &motion) else { return Ok(()) };
+        let factor = f64::from(factor);
+        let mut heavy = slide.clone();
+        (heavy.vehicle.mass, heavy.vehicle.yaw_inertia) = (factor * slide.vehicle.mass, factor * slide.vehicle.yaw_inertia);
+        let there = heavy.to_rest(&Pose::default(), &motion).expect("it comes to rest as well");
+        prop_assert!(close(&there.pose, &rest.pose, 1e-7), "{:?} {:?}", there.pose, rest.pose);
+
+        let mut large = slide.clone();
+        let vehicle = &mut large.vehicle;
+        for length in [&mut vehicle.front_axle, &mut vehicle.rear_axle, &mut vehicle.track] {
+            *length *= factor;
+        }
+        vehicle.yaw_inertia *= factor * factor;
+        vehicle.tires.regularization *= factor.sqrt();
+        let motion = Motion { velocity: motion.velocity * factor.sqrt(), yaw_rate: motion.yaw_rate / factor.sqrt() };
+        let there = large.to_rest(&Pose::default(), &motion).expect("it comes to rest as well");
+        let expected = Pose { position: rest.pose.position * factor, heading: rest.pose.heading };
+        prop_assert!(close(&there.pose, &expected, 1e-6 * factor), "{:?} {:?}", there.pose, expected);
+        prop_assert!((there.time / rest.time / factor.sqrt() - 1.0).abs() < 1e-6);
+    }
+
+    /// v² = 2 g (μ₁ d₁ + μ₂ d₂) with every wheel in the second friction by the end: an axle at a time, so d is that of the axles by their loads.
+    #[test]
+    fn two_frictions_take_their_shares(first in 30..=90_i32, second in 30..=90_i32, tenths in 30..=120_i32, beyond in 20..=100_i32) {
+        let (first, second) = (f64::from(first) / 100.0, f64::from(second) / 100.0);
+        let (border, beyond) = (f64::from(tenths) / 10.0, f64::from(beyond) / 10.0);
+        let mut slide = on_a_road(Wheels::all(Wheel::LOCKED));
+        slide.vehicle.tires.regularization = 0.001;
+        let region = Region { friction: second, area: Area::HalfPlane { from: Xy { x: border, y: 0.0 }, toward: Xy { x: 1.0, y: 0.0 } } };
+        slide.ground = Ground { friction: first, regions: vec![region], ..slide.ground };
+        // By hand: the front axle, 1.1 m ahead, carries 1.5/2.6; the rear one, 1.5 m behind, 1.1/2.6.
+        let end = border + 1.6 + beyond;
+        let axle = |ahead: f64, share: f64| share * (first * (border - ahead) + second * (end + ahead - border));
+        let speed = (2.0 * GRAVITY * (axle(1.1, 1.5 / 2.6) + axle(-1.5, 1.1 / 2.6))).sqrt();
+        let motion = Motion { velocity: Xy { x: speed, y: 0.0 }, yaw_rate: 0.0 };
+        let rest = slide.to_rest(&Pose::default(), &motion).expect("it comes to rest");
+        prop_assert!((rest.pose.position.x - end).abs() < 1e-5, "{} {}", rest.pose.position.x, end);
+    }
+
+    /// v²/(2 f g), and no regularization in it: a rolling wheel does not slip.
+    #[test]
+    fn free_wheels_roll_to_a_stop(tenths in 5..=200_i32, thousandths in 5..=50_i32) {
+        let (speed, resistance) = (f64::from(tenths) / 10.0, f64::from(thousandths) / 1000.0);
+        let mut slide = on_a_road(Wheels::all(Wheel::ROLLING));
+        slide.vehicle.tires.rolling_resistance = resistance;
+        let motion = Motion { velocity: Xy { x: speed, y: 0.0 }, yaw_rate: 0.0 };
+        let rest = slide.to_rest(&Pose::default(), &motion).expect("it comes to rest");
+        let exact = speed * speed / (2.0 * resistance * GRAVITY);
+        prop_assert!((rest.pose.position.x / exact - 1.0).abs() < 1e-9, "{} {}", rest.pose.position.x, exact);
+        prop_assert!((rest.time - speed / (resistance * GRAVITY)).abs() < 1e-6);
+    }
+
+    /// The closed form is exact where the way is as it assumes, and its own inverse is that of the slide within a third where it is not.
+    #[test]
+    fn the_closed_form_is_exact_for_locked_wheels_without_rotation(motion in motions()) {
+        let motion = Motion { yaw_rate: 0.0, ..motion };
+        let slide = on_a_road(Wheels::all(Wheel::LOCKED));
+        let speed = motion.velocity.length();
+        prop_assume!(speed > 1.0);
+        let travel = motion.velocity * (speed / (2.0 * 0.7 * GRAVITY));
+        let found = slide.closed_form(&Pose::default(), &Pose { position: travel, heading: 0.0 });
+        prop_assert!((found.velocity - motion.velocity).length() < 1e-9 * speed && found.yaw_rate == 0.0, "{:?}", found);
+    }
+
+    /// Whatever the numbers, it ends, without a panic.
+    #[test]
+    fn nothing_hangs_and_nothing_panics(wheels in wheels(), bad in prop::collection::vec(prop::sample::select(&ODD[..]), 12)) {
+        let mut slide = on_a_road(wheels);
+        let vehicle = &mut slide.vehicle;
+        [vehicle.mass, vehicle.yaw_inertia, vehicle.front_axle, vehicle.rear_axle] = [bad[0], bad[1], bad[2], bad[3]];
+        slide.vehicle.tires = Tires { rolling_resistance: bad[4], slip_angle: bad[5], regularization: bad[6] };
+        (slide.ground.friction, slide.ground.regions) = (bad[7], lane());
+        let motion = Motion { velocity: Xy { x: bad[8], y: bad[9] }, yaw_rate: bad[10] };
+        let pose = Pose { position: Xy { x: 0.0, y: 0.0 }, heading: bad[11] };
+        match slide.to_rest(&pose, &motion) {
+            Ok(rest) => prop_assert!(rest.pose.position.x.is_finite() && rest.pose.position.y.is_finite() && rest.pose.heading.is_finite()),
+            Err(why) => prop_assert!(!why.to_string().is_empty()),
+        }
+    }
+}
+
+const ODD: [f64; 10] = [1.0, 0.5, 20.0, 0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300];
+
+proptest! {
+    #![proptest_config(fewer(300))]
+
+    #[test]
+    fn forward_and_back(wheels in wheels(), motion in motions()) {
+        let slide = on_a_road(wheels);
+        // Vehicles that roll far are another matter: where they end depends on everything.
+        let Ok(rest) = slide.to_rest(&Pose::default(), &motion) else { return Ok(()) };
+        prop_assume!(rest.pose.position.length() > 1.0 && rest.time < 5.0);
+        let evidence = RestEvidence {
+            separation: Pose::default(),
+            rest: rest.pose,
+            position_deviation: Xy { x: 0.3, y: 0.3 },
+            heading_deviation: 0.1,
+            friction_deviation: 0.05,
+        };
+        let found = slide.separation(&evidence, Method::Slide);
+        let Ok(found) = found else { return Err(TestCaseError::fail(format!("{found:?} for {motion:?}"))) };
+        let fit = found.fit.clone().expect("a fit");
+        prop_assert!(fit.miss.is_nothing());
+        let all = fit.others.iter().map(|other| other.motion).chain([found.motion]);
+        let error = all.map(|one| (one.velocity - motion.velocity).length().max((one.yaw_rate - motion.yaw_rate).abs())).fold(1e9, f64::min);
+        let [x, y, rate] = found.covariance.deviations();
+        prop_assert!(error < 1e-7 * (x + y + rate).max(1.0), "{:?} is not {:?}", found, motion);
+    }
+}
+
+/// The equations of motion for the crate's Runge–Kutta method of fixed steps.
+struct Equations(Slide);
+
+impl ODE<f64, [f64; 6]> for Equations {
+    fn diff(&self, _: f64, y: &[f64; 6], change: &mut [f64; 6]) {
+        let motion = Motion { velocity: Xy { x: y[3], y: y[4] }, yaw_rate: y[5] };
+        let acceleration = self.0.acceleration(&Pose { position: Xy { x: y[0], y: y[1] }, heading: y[2] }, &motion);
+        *change = [y[3], y[4], y[5], acceleration.velocity.x, acceleration.velocity.y, acceleration.yaw_rate];
+    }
+}
+
+/// Half the step, a sixteenth of the error: on a stretch where no wheel comes to rest or changes from rolling to sliding.
+#[test]
+fn the_error_of_a_step_is_of_its_order() {
+    let slide = on_a_road(Wheels::all(Wheel::LOCKED));
+    let end = |steps: u32| {
+        let mut method = ExplicitRungeKutta::rk4(0.5 / f64::from(steps));
+        let start = [0.0, 0.0, 0.3, 14.0, 3.0, 4.0];
+        let equations = Equations(slide.clone());
+        let solution = solve_ode(&mut method, &equations, 0.0, 0.5, &start, &mut DefaultSolout::new()).expect("half a second");
+        *solution.y.last().expect("an end")
+    };
+    let exact = end(2048);
+    let error = |steps| end(steps).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    for steps in [8, 16, 32] {
+        let ratio = error(steps) / error(2 * steps);
+        assert!((12.0..20.0).contains(&ratio), "{steps} steps: {} and {}, {ratio}", error(steps), error(2 * steps));
+    }
+    // And the way to rest has passed there, to the tolerance of its steps.
+    let rest = slide
+        .to_rest(&Pose { heading: 0.3, ..Pose::default() }, &Motion { velocity: Xy { x: 14.0, y: 3.0 }, yaw_rate: 4.0 })
+        .expect("it rests");
+    let pair = rest.path.windows(2).find(|pair| pair[0].time <= 0.5 && pair[1].time >= 0.5).expect("it takes longer");
+    let (before, after) = (pair[0].pose.heading, pair[1].pose.heading);
+    assert!((before.min(after)..=before.max(after)).contains(&exact[2]) && (exact[2] - 0.3).abs() < PI);
+}
