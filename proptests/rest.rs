@@ -214,7 +214,7 @@ proptest! {
         prop_assert!((rest.time - speed / (resistance * GRAVITY)).abs() < 1e-6);
     }
 
-    /// The closed form is exact where the way is as it assumes, and its own inverse is that of the slide within a third where it is not.
+    /// Where the way is as it assumes.
     #[test]
     fn the_closed_form_is_exact_for_locked_wheels_without_rotation(motion in motions()) {
         let motion = Motion { yaw_rate: 0.0, ..motion };
@@ -225,6 +225,12 @@ proptest! {
         let found = slide.closed_form(&Pose::default(), &Pose { position: travel, heading: 0.0 });
         prop_assert!((found.velocity - motion.velocity).length() < 1e-9 * speed && found.yaw_rate == 0.0, "{:?}", found);
     }
+}
+
+const ODD: [f64; 10] = [1.0, 0.5, 20.0, 0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300];
+
+proptest! {
+    #![proptest_config(fewer(300))]
 
     /// Whatever the numbers, it ends, without a panic.
     #[test]
@@ -236,17 +242,13 @@ proptest! {
         (slide.ground.friction, slide.ground.regions) = (bad[7], lane());
         let motion = Motion { velocity: Xy { x: bad[8], y: bad[9] }, yaw_rate: bad[10] };
         let pose = Pose { position: Xy { x: 0.0, y: 0.0 }, heading: bad[11] };
+        let begun = std::time::Instant::now();
         match slide.to_rest(&pose, &motion) {
             Ok(rest) => prop_assert!(rest.pose.position.x.is_finite() && rest.pose.position.y.is_finite() && rest.pose.heading.is_finite()),
             Err(why) => prop_assert!(!why.to_string().is_empty()),
         }
+        prop_assert!(begun.elapsed().as_secs() < 30);
     }
-}
-
-const ODD: [f64; 10] = [1.0, 0.5, 20.0, 0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300];
-
-proptest! {
-    #![proptest_config(fewer(300))]
 
     #[test]
     fn forward_and_back(wheels in wheels(), motion in motions()) {

@@ -10,6 +10,10 @@ pub mod crush {}
 #[doc = include_str!("guide/reconstruction.md")]
 pub mod reconstruction {}
 
+#[cfg(feature = "rest")]
+#[doc = include_str!("guide/rest.md")]
+pub mod rest {}
+
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
 

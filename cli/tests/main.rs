@@ -24,6 +24,8 @@ mod manual;
 mod process;
 #[path = "main/reference.rs"]
 mod reference;
+#[path = "main/rest.rs"]
+mod rest;
 #[path = "main/stiffness.rs"]
 mod stiffness;
 #[path = "main/sweep.rs"]

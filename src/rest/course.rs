@@ -25,7 +25,7 @@ pub const TIME_LIMIT: f64 = 600.0;
 pub const REST_SPEED: f64 = 5.0;
 
 /// The most steps, of which each takes a few microseconds.
-const MOST_STEPS: usize = 200_000;
+const MOST_STEPS: usize = 30_000;
 /// The error of a step, relative and in m, rad, m/s and rad/s. The way back wants the end to be a smooth function of the start to some 1e-10.
 const TOLERANCE: f64 = 1e-12;
 

@@ -240,7 +240,8 @@ fn covariance(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Resu
     let svd = jacobian.svd(true, true);
     let largest = svd.singular_values.max();
     let (smallest, least) = svd.singular_values.argmin();
-    if !(least > NOTHING * largest) {
+    let is_determined = least > NOTHING * largest;
+    if !is_determined {
         let along = svd.v_t.map(|v_t| scales * v_t.row(smallest).transpose()).unwrap_or_default().normalize();
         return Err(NoSeparation::NotDetermined { along: motion(along.as_slice()) });
     }

@@ -120,7 +120,7 @@ impl Findings {
             return;
         }
         let is_empty = match &region.area {
-            Area::HalfPlane { toward, .. } => !(toward.length() > 0.0),
+            Area::HalfPlane { toward, .. } => toward.length() == 0.0,
             Area::Polygon(corners) => {
                 let from = |corner: &crate::Xy| *corner - corners[0];
                 corners.len() < 3 || !corners.windows(2).any(|pair| from(&pair[0]).cross(from(&pair[1])) != 0.0)

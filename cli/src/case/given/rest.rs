@@ -3,14 +3,14 @@
 use planar_impact::Xy;
 use planar_impact::rest::{Area, Ground, Method, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel, Wheels};
 
+use super::measured::{Amount, Measured};
 use super::{Given, one_of};
 use crate::case::rest::{RestInputs, RestOfVehicle};
 use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
-use crate::quantity::{self, Kind};
+use crate::quantity::Kind;
+use crate::units::Measure;
 
-/// What stands between a value and its standard deviation.
-const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
 /// No tire holds more than this many times its load.
 const MOST_FRICTION: f64 = 10.0;
 /// The most regions, and the most corners of one: each takes part in every step.
@@ -18,7 +18,7 @@ const MOST_REGIONS: usize = 32;
 const MOST_CORNERS: usize = 256;
 
 /// A value and its standard deviation, where the file gives one.
-struct Measured {
+struct Estimate {
     value: f64,
     deviation: Option<f64>,
 }
@@ -58,7 +58,7 @@ impl Given {
     }
 
     fn ground(&self, rest: &Table<'_>) -> Option<GivenGround> {
-        let friction = self.with_deviation(rest.required("friction"), Kind::PURE);
+        let friction = self.estimate(rest.required("friction"), Measure::Ratio);
         let friction = friction.filter(|friction| {
             let field = rest.optional("friction");
             let holds = friction.value > 0.0 && friction.value <= MOST_FRICTION;
@@ -127,7 +127,7 @@ impl Given {
     fn rest_of(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>, ground: Option<&GivenGround>) -> Option<RestOfVehicle> {
         let separation = self.separation_pose(table, inputs);
         let position = self.position_at_rest(table.required("position"));
-        let heading = self.uncertain(table.required("heading"), Kind::ANGLE, "135 deg ± 5 deg");
+        let heading = self.uncertain(table.required("heading"), Measure::Angle, "135 deg ± 5 deg");
         let vehicle = self.sliding_vehicle(table, inputs);
         let method = match table.optional("method").choice(&["slide", "closed-form"]) {
             Some("closed-form") => Method::ClosedForm,
@@ -168,7 +168,7 @@ impl Given {
 
     fn position_at_rest(&self, field: Field<'_>) -> Option<[(f64, f64); 2]> {
         let items = field.items("an array of two values, each a length with its deviation, such as \"12.3 m ± 0.3 m\"", 2..=2)?;
-        let read: Vec<_> = items.into_iter().map(|item| self.uncertain(item, Kind::LENGTH, "12.3 m ± 0.3 m")).collect();
+        let read: Vec<_> = items.into_iter().map(|item| self.uncertain(item, Measure::Length, "12.3 m ± 0.3 m")).collect();
         read.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
     }
 
@@ -227,52 +227,22 @@ impl Given {
     }
 
     /// A value that must have its standard deviation.
-    fn uncertain(&self, field: Field<'_>, kind: Kind, example: &str) -> Option<(f64, f64)> {
+    fn uncertain(&self, field: Field<'_>, measure: Measure, example: &str) -> Option<(f64, f64)> {
         let place = field.clone();
-        let Measured { value, deviation } = self.with_deviation(field, kind)?;
+        let Estimate { value, deviation } = self.estimate(field, measure)?;
         match deviation {
-            Some(deviation) if deviation > 0.0 => Some((value, deviation)),
-            _ => {
+            Some(deviation) => Some((value, deviation)),
+            None => {
                 place.report("it has no standard deviation", Some(format!("write how well it is known, as \"{example}\"")));
                 None
             }
         }
     }
 
-    /// A value, a value with ± and its standard deviation, or { value, sd }.
-    fn with_deviation(&self, field: Field<'_>, kind: Kind) -> Option<Measured> {
-        match field.value() {
-            Some(Value::Table(_)) => {
-                let table = field.table()?;
-                let value = self.quantity(table.required("value"), kind);
-                let deviation = table.has("sd").then(|| self.not_negative(table.optional("sd"), kind.difference()));
-                table.finish();
-                let deviation = match deviation {
-                    Some(deviation) => Some(deviation?),
-                    None => None,
-                };
-                Some(Measured { value: value?, deviation })
-            }
-            Some(Value::String(text)) => {
-                let Some((value, deviation)) = PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)) else {
-                    return self.quantity(field, kind).map(|value| Measured { value, deviation: None });
-                };
-                let parse = |text: &str, kind| match quantity::parse(text.trim(), kind) {
-                    Ok(quantity) => Some(quantity),
-                    Err(error) => {
-                        field.report(error.message, error.help);
-                        None
-                    }
-                };
-                let (value, deviation) = (parse(value, kind), parse(deviation, kind.difference()));
-                let deviation = deviation?.si;
-                if deviation < 0.0 {
-                    field.report("the standard deviation is below zero", None);
-                    return None;
-                }
-                Some(Measured { value: self.take(field.path(), value?), deviation: Some(deviation) })
-            }
-            _ => self.quantity(field, kind).map(|value| Measured { value, deviation: None }),
-        }
+    /// A value, with its standard deviation where the file gives one.
+    fn estimate(&self, field: Field<'_>, measure: Measure) -> Option<Estimate> {
+        let Measured { amount, spread } = self.measured(field, measure)?;
+        let Amount::Number(value) = amount else { return None };
+        Some(Estimate { value, deviation: spread.of(value).standard_deviation() })
     }
 }

@@ -10,6 +10,7 @@ mod files;
 mod keys;
 mod numbers;
 mod physics;
+mod rest;
 mod several;
 mod types;
 mod units;
@@ -87,6 +88,41 @@ stiffness = { d0 = "48.27 lbf^0.5", d1 = "162.8 lbf^0.5/ft" }
 [contact]
 crush_plane = "0 deg"
 restitution = 0.2
+"#;
+
+/// A sound case: a vehicle that runs into a wall and comes to rest.
+const RESTED: &str = r#"schema = 1
+
+[[vehicle]]
+name = "car"
+mass = 1200
+yaw_inertia = 2000
+heading = "0 deg"
+velocity = [10, 2]
+impact_center = [2, 0.5]
+
+[[vehicle]]
+name = "wall"
+barrier = true
+
+[contact]
+crush_plane = "0 deg"
+restitution = 0
+
+# How it came to rest.
+
+
+[rest]
+friction = "0.7 ± 0.05"
+regions = [{ friction = 0.4, polygon = [["4 m", "-5 m"], ["9 m", "-5 m"], ["9 m", "5 m"]] }]
+
+[rest.vehicle.1]
+position = ["12 m ± 0.3 m", "-4 m ± 0.3 m"]
+heading = "135 deg ± 5 deg"
+front_axle = "1.2 m"
+rear_axle = "1.5 m"
+track = "1.5 m"
+wheels = { front_left = "locked", front_right = { braking = 0.3, steer = "5 deg" }, rear_left = "rolling", rear_right = { braking = 1 } }
 "#;
 
 /// A sound case: two vehicles, as JSON.
@@ -198,12 +234,19 @@ fn faults_of(run: &Run, status: i32, file: &str, wanted: &[String]) -> Vec<Strin
 #[test]
 fn the_bases_are_sound() {
     let sound = |name, base| wrong(name, &[], 0, &[]).of(base).ends(0);
-    check(&[sound("two vehicles", COLLISION), sound("a wall", WALL), sound("crush", CRUSHED), sound("JSON", JSON)]);
+    check(&[
+        sound("two vehicles", COLLISION),
+        sound("a wall", WALL),
+        sound("crush", CRUSHED),
+        sound("a rest", RESTED),
+        sound("JSON", JSON),
+    ]);
 }
 
 #[test]
 fn the_tables_are_large() {
-    let tables = [numbers::BAD, units::BAD, keys::BAD, types::BAD, vehicles::BAD, contact::BAD, crush::BAD, physics::BAD, files::BAD];
+    let tables =
+        [numbers::BAD, units::BAD, keys::BAD, types::BAD, vehicles::BAD, contact::BAD, crush::BAD, rest::BAD, physics::BAD, files::BAD];
     let names: Vec<&str> = tables.iter().flat_map(|table| table.iter().map(|bad| bad.name)).collect();
     assert!(names.len() >= 180, "{}", names.len());
     let unique: std::collections::HashSet<&str> = names.iter().copied().collect();

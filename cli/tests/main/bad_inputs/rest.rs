@@ -1,0 +1,61 @@
+//! A rest that is none, and where each mistake is said to be.
+
+use super::{Bad, RESTED, check, faults_of, wrong};
+use crate::process::{Folder, run};
+
+/// The table. The base has [rest] in line 22, its vehicle in line 26.
+pub const BAD: &[Bad] = &[
+    wrong("a rest without friction", &[("friction = \"0.7 ± 0.05\"\n", "")], 22, &["rest.friction", "missing"]).of(RESTED),
+    wrong("a rest on no friction", &[("0.7 ± 0.05", "0")], 23, &["rest.friction", "above 0"]).of(RESTED),
+    wrong("a friction in meters", &[("0.7 ± 0.05", "0.7 m ± 0.05")], 23, &["rest.friction", "a pure number is expected"]).of(RESTED),
+    wrong("a friction below its deviation", &[("0.7 ± 0.05", "0.7 ± 0.9")], 23, &["rest.friction", "larger than itself"]).of(RESTED),
+    wrong("gravity upwards", &[("[rest]\n", "[rest]\ngravity = -9.8\n")], 23, &["rest.gravity", "above zero"]).of(RESTED),
+    wrong("a region of two corners", &[(", [\"9 m\", \"5 m\"]]", "]")], 24, &["rest.regions.1.polygon", "3 to 256 corners"]).of(RESTED),
+    wrong("a region on a line", &[("[\"9 m\", \"5 m\"]", "[\"19 m\", \"-5 m\"]")], 24, &["rest.regions.1.polygon", "on a line"]).of(RESTED),
+    wrong("a region without a place", &[(", polygon", ", polyp")], 24, &["rest.regions.1", "`polygon` or `half_plane`"]).of(RESTED),
+    wrong("a region below zero", &[("friction = 0.4", "friction = -0.4")], 24, &["rest.regions.1.friction", "from 0 to 10"]).of(RESTED),
+    wrong("a rest of nobody", &[("[rest.vehicle.1]", "[rest.vehicle.3]")], 26, &["rest.vehicle.3: unknown key"]).of(RESTED),
+    wrong("a rest of the wall", &[("[rest.vehicle.1]", "[rest.vehicle.2]")], 26, &["rest.vehicle.2", "a fixed barrier"]).of(RESTED),
+    wrong(
+        "a rest nowhere",
+        &[("position = [\"12", "portion = [\"12")],
+        27,
+        &["rest.vehicle.1.portion: unknown key", "did you mean `position`"],
+    )
+    .of(RESTED),
+    wrong("a rest without deviation", &[("12 m ± 0.3 m", "12 m")], 27, &["rest.vehicle.1.position.1", "no standard deviation"]).of(RESTED),
+    wrong("a rest with no deviation", &[("± 5 deg", "± 0 deg")], 28, &["rest.vehicle.1.heading", "no standard deviation"]).of(RESTED),
+    wrong("a rest with a deviation below zero", &[("± 5 deg", "± -5 deg")], 28, &["rest.vehicle.1.heading", "below zero"]).of(RESTED),
+    wrong(
+        "axles on the wrong side",
+        &[("rear_axle = \"1.5 m\"", "rear_axle = \"-1.5 m\"")],
+        30,
+        &["rest.vehicle.1.rear_axle", "above zero"],
+    )
+    .of(RESTED),
+    wrong("three wheels", &[(", rear_right = { braking = 1 }", "")], 32, &["rest.vehicle.1.wheels.rear_right", "missing"]).of(RESTED),
+    wrong("a wheel in flames", &[("\"rolling\"", "\"burning\"")], 32, &["rest.vehicle.1.wheels.rear_left", "\"locked\", \"rolling\""])
+        .of(RESTED),
+    wrong("a wheel braked twice over", &[("braking = 1 ", "braking = 2 ")], 32, &["wheels.rear_right.braking", "from 0 to 1"]).of(RESTED),
+    wrong("a wheel of two minds", &[("braking = 1 ", "braking = 1, state = \"locked\" ")], 32, &["exclude each other"]).of(RESTED),
+    wrong("an unheard-of method", &[("track =", "method = \"magic\"\ntrack =")], 31, &["rest.vehicle.1.method", "\"slide\""]).of(RESTED),
+];
+
+#[test]
+fn each_is_refused() {
+    check(BAD);
+}
+
+/// Also where the vehicle itself cannot be read.
+#[test]
+fn everything_is_said_at_once() {
+    let folder = Folder::new();
+    let text =
+        RESTED.replace("mass = 1200", "mass = 0").replace("± 5 deg", "").replace("\"locked\"", "\"licked\"").replace("= 0.4", "= -0.4");
+    folder.write("case.toml", text.as_bytes());
+    let run = run(folder.path(), &["solve", "case.toml", "--format", "json"]);
+    let wanted = ["vehicle.1.mass", "rest.vehicle.1.heading", "rest.vehicle.1.wheels.front_left", "rest.regions.1.friction"];
+    let faults = faults_of(&run, 2, "case.toml", &wanted.map(str::to_owned));
+    assert!(faults.is_empty(), "{faults:?}\n{}", run.err);
+    assert_eq!(run.err.matches("error: ").count(), 4, "{}", run.err);
+}

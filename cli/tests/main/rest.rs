@@ -1,0 +1,76 @@
+//! `[rest]` in a case file, and the separation that CRASH3 goes back from.
+
+use serde_json::Value;
+
+use crate::process::{run, run_with_input, workspace};
+
+fn example() -> String {
+    std::fs::read_to_string(workspace().join("cli/examples/to-rest.toml")).expect("the example can be read")
+}
+
+fn json(arguments: &[&str], case: &str) -> Value {
+    let run = run_with_input(arguments, case);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+/// The rest positions of the example are those of slides from its own impact, rounded to a centimeter and a tenth of a degree.
+#[test]
+fn the_rest_of_the_example_leads_back_to_its_separation() {
+    let case = example();
+    let solved = json(&["solve", "-", "--format", "json"], &case);
+    let (rested, without) = (json(&["crash3", "-", "--format", "json"], &case), case.split("[rest]").next().expect("a case").to_owned());
+    let without = json(&["crash3", "-", "--format", "json"], &without);
+    for i in 0..2 {
+        for axis in 0..2 {
+            let velocity = solved["vehicles"][i]["velocity"][axis].as_f64().expect("a velocity");
+            let from_rest = rested["vehicles"][i]["separation_velocity"][axis].as_f64().expect("a velocity");
+            assert!((from_rest - velocity).abs() < 0.05, "vehicle {i}, axis {axis}: {from_rest}, not {velocity}");
+            assert!(from_rest != velocity, "it comes from the rest");
+            assert_eq!(without["vehicles"][i]["separation_velocity"][axis].as_f64(), Some(velocity));
+        }
+    }
+}
+
+#[test]
+fn evidence_of_the_separation_goes_before_the_rest() {
+    let case = example() + "\n[evidence.vehicle.1]\nseparation_velocity = [\"1 m/s\", \"2 m/s\"]\n";
+    let crash3 = json(&["crash3", "-", "--format", "json"], &case);
+    assert_eq!(crash3["vehicles"][0]["separation_velocity"], serde_json::json!([1.0, 2.0]));
+}
+
+#[test]
+fn the_text_says_where_the_velocity_is_from() {
+    let run = run(&workspace(), &["crash3", "cli/examples/to-rest.toml"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("comes to rest"), "{}", run.out);
+    assert!(run.out.lines().all(|line| line.chars().count() <= 80), "{}", run.out);
+}
+
+#[test]
+fn the_closed_form_is_another_answer() {
+    let slide = json(&["crash3", "-", "--format", "json"], &example());
+    let closed = example().replace("[rest.vehicle.2]\n", "[rest.vehicle.2]\nmethod = \"closed-form\"\n");
+    let closed = json(&["crash3", "-", "--format", "json"], &closed);
+    let velocity = |of: &Value, i: usize| [0, 1].map(|axis| of["vehicles"][i]["separation_velocity"][axis].as_f64().expect("a velocity"));
+    assert_eq!(velocity(&slide, 0), velocity(&closed, 0));
+    let ([vx, vy], [wx, wy]) = (velocity(&slide, 1), velocity(&closed, 1));
+    let apart = (vx - wx).hypot(vy - wy);
+    assert!(apart > 1e-3 && apart < vx.hypot(vy), "{apart}");
+}
+
+/// Nothing on standard output, and the place in the file.
+#[test]
+fn a_vehicle_that_never_stops_is_refused_at_its_place() {
+    let case = example().replace(
+        "friction = \"0.7 ± 0.05\"",
+        "friction = \"0.7 ± 0.05\"\nregions = [{ friction = 0, half_plane = { from = [\"-99 m\", \"0 m\"], toward = \"0 deg\" } }]",
+    );
+    let run = run_with_input(&["crash3", "-"], &case);
+    assert_eq!((run.status, run.out.as_str()), (2, ""), "{}", run.err);
+    assert!(
+        run.err.contains("rest.vehicle.1") && run.err.contains("rest.vehicle.2") && run.err.contains("does not come to rest"),
+        "{}",
+        run.err
+    );
+}
