@@ -9,7 +9,6 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use super::course::TIME_LIMIT;
 use super::evidence::{Miss, MotionCovariance, NoSeparation, OtherSeparation, RestEvidence, Separation, SlideFit};
 use super::problem::NoRest;
 use super::slide::Slide;
@@ -73,6 +72,14 @@ impl ToRest<'_> {
 
     fn sum_of_squares(&self, unknowns: &[f64]) -> Result<f64, NoRest> {
         Ok(self.residuals(unknowns)?.iter().map(|residual| residual * residual).sum())
+    }
+
+    /// Why nothing was found: what did not come to rest, or how far the best misses.
+    fn nothing_found(&self, unknowns: &[f64], miss: Miss) -> NoSeparation {
+        match self.never.borrow_mut().take() {
+            Some(why) => NoSeparation::NoRest(why),
+            None => NoSeparation::NotConverged { motion: motion(unknowns), miss },
+        }
     }
 
     fn spend(&self, steps: usize) {
@@ -151,7 +158,11 @@ impl Slide {
         }
         let Some(best) = best_of(&mut found, &first) else { return Err(none_found(&search, stopped)) };
         let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
-        let covariance = covariance(&search.slopes(&best.unknowns, FINE), evidence)?;
+        let covariance = match covariance(&search.slopes(&best.unknowns, FINE), evidence) {
+            // A search that nothing leads on from stands where it began.
+            Err(_) if !miss.is_nothing() => return Err(search.nothing_found(&best.unknowns, miss)),
+            covariance => covariance?,
+        };
         let other = |other: &Found| Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? });
         let others = found.iter().filter_map(other).collect();
         let fit = SlideFit { iterations: best.iterations, starts: tried, converged, miss, others };
@@ -186,9 +197,9 @@ fn starts(search: &ToRest<'_>, first: [f64; 3]) -> Vec<[f64; 3]> {
     for _ in 0..LOOKED_AT {
         let start = draw();
         if search.work.get() > WORK / 2
-            && let Ok(sum_of_squares) = search.sum_of_squares(&start)
+            && let Some(residuals) = search.at(&start)
         {
-            near.push((sum_of_squares, start));
+            near.push((residuals.iter().map(|residual| residual * residual).sum(), start));
         }
     }
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -225,11 +236,7 @@ fn none_found(search: &ToRest<'_>, stopped: Option<Found>) -> NoSeparation {
     {
         return NoSeparation::NotConverged { motion: motion(&best.unknowns), miss };
     }
-    let why = search.never.borrow_mut().take();
-    NoSeparation::NoRest(why.unwrap_or_else(|| {
-        let passing = super::Passing { time: TIME_LIMIT, pose: search.evidence.separation, motion: Motion::rest() };
-        NoRest::NotFollowed(passing)
-    }))
+    search.nothing_found(&[0.0; 3], Miss::of(&search.evidence.separation, &search.evidence.rest))
 }
 
 /// The covariance of the motion by that of the pose at rest, which is 1 in standard deviations, and by the friction: with J the derivatives by the motion and

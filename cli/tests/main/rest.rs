@@ -24,10 +24,10 @@ fn the_rest_of_the_example_leads_back_to_its_separation() {
     for i in 0..2 {
         for axis in 0..2 {
             let velocity = solved["vehicles"][i]["velocity"][axis].as_f64().expect("a velocity");
-            let from_rest = rested["vehicles"][i]["separation_velocity"][axis].as_f64().expect("a velocity");
+            let from_rest = rested["vehicles"][i]["reconstruction"]["separation_velocity"][axis].as_f64().expect("a velocity");
             assert!((from_rest - velocity).abs() < 0.05, "vehicle {i}, axis {axis}: {from_rest}, not {velocity}");
             assert!(from_rest != velocity, "it comes from the rest");
-            assert_eq!(without["vehicles"][i]["separation_velocity"][axis].as_f64(), Some(velocity));
+            assert_eq!(without["vehicles"][i]["reconstruction"]["separation_velocity"][axis].as_f64(), Some(velocity));
         }
     }
 }
@@ -36,7 +36,7 @@ fn the_rest_of_the_example_leads_back_to_its_separation() {
 fn evidence_of_the_separation_goes_before_the_rest() {
     let case = example() + "\n[evidence.vehicle.1]\nseparation_velocity = [\"1 m/s\", \"2 m/s\"]\n";
     let crash3 = json(&["crash3", "-", "--format", "json"], &case);
-    assert_eq!(crash3["vehicles"][0]["separation_velocity"], serde_json::json!([1.0, 2.0]));
+    assert_eq!(crash3["vehicles"][0]["reconstruction"]["separation_velocity"], serde_json::json!([1.0, 2.0]));
 }
 
 #[test]
@@ -52,7 +52,9 @@ fn the_closed_form_is_another_answer() {
     let slide = json(&["crash3", "-", "--format", "json"], &example());
     let closed = example().replace("[rest.vehicle.2]\n", "[rest.vehicle.2]\nmethod = \"closed-form\"\n");
     let closed = json(&["crash3", "-", "--format", "json"], &closed);
-    let velocity = |of: &Value, i: usize| [0, 1].map(|axis| of["vehicles"][i]["separation_velocity"][axis].as_f64().expect("a velocity"));
+    let velocity = |of: &Value, i: usize| {
+        [0, 1].map(|axis| of["vehicles"][i]["reconstruction"]["separation_velocity"][axis].as_f64().expect("a velocity"))
+    };
     assert_eq!(velocity(&slide, 0), velocity(&closed, 0));
     let ([vx, vy], [wx, wy]) = (velocity(&slide, 1), velocity(&closed, 1));
     let apart = (vx - wx).hypot(vy - wy);
