@@ -12,6 +12,7 @@ mod vehicle;
 
 use std::path::Path;
 
+use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
 pub use answers::{Answer, Answers, Crash3Answers, Crash3Key, CrushAnswers};
@@ -63,13 +64,22 @@ impl Case {
     ///
     /// Everything wrong with it, and everything that it leaves out because it is unknown.
     pub fn read(path: &Path) -> Result<Case, Problems> {
+        Case::read_for(path, |_| true)
+    }
+
+    /// The same for what needs some numbers alone.
+    ///
+    /// # Errors
+    ///
+    /// Everything wrong with it, and what is needed and left out.
+    pub fn read_for(path: &Path, needs: impl Fn(Variable) -> bool) -> Result<Case, Problems> {
         let case = Case::read_with_unknowns(path)?;
         let unknown = |left_out: &knowledge::LeftOut| {
             let help = "`planar-impact reconstruct` solves for it";
             let at = case.document.problem(&left_out.key, "it is unknown, and not given", Some(help.to_owned()));
             Problem { key: left_out.of.name().to_owned(), ..at }
         };
-        let list: Vec<Problem> = case.knowledge.left_out.iter().map(unknown).collect();
+        let list: Vec<Problem> = case.knowledge.left_out.iter().filter(|left_out| needs(left_out.of)).map(unknown).collect();
         if list.is_empty() { Ok(case) } else { Err(case.document.refuse(list)) }
     }
 

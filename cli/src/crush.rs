@@ -3,6 +3,9 @@
 mod document;
 mod text;
 
+use planar_impact::Input;
+use planar_impact::reconstruct::Variable;
+
 use crate::Done;
 use crate::arguments::{Format, OfCase as Call};
 use crate::case::Case;
@@ -14,7 +17,9 @@ use crate::exit::Failure;
 ///
 /// Everything wrong with the file, or that it has no crush.
 pub fn run(call: &Call) -> Result<Done, Failure> {
-    let case = Case::read(&call.case).map_err(Failure::Input)?;
+    // The equivalent speed is that of a mass; how the vehicles moved does not matter.
+    let needs = |of| matches!(of, Variable::Input(Input::Mass(_)));
+    let case = Case::read_for(&call.case, needs).map_err(Failure::Input)?;
     if case.setup.crush.iter().all(Option::is_none) {
         let help = "a [vehicle.crush] with width, depths and stiffness under a [[vehicle]]".to_owned();
         return Err(case.unfit([("vehicle".to_owned(), "no vehicle has a crush".to_owned(), Some(help))]));

@@ -2,6 +2,7 @@
 
 mod diagnostics;
 mod document;
+mod from_rest;
 mod question;
 mod text;
 mod unsolved;
@@ -16,7 +17,7 @@ use crate::case::{Case, Parameter};
 use crate::crash3::Comparison;
 use crate::exit::Failure;
 use crate::units::Units;
-use question::{FromRest, Question, key_of};
+use question::{Question, key_of};
 
 /// Reads the case, searches for the unknowns and prints every solution with what it is worth.
 ///
@@ -26,7 +27,7 @@ use question::{FromRest, Question, key_of};
 pub fn run(call: &Call) -> Result<Done, Failure> {
     let case = Case::read_with_unknowns(&call.case).map_err(Failure::Input)?;
     let units = call.units.unwrap_or(case.units);
-    let question = Question::of(&case, FromRest::default(), units)?;
+    let question = Question::of(&case, units)?;
     let search = Search { starts: call.starts as usize, seed: call.seed, ..Search::default() };
     let answer = question.asked.solve(&search).map_err(|unsolved| unsolved::failure(&question, &unsolved, units))?;
     let result = Reconstructed::of(question, answer, search, units);

@@ -189,7 +189,8 @@ pub(super) const RECONSTRUCT: &str = r#"A case file in which some numbers are un
 Evidence of a vehicle: separation_velocity, separation_speed, separation_direction, separation_yaw_rate,
 delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left, pdof, crush_energy,
 approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
-What the evidence knows of an input with an uncertainty is solved for too.
+What the evidence knows of an input with an uncertainty is solved for too. Where vehicles came to rest
+is evidence of how they separated: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
 Exit status: 0 when the evidence agrees with one solution; 1 when it agrees with several, leaves an
 unknown open, contradicts itself or asks for what the bounds exclude, each with its numbers; 2 when
@@ -197,5 +198,5 @@ the input is wrong, as more unknowns than evidence; 3 when no search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml
-  planar-impact reconstruct cli/examples/reconstruct/oblique.toml
-  planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --starts 8 --seed 7"#;
+  planar-impact reconstruct cli/examples/reconstruct/two-cars.toml
+  planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --seed 7"#;

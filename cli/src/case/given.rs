@@ -1,5 +1,6 @@
 //! The walk through a case file, key by key.
 
+mod contact;
 mod crush;
 mod evidence;
 mod measured;
@@ -10,18 +11,17 @@ mod unknown;
 use std::cell::{Cell, RefCell};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{CrushPlaneBracket, ForwardLeft, ImpulseRatio, Input, Law, Moment, PerpendicularSurfaces, Side, Xy};
+use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
 use self::stand_in::StandIns;
-use super::inputs::{ContactInputs, Inputs};
+use super::inputs::Inputs;
 use super::knowledge::Knowledge;
-use super::parameter::Parameter;
 use super::rest::RestInputs;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
-use crate::document::{Field, Table, Value};
+use crate::document::{Field, Table};
 use crate::quantity::{Kind, Quantity};
-use crate::units::{Measure, Units};
-use crate::wording::{barrier_instead, percent_meant, trim};
+use crate::units::Units;
+use crate::wording::{barrier_instead, percent_meant};
 
 /// What the keys of a case file give.
 pub(super) struct Read {
@@ -115,9 +115,12 @@ impl Given {
         // What is wrong with these is no reason to call a key missing that they may stand in for.
         let whole = evidence.is_some() && unknowns.is_some();
         let (evidence, unknowns) = (evidence.unwrap_or_default(), unknowns.unwrap_or_default());
+        // Notes are in the order of the file, where these mostly come last.
+        let notes = self.notes.take();
         let stand_ins = StandIns::of(&evidence, &unknowns, whole);
         let vehicles = self.vehicles(root, &stand_ins);
         let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &stand_ins));
+        self.notes.borrow_mut().extend(notes);
         let rest = root.has("rest").then(|| {
             let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
             self.rest(root, vehicles)
@@ -233,101 +236,6 @@ impl Given {
             "speed" => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
             _ => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
         }
-    }
-
-    fn contact(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
-        let crush_plane = self.crush_plane(table, stand_ins);
-        let restitution = match stand_ins.of_key(table, "restitution", Input::Restitution) {
-            Some(value) => value,
-            None => self.coefficient(table.required("restitution"), 1.0),
-        };
-        let impulse_ratio = self.impulse_ratio(table, stand_ins);
-        let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
-            Some("kudlich-slibar") => Law::KudlichSlibar,
-            _ => Law::Brach,
-        };
-        let moment = self.moment(table, stand_ins);
-        table.finish();
-        let (crush_plane, bracket) = crush_plane?;
-        let contact = ContactInputs { crush_plane, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? };
-        Some((contact, bracket))
-    }
-
-    /// The angle of the crush plane, and its bracket where it comes from the surfaces that meet.
-    fn crush_plane(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<(f64, Option<CrushPlaneBracket>)> {
-        if !table.has("surfaces")
-            && let Some(value) = stand_ins.of_key(table, "crush_plane", Input::CrushPlane)
-        {
-            return value.map(|angle| (angle, None));
-        }
-        if one_of(table, "crush_plane", "surfaces")? == "crush_plane" {
-            return self.quantity(table.required("crush_plane"), Kind::ANGLE).map(|angle| (angle, None));
-        }
-        let field = table.required("surfaces");
-        let place = field.clone();
-        let [one, two] = self.pair(field, Kind::ANGLE)?;
-        match CrushPlaneBracket::of_surfaces(one, two) {
-            Ok(bracket) => Some((bracket.nominal, Some(bracket))),
-            Err(PerpendicularSurfaces { one, other }) => {
-                let degrees = |angle| trim(Units::Si.convert(Measure::Angle, angle));
-                let help = format!("give crush_plane = \"{} deg\" or crush_plane = \"{} deg\"", degrees(one), degrees(other));
-                place.report("the surfaces stand at a right angle, and two planes are half way between them", Some(help));
-                None
-            }
-        }
-    }
-
-    fn impulse_ratio(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<ImpulseRatio> {
-        if !table.has("friction")
-            && let Some(value) = stand_ins.of_key(table, "impulse_ratio", Input::ImpulseRatio)
-        {
-            return value.map(|value| match stand_ins.called(Input::ImpulseRatio) {
-                Some(Parameter::RatioOfCritical) => ImpulseRatio::OfCritical(value),
-                Some(Parameter::Friction) => ImpulseRatio::LimitedByFriction(value),
-                _ => ImpulseRatio::Given(value),
-            });
-        }
-        if table.has("friction") {
-            if table.has("impulse_ratio") {
-                let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
-                table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
-            }
-            let friction = self.coefficient(table.required("friction"), f64::INFINITY);
-            return friction.map(ImpulseRatio::LimitedByFriction);
-        }
-        let field = table.optional("impulse_ratio");
-        match field.value() {
-            None => Some(ImpulseRatio::Critical),
-            Some(Value::Table(_)) => self.of_critical(field).map(ImpulseRatio::OfCritical),
-            Some(Value::Number(_)) => self.quantity(field, Kind::PURE).map(ImpulseRatio::Given),
-            Some(Value::String(text)) if text == "critical" => Some(ImpulseRatio::Critical),
-            Some(_) => {
-                field.report("expected \"critical\", a number, or { of_critical = 0.975 }", None);
-                None
-            }
-        }
-    }
-
-    fn moment(&self, table: &Table<'_>, stand_ins: &StandIns<'_>) -> Option<Moment> {
-        if let Some(value) = stand_ins.of_key(table, "moment", Input::Moment) {
-            return value.map(|value| match stand_ins.called(Input::Moment) {
-                Some(Parameter::MomentOfCritical) => Moment::OfCritical(value),
-                _ => Moment::Given(value),
-            });
-        }
-        let field = table.optional("moment");
-        match field.value() {
-            None => Some(Moment::None),
-            Some(Value::Table(_)) => self.of_critical(field).map(Moment::OfCritical),
-            Some(_) => self.quantity(field, Kind::MOMENT_IMPULSE).map(Moment::Given),
-        }
-    }
-
-    fn of_critical(&self, field: Field<'_>) -> Option<f64> {
-        let table = field.table()?;
-        let fraction = self.quantity(table.required("of_critical"), Kind::PURE);
-        table.finish();
-        fraction
     }
 }
 

@@ -97,7 +97,8 @@ fn say(figure: Figure, units: Units) -> String {
         Figure::Number(value) => trim((value * 1e3).round() / 1e3),
         Figure::Share(value) => share(value),
         Figure::Angle(value) => units.quantity(Measure::Angle, value),
-        Figure::Speed(value) => units.quantity(Measure::Speed, value),
+        // What is left of a sliding that has ended is rounding.
+        Figure::Speed(value) => format!("{} {}", units.number(Measure::Speed, value, 1.0), units.unit(Measure::Speed)),
         Figure::YawRate(value) => units.quantity(Measure::YawRate, value),
         Figure::Force(value) => units.quantity(Measure::Force, value),
     }

@@ -1,8 +1,9 @@
 //! From a case to the question that the library answers.
 
-use planar_impact::reconstruct::{Correlation, Evidence, Measurable, Reconstruction, Uncertainty, Unknown, Variable};
+use planar_impact::reconstruct::{Evidence, Measurable, Reconstruction, Uncertainty, Unknown, Variable};
 use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Moment, Side, Xy};
 
+use super::from_rest;
 use crate::case::{Case, Known, Parameter, Sought, Velocity, measure_of_variable, parameter_of};
 use crate::exit::Failure;
 use crate::units::{Measure, Units};
@@ -31,21 +32,10 @@ pub struct Places {
     evidence: Vec<(Measurable, String)>,
 }
 
-/// What is known of the motion in which vehicles separate, traced back from where they came to rest.
-#[derive(Default)]
-pub struct FromRest {
-    /// The evidence.
-    pub evidence: Vec<Evidence>,
-    /// How their errors go together.
-    pub correlations: Vec<Correlation>,
-    /// What was taken for granted.
-    pub notes: Vec<String>,
-}
-
 impl Places {
-    /// The key of an unknown; of one that only the evidence names, that of the evidence.
+    /// The key of an unknown, the last one where there are several; of one that only the evidence names, that of the evidence.
     pub fn of_unknown(&self, of: Variable) -> String {
-        let found = self.unknowns.iter().find(|(variable, _)| *variable == of);
+        let found = self.unknowns.iter().rfind(|(variable, _)| *variable == of);
         found.map_or_else(|| "unknown".to_owned(), |(_, key)| key.clone())
     }
 
@@ -65,7 +55,8 @@ impl Question {
     /// # Errors
     ///
     /// What does not fit together in it.
-    pub fn of(case: &Case, from_rest: FromRest, units: Units) -> Result<Self, Failure> {
+    pub fn of(case: &Case, units: Units) -> Result<Self, Failure> {
+        let (case, correlations) = &from_rest::with_rest(case)?;
         let knowledge = &case.knowledge;
         let mut draft =
             Draft { case, units, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notes: case.notes.clone() };
@@ -105,8 +96,6 @@ impl Question {
         if crush_share.is_none() {
             draft.share_the_crush();
         }
-        draft.evidence.extend(from_rest.evidence);
-        draft.notes.extend(from_rest.notes);
         let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut complaints));
         if !complaints.is_empty() {
             return Err(case.unfit(complaints));
@@ -115,7 +104,7 @@ impl Question {
         let asked = Reconstruction {
             unknowns: draft.unknowns,
             evidence: draft.evidence,
-            correlations: from_rest.correlations,
+            correlations: correlations.clone(),
             drives_along_heading,
             crush_share,
             ..Reconstruction::of(settled.collision)

@@ -56,6 +56,8 @@ impl Page<'_> {
     fn search(&self) -> String {
         let answer = &self.result.answer;
         let ended = match &answer.solutions[..] {
+            // Along a valley each ends elsewhere.
+            _ if answer.verdict == Verdict::Undetermined => "at different values of what is open".to_owned(),
             [one] => format!("{} of them at this one", one.searches),
             several => {
                 several.iter().map(|solution| solution.searches.to_string()).collect::<Vec<_>>().join(", ") + " at the solutions in turn"
@@ -76,24 +78,21 @@ impl Page<'_> {
     }
 }
 
-/// A table of at most 80 columns: where it would be wider, the names in its first column break after a point.
+/// A table of at most 80 columns: where it would be wider, the names in its columns break after a point.
 fn fitted(header: &[&str], columns: &[Align], rows: &[Vec<String>]) -> String {
-    let whole = table::narrow(header, columns, rows);
-    let over = whole.lines().map(UnicodeWidthStr::width).max().unwrap_or(0).saturating_sub(WIDTH);
-    if over == 0 {
-        return whole + "\n";
+    let mut rows = rows.to_vec();
+    let mut text = table::narrow(header, columns, &rows);
+    for place in (0..columns.len()).filter(|&place| columns[place] == Align::Left) {
+        let over = text.lines().map(UnicodeWidthStr::width).max().unwrap_or(0).saturating_sub(WIDTH);
+        if over == 0 {
+            break;
+        }
+        let longest = rows.iter().map(|row| row[place].width()).max().unwrap_or(0);
+        let most = longest.saturating_sub(over).max(16);
+        rows.iter_mut().for_each(|row| row[place] = broken(&row[place], most));
+        text = table::narrow(header, columns, &rows);
     }
-    let longest = rows.iter().map(|row| row[0].width()).max().unwrap_or(0);
-    let most = longest.saturating_sub(over).max(8);
-    let broken: Vec<Vec<String>> = rows
-        .iter()
-        .map(|row| {
-            let mut row = row.clone();
-            row[0] = broken(&row[0], most);
-            row
-        })
-        .collect();
-    table::narrow(header, columns, &broken) + "\n"
+    text + "\n"
 }
 
 /// A name in two lines if it is longer than it may be.
@@ -101,8 +100,8 @@ fn broken(name: &str, most: usize) -> String {
     if name.width() <= most {
         return name.to_owned();
     }
-    let points = name.char_indices().filter(|(_, c)| matches!(c, '.' | '_' | ' ')).map(|(at, _)| at + 1);
-    match points.filter(|at| *at <= most && name.len() - at + 2 <= most).last() {
+    let mut points = name.char_indices().filter(|(_, c)| matches!(c, '.' | '_' | ' ')).map(|(at, _)| at + 1);
+    match points.rfind(|at| *at <= most) {
         Some(at) => format!("{}\n  {}", &name[..at], &name[at..]),
         None => name.to_owned(),
     }

@@ -85,16 +85,19 @@ fn wrong(question: &Question, problem: &Problem, units: Units) -> Complaint {
         Problem::NotPositive { of, what, value } => {
             (places.of_evidence(*of), format!("the {what} is {}; it must be above zero", measured(*of, *value)), None)
         }
+        Problem::BelowZero { of, value } => {
+            (places.of_evidence(*of), format!("it is {}; it cannot be below zero", measured(*of, *value)), None)
+        }
         Problem::BoundsCrossed { of, min, max } => {
             (places.of_unknown(*of), format!("min, {}, is not below max, {}", value(*of, *min), value(*of, *max)), None)
         }
         Problem::StartOutside { of, start, min, max } => {
             let range = range(*min, *max, &|x| value(*of, x));
-            (places.of_unknown(*of), format!("the start, {}, is not {range}", value(*of, *start)), None)
+            (places.of_unknown(*of), format!("the start, {}, must be {range}", value(*of, *start)), None)
         }
         Problem::BoundOutside { of, bound, least, most } => {
             let range = range(*least, *most, &|x| value(*of, x));
-            (places.of_unknown(*of), format!("a bound of {} is not {range}", value(*of, *bound)), None)
+            (places.of_unknown(*of), format!("a bound is {}; it must be {range}", value(*of, *bound)), None)
         }
         Problem::ShareUnknown(of) => {
             let help = "give crush_energy of both vehicles, or contact.crush_share, the share of vehicle 1, in [evidence] or [unknown]";

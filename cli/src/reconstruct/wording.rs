@@ -25,7 +25,8 @@ fn decimals(of: f64) -> usize {
     (1.0 - of.abs().log10().floor()).clamp(0.0, 9.0) as usize
 }
 
-fn without_sign_of_zero(text: String) -> String {
+/// Zero without a sign, however many decimals it has.
+pub fn without_sign_of_zero(text: String) -> String {
     let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     if is_zero { text.trim_start_matches('-').to_owned() } else { text }
 }

@@ -4,7 +4,7 @@ use planar_impact::Side;
 use planar_impact::reconstruct::{Measurable, Uncertainty};
 
 use super::Given;
-use super::measured::{Amount, Measured};
+use super::measured::{Amount, Measured, is_folder};
 use crate::case::knowledge::{Known, measure_of, names_of_evidence};
 use crate::case::parameter::number;
 use crate::case::vehicle::VehicleInputs;
@@ -58,7 +58,9 @@ impl Given {
             return Some(());
         }
         match (field.value(), halves(name)) {
-            (Some(Value::Table(_)), _) => field.table().filter(|table| self.walk_evidence(table, name, found)).map(|_| ()),
+            (Some(Value::Table(_)), _) if is_folder(&field, &["value", "sd", "resolution", "relative"]) => {
+                field.table().filter(|table| self.walk_evidence(table, name, found)).map(|_| ())
+            }
             (_, Some(halves)) => {
                 let wanted = format!("an array of two values, each {}", measure_of(halves[0]).kind().wanted());
                 let items = field.items(&wanted, 2..=2)?;

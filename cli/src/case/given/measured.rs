@@ -119,3 +119,11 @@ impl Given {
 fn accept<T>(field: &Field<'_>, read: Result<T, QuantityError>) -> Option<T> {
     read.map_err(|error| field.report(error.message, error.help)).ok()
 }
+
+/// Whether a value is a table of further names, and not one that says something of the name that it has.
+pub(super) fn is_folder(field: &Field<'_>, said: &[&str]) -> bool {
+    match field.value() {
+        Some(Value::Table(entries)) => !entries.is_empty() && !entries.iter().any(|entry| said.contains(&entry.key.as_str())),
+        _ => false,
+    }
+}

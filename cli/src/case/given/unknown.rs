@@ -4,7 +4,7 @@ use planar_impact::Input;
 use planar_impact::reconstruct::{Measurable, Variable};
 
 use super::Given;
-use super::measured::{Amount, Spread};
+use super::measured::{Amount, Spread, is_folder};
 use crate::case::knowledge::{Sought, measure_of_variable, names_of_unknowns};
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
@@ -30,7 +30,7 @@ impl Given {
             let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
             let read = match named(&name) {
                 Some((of, called)) if !is_of_ratio(&field) => self.sought(of, called, field).map(|asked| found.push(asked)),
-                _ if matches!(field.value(), Some(Value::Table(_))) => {
+                _ if is_folder(&field, &["start", "min", "max", "sd"]) => {
                     field.table().filter(|table| self.walk_unknowns(table, &name, found)).map(|_| ())
                 }
                 _ => {

@@ -5,7 +5,7 @@ use planar_impact::reconstruct::{Fitted, Measurable, Variable};
 use super::{Page, fitted};
 use crate::case::measure_of;
 use crate::reconstruct::question::measure_in;
-use crate::reconstruct::wording::rounded;
+use crate::reconstruct::wording::{rounded, without_sign_of_zero};
 use crate::table::{Align, wrap};
 use crate::units::Measure;
 
@@ -29,7 +29,7 @@ impl Page<'_> {
             let measure = self.measure_of(fitted.of);
             let say = |value| rounded(measure, value, fitted.sd, self.units);
             let sd = fitted.sd.map_or_else(|| "exact".to_owned(), say);
-            let off = fitted.standardised_residual().map_or_else(|| "-".to_owned(), |off| format!("{:.2}", off + 0.0));
+            let off = fitted.standardised_residual().map_or_else(|| "-".to_owned(), |off| without_sign_of_zero(format!("{off:.2}")));
             vec![name, say(fitted.given), say(fitted.computed), sd, off, self.units.unit(measure).to_owned()]
         };
         let mut rows: Vec<Vec<String>> = best.evidence.iter().map(|fitted| row(fitted.of.name().to_owned(), fitted)).collect();

@@ -27,7 +27,7 @@ impl Page<'_> {
         if count == 0 && best.chi_square < 1e-9 {
             return format!("chi-square 0 with {degrees}");
         }
-        format!("chi-square {} with {degrees}, probability {}", digits(best.chi_square), digits(best.probability))
+        format!("chi-square {} with {degrees}, probability {}", digits(best.chi_square), probability(best.probability))
     }
 
     fn furthest(&self) -> String {
@@ -126,6 +126,11 @@ impl Page<'_> {
         ));
         text
     }
+}
+
+/// A probability, which is never nothing.
+pub(super) fn probability(value: f64) -> String {
+    if value < 1e-12 { "below 1e-12".to_owned() } else { digits(value) }
 }
 
 /// Three digits that matter, small ones by their power of ten.

@@ -3,7 +3,7 @@
 use planar_impact::reconstruct::{Bound, Estimate, Solution, Variable};
 use planar_impact::{ImpulseRatio, Input};
 
-use super::headline::digits;
+use super::headline::{digits, probability};
 use super::{Page, fitted};
 use crate::reconstruct::question::measure_in;
 use crate::reconstruct::wording::rounded;
@@ -108,7 +108,7 @@ impl Page<'_> {
             rows.push(row);
         };
         of_all("chi-square", &|solution| digits(solution.chi_square));
-        of_all("probability", &|solution| digits(solution.probability));
+        of_all("probability", &|solution| probability(solution.probability));
         let numbers: Vec<String> = (1..=shown.len()).map(|i| i.to_string()).collect();
         let mut header = vec!["solution"];
         header.extend(numbers.iter().map(String::as_str));
