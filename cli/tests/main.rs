@@ -22,6 +22,8 @@ mod guideline;
 mod manual;
 #[path = "main/process.rs"]
 mod process;
+#[path = "main/reconstruct/mod.rs"]
+mod reconstruct;
 #[path = "main/reference.rs"]
 mod reference;
 #[path = "main/rest.rs"]

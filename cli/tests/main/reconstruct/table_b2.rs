@@ -1,0 +1,100 @@
+//! Table B2 of the paper out of the case files of its barrier tests, cell by cell.
+
+use serde_json::Value;
+
+use super::{answer, example, number, replaced};
+
+const FOOT_POUND: f64 = 1.355_817_948_331_4;
+const FOOT: f64 = 0.3048;
+const MPH: f64 = 0.447_04;
+
+/// A row of Table B2: T_Ln, T_Lt, T_L in ft lb, μ, ΔV in ft/s and in mph of planar mechanics, as printed.
+struct Planar {
+    test: usize,
+    restitution: &'static str,
+    cells: [&'static str; 6],
+}
+
+/// Table B2 of the paper, its planar columns. Test 2 prints none at e = 0 but ΔV.
+const PLANAR: [Planar; 6] = [
+    Planar { test: 1, restitution: "0", cells: ["10746", "1701", "12447", "0.274", "15.1", "10.3"] },
+    Planar { test: 1, restitution: "0.18", cells: ["10746", "1758", "12504", "0.232", "17.9", "12.2"] },
+    Planar { test: 2, restitution: "0", cells: ["", "", "", "", "30.5", "20.8"] },
+    Planar { test: 2, restitution: "0.13", cells: ["44215", "7120", "51334", "0.243", "34.5", "23.6"] },
+    Planar { test: 3, restitution: "0", cells: ["124976", "19784", "144759", "0.274", "51.3", "35.0"] },
+    Planar { test: 3, restitution: "0.12", cells: ["124976", "20073", "145048", "0.245", "57.5", "39.2"] },
+];
+
+/// Table B2 of the paper, its CRASH3 columns: T_Ln, T_Lt, T_L in ft lb, ΔV in ft/s and mph.
+const CRASH3: [[&str; 5]; 3] =
+    [["10746", "804", "11550", "14.5", "9.9"], ["44215", "3309", "47524", "29.5", "20.1"], ["124976", "9353", "134329", "49.5", "33.8"]];
+
+/// Whether a number prints as a cell.
+fn prints(cell: &str, value: f64) -> bool {
+    let decimals = cell.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    cell.is_empty() || format!("{value:.decimals$}") == cell
+}
+
+fn crabbed(test: usize, restitution: &str) -> String {
+    let case = example(&format!("crabbed-{test}.toml"));
+    let line = case.lines().find(|line| line.starts_with("restitution")).expect("it has one").to_owned();
+    replaced(&case, &[(&line, &format!("restitution = {restitution}"))])
+}
+
+/// The barrier as the paper computes with it: a body at rest of a million slugs, and all of the crush the car's.
+fn with_the_papers_barrier(case: &str) -> String {
+    let body = "mass = \"1e6 slug\"\nyaw_inertia = \"1e6 slug ft^2\"\nheading = \"0 deg\"\nspeed = 0\nimpact_center = [0, 0]";
+    let evidence = "vehicle.1.crush_energy = \"from crush\"\ncontact.crush_share = 1";
+    replaced(case, &[("barrier = true", body), ("crush_energy = \"from crush\"", evidence)])
+}
+
+/// What planar mechanics makes of a crabbed test, in the order of the table's columns.
+fn planar(case: &str) -> [f64; 6] {
+    let (found, status) = answer(case);
+    assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")));
+    // The speed is known to have been 30° off: Table B2 keeps the crab angle.
+    let [x, y] = ["x", "y"].map(|axis| number(&found["unknown"][format!("vehicle.1.velocity.{axis}")]["value"]));
+    assert!((y / x + 30_f64.to_radians().tan()).abs() < 1e-12);
+    let (contact, energy) = (&found["solution"]["contact"], &found["solution"]["energy"]);
+    let delta_v = number(&found["solution"]["vehicles"][0]["delta_v_magnitude"]);
+    [
+        -number(&energy["normal_work"]) / FOOT_POUND,
+        -number(&energy["tangential_work"]) / FOOT_POUND,
+        number(&energy["loss"]) / FOOT_POUND,
+        number(&contact["impulse_ratio"]).abs(),
+        delta_v / FOOT,
+        delta_v / MPH,
+    ]
+}
+
+#[test]
+fn the_planar_columns_of_table_b2_come_out_of_the_crush() {
+    let mut cells = 0;
+    for row in &PLANAR {
+        let case = crabbed(row.test, row.restitution);
+        let (fixed, heavy) = (planar(&case), planar(&with_the_papers_barrier(&case)));
+        for (cell, (fixed, heavy)) in row.cells.into_iter().zip(fixed.into_iter().zip(heavy)) {
+            let what = format!("test {} at e = {}: {heavy} for {cell}", row.test, row.restitution);
+            assert!(prints(cell, heavy), "{what}");
+            // A barrier that does not move is one of infinite mass: it differs by the ratio of the masses, 1.02e-4.
+            assert!((fixed / heavy - 1.0).abs() < 1.03e-4, "{what}, and {fixed} of a fixed one");
+            cells += usize::from(!cell.is_empty());
+        }
+    }
+    assert_eq!(cells, 32, "every cell but the four that test 2 leaves out");
+}
+
+#[test]
+fn the_crash3_columns_of_table_b2_come_out_of_the_crush() {
+    for (test, row) in CRASH3.iter().enumerate() {
+        let (found, _) = answer(&crabbed(test + 1, "0"));
+        let car = &found["crash3"]["vehicles"][0];
+        let (normal, total) = (number(&car["crush_energy"]), number(&car["corrected_energy"]));
+        // The paper's ΔV of CRASH3 is that of the crush energy alone, without correction and for the whole mass: the equivalent energy speed.
+        let delta_v = number(&found["solution"]["vehicles"][0]["equivalent_energy_speed"]);
+        let values = [normal / FOOT_POUND, (total - normal) / FOOT_POUND, total / FOOT_POUND, delta_v / FOOT, delta_v / MPH];
+        for (cell, value) in row.iter().zip(values) {
+            assert!(prints(cell, value), "test {}: {value} for {cell}", test + 1);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Every verdict but agreement, each with its numbers and its status.
+
+use serde_json::Value;
+
+use super::{WALL, answer, number, replaced, text};
+
+#[test]
+fn several_solutions_are_all_reported_and_none_is_the_answer() {
+    let (found, status) = answer(WALL);
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("several solutions")));
+    let solutions = found["solutions"].as_array().expect("a list");
+    let mut across: Vec<f64> = solutions.iter().map(|solution| number(&solution["unknown"]["vehicle.1.velocity.y"])).collect();
+    across.sort_by(f64::total_cmp);
+    assert!(across.len() == 2 && (across[0] + across[1]).abs() < 1e-9 && across[1] > 5.0, "{across:?}");
+    // E_C = ½ m (1 − e²) v².
+    let along = (2.0 * 50e3 / 1200.0 / 0.99_f64).sqrt();
+    assert!(solutions.iter().all(|solution| (number(&solution["unknown"]["vehicle.1.velocity.x"]) - along).abs() < 1e-9));
+    let said = text(WALL, &[]).out;
+    assert!(said.contains("AGREES WITH 2 SOLUTIONS") && said.contains("-5.52"), "{said}");
+    // A reason for one of them leaves it.
+    let (one, status) = answer(&replaced(WALL, &[("start = \"1 m/s\"", "start = \"1 m/s\", min = 0")]));
+    assert_eq!((status, &one["verdict"], one["solutions"].as_array().map(Vec::len)), (0, &Value::from("agrees"), Some(1)));
+}
+
+#[test]
+fn what_is_open_has_no_value() {
+    let case = replaced(WALL, &[("vehicle.1.separation_speed = \"4 m/s ± 0.2 m/s\"", "energy.normal_work = \"-50 kJ ± 2 kJ\"")]);
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("undetermined")));
+    assert_eq!(found["unknown"]["vehicle.1.velocity.y"]["value"], Value::Null);
+    assert_eq!(found["unknown"]["vehicle.1.velocity.y"]["sd"], Value::Null);
+    assert!(found["unknown"]["vehicle.1.velocity.x"]["value"].is_number(), "that is known");
+    assert_eq!(found["not_determined"], serde_json::json!(["vehicle.1.velocity.y by 1 m/s"]));
+    for key in ["solution", "crash3"] {
+        assert_eq!(found[key], Value::Null, "{key}");
+    }
+    assert_eq!(found["covariance"]["vehicle.1.velocity.y"]["vehicle.1.velocity.x"], Value::Null);
+    let said = text(&case, &["--units", "us"]).out;
+    assert!(
+        said.contains("LEAVES UNKNOWNS OPEN") && said.contains("vehicle.1.velocity.y by 3.28084 ft/s") && said.contains("open"),
+        "{said}"
+    );
+    assert!(!said.contains("The collision"), "{said}");
+}
+
+#[test]
+fn contradictions_are_no_answers() {
+    let case = replaced(WALL, &[("\"4 m/s ± 0.2 m/s\"", "\"0.5 m/s ± 0.2 m/s\""), ("{ start = \"1 m/s\" }", "\"5 m/s ± 0.1 m/s\"")]);
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("contradicted")));
+    assert!(number(&found["chi_square"]) > 100.0 && number(&found["probability"]) < 1e-3);
+    assert_eq!(found["solutions"], Value::Array(Vec::new()));
+    assert!(found["solution"].is_object() && found["priors"]["vehicle.1.velocity.y"]["given"] == 5.0);
+    let said = text(&case, &[]).out;
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in [
+        "CONTRADICTS ITSELF",
+        "Furthest off is vehicle.1.separation_speed: given 0.50 m/s",
+        "not an answer",
+        "impact center and crush plane",
+    ] {
+        assert!(flat.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
+fn bounds_that_exclude_say_what_they_exclude() {
+    let case = replaced(WALL, &[("{ start = \"10 m/s\" }", "{ start = \"7 m/s\", max = \"8 m/s\" }")]);
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("bounds exclude")));
+    assert_eq!(found["unknown"]["vehicle.1.velocity.x"]["at_bound"], "max");
+    assert_eq!(found["unknown"]["vehicle.1.velocity.x"]["value"], 8.0);
+    let free = number(&found["without_bounds"]["unknown"]["vehicle.1.velocity.x"]);
+    assert!((free - (2.0 * 50e3 / 1200.0 / 0.99_f64).sqrt()).abs() < 1e-6);
+    let said = text(&case, &[]).out;
+    assert!(said.contains("THE BOUNDS EXCLUDE") && said.contains("is held at its max, 8.00 m/s") && said.contains("upper bound"), "{said}");
+}
