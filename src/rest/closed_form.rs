@@ -99,3 +99,53 @@ impl Slide {
         [motion.velocity.x.eps, motion.velocity.y.eps, motion.yaw_rate.eps]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rest::{Ground, SlidingVehicle, Tires, Wheel, Wheels};
+
+    fn locked() -> Slide {
+        let vehicle = SlidingVehicle {
+            mass: 1500.0,
+            yaw_inertia: 2400.0,
+            front_axle: 1.2,
+            rear_axle: 1.6,
+            track: 1.8,
+            wheels: Wheels::all(Wheel::LOCKED),
+            tires: Tires::ORDINARY,
+        };
+        Slide { vehicle, ground: Ground { gravity: 10.0, ..Ground::uniform(0.5) } }
+    }
+
+    #[test]
+    fn rotation_on_the_spot_is_exact() {
+        // By hand: the front wheels are 1.5 m from the center of mass and carry 4/7 of 15 kN, the rear ones √3.37 m and 3/7.
+        let moment = 0.5 * 15e3 * (4.0 / 7.0 * 1.5 + 3.0 / 7.0 * 3.37_f64.sqrt());
+        let turn = -2.0;
+        let found = locked().closed_form(&Pose::default(), &Pose { heading: turn, ..Pose::default() });
+        let exact = -(2.0 * moment * 2.0 / 2400.0_f64).sqrt();
+        assert!((found.yaw_rate - exact).abs() < 1e-9 && found.velocity == Xy::zero(), "{found:?} {exact}");
+    }
+
+    /// All four contacts move on circles about a point far away: the friction on them is along the way, and hardly has a moment.
+    #[test]
+    fn it_is_near_the_slide_that_turns_a_little() {
+        let slide = locked();
+        let motion = Motion { velocity: Xy { x: 9.0, y: 4.0 }, yaw_rate: 1.0 };
+        let rest = slide.to_rest(&Pose::default(), &motion).expect("it comes to rest").pose;
+        let found = slide.closed_form(&Pose::default(), &rest);
+        assert!((found.velocity - motion.velocity).length() < 0.1 && (found.yaw_rate - motion.yaw_rate).abs() < 0.03, "{found:?}");
+    }
+
+    #[test]
+    fn the_yaw_rate_has_a_slope_where_there_is_no_rotation() {
+        let slide = locked();
+        let rest = |heading| Pose { position: Xy { x: 8.0, y: 1.0 }, heading };
+        let turned = Pose { heading: Dual64::new(0.0, 1.0), ..rest(0.0).map(Dual64::from) };
+        let here: Pose = Pose::default();
+        let slope = slide.clone().map(Dual64::from).closed_form(&here.map(Dual64::from), &turned).yaw_rate.eps;
+        let quotient = slide.closed_form(&Pose::default(), &rest(1e-3)).yaw_rate / 1e-3;
+        assert!((slope / quotient - 1.0).abs() < 1e-3 && slope > 0.1, "{slope} {quotient}");
+    }
+}
