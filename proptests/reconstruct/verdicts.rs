@@ -134,6 +134,23 @@ fn part_of_the_unknowns_can_be_determined() {
 }
 
 #[test]
+fn what_the_evidence_says_as_good_as_nothing_of_is_named() {
+    let truth = crash(4);
+    let plane = Variable::Input(Input::CrushPlane);
+    let of = |sd| {
+        let question = Reconstruction::of(truth.collision)
+            .between(SPEED_1, 15.0, 0.0, 60.0)
+            .between(plane, 0.0, -0.8, 0.8)
+            .evidence(Measurable::CrushEnergy, truth.measured(Measurable::CrushEnergy), Uncertainty::StandardDeviation(2e3))
+            .evidence(AFTER_1[0].0, truth.measured(AFTER_1[0].0), Uncertainty::StandardDeviation(sd));
+        let answer = question.solve(&Search::default()).expect("it has an answer");
+        answer.best().hardly_determined(&question)
+    };
+    assert_eq!(of(1e-3), []);
+    assert!(of(1e4).contains(&plane));
+}
+
+#[test]
 fn evidence_that_leads_to_the_impossible_says_what_it_meets() {
     // More tangential impulse than ends the sliding.
     let mut truth = crash(5);

@@ -97,7 +97,7 @@ pub struct Reconstruction {
 /// How an answer is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
-    /// How many searches there are: the first from the given starts, the others from points drawn within the bounds.
+    /// How many starts there are: the first the given one, the others drawn within the bounds. With more than one, a few searches beside the solutions follow.
     pub starts: usize,
     /// Seed of those draws.
     pub seed: u64,

@@ -118,7 +118,7 @@ struct Found {
 
 impl Found {
     fn by(model: &Model<'_>, spans: &[Span], starts: &[Vec<f64>], search: &Search) -> Result<Self, Unsolved> {
-        let mut found = Found { minima: Vec::new(), nearest: None, searches: starts.len() };
+        let mut found = Found { minima: Vec::new(), nearest: None, searches: 0 };
         for start in starts {
             found.search_from(start, model, spans, search);
         }
@@ -132,6 +132,7 @@ impl Found {
     }
 
     fn search_from(&mut self, start: &[f64], model: &Model<'_>, spans: &[Span], search: &Search) {
+        self.searches += 1;
         match least_squares::minimum(model, start, spans, search.iterations) {
             Ok(minimum) => self.add(model, spans, minimum),
             Err(NoMinimum::Stopped(stopped)) => {

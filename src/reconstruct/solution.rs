@@ -4,6 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::determined::blind;
+use super::given::Reconstruction;
 use super::measurable::Measurable;
 use super::residuals::Model;
 use super::variable::Variable;
@@ -127,6 +128,20 @@ impl Solution {
     /// Whether chance explains what the evidence is off by.
     pub fn is_explained(&self) -> bool {
         self.probability >= super::Answer::CONTRADICTION
+    }
+
+    /// The unknowns whose standard deviation is larger than all that they may be: than the way between their bounds or, where one is missing, than what such
+    /// numbers differ by at all. The evidence says as good as nothing of them.
+    pub fn hardly_determined(&self, question: &Reconstruction) -> Vec<Variable> {
+        let is_vague = |estimate: &&Estimate| {
+            let unknown = question.unknowns.iter().find(|unknown| unknown.of == estimate.of);
+            let width = unknown.map_or(f64::INFINITY, |unknown| match (unknown.min, unknown.max) {
+                (Some(min), Some(max)) => max - min,
+                _ => 2.0 * unknown.of.spread(unknown.start),
+            });
+            estimate.sd.is_some_and(|sd| sd > width)
+        };
+        self.unknowns.iter().filter(is_vague).map(|estimate| estimate.of).collect()
     }
 
     /// What is known of a minimum.

@@ -45,7 +45,7 @@ pub struct Answer {
     pub not_determined: Vec<Direction>,
     /// With [`Verdict::BoundsExclude`], the solution without the given bounds.
     pub without_bounds: Option<Box<Solution>>,
-    /// How many searches there were, from so many starts.
+    /// How many searches there were: from each start, and beside what those had found.
     pub searches: usize,
     /// How many of them reached a least sum of squares.
     pub converged: usize,

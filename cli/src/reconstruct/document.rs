@@ -30,6 +30,8 @@ pub struct Document<'a> {
     chi_square: f64,
     degrees_of_freedom: usize,
     probability: f64,
+    /// What the evidence says as good as nothing of.
+    hardly_determined: Vec<&'static str>,
     not_determined: Vec<String>,
     /// Every solution that the evidence agrees with; more than one only where it cannot tell them apart.
     solutions: Vec<Alternative>,
@@ -100,6 +102,7 @@ impl<'a> Document<'a> {
             chi_square: best.chi_square,
             degrees_of_freedom: best.degrees_of_freedom,
             probability: best.probability,
+            hardly_determined: best.hardly_determined(&result.question.asked).into_iter().map(|of| of.name()).collect(),
             not_determined: answer.not_determined.iter().map(|direction| wording::direction_in_si(direction, &result.solved)).collect(),
             solutions: if is_agreed { answer.solutions.iter().map(Alternative::of).collect() } else { Vec::new() },
             worse: answer.worse.iter().map(Alternative::of).collect(),

@@ -29,6 +29,10 @@ impl Page<'_> {
                 text.push_str(&wrap(&self.at(estimate, bound), "* "));
             }
         }
+        for of in best.hardly_determined(&self.result.question.asked) {
+            let said = "the evidence says as good as nothing of it, its standard deviation is larger than all that it may be.";
+            text.push_str(&wrap(&format!("{}: {said}", of.name()), "! "));
+        }
         let seeks_ratio = best.unknowns.iter().any(|estimate| estimate.of == Variable::Input(Input::ImpulseRatio));
         if seeks_ratio && matches!(self.result.solved.collision.impulse_ratio, ImpulseRatio::OfCritical(_)) {
             text.push_str(&wrap("contact.impulse_ratio is here the fraction of the critical ratio, as the case gives it.", ""));
