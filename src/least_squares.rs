@@ -139,7 +139,7 @@ impl<R: Residuals> Residual for Scaled<'_, R> {
     type Error = Infallible;
 
     fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
-        // What is not a number makes the trust region smaller.
+        // What is not a number is no better than before, and the damping grows.
         Ok(self.of.at(&self.unscaled(point)).unwrap_or_else(|| alloc::vec![f64::NAN; self.residuals]))
     }
 }
@@ -221,7 +221,7 @@ mod tests {
         assert!(slope[0].abs() < 1e-12, "{minimum:?}");
     }
 
-    /// √x − 1, which is nowhere below zero, and a slope that leads there.
+    /// √x + 1, which there is only above zero, and a slope that leads there.
     struct Edge;
 
     impl Residuals for Edge {

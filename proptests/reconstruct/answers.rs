@@ -76,9 +76,11 @@ fn the_influence_is_the_difference_that_the_evidence_makes() {
 #[test]
 fn the_covariance_is_what_the_errors_of_the_evidence_make() {
     let mut source = Source::of(22);
+    let mut answered = 0;
     for _ in 0..CASES {
         let (_, question) = noisy(&mut source);
         let Ok(answer) = question.solve(&ONE_START) else { continue };
+        answered += 1;
         let best = answer.best();
         let errors: Vec<f64> = best.evidence.iter().chain(&best.priors).map(|fitted| fitted.sd.expect("each has one")).collect();
         for (i, one) in best.influence.iter().enumerate() {
@@ -92,14 +94,18 @@ fn the_covariance_is_what_the_errors_of_the_evidence_make() {
             }
         }
     }
+    // From one start a few end nowhere.
+    assert!(10 * answered >= 9 * (CASES), "{answered}");
 }
 
 #[test]
 fn the_order_of_the_question_does_not_matter_and_its_answer_is_the_same_to_the_bit() {
     let mut source = Source::of(23);
+    let mut answered = 0;
     for _ in 0..CASES / 4 {
         let (_, question) = noisy(&mut source);
         let Ok(answer) = question.solve(&ONE_START) else { continue };
+        answered += 1;
         assert_eq!(question.solve(&ONE_START).as_ref(), Ok(&answer));
         let mut turned = question.clone();
         turned.evidence.reverse();
@@ -110,32 +116,40 @@ fn the_order_of_the_question_does_not_matter_and_its_answer_is_the_same_to_the_b
             assert!((unknown.value - other.value).abs() < 1e-7, "{} {}", unknown.value, other.value);
         }
     }
+    // From one start a few end nowhere.
+    assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
 #[test]
 fn correlated_evidence_counts_by_the_inverse_of_its_covariance() {
     let mut source = Source::of(24);
+    let mut answered = 0;
     for _ in 0..CASES / 4 {
         let (_, mut question) = noisy(&mut source);
         let coefficient = source.between(-0.9, 0.9);
         let (one, other) = (EVIDENCE[1], EVIDENCE[2]);
         question.correlations = vec![Correlation { one, other, coefficient }];
         let Ok(answer) = question.solve(&ONE_START) else { continue };
+        answered += 1;
         let best = answer.best();
         let z: Vec<f64> = best.evidence.iter().chain(&best.priors).filter_map(Fitted::standardised_residual).collect();
         let pair = (z[1] * z[1] - 2.0 * coefficient * z[1] * z[2] + z[2] * z[2]) / (1.0 - coefficient * coefficient);
         let rest: f64 = (0..z.len()).filter(|i| ![1, 2].contains(i)).map(|i| z[i] * z[i]).sum();
         assert!((best.chi_square - pair - rest).abs() < 1e-9 * (1.0 + best.chi_square), "{} {}", best.chi_square, pair + rest);
     }
+    // From one start a few end nowhere.
+    assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
 #[test]
 fn what_is_exact_is_met_and_adds_no_uncertainty() {
     let mut source = Source::of(25);
+    let mut answered = 0;
     for _ in 0..CASES / 4 {
         let (_, mut question) = noisy(&mut source);
         question.evidence[0].uncertainty = Uncertainty::Exact;
         let Ok(answer) = question.solve(&ONE_START) else { continue };
+        answered += 1;
         let best = answer.best();
         assert!(best.evidence[0].residual.abs() < 1e-4 * best.evidence[0].given && best.evidence[0].standardised_residual().is_none());
         let exact = best.unknowns[0].sd;
@@ -147,6 +161,8 @@ fn what_is_exact_is_met_and_adds_no_uncertainty() {
             assert!((exact - near).abs() < 1e-4, "{exact} {near}");
         }
     }
+    // From one start a few end nowhere.
+    assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
 #[test]

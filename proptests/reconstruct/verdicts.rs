@@ -162,7 +162,7 @@ fn evidence_that_leads_to_the_impossible_says_what_it_meets() {
         .unknown(Variable::Input(Input::ImpulseRatio), 0.5 * critical)
         .evidence(Measurable::Output(Output::YawRate(Side::One)), beyond.one.after.yaw_rate, Uncertainty::StandardDeviation(0.01))
         .evidence(Measurable::Output(Output::YawRate(Side::Two)), beyond.two.after.yaw_rate, Uncertainty::StandardDeviation(0.01));
-    let Err(Unsolved::NotConverged { nearest, searches }) = question.solve(&Search::default()) else { panic!("it has no answer") };
+    let Err(Unsolved::NotConverged { nearest, searches, .. }) = question.solve(&Search::default()) else { panic!("it has no answer") };
     assert!(searches > 1 && nearest.chi_square > 10.0 && nearest.step > 0.0);
     let refusals = nearest.beyond.expect("the mechanics refuses what lies there");
     assert!(matches!(refusals.reasons(), [Refusal::BeyondCritical { .. }]), "{refusals}");
@@ -174,9 +174,28 @@ fn too_few_steps_are_no_answer() {
     let truth = crash(6);
     let search = Search { starts: 3, iterations: 1, ..Search::default() };
     let unsolved = speeds(&truth, &[AFTER_1[0], (Measurable::CrushEnergy, 1e3)]).solve(&search);
-    let Err(Unsolved::NotConverged { nearest, searches: 3 }) = unsolved else { panic!("{unsolved:?}") };
+    let Err(Unsolved::NotConverged { nearest, searches: 3, converged: 0 }) = &unsolved else { panic!("{unsolved:?}") };
     assert!(nearest.beyond.is_none() && nearest.step > 1e-9);
-    assert!(Unsolved::NotConverged { nearest, searches: 3 }.to_string().contains("chi-square"));
+    let text = unsolved.expect_err("as matched").to_string();
+    assert!(text.starts_with("none of 3 searches converged; the nearest stopped after ") && text.contains("chi-square"), "{text}");
+}
+
+#[test]
+fn a_moment_is_found_from_none() {
+    let truth = crash(12);
+    for (moment, none) in [(Moment::Given(800.0), Moment::Given(0.0)), (Moment::OfCritical(0.4), Moment::OfCritical(0.0))] {
+        let turned = Truth::of(Collision { moment, ..truth.collision }, 0.5);
+        let of = Measurable::Output(Output::YawRate(Side::Two));
+        let asked = Variable::Input(Input::Moment);
+        let question = Reconstruction::of(Collision { moment: none, ..truth.collision }).unknown(asked, 0.0).evidence(
+            of,
+            turned.measured(of),
+            Uncertainty::StandardDeviation(0.05),
+        );
+        let answer = question.solve(&Search::default()).expect("it has an answer");
+        assert_eq!(answer.verdict, Verdict::Agrees);
+        assert!((answer.best().unknowns[0].value - turned.variable(asked)).abs() < 1e-6, "{:?}", answer.best().unknowns);
+    }
 }
 
 #[test]

@@ -56,11 +56,17 @@ pub(super) fn weakest(derivatives: &DMatrix<f64>) -> Option<Vec<f64>> {
     Some(last)
 }
 
+/// Whether a part of a direction is more than rounding beside its largest.
+pub(super) fn is_moved(part: f64, direction: &[f64]) -> bool {
+    let largest = direction.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
+    part.abs() > 1e-6 * largest
+}
+
 /// A direction in scales, in units, without what is rounding.
 pub(super) fn named(direction: &[f64], variables: &[Variable], scales: &[f64]) -> Direction {
     let largest = direction.iter().fold(0.0_f64, |largest, part| if part.abs() > largest.abs() { *part } else { largest });
     let part = |i: usize| (variables[i], direction[i] / largest * scales[i]);
-    let moves = |i: &usize| direction[*i].abs() > 1e-6 * largest.abs();
+    let moves = |i: &usize| is_moved(direction[*i], direction);
     Direction { parts: (0..direction.len()).filter(moves).map(part).collect() }
 }
 

@@ -131,6 +131,7 @@ pub struct Stop {
 
 /// Why a question has no answer.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Unsolved {
     /// It cannot be asked.
     Problems(Problems),
@@ -141,10 +142,12 @@ pub enum Unsolved {
         /// Why it is refused at the first.
         refusals: Refusals,
     },
-    /// No search reached a least sum of squares.
+    /// No search reached a least sum of squares; or none reached one as low as where another had to stop, and none that the evidence agrees with.
     NotConverged {
         /// How many searches there were.
         searches: usize,
+        /// How many of them reached a least sum of squares, higher than where the nearest stopped.
+        converged: usize,
         /// Where the best of them stopped.
         nearest: Stop,
     },
@@ -341,8 +344,12 @@ impl fmt::Display for Unsolved {
             Unsolved::NoStart { starts, refusals } => {
                 write!(f, "the collision is refused at each of {starts} starts; at the first, {refusals}")
             }
-            Unsolved::NotConverged { searches, nearest } => {
-                write!(f, "none of {searches} searches converged; the nearest stopped after {} steps at ", nearest.iterations)?;
+            Unsolved::NotConverged { searches, converged, nearest } => {
+                match converged {
+                    0 => write!(f, "none of {searches} searches converged; ")?,
+                    _ => write!(f, "{converged} of {searches} searches converged, none as low as where another had to stop; ")?,
+                }
+                write!(f, "the nearest stopped after {} steps at ", nearest.iterations)?;
                 for (of, value) in &nearest.unknowns {
                     write!(f, "{} = {value}, ", of.name())?;
                 }

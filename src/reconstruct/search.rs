@@ -47,7 +47,11 @@ impl Reconstruction {
 
 fn span(question: &Reconstruction, unknown: &Unknown) -> Span {
     let (least, most) = unknown.of.domain(&question.collision);
-    Span { min: unknown.min.unwrap_or(least), max: unknown.max.unwrap_or(most), scale: unknown.of.scale(unknown.start) }
+    Span {
+        min: unknown.min.unwrap_or(least),
+        max: unknown.max.unwrap_or(most),
+        scale: unknown.of.scale(&question.collision, unknown.start),
+    }
 }
 
 /// Where the searches start: where the question says, and at points drawn at random. The mechanics refuses none of them.
@@ -61,7 +65,7 @@ fn starts(model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Vec<Vec<
     let mut random = ChaCha8Rng::seed_from_u64(search.seed);
     while starts.len() < search.starts.max(1) {
         let drawn = (0..DRAWS).find_map(|_| {
-            let point: Vec<f64> = (0..spans.len()).map(|i| draw(&model.question.unknowns[i], &spans[i], &mut random)).collect();
+            let point: Vec<f64> = (0..spans.len()).map(|i| draw(model.question, i, &spans[i], &mut random)).collect();
             model.at(&point).map(|_| point)
         });
         match drawn {
@@ -96,12 +100,13 @@ fn speed_alone(question: &Reconstruction) -> Option<f64> {
 }
 
 /// A value of an unknown: anywhere between its bounds; where one is missing, as far from the start as such unknowns are apart; by its prior where it has one.
-fn draw(unknown: &Unknown, span: &Span, random: &mut ChaCha8Rng) -> f64 {
+fn draw(question: &Reconstruction, i: usize, span: &Span, random: &mut ChaCha8Rng) -> f64 {
+    let unknown = &question.unknowns[i];
     if let Some(sd) = unknown.prior {
         let normal: f64 = random.sample(StandardNormal);
         return (unknown.start + 3.0 * sd * normal).clamp(span.min, span.max);
     }
-    let spread = unknown.of.spread(unknown.start);
+    let spread = unknown.of.spread(&question.collision, unknown.start);
     let from = if span.min.is_finite() { span.min } else { unknown.start.min(span.max) - spread };
     let to = if span.max.is_finite() { span.max } else { unknown.start.max(span.min) + spread };
     from + (to - from) * random.random::<f64>()
@@ -187,6 +192,10 @@ impl Found {
         }
     }
 
+    fn converged(&self) -> usize {
+        self.minima.iter().map(|(_, searches)| searches).sum()
+    }
+
     fn not_converged(&self, model: &Model<'_>) -> Unsolved {
         let stopped = self.nearest.clone().unwrap_or(Stopped {
             unknowns: Vec::new(),
@@ -198,6 +207,7 @@ impl Found {
         let name = |(unknown, value): (&Unknown, &f64)| (unknown.of, *value);
         Unsolved::NotConverged {
             searches: self.searches,
+            converged: self.converged(),
             nearest: Stop {
                 unknowns: model.question.unknowns.iter().zip(&stopped.unknowns).map(name).collect(),
                 chi_square: stopped.sum_of_squares,
@@ -209,7 +219,7 @@ impl Found {
     }
 
     fn answer(self, model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Answer, Unsolved> {
-        let converged = self.minima.iter().map(|(_, searches)| searches).sum();
+        let converged = self.converged();
         let solution = |(minimum, searches): &(Minimum, usize)| Solution::of(model, minimum, spans, *searches).ok();
         let best_minimum = &self.minima[0];
         let Some(best) = solution(best_minimum) else { return Err(self.not_converged(model)) };

@@ -3,7 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::determined::blind;
+use super::determined::{blind, is_moved};
 use super::given::Reconstruction;
 use super::measurable::Measurable;
 use super::residuals::Model;
@@ -11,7 +11,6 @@ use super::variable::Variable;
 use crate::collision::Collision;
 use crate::impact::Impact;
 use crate::least_squares::{Bound, Minimum, Span};
-use crate::refusal::Refusals;
 
 /// One unknown, found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +136,7 @@ impl Solution {
             let unknown = question.unknowns.iter().find(|unknown| unknown.of == estimate.of);
             let width = unknown.map_or(f64::INFINITY, |unknown| match (unknown.min, unknown.max) {
                 (Some(min), Some(max)) => max - min,
-                _ => 2.0 * unknown.of.spread(unknown.start),
+                _ => 2.0 * unknown.of.spread(&question.collision, unknown.start),
             });
             estimate.sd.is_some_and(|sd| sd > width)
         };
@@ -145,18 +144,17 @@ impl Solution {
     }
 
     /// What is known of a minimum.
-    pub(super) fn of(model: &Model<'_>, minimum: &Minimum, spans: &[Span], searches: usize) -> Result<Self, Refusals> {
+    pub(super) fn of(model: &Model<'_>, minimum: &Minimum, spans: &[Span], searches: usize) -> Result<Self, NoUncertainty> {
         let values = &minimum.unknowns;
-        let (placed, impact) = model.solve(values)?;
-        let computed = model.computed(values)?;
+        let (placed, impact) = model.solve(values).map_err(|_| NoUncertainty)?;
+        let computed = model.computed(values).map_err(|_| NoUncertainty)?;
         let residuals = DVector::from_vec(model.residuals(&computed));
         let slopes = Slopes::of(model, minimum, spans);
-        let unscaled = |i: usize| spans[i].scale;
-        let influence = slopes.influence(model, minimum, spans, &residuals);
+        let influence = slopes.influence(model, minimum, spans, &residuals).ok_or(NoUncertainty)?;
         let errors = model.weights.covariance(model.question, &model.evidence);
         let covariance = &influence * &errors * influence.transpose();
         let has_errors = errors.iter().any(|entry| *entry != 0.0);
-        let moves = |i: usize| slopes.blind.iter().any(|direction| (direction[i] * unscaled(i)).abs() > 1e-6 * unscaled(i));
+        let moves = |i: usize| slopes.blind.iter().any(|direction| is_moved(direction[i], direction));
         let estimate = |i: usize| {
             let is_determined = !moves(i);
             let has_sd = has_errors && is_determined && !minimum.is_held[i];
@@ -200,6 +198,10 @@ impl Solution {
     }
 }
 
+/// A minimum of which nothing can be said: its curvature is lost in rounding.
+#[derive(Debug)]
+pub(super) struct NoUncertainty;
+
 /// The probability of a χ² this large or larger. With nothing left over, any that is not nothing is asked as if there were one.
 fn probability(chi_square: f64, degrees_of_freedom: usize) -> f64 {
     /// What χ² rounding leaves.
@@ -239,9 +241,9 @@ impl Slopes {
     }
 
     /// How the unknowns move with the evidence: the point where the slope of ½χ² is zero moves with what moves the slope.
-    fn influence(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> DMatrix<f64> {
+    fn influence(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> Option<DMatrix<f64>> {
         if self.determined.ncols() == 0 {
-            return DMatrix::zeros(spans.len(), model.evidence.len());
+            return Some(DMatrix::zeros(spans.len(), model.evidence.len()));
         }
         let weighted = self.weighted(model);
         let straight = weighted.transpose() * &self.derivatives;
@@ -253,8 +255,7 @@ impl Slopes {
         let curved = within(&straight - bent);
         let is_finite = curved.iter().all(|entry| entry.is_finite());
         let inverse = is_finite.then(|| Cholesky::new(curved)).flatten().or_else(|| Cholesky::new(within(straight)));
-        let Some(inverse) = inverse else { return DMatrix::zeros(spans.len(), model.evidence.len()) };
-        scales * seen * inverse.solve(&(seen.transpose() * weighted.transpose()))
+        Some(scales * seen * inverse?.solve(&(seen.transpose() * weighted.transpose())))
     }
 
     /// The inverse covariance of the evidence times its derivatives.

@@ -82,6 +82,7 @@ impl Variable {
         match self {
             Variable::Input(Input::Restitution) | Variable::CrushShare => (0.0, 1.0),
             Variable::Input(Input::ImpulseRatio) if of_critical => (0.0, 1.0),
+            Variable::Input(Input::Moment) if matches!(collision.moment, Moment::OfCritical(_)) => (0.0, 1.0),
             Variable::Input(Input::ImpulseRatio) if matches!(collision.impulse_ratio, ImpulseRatio::LimitedByFriction(_)) => {
                 (0.0, f64::INFINITY)
             }
@@ -91,22 +92,24 @@ impl Variable {
     }
 
     /// A change that matters, in its unit.
-    pub(super) fn scale(self, value: f64) -> f64 {
+    pub(super) fn scale(self, collision: &Collision, value: f64) -> f64 {
         match self {
             Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
-            Variable::Input(Input::Mass(_) | Input::YawInertia(_) | Input::Moment) => (0.1 * value.abs()).max(f64::MIN_POSITIVE),
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => (0.1 * value.abs()).max(f64::MIN_POSITIVE),
+            Variable::Input(Input::Moment) if matches!(collision.moment, Moment::Given(_)) => (0.1 * value.abs()).max(100.0),
             Variable::CrushShare | Variable::Input(_) => 0.1,
         }
     }
 
     /// How far from the start other starts lie, where no bound says so.
-    pub(super) fn spread(self, value: f64) -> f64 {
+    pub(super) fn spread(self, collision: &Collision, value: f64) -> f64 {
         match self {
             Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => 20.0,
             Variable::Input(Input::YawRate(_)) => 5.0,
             Variable::Input(Input::Heading(_)) => PI,
             Variable::Input(Input::CrushPlane) => FRAC_PI_2,
-            Variable::Input(Input::Mass(_) | Input::YawInertia(_) | Input::Moment) => 0.5 * value.abs(),
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => 0.5 * value.abs(),
+            Variable::Input(Input::Moment) if matches!(collision.moment, Moment::Given(_)) => (0.5 * value.abs()).max(1000.0),
             Variable::CrushShare | Variable::Input(_) => 1.0,
         }
     }

@@ -6,8 +6,10 @@ use super::variable::Variable;
 
 /// What the solutions are worth. Only of [`Verdict::Agrees`] can the best be taken as the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Verdict {
-    /// There is one solution, and the evidence agrees with it.
+    /// There is one solution, and the evidence agrees with it. That does not say how well it is known: see the standard deviations, and
+    /// [`Solution::hardly_determined`].
     Agrees,
     /// There are several solutions that the evidence agrees with.
     SeveralSolutions,
@@ -56,6 +58,10 @@ impl Answer {
     pub const CONTRADICTION: f64 = 1e-3;
 
     /// The best solution.
+    ///
+    /// # Panics
+    ///
+    /// When all solutions have been taken out of the answer.
     pub fn best(&self) -> &Solution {
         &self.solutions[0]
     }

@@ -5,7 +5,8 @@ use crate::input::Input;
 use crate::least_squares::Bound;
 use crate::reconstruct::{Reconstruction, Solution, Variable};
 
-/// The closing speed along the normal, in m/s, up to which bumpers spring back: velocity changes of 2 to 5 mph of the vehicle that is struck.
+/// The closing speed along the normal, in m/s, up to which bumpers spring back. A velocity change of up to 5 mph of the vehicle that is struck, of the same mass, is a closing speed
+/// 2 ΔV/(1 + e) of up to 3.4 m/s at e = 0.3.
 const LOW_SPEED: f64 = 3.5;
 
 /// The restitution is one that tests show at this closing speed.
@@ -13,7 +14,11 @@ pub(super) fn restitution(solution: &Solution) -> Finding {
     let closing = solution.impact.approach.n.abs();
     let e = solution.collision.restitution;
     let (least, most, source) = if closing <= LOW_SPEED {
-        (0.2, 0.4, "SAE 931842: 0.2 to 0.4 at velocity changes of 2 to 5 mph")
+        (
+            0.2,
+            0.4,
+            "SAE 931842: 0.2 to 0.4 in rear impacts with velocity changes of 2 to 5 mph, here taken for closing speeds up to 3.5 m/s",
+        )
     } else {
         (0.0, 0.3, "the paper, on choosing e: 0 to 0.3 in most collisions of light vehicles, most of them low")
     };
@@ -61,8 +66,10 @@ pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
         "sliding has ended, or nearly, as in most collisions"
     } else if (0.0..0.9).contains(&share) {
         "the vehicles slide past each other to the end. That is a sideswipe; the traces of it should be there"
-    } else {
+    } else if share > 1.0 {
         "more than ends the sliding. Something snagged, or the crush plane is another"
+    } else {
+        "it works against the end of the sliding. Something snagged, or the crush plane is another"
     };
     let meaning = Meaning::of("mu is ")
         .figure(Figure::Number(ratio))

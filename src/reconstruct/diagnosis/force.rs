@@ -13,7 +13,7 @@ const NEEDS_BOTH: &str = "not checked: it needs the crush of two vehicles, with 
 /// Newton's third law: the force that each crush has taken at its end is the same.
 pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
     let limit = Limit::AtMost(Figure::Share(1.0));
-    let source = "EDCRASH's run-time diagnostics: 100 % of the smaller force";
+    let source = "EDCRASH's run-time diagnostics: 100 %, here of the smaller force";
     let forces = damage.map(|damage| damage.and_then(|damage| Some((damage, damage.force?))));
     let [Some(one), Some(two)] = forces else { return Finding::not_checked(Question::ForceBalance, limit, source, NEEDS_BOTH) };
     let principal = [(one, &solution.collision.one), (two, &solution.collision.two)].map(|((damage, normal), party)| {
@@ -53,8 +53,7 @@ fn push(party: &Party, origin: ForceOrigin) -> Option<Xy> {
 pub(super) fn opposite(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
     // Two directions, each with a standard deviation of 12.6°, and two standard deviations of their difference.
     let limit = Limit::AtMost(Figure::Angle((2.0 * 12.6 * 2.0_f64.sqrt()).to_radians()));
-    let source =
-        "Johnson and Gabler: PDOFs read off vehicles are 12.6 deg off (one standard deviation); two standard deviations of two of them";
+    let source = "Johnson and Gabler, side crashes: PDOFs read off vehicles are 12.6 deg off (one standard deviation); two standard deviations of two of them";
     let read_off = |i: usize, party| damage[i].and_then(|damage| push(party, damage.force_origin?));
     match (read_off(0, &solution.collision.one), read_off(1, &solution.collision.two)) {
         (Some(one), Some(two)) => {
