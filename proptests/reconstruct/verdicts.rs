@@ -118,6 +118,68 @@ fn what_is_open_is_named_with_how_it_moves() {
 }
 
 #[test]
+fn evidence_that_no_unknown_moves_is_none() {
+    // With plane and ratio given the force has one direction, whatever the speeds are.
+    let mut truth = crash(13);
+    truth.collision.impulse_ratio = ImpulseRatio::Given(truth.impact.impulse_ratio());
+    let truth = Truth::of(truth.collision, 0.5);
+    let pdof = Measurable::Output(Output::PrincipalDirectionOfForce(Side::One));
+    let answer = speeds(&truth, &[(Measurable::Output(Output::YawRate(Side::One)), 0.1), (pdof, 0.05)]).solve(&Search::default());
+    assert_eq!(answer.expect("it has one of many").verdict, Verdict::Undetermined);
+}
+
+#[test]
+fn an_angle_comes_back_as_the_turn_that_is_nearest_to_its_start() {
+    let truth = crash(14);
+    let plane = Variable::Input(Input::CrushPlane);
+    for turns in [-3.0, 0.0, 5.0] {
+        let start = truth.variable(plane) + 0.1 + turns * std::f64::consts::PI;
+        let of = Measurable::DeltaVLeft(Side::One);
+        let question =
+            Reconstruction::of(truth.collision).unknown(plane, start).evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.1));
+        let answer = question.solve(&Search::default()).expect("it has an answer");
+        for solution in &answer.solutions {
+            assert!(
+                (solution.unknowns[0].value - start).abs() <= std::f64::consts::FRAC_PI_2,
+                "{} from {start}",
+                solution.unknowns[0].value
+            );
+        }
+    }
+}
+
+#[test]
+fn where_the_slope_has_nothing_to_say_curvature_does_not_make_it_sure() {
+    // The share of the normal work is least where the plane is square to the approach: there, to first order, it says nothing of the plane.
+    let car = Vehicle {
+        mass: 1500.0,
+        yaw_inertia: 2500.0,
+        heading: Heading::from_angle(0.0),
+        impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
+        motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
+    };
+    let collision = Collision {
+        one: car.into(),
+        two: Party::Barrier,
+        crush_plane: CrushPlane::from_angle(1e-4),
+        restitution: 0.1,
+        impulse_ratio: ImpulseRatio::Critical,
+        law: Law::Brach,
+        moment: Moment::None,
+    };
+    let (plane, truth) = (Variable::Input(Input::CrushPlane), Truth::of(collision, 1.0));
+    // More than any plane has: the best is square, where the residual bends and nothing slopes.
+    let question = Reconstruction::of(collision).between(plane, 1e-3, -0.6, 0.6).evidence(
+        Measurable::CrushEnergy,
+        1.05 * truth.measured(Measurable::CrushEnergy),
+        Uncertainty::StandardDeviation(0.05 * truth.measured(Measurable::CrushEnergy)),
+    );
+    let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
+    let vague = answer.best().hardly_determined(&question);
+    assert!(answer.verdict == Verdict::Undetermined || vague == [plane], "{answer:?}");
+}
+
+#[test]
 fn part_of_the_unknowns_can_be_determined() {
     // ΔV of one vehicle gives its speed against a standing one; nothing is said of the share of the crush energy.
     let truth = crash(4);

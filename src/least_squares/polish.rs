@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SVD};
 
 use super::{Bound, CONVERGED, Minimum, Residuals, Span, Stopped};
 
@@ -13,7 +13,7 @@ const STEPS: usize = 60;
 const SLOW: usize = 6;
 
 /// Shares of the largest singular value below which a direction moves no residual.
-pub(crate) const NOTHING: f64 = 1e-11;
+const NOTHING: f64 = 1e-11;
 
 /// How near to a bound, in scales, counts as on it.
 const ON_BOUND: f64 = 1e-9;
@@ -87,14 +87,19 @@ impl Point {
         for taken in 0..at_most {
             let last = step;
             let Some(jacobian) = slopes(of, &self.unknowns, spans) else { return taken };
-            let bend = if taken < SLOW { None } else { of.bend(&self.unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans)) };
-            let wanted = wanted_step(&jacobian, bend.as_ref(), &self.residuals, &self.unknowns, spans);
-            self.asked = wanted.amax();
-            let Some(tried) = shortened(of, &self.unknowns, &wanted, spans, self.residuals.norm_squared()) else {
-                // Nothing that is possible is better: the end, if hardly anything was asked for.
-                self.toward = moved(&self.unknowns, &wanted, spans);
-                return taken;
+            let curved = || of.bend(&self.unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans));
+            let sum = self.residuals.norm_squared();
+            let (mut asked, mut toward) = (0.0, Vec::new());
+            let mut try_with = |bend: Option<DMatrix<f64>>| {
+                let wanted = wanted_step(&jacobian, bend.as_ref(), &self.residuals, &self.unknowns, spans);
+                (asked, toward) = (wanted.amax(), moved(&self.unknowns, &wanted, spans));
+                shortened(of, &self.unknowns, &wanted, spans, sum)
             };
+            let straight = if taken < SLOW { try_with(None) } else { None };
+            // Where straight lines lead nowhere better parabolas may. Where these do not either: the end, if hardly anything was asked for.
+            let tried = straight.or_else(|| try_with(curved()));
+            (self.asked, self.toward) = (asked, toward);
+            let Some(tried) = tried else { return taken };
             step = distance(&self.unknowns, &tried.unknowns, spans);
             (self.unknowns, self.residuals) = (tried.unknowns, tried.residuals);
             if self.asked <= CONVERGED && step >= last / 2.0 || step == 0.0 {
@@ -155,7 +160,9 @@ fn wanted_step(
 
 /// The step of some unknowns to where straight lines have the least sum of squares; the others move by `step`.
 fn gauss_newton(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, step: &DVector<f64>, free: &[usize]) -> Option<DVector<f64>> {
-    let svd = jacobian.select_columns(free).svd(true, true);
+    /// More rotations than any matrix of this size takes.
+    const ROTATIONS: usize = 10_000;
+    let svd = SVD::try_new(jacobian.select_columns(free), true, true, f64::EPSILON, ROTATIONS)?;
     let cutoff = svd.singular_values.max() * NOTHING;
     svd.solve(&(residuals + jacobian * step), cutoff).ok()
 }

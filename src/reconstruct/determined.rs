@@ -1,11 +1,24 @@
 //! What the evidence determines, by singular values.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Dyn, SVD};
 
 use super::variable::Variable;
 
 /// The share of the largest singular value below which a direction changes no piece of evidence.
 const NOTHING: f64 = 1e-9;
+
+/// What is rounding in a derivative beside what it is the derivative of.
+const ROUNDING: f64 = 1e-11;
+
+/// Singular values and directions; none where there are none, as of what is not a number.
+fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
+    /// More rotations than any matrix of this size takes.
+    const ROTATIONS: usize = 10_000;
+    if matrix.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
+    SVD::try_new(matrix, false, true, f64::EPSILON, ROTATIONS)
+}
 
 /// A way in which the unknowns can move together without any piece of evidence noticing, to first order.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,8 +36,9 @@ impl Direction {
 
 /// The directions of the unknowns that no evidence notices, from derivatives of the evidence by the unknowns in their scales.
 ///
-/// Rows are brought to the same size first: how well a piece of evidence is known says nothing of what it is evidence of.
-pub(super) fn blind(derivatives: &DMatrix<f64>) -> Vec<Vec<f64>> {
+/// Rows are brought to the same size first: how well a piece of evidence is known says nothing of what it is evidence of. A row that is rounding beside the
+/// `sizes` of what it is the derivative of is none.
+pub(super) fn blind(derivatives: &DMatrix<f64>, sizes: &[f64]) -> Vec<Vec<f64>> {
     let unknowns = derivatives.ncols();
     // Bounds hold them all.
     if unknowns == 0 {
@@ -32,13 +46,13 @@ pub(super) fn blind(derivatives: &DMatrix<f64>) -> Vec<Vec<f64>> {
     }
     let rows = derivatives.nrows().max(unknowns);
     let mut matrix = DMatrix::zeros(rows, unknowns);
-    for (mut to, from) in matrix.row_iter_mut().zip(derivatives.row_iter()) {
-        let size = from.norm();
-        if size > 0.0 {
-            to.copy_from(&(from / size));
+    for ((mut to, from), size) in matrix.row_iter_mut().zip(derivatives.row_iter()).zip(sizes) {
+        let length = from.norm();
+        if length > ROUNDING * size {
+            to.copy_from(&(from / length));
         }
     }
-    let svd = matrix.svd(false, true);
+    let Some(svd) = decomposed(matrix) else { return Vec::new() };
     let Some(directions) = svd.v_t else { return Vec::new() };
     let largest = svd.singular_values.max();
     let is_blind = |k: &usize| svd.singular_values[*k] <= NOTHING * largest;
@@ -50,7 +64,7 @@ pub(super) fn weakest(derivatives: &DMatrix<f64>) -> Option<Vec<f64>> {
     if derivatives.is_empty() {
         return None;
     }
-    let svd = derivatives.clone().svd(false, true);
+    let svd = decomposed(derivatives.clone())?;
     // Singular values are in descending order.
     let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
     Some(last)
@@ -78,7 +92,7 @@ mod tests {
     #[test]
     fn a_sum_alone_does_not_tell_its_terms() {
         let sum = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 3e5, 3e5]);
-        let blind = blind(&sum);
+        let blind = blind(&sum, &[1.0; 2]);
         assert_eq!(blind.len(), 1);
         let direction = named(&blind[0], &[Variable::Speed(Side::One), Variable::Speed(Side::Two)], &[1.0, 1.0]);
         let [(_, one), (_, two)] = direction.parts[..] else { panic!("{direction:?}") };
@@ -87,8 +101,22 @@ mod tests {
 
     #[test]
     fn weak_evidence_is_evidence() {
-        assert!(blind(&DMatrix::from_row_slice(2, 2, &[1e6, 0.0, 0.0, 1e-6])).is_empty());
-        assert_eq!(blind(&DMatrix::from_row_slice(1, 2, &[1.0, 0.0])).len(), 1);
-        assert_eq!(blind(&DMatrix::zeros(2, 2)).len(), 2);
+        assert!(blind(&DMatrix::from_row_slice(2, 2, &[1e6, 0.0, 0.0, 1e-6]), &[1.0; 2]).is_empty());
+        assert_eq!(blind(&DMatrix::from_row_slice(1, 2, &[1.0, 0.0]), &[1.0]).len(), 1);
+        assert_eq!(blind(&DMatrix::zeros(2, 2), &[1.0; 2]).len(), 2);
+    }
+
+    #[test]
+    fn rounding_is_no_evidence() {
+        let derivatives = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 3e-16, -1e-16]);
+        assert_eq!(blind(&derivatives, &[20.0, 1.0]).len(), 1);
+        assert!(blind(&derivatives, &[20.0, 1e-12]).is_empty());
+    }
+
+    #[test]
+    fn what_is_no_number_has_no_directions() {
+        let derivatives = DMatrix::from_row_slice(2, 2, &[1.0, f64::NAN, f64::INFINITY, 1.0]);
+        assert!(blind(&derivatives, &[1.0; 2]).len() <= 2);
+        assert_eq!(weakest(&derivatives), None);
     }
 }

@@ -26,6 +26,23 @@ impl<'a> Model<'a> {
         Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question }
     }
 
+    /// The same with nothing held to less than a thousandth of its size: an easier way to near the solution. None where that is the same, or where all is held
+    /// so.
+    pub(super) fn softened(&self) -> Option<Self> {
+        /// The share of its size.
+        const SOFT: f64 = 1e-3;
+        let softest = |evidence: &Evidence| SOFT * evidence.value.abs().max(evidence.of.least_size());
+        let is_tight = |evidence: &Evidence| evidence.weight_scale() < softest(evidence);
+        if !self.evidence.iter().any(is_tight) || self.evidence.iter().all(is_tight) {
+            return None;
+        }
+        let mut soft = Model::of(self.question);
+        for (scale, evidence) in soft.weights.scales.iter_mut().zip(&self.evidence) {
+            *scale = scale.max(softest(evidence));
+        }
+        Some(soft)
+    }
+
     /// The collision at given unknowns and its impact.
     pub(super) fn solve(&self, unknowns: &[f64]) -> Result<(Placed<f64>, Impact), Refusals> {
         let placed = self.scene.place(unknowns);

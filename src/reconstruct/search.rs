@@ -26,7 +26,7 @@ const SAME: f64 = 1e-5;
 const NEARLY_AS_GOOD: f64 = 10.83;
 
 /// How often a start is drawn again where the mechanics refuses it.
-const DRAWS: usize = 20;
+const DRAWS: usize = 200;
 
 impl Reconstruction {
     /// Searches for every set of unknowns that the evidence is likeliest with.
@@ -112,6 +112,12 @@ fn draw(question: &Reconstruction, i: usize, span: &Span, random: &mut ChaCha8Rn
     from + (to - from) * random.random::<f64>()
 }
 
+/// An angle, as the turn of it that is nearest to the start, as far as the bounds allow.
+fn nearest_turn(x: f64, unknown: &Unknown, span: &Span) -> f64 {
+    let turned = unknown.of.period().map_or(x, |period| x - period * ((x - unknown.start) / period).round());
+    if (span.min..=span.max).contains(&turned) { turned } else { x }
+}
+
 /// Where the searches ended.
 struct Found {
     /// Different least sums of squares with how many searches ended there, the least first.
@@ -138,6 +144,8 @@ impl Found {
 
     fn search_from(&mut self, start: &[f64], model: &Model<'_>, spans: &[Span], search: &Search) {
         self.searches += 1;
+        let near = model.softened().and_then(|soft| least_squares::minimum(&soft, start, spans, search.iterations).ok());
+        let start = near.as_ref().map_or(start, |near| &near.unknowns);
         match least_squares::minimum(model, start, spans, search.iterations) {
             Ok(minimum) => self.add(model, spans, minimum),
             Err(NoMinimum::Stopped(stopped)) => {
@@ -171,7 +179,10 @@ impl Found {
         starts
     }
 
-    fn add(&mut self, model: &Model<'_>, spans: &[Span], minimum: Minimum) {
+    fn add(&mut self, model: &Model<'_>, spans: &[Span], mut minimum: Minimum) {
+        for ((x, span), unknown) in minimum.unknowns.iter_mut().zip(spans).zip(&model.question.unknowns) {
+            *x = nearest_turn(*x, unknown, span);
+        }
         let is_same = |other: &Minimum| {
             let far = |i: usize| {
                 let between = minimum.unknowns[i] - other.unknowns[i];
@@ -197,13 +208,15 @@ impl Found {
     }
 
     fn not_converged(&self, model: &Model<'_>) -> Unsolved {
-        let stopped = self.nearest.clone().unwrap_or(Stopped {
-            unknowns: Vec::new(),
-            sum_of_squares: f64::NAN,
-            step: f64::NAN,
-            iterations: 0,
+        let best = self.minima.first().map(|(minimum, _)| Stopped {
+            unknowns: minimum.unknowns.clone(),
+            sum_of_squares: minimum.sum_of_squares,
+            step: 0.0,
+            iterations: minimum.iterations,
             toward: Vec::new(),
         });
+        let nowhere = Stopped { unknowns: Vec::new(), sum_of_squares: f64::NAN, step: f64::NAN, iterations: 0, toward: Vec::new() };
+        let stopped = self.nearest.clone().or(best).unwrap_or(nowhere);
         let name = |(unknown, value): (&Unknown, &f64)| (unknown.of, *value);
         Unsolved::NotConverged {
             searches: self.searches,

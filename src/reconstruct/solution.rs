@@ -58,7 +58,8 @@ pub struct Solution {
     pub evidence: Vec<Fitted>,
     /// The priors, in the order of the unknowns that have one.
     pub priors: Vec<Fitted>,
-    /// The covariance of the unknowns that follows from that of the evidence, in SI. Zero for what a bound holds.
+    /// The covariance of the unknowns that follows from that of the evidence by the influence, in SI; at a fold, where that makes an unknown too sure, by the slopes
+    /// alone. Zero for what a bound holds.
     pub covariance: Symmetric,
     /// How the unknowns move per unit of each piece of evidence and then of each prior, in SI: a row for each unknown.
     pub influence: Vec<Vec<f64>>,
@@ -150,9 +151,9 @@ impl Solution {
         let computed = model.computed(values).map_err(|_| NoUncertainty)?;
         let residuals = DVector::from_vec(model.residuals(&computed));
         let slopes = Slopes::of(model, minimum, spans);
-        let influence = slopes.influence(model, minimum, spans, &residuals).ok_or(NoUncertainty)?;
+        let Influences { curved: influence, straight } = slopes.influences(model, minimum, spans, &residuals).ok_or(NoUncertainty)?;
         let errors = model.weights.covariance(model.question, &model.evidence);
-        let covariance = &influence * &errors * influence.transpose();
+        let covariance = larger(&influence * &errors * influence.transpose(), &straight * &errors * straight.transpose());
         let has_errors = errors.iter().any(|entry| *entry != 0.0);
         let moves = |i: usize| slopes.blind.iter().any(|direction| is_moved(direction[i], direction));
         let estimate = |i: usize| {
@@ -230,7 +231,9 @@ impl Slopes {
         for (i, mut column) in derivatives.column_iter_mut().enumerate() {
             column *= if minimum.is_held[i] { 0.0 } else { spans[i].scale };
         }
-        let of_free = blind(&derivatives.select_columns(&free));
+        let size = |evidence: &super::Evidence| evidence.value.abs().max(evidence.of.least_size());
+        let sizes: Vec<f64> = model.evidence.iter().map(size).collect();
+        let of_free = blind(&derivatives.select_columns(&free), &sizes);
         let spread = |direction: &Vec<f64>| {
             let mut all = vec![0.0; spans.len()];
             free.iter().zip(direction).for_each(|(&i, part)| all[i] = *part);
@@ -241,9 +244,10 @@ impl Slopes {
     }
 
     /// How the unknowns move with the evidence: the point where the slope of ½χ² is zero moves with what moves the slope.
-    fn influence(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> Option<DMatrix<f64>> {
+    fn influences(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> Option<Influences> {
         if self.determined.ncols() == 0 {
-            return Some(DMatrix::zeros(spans.len(), model.evidence.len()));
+            let none = DMatrix::zeros(spans.len(), model.evidence.len());
+            return Some(Influences { curved: none.clone(), straight: none });
         }
         let weighted = self.weighted(model);
         let straight = weighted.transpose() * &self.derivatives;
@@ -251,11 +255,16 @@ impl Slopes {
         let scales = DMatrix::from_diagonal(&DVector::from_iterator(spans.len(), spans.iter().map(|span| span.scale)));
         let bent = &scales * model.curvature(&minimum.unknowns, &factors) * &scales;
         let seen = &self.determined;
-        let within = |matrix: DMatrix<f64>| seen.transpose() * matrix * seen;
-        let curved = within(&straight - bent);
-        let is_finite = curved.iter().all(|entry| entry.is_finite());
-        let inverse = is_finite.then(|| Cholesky::new(curved)).flatten().or_else(|| Cholesky::new(within(straight)));
-        Some(scales * seen * inverse?.solve(&(seen.transpose() * weighted.transpose())))
+        let of = |matrix: DMatrix<f64>| {
+            let within = seen.transpose() * matrix * seen;
+            let inverse = Some(within).filter(|within| within.iter().all(|entry| entry.is_finite())).and_then(Cholesky::new)?;
+            Some(&scales * seen * inverse.solve(&(seen.transpose() * weighted.transpose())))
+        };
+        match (of(&straight - bent), of(straight)) {
+            (Some(curved), Some(straight)) => Some(Influences { curved, straight }),
+            (Some(one), None) | (None, Some(one)) => Some(Influences { curved: one.clone(), straight: one }),
+            (None, None) => None,
+        }
     }
 
     /// The inverse covariance of the evidence times its derivatives.
@@ -264,6 +273,23 @@ impl Slopes {
             self.derivatives.column_iter().map(|column| model.weights.inverse_times(&column.into_owned())).collect();
         DMatrix::from_columns(&columns)
     }
+}
+
+/// How the unknowns move with the evidence.
+struct Influences {
+    /// By the slope and the curvature of the evidence: the derivative of the solution.
+    curved: DMatrix<f64>,
+    /// By the slope alone.
+    straight: DMatrix<f64>,
+}
+
+/// The covariance by slope and curvature or, where that by the slope alone makes an unknown much less sure, the latter: at a fold the curvature holds an unknown
+/// where noise has put it, and the slope knows that it could be elsewhere.
+fn larger(curved: DMatrix<f64>, straight: DMatrix<f64>) -> DMatrix<f64> {
+    /// How many times as large a standard deviation has to be.
+    const MUCH: f64 = 1.5;
+    let is_much_less_sure = |i: usize| straight[(i, i)] > MUCH * MUCH * curved[(i, i)];
+    if (0..curved.nrows()).any(is_much_less_sure) { straight } else { curved }
 }
 
 /// An orthonormal basis of the free unknowns across the blind directions.
