@@ -95,7 +95,7 @@ pub struct Reconstruct {
     /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<Units>,
-    /// How many searches there are: the first from the given starts, the others from points drawn within the bounds.
+    /// From how many starts to search: the first is the given one, the others are drawn within the bounds. Some more searches begin beside what these found.
     #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub starts: u64,
     /// The seed of those draws: the same seed gives the same answer.

@@ -68,10 +68,15 @@ impl Page<'_> {
             1 => " One other least sum of squares was found, which the evidence tells from the best.".to_owned(),
             count => format!(" {count} other least sums of squares were found, which the evidence tells from the best."),
         };
+        // Beside each solution it is searched again, so there are more searches than starts, or one alone where a formula has the answer.
+        let starts = match answer.searches {
+            1 => "1 search from 1 start".to_owned(),
+            searches => format!("{searches} searches from {} starts", searches.min(self.result.search.starts)),
+        };
         wrap(
             &format!(
-                "{} searches (--starts) from starts drawn with seed {} (--seed): {} came to an end, {ended}.{worse}",
-                answer.searches, self.result.search.seed, answer.converged
+                "{starts} (--starts), drawn with seed {} (--seed): {} came to an end, {ended}.{worse}",
+                self.result.search.seed, answer.converged
             ),
             "",
         )

@@ -81,5 +81,8 @@ fn the_same_seed_gives_the_same_answer() {
     let with = |arguments: &[&str]| text(WALL, &[&["--format", "json"], arguments].concat()).out;
     assert_eq!(with(&[]), with(&["--starts", "64", "--seed", "1"]));
     let found: Value = serde_json::from_str(&with(&["--starts", "9", "--seed", "7"])).expect("JSON");
-    assert_eq!((&found["searches"], &found["seed"]), (&Value::from(9), &Value::from(7)));
+    // Nine from the starts, and four beside each of the two solutions.
+    assert_eq!((&found["searches"], &found["seed"]), (&Value::from(9 + 2 * 4), &Value::from(7)));
+    let said = text(WALL, &["--starts", "9", "--seed", "7"]).out;
+    assert!(said.contains("17 searches from 9 starts (--starts), drawn with seed 7 (--seed)"), "{said}");
 }
