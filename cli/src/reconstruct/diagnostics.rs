@@ -19,6 +19,8 @@ pub fn of(asked: &Asked, solved: &Case, best: &Solution) -> Vec<Finding> {
 fn damage(crush: &Crush) -> Damage {
     let damage = Damage { force_origin: crush.force_origin, ..Damage::of(&crush.profile, &crush.zones) };
     match crush.saturation {
+        // What was not crushed speaks of no force, and its stiffness was not tried.
+        _ if crush.profile.depths().iter().all(|depth| *depth <= 0.0) => Damage { force: None, stiffness: None, ..damage },
         None => damage,
         // Beyond the saturation the force does not grow, and the depth does not tell it.
         Some(_) => Damage { crush_energy: crush.energy(), force: None, stiffness: None, ..damage },
@@ -100,6 +102,8 @@ fn say(figure: Figure, units: Units) -> String {
         // What is left of a sliding that has ended is rounding.
         Figure::Speed(value) => format!("{} {}", units.number(Measure::Speed, value, 1.0), units.unit(Measure::Speed)),
         Figure::YawRate(value) => units.quantity(Measure::YawRate, value),
+        // A newton is nothing beside the forces of crush.
+        Figure::Force(value) if units == Units::Si => format!("{:.1} kN", value / 1e3),
         Figure::Force(value) => units.quantity(Measure::Force, value),
     }
 }
