@@ -15,14 +15,25 @@ pub fn rounded(measure: Measure, value: f64, sd: Option<f64>, units: Units) -> S
         Some(sd) => {
             let decimals = decimals(units.convert(measure, sd));
             let value = units.convert(measure, value);
-            if value.abs() >= 1e12 { format!("{value:.3e}") } else { without_sign_of_zero(format!("{value:.decimals$}")) }
+            if value.abs() >= 1e12 {
+                return format!("{value:.3e}");
+            }
+            // Digits before the point that the standard deviation leaves open are 0.
+            let text = match usize::try_from(decimals) {
+                Ok(decimals) => format!("{value:.decimals$}"),
+                Err(_) => {
+                    let step = 10_f64.powi(-decimals);
+                    format!("{:.0}", (value / step).round() * step)
+                }
+            };
+            without_sign_of_zero(text)
         }
     }
 }
 
-/// How many decimals show two digits of a number.
-fn decimals(of: f64) -> usize {
-    (1.0 - of.abs().log10().floor()).clamp(0.0, 9.0) as usize
+/// How many decimals show two digits of a number; below zero where these end before the point.
+fn decimals(of: f64) -> i32 {
+    (1.0 - of.abs().log10().floor()).clamp(-12.0, 9.0) as i32
 }
 
 /// Zero without a sign, however many decimals it has.
@@ -74,7 +85,8 @@ mod tests {
         assert_eq!(speed(12.345_67, 0.123), "12.35 ± 0.12 m/s");
         assert_eq!(speed(12.345_67, 3.2), "12.3 ± 3.2 m/s");
         assert_eq!(speed(-0.001, 0.5), "0.00 ± 0.50 m/s");
-        assert_eq!(with_spread(Measure::Energy, 123_456.7, Some(5400.0), Units::Si), "123457 ± 5400 J");
+        assert_eq!(with_spread(Measure::Energy, 123_456.7, Some(5400.0), Units::Si), "123500 ± 5400 J");
+        assert_eq!(with_spread(Measure::Energy, 121_531.0, Some(12_153.1), Units::Si), "122000 ± 12000 J");
         assert_eq!(with_spread(Measure::Ratio, 0.123_45, None, Units::Us), "0.123");
         assert_eq!(with_spread(Measure::Ratio, 0.123_45, Some(0.0), Units::Us), "0.123 ± 0");
     }
