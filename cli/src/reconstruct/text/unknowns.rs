@@ -82,10 +82,21 @@ impl Page<'_> {
         let end = if bound == Bound::Min { "lower" } else { "upper" };
         let meaning = match (estimate.of, bound) {
             (Variable::Input(Input::Restitution), Bound::Max) => "without a reason for so high a value, re-examine the geometry.",
-            (Variable::Input(Input::Restitution), Bound::Min) => "a common velocity along the normal, as in most severe crashes.",
-            _ => "it would go further; its standard deviation and what depends on it leave that out.",
+            (Variable::Input(Input::Restitution), Bound::Min) if estimate.value == 0.0 => {
+                "a common velocity along the normal, as in most severe crashes."
+            }
+            _ if estimate.sd.is_some() => "the evidence is content with it there.",
+            _ if self.has_spread() => "it would go further; its standard deviation and what depends on it leave that out.",
+            // Without a standard deviation anywhere nothing tells the one from the other.
+            _ => "is there a reason for that bound?",
         };
         format!("{} sits on its {end} bound: {meaning}", estimate.of.name())
+    }
+
+    /// Whether anything is known of the unknowns' uncertainty.
+    fn has_spread(&self) -> bool {
+        let best = self.result.answer.best();
+        best.evidence.iter().chain(&best.priors).any(|fitted| fitted.sd.is_some_and(|sd| sd > 0.0))
     }
 
     /// All solutions side by side, where there are several, and what the bounds exclude.
