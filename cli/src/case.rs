@@ -22,7 +22,7 @@ pub use crush::CrushKey;
 pub(crate) use given::Given;
 pub use inputs::Inputs;
 pub use knowledge::{Knowledge, Known, Sought, measure_of, measure_of_variable, parameter_of};
-pub use parameter::Parameter;
+pub use parameter::{Parameter, number as vehicle_number};
 pub use rest::RestInputs;
 pub use setup::Setup;
 pub use vehicle::Velocity;

@@ -47,7 +47,7 @@ impl Places {
 }
 
 /// A problem: the key, what is wrong, what may help.
-type Complaint = (String, String, Option<String>);
+pub type Complaint = (String, String, Option<String>);
 
 impl Question {
     /// Of a case.

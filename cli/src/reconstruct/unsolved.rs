@@ -1,15 +1,12 @@
 //! Why a question has no answer, at its place in the file and in the user's units.
 
 use planar_impact::reconstruct::{Measurable, Problem, Stop, Unsolved, Variable};
-use planar_impact::{Input, Refusals};
+use planar_impact::{Input, Refusal, Refusals};
 
-use super::question::{Question, measure_in};
-use crate::case::measure_of;
+use super::question::{Complaint, Question, measure_in};
+use crate::case::{measure_of, vehicle_number};
 use crate::exit::Failure;
 use crate::units::Units;
-
-/// The key, what is wrong, what may help.
-type Complaint = (String, String, Option<String>);
 
 /// The question is wrong, or the search for an answer does not end.
 pub fn failure(question: &Question, unsolved: &Unsolved, units: Units) -> Failure {
@@ -26,7 +23,7 @@ pub fn failure(question: &Question, unsolved: &Unsolved, units: Units) -> Failur
             let first = ("unknown".to_owned(), message, Some(help));
             case.refused(std::iter::once(first).chain(reasons))
         }
-        Unsolved::NotConverged { searches, nearest } => case.refused([not_converged(question, *searches, nearest, units)]),
+        Unsolved::NotConverged { searches, nearest, .. } => case.refused([not_converged(question, *searches, nearest, units)]),
     }
 }
 
@@ -43,8 +40,33 @@ fn not_converged(question: &Question, searches: usize, nearest: &Stop, units: Un
     if let Some(refusals) = &nearest.beyond {
         trace.push_str(&format!("; where that leads the mechanics refuses the collision: {}", reasons(refusals, units)));
     }
-    trace.push_str("; try bounds, another start, or more --starts");
+    trace.push_str(match nearest.beyond.as_ref().and_then(sliding_limit) {
+        // No start leads past what no sliding gives.
+        Some(Sliding::EndsBefore) => {
+            "; the evidence asks for more tangential impulse than ends the sliding: something snagged, or the crush plane is another"
+        }
+        Some(Sliding::WouldSpeedUp) => {
+            "; the evidence asks for a tangential impulse that speeds the sliding up, which friction never does: re-examine the crush plane and the directions"
+        }
+        None => "; try bounds, another start, or more --starts",
+    });
     ("unknown".to_owned(), format!("none of {searches} searches converged"), Some(trace))
+}
+
+/// How a tangential impulse is one that sliding does not give.
+enum Sliding {
+    /// It is larger than the one that ends the sliding.
+    EndsBefore,
+    /// It has the direction of the sliding.
+    WouldSpeedUp,
+}
+
+fn sliding_limit(refusals: &Refusals) -> Option<Sliding> {
+    refusals.reasons().iter().find_map(|refusal| match refusal {
+        Refusal::BeyondCritical { ratio, critical: Some(critical) } if ratio * critical > 0.0 => Some(Sliding::EndsBefore),
+        Refusal::BeyondCritical { .. } => Some(Sliding::WouldSpeedUp),
+        _ => None,
+    })
 }
 
 fn reasons(refusals: &Refusals, units: Units) -> String {
@@ -69,7 +91,7 @@ fn wrong(question: &Question, problem: &Problem, units: Units) -> Complaint {
         }
         Problem::NotInCase(of) => not_in_case(question, *of),
         Problem::NothingToMeasure(of) => {
-            let help = of.side().map(|side| format!("vehicle {} is a fixed barrier", side as usize + 1));
+            let help = of.side().map(|side| format!("vehicle {} is a fixed barrier", vehicle_number(side)));
             (places.of_evidence(*of), "the collision has nothing of the kind".to_owned(), help)
         }
         Problem::UnknownTwice(of) => (places.of_unknown(*of), "it is unknown twice, by two of its names".to_owned(), None),
@@ -112,7 +134,7 @@ fn wrong(question: &Question, problem: &Problem, units: Units) -> Complaint {
 fn not_in_case(question: &Question, of: Variable) -> Complaint {
     let key = question.places.of_unknown(of);
     if let Some(side) = of.side() {
-        return (key, format!("vehicle {} is a fixed barrier", side as usize + 1), None);
+        return (key, format!("vehicle {} is a fixed barrier", vehicle_number(side)), None);
     }
     match of {
         Variable::Input(Input::ImpulseRatio) => {
