@@ -1,11 +1,11 @@
 //! What the answer is worth, and what to do next: the first thing that is read.
 
-use planar_impact::reconstruct::{Bound, Fitted, Verdict};
+use planar_impact::reconstruct::{Bound, Fitted, Variable, Verdict};
 
 use super::Page;
 use crate::case::measure_of;
 use crate::reconstruct::question::measure_in;
-use crate::reconstruct::wording::{direction, with_spread};
+use crate::reconstruct::wording::{direction, rounded, with_spread};
 use crate::table::wrap;
 
 impl Page<'_> {
@@ -40,7 +40,10 @@ impl Page<'_> {
     }
 
     fn agrees(&self) -> String {
-        let mut text = wrap(&format!("THE EVIDENCE AGREES WITH ONE SOLUTION: {}.", self.chi_square()), "");
+        let vague: Vec<&str> =
+            self.result.answer.best().hardly_determined(&self.result.question.asked).into_iter().map(Variable::name).collect();
+        let but = if vague.is_empty() { String::new() } else { format!(", BUT SAYS NEXT TO NOTHING OF {}", vague.join(", ")) };
+        let mut text = wrap(&format!("THE EVIDENCE AGREES WITH ONE SOLUTION{but}: {}.", self.chi_square()), "");
         if self.result.answer.best().degrees_of_freedom == 0 {
             text.push_str(&wrap("It is just enough evidence: no piece checks another. One more would.", ""));
         } else {
@@ -93,7 +96,8 @@ impl Page<'_> {
 
     /// How far a piece is off, in its unit and in standard deviations.
     fn off(&self, fitted: &Fitted, residual: f64) -> String {
-        let say = |value| with_spread(measure_of(fitted.of), value, None, self.units);
+        let measure = measure_of(fitted.of);
+        let say = |value| format!("{} {}", rounded(measure, value, fitted.sd, self.units), self.units.unit(measure)).trim_end().to_owned();
         format!(
             "Furthest off is {}: given {}, computed {}, {:.1} standard deviations apart.",
             fitted.of.name(),

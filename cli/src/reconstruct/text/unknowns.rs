@@ -55,14 +55,15 @@ impl Page<'_> {
         if !estimate.is_determined {
             return vec![name.to_owned(), "open".to_owned(), "-".to_owned(), "-".to_owned(), "-".to_owned(), unit];
         }
-        let say = |value| rounded(measure, value, estimate.sd, self.units);
+        let interval = estimate.sd.map(|sd| self.interval(estimate, sd));
+        // Between bounds that are closer than the deviation, digits that tell these apart.
+        let step =
+            estimate.sd.map(|sd| interval.map(|[from, to]| to - from).filter(|width| *width > 0.0).map_or(sd, |width| width.min(sd)));
+        let say = |value| rounded(measure, value, step, self.units);
         let mark = if estimate.at.is_some() && !name.is_empty() { " *" } else { "" };
         let mut cells = vec![format!("{name}{mark}"), say(estimate.value)];
-        match estimate.sd {
-            Some(sd) => {
-                let [from, to] = self.interval(estimate, sd);
-                cells.extend([say(sd), say(from), say(to)]);
-            }
+        match estimate.sd.zip(interval) {
+            Some((sd, [from, to])) => cells.extend([say(sd), say(from), say(to)]),
             None => cells.extend(["-"; 3].map(str::to_owned)),
         }
         cells.push(unit);

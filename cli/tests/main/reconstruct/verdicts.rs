@@ -75,3 +75,76 @@ fn bounds_that_exclude_say_what_they_exclude() {
     let said = text(&case, &[]).out;
     assert!(said.contains("THE BOUNDS EXCLUDE") && said.contains("is held at its max, 8.00 m/s") && said.contains("upper bound"), "{said}");
 }
+
+#[test]
+fn what_is_hardly_determined_stands_in_the_headline() {
+    let case = replaced(
+        WALL,
+        &[
+            ("vehicle.1.separation_speed = \"4 m/s ± 0.2 m/s\"", "vehicle.1.separation_yaw_rate = \"-20 deg/s ± 900 deg/s\""),
+            ("{ start = \"1 m/s\" }", "{ start = \"1 m/s\", min = \"0.5 m/s\", max = \"3 m/s\" }"),
+        ],
+    );
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")), "{found}");
+    assert_eq!(found["hardly_determined"], serde_json::json!(["vehicle.1.velocity.y"]));
+    assert!(number(&found["unknown"]["vehicle.1.velocity.y"]["sd"]) > 2.5, "more than the way between its bounds");
+    let said = text(&case, &[]).out;
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(flat.contains("0.5 3.0 m/s"), "the bounds, with digits of their own: {said}");
+    assert!(flat.contains("AGREES WITH ONE SOLUTION, BUT SAYS NEXT TO NOTHING OF vehicle.1.velocity.y: chi-square"), "{said}");
+    // Where it is determined there is no such thing to say.
+    let (found, _) = answer(&replaced(&case, &[("± 900 deg/s", "± 1 deg/s")]));
+    assert_eq!(found["hardly_determined"], serde_json::json!([]));
+}
+
+#[test]
+fn a_bound_says_whether_it_holds_what_sits_on_it() {
+    let at = |restitution: &str, least: &str| {
+        let unknown = format!("contact.restitution = {{ start = 0.2, min = {least}, max = 0.3 }}\nvehicle.1.velocity.x");
+        // The loss and the speed of approach give e; the wall is met head on.
+        let case = replaced(
+            WALL,
+            &[
+                ("vehicle.1.separation_speed = \"4 m/s ± 0.2 m/s\"", restitution),
+                ("vehicle.1.velocity.y = { start = \"1 m/s\" }", ""),
+                ("impact_center", "velocity = [\"10 m/s\", \"0 m/s\"]\nimpact_center"),
+                ("vehicle.1.velocity.x", &unknown),
+            ],
+        );
+        let said = text(&case, &[]).out;
+        said.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let common = at("vehicle.1.separation_speed = \"0.0 m/s ± 0.5 m/s\"", "0");
+    assert!(common.contains("sits on its lower bound: a common velocity along the normal"), "{common}");
+    let held = at("vehicle.1.separation_speed = \"0.9 m/s ± 0.5 m/s\"", "0.12");
+    assert!(held.contains("sits on its lower bound: it would go further") && !held.contains("common velocity along"), "{held}");
+}
+
+/// Where what the evidence asks for is no sliding at all, more starts lead nowhere.
+#[test]
+fn more_tangential_impulse_than_sliding_gives_is_named() {
+    let with = |yaw_rate: &str| {
+        replaced(
+            WALL,
+            &[
+                ("vehicle.1.separation_speed = \"4 m/s ± 0.2 m/s\"", &*format!("vehicle.1.separation_yaw_rate = \"{yaw_rate}\"")),
+                ("vehicle.1.velocity.y = { start = \"1 m/s\" }", "contact.impulse_ratio = { start = 0.1 }"),
+                ("impact_center", "velocity = [\"10 m/s\", \"5 m/s\"]\nimpact_center"),
+            ],
+        )
+    };
+    // To the wall on its left: friction holds its front back, and it turns clockwise.
+    let snagged = text(&with("-400 deg/s ± 5 deg/s"), &[]);
+    assert!(snagged.status == 3 && snagged.out.is_empty(), "{}", snagged.out);
+    for words in
+        ["is beyond the critical one", "more tangential impulse than ends the sliding: something snagged, or the crush plane is another"]
+    {
+        assert!(snagged.err.contains(words), "{words}: {}", snagged.err);
+    }
+    let pushed = text(&with("40 deg/s ± 0.1 deg/s"), &[]);
+    assert!(pushed.status == 3 && pushed.err.contains("speeds the sliding up, which friction never does"), "{}{}", pushed.err, pushed.out);
+    assert!(!snagged.err.contains("--starts") && !pushed.err.contains("--starts"));
+    let (slid, status) = answer(&with("-50 deg/s ± 5 deg/s"));
+    assert_eq!((status, &slid["verdict"]), (0, &Value::from("agrees")));
+}
