@@ -2,7 +2,7 @@
 //!
 //! # Pages
 //!
-//! [Sensitivities](guide::sensitivities), [crush and CRASH3](guide::crush), reconstruction (`guide::reconstruction`), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
+//! [Sensitivities](guide::sensitivities), [crush and CRASH3](guide::crush), reconstruction (`guide::reconstruction`, feature `reconstruct`), from rest to separation (`guide::rest`, feature `rest`), [proofs](guide::proofs), [checking another simulator](guide::checking), [formulas](guide::formulas)
 //!
 //! # The argument, module by module
 //!
