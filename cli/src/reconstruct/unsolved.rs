@@ -23,11 +23,19 @@ pub fn failure(question: &Question, unsolved: &Unsolved, units: Units) -> Failur
             let first = ("unknown".to_owned(), message, Some(help));
             case.refused(std::iter::once(first).chain(reasons))
         }
-        Unsolved::NotConverged { searches, nearest, .. } => case.refused([not_converged(question, *searches, nearest, units)]),
+        Unsolved::NotConverged { searches, converged, nearest } => {
+            let message = match converged {
+                0 => format!("none of {searches} searches converged"),
+                _ => format!("{converged} of {searches} searches converged, none as low as where another had to stop"),
+            };
+            case.refused([("unknown".to_owned(), message, Some(trace(question, nearest, units)))])
+        }
+        other => case.refused([("unknown".to_owned(), other.to_string(), None)]),
     }
 }
 
-fn not_converged(question: &Question, searches: usize, nearest: &Stop, units: Units) -> Complaint {
+/// Where the nearest search stopped, why, and what may help.
+fn trace(question: &Question, nearest: &Stop, units: Units) -> String {
     let at = |(of, value): &(Variable, f64)| format!("{} = {}", of.name(), units.quantity(measure_in(*of, &question.case), *value));
     let values: Vec<String> = nearest.unknowns.iter().map(at).collect();
     let mut trace = format!(
@@ -50,7 +58,7 @@ fn not_converged(question: &Question, searches: usize, nearest: &Stop, units: Un
         }
         None => "; try bounds, another start, or more --starts",
     });
-    ("unknown".to_owned(), format!("none of {searches} searches converged"), Some(trace))
+    trace
 }
 
 /// How a tangential impulse is one that sliding does not give.

@@ -16,6 +16,7 @@ impl Page<'_> {
             Verdict::Undetermined => self.undetermined(),
             Verdict::Contradicted => self.contradicted(),
             Verdict::BoundsExclude => self.bounds_exclude(),
+            other => wrap(&format!("{}: {}.", other.name().to_uppercase(), self.chi_square()), ""),
         }
     }
 
