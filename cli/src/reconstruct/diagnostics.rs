@@ -103,7 +103,7 @@ fn say(figure: Figure, units: Units) -> String {
         Figure::Speed(value) => format!("{} {}", units.number(Measure::Speed, value, 1.0), units.unit(Measure::Speed)),
         Figure::YawRate(value) => units.quantity(Measure::YawRate, value),
         // A newton is nothing beside the forces of crush.
-        Figure::Force(value) if units == Units::Si => format!("{:.1} kN", value / 1e3),
+        Figure::Force(value) if units == Units::Si && value.abs() >= 1e3 => format!("{:.1} kN", value / 1e3),
         Figure::Force(value) => units.quantity(Measure::Force, value),
     }
 }
@@ -148,5 +148,9 @@ mod tests {
         assert_eq!(say(same), "impulse ratio: of OPPOSITE sign. mu is low. [a book]");
         let angle = finding(Some(Figure::Angle(0.5)), Limit::AtMost(Figure::Angle(1.0)), Reading::Within);
         assert_eq!(say(angle), "impulse ratio: 28.6 deg, within at most 57.3 deg. mu is low. [a book]");
+        let force = |value, units| super::say(Figure::Force(value), units);
+        assert_eq!([force(299_345.0, Units::Si), force(120.0, Units::Si)], ["299.3 kN", "120 N"]);
+        // 1 lbf = 4.4482216152605 N.
+        assert_eq!(force(44_482.216, Units::Us), "10000.0 lbf");
     }
 }

@@ -37,7 +37,7 @@ impl Page<'_> {
         if seeks_ratio && matches!(self.result.solved.collision.impulse_ratio, ImpulseRatio::OfCritical(_)) {
             text.push_str(&wrap("contact.impulse_ratio is here the fraction of the critical ratio, as the case gives it.", ""));
         }
-        if best.unknowns.iter().all(|estimate| estimate.sd.is_none()) && self.result.has_solution() {
+        if !self.has_spread() && self.result.has_solution() {
             text.push_str(&wrap("No piece of evidence has an uncertainty, so nothing can be said of that of the unknowns.", ""));
         }
         text
@@ -87,7 +87,7 @@ impl Page<'_> {
                 "a common velocity along the normal, as in most severe crashes."
             }
             _ if estimate.sd.is_some() => "the evidence is content with it there.",
-            _ if self.has_spread() => "it would go further; its standard deviation and what depends on it leave that out.",
+            _ if self.has_spread() => "it would go further. Held there it has no standard deviation, and the others' take it as known.",
             // Without a standard deviation anywhere nothing tells the one from the other.
             _ => "is there a reason for that bound?",
         };

@@ -101,6 +101,11 @@ fn the_crash3_columns_of_table_b2_come_out_of_the_crush() {
         // As the file is: nothing of CRASH3 hangs on the restitution.
         let (found, _) = answer(&example(&format!("crabbed-{}.toml", test + 1)));
         let car = &found["crash3"]["vehicles"][0];
+        let diagnostics = found["diagnostics"].as_array().expect("a list");
+        for name in ["balance of crush forces", "share of crush energy"] {
+            let reading = diagnostics.iter().find(|finding| finding["name"] == name).map(|finding| &finding["reading"]);
+            assert_eq!(reading, Some(&Value::from("not checked")), "{name}: what was not crushed speaks of no force");
+        }
         let (normal, total) = (number(&car["crush_energy"]), number(&car["corrected_energy"]));
         // The paper's ΔV of CRASH3 is that of the crush energy alone, without correction and for the whole mass: the equivalent energy speed.
         let delta_v = number(&found["solution"]["vehicles"][0]["equivalent_energy_speed"]);
