@@ -77,15 +77,19 @@ impl Slide {
         let deviations =
             [evidence.position_deviation.x, evidence.position_deviation.y, evidence.heading_deviation, evidence.friction_deviation];
         let mut covariance = [[0.0; 3]; 3];
+        // The friction is the last.
+        let mut by = [0.0; 3];
         for (input, deviation) in deviations.into_iter().enumerate() {
-            let by = self.closed_form_by(evidence, input);
+            by = self.closed_form_by(evidence, input).map(|slope| slope * deviation);
             for i in 0..3 {
                 for k in 0..3 {
-                    covariance[i][k] += by[i] * by[k] * deviation * deviation;
+                    covariance[i][k] += by[i] * by[k];
                 }
             }
         }
-        Ok(Separation { motion, covariance: MotionCovariance(covariance), fit: None })
+        let [x, y, yaw_rate] = by;
+        let by_friction = Motion { velocity: Xy { x, y }, yaw_rate };
+        Ok(Separation { motion, covariance: MotionCovariance(covariance), by_friction, fit: None })
     }
 
     /// The derivatives of V_x, V_y and Ω by x, y or heading at rest, or by the common factor of the frictions.

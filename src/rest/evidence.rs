@@ -41,6 +41,9 @@ pub struct Separation {
     pub motion: Motion,
     /// How well they are known.
     pub covariance: MotionCovariance,
+    /// The part of their error that the friction makes: how they change if every friction is larger by its standard deviation, in m/s and rad/s. The covariance
+    /// has it in. Of two vehicles on the same ground these errors go together: their covariance is the product of the two parts.
+    pub by_friction: Motion,
     /// How the slide was fitted to the pose at rest; none of the closed form.
     pub fit: Option<SlideFit>,
 }
@@ -111,6 +114,15 @@ pub enum NoSeparation {
         /// The larger of the deviations of its position, in m.
         deviation: f64,
     },
+}
+
+impl Separation {
+    /// The correlation of V_x, V_y or Ω of one vehicle with one of them of another, which slid on the same ground: the friction makes it.
+    pub fn correlation_by_friction(&self, i: usize, other: &Separation, k: usize) -> f64 {
+        let part = |of: &Separation| [of.by_friction.velocity.x, of.by_friction.velocity.y, of.by_friction.yaw_rate];
+        let scale = self.covariance.deviations()[i] * other.covariance.deviations()[k];
+        if scale > 0.0 { part(self)[i] * part(other)[k] / scale } else { 0.0 }
+    }
 }
 
 impl MotionCovariance {

@@ -158,15 +158,15 @@ impl Slide {
         }
         let Some(best) = best_of(&mut found, &first) else { return Err(none_found(&search, stopped)) };
         let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
-        let covariance = match covariance(&search.slopes(&best.unknowns, FINE), evidence) {
+        let Uncertain { covariance, by_friction } = match uncertainty(&search.slopes(&best.unknowns, FINE), evidence) {
             // A search that nothing leads on from stands where it began.
             Err(_) if !miss.is_nothing() => return Err(search.nothing_found(&best.unknowns, miss)),
-            covariance => covariance?,
+            uncertain => uncertain?,
         };
         let other = |other: &Found| Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? });
         let others = found.iter().filter_map(other).collect();
         let fit = SlideFit { iterations: best.iterations, starts: tried, converged, miss, others };
-        Ok(Separation { motion: motion(&best.unknowns), covariance, fit: Some(fit) })
+        Ok(Separation { motion: motion(&best.unknowns), covariance, by_friction, fit: Some(fit) })
     }
 
     /// The closed form, or where the tires would drive the vehicle a rotation in proportion to the way.
@@ -239,9 +239,15 @@ fn none_found(search: &ToRest<'_>, stopped: Option<Found>) -> NoSeparation {
     search.nothing_found(&[0.0; 3], Miss::of(&search.evidence.separation, &search.evidence.rest))
 }
 
+/// How uncertain a motion is, and by the friction alone.
+struct Uncertain {
+    covariance: MotionCovariance,
+    by_friction: Motion,
+}
+
 /// The covariance of the motion by that of the pose at rest, which is 1 in standard deviations, and by the friction: with J the derivatives by the motion and
-/// j those by the friction, A = (JᵀJ)⁻¹ Jᵀ and C = A (1 + j σ² jᵀ) Aᵀ.
-fn covariance(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Result<MotionCovariance, NoSeparation> {
+/// j those by the friction, A = (JᵀJ)⁻¹ Jᵀ and C = A (1 + j σ² jᵀ) Aᵀ. With more friction the motion that ends in the same pose is another by −A j.
+fn uncertainty(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
     let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
     let jacobian = slopes.fixed_columns::<3>(0) * scales;
     let svd = jacobian.svd(true, true);
@@ -256,9 +262,10 @@ fn covariance(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Resu
         return Err(NoSeparation::NotDetermined { along: Motion::rest() });
     };
     let back = scales * inverse;
-    let by_friction = back * slopes.column(VARIED - 1) * evidence.friction_deviation;
+    let by_friction = -back * slopes.column(VARIED - 1) * evidence.friction_deviation;
     let covariance = back * back.transpose() + by_friction * by_friction.transpose();
-    Ok(MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)]))))
+    let covariance = MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)])));
+    Ok(Uncertain { covariance, by_friction: motion(by_friction.as_slice()) })
 }
 
 #[cfg(test)]
@@ -347,21 +354,25 @@ mod tests {
                 of(&slide, Pose { position, heading: rest.heading + by[2] })
             };
             let mut sum = [[0.0; 3]; 3];
+            let mut change = [0.0; 3];
             for (input, deviation) in [1e-3, 2e-3, 1e-3, 1e-3].into_iter().enumerate() {
                 let by = |sign: f64| core::array::from_fn(|i| if i == input { sign * deviation } else { 0.0 });
                 let (more, less) = (moved(by(1.0)), moved(by(-1.0)));
-                let change: [f64; 3] = core::array::from_fn(|i| (more[i] - less[i]) / 2.0);
+                change = core::array::from_fn(|i| (more[i] - less[i]) / 2.0);
                 for i in 0..3 {
                     for k in 0..3 {
                         sum[i][k] += change[i] * change[k];
                     }
                 }
             }
-            let found = slide.separation(&given, method).expect("a solution").covariance;
+            let found = slide.separation(&given, method).expect("a solution");
+            // The last input is the friction.
+            let by_friction = [found.by_friction.velocity.x, found.by_friction.velocity.y, found.by_friction.yaw_rate];
             for i in 0..3 {
+                assert!((by_friction[i] - change[i]).abs() < 1e-3 * sum[i][i].sqrt(), "{method:?} {i}: {by_friction:?} {change:?}");
                 for k in 0..3 {
                     let scale = (sum[i][i] * sum[k][k]).sqrt();
-                    assert!((found.0[i][k] - sum[i][k]).abs() < 1e-3 * scale, "{method:?} {i} {k}: {found:?} {sum:?}");
+                    assert!((found.covariance.0[i][k] - sum[i][k]).abs() < 1e-3 * scale, "{method:?} {i} {k}: {found:?} {sum:?}");
                 }
             }
         }

@@ -18,8 +18,8 @@ pub fn with_rest(case: &Case) -> Result<(Case, Vec<Correlation>), Failure> {
     case.rest = None;
     let mut all = Vec::new();
     for (side, separation) in [Side::One, Side::Two].into_iter().zip(&separations) {
-        let Some(Separation { motion, covariance, fit }) = separation else { continue };
-        let of = [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurable::Output);
+        let Some(Separation { motion, covariance, fit, .. }) = separation else { continue };
+        let of = motion_of(side);
         let values = [motion.velocity.x, motion.velocity.y, motion.yaw_rate];
         let key = format!("rest.vehicle.{}", side as usize + 1);
         for ((of, value), sd) in of.into_iter().zip(values).zip(covariance.deviations()) {
@@ -44,5 +44,23 @@ pub fn with_rest(case: &Case) -> Result<(Case, Vec<Correlation>), Failure> {
             ));
         }
     }
+    if let [Some(one), Some(two)] = &separations {
+        all.extend(by_friction(one, two));
+    }
     Ok((case, all))
+}
+
+fn motion_of(side: Side) -> [Measurable; 3] {
+    [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurable::Output)
+}
+
+/// Both vehicles slid on the same ground: where it holds better than it was taken to, both were faster.
+fn by_friction(one: &Separation, two: &Separation) -> Vec<Correlation> {
+    let each = |i: usize, k: usize| Correlation {
+        one: motion_of(Side::One)[i],
+        other: motion_of(Side::Two)[k],
+        coefficient: one.correlation_by_friction(i, two, k),
+    };
+    let all = (0..3).flat_map(|i| (0..3).map(move |k| each(i, k)));
+    all.filter(|correlation| correlation.coefficient != 0.0).collect()
 }

@@ -53,10 +53,37 @@ fn rest_tells_how_the_vehicles_separated_and_how_sure_that_is() {
     assert!((squares - number(&found["chi_square"])).abs() > 1e-3, "{squares}");
     // As the README of the project has it.
     let said = text(&example("two-cars.toml"), &[]).out;
-    for words in ["52.5     1.3", "41.01    0.28", "vehicle.1: its separation velocity and yaw rate are those from which it"] {
+    for words in ["52.4     1.4", "41.00    0.28", "vehicle.1: its separation velocity and yaw rate are those from which it"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     let twice = replaced(&example("two-cars.toml"), &[("[rest]", "vehicle.2.separation_yaw_rate = \"-214 deg/s ± 15 deg/s\"\n[rest]")]);
     let refused = text(&twice, &[]);
     assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("separation_yaw_rate twice"), "{}", refused.err);
+}
+
+/// Six motions from six, so that no weight counts: the variance of each is that on a friction without doubt, and the square of what a deviation of the friction moves
+/// it by, through both vehicles at once.
+#[test]
+fn the_friction_moves_both_vehicles_at_once() {
+    let case = example("two-cars.toml");
+    let (head, rest) = case.split_once("[contact]").expect("it has one");
+    let (_, rest) = rest.split_once("[rest]").expect("it has one");
+    let (rest, _) = rest.split_once("[unknown]").expect("it has one");
+    let names = ["velocity.x", "velocity.y", "yaw_rate"];
+    let starts = [["14 m/s", "2.5 m/s", "0 deg/s"], ["-5.5 m/s", "10 m/s", "0 deg/s"]];
+    let unknowns: String =
+        (0..6).map(|i| format!("vehicle.{}.{} = {{ start = \"{}\" }}\n", i / 3 + 1, names[i % 3], starts[i / 3][i % 3])).collect();
+    let contact = "[contact]\ncrush_plane = \"-8 deg\"\nrestitution = 0.3\nimpulse_ratio = { of_critical = 0.8 }\n";
+    let case = format!("{head}{contact}\n[rest]{rest}[unknown]\n{unknowns}");
+    let with = |friction: &str| answer(&replaced(&case, &[("\"0.7 ± 0.05\"", friction)])).0;
+    let (given, certain) = (with("\"0.7 ± 0.05\""), with("0.7"));
+    let (more, less) = (with("0.701"), with("0.699"));
+    for i in 0..6 {
+        let name = format!("vehicle.{}.{}", i / 3 + 1, names[i % 3]);
+        let of = |found: &Value, key: &str| number(&found["unknown"][&name][key]);
+        let by_friction = (of(&more, "value") - of(&less, "value")) / 0.002 * 0.05;
+        let by_hand = of(&certain, "sd").hypot(by_friction);
+        assert!((of(&given, "sd") / by_hand - 1.0).abs() < 1e-3, "{name}: {} and {by_hand}, {by_friction}", of(&given, "sd"));
+        assert!(by_hand > 1.001 * of(&certain, "sd"), "{name}: the friction counts");
+    }
 }
