@@ -1,8 +1,7 @@
 //! Separation speed and yaw rate from distance, rotation and drag alone: the work of the tires along a straight way.
 //!
-//! CRASH begins with relations of Marquard (ATZ 68, 1966) between the distance and the rotation to rest and the velocity and yaw rate at separation, of wheels
-//! that all roll or are all locked, with empirical coefficients. Their formulas are not at hand in a source that could be cited, so what stands here is the
-//! same idea without coefficients: what the tires take, integrated over the way.
+//! CRASH begins with relations between the distance and the rotation to rest and the velocity and yaw rate at separation, of wheels that all roll or are all
+//! locked. CRASH's step has empirical coefficients after Marquard (ATZ 68, 1966); this form has none and is not his: what the tires take, integrated over the way.
 //!
 //! 1. The center of mass goes straight from separation to rest, and the heading turns in proportion: at the share s of the way it is at r₀ + s Δr, θ₀ + s Δθ.
 //! 2. There every contact moves along Δr + Δθ × arm, which is the direction of its slip; the tire law of [`Tires::force`](super::Tires::force) and the friction
@@ -27,11 +26,15 @@ use num_dual::Dual64;
 
 /// The parts of the way.
 const PARTS: i32 = 200;
+/// So many deviations of the heading are looked at.
+const DEVIATIONS: f64 = 3.0;
 
 impl<T: Real<Mask = bool>> Slide<T> {
     /// The motion at separation by the work of the tires along a straight way from there to the rest; not a number where they would drive the vehicle.
     ///
-    /// The regularization is taken to be nothing. Derivatives are right also where the vehicle does not turn.
+    /// The regularization is taken to be nothing. Where the vehicle does not turn, derivatives are right if the drag has no moment without rotation, as of wheels
+    /// alike on both sides on one friction. Where it has one, the yaw rate there is not a number: to the one side the tires would drive the vehicle, and to the
+    /// other the yaw rate grows as a root of the rotation.
     pub fn closed_form(&self, separation: &Pose<T>, rest: &Pose<T>) -> Motion<T> {
         let (zero, one) = (T::int(0), T::int(1));
         let millionth = one.clone() / T::int(1_000_000);
@@ -39,13 +42,15 @@ impl<T: Real<Mask = bool>> Slide<T> {
         let turn = rest.heading.clone() - separation.heading.clone();
         let distance = travel.clone().length();
         // Ω is in proportion to a small Δθ. A root of nothing would hide that from derivatives, so less than a millionth is taken for a millionth.
-        let counted = if turn.clone().magnitude().less(&millionth) { millionth.clone() } else { turn.clone() };
+        let is_little = turn.clone().magnitude().less(&millionth);
+        let counted = if is_little { millionth.clone() } else { turn.clone() };
         let mut slide = self.clone();
         let arm = slide.vehicle.front_axle.clone() + slide.vehicle.rear_axle.clone();
         slide.vehicle.tires.regularization = (distance.clone() + arm * counted.clone().magnitude()) * millionth;
         // Moved over the whole way in a second: only the direction of the slip counts.
         let direction = Motion { velocity: travel.clone(), yaw_rate: counted.clone() };
-        let (mut of_travel, mut of_turn) = (zero.clone(), zero.clone());
+        let back = Motion { velocity: travel.clone(), yaw_rate: -counted.clone() };
+        let (mut of_travel, mut of_turn, mut of_turn_back) = (zero.clone(), zero.clone(), zero.clone());
         for part in 0..PARTS {
             let share = T::int(2 * part + 1) / T::int(2 * PARTS);
             let pose = Pose {
@@ -55,9 +60,14 @@ impl<T: Real<Mask = bool>> Slide<T> {
             let drag = slide.drag(&pose, &direction);
             of_travel = of_travel - drag.force.dot(travel.clone()) / T::int(PARTS);
             of_turn = of_turn - drag.moment * counted.clone() / T::int(PARTS);
+            if is_little {
+                of_turn_back = of_turn_back + slide.drag(&pose, &back).moment * counted.clone() / T::int(PARTS);
+            }
         }
         let speed = (T::int(2) * of_travel / self.vehicle.mass.clone()).sqrt();
-        let rate = (T::int(2) * of_turn / self.vehicle.yaw_inertia.clone()).sqrt() / counted.magnitude();
+        let rate = |work: T| (T::int(2) * work / self.vehicle.yaw_inertia.clone()).sqrt() / counted.clone().magnitude();
+        // Neither way is before the other.
+        let rate = if is_little { (rate(of_turn) + rate(of_turn_back)).half() } else { rate(of_turn) };
         let along = if zero.less(&distance) { travel * (speed / distance) } else { Xy::zero() };
         Motion { velocity: along, yaw_rate: turn * rate }
     }
@@ -66,8 +76,13 @@ impl<T: Real<Mask = bool>> Slide<T> {
 impl Slide {
     pub(super) fn separation_in_closed_form(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
         let motion = self.closed_form(&evidence.separation, &evidence.rest);
-        if ![motion.velocity.x, motion.velocity.y, motion.yaw_rate].iter().all(|value| value.is_finite()) {
+        let (turn, turn_deviation) = (evidence.rest.heading - evidence.separation.heading, evidence.heading_deviation);
+        let turned = turn.abs() > DEVIATIONS * turn_deviation;
+        if !motion.velocity.x.is_finite() || !motion.velocity.y.is_finite() || (turned && !motion.yaw_rate.is_finite()) {
             return Err(NoSeparation::Driven);
+        }
+        if !self.turn_is_smooth(evidence) {
+            return Err(NoSeparation::Turned { turn, deviation: turn_deviation });
         }
         let distance = (evidence.rest.position - evidence.separation.position).length();
         let deviation = evidence.position_deviation.x.max(evidence.position_deviation.y);
@@ -90,6 +105,16 @@ impl Slide {
         let [x, y, yaw_rate] = by;
         let by_friction = Motion { velocity: Xy { x, y }, yaw_rate };
         Ok(Separation { motion, covariance: MotionCovariance(covariance), by_friction, fit: None })
+    }
+
+    /// Whether the yaw rate has values within a few deviations of the heading: it goes as a root where it has none, and a deviation says nothing there.
+    fn turn_is_smooth(&self, evidence: &RestEvidence) -> bool {
+        let (turn, reach) = (evidence.rest.heading - evidence.separation.heading, DEVIATIONS * evidence.heading_deviation);
+        let none = if turn.abs() <= reach { 0.0 } else { turn };
+        [none, turn - reach, turn + reach].into_iter().all(|turn| {
+            let rest = Pose { heading: evidence.separation.heading + turn, ..evidence.rest };
+            self.closed_form(&evidence.separation, &rest).yaw_rate.is_finite()
+        })
     }
 
     /// The derivatives of V_x, V_y and Ω by x, y or heading at rest, or by the common factor of the frictions.

@@ -208,7 +208,7 @@ impl Slide {
         REST_SPEED * self.vehicle.tires.regularization
     }
 
-    fn is_at_rest(&self, motion: &Motion) -> bool {
+    pub(super) fn is_at_rest(&self, motion: &Motion) -> bool {
         self.above_rest(motion, self.rest_speed()) <= 0.0
     }
 

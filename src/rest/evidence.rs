@@ -91,22 +91,30 @@ pub struct OtherSeparation {
 pub enum NoSeparation {
     /// The input is refused.
     Refused(Problems),
-    /// No slide comes to rest, not even that of the closed form.
+    /// No motion that was tried comes to rest: why the first does not, that of the closed form.
     NoRest(NoRest),
-    /// No search ends in a solution; the best it came to.
+    /// No search ends in a solution; the best of all that was tried.
     NotConverged {
-        /// The motion where it stopped.
+        /// The motion whose slide ends nearest to the pose, in standard deviations.
         motion: Motion,
         /// How far its slide misses the pose at rest.
         miss: Miss,
     },
     /// The pose at rest does not determine the motion: a change of it along this one moves the rest by nothing that counts.
     NotDetermined {
-        /// The direction, of length 1 in m/s and rad/s.
+        /// The direction, of length 1 in m/s and rad/s; nothing where the derivatives are no numbers.
         along: Motion,
     },
     /// The closed form has no solution: on a straight way the tires would drive the vehicle.
     Driven,
+    /// The closed form cannot say how it turned: the tires alone would turn the vehicle, as where one side drags more, and it turned no further than a few
+    /// deviations from none, or from where they would drive it.
+    Turned {
+        /// The change of its heading, in rad.
+        turn: f64,
+        /// The deviation of its heading, in rad.
+        deviation: f64,
+    },
     /// The closed form cannot say how uncertain it is: the vehicle moved no further than the position at rest is uncertain.
     TooShort {
         /// How far it moved, in m.
@@ -189,12 +197,21 @@ impl fmt::Display for NoSeparation {
                 miss.position.length(),
                 miss.heading.to_degrees()
             ),
+            NoSeparation::NotDetermined { along } if *along == Motion::rest() => {
+                write!(f, "how the pose at rest moves with the separation has no numbers")
+            }
             NoSeparation::NotDetermined { along } => write!(
                 f,
                 "the pose at rest does not determine the separation: motions that differ along ({:.3} m/s, {:.3} m/s, {:.3} rad/s) end in the same",
                 along.velocity.x, along.velocity.y, along.yaw_rate
             ),
             NoSeparation::Driven => write!(f, "on a straight way to the pose at rest the tires would drive the vehicle"),
+            NoSeparation::Turned { turn, deviation } => write!(
+                f,
+                "the drag of the tires is not alike on both sides and would turn the vehicle, which turned {:.1} deg ± {:.1} deg: the closed form cannot say how",
+                turn.to_degrees(),
+                deviation.to_degrees()
+            ),
             NoSeparation::TooShort { distance, deviation } => {
                 write!(f, "the vehicle moved {distance:.3} m, no further than the position at rest is uncertain, {deviation:.3} m")
             }

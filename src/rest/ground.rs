@@ -37,7 +37,7 @@ pub enum Area<T = f64> {
         /// At a right angle to the border, into the region; of any length.
         toward: Xy<T>,
     },
-    /// Inside of a polygon, whichever way round, its corners in m. Where its sides cross, what they go round an odd number of times is inside.
+    /// Inside of a polygon, whichever way round, its corners in m; without three corners nothing is inside. Where its sides cross, what they go round an odd number of times is inside.
     Polygon(Vec<Xy<T>>),
 }
 
@@ -95,6 +95,8 @@ impl<T: Real<Mask = bool>> Area<T> {
         let reach = length.clone().half();
         let depth = match self {
             Area::HalfPlane { from, toward } => (point.clone() - from.clone()).dot(toward.clone()) / toward.clone().length(),
+            // Two corners are a line, one is a point: neither has a border with an inside.
+            Area::Polygon(corners) if corners.len() < 3 => return zero,
             Area::Polygon(corners) => {
                 let is_inside = contains(corners, point);
                 let to_border = distance_squared(corners, point);
@@ -179,6 +181,13 @@ mod tests {
             // Half of a contact on the border.
             assert!((share(10.0, 2.0) - 0.5).abs() < 1e-12 && (share(2.0, 0.0) - 0.5).abs() < 1e-12);
             corners.reverse();
+        }
+    }
+
+    #[test]
+    fn without_three_corners_nothing_is_inside() {
+        for corners in [vec![], vec![at(1.0, 1.0)], vec![at(0.0, 0.0), at(2.0, 2.0)]] {
+            assert_eq!(Area::Polygon(corners).share(&at(1.0, 1.0), &0.2), 0.0);
         }
     }
 

@@ -36,16 +36,28 @@ const SAME: f64 = 1e-4;
 const REACHED: f64 = 1e-10;
 /// Shares of the largest singular value below which a direction moves no rest.
 const NOTHING: f64 = 1e-8;
+/// The most iterations of the decomposition of three by three numbers, which takes a handful.
+const MOST_SWEEPS: usize = 1000;
 
 /// The pose at rest, computed less given, in standard deviations.
 struct ToRest<'a> {
     slide: &'a Slide,
     evidence: &'a RestEvidence,
+    /// Of the motions that come to rest, that which ends nearest to the pose. One that stands still from the beginning is none.
+    nearest: RefCell<Option<Nearest>>,
     /// Why the first motion that does not come to rest does not.
     never: RefCell<Option<NoRest>>,
     /// The steps of integration that may still be taken, and how many the last slide took.
     work: Cell<usize>,
     last: Cell<usize>,
+}
+
+/// A motion, where its slide misses the pose, and by how many squares of standard deviations.
+#[derive(Clone, Copy)]
+struct Nearest {
+    motion: Motion,
+    miss: Miss,
+    sum_of_squares: f64,
 }
 
 fn motion(unknowns: &[f64]) -> Motion {
@@ -66,19 +78,32 @@ impl ToRest<'_> {
     }
 
     fn residuals(&self, unknowns: &[f64]) -> Result<Vec<f64>, NoRest> {
-        let Miss { position, heading } = self.miss(unknowns)?;
-        Ok([position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect())
+        let miss = self.miss(unknowns)?;
+        let Miss { position, heading } = miss;
+        let residuals: Vec<f64> =
+            [position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect();
+        let sum_of_squares = residuals.iter().map(|residual| residual * residual).sum();
+        let mut nearest = self.nearest.borrow_mut();
+        let moves = !self.slide.is_at_rest(&motion(unknowns));
+        if moves && nearest.is_none_or(|nearest| sum_of_squares < nearest.sum_of_squares) {
+            *nearest = Some(Nearest { motion: motion(unknowns), miss, sum_of_squares });
+        }
+        Ok(residuals)
     }
 
     fn sum_of_squares(&self, unknowns: &[f64]) -> Result<f64, NoRest> {
         Ok(self.residuals(unknowns)?.iter().map(|residual| residual * residual).sum())
     }
 
-    /// Why nothing was found: what did not come to rest, or how far the best misses.
-    fn nothing_found(&self, unknowns: &[f64], miss: Miss) -> NoSeparation {
-        match self.never.borrow_mut().take() {
-            Some(why) => NoSeparation::NoRest(why),
-            None => NoSeparation::NotConverged { motion: motion(unknowns), miss },
+    /// Why nothing was found: how far the best misses, or, if no motion came to rest, why the first does not.
+    fn nothing_found(&self, first: &[f64; 3]) -> NoSeparation {
+        if let Some(Nearest { motion, miss, .. }) = *self.nearest.borrow() {
+            return NoSeparation::NotConverged { motion, miss };
+        }
+        // Where nothing moved there is at least the first.
+        match self.never.take().map_or_else(|| self.miss(first), Err) {
+            Ok(miss) => NoSeparation::NotConverged { motion: motion(first), miss },
+            Err(why) => NoSeparation::NoRest(why),
         }
     }
 
@@ -126,9 +151,16 @@ struct Found {
 
 impl Slide {
     pub(super) fn separation_by_slide(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
-        let search = ToRest { slide: self, evidence, never: RefCell::new(None), work: Cell::new(WORK), last: Cell::new(0) };
+        let search = ToRest {
+            slide: self,
+            evidence,
+            nearest: RefCell::new(None),
+            never: RefCell::new(None),
+            work: Cell::new(WORK),
+            last: Cell::new(0),
+        };
         let first = self.first_guess(evidence);
-        let (mut found, mut stopped): (Vec<Found>, Option<Found>) = (Vec::new(), None);
+        let mut found: Vec<Found> = Vec::new();
         let (mut tried, mut converged) = (0, 0);
         for start in starts(&search, first) {
             if search.work.get() == 0 {
@@ -137,30 +169,26 @@ impl Slide {
             tried += 1;
             let spans = SCALES.map(|scale| Span { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
             let end = match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
-                Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Ok(Found { unknowns, sum_of_squares, iterations }),
+                Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
                 Err(NoMinimum::Stopped(Stopped { unknowns, iterations, .. })) => {
                     // Where the work came to its end, the search did not look any more.
                     let Ok(sum_of_squares) = search.sum_of_squares(&unknowns) else { continue };
                     let end = Found { unknowns, sum_of_squares, iterations };
                     // The pose is reached, if not to the last digits: where hardly anything depends on the motion, these are noise.
-                    if sum_of_squares <= REACHED { Ok(end) } else { Err(end) }
+                    (sum_of_squares <= REACHED).then_some(end)
                 }
                 Err(NoMinimum::NoStart) => continue,
             };
-            match end {
-                Ok(end) => {
-                    converged += 1;
-                    keep(&mut found, end);
-                }
-                Err(end) if stopped.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) => stopped = Some(end),
-                Err(_) => (),
+            if let Some(end) = end {
+                converged += 1;
+                keep(&mut found, end);
             }
         }
-        let Some(best) = best_of(&mut found, &first) else { return Err(none_found(&search, stopped)) };
+        let Some(best) = best_of(&mut found, &first) else { return Err(search.nothing_found(&first)) };
         let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
         let Uncertain { covariance, by_friction } = match uncertainty(&search.slopes(&best.unknowns, FINE), evidence) {
             // A search that nothing leads on from stands where it began.
-            Err(_) if !miss.is_nothing() => return Err(search.nothing_found(&best.unknowns, miss)),
+            Err(_) if !miss.is_nothing() => return Err(search.nothing_found(&first)),
             uncertain => uncertain?,
         };
         let other = |other: &Found| Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? });
@@ -230,15 +258,6 @@ fn best_of(found: &mut Vec<Found>, first: &[f64; 3]) -> Option<Found> {
     Some(found.remove(0))
 }
 
-fn none_found(search: &ToRest<'_>, stopped: Option<Found>) -> NoSeparation {
-    if let Some(best) = stopped
-        && let Ok(miss) = search.miss(&best.unknowns)
-    {
-        return NoSeparation::NotConverged { motion: motion(&best.unknowns), miss };
-    }
-    search.nothing_found(&[0.0; 3], Miss::of(&search.evidence.separation, &search.evidence.rest))
-}
-
 /// How uncertain a motion is, and by the friction alone.
 struct Uncertain {
     covariance: MotionCovariance,
@@ -250,7 +269,9 @@ struct Uncertain {
 fn uncertainty(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
     let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
     let jacobian = slopes.fixed_columns::<3>(0) * scales;
-    let svd = jacobian.svd(true, true);
+    // Of what is not a number there is no decomposition, and the search for one would not end.
+    let svd = if slopes.iter().all(|slope| slope.is_finite()) { jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS) } else { None };
+    let Some(svd) = svd else { return Err(NoSeparation::NotDetermined { along: Motion::rest() }) };
     let largest = svd.singular_values.max();
     let (smallest, least) = svd.singular_values.argmin();
     let is_determined = least > NOTHING * largest;
@@ -271,7 +292,7 @@ fn uncertainty(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Res
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rest::{Ground, Method, Pose, Restraint, SlidingVehicle, Tires, Wheel, Wheels};
+    use crate::rest::{Area, Ground, Method, Pose, Region, Restraint, SlidingVehicle, Tires, Wheel, Wheels};
 
     fn slide(wheels: Wheels<Wheel>) -> Slide {
         let vehicle = SlidingVehicle {
@@ -386,6 +407,30 @@ mod tests {
         let end = slide.separation(&evidence(Pose { position: Xy { x: 20.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
         let Err(NoSeparation::NotConverged { miss, .. }) = end else { panic!("{end:?}") };
         assert!(!miss.is_nothing(), "{miss:?}");
+    }
+
+    /// Ice from 3 m on: the first guess, which is to go beyond, does not stop; a slower vehicle does.
+    #[test]
+    fn what_some_motions_reach_is_not_said_to_have_no_rest() {
+        let mut slide = slide(Wheels::all(Wheel::LOCKED));
+        let ice = Area::HalfPlane { from: Xy { x: 3.0, y: 0.0 }, toward: Xy { x: 1.0, y: 0.0 } };
+        slide.ground.regions = alloc::vec![Region { friction: 0.0, area: ice }];
+        let end = slide.separation(&evidence(Pose { position: Xy { x: 40.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
+        let Err(NoSeparation::NotConverged { motion, miss }) = end else { panic!("{end:?}") };
+        let rest = slide.to_rest(&FROM, &motion).expect("it comes to rest").pose;
+        assert!(
+            rest.position.x < 9.0 && miss == Miss::of(&rest, &Pose { position: Xy { x: 40.0, y: 2.0 }, heading: 0.3 }),
+            "{rest:?} {miss:?}"
+        );
+    }
+
+    #[test]
+    fn slopes_that_are_no_numbers_determine_nothing() {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut slopes = SMatrix::<f64, 3, VARIED>::identity();
+            slopes[(1, 2)] = bad;
+            assert!(matches!(uncertainty(&slopes, &evidence(FROM)), Err(NoSeparation::NotDetermined { .. })));
+        }
     }
 
     #[test]
