@@ -38,7 +38,7 @@ pub fn run(call: &Call) -> Result<Done, Failure> {
             text + "\n"
         }
     };
-    Ok(if result.answer.verdict == Verdict::Agrees { Done::with(text) } else { Done::without_agreement(text) })
+    Ok(if result.verdict() == Verdict::Agrees { Done::with(text) } else { Done::without_agreement(text) })
 }
 
 /// The question, its answer and what follows from the best solution.
@@ -67,6 +67,14 @@ impl Reconstructed {
             notes.extend(solved.cautions(&answer.best().impact));
         }
         Reconstructed { question, answer, search, solved, findings, crash3, notes }
+    }
+
+    /// What the answer is worth. Of vehicles that could have separated in other ways it is one of several.
+    fn verdict(&self) -> Verdict {
+        match self.answer.verdict {
+            Verdict::Agrees if self.question.has_other_separations => Verdict::SeveralSolutions,
+            verdict => verdict,
+        }
     }
 
     /// Whether the numbers of the best solution stand for something, if only for the least disagreement.

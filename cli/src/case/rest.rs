@@ -56,7 +56,7 @@ fn help(why: &NoSeparation) -> Option<String> {
         NoSeparation::NoRest(_) => "give it brakes or a rolling resistance",
         NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
         NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
-        NoSeparation::Driven => "method = \"slide\" follows the steered wheels",
+        NoSeparation::Driven | NoSeparation::Turned { .. } => "method = \"slide\" follows what each wheel does",
         NoSeparation::TooShort { .. } => "a vehicle that hardly moved says little of its speed",
         _ => return None,
     };

@@ -90,7 +90,7 @@ impl<'a> Document<'a> {
         Document {
             schema: 1,
             title: &result.question.case.title,
-            verdict: answer.verdict.name(),
+            verdict: result.verdict().name(),
             converged: true,
             iterations: best.iterations,
             unknown: best.unknowns.iter().map(|estimate| (estimate.of.name(), Unknown::of(estimate))).collect(),

@@ -7,13 +7,28 @@ use planar_impact::{Output, Side};
 use crate::case::{Case, Known};
 use crate::exit::Failure;
 
+/// What the rest of the vehicles says.
+pub struct FromRest {
+    /// The case with how they separated among the evidence.
+    pub case: Case,
+    /// How the errors of that go together.
+    pub correlations: Vec<Correlation>,
+    /// Whether a vehicle could have separated in several ways and come to the same rest.
+    pub has_others: bool,
+}
+
 /// The case with what the vehicles' rest says of their separation among the evidence, and how its errors go together.
 ///
 /// # Errors
 ///
 /// Why it says nothing.
-pub fn with_rest(case: &Case) -> Result<(Case, Vec<Correlation>), Failure> {
+pub fn with_rest(case: &Case) -> Result<FromRest, Failure> {
     let (mut case, separations) = (case.clone(), case.separations_from_rest()?);
+    let unfit = unfit(&case, &separations);
+    if !unfit.is_empty() {
+        return Err(case.unfit(unfit));
+    }
+    let mut has_others = false;
     // From here on it is evidence as any other.
     case.rest = None;
     let mut all = Vec::new();
@@ -23,7 +38,8 @@ pub fn with_rest(case: &Case) -> Result<(Case, Vec<Correlation>), Failure> {
         let values = [motion.velocity.x, motion.velocity.y, motion.yaw_rate];
         let key = format!("rest.vehicle.{}", side as usize + 1);
         for ((of, value), sd) in of.into_iter().zip(values).zip(covariance.deviations()) {
-            let uncertainty = if sd > 0.0 { Uncertainty::StandardDeviation(sd) } else { Uncertainty::Exact };
+            // None of them can be exact: a pose at rest never is.
+            let uncertainty = Uncertainty::StandardDeviation(sd);
             case.knowledge.evidence.push(Known { of, key: key.clone(), value, uncertainty });
         }
         for (one, other) in [(0, 1), (0, 2), (1, 2)] {
@@ -38,16 +54,44 @@ pub fn with_rest(case: &Case) -> Result<(Case, Vec<Correlation>), Failure> {
         ));
         let others = fit.as_ref().map_or(0, |fit| fit.others.len());
         if others > 0 {
+            has_others = true;
             let them = if others == 1 { "one other motion leads".to_owned() } else { format!("{others} other motions lead") };
             case.notes.push(format!(
-                "vehicle.{number}: {them} to the same rest; the first found is taken, and turning the other way is worth a look"
+                "vehicle.{number}: {them} to the same rest; what stands here is of the one nearest to the closed form, and not the answer alone"
             ));
         }
     }
     if let [Some(one), Some(two)] = &separations {
         all.extend(by_friction(one, two));
     }
-    Ok((case, all))
+    Ok(FromRest { case, correlations: all, has_others })
+}
+
+/// Separations that cannot be evidence: without a standard deviation that is a number, or whose slide does not end at the rest.
+fn unfit(case: &Case, separations: &[Option<Separation>; 2]) -> Vec<(String, String, Option<String>)> {
+    let deviations = |i: usize| case.rest.as_ref()?.vehicles[i].as_ref().map(|rest| rest.evidence);
+    let why = |i: usize| {
+        let separation = separations[i].as_ref()?;
+        let key = format!("rest.vehicle.{}", i + 1);
+        if !separation.covariance.deviations().iter().all(|sd| sd.is_finite() && *sd > 0.0) {
+            let help = "give the separation velocity as evidence instead".to_owned();
+            return Some((key, "the rest does not say how well the separation is known".to_owned(), Some(help)));
+        }
+        let (miss, given) = (separation.fit.as_ref()?.miss, deviations(i)?);
+        let within = miss.position.x.abs() <= given.position_deviation.x
+            && miss.position.y.abs() <= given.position_deviation.y
+            && miss.heading.abs() <= given.heading_deviation;
+        if miss.is_nothing() || within {
+            return None;
+        }
+        let why = format!(
+            "the slide that ends nearest misses the rest by {:.3} m and {:.2} deg, more than its deviations",
+            miss.position.length(),
+            miss.heading.to_degrees().abs()
+        );
+        Some((key, why, Some("check the heading at rest, whole turns counted, and which wheels are locked".to_owned())))
+    };
+    (0..2).filter_map(why).collect()
 }
 
 fn motion_of(side: Side) -> [Measurable; 3] {

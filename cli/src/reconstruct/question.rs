@@ -3,7 +3,7 @@
 use planar_impact::reconstruct::{Evidence, Measurable, Reconstruction, Uncertainty, Unknown, Variable};
 use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Moment, Side, Xy};
 
-use super::from_rest;
+use super::from_rest::{self, FromRest};
 use crate::case::{Case, Known, Parameter, Sought, Velocity, measure_of_variable, parameter_of};
 use crate::exit::Failure;
 use crate::units::{Measure, Units};
@@ -23,6 +23,8 @@ pub struct Question {
     pub places: Places,
     /// What was taken for granted.
     pub notes: Vec<String>,
+    /// Whether a vehicle could have separated in other ways and come to the same rest, of which only one was asked about.
+    pub has_other_separations: bool,
 }
 
 /// Where the file has what the question is made of.
@@ -56,7 +58,7 @@ impl Question {
     ///
     /// What does not fit together in it.
     pub fn of(case: &Case, units: Units) -> Result<Self, Failure> {
-        let (case, correlations) = &from_rest::with_rest(case)?;
+        let FromRest { case, correlations, has_others } = &from_rest::with_rest(case)?;
         let knowledge = &case.knowledge;
         let mut draft =
             Draft { case, units, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notes: case.notes.clone() };
@@ -109,7 +111,7 @@ impl Question {
             crush_share,
             ..Reconstruction::of(settled.collision)
         };
-        Ok(Question { case: settled, asked, certain, places: draft.places, notes: draft.notes })
+        Ok(Question { case: settled, asked, certain, places: draft.places, notes: draft.notes, has_other_separations: *has_others })
     }
 }
 

@@ -49,7 +49,7 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn verdict(&self) -> Verdict {
-        self.result.answer.verdict
+        self.result.verdict()
     }
 
     /// How it was searched for, so that it can be searched for again.

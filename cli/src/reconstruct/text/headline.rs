@@ -54,12 +54,31 @@ impl Page<'_> {
     }
 
     fn several(&self) -> String {
+        if self.result.answer.verdict == Verdict::Agrees {
+            return self.one_of_several_rests();
+        }
         let count = self.result.answer.solutions.len();
         let mut text =
             wrap(&format!("THE EVIDENCE AGREES WITH {count} SOLUTIONS, and cannot tell them apart; none of them alone is the answer."), "");
         text.push_str(&wrap(
             "What to do: find evidence in which they differ, or a reason for a bound that leaves one. All stand below; what follows them is of the first, \
              which has the least chi-square.",
+            "",
+        ));
+        text
+    }
+
+    /// Of several separations that lead to the same rest only one was taken.
+    fn one_of_several_rests(&self) -> String {
+        let mut text = wrap(
+            &format!(
+                "SEVERAL SEPARATIONS LEAD TO THE SAME REST: what follows is of one of them, and not the answer alone. {}.",
+                self.chi_square()
+            ),
+            "",
+        );
+        text.push_str(&wrap(
+            "What to do: look which way the tire marks turn, and give the separation velocity or yaw rate as evidence in place of that vehicle's rest.",
             "",
         ));
         text
