@@ -287,10 +287,10 @@ mod tests {
     use super::*;
     use crate::rest::{Ground, SlidingVehicle, Tires, Wheel, Wheels};
 
-    /// From a program of its own in another language: the formulas of the tires, and a fourth-order Runge–Kutta method with steps of 0.05 ms, which a step of
-    /// 0.2 ms agrees with to 1e-7.
+    /// By the formulas of the tires written down apart from this code, and a fourth-order Runge–Kutta method with steps of 0.05 ms, which a step of 0.2 ms agrees
+    /// with to 1e-7.
     #[test]
-    fn another_program_comes_to_the_same_rest() {
+    fn a_slide_computed_apart_comes_to_the_same_rest() {
         let sedan = SlidingVehicle {
             mass: 1500.0,
             yaw_inertia: 2400.0,

@@ -235,7 +235,7 @@ pub(super) const UNANSWERABLE: &[Bad] = &[
         "starts that do not close",
         &[(FIRST, "{ start = \"-90 m/s\", max = \"-80 m/s\" }")],
         25,
-        &["refuses the collision at each of 21 starts", "the vehicles separate"],
+        &["refuses the collision at each of 201 starts", "the vehicles separate"],
     )
     .ends(3),
     question(
