@@ -78,7 +78,9 @@ fn moved(ground: &Ground, point: impl Fn(Xy) -> Xy) -> Ground {
     Ground { regions, ..ground.clone() }
 }
 
+/// Whether two ends agree to a share of the way there: the integration holds its errors to such a share, and free wheels roll for hundreds of meters.
 fn close(one: &Pose, other: &Pose, within: f64) -> bool {
+    let within = within * (1.0 + other.position.length());
     (one.position - other.position).length() <= within && (one.heading - other.heading).abs() <= within
 }
 
