@@ -7,6 +7,7 @@ use differential_equations::solout::DefaultSolout;
 use planar_impact::rest::*;
 use planar_impact::*;
 use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
 
 const GRAVITY: f64 = 9.80665;
 
@@ -78,6 +79,13 @@ fn moved(ground: &Ground, point: impl Fn(Xy) -> Xy) -> Ground {
     Ground { regions, ..ground.clone() }
 }
 
+/// A slide to rest is no closed formula: how far its integration may be off is tried on cases that are the same in every run, other ones with `PROPTEST_RNG_SEED`.
+fn same_in_every_run(one_in: u32) -> Config {
+    let config = fewer(one_in);
+    let seed = if std::env::var_os("PROPTEST_RNG_SEED").is_some() { config.rng_seed } else { RngSeed::Fixed(1) };
+    Config { rng_seed: seed, ..config }
+}
+
 /// Whether two ends agree to a share of the way there: the integration holds its errors to such a share, and free wheels roll for hundreds of meters.
 fn close(one: &Pose, other: &Pose, within: f64) -> bool {
     let within = within * (1.0 + other.position.length());
@@ -91,7 +99,7 @@ fn locked_distance(speed: f64, friction: f64, epsilon: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(fewer(50))]
+    #![proptest_config(same_in_every_run(50))]
 
     /// v²/(2μg), in any direction to the vehicle; what the regularization adds is in closed form, below ε² (1 + ln(2v/ε))/(2μg), and vanishes with it.
     #[test]
@@ -261,7 +269,7 @@ proptest! {
 const ODD: [f64; 10] = [1.0, 0.5, 20.0, 0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300];
 
 proptest! {
-    #![proptest_config(fewer(300))]
+    #![proptest_config(same_in_every_run(300))]
 
     /// Whatever the numbers, it ends, without a panic.
     #[test]
