@@ -1,4 +1,4 @@
-//! Angles in, magnitudes and directions out: the rung of the real numbers.
+//! Angles in, magnitudes and directions out: laws that need real numbers.
 
 use crate::strategies::{Draw, RatioDraw, config, draw};
 use num_dual::{Dual64, HyperDual64};
@@ -27,7 +27,8 @@ proptest! {
         let loss = |gamma: f64| with_angles(&draw, [a, b], gamma).evaluate().work.n;
         let dual = with_angles(&draw, [a.into(), b.into()], Dual64::new(gamma, 1.0)).evaluate().work.n;
         prop_assert_eq!(dual.re.is_finite(), loss(gamma).is_finite());
-        // A difference errs by its step squared: half the step leaves about a quarter of the error, or rounding.
+        // The error of a difference quotient is proportional to the square of its step: half the step leaves about a
+        // quarter of the error, or rounding.
         let error = |step: f64| ((loss(gamma + step) - loss(gamma - step)) / (2.0 * step) - dual.eps).abs();
         let approach = with_angles(&draw, [a, b], gamma).contact().approach.length_squared();
         let scale = 1.0 + dual.eps.abs() + f64::from(draw.one.mass + draw.two.mass) * approach;
@@ -53,7 +54,7 @@ proptest! {
         let impact = with_angles(&draw, [a, b], gamma).evaluate();
         for response in [&impact.one, &impact.two] {
             let (dv, pdof) = (response.delta_v_magnitude(), response.principal_direction_of_force());
-            // Clockwise from straight ahead, towards where the force comes from.
+            // Clockwise from straight ahead, towards the origin of the force.
             prop_assert!((dv * pdof.cos() + response.delta_v_in_vehicle.forward).abs() <= 1e-13 * (1.0 + dv));
             prop_assert!((dv * pdof.sin() - response.delta_v_in_vehicle.left).abs() <= 1e-13 * (1.0 + dv));
         }
@@ -72,7 +73,7 @@ proptest! {
     }
 }
 
-/// A push along each axis of the vehicle, and none.
+/// A force along each axis of the vehicle, and no force.
 #[test]
 fn where_the_force_comes_from() {
     use core::f64::consts::{FRAC_PI_2, PI};
@@ -82,7 +83,7 @@ fn where_the_force_comes_from() {
     };
     assert_eq!(pushed(-1.0, 0.0).principal_direction_of_force(), 0.0);
     assert_eq!(pushed(-1.0, -0.0).principal_direction_of_force().to_bits(), 0.0_f64.to_bits());
-    // Pushed to the left: from the right, a quarter turn clockwise.
+    // Pushed to the left: the force comes from the right, a quarter turn clockwise.
     assert_eq!(pushed(0.0, 1.0).principal_direction_of_force(), FRAC_PI_2);
     assert_eq!(pushed(0.0, -1.0).principal_direction_of_force(), -FRAC_PI_2);
     assert_eq!(pushed(1.0, 0.0).principal_direction_of_force(), PI);

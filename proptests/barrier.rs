@@ -1,4 +1,4 @@
-//! Barrier tests: the stiffness that is fitted to them, what its covariance promises, and kinematics.
+//! Barrier tests: the stiffness fitted to them, the validity of its covariance, and kinematics.
 
 use crate::noise::{Count, Noise, WITHIN_ONE, WITHIN_TWO};
 use crate::strategies::{Draw, Fraction, config, draw, fewer};
@@ -10,7 +10,7 @@ use planar_impact::*;
 use proptest::prelude::*;
 use std::fmt::Debug;
 
-/// Several crushes of different mean depths, on several widths.
+/// Generates several crushes with different mean depths, on several widths.
 fn profiles() -> impl Strategy<Value = Vec<(i32, Vec<i32>)>> {
     let profile = (1..=4_i32, proptest::collection::vec(0..=9_i32, 2..=6));
     proptest::collection::vec(profile, 2..=6).prop_filter("two different mean depths", |profiles| {
@@ -50,13 +50,13 @@ proptest! {
         prop_assert_eq!(fit.chi_square, BigRational::int(0));
     }
 
-    /// Of profiles as they are measured: deeper from test to test, and uneven by up to a half of their depth.
+    /// With profiles as measured: increasing from test to test, and uneven by up to half of their depth.
     #[test]
     fn exact_profiles_give_back_the_stiffness(deeper in proptest::collection::vec((1..=3_i32, -5..=5_i32, -5..=5_i32), 2..=6), onset in 0..=9_i32, slope in 5..=20_i32) {
         let stiffness = CrushStiffness { onset: f64::from(onset), slope: f64::from(slope) };
         let mut depth = 0.0;
         let observe = |(more, left, right): (i32, i32, i32)| {
-            depth += f64::from(more) / 10.0;
+            depth = 1.5 * depth + f64::from(more) / 10.0;
             let depths = [left, 0, right].map(|uneven| depth * (1.0 + f64::from(uneven) / 10.0));
             let crush = ProfileMoments::of(1.5, &depths).expect("three depths");
             Observation { crush, intensity: (stiffness.crush_energy(crush) / crush.first).sqrt(), deviation: 1.0 }
@@ -68,7 +68,7 @@ proptest! {
         prop_assert!((fit.stiffness.slope - stiffness.slope).abs() < 1e-9 * stiffness.slope, "{:?}", fit);
     }
 
-    /// A test of one vehicle is its own fit: with the onset given, the exact stiffness has the energy of the test.
+    /// A single test of a vehicle is fitted exactly: with a given onset, the exact stiffness reproduces the energy of the test.
     #[test]
     fn one_test_has_its_energy((width, depths) in (1..=4_i32, proptest::collection::vec(1..=9_i32, 2..=6)), speed in 2..=30_i32, e in 0..=9_i32, onset in 0..=4_i32) {
         let test = BarrierTest { mass: 1500.0, speed: f64::from(speed), restitution: f64::from(e) / 10.0, crush: moments(width, &depths) };
@@ -78,7 +78,7 @@ proptest! {
                 prop_assert!(stiffness.slope >= 0.0 && onset <= test.corrected_speed());
                 let energy = stiffness.crush_energy(test.crush);
                 prop_assert!((energy - test.crush_energy()).abs() <= 1e-12 * energy);
-                // A profile holds more energy than its mean depth, so the line through the mean depth is the steeper one.
+                // A profile holds more energy than its mean depth, so the line through the mean depth is steeper.
                 let line = CrushStiffness::from(test.speed_line(onset).expect("the same test"));
                 prop_assert!(line.slope >= stiffness.slope * (1.0 - 1e-12));
             }
@@ -86,7 +86,7 @@ proptest! {
         }
     }
 
-    /// With no duration the vehicle does not turn, and the kinematics of the impact center are the mechanics' own.
+    /// With zero duration the vehicle does not turn, and the kinematics of the impact center agree with the mechanics.
     #[test]
     fn kinematics_give_back_the_restitution(draw in draw().prop_map(against_a_barrier).prop_filter("the impulse divides by zero", Draw::is_computable)) {
         let collision = draw.exact();
@@ -136,7 +136,7 @@ const MASS: f64 = 1500.0;
 const TRUE: CrushStiffness = CrushStiffness { onset: 90.0, slope: 1000.0 };
 const DATA_SETS: usize = 20_000;
 
-/// How often d₀, d₁ and E_C at 0.4 m lie within one and two of their own standard deviations of the truth.
+/// Counts of d₀, d₁ and E_C at 0.4 m within one and two of their own standard deviations of the truth.
 #[derive(Default)]
 struct Coverage {
     within_one: [Count; 3],
@@ -164,7 +164,7 @@ impl Coverage {
 
 #[test]
 fn the_covariance_covers_at_its_rate() {
-    // Eight tests of eight vehicles, their deviations known.
+    // Eight tests of eight vehicles with known standard deviations.
     let mut noise = Noise::of_seed(2);
     let (mut given, mut told, mut chi_square) = (Coverage::default(), Coverage::default(), 0.0);
     for _ in 0..DATA_SETS {
@@ -175,7 +175,7 @@ fn the_covariance_covers_at_its_rate() {
         });
         let fit = StiffnessFit::on_mean_depth(&Observations::independent(&observations).expect("good numbers")).expect("eight depths");
         given.add(&fit);
-        // Deviations that are all wrong by one factor, which the residuals tell.
+        // Standard deviations that are all wrong by one factor, which the residuals reveal.
         let wrong = observations.map(|o| Observation { deviation: 7.0 * o.deviation, ..o });
         let fit_of_wrong = StiffnessFit::on_mean_depth(&Observations::independent(&wrong).expect("good numbers")).expect("eight depths");
         told.add(&fit_of_wrong.rescaled().expect("six degrees of freedom"));
@@ -194,7 +194,8 @@ fn the_covariance_covers_at_its_rate() {
 
 #[test]
 fn the_covariance_of_repeated_tests_covers_at_its_rate() {
-    // Two vehicles, tested three times each with measured speed and restitution: the error of the first test is in the energies of all three.
+    // Two vehicles, each tested three times with measured speed and restitution: the error of the first test affects
+    // the energies of all three.
     let (speed_deviation, restitution_deviation) = (0.05, 0.005);
     let mut noise = Noise::of_seed(3);
     let mut coverage = Coverage::default();
@@ -218,7 +219,7 @@ fn the_covariance_of_repeated_tests_covers_at_its_rate() {
     coverage.assert(WITHIN_ONE, WITHIN_TWO);
 }
 
-/// Three tests that leave crush that is not flat, and do not agree; one speed and one depth are left open.
+/// Fits three inconsistent tests with uneven crush; one speed and one depth are free.
 fn uneven<T: Real + Ordered<Mask = bool> + Debug>(speed: T, depth: T) -> StiffnessFit<T> {
     let of = |x: f64| T::from_f64(x).expect("a finite number");
     let test = |speed: T, depths: [T; 3]| {
@@ -258,7 +259,7 @@ fn derivatives_of_the_fit_are_difference_quotients() {
             );
         }
     }
-    // Second derivatives have settled as well.
+    // Second derivatives have converged as well.
     let second = uneven(Dual2_64::new(speed, 1.0, 0.0), depth.into()).stiffness;
     let slope = |speed: f64| uneven(Dual64::new(speed, 1.0), depth.into()).stiffness.slope.eps;
     let quotient = (slope(speed + h) - slope(speed - h)) / (2.0 * h);

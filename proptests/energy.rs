@@ -1,4 +1,4 @@
-//! The energy account: what is lost, at most, and where nothing is.
+//! The energy balance: the loss, its maximum, and the conditions for zero loss.
 
 use crate::strategies::{Draw, Fraction, RatioDraw, common_velocity, computable, config, draw, half_tangent};
 use num_rational::BigRational;
@@ -48,7 +48,7 @@ proptest! {
         let contact = draw.exact().contact();
         let impulse = Nt { n: int(n), t: int(t) };
         let delta = impulse.clone() - contact.common_velocity_impulse();
-        let square = delta.clone().dot(contact.compliance.yield_to(delta.clone())).half();
+        let square = delta.clone().dot(contact.compliance.velocity_change(delta.clone())).half();
         prop_assert_eq!(contact.loss(impulse), contact.greatest_loss() - &square);
         prop_assert!(square >= int(0));
         prop_assert_eq!(square == int(0), delta == Nt::zero());
@@ -66,7 +66,7 @@ proptest! {
 
     #[test]
     fn the_peak_with_a_moment_is_where_all_three_relative_motions_end(draw in draw(), n in -9..=9_i32, t in -9..=9_i32, m in -9..=9_i32) {
-        // The same square with three components: T_L(P, M) = peak − ½ δ₃·K₃δ₃.
+        // The same completed square with three components: T_L(P, M) = peak − ½ δ₃·K₃δ₃.
         let draw = Draw { restitution: Fraction(0, 1), ratio: RatioDraw::Critical, law: Law::Brach, ..draw };
         let collision = Collision { moment: Moment::OfCritical(int(1)), ..draw.exact() };
         let contact = collision.contact();
@@ -75,7 +75,7 @@ proptest! {
         let other = collision.impact_of(&contact, impulse.clone(), Some(moment.clone()));
         let (d, dm) = (impulse - peak.impulse.clone(), moment - &peak.moment);
         let row = contact.moment_compliance();
-        let square = (d.clone().dot(contact.compliance.yield_to(d.clone())) + int(2) * &dm * row.force.dot(d) + row.moment * &dm * &dm).half();
+        let square = (d.clone().dot(contact.compliance.velocity_change(d.clone())) + int(2) * &dm * row.force.dot(d) + row.moment * &dm * &dm).half();
         prop_assert!(square >= int(0));
         prop_assert_eq!(other.loss(), peak.loss() - square);
     }
@@ -115,13 +115,13 @@ proptest! {
         let room = contact.critical_restitution_bound_squared() - collision.restitution.clone() * &collision.restitution;
         let expected = k.tt() * &contact.approach.n * &contact.approach.n * &room;
         prop_assert_eq!(int(2) * k.determinant() * collision.evaluate().loss(), expected);
-        // No approach velocity has a narrower bound than the one for any approach.
+        // No approach velocity has a narrower bound than the one that holds for any approach.
         prop_assert!(contact.critical_restitution_bound_squared() >= contact.restitution_bound_for_any_approach_squared());
     }
 
     #[test]
     fn the_bound_for_any_approach_is_attained(draw in draw()) {
-        // By the approach (K_nn, K_nt): its loss at e is ½ K_nn (1 − ρ² − e²)/(1 − ρ²) …, zero exactly at e² = 1 − ρ².
+        // For the approach (K_nn, K_nt): the loss at e is ½ K_nn (1 − ρ² − e²)/(1 − ρ²) …, which is zero exactly at e² = 1 − ρ².
         let mut contact = draw.exact().contact();
         contact.approach = Nt { n: contact.compliance.nn().clone(), t: contact.compliance.nt().clone() };
         prop_assert_eq!(contact.critical_restitution_bound_squared(), contact.restitution_bound_for_any_approach_squared());
@@ -142,7 +142,7 @@ proptest! {
 
     #[test]
     fn no_loss_is_negative_between_no_ratio_and_the_critical_one(draw in draw(), eighths in 0..=8_i32) {
-        // Below the bound of restitution, where both ends push.
+        // Below the bound of restitution, with a compressive impulse at both ends of the range.
         let collision = critical(draw.exact());
         let contact = collision.contact();
         prop_assume!(contact.approach.n != int(0));
@@ -155,7 +155,7 @@ proptest! {
     }
 }
 
-/// The statement of the paper that the total is independent of Γ needs e = 0: here is a collision of which it is not true.
+/// The paper's statement that the total does not depend on Γ requires e = 0: random collisions with e = 1/4 contradict it.
 #[test]
 fn with_restitution_the_loss_depends_on_the_crush_plane() {
     use proptest::strategy::ValueTree;

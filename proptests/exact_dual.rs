@@ -1,13 +1,14 @@
 //! Dual numbers over the rationals, to test derivatives as equalities.
 //!
-//! An angle is its cosine and sine, which are rational; a root or a direction is not, and neither is a quotient by zero: what is computed from them is nothing.
+//! An angle is stored as its cosine and sine, which are rational; roots, directions and quotients by zero are not, so
+//! anything computed from them is undefined.
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, Inv, Zero};
 use planar_impact::{Ordered, Real};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A rational number and its derivative, an angle and its derivative, or nothing.
+/// A rational number and its derivative, an angle and its derivative, or undefined.
 #[derive(Clone, Debug)]
 pub enum ExactDual {
     Number { value: BigRational, slope: BigRational },
@@ -26,7 +27,7 @@ impl ExactDual {
         Angle { cos, sin, slope: BigRational::from_integer(slope.into()) }
     }
 
-    /// The value and the derivative.
+    /// Returns the value and the derivative.
     pub fn parts(self) -> Option<(BigRational, BigRational)> {
         match self {
             Number { value, slope } => Some((value, slope)),
@@ -97,7 +98,7 @@ impl Inv for ExactDual {
 }
 
 impl Ordered for ExactDual {
-    /// None where there is nothing to compare.
+    /// `None` if either value is undefined.
     type Mask = Option<bool>;
 
     fn less(&self, other: &Self) -> Option<bool> {
@@ -115,11 +116,11 @@ impl Ordered for ExactDual {
 }
 
 impl Real for ExactDual {
-    fn sqrt(self) -> Self {
+    fn square_root(self) -> Self {
         Nothing
     }
 
-    fn sin_cos(self) -> (Self, Self) {
+    fn sin_and_cos(self) -> (Self, Self) {
         match self {
             Angle { cos, sin, slope } => {
                 let sine = Number { value: sin.clone(), slope: &cos * &slope };
@@ -129,7 +130,7 @@ impl Real for ExactDual {
         }
     }
 
-    fn atan2(self, _: Self) -> Self {
+    fn arctangent(self, _: Self) -> Self {
         Nothing
     }
 }

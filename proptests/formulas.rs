@@ -1,8 +1,8 @@
-//! Simplification and differentiation of any expression, the mechanics apart.
+//! Simplification and differentiation of arbitrary expressions, without mechanics.
 
 use crate::exact_dual::ExactDual;
 use crate::reading::Reader;
-use crate::strategies::config;
+use crate::strategies::{OrReject, config};
 use num_dual::Dual64;
 use num_rational::BigRational;
 use planar_impact::formula::Glossary;
@@ -23,7 +23,7 @@ pub enum Tree {
     Sub(Box<Tree>, Box<Tree>),
     Mul(Box<Tree>, Box<Tree>),
     Div(Box<Tree>, Box<Tree>),
-    /// The last if the first is less than the second.
+    /// The third if the first is less than the second, else the fourth.
     Select(Box<Tree>, Box<Tree>, Box<Tree>, Box<Tree>),
     Sqrt(Box<Tree>),
     Sin(Box<Tree>),
@@ -46,17 +46,18 @@ impl Tree {
             Tree::Mul(a, b) => of(a) * of(b),
             Tree::Div(a, b) => of(a) / of(b),
             Tree::Select(a, b, yes, no) => T::select(of(a).less(&of(b)), of(yes), of(no)),
-            Tree::Sqrt(a) => of(a).sqrt(),
-            Tree::Sin(a) => of(a).sin_cos().0,
-            Tree::Cos(a) => of(a).sin_cos().1,
-            // A formula knows one zero.
-            Tree::Atan2(y, x) => (of(y) + T::int(0)).atan2(of(x) + T::int(0)),
+            Tree::Sqrt(a) => of(a).square_root(),
+            Tree::Sin(a) => of(a).sin_and_cos().0,
+            Tree::Cos(a) => of(a).sin_and_cos().1,
+            // Formulas have only one zero.
+            Tree::Atan2(y, x) => (of(y) + T::int(0)).arctangent(of(x) + T::int(0)),
         }
     }
 }
 
 impl Tree {
-    /// Whether it has a value and a derivative that floats know well: nothing near zero is divided by, or has a root or a direction.
+    /// Returns `true` if its value and derivative are well conditioned in floats: no division, root or direction is
+    /// taken of a number near zero.
     pub fn is_smooth(&self, values: &[f64; 3]) -> bool {
         let of = |tree: &Tree| tree.of(values);
         let parts = match self {
@@ -77,7 +78,7 @@ fn leaf() -> impl Strategy<Value = Tree> {
     prop_oneof![(-3..=3_i32).prop_map(Tree::Int), (0..3_usize).prop_map(Tree::Variable)]
 }
 
-/// The four operations and comparisons.
+/// Generates expressions of the four operations and comparisons.
 fn rational_tree() -> impl Strategy<Value = Tree> {
     leaf().prop_recursive(5, 24, 4, |inner| {
         let one = || inner.clone().prop_map(Box::new);
@@ -95,7 +96,7 @@ fn rational_tree() -> impl Strategy<Value = Tree> {
     })
 }
 
-/// All functions.
+/// Generates expressions of all functions.
 pub fn real_tree() -> impl Strategy<Value = Tree> {
     leaf().prop_recursive(5, 16, 2, |inner| {
         let one = || inner.clone().prop_map(Box::new);
@@ -118,7 +119,7 @@ pub fn symbols() -> [Symbol; 3] {
     ["x", "y", "z"].map(Symbol::variable)
 }
 
-/// The place of a variable among the three.
+/// Returns the index of a variable among the three.
 pub fn at(name: &str) -> usize {
     ["x", "y", "z"].iter().position(|known| *known == name).expect("there are three variables")
 }
@@ -131,7 +132,7 @@ proptest! {
         trees in [rational_tree(), rational_tree(), rational_tree()], values in [-4..=4_i32, -4..=4, -4..=4], by in 0..3_usize
     ) {
         let [one, two, whole] = trees;
-        // The whole is made of x and of two quantities that have a name.
+        // The whole consists of x and two named quantities.
         let compound = |variables: [ExactDual; 3]| {
             let quantities = [one.of(&variables), two.of(&variables)];
             let [x, _, _] = variables;
@@ -139,7 +140,8 @@ proptest! {
             quantities.iter().all(|quantity| quantity.clone().parts().is_some()).then(|| whole.of(&[x, a, b]))
         };
         let value = |at: usize, slope: bool| ExactDual::number(BigRational::int(values[at]), slope.into());
-        let Some((expected, slope)) = compound([0, 1, 2].map(|at| value(at, at == by))).and_then(ExactDual::parts) else { return Ok(()) };
+        let expected = compound([0, 1, 2].map(|at| value(at, at == by))).and_then(ExactDual::parts);
+        let (expected, slope) = expected.or_reject("no value")?;
 
         let variables = symbols();
         let [a, b] = [one.of(&variables), two.of(&variables)];

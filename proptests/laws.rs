@@ -9,19 +9,20 @@ fn int(n: i32) -> BigRational {
     BigRational::int(n)
 }
 
-/// The change of momentum of a vehicle.
+/// Returns the change of a vehicle's momentum.
 fn momentum_gained(vehicle: &Vehicle<BigRational>, after: &Motion<BigRational>) -> Xy<BigRational> {
     (after.velocity.clone() - vehicle.motion.velocity.clone()) * vehicle.mass.clone()
 }
 
-/// The change of a vehicle's angular momentum about the impact center: its spin, and that of its center of mass, which lies at −r.
+/// Returns the change of a vehicle's angular momentum about the impact center: that of its spin, and that of its
+/// center of mass, which is at −r.
 fn angular_momentum_gained(vehicle: &Vehicle<BigRational>, after: &Motion<BigRational>) -> BigRational {
     let arm = vehicle.heading.to_ground(vehicle.impact_center.clone());
     let spin = vehicle.yaw_inertia.clone() * (after.yaw_rate.clone() - vehicle.motion.yaw_rate.clone());
     spin - arm.cross(momentum_gained(vehicle, after))
 }
 
-/// Velocity of the vehicle's point at the impact center, in ground axes.
+/// Returns the velocity of the impact center on a vehicle, in ground axes.
 fn at_center(vehicle: &Vehicle<BigRational>, motion: &Motion<BigRational>) -> Xy<BigRational> {
     let arm = vehicle.heading.to_ground(vehicle.impact_center.clone());
     motion.velocity.clone() + arm.quarter_turn() * motion.yaw_rate.clone()
@@ -107,7 +108,7 @@ proptest! {
                 prop_assert_eq!(&impact.separation.t, &-(collision.restitution.clone() * &impact.approach.t));
             }
         }
-        // The critical ratio is reported whichever law and ratio are in force, and given as a number it does the same.
+        // The critical ratio is reported whatever the law and the ratio, and has the same effect if given as a number.
         if impact.critical_impulse.n != int(0) && impact.approach.n != int(0) && draw.law == Law::Brach {
             let given = Collision { impulse_ratio: ImpulseRatio::Given(impact.critical_impulse_ratio()), ..collision };
             prop_assert_eq!(given.evaluate().impulse, impact.impulse);
@@ -116,7 +117,7 @@ proptest! {
 
     #[test]
     fn friction_alone_chooses_between_sliding_and_sticking(draw in draw()) {
-        // However much friction, the limited impulse is the sticking one wherever that pushes and lies in the cone.
+        // With any amount of friction, the limited impulse equals the sticking one if that is compressive and inside the friction cone.
         let collision = draw.exact();
         let sticking = Collision { impulse_ratio: ImpulseRatio::Critical, ..collision.clone() }.evaluate();
         if sticking.impulse.n.clone() * &sticking.approach.n > int(0) {
@@ -152,7 +153,7 @@ proptest! {
     fn impulse_for_undoes_yield_to(draw in draw(), n in -9..=9_i32, t in -9..=9_i32) {
         let k = draw.exact().contact().compliance;
         let impulse = Nt { n: int(n), t: int(t) };
-        prop_assert_eq!(k.impulse_for(k.yield_to(impulse.clone())), impulse);
+        prop_assert_eq!(k.impulse_for(k.velocity_change(impulse.clone())), impulse);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Normal noise from a fixed seed, and how often a statement with a stated rate must come true.
+//! Normal noise from a fixed seed, and counts of statements that must hold at a stated rate.
 
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};
@@ -10,14 +10,14 @@ impl Noise {
         Noise(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
     }
 
-    /// Mean 0, standard deviation 1 (Box and Muller).
+    /// Draws a number with mean 0 and standard deviation 1 (Box and Muller).
     pub fn normal(&mut self) -> f64 {
         let (radius, angle): (f64, f64) = (1.0 - self.0.random::<f64>(), self.0.random());
         (-2.0 * radius.ln()).sqrt() * (std::f64::consts::TAU * angle).cos()
     }
 }
 
-/// How often something is said, and how often it is true.
+/// Number of times a statement is made, and number of times it is true.
 #[derive(Default)]
 pub struct Count {
     said: u32,
@@ -30,8 +30,8 @@ impl Count {
         self.held += u32::from(held);
     }
 
-    /// Five standard deviations of a binomial count: a right rate fails once in two million seeds, and with the counts used here a standard deviation that is
-    /// wrong by a tenth fails.
+    /// Asserts a rate to within five standard deviations of a binomial count: a correct rate fails for one seed in
+    /// two million, and with the counts used here a standard deviation that is wrong by a tenth fails.
     pub fn assert_rate(&self, what: &str, rate: f64) {
         let (said, held) = (f64::from(self.said), f64::from(self.held));
         let allowed = 5.0 * (rate * (1.0 - rate) / said).sqrt();
@@ -39,9 +39,9 @@ impl Count {
     }
 }
 
-/// The share of a normal distribution within one standard deviation, erf(1/√2).
+/// Probability of a normal distribution within one standard deviation, erf(1/√2).
 pub const WITHIN_ONE: f64 = 0.682_689_492;
-/// And within two, erf(√2).
+/// Probability within two standard deviations, erf(√2).
 pub const WITHIN_TWO: f64 = 0.954_499_736;
 
 #[test]

@@ -1,8 +1,8 @@
-//! The paper's own equations against the matrix form: equality in rationals, for every numbered equation that a collision has.
+//! The paper's own equations compared with the matrix form: equality in rationals, for every numbered equation of a collision.
 
-use crate::strategies::{Draw, computable, config};
+use crate::strategies::{Draw, OrReject, computable, config};
 use num_rational::BigRational;
-use planar_impact::paper::{self, Letters};
+use planar_impact::paper::{self, PaperNotation};
 use planar_impact::*;
 use proptest::prelude::*;
 
@@ -15,7 +15,7 @@ struct Both {
     collision: Collision<BigRational>,
     contact: Contact<BigRational>,
     impact: Impact<BigRational>,
-    letters: Letters<BigRational>,
+    letters: PaperNotation<BigRational>,
 }
 
 fn both(draw: Draw) -> Option<Both> {
@@ -29,7 +29,7 @@ fn both(draw: Draw) -> Option<Both> {
     if contact.approach.n == int(0) || impact.impulse.n == int(0) {
         return None;
     }
-    let letters = Letters::of(&contact.one, &contact.two, collision.restitution.clone(), impact.impulse_ratio());
+    let letters = PaperNotation::of(&contact.one, &contact.two, collision.restitution.clone(), impact.impulse_ratio());
     Some(Both { collision, contact, impact, letters })
 }
 
@@ -38,7 +38,7 @@ proptest! {
 
     #[test]
     fn a1_to_a6_are_the_changes_of_motion(draw in computable()) {
-        let Some(Both { collision, contact, impact, letters }) = both(draw) else { return Ok(()) };
+        let Both { collision, contact, impact, letters } = both(draw).or_reject("the paper has no equations")?;
         let change = |response: &Response<BigRational>| collision.crush_plane.to_contact(response.delta_v.clone());
         prop_assert_eq!(change(&impact.one), Nt { n: letters.a1(), t: letters.a2() });
         prop_assert_eq!(change(&impact.two), Nt { n: letters.a3(), t: letters.a4() });
@@ -48,7 +48,7 @@ proptest! {
 
     #[test]
     fn a7_a8_a11_to_a13_are_the_relative_velocities(draw in computable()) {
-        let Some(Both { collision, contact, impact, letters }) = both(draw) else { return Ok(()) };
+        let Both { collision, contact, impact, letters } = both(draw).or_reject("the paper has no equations")?;
         prop_assert_eq!(&letters.a11(), &contact.approach.n);
         prop_assert_eq!(&letters.a13(), &-contact.approach.n.clone());
         prop_assert_eq!(&letters.a12(), &-impact.separation.n.clone());
@@ -58,7 +58,7 @@ proptest! {
 
     #[test]
     fn a14_a19_to_a21_and_a26_to_a30_are_the_compliance(draw in computable()) {
-        let Some(Both { contact, impact, letters, .. }) = both(draw) else { return Ok(()) };
+        let Both { contact, impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         let k = &contact.compliance;
         let m_bar = letters.m_bar();
         prop_assert_eq!(m_bar.clone() * (&contact.one.inverse_mass + &contact.two.inverse_mass), int(1));
@@ -73,14 +73,14 @@ proptest! {
 
     #[test]
     fn a27_is_the_critical_ratio(draw in computable()) {
-        let Some(Both { impact, letters, .. }) = both(draw) else { return Ok(()) };
+        let Both { impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         prop_assume!(impact.critical_impulse.n != int(0));
         prop_assert_eq!(letters.a27(), impact.critical_impulse_ratio());
     }
 
     #[test]
     fn a22_to_a25_are_the_impulse(draw in computable()) {
-        let Some(Both { collision, impact, letters, .. }) = both(draw) else { return Ok(()) };
+        let Both { collision, impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         let before = collision.one.vehicle().expect("a vehicle").motion.velocity.clone();
         let on_ground = paper::a22_a23(letters.m_1, before, impact.one.after.velocity.clone());
         prop_assert_eq!(&on_ground, &impact.impulse_on_ground);
@@ -89,14 +89,14 @@ proptest! {
 
     #[test]
     fn equation_1_is_the_loss(draw in computable()) {
-        let Some(Both { impact, letters, .. }) = both(draw) else { return Ok(()) };
+        let Both { impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         prop_assert_eq!(letters.eq1(), impact.loss());
     }
 
     #[test]
     fn equation_2_is_the_change_of_velocity(draw in computable()) {
-        // Independent of the way the crate takes, ΔV = P/m: Eq 2 has it from the energy.
-        let Some(Both { impact, letters, .. }) = both(draw) else { return Ok(()) };
+        // Independent of the crate's ΔV = P/m: Eq 2 computes it from the energy.
+        let Both { impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         prop_assume!(impact.loss() != int(0));
         let squared = letters.eq2_squared(impact.loss());
         for (response, mass) in [(&impact.one, &letters.m_1), (&impact.two, &letters.m_2)] {
@@ -106,7 +106,7 @@ proptest! {
 
     #[test]
     fn equations_5_to_8_are_the_works(draw in computable()) {
-        let Some(Both { contact, impact, letters, .. }) = both(draw) else { return Ok(()) };
+        let Both { contact, impact, letters, .. } = both(draw).or_reject("the paper has no equations")?;
         prop_assert_eq!(&letters.eq7(), &impact.work.n);
         prop_assert_eq!(&letters.eq8(), &impact.work.t);
         let after = [&contact.one, &contact.two].map(|body| {
@@ -121,7 +121,7 @@ proptest! {
 
     #[test]
     fn a15_to_a18_are_the_arms(draw in computable(), theta in -3.0..3.0_f64, gamma in -3.0..3.0_f64) {
-        // With angles, so in floats: φ_1 points from C to the center of mass of vehicle 1, φ_2 from that of vehicle 2 to C.
+        // With angles, therefore in floats: φ_1 points from C to the center of mass of vehicle 1, φ_2 from that of vehicle 2 to C.
         let mut collision = Draw { barrier: false, ..draw }.of::<f64>();
         for party in [&mut collision.one, &mut collision.two] {
             if let Party::Vehicle(vehicle) = party {
@@ -130,7 +130,7 @@ proptest! {
         }
         collision.crush_plane = CrushPlane::from_angle(gamma);
         let contact = collision.contact();
-        let letters = Letters::of(&contact.one, &contact.two, 0.0, 0.0);
+        let letters = PaperNotation::of(&contact.one, &contact.two, 0.0, 0.0);
         let [c_1, c_2] = [&collision.one, &collision.two].map(|party| party.vehicle().expect("a vehicle").impact_center);
         let (d_1, phi_1) = (c_1.length(), (-c_1.left).atan2(-c_1.forward));
         let (d_2, phi_2) = (c_2.length(), c_2.left.atan2(c_2.forward));
@@ -151,13 +151,13 @@ proptest! {
             impact_center: ForwardLeft::zero(),
             motion: Motion::rest(),
         };
-        // All of the mass at the radius of gyration has the same energy.
+        // The entire mass at the radius of gyration has the same energy.
         let energy = spinning.kinetic_energy(Motion { velocity: Xy::zero(), yaw_rate: int(1) });
         prop_assert_eq!(energy, (int(mass) * int(radius) * int(radius)).half());
     }
 }
 
-/// The exact collision of which every letter is known: the loss from momentum alone is 18819/7442.
+/// An exact collision with every symbol known: the loss from momentum alone is 18819/7442.
 #[test]
 fn one_collision_by_its_fractions() {
     let fraction = |n: i32, d: i32| int(n) / int(d);
@@ -173,7 +173,7 @@ fn one_collision_by_its_fractions() {
     };
     let one = body(2, 3, (-10, 1), fraction(1, 2), (int(-2), int(1)));
     let two = body(4, 5, (1, 6), int(-1), (fraction(3, 2), fraction(1, 2)));
-    let letters = Letters::of(&one, &two, fraction(1, 4), fraction(1, 2));
+    let letters = PaperNotation::of(&one, &two, fraction(1, 4), fraction(1, 2));
     let contact = Contact::between(one, two);
     let impulse = law::impulse_at_ratio(&contact.compliance, fraction(5, 4) * &contact.approach.n, fraction(1, 2));
     assert_eq!(contact.loss(impulse.clone()), letters.eq1());

@@ -1,9 +1,9 @@
-//! A reader of formulas as text: what is printed must say what is meant.
+//! Parses formulas from text: the printed formula must have the intended value.
 
 use planar_impact::Real;
 use std::collections::HashMap;
 
-/// The definitions of a formula as it is printed: each name with the lines of its value, and how far each is indented.
+/// The definitions of a printed formula: each name with the lines of its value, and the indentation of each line.
 pub struct Reader {
     definitions: HashMap<String, Vec<(usize, String)>>,
     formula: String,
@@ -32,7 +32,7 @@ impl Reader {
         Reader { definitions, formula: formula.expect("there is a formula") }
     }
 
-    /// The value of the formula, given those of the variables.
+    /// Evaluates the formula, given the values of the variables.
     pub fn value<T: Real>(&self, variables: &HashMap<&str, T>) -> T {
         self.quantity(&self.formula, variables)
     }
@@ -41,7 +41,7 @@ impl Reader {
         let Some(lines) = self.definitions.get(name) else {
             return variables.get(name).unwrap_or_else(|| panic!("{name} is not defined")).clone();
         };
-        // A value, and behind it its condition, further inward; and so on.
+        // Values, each followed by its condition, which is indented further.
         let mut parts: Vec<String> = Vec::new();
         let mut conditional = false;
         for (indent, line) in lines {
@@ -68,7 +68,7 @@ impl Reader {
     }
 }
 
-/// What is left to read of a line.
+/// The unread rest of a line.
 struct Line<'a, T> {
     rest: &'a str,
     reader: &'a Reader,
@@ -109,7 +109,7 @@ impl<T: Real> Line<'_, T> {
         }
     }
 
-    /// Factors side by side, and one divisor.
+    /// Parses adjacent factors, and one divisor.
     fn term(&mut self) -> T {
         let mut product = self.factor();
         while !self.rest.starts_with(" +") && !self.rest.starts_with(" −") && self.take(" ") {
@@ -153,21 +153,21 @@ impl<T: Real> Line<'_, T> {
             return value.magnitude();
         }
         if self.take("√") {
-            return self.atom().sqrt();
+            return self.atom().square_root();
         }
         if self.take("atan2(") {
             let y = self.sum();
             self.expect(", ");
             let x = self.sum();
             self.expect(")");
-            return (y + T::int(0)).atan2(x + T::int(0));
+            return (y + T::int(0)).arctangent(x + T::int(0));
         }
         for circular in ["sin", "cos"] {
             if self.rest.starts_with(circular) {
                 self.expect(circular);
                 let exponent = self.exponent();
                 self.take(" ");
-                let (sin, cos) = self.atom().sin_cos();
+                let (sin, cos) = self.atom().sin_and_cos();
                 let value = if circular == "sin" { sin } else { cos };
                 return (1..exponent).fold(value.clone(), |power, _| power * value.clone());
             }

@@ -1,4 +1,4 @@
-//! From evidence back to what it is evidence of.
+//! Reconstruction of collisions from evidence.
 
 mod answers;
 mod calibration;

@@ -1,13 +1,13 @@
-//! Sliding to rest: the laws of the way there, and the way back.
+//! Sliding to rest, forward and inverse.
 
 use crate::strategies::fewer;
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, solve_ode};
 use differential_equations::solout::DefaultSolout;
-use planar_impact::rest::*;
+use planar_impact::post_impact::*;
 use planar_impact::*;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
+use proptest::test_runner::Config;
 
 const GRAVITY: f64 = 9.80665;
 
@@ -37,13 +37,13 @@ fn on_a_road(wheels: Wheels<Wheel>) -> Slide {
     Slide { vehicle: vehicle(wheels), ground: Ground::uniform(0.7) }
 }
 
-/// Up to 15 m/s either way, and 3 rad/s.
+/// Generates velocities up to 15 m/s in either direction, and yaw rates up to 3 rad/s.
 fn motions() -> impl Strategy<Value = Motion> {
     (-15..=15_i32, -15..=15_i32, -6..=6_i32)
         .prop_map(|(x, y, rate)| Motion { velocity: Xy { x: f64::from(x), y: f64::from(y) }, yaw_rate: f64::from(rate) / 2.0 })
 }
 
-/// A wet lane across the way, and a square of gravel in it.
+/// Returns a wet lane across the path, and a square of gravel in it.
 fn lane() -> Vec<Region> {
     let at = |x, y| Xy { x, y };
     vec![
@@ -79,29 +79,24 @@ fn moved(ground: &Ground, point: impl Fn(Xy) -> Xy) -> Ground {
     Ground { regions, ..ground.clone() }
 }
 
-/// A slide to rest is no closed formula: how far its integration may be off is tried on cases that are the same in every run, other ones with `PROPTEST_RNG_SEED`.
-fn same_in_every_run(one_in: u32) -> Config {
-    let config = fewer(one_in);
-    let seed = if std::env::var_os("PROPTEST_RNG_SEED").is_some() { config.rng_seed } else { RngSeed::Fixed(1) };
-    Config { rng_seed: seed, ..config }
-}
-
-/// Whether two ends agree to a share of the way there: the integration holds its errors to such a share, and free wheels roll for hundreds of meters.
+/// Returns `true` if two end poses agree to a fraction of the distance: the integration bounds its errors by such a
+/// fraction, and free wheels roll for hundreds of meters.
 fn close(one: &Pose, other: &Pose, within: f64) -> bool {
     let within = within * (1.0 + other.position.length());
     (one.position - other.position).length() <= within && (one.heading - other.heading).abs() <= within
 }
 
-/// The distance that a locked vehicle slides straight on, with the force of a regularized tire: ∫ √(v² + ε²) dv / (μ g).
+/// Computes the distance that a locked vehicle slides straight on, with the force of a regularized tire: ∫ √(v² + ε²) dv / (μ g).
 fn locked_distance(speed: f64, friction: f64, epsilon: f64) -> f64 {
     let root = (speed * speed + epsilon * epsilon).sqrt();
     (speed * root + epsilon * epsilon * (speed / epsilon).asinh()) / (2.0 * friction * GRAVITY)
 }
 
 proptest! {
-    #![proptest_config(same_in_every_run(50))]
+    #![proptest_config(fewer(50))]
 
-    /// v²/(2μg), in any direction to the vehicle; what the regularization adds is in closed form, below ε² (1 + ln(2v/ε))/(2μg), and vanishes with it.
+    /// The distance is v²/(2μg), in any direction relative to the vehicle; the effect of the regularization is in
+    /// closed form, below ε² (1 + ln(2v/ε))/(2μg), and vanishes with ε.
     #[test]
     fn locked_wheels_stop_in_half_the_square_over_friction(tenths in 20..=250_i32, hundredths in 20..=90_i32, degrees in -180..=180_i32, steer in -5..=5_i32) {
         let (speed, friction) = (f64::from(tenths) / 10.0, f64::from(hundredths) / 100.0);
@@ -116,7 +111,8 @@ proptest! {
             let rest = slide.to_rest(&pose, &motion).expect("it comes to rest");
             let distance = (rest.pose.position - pose.position).length();
             prop_assert!((rest.pose.heading - pose.heading).abs() < 1e-12);
-            // Below five ε the rest of the way is taken with the deceleration there: wrong by less than the whole of its regularization.
+            // Below five ε, the rest of the path uses the deceleration there: the error is less than the entire
+            // effect of the regularization.
             let beside = epsilon * epsilon / (friction * GRAVITY);
             prop_assert!((distance - locked_distance(speed, friction, epsilon)).abs() < 2.0 * beside, "{} {}", distance, exact);
             let excess = distance - exact;
@@ -140,7 +136,7 @@ proptest! {
         }
     }
 
-    /// The whole scene turned, moved and mirrored.
+    /// With the entire scene rotated, moved and mirrored.
     #[test]
     fn the_end_turns_with_the_scene(wheels in wheels(), motion in motions(), degrees in -180..=180_i32) {
         let slide = Slide { ground: Ground { regions: lane(), ..Ground::uniform(0.7) }, ..on_a_road(wheels) };
@@ -148,12 +144,12 @@ proptest! {
         let rest = slide.to_rest(&from, &motion).expect("it comes to rest");
         let (by, along) = (f64::from(degrees).to_radians(), Xy { x: 7.0, y: -11.0 });
 
-        // A direction turns and does not move.
+        // A direction is rotated but not moved.
         let mut ground = moved(&slide.ground, |point| turned(point, by));
         for region in &mut ground.regions {
             match &mut region.area {
-                Area::HalfPlane { from, .. } => *from = *from + along,
-                Area::Polygon(corners) => corners.iter_mut().for_each(|corner| *corner = *corner + along),
+                Area::HalfPlane { from, .. } => *from += along,
+                Area::Polygon(corners) => corners.iter_mut().for_each(|corner| *corner += along),
             }
         }
         let scene = Slide { ground, ..slide.clone() };
@@ -170,7 +166,8 @@ proptest! {
         prop_assert!(close(&there.pose, &expected, 1e-5), "{:?} {:?}", there.pose, expected);
     }
 
-    /// Mass and inertia times one factor change nothing. Lengths times L and speeds times √L do, with the same friction: every length times L, the time times √L.
+    /// A common factor of mass and inertia changes nothing. If lengths are multiplied by L and speeds by √L, with the
+    /// same friction, every distance is multiplied by L and the time by √L.
     #[test]
     fn the_end_scales(wheels in wheels(), motion in motions(), factor in 2..=5_i32) {
         let slide = on_a_road(wheels);
@@ -195,7 +192,8 @@ proptest! {
         prop_assert!((there.time / rest.time / factor.sqrt() - 1.0).abs() < 1e-6);
     }
 
-    /// v² = 2 g (μ₁ d₁ + μ₂ d₂) with every wheel in the second friction by the end: an axle at a time, so d is that of the axles by their loads.
+    /// v² = 2 g (μ₁ d₁ + μ₂ d₂) if every wheel ends on the second friction: the axles cross one at a time, so d is
+    /// the mean over the axles, weighted by their loads.
     #[test]
     fn two_frictions_take_their_shares(first in 30..=90_i32, second in 30..=90_i32, tenths in 30..=120_i32, beyond in 20..=100_i32) {
         let (first, second) = (f64::from(first) / 100.0, f64::from(second) / 100.0);
@@ -213,7 +211,7 @@ proptest! {
         prop_assert!((rest.pose.position.x - end).abs() < 1e-5, "{} {}", rest.pose.position.x, end);
     }
 
-    /// v²/(2 f g), and no regularization in it: a rolling wheel does not slip.
+    /// The distance is v²/(2 f g), without effect of the regularization, because a rolling wheel does not slip.
     #[test]
     fn free_wheels_roll_to_a_stop(tenths in 5..=200_i32, thousandths in 5..=50_i32) {
         let (speed, resistance) = (f64::from(tenths) / 10.0, f64::from(thousandths) / 1000.0);
@@ -226,7 +224,7 @@ proptest! {
         prop_assert!((rest.time - speed / (resistance * GRAVITY)).abs() < 1e-6);
     }
 
-    /// The same answer mirrored, or the same refusal; also of a vehicle that hardly turned or did not.
+    /// The mirrored answer, or the same refusal; also for a vehicle that hardly turned or did not turn.
     #[test]
     fn the_closed_form_mirrors(wheels in wheels(), x in -20..=20_i32, y in -20..=20_i32, degrees in prop_oneof![Just(0), -20..=20_i32, -400..=400_i32]) {
         let evidence = RestEvidence {
@@ -245,7 +243,7 @@ proptest! {
                 prop_assert!((here.motion.yaw_rate + there.motion.yaw_rate).abs() < 1e-6, "{:?} {:?}", here, there);
                 let (sds, others) = (here.covariance.deviations(), there.covariance.deviations());
                 prop_assert!((0..3).all(|i| (sds[i] / others[i] - 1.0).abs() < 1e-6), "{:?} {:?}", sds, others);
-                // A deviation says something of the value beside it.
+                // The standard deviation stays meaningful.
                 prop_assert!(sds[2] < 20.0, "{:?}", here);
             }
             (Err(here), Err(there)) => prop_assert!(std::mem::discriminant(&here) == std::mem::discriminant(&there), "{here} {there}"),
@@ -253,7 +251,7 @@ proptest! {
         }
     }
 
-    /// Where the way is as it assumes.
+    /// If the path satisfies its assumptions.
     #[test]
     fn the_closed_form_is_exact_for_locked_wheels_without_rotation(motion in motions()) {
         let motion = Motion { yaw_rate: 0.0, ..motion };
@@ -268,48 +266,119 @@ proptest! {
 
 const ODD: [f64; 10] = [1.0, 0.5, 20.0, 0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300];
 
-proptest! {
-    #![proptest_config(same_in_every_run(300))]
+/// Returns a slide and evidence with these numbers in place of all others.
+fn numbered(wheels: Wheels<Wheel>, numbers: &[f64]) -> (Slide, Motion, RestEvidence) {
+    let [mass, yaw_inertia, front_axle, rear_axle, rolling_resistance, slip_angle, regularization, friction, ref rest @ ..] = *numbers
+    else {
+        panic!("too few numbers")
+    };
+    let [x, y, yaw_rate, heading, rest_x, rest_y, rest_heading, sd_x, sd_y, heading_deviation, friction_deviation] = *rest else {
+        panic!("19 numbers")
+    };
+    let tires = Tires { rolling_resistance, slip_angle, regularization };
+    let vehicle = SlidingVehicle { mass, yaw_inertia, front_axle, rear_axle, tires, ..vehicle(wheels) };
+    let evidence = RestEvidence {
+        separation: Pose { heading, ..Pose::default() },
+        rest: Pose { position: Xy { x: rest_x, y: rest_y }, heading: rest_heading },
+        position_deviation: Xy { x: sd_x, y: sd_y },
+        heading_deviation,
+        friction_deviation,
+    };
+    let slide = Slide { vehicle, ground: Ground { regions: lane(), ..Ground::uniform(friction) } };
+    (slide, Motion { velocity: Xy { x, y }, yaw_rate }, evidence)
+}
 
-    /// Whatever the numbers, it ends, without a panic.
-    #[test]
-    fn nothing_hangs_and_nothing_panics(wheels in wheels(), bad in prop::collection::vec(prop::sample::select(&ODD[..]), 19)) {
-        let mut slide = on_a_road(wheels);
-        let vehicle = &mut slide.vehicle;
-        [vehicle.mass, vehicle.yaw_inertia, vehicle.front_axle, vehicle.rear_axle] = [bad[0], bad[1], bad[2], bad[3]];
-        slide.vehicle.tires = Tires { rolling_resistance: bad[4], slip_angle: bad[5], regularization: bad[6] };
-        (slide.ground.friction, slide.ground.regions) = (bad[7], lane());
-        let motion = Motion { velocity: Xy { x: bad[8], y: bad[9] }, yaw_rate: bad[10] };
-        let pose = Pose { position: Xy { x: 0.0, y: 0.0 }, heading: bad[11] };
-        let begun = std::time::Instant::now();
-        match slide.to_rest(&pose, &motion) {
-            Ok(rest) => prop_assert!(rest.pose.position.x.is_finite() && rest.pose.position.y.is_finite() && rest.pose.heading.is_finite()),
+/// Tests that all answers are finite or have a reason; returns `true` if there is any.
+fn answers(slide: &Slide, motion: &Motion, evidence: &RestEvidence) -> Result<bool, TestCaseError> {
+    let begun = std::time::Instant::now();
+    let rest = slide.to_rest(&evidence.separation, motion);
+    match &rest {
+        Ok(Rest { pose: Pose { position, heading }, .. }) => {
+            prop_assert!([position.x, position.y, *heading].into_iter().all(f64::is_finite))
+        }
+        Err(why) => prop_assert!(!why.to_string().is_empty()),
+    }
+    let separations = [Method::Slide, Method::ClosedForm].map(|method| slide.separation(evidence, method));
+    for separation in &separations {
+        match separation {
+            Ok(found) => prop_assert!(found.motion.velocity.x.is_finite() && found.motion.yaw_rate.is_finite()),
             Err(why) => prop_assert!(!why.to_string().is_empty()),
         }
-        let evidence = RestEvidence {
-            separation: pose,
-            rest: Pose { position: Xy { x: bad[12], y: bad[13] }, heading: bad[14] },
-            position_deviation: Xy { x: bad[15], y: bad[16] },
-            heading_deviation: bad[17],
-            friction_deviation: bad[18],
-        };
-        // Odd numbers of everything are mostly refused; on a good road it comes to a search.
-        let sound = RestEvidence { separation: Pose::default(), ..evidence };
-        for (slide, evidence) in [(&slide, evidence), (&on_a_road(wheels), sound)] {
-            for method in [Method::Slide, Method::ClosedForm] {
-                match slide.separation(&evidence, method) {
-                    Ok(found) => prop_assert!(found.motion.velocity.x.is_finite() && found.motion.yaw_rate.is_finite()),
-                    Err(why) => prop_assert!(!why.to_string().is_empty()),
-                }
-            }
-        }
-        prop_assert!(begun.elapsed().as_secs() < 30);
+    }
+    prop_assert!(begun.elapsed().as_secs() < 30);
+    Ok(rest.is_ok() || separations.iter().any(Result::is_ok))
+}
+
+proptest! {
+    #![proptest_config(fewer(300))]
+
+    /// For any numbers, it terminates without a panic; most of them are refused.
+    #[test]
+    fn nothing_hangs_and_nothing_panics(wheels in wheels(), odd in prop::collection::vec(prop::sample::select(&ODD[..]), 19)) {
+        let (slide, motion, evidence) = numbered(wheels, &odd);
+        answers(&slide, &motion, &evidence)?;
+        // With a valid road and separation pose, the search runs.
+        answers(&on_a_road(wheels), &motion, &RestEvidence { separation: Pose::default(), ..evidence })?;
+    }
+}
+
+/// The equations of motion for the crate's Runge–Kutta method with fixed steps.
+struct Equations(Slide);
+
+impl ODE<f64, [f64; 6]> for Equations {
+    fn diff(&self, _: f64, y: &[f64; 6], change: &mut [f64; 6]) {
+        let motion = Motion { velocity: Xy { x: y[3], y: y[4] }, yaw_rate: y[5] };
+        let acceleration = self.0.acceleration(&Pose { position: Xy { x: y[0], y: y[1] }, heading: y[2] }, &motion);
+        *change = [y[3], y[4], y[5], acceleration.velocity.x, acceleration.velocity.y, acceleration.yaw_rate];
+    }
+}
+
+/// Half the step leaves a sixteenth of the error, on a section where no wheel comes to rest or changes from rolling to sliding.
+#[test]
+fn the_error_of_a_step_is_of_its_order() {
+    let slide = on_a_road(Wheels::all(Wheel::LOCKED));
+    let end = |steps: u32| {
+        let mut method = ExplicitRungeKutta::rk4(0.5 / f64::from(steps));
+        let start = [0.0, 0.0, 0.3, 14.0, 3.0, 4.0];
+        let equations = Equations(slide.clone());
+        let solution = solve_ode(&mut method, &equations, 0.0, 0.5, &start, &mut DefaultSolout::new()).expect("half a second");
+        *solution.y.last().expect("an end")
+    };
+    let exact = end(2048);
+    let error = |steps| end(steps).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    for steps in [8, 16, 32] {
+        let ratio = error(steps) / error(2 * steps);
+        assert!((12.0..20.0).contains(&ratio), "{steps} steps: {} and {}, {ratio}", error(steps), error(2 * steps));
+    }
+    // The path to rest passes through the same states.
+    let motion = Motion { velocity: Xy { x: 14.0, y: 3.0 }, yaw_rate: 4.0 };
+    let rest = slide.to_rest(&Pose { heading: 0.3, ..Pose::default() }, &motion).expect("it comes to rest");
+    let passing = rest.path.iter().rev().find(|passing| passing.time <= 1.0).expect("it takes longer");
+    let mut method = ExplicitRungeKutta::rk4(passing.time / 4096.0);
+    let start = [0.0, 0.0, 0.3, 14.0, 3.0, 4.0];
+    let equations = Equations(slide);
+    let solution = solve_ode(&mut method, &equations, 0.0, passing.time, &start, &mut DefaultSolout::new()).expect("a second");
+    let [x, y, heading, ..] = *solution.y.last().expect("an end");
+    assert!(passing.time > 0.5 && close(&passing.pose, &Pose { position: Xy { x, y }, heading }, 1e-9), "{passing:?} {x} {y} {heading}");
+}
+
+proptest! {
+    // An inverse takes seconds.
+    #![proptest_config(Config { cases: 8, ..fewer(300) })]
+
+    /// Of numbers that are accepted, however far from those of a vehicle.
+    #[test]
+    fn what_is_accepted_has_an_answer(wheels in wheels(), powers in prop::collection::vec(-1..=1_i32, 19)) {
+        let usual = [1400.0, 2300.0, 1.1, 1.5, 0.015, 0.1, 0.01, 0.7, 9.0, 3.0, 1.0, 0.4, 8.0, 2.0, 1.0, 0.3, 0.3, 0.1, 0.05];
+        let numbers: Vec<f64> = usual.into_iter().zip(powers).map(|(usual, power)| usual * 2_f64.powi(power)).collect();
+        let (slide, motion, evidence) = numbered(wheels, &numbers);
+        prop_assume!(answers(&slide, &motion, &evidence)?);
     }
 
     #[test]
     fn forward_and_back(wheels in wheels(), motion in motions()) {
         let slide = on_a_road(wheels);
-        // Vehicles that roll far are another matter: where they end depends on everything.
+        // Vehicles that roll far are excluded, because the end of their path depends sensitively on every input.
         let rest = slide.to_rest(&Pose::default(), &motion).expect("it comes to rest");
         prop_assume!(rest.pose.position.length() > 1.0 && rest.time < 5.0);
         let evidence = RestEvidence {
@@ -328,44 +397,4 @@ proptest! {
         let [x, y, rate] = found.covariance.deviations();
         prop_assert!(error < 1e-7 * (x + y + rate).max(1.0), "{:?} is not {:?}", found, motion);
     }
-}
-
-/// The equations of motion for the crate's Runge–Kutta method of fixed steps.
-struct Equations(Slide);
-
-impl ODE<f64, [f64; 6]> for Equations {
-    fn diff(&self, _: f64, y: &[f64; 6], change: &mut [f64; 6]) {
-        let motion = Motion { velocity: Xy { x: y[3], y: y[4] }, yaw_rate: y[5] };
-        let acceleration = self.0.acceleration(&Pose { position: Xy { x: y[0], y: y[1] }, heading: y[2] }, &motion);
-        *change = [y[3], y[4], y[5], acceleration.velocity.x, acceleration.velocity.y, acceleration.yaw_rate];
-    }
-}
-
-/// Half the step, a sixteenth of the error: on a stretch where no wheel comes to rest or changes from rolling to sliding.
-#[test]
-fn the_error_of_a_step_is_of_its_order() {
-    let slide = on_a_road(Wheels::all(Wheel::LOCKED));
-    let end = |steps: u32| {
-        let mut method = ExplicitRungeKutta::rk4(0.5 / f64::from(steps));
-        let start = [0.0, 0.0, 0.3, 14.0, 3.0, 4.0];
-        let equations = Equations(slide.clone());
-        let solution = solve_ode(&mut method, &equations, 0.0, 0.5, &start, &mut DefaultSolout::new()).expect("half a second");
-        *solution.y.last().expect("an end")
-    };
-    let exact = end(2048);
-    let error = |steps| end(steps).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    for steps in [8, 16, 32] {
-        let ratio = error(steps) / error(2 * steps);
-        assert!((12.0..20.0).contains(&ratio), "{steps} steps: {} and {}, {ratio}", error(steps), error(2 * steps));
-    }
-    // And the way to rest passes through the same states.
-    let motion = Motion { velocity: Xy { x: 14.0, y: 3.0 }, yaw_rate: 4.0 };
-    let rest = slide.to_rest(&Pose { heading: 0.3, ..Pose::default() }, &motion).expect("it comes to rest");
-    let passing = rest.path.iter().rev().find(|passing| passing.time <= 1.0).expect("it takes longer");
-    let mut method = ExplicitRungeKutta::rk4(passing.time / 4096.0);
-    let start = [0.0, 0.0, 0.3, 14.0, 3.0, 4.0];
-    let equations = Equations(slide);
-    let solution = solve_ode(&mut method, &equations, 0.0, passing.time, &start, &mut DefaultSolout::new()).expect("a second");
-    let [x, y, heading, ..] = *solution.y.last().expect("an end");
-    assert!(passing.time > 0.5 && close(&passing.pose, &Pose { position: Xy { x, y }, heading }, 1e-9), "{passing:?} {x} {y} {heading}");
 }

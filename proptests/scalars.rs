@@ -1,4 +1,4 @@
-//! One definition, every scalar: the answers agree, and enclose each other where they can.
+//! One definition for every scalar: the results agree, and enclose each other where the types allow it.
 
 use crate::strategies::{Draw, Fraction, RatioDraw, computable, config};
 use num_complex::Complex64;
@@ -10,14 +10,14 @@ use planar_impact::scalar::lanes::Lanes;
 use planar_impact::*;
 use proptest::prelude::*;
 
-/// Every number of an impact, in one order.
+/// Returns every number of an impact, in a fixed order.
 fn numbers<T: Field>(impact: Impact<T>) -> Vec<T> {
     let mut all = Vec::new();
     impact.map(|x| all.push(x));
     all
 }
 
-/// The greatest magnitude among them: errors are relative to it.
+/// Returns the greatest magnitude among them; errors are relative to it.
 fn scale(exact: &[f64]) -> f64 {
     exact.iter().fold(1.0, |greatest, x| x.abs().max(greatest))
 }
@@ -26,7 +26,8 @@ fn as_f64(impact: Impact<BigRational>) -> Vec<f64> {
     numbers(impact).iter().map(|x| x.to_f64().expect("small integers give finite results")).collect()
 }
 
-/// Wedging is where the impulse has a pole, and a friction limit turns round where the approach does: near them no float knows much.
+/// Returns `true` if the collision is not close to wedging, where the impulse has a pole, or to the point where the
+/// friction limit reverses with the approach; near these, floats lose their accuracy.
 fn well_conditioned(draw: &Draw) -> bool {
     let collision = draw.of::<f64>();
     let contact = collision.contact();
@@ -76,7 +77,7 @@ proptest! {
 
     #[test]
     fn lanes_are_four_floats(draws in [computable(), computable(), computable(), computable()]) {
-        // One law and kind of ratio in all lanes, as a sweep has.
+        // One law and one kind of ratio in all lanes, as in a sweep.
         let draws = draws.map(|draw| Draw { law: draws[0].law, ratio: draws[0].ratio, barrier: draws[0].barrier, ..draw });
         let singles = draws.map(|draw| draw.of::<f64>());
         let rows = singles.map(|collision| {
@@ -124,7 +125,7 @@ proptest! {
 
     #[test]
     fn complex_step_dual_and_difference_agree(draw in computable(), eighths in 1..=7_i32) {
-        // ∂/∂e of everything at the critical ratio. Complex numbers have no order, so they take the field's functions alone.
+        // ∂/∂e of everything at the critical ratio. Complex numbers have no order, so they use only functions of a field.
         let draw = Draw { ratio: RatioDraw::Critical, restitution: Fraction(eighths, 8), law: Law::Brach, ..draw };
         let e = f64::from(eighths) / 8.0;
         let through = |collision: Collision<Complex64>| {
@@ -141,7 +142,7 @@ proptest! {
         let scale = scale(&high);
         for (i, dual) in dual.iter().enumerate() {
             prop_assert!((dual.eps - complex[i]).abs() <= 1e-10 * scale, "number {}: {} by dual, {} by complex step", i, dual.eps, complex[i]);
-            // The results are quadratic in e, so a central difference is exact but for rounding.
+            // The results are quadratic in e, so a central difference is exact except for rounding.
             let difference = (high[i] - low[i]) / 2e-5;
             prop_assert!((dual.eps - difference).abs() <= 1e-7 * scale, "number {}: {} by dual, {} by difference", i, dual.eps, difference);
         }

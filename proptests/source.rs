@@ -1,4 +1,4 @@
-//! The Rust source of formulas, compiled and run.
+//! Compiles and runs the Rust source of formulas.
 
 use crate::formulas::{Tree, at, real_tree, symbols};
 use crate::strategies::computable;
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-/// A formula, and the value of each of its variables.
+/// A formula, and the values of its variables.
 struct Sample {
     formula: Formula,
     values: Vec<f64>,
@@ -29,7 +29,7 @@ impl Sample {
     }
 }
 
-/// Every output of collisions of every kind, and its derivative by one input each.
+/// Samples every output of collisions of every kind, and its derivative with respect to one input each.
 fn of_collisions(runner: &mut TestRunner, samples: &mut Vec<Sample>) {
     for kind in 0..12 {
         let drawn: Case = case(computable()).prop_filter("smooth", Case::is_smooth).new_tree(runner).expect("some are smooth").current();
@@ -52,7 +52,7 @@ fn of_trees(runner: &mut TestRunner, samples: &mut Vec<Sample>) {
     }
 }
 
-/// A program that prints the value of each, compiled with warnings as errors.
+/// Returns a program that prints the value of each sample, to be compiled with warnings as errors.
 fn program(samples: &[Sample]) -> String {
     let (mut modules, mut calls) = (String::new(), String::new());
     for (i, sample) in samples.iter().enumerate() {
@@ -86,7 +86,7 @@ fn the_source_compiles_and_computes_the_formula() {
     let computed: Vec<f64> = printed.lines().map(|line| line.parse().expect("a number")).collect();
     assert_eq!(computed.len(), samples.len());
     for (sample, computed) in samples.iter().zip(computed) {
-        // The circular functions of the standard library are not those of libm, and products are rounded in another order.
+        // The trigonometric functions of the standard library differ from those of libm, and products are rounded in another order.
         let expected = sample.value();
         let turned = (computed - expected).abs().min((core::f64::consts::TAU - (computed - expected).abs()).abs());
         assert!(turned <= 1e-9 * (1.0 + expected.abs()), "{computed} for {expected} of {}", sample.formula.rust());

@@ -1,25 +1,50 @@
-//! Random collisions, made of small integers and of ratios of them.
+//! Random collisions composed of small integers and their ratios.
 
 use num_rational::BigRational;
 use planar_impact::*;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, FileFailurePersistence};
+use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
 
-/// 10⁴ cases a law unless `PROPTEST_CASES` says otherwise; failures are kept beside the law that failed.
+/// Runs 10⁴ cases per law unless `PROPTEST_CASES` sets another number; failures are saved next to the law that
+/// failed. The cases are the same in every run, so that only a change of the code makes a test fail;
+/// `PROPTEST_RNG_SEED` draws others.
+///
+/// A law fails if it rejects more cases than it tests, by a filter or by an assumption: its generator is then wrong.
 pub fn config() -> Config {
-    let from_environment = std::env::var_os("PROPTEST_CASES").is_some();
+    fewer(1)
+}
+
+/// Runs one case in `one_in`, for slow tests, and always some.
+pub fn fewer(one_in: u32) -> Config {
+    let in_environment = |name| std::env::var_os(name).is_some();
+    let of_environment = Config::default();
+    let cases = if in_environment("PROPTEST_CASES") { of_environment.cases } else { 10_000 };
+    let cases = (cases / one_in).max(32);
     Config {
-        cases: if from_environment { Config::default().cases } else { 10_000 },
-        max_global_rejects: 1_000_000,
+        cases,
+        max_global_rejects: cases,
+        max_local_rejects: cases,
+        rng_seed: if in_environment("PROPTEST_RNG_SEED") { of_environment.rng_seed } else { RngSeed::Fixed(1) },
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..Config::default()
+        ..of_environment
     }
 }
 
-/// For what takes long: one case in so many, and still some of them.
-pub fn fewer(one_in: u32) -> Config {
-    let config = config();
-    Config { cases: (config.cases / one_in).max(32), ..config }
+/// Rejects a case that has no value to test.
+pub trait OrReject<T> {
+    fn or_reject(self, why: &str) -> Result<T, TestCaseError>;
+}
+
+impl<T> OrReject<T> for Option<T> {
+    fn or_reject(self, why: &str) -> Result<T, TestCaseError> {
+        self.ok_or_else(|| TestCaseError::reject(why.to_owned()))
+    }
+}
+
+impl<T, E> OrReject<T> for Result<T, E> {
+    fn or_reject(self, why: &str) -> Result<T, TestCaseError> {
+        self.ok().or_reject(why)
+    }
 }
 
 /// n/d, in any field.
@@ -47,7 +72,7 @@ pub struct VehicleDraw {
 pub struct Draw {
     pub one: VehicleDraw,
     pub two: VehicleDraw,
-    /// Whether vehicle 2 is a barrier instead.
+    /// `true` if vehicle 2 is replaced by a barrier.
     pub barrier: bool,
     /// Tangent of half of Γ.
     pub crush_plane: Fraction,
@@ -78,7 +103,7 @@ impl VehicleDraw {
 }
 
 impl Draw {
-    /// The collision in a given field.
+    /// Returns the collision in a given field.
     pub fn of<T: Field>(&self) -> Collision<T> {
         Collision {
             one: Party::Vehicle(self.one.of()),
@@ -100,8 +125,25 @@ impl Draw {
         self.of()
     }
 
-    /// Whether the impulse can be computed in rationals, which have no infinity: the ratio does not wedge the pair, and a fraction of the critical ratio is
-    /// a fraction of something.
+    /// Reverses every motion if the vehicles are separating, so that they approach each other.
+    pub fn closing(self) -> Draw {
+        let contact = self.of::<f64>().contact();
+        if contact.approach.n * contact.offset().n < 0.0 {
+            return self;
+        }
+        let reversed = |vehicle: VehicleDraw| {
+            let (x, y) = vehicle.velocity;
+            VehicleDraw { velocity: (-x, -y), yaw_rate: -vehicle.yaw_rate, ..vehicle }
+        };
+        Draw { one: reversed(self.one), two: reversed(self.two), ..self }
+    }
+
+    pub fn is_solved(&self) -> bool {
+        self.of::<f64>().solve().is_ok()
+    }
+
+    /// Returns `true` if the impulse can be computed in rationals, which have no infinity: the ratio does not wedge
+    /// the pair, and a fraction of the critical ratio is a fraction of a finite number.
     pub fn is_computable(&self) -> bool {
         let collision = self.exact();
         let contact = collision.contact();
@@ -125,7 +167,7 @@ fn fraction(numerator: std::ops::RangeInclusive<i32>, denominator: i32) -> impl 
     numerator.prop_map(move |n| Fraction(n, denominator))
 }
 
-/// Half-tangents of directions all around, a quarter turn among them; simple ones first.
+/// Generates half-angle tangents of directions all around, including a quarter turn; simple ones first.
 pub fn half_tangent() -> impl Strategy<Value = Fraction> {
     (-5..=5_i32, 1..=3_i32).prop_map(|(n, d)| Fraction(n, d))
 }
@@ -154,7 +196,7 @@ pub fn ratio() -> impl Strategy<Value = RatioDraw> {
     ]
 }
 
-/// Any collision, closing or not: the equations hold for both.
+/// Generates any collision, closing or not: the equations hold for both.
 pub fn draw() -> impl Strategy<Value = Draw> {
     let law = prop_oneof![Just(Law::Brach), Just(Law::KudlichSlibar)];
     (vehicle(), vehicle(), proptest::bool::weighted(0.2), half_tangent(), fraction(0..=8, 8), ratio(), law).prop_map(
@@ -162,12 +204,17 @@ pub fn draw() -> impl Strategy<Value = Draw> {
     )
 }
 
-/// Any collision whose impulse can be computed.
+/// Generates any collision whose impulse can be computed.
 pub fn computable() -> impl Strategy<Value = Draw> {
     draw().prop_filter("the impulse divides by zero", Draw::is_computable)
 }
 
-/// At common velocity: e = 0, μ = μ₀.
+/// Generates collisions that can be solved.
+pub fn solved() -> impl Strategy<Value = Draw> {
+    draw().prop_map(Draw::closing).prop_filter("refused", Draw::is_solved)
+}
+
+/// Generates collisions at common velocity: e = 0, μ = μ₀.
 pub fn common_velocity() -> impl Strategy<Value = Draw> {
     draw().prop_map(|draw| Draw { restitution: Fraction(0, 1), ratio: RatioDraw::Critical, ..draw })
 }

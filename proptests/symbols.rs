@@ -1,7 +1,7 @@
-//! The formula is what the code computes, and its derivative is that of dual numbers.
+//! Formulas evaluate to what the code computes, and their derivatives to those of dual numbers.
 
 use crate::exact_dual::ExactDual;
-use crate::strategies::{Draw, Fraction, RatioDraw, computable, config, draw};
+use crate::strategies::{Draw, Fraction, RatioDraw, computable, draw, fewer};
 use num_dual::Dual64;
 use num_rational::BigRational;
 use planar_impact::formula::Formulas;
@@ -10,13 +10,7 @@ use proptest::prelude::*;
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
 
-/// A hundredth of the cases of other laws: each is one of all outputs, and a formula takes a million times as long as a float.
-fn few() -> ProptestConfig {
-    let config = config();
-    ProptestConfig { cases: config.cases.div_ceil(100), ..config }
-}
-
-/// The formulas for collisions like this one, made once for each kind.
+/// Returns the formulas for collisions like this one, computed once for each kind.
 fn formulas(collision: &Collision<f64>) -> Arc<Formulas> {
     static MADE: LazyLock<Mutex<HashMap<String, Arc<Formulas>>>> = LazyLock::new(Mutex::default);
     let kind = format!("{:?}", collision.map(|_| ()));
@@ -24,7 +18,7 @@ fn formulas(collision: &Collision<f64>) -> Arc<Formulas> {
     made.entry(kind).or_insert_with(|| Arc::new(Formulas::of(collision))).clone()
 }
 
-/// A collision and the moment impulse that goes with it.
+/// A collision with its moment impulse.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
     draw: Draw,
@@ -36,12 +30,12 @@ impl Case {
         Collision { moment: self.moment.map(Fraction::of), ..self.draw.of() }
     }
 
-    /// An input in floats, an angle as an angle.
+    /// Returns an input in floats, with angles as angles.
     pub fn float(&self, name: &str) -> f64 {
         Input::named(name).and_then(|input| self.of::<f64>().input(input)).expect("a formula has the inputs of its collision")
     }
 
-    /// With directions from those angles, and with its derivative by an input.
+    /// Returns the collision with directions computed from those angles, and its derivative with respect to an input.
     fn with_angles(&self, by: Option<Input>) -> Collision<Dual64> {
         let dual = |input: Input, value: f64| Dual64::new(value, f64::from(u8::from(Some(input) == by)));
         let mut collision = self.of::<f64>().map(Dual64::from).shifted(|input| match input {
@@ -63,8 +57,8 @@ impl Case {
         Outputs::of(&collision, &collision.evaluate())
     }
 
-    /// Not near a place where an output has no derivative, or one that no float knows: where the impulse or the moment has a pole, where there is no change of
-    /// velocity, where friction begins to limit.
+    /// Returns `false` near points where an output has no derivative, or an ill-conditioned one: poles of the impulse
+    /// or the moment impulse, zero change of velocity, and the onset of the friction limit.
     pub fn is_smooth(&self) -> bool {
         let collision = self.with_angles(None);
         let contact = collision.contact();
@@ -77,7 +71,7 @@ impl Case {
             }
             _ => false,
         };
-        // What is left of the moment compliance when the impulse that goes with a moment has taken its share.
+        // The moment compliance that remains after the impulse that accompanies a moment.
         let row = contact.moment_compliance();
         let turning = match self.moment {
             Moment::None => 1.0,
@@ -85,11 +79,11 @@ impl Case {
         };
         let normal = |impulse: Nt| impulse.n.abs() / impulse.length();
         let all = [normal(impulse), normal(sticking), impulse.length(), contact.approach.n.re.abs(), stiffness.abs(), turning];
-        // Not a number, where there is no impulse at all, is not above either.
+        // NaN, which occurs without any impulse, is not above the limit either.
         all.into_iter().all(|size| size > 1e-2) && impulse.length() < 1e4 && sticking.length() < 1e4 && !on_the_edge
     }
 
-    /// The collision in exact numbers, each with its derivative by an input.
+    /// Returns the collision in exact numbers, each with its derivative with respect to an input.
     fn differentiated(&self, by: Input) -> Collision<ExactDual> {
         let number = |value: BigRational| ExactDual::number(value, 0);
         let one = || BigRational::int(1);
@@ -99,7 +93,7 @@ impl Case {
         })
     }
 
-    /// The inputs in exact numbers, each with its derivative by an input.
+    /// Returns the inputs in exact numbers, each with its derivative with respect to an input.
     fn exact(&self, by: Option<Input>) -> HashMap<&'static str, ExactDual> {
         let collision = self.of::<BigRational>();
         let heading = |side| match side {
@@ -133,14 +127,14 @@ fn any_input() -> impl Strategy<Value = Input> {
     prop::sample::select(Input::ALL.to_vec())
 }
 
-/// The greatest magnitude of all outputs, and at least 1.
+/// Returns the greatest magnitude of all outputs, and at least 1.
 fn scale(outputs: Outputs<f64>) -> f64 {
     let mut greatest = 1.0_f64;
     outputs.map(|x| greatest = greatest.max(x.abs()));
     greatest
 }
 
-/// How far two values of an output are apart; two directions by less than a turn.
+/// Returns the distance of two values of an output; of two directions, the distance within one turn.
 fn apart(output: Output, a: f64, b: f64) -> f64 {
     let difference = (a - b).abs();
     match output {
@@ -154,7 +148,8 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(few())]
+    // Each case compares all outputs, and a formula takes a million times as long as a float.
+    #![proptest_config(fewer(100))]
 
     #[test]
     fn the_record_is_the_kernel_to_the_bit(case in case(draw())) {

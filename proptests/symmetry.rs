@@ -1,4 +1,4 @@
-//! What must not matter: who is called vehicle 1, which way the axes point, who watches, and in which units.
+//! Symmetries: exchange of the vehicles, direction of the axes, observer, and units.
 
 use crate::strategies::{Draw, computable, config, half_tangent};
 use num_rational::BigRational;
@@ -23,7 +23,7 @@ fn mirror(v: Xy<BigRational>) -> Xy<BigRational> {
     Xy { x: v.x, y: -v.y }
 }
 
-/// The mirror image of a ratio in force.
+/// Returns the mirror image of an impulse ratio.
 fn opposite(ratio: ImpulseRatio<BigRational>) -> ImpulseRatio<BigRational> {
     match ratio {
         ImpulseRatio::Given(ratio) => ImpulseRatio::Given(-ratio),
@@ -149,7 +149,7 @@ proptest! {
 
     #[test]
     fn a_perfectly_elastic_impact_can_be_undone(draw in computable()) {
-        // e = 1 and the same impulse again on reversed motions: sticking with restitution of both components is its own inverse.
+        // e = 1 and the same impulse on reversed motions: sticking with restitution of both components is its own inverse.
         let collision = Collision { restitution: int(1), law: Law::KudlichSlibar, impulse_ratio: ImpulseRatio::Critical, ..draw.exact() };
         let there = collision.evaluate();
         let mut back = collision.clone();

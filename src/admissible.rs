@@ -1,50 +1,51 @@
-//! How far restitution and impulse ratio may go before the vehicles would gain energy.
+//! Limits on restitution and impulse ratio beyond which the vehicles would gain energy.
 //!
-//! A coefficient of restitution below 1 does not rule a gain out. With μ = μ₀ the loss is
+//! A coefficient of restitution below 1 does not rule out an energy gain. With μ = μ₀ the loss is
 //!
 //! ```text
 //! 2 det K T_L = (1 − e²) K_tt v_n² − 2 K_nt v_n v_t + K_nn v_t²
 //! ```
 //!
-//! which is not negative for every approach velocity if and only if e² ≤ 1 − K_nt²/(K_nn K_tt). For one approach velocity the bound is wider. For a given
-//! e the impulses with that restitution lie on a line, on which the loss is a concave quadratic: it is not negative between two impulse ratios, one on each
-//! side of zero.
+//! which is nonnegative for every approach velocity if and only if e² ≤ 1 − K_nt²/(K_nn K_tt). For a single approach velocity the bound is wider. For a given
+//! e, the impulses with that restitution lie on a line, along which the loss is a concave quadratic: it is nonnegative between two impulse ratios, one on
+//! each side of zero.
 
 use crate::collision::Collision;
 use crate::contact::Contact;
 use crate::law::{ImpulseRatio, Law};
 use crate::moment::Moment;
-use crate::scalar::{Field, Ordered, Real};
+use crate::scalar::{Field, Ordered, Real, is_finite};
 
-/// Where a collision gains no energy.
+/// Limits within which a collision gains no energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Admissible<T = f64> {
-    /// The coefficient of restitution up to which this collision gains no energy. With [`ImpulseRatio::Critical`] the critical ratio moves with e; any other
-    /// ratio is held where it is. It may be above 1, which is no promise.
+    /// Largest coefficient of restitution at which this collision gains no energy. With [`ImpulseRatio::Critical`] the critical ratio changes with e; any
+    /// other ratio is held constant. The value may exceed 1, which does not mean that such a restitution is possible.
     pub restitution: T,
-    /// The coefficient of restitution up to which no approach velocity gains energy at the critical ratio; the law of Kudlich and Slibar has 1.
+    /// Largest coefficient of restitution at which no approach velocity gains energy at the critical ratio; 1 for the law of Kudlich and Slibar.
     pub restitution_for_any_approach: T,
-    /// The least impulse ratio that gains no energy at the restitution given; None if there is none. Not above zero.
+    /// Smallest impulse ratio that gains no energy at the given restitution, or `None` if there is none. Never above zero.
     pub least_impulse_ratio: Option<T>,
-    /// The greatest such impulse ratio; None if there is none. Not below zero.
+    /// Largest impulse ratio that gains no energy at the given restitution, or `None` if there is none. Never below zero.
     pub greatest_impulse_ratio: Option<T>,
 }
 
 impl<T: Field> Contact<T> {
-    /// The square of the restitution up to which this approach velocity gains no energy at the critical ratio: v·adj(K) v / (K_tt v_n²).
+    /// Returns the square of the largest restitution at which this approach velocity gains no energy at the critical ratio: v·adj(K) v / (K_tt v_n²).
     pub fn critical_restitution_bound_squared(&self) -> T {
         let normal = self.compliance.tt.clone() * self.approach.n.clone().squared();
         self.compliance.determinant.clone() * self.greatest_loss() * T::int(2) / normal
     }
 
-    /// The square of the restitution up to which no approach velocity gains energy at the critical ratio: 1 − K_nt²/(K_nn K_tt).
+    /// Returns the square of the largest restitution at which no approach velocity gains energy at the critical ratio: 1 − K_nt²/(K_nn K_tt).
     pub fn restitution_bound_for_any_approach_squared(&self) -> T {
         let k = &self.compliance;
         k.determinant.clone() / (k.nn.clone() * k.tt.clone())
     }
 
-    /// The restitution up to which an impulse at a given ratio gains no energy: (1 + 2μr − s)/(1 + s) with r = v_t/v_n and
-    /// s = μ (K_nt + μ K_tt)/(K_nn + μ K_nt). It is where the bracket of Eq 1 vanishes.
+    /// Returns the largest restitution at which an impulse with the given ratio gains no energy: (1 + 2μr − s)/(1 + s) with r = v_t/v_n and s = μ (K_nt + μ
+    /// K_tt)/(K_nn + μ K_nt). At this restitution the bracket of Eq 1 vanishes.
     pub fn restitution_bound_at_ratio(&self, ratio: T) -> T {
         let k = &self.compliance;
         let r = self.approach.t.clone() / self.approach.n.clone();
@@ -54,15 +55,16 @@ impl<T: Field> Contact<T> {
 }
 
 impl<T: Real + Ordered<Mask = bool>> Collision<T> {
-    /// Where this collision gains no energy. None with a moment impulse, which moves the bounds.
+    /// Returns the limits within which this collision gains no energy. Returns `None` with a moment impulse, which shifts the bounds, and for inputs that
+    /// [`Collision::solve`] refuses or for which a limit is not finite.
     pub fn admissible(&self) -> Option<Admissible<T>> {
         if self.moment_is_on() {
             return None;
         }
-        let contact = self.contact();
-        let any = contact.restitution_bound_for_any_approach_squared().sqrt();
+        let contact = self.checked_contact().ok()?;
+        let any = contact.restitution_bound_for_any_approach_squared().square_root();
         let restitution = match (self.law, &self.impulse_ratio) {
-            (Law::Brach, ImpulseRatio::Critical) => contact.critical_restitution_bound_squared().sqrt(),
+            (Law::Brach, ImpulseRatio::Critical) => contact.critical_restitution_bound_squared().square_root(),
             (Law::KudlichSlibar, ImpulseRatio::Critical) => T::int(1),
             _ => {
                 let impulse = self.impulse(&contact).0;
@@ -70,7 +72,8 @@ impl<T: Real + Ordered<Mask = bool>> Collision<T> {
             }
         };
         let (least, greatest) = contact.ratios_without_gain(self.restitution.clone());
-        Some(Admissible {
+        let is_bounded = [Some(&restitution), Some(&any), least.as_ref(), greatest.as_ref()].into_iter().flatten().all(is_finite);
+        is_bounded.then(|| Admissible {
             restitution,
             restitution_for_any_approach: if self.law == Law::Brach { any } else { T::int(1) },
             least_impulse_ratio: least,
@@ -84,17 +87,17 @@ impl<T: Real + Ordered<Mask = bool>> Collision<T> {
 }
 
 impl<T: Real + Ordered<Mask = bool>> Contact<T> {
-    /// The impulse ratios between which an impulse of a given restitution gains no energy.
+    /// Returns the impulse ratios between which an impulse with the given restitution gains no energy.
     ///
     /// Along that line T_L(P_t) = (1 − e²) v_n²/(2 K_nn) + b P_t − det K/(2 K_nn) P_t² with b = v_t − v_n K_nt/K_nn, which vanishes on either side of zero.
-    /// A ratio that would need a pulling normal impulse is no bound.
+    /// A ratio that would need a tensile normal impulse is not a bound.
     fn ratios_without_gain(&self, restitution: T) -> (Option<T>, Option<T>) {
         let k = &self.compliance;
         let v = &self.approach;
         let base = (T::int(1) - restitution.clone().squared()) * v.n.clone().squared() / k.nn.clone();
         let slope = v.t.clone() - v.n.clone() * k.nt.clone() / k.nn.clone();
         let curvature = k.determinant.clone() / k.nn.clone();
-        let root = (slope.clone().squared() + base * curvature.clone()).sqrt();
+        let root = (slope.clone().squared() + base * curvature.clone()).square_root();
         let change = (T::int(1) + restitution) * v.n.clone();
         let ratio = |t: T| {
             let n = (change.clone() - k.nt.clone() * t.clone()) / k.nn.clone();
@@ -102,7 +105,7 @@ impl<T: Real + Ordered<Mask = bool>> Contact<T> {
             pushes.then(|| t / n)
         };
         let (low, high) = (ratio((slope.clone() - root.clone()) / curvature.clone()), ratio((slope + root) / curvature));
-        // P_n points against n where body two stands ahead, and turns the order of the ratios around.
+        // P_n points against n if body two is ahead, which reverses the order of the ratios.
         if v.n.less(&T::int(0)) { (high, low) } else { (low, high) }
     }
 }

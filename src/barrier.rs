@@ -1,13 +1,13 @@
-//! Instrumented barrier tests: from what was measured when a vehicle ran into a fixed barrier to its stiffness, to the impulse and to the restitution.
+//! Instrumented barrier tests: stiffness, impulse and restitution from measurements of a vehicle's impact with a fixed barrier.
 //!
-//! # The argument, file by file
+//! # Steps, file by file
 //!
-//! | what is known | what follows | here |
+//! | known | result | item |
 //! |---|---|---|
 //! | mass, normal speed, restitution and crush of one test, and an assumed onset | its crush energy ½ m (1 − e²) v_n²; d₀ and d₁ | [`BarrierTest`] |
 //! | repeated tests of one vehicle | the energies add up: EES = √Σ (1 − e²) v_n² (Eq 9) | [`TestSeries`] |
 //! | several tests with their standard deviations | E* = √(2 E_C/w) of each, and the covariance of these | [`Observations`] |
-//! | E* of several crushes | d₀ and d₁ with covariance and residuals, and what they leave of E_C uncertain | [`StiffnessFit`] |
+//! | E* of several crushes | d₀ and d₁ with covariance and residuals, and the resulting uncertainty of E_C | [`StiffnessFit`] |
 //! | forces over time | baseline, filter of a channel frequency class, impulse with its variance | [`Record`], [`ChannelFilter`] |
 //! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
 //! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
@@ -15,10 +15,10 @@
 //!
 //! # Stiffness from tests
 //!
-//! Restitution enters as 1 − e²: the rebound takes e² of the energy away, and what is left is in the crush. From one test and an assumed onset there are two
-//! answers. [`BarrierTest::speed_line`] is the customary one, which takes the crush for its mean depth; published A and B are made so.
-//! [`BarrierTest::stiffness`] gives back the energy of the test exactly from the profile as measured. The same two are there for several tests:
-//! [`StiffnessFit::on_mean_depth`] is the line of the paper's Figure 7, in closed form, [`StiffnessFit::on_profiles`] is Eq 4 itself.
+//! Restitution enters as 1 − e²: the rebound returns e² of the energy, and the rest stays in the crush. One test and an assumed onset allow two answers.
+//! [`BarrierTest::speed_line`] is the customary one, which uses the mean crush depth; published A and B are computed this way. [`BarrierTest::stiffness`]
+//! reproduces the energy of the test exactly from the measured profile. Several tests allow the same two: [`StiffnessFit::on_mean_depth`] is the line of the
+//! paper's Figure 7, in closed form, and [`StiffnessFit::on_profiles`] is Eq 4 itself.
 //!
 //! The Struble–Welsh series of the paper, three tests on one car:
 //!
@@ -40,39 +40,40 @@
 //! // Its energy at a depth of 1 ft, in ft lb.
 //! let energy = fit.energy_at(1.0, 5.0);
 //! assert_eq!(format!("{:.0} ± {:.0}", energy.value, energy.deviation()), "116062 ± 4903");
-//! # Ok::<(), planar_impact::barrier::Problems>(())
+//! # Ok::<(), planar_impact::barrier::TestIssues>(())
 //! ```
 //!
-//! # What is not corrected
+//! # No corrections
 //!
-//! Nothing is clamped, reordered or left out. A negative d₀ comes out negative, and [`StiffnessFit::findings`] says so; a restitution outside of 0 to 1 comes out of a film as it
-//! is, and is refused where a test is made with it. Every input that cannot be right is an error with its name, place and number, all of them at once ([`Problems`]).
+//! Nothing is clamped, reordered or left out. A negative d₀ is returned as it is, and [`StiffnessFit::findings`] reports it; a restitution outside 0 to 1 is
+//! returned from film data as it is, and refused as the input of a test. Every invalid input is an error with its name, place and number, and all of them are
+//! returned at once ([`TestIssues`]).
 //!
 //! # Properties
 //!
-//! | what holds | test in `proptests/` |
+//! | property | test in `proptests/` |
 //! |---|---|
-//! | exact data give back the stiffness exactly, whatever the weights | `barrier.rs`, `exact_data_give_back_the_stiffness`, `exact_profiles_give_back_the_stiffness` |
-//! | one test's stiffness has the energy of the test, and the customary line more | `barrier.rs`, `one_test_has_its_energy` |
-//! | the covariance covers noisy data at the stated rate, as given, by the residuals, and of repeated tests | `barrier.rs`, `the_covariance_covers_at_its_rate`, `the_covariance_of_repeated_tests_covers_at_its_rate` |
-//! | without duration, kinematics give back the restitution of any impact | `barrier.rs`, `kinematics_give_back_the_restitution` |
-//! | impulses of pulses in closed form, with offset and noise, are found within the bound that the noise sets | `records.rs`, `impulses_of_known_pulses` |
-//! | the filter is linear, keeps constants and impulses, and delays nothing | `records.rs`, `the_filter_is_linear`, `the_filter_keeps_the_impulse`, `the_filter_is_symmetric` |
+//! | exact data reproduce the stiffness exactly, whatever the weights | `barrier.rs`, `exact_data_give_back_the_stiffness`, `exact_profiles_give_back_the_stiffness` |
+//! | one test's stiffness reproduces the energy of the test, and the customary line gives more | `barrier.rs`, `one_test_has_its_energy` |
+//! | the covariance covers noisy data at the stated rate: as given, from the residuals, and for repeated tests | `barrier.rs`, `the_covariance_covers_at_its_rate`, `the_covariance_of_repeated_tests_covers_at_its_rate` |
+//! | with zero duration, kinematics reproduce the restitution of any impact | `barrier.rs`, `kinematics_give_back_the_restitution` |
+//! | impulses of closed-form pulses, with offset and noise, are found within the bound set by the noise | `records.rs`, `impulses_of_known_pulses` |
+//! | the filter is linear, preserves constants and impulses, and delays nothing | `records.rs`, `the_filter_is_linear`, `the_filter_keeps_the_impulse`, `the_filter_is_symmetric` |
 //! | LOWESS is exact on straight lines for any span | `records.rs`, `lowess_keeps_straight_lines` |
 //! | the variance of its slope covers noisy lines at the stated rate | `records.rs`, `the_slope_covers_at_its_rate` |
-//! | derivatives by dual numbers are difference quotients | both, `derivatives…` |
+//! | derivatives from dual numbers match difference quotients | both, `derivatives…` |
 
 mod bank;
 mod estimate;
 mod film;
 mod filter;
-mod findings;
 mod fit;
+mod fitted;
+mod issue;
 mod kinematics;
 mod line_fit;
 mod lowess;
 mod observation;
-mod problem;
 mod profile_fit;
 mod record;
 mod series;
@@ -83,11 +84,12 @@ pub use bank::{BarrierRecord, bank, impulse_ratio};
 pub use estimate::Estimate;
 pub use film::restitution_from_film;
 pub use filter::{ChannelClass, ChannelFilter};
-pub use fit::{CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessCovariance, StiffnessFit};
+pub use fit::{CovarianceBasis, CrushModel, FitFinding, StiffnessFit};
+pub use fitted::{Residual, StiffnessCovariance};
+pub use issue::{TestIssue, TestIssues};
 pub use kinematics::{MeasuredContact, PointOfVehicle, heading_at_separation, restitution};
 pub use lowess::{LocalLine, Lowess, Smoothed};
 pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
-pub use problem::{Place, Problem, Problems};
 pub use record::{Clock, Record, Window};
 pub use series::TestSeries;
 pub use test::BarrierTest;

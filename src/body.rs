@@ -1,17 +1,17 @@
-//! One body as the contact sees it: in n–t axes, with inverse mass and inverse yaw inertia.
+//! A body in contact axes: n–t components, with inverse mass and inverse yaw inertia.
 //!
-//! The inverses make a fixed barrier the exact value zero, and leave nothing to divide by.
+//! With inverses a fixed barrier is exactly zero, and nothing divides by a mass or an inertia.
 
 use crate::frame::{CrushPlane, Nt};
 use crate::scalar::Field;
 use crate::vehicle::Party;
 
-/// What the contact knows of one body.
+/// A body in contact axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T = f64> {
-    /// 1/m in 1/kg. Zero: it cannot be moved.
+    /// 1/m in 1/kg. Zero for a body that cannot be moved.
     pub inverse_mass: T,
-    /// 1/I in 1/(kg m²). Zero: it cannot be turned.
+    /// 1/I in 1/(kg m²). Zero for a body that cannot be turned.
     pub inverse_yaw_inertia: T,
     /// r, from the center of mass to the impact center, in m.
     pub arm: Nt<T>,
@@ -22,7 +22,7 @@ pub struct Body<T = f64> {
 }
 
 impl<T> Body<T> {
-    /// The same body on another scalar.
+    /// Converts the body to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Body<U> {
         Body {
@@ -36,7 +36,7 @@ impl<T> Body<T> {
 }
 
 impl<T: Field> Body<T> {
-    /// A vehicle or a barrier, in the axes of the contact.
+    /// Returns a vehicle or a barrier in contact axes.
     #[inline(always)]
     pub fn seen_from(plane: &CrushPlane<T>, party: &Party<T>) -> Self {
         match party {
@@ -51,25 +51,25 @@ impl<T: Field> Body<T> {
         }
     }
 
-    /// A fixed barrier. It has no center of mass: its reference point is the impact center.
+    /// Returns a fixed barrier. It has no center of mass: its reference point is the impact center.
     #[inline(always)]
     pub fn fixed() -> Self {
         Body { inverse_mass: T::int(0), inverse_yaw_inertia: T::int(0), arm: Nt::zero(), velocity: Nt::zero(), yaw_rate: T::int(0) }
     }
 
-    /// Velocity of its point at the impact center, v + ω × r.
+    /// Returns the velocity of its point at the impact center, v + ω × r.
     #[inline(always)]
     pub fn velocity_at_center(&self) -> Nt<T> {
         self.velocity.clone() + self.arm.clone().quarter_turn() * self.yaw_rate.clone()
     }
 
-    /// The change of velocity by an impulse: P/m.
+    /// Returns the change of velocity from an impulse: P/m.
     #[inline(always)]
     pub fn delta_v(&self, impulse: Nt<T>) -> Nt<T> {
         impulse * self.inverse_mass.clone()
     }
 
-    /// The change of yaw rate by an impulse at the impact center, (r × P)/I.
+    /// Returns the change of yaw rate from an impulse at the impact center, (r × P)/I.
     #[inline(always)]
     pub fn delta_yaw_rate(&self, impulse: Nt<T>) -> T {
         self.arm.clone().cross(impulse) * self.inverse_yaw_inertia.clone()

@@ -1,17 +1,17 @@
-//! Whether a collision, as any program reports it, can have happened as reported.
+//! Consistency checks of a collision as any program reports it.
 //!
-//! A [`Record`] says what is known of one collision: masses, motions before and after, the contact, the coefficients, results such as a loss of energy or a ΔV.
-//! [`check`] holds it against every [`Rule`] whose numbers are there, and tells which do not hold and by how much. What can be computed is computed by the
-//! mechanics of this crate.
+//! A [`Record`] contains what is known of one collision: masses, motions before and after, the contact, the coefficients, and results such as an energy loss
+//! or a ΔV. [`check`] tests it against every [`Rule`] whose numbers are present, and reports which rules are broken and by how much. Derived quantities are
+//! computed by the mechanics of this crate.
 //!
 //! # The bound
 //!
-//! Nothing computed with numbers is zero. How far a residual may be from it follows from how exact its numbers are: if any of them has a [`Resolution`], from
-//! those, else from the tolerance of the [`Profile`] times the size that the residual has where nothing is right. The mechanics are evaluated in affine
-//! arithmetic, so that the bound of a residual is the sum of the resolutions times the exact partial derivatives, and a term of second order: half a digit in each
-//! number never makes a false alarm, and an error of several times the bound is found. Rounding is added.
+//! No number computed from rounded numbers is exactly zero. How far a residual may be from zero follows from the precision of its numbers: from their
+//! [`Resolution`]s if any of them has one, otherwise from the tolerance of the [`Profile`] times the size of a residual with arbitrary errors. The mechanics
+//! are evaluated in affine arithmetic, so the bound of a residual is the sum of the resolutions times the exact partial derivatives, plus a second-order
+//! term: half a digit in each number never raises a false alarm, and an error of several times the bound is found. Rounding is added.
 //!
-//! A record that breaks no rule passes, unless of one it cannot be told, because the bound is larger than the quantity itself: then it is
+//! A record that breaks no rule passes, unless a rule cannot be evaluated because the bound is larger than the quantity itself: then the verdict is
 //! [`Verdict::Undecidable`].
 //!
 //! # In a test
@@ -29,7 +29,7 @@
 //! # };
 //! # let impact = collision.solve()?;
 //! let record = Record::of(&collision, &impact); // or filled from another simulator
-//! check(&record, &Options::default()).assert();
+//! check(&record, &Options::default()).assert(); // also that no number is missing
 //!
 //! // The yaw rate after the impact in the wrong direction:
 //! let mut wrong = record.clone();
@@ -42,72 +42,73 @@
 //!
 //! # Properties
 //!
-//! | what holds | test in `proptests/check.rs` |
+//! | property | test in `proptests/check.rs` |
 //! |---|---|
-//! | what this crate solves breaks no rule | `what_is_solved_passes` |
-//! | nor do its numbers rounded to any digits, with their resolutions | `rounded_digits_raise_no_alarm` |
-//! | a single corruption beyond the bound is found, under its name | `each_corruption_is_found_by_name` |
+//! | a collision solved by this crate breaks no rule | `what_is_solved_passes` |
+//! | the same with a moment impulse | `what_is_solved_with_a_moment_passes` |
+//! | a contact that lasts breaks no law that holds for any force | `a_contact_that_lasts_breaks_no_law_of_any_force` |
+//! | nor do its numbers when rounded to any number of digits, with their resolutions | `rounded_digits_raise_no_alarm` |
+//! | a single corruption beyond the bound is found, under the name of its rule | `each_corruption_is_found_by_name` |
 
+mod claim_consistency;
 mod claims;
 mod common;
-mod fall;
+mod coverage;
+mod energy_loss;
 mod finite;
+mod format;
 mod group;
 mod judge;
 mod key;
 mod known;
-mod measure;
 mod model;
 mod momentum;
-mod mutual;
 mod normal;
+mod options;
 mod outcome;
 mod profile;
 mod record;
 mod reported;
 mod resolution;
+mod resolution_group;
 mod rule;
-mod say;
 mod subject;
 mod tangent;
+mod travel;
 mod uncertain;
 mod work;
 
 pub use group::Consensus;
 pub use key::Key;
-pub use measure::Measure;
 pub use model::{Agreement, Membership, Model, RatioKind};
-pub use outcome::{Finding, Outcome, Verdict};
+pub use options::Options;
+pub use outcome::{Finding, Outcome, Unchecked, Verdict};
 pub use profile::Profile;
 pub use record::{Record, State, Subject};
 pub use reported::{Reported, ReportedImpulse};
 pub use resolution::Resolution;
+pub use resolution_group::ResolutionGroup;
 pub use rule::{Rule, Severity};
 
 use judge::Judge;
 use known::Known;
 
-/// How to check.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
-    /// The tolerance in place of the profile's, as a share of what a residual is where nothing is right.
-    pub tolerance: Option<f64>,
-}
-
-/// Holds a record against every rule whose numbers are there, but for those of its group: see [`Consensus`].
+/// Checks a record against every rule whose numbers are present, except the rule of its group: see [`Consensus`].
+///
+/// Numbers and [`Options`] that are not finite or out of range break [`Rule::Finite`]; then nothing else is checked.
 pub fn check(record: &Record, options: &Options) -> Outcome {
     let mut judge = Judge::new(record.profile, options);
-    finite::check(record, &mut judge);
+    finite::check(record, options, &mut judge);
     if !judge.has_failed() {
         finite::plausible(record, &mut judge);
-        // Without resolutions there is no spread to carry.
+        // Without resolutions there is no spread to propagate.
         if record.resolution.is_empty() {
             laws::<0>(record, &mut judge);
         } else {
             laws::<{ subject::PLACES }>(record, &mut judge);
         }
     }
-    judge.done(record.id.clone())
+    judge.done(record)
 }
 
 fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
@@ -117,7 +118,7 @@ fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
     tangent::check(&known, judge);
     work::check(&known, judge);
     claims::check(&known, judge);
-    mutual::check(&known, judge);
+    claim_consistency::check(&known, judge);
     if let Some(group) = &record.group {
         common::collect(&known, group.agreement, judge);
     }

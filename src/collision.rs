@@ -1,21 +1,22 @@
-//! The forward problem: from the motions before the impact to those after it.
+//! The forward problem: post-impact motions from pre-impact motions.
 //!
 //! # Properties
 //!
-//! Equalities in exact arithmetic, for any law and ratio unless said otherwise; each is a property test, and those without a comparison are proven (`proofs/`).
+//! Equalities in exact arithmetic, for any law and ratio unless stated otherwise. Each is a property test, and those without a comparison are proven
+//! (`proofs/`).
 //!
-//! | what holds | test in `proptests/` |
+//! | property | test in `proptests/` |
 //! |---|---|
-//! | what one body gains in linear momentum the other loses, and it is the impulse | `laws.rs`, `linear_momentum_is_exchanged` |
-//! | neither body's angular momentum about the impact center changes, but by the moment impulse | `laws.rs`, `angular_momentum_of_each_body_about_the_impact_center_is_conserved`, `a_moment_impulse_is_the_change_of_angular_momentum` |
+//! | the linear momentum gained by one body is lost by the other, and equals the impulse | `laws.rs`, `linear_momentum_is_exchanged` |
+//! | the angular momentum of each body about the impact center changes only by the moment impulse | `laws.rs`, `angular_momentum_of_each_body_about_the_impact_center_is_conserved`, `a_moment_impulse_is_the_change_of_angular_momentum` |
 //! | V_n = −e v_n | `laws.rs`, `normal_separation_is_restitution_of_the_approach` |
 //! | P_t = μ P_n, and V_t = 0 at μ₀ | `laws.rs`, `the_impulse_has_the_ratio_asked_for`, `sliding_ends_at_the_critical_ratio` |
 //! | W_n + W_t + W_m is the change of kinetic energy | `energy.rs`, `work_is_the_change_of_kinetic_energy`, `a_moment_impulse_is_in_the_account` |
-//! | T_L is its peak less ½ δ·K δ, so the peak is at e = 0, μ = μ₀ | `energy.rs`, `the_loss_is_its_peak_less_a_square`, `the_peak_is_at_common_velocity` |
-//! | there nothing depends on Γ; for e > 0 it does | `energy.rs`, `at_common_velocity_nothing_depends_on_the_crush_plane`, `with_restitution_the_loss_depends_on_the_crush_plane` |
-//! | the vehicles may be exchanged, mirrored, turned, watched in passing; Γ has two normals; units scale by their powers | `symmetry.rs` |
-//! | without arms they are point masses; a barrier is the limit of heavy vehicles, and exact | `limits.rs` |
-//! | f64 lies in the interval, which encloses the rational; lanes are four f64 | `scalars.rs` |
+//! | T_L is its maximum less ½ δ·K δ, so the maximum is at e = 0, μ = μ₀ | `energy.rs`, `the_loss_is_its_peak_less_a_square`, `the_peak_is_at_common_velocity` |
+//! | at e = 0, μ = μ₀ nothing depends on Γ; for e > 0 the loss does | `energy.rs`, `at_common_velocity_nothing_depends_on_the_crush_plane`, `with_restitution_the_loss_depends_on_the_crush_plane` |
+//! | the vehicles may be exchanged, mirrored, rotated, or seen from a moving observer; Γ has two normals; units scale by their powers | `symmetry.rs` |
+//! | without arms the vehicles are point masses; a barrier is the limit of heavy vehicles, and exact | `limits.rs` |
+//! | the f64 result lies in the interval, which encloses the rational one; lanes are four f64 | `scalars.rs` |
 
 use crate::body::Body;
 use crate::contact::Contact;
@@ -27,9 +28,9 @@ use crate::moment::Moment;
 use crate::scalar::{Field, Ordered};
 use crate::vehicle::{Motion, Party};
 
-/// Two parties about to collide, and how.
+/// Two parties about to collide, and the parameters of the impact.
 ///
-/// Any coherent system of units will do; SI is the documented one.
+/// Any coherent system of units is accepted; the documentation uses SI.
 ///
 /// ```
 /// use planar_impact::*;
@@ -56,8 +57,9 @@ use crate::vehicle::{Motion, Party};
 /// # Ok::<(), Refusals>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Collision<T = f64> {
-    /// Vehicle 1 of the paper; the impulse is the one on it.
+    /// Vehicle 1 of the paper; impulses are those on vehicle 1.
     pub one: Party<T>,
     /// Vehicle 2.
     pub two: Party<T>,
@@ -67,14 +69,14 @@ pub struct Collision<T = f64> {
     pub restitution: T,
     /// Impulse ratio μ.
     pub impulse_ratio: ImpulseRatio<T>,
-    /// Which impulse ends the tangential process.
+    /// The impulse that ends the tangential process.
     pub law: Law,
     /// The moment impulse, if any.
     pub moment: Moment<T>,
 }
 
 impl<T> Collision<T> {
-    /// The same collision on another scalar.
+    /// Converts the collision to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Collision<U> {
         Collision {
@@ -87,22 +89,80 @@ impl<T> Collision<T> {
             moment: self.moment.map(f),
         }
     }
+
+    /// Both parties, vehicle 1 first.
+    #[inline(always)]
+    pub fn parties(&self) -> [&Party<T>; 2] {
+        [&self.one, &self.two]
+    }
+}
+
+impl<T: Field> Default for Collision<T> {
+    /// Two barriers, which [`Collision::solve`] refuses until one party is a vehicle.
+    fn default() -> Self {
+        Collision::new(Party::Barrier, Party::Barrier)
+    }
 }
 
 impl<T: Field> Collision<T> {
-    /// The same two parties, with no restitution and no sliding left: e = 0, μ = μ₀ and no moment. There the loss is greatest, and neither it nor the
+    /// Creates a collision of two parties without restitution, at the critical impulse ratio of the paper's law, with the crush plane at Γ = 0 and without a
+    /// moment.
+    #[must_use]
+    pub fn new(one: impl Into<Party<T>>, two: impl Into<Party<T>>) -> Self {
+        Collision {
+            one: one.into(),
+            two: two.into(),
+            crush_plane: CrushPlane::default(),
+            restitution: T::int(0),
+            impulse_ratio: ImpulseRatio::Critical,
+            law: Law::Brach,
+            moment: Moment::None,
+        }
+    }
+
+    /// Returns the same collision with another crush plane.
+    #[must_use]
+    pub fn with_crush_plane(self, crush_plane: CrushPlane<T>) -> Self {
+        Collision { crush_plane, ..self }
+    }
+
+    /// Returns the same collision with another coefficient of restitution.
+    #[must_use]
+    pub fn with_restitution(self, restitution: T) -> Self {
+        Collision { restitution, ..self }
+    }
+
+    /// Returns the same collision with another impulse ratio.
+    #[must_use]
+    pub fn with_impulse_ratio(self, impulse_ratio: ImpulseRatio<T>) -> Self {
+        Collision { impulse_ratio, ..self }
+    }
+
+    /// Returns the same collision with another law of the tangential impulse.
+    #[must_use]
+    pub fn with_law(self, law: Law) -> Self {
+        Collision { law, ..self }
+    }
+
+    /// Returns the same collision with another moment impulse.
+    #[must_use]
+    pub fn with_moment(self, moment: Moment<T>) -> Self {
+        Collision { moment, ..self }
+    }
+
+    /// Returns the same two parties with e = 0, μ = μ₀ and no moment, so that they reach a common velocity. The loss is then greatest, and neither it nor the
     /// velocities depend on the crush plane.
     pub fn at_common_velocity(&self) -> Self {
         Collision { restitution: T::int(0), impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, moment: Moment::None, ..self.clone() }
     }
 
-    /// The two parties at the impact center.
+    /// Returns the two parties at the impact center.
     #[inline(always)]
     pub fn contact(&self) -> Contact<T> {
         Contact::between(Body::seen_from(&self.crush_plane, &self.one), Body::seen_from(&self.crush_plane, &self.two))
     }
 
-    /// The moment impulse that is asked for, if any.
+    /// Returns the requested moment impulse, if any.
     #[inline(always)]
     pub fn moment_impulse(&self, contact: &Contact<T>) -> Option<T> {
         match &self.moment {
@@ -120,7 +180,7 @@ impl<T: Field> Collision<T> {
         }
     }
 
-    /// The change of relative velocity that the sticking impulse brings, beside what a moment brings.
+    /// Returns the change of relative velocity caused by the sticking impulse, without the change caused by a moment.
     #[inline(always)]
     pub fn sticking_change(&self, contact: &Contact<T>, moment: Option<&T>) -> Nt<T> {
         let change = self.law.change(contact.approach.clone(), self.restitution.clone());
@@ -130,7 +190,7 @@ impl<T: Field> Collision<T> {
         }
     }
 
-    /// What a given impulse and moment do, whichever law chose them.
+    /// Returns the result of a given impulse and moment, whatever the law.
     #[inline(always)]
     pub fn impact_of(&self, contact: &Contact<T>, impulse: Nt<T>, moment: Option<T>) -> Impact<T> {
         let mut separation = contact.separation(impulse.clone());
@@ -138,8 +198,8 @@ impl<T: Field> Collision<T> {
         let mut work_of_moment = T::int(0);
         if let Some(moment) = &moment {
             let row = contact.moment_compliance();
-            separation = separation - row.force.clone() * moment.clone();
-            critical_change = critical_change - row.force.clone() * moment.clone();
+            separation -= row.force.clone() * moment.clone();
+            critical_change -= row.force.clone() * moment.clone();
             let before = contact.relative_yaw_rate();
             let after = before.clone() - row.force.dot(impulse.clone()) - row.moment * moment.clone();
             work_of_moment = work(moment.clone(), before, after);
@@ -181,7 +241,7 @@ impl<T: Field> Collision<T> {
     }
 }
 
-/// The kinetic energy of a party in its own or another motion.
+/// Returns the kinetic energy of a party in its own or another motion.
 #[inline(always)]
 fn energy_of<T: Field>(party: &Party<T>, motion: Option<&Motion<T>>) -> T {
     match party {
@@ -191,7 +251,7 @@ fn energy_of<T: Field>(party: &Party<T>, motion: Option<&Motion<T>>) -> T {
 }
 
 impl<T: Ordered> Collision<T> {
-    /// The impulse and moment that the law and the ratio choose.
+    /// Computes the impulse and the moment from the law and the ratio.
     #[inline(always)]
     pub fn impulse(&self, contact: &Contact<T>) -> (Nt<T>, Option<T>) {
         let moment = self.moment_impulse(contact);
@@ -199,13 +259,13 @@ impl<T: Ordered> Collision<T> {
         (self.impulse_ratio.impulse(&contact.compliance, change), moment)
     }
 
-    /// The impact without asking whether it is possible: total on a field, but for a divisor that is zero.
+    /// Computes the impact without checking whether it is possible. On a field it is total, except for a zero divisor.
     ///
-    /// This is the one for lanes and intervals, whose comparisons have no yes or no. [`Collision::solve`] asks first.
+    /// Use it for lanes and intervals, whose comparisons have no yes or no. [`Collision::solve`] checks first.
     ///
     /// # Panics
     ///
-    /// Where the scalar panics on a division by zero, as rationals do: no mass, or an impulse ratio at which the pair wedges.
+    /// If the scalar panics on a division by zero, as rationals do: no mass, or an impulse ratio at which the pair wedges.
     #[inline(always)]
     pub fn evaluate(&self) -> Impact<T> {
         let contact = self.contact();

@@ -1,21 +1,21 @@
-//! How readily two bodies yield where they touch.
+//! Compliance of two bodies at their contact.
 
 use crate::body::Body;
 use crate::frame::Nt;
 use crate::scalar::Field;
 
-/// The compliance of the contact: K P is the change of relative velocity at the impact center that the impulse P brings.
+/// The compliance of the contact: K P is the change of relative velocity at the impact center caused by the impulse P.
 ///
 /// ```text
 /// K_nn = Σ 1/m + r_t²/I      K_nt = −Σ r_n r_t/I      K_tt = Σ 1/m + r_n²/I
 /// ```
 ///
-/// summed over the two bodies, r from the center of mass to the impact center. In the paper's letters K = (1/m̄) [[A, −B], [−B, 1 + C]] (A28–A30).
+/// summed over the two bodies, with r from the center of mass to the impact center. In the paper's notation K = (1/m̄) [[A, −B], [−B, 1 + C]] (A28–A30).
 ///
 /// # Properties
 ///
-/// Symmetric and positive definite as soon as one body is free: its determinant is the sum w² + w Σ r²/I + (r₁ × r₂)²/(I₁ I₂) with w = Σ 1/m, and is
-/// computed so, because K_nn K_tt − K_nt² can lose all its digits (`proptests/laws.rs`, `determinant_is_that_of_the_matrix`).
+/// Symmetric, and positive definite if at least one body is free: its determinant is the sum w² + w Σ r²/I + (r₁ × r₂)²/(I₁ I₂) with w = Σ 1/m. It is
+/// computed this way because K_nn K_tt − K_nt² can lose all its digits (`proptests/laws.rs`, `determinant_is_that_of_the_matrix`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compliance<T = f64> {
     pub(crate) nn: T,
@@ -25,29 +25,29 @@ pub struct Compliance<T = f64> {
 }
 
 impl<T> Compliance<T> {
-    /// K_nn in 1/kg: change of normal velocity by a normal impulse.
+    /// Returns K_nn in 1/kg: change of normal velocity by a normal impulse.
     pub fn nn(&self) -> &T {
         &self.nn
     }
 
-    /// K_nt in 1/kg: change of tangential velocity by a normal impulse, and the reverse.
+    /// Returns K_nt in 1/kg: change of tangential velocity by a normal impulse, and the reverse.
     pub fn nt(&self) -> &T {
         &self.nt
     }
 
-    /// K_tt in 1/kg: change of tangential velocity by a tangential impulse.
+    /// Returns K_tt in 1/kg: change of tangential velocity by a tangential impulse.
     pub fn tt(&self) -> &T {
         &self.tt
     }
 
-    /// K_nn K_tt − K_nt², in 1/kg².
+    /// Returns K_nn K_tt − K_nt², in 1/kg².
     pub fn determinant(&self) -> &T {
         &self.determinant
     }
 }
 
 impl<T: Field> Compliance<T> {
-    /// That of the contact between two bodies.
+    /// Computes the compliance of the contact between two bodies.
     #[inline(always)]
     pub fn between(one: &Body<T>, two: &Body<T>) -> Self {
         let w = one.inverse_mass.clone() + two.inverse_mass.clone();
@@ -60,16 +60,16 @@ impl<T: Field> Compliance<T> {
         Compliance { nn: w.clone() + nn, nt, tt: w + tt, determinant }
     }
 
-    /// K P: the change of relative velocity by an impulse.
+    /// Returns K P, the change of relative velocity by an impulse.
     #[inline(always)]
-    pub fn yield_to(&self, impulse: Nt<T>) -> Nt<T> {
+    pub fn velocity_change(&self, impulse: Nt<T>) -> Nt<T> {
         Nt {
             n: self.nn.clone() * impulse.n.clone() + self.nt.clone() * impulse.t.clone(),
             t: self.nt.clone() * impulse.n + self.tt.clone() * impulse.t,
         }
     }
 
-    /// K⁻¹ c: the impulse that brings a change of relative velocity.
+    /// Returns K⁻¹ c, the impulse that causes a change of relative velocity.
     #[inline(always)]
     pub fn impulse_for(&self, change: Nt<T>) -> Nt<T> {
         let scale = self.determinant.clone().inv();
@@ -79,8 +79,8 @@ impl<T: Field> Compliance<T> {
         }
     }
 
-    /// K_nn + μ K_nt: the change of normal velocity by a unit of normal impulse that comes with μ of tangential impulse. Positive unless the pair
-    /// would wedge; 1/(m̄ q) in the paper's letters (A14).
+    /// Returns K_nn + μ K_nt, the change of normal velocity by a unit of normal impulse that is accompanied by μ of tangential impulse. Positive unless the
+    /// pair would wedge; 1/(m̄ q) in the paper's notation (A14).
     #[inline(always)]
     pub fn along_ratio(&self, impulse_ratio: T) -> T {
         self.nn.clone() + impulse_ratio * self.nt.clone()
@@ -101,7 +101,7 @@ mod tests {
         let k = Compliance::between(&body(), &Body::fixed());
         assert_eq!((*k.nn(), *k.nt(), *k.tt()), (0.75, 0.5, 1.5));
         assert_eq!(*k.determinant(), 0.75 * 1.5 - 0.25);
-        assert_eq!(k.yield_to(Nt { n: 4.0, t: 2.0 }), Nt { n: 4.0, t: 5.0 });
+        assert_eq!(k.velocity_change(Nt { n: 4.0, t: 2.0 }), Nt { n: 4.0, t: 5.0 });
         assert_eq!(k.impulse_for(Nt { n: 4.0, t: 5.0 }), Nt { n: 4.0, t: 2.0 });
         assert_eq!(k.along_ratio(2.0), 1.75);
     }

@@ -1,4 +1,4 @@
-//! Two bodies at the impact center: how they approach each other there, and how they part after an impulse.
+//! Two bodies at the impact center: their approach velocity there, and their separation velocity after an impulse.
 
 use crate::body::Body;
 use crate::compliance::Compliance;
@@ -14,20 +14,20 @@ pub struct Contact<T = f64> {
     pub one: Body<T>,
     /// Body two.
     pub two: Body<T>,
-    /// How readily they yield to an impulse at the impact center.
+    /// Compliance at the impact center.
     pub compliance: Compliance<T>,
     /// Relative velocity at the impact center before the impact, v_2C − v_1C.
     pub approach: Nt<T>,
 }
 
-/// Relative velocity of two bodies at the impact center, v_2C − v_1C.
+/// Returns the relative velocity of two bodies at the impact center, v_2C − v_1C.
 #[inline(always)]
 pub fn relative_velocity<T: Field>(one: &Body<T>, two: &Body<T>) -> Nt<T> {
     two.velocity_at_center() - one.velocity_at_center()
 }
 
 impl<T: Field> Contact<T> {
-    /// Of two bodies.
+    /// Creates the contact between two bodies.
     #[inline(always)]
     pub fn between(one: Body<T>, two: Body<T>) -> Self {
         let compliance = Compliance::between(&one, &two);
@@ -35,32 +35,32 @@ impl<T: Field> Contact<T> {
         Contact { one, two, compliance, approach }
     }
 
-    /// Relative velocity at the impact center after an impulse, V = v − K P.
+    /// Returns the relative velocity at the impact center after an impulse, V = v − K P.
     #[inline(always)]
     pub fn separation(&self, impulse: Nt<T>) -> Nt<T> {
-        self.approach.clone() - self.compliance.yield_to(impulse)
+        self.approach.clone() - self.compliance.velocity_change(impulse)
     }
 
-    /// From the center of mass of body one to that of body two. A barrier's reference point is the impact center.
+    /// Returns the vector from the center of mass of body one to that of body two. A barrier's reference point is the impact center.
     #[inline(always)]
     pub fn offset(&self) -> Nt<T> {
         self.one.arm.clone() - self.two.arm.clone()
     }
 
-    /// The energy lost to an impulse, T_L = P·v − ½ P·K P: a concave function of the impulse, whose peak is the [loss at common
+    /// Returns the energy lost to an impulse, T_L = P·v − ½ P·K P. It is a concave function of the impulse, and its maximum is the [loss at common
     /// velocity](Contact::greatest_loss).
     #[inline(always)]
     pub fn loss(&self, impulse: Nt<T>) -> T {
         impulse.clone().dot(self.approach.clone() + self.separation(impulse)).half()
     }
 
-    /// The impulse after which the bodies have a common velocity at the impact center, K⁻¹ v. It is that of e = 0 and μ = μ₀.
+    /// Returns the impulse after which the bodies have a common velocity at the impact center, K⁻¹ v, which is that of e = 0 and μ = μ₀.
     #[inline(always)]
     pub fn common_velocity_impulse(&self) -> Nt<T> {
         self.compliance.impulse_for(self.approach.clone())
     }
 
-    /// The greatest loss that any impulse can bring, ½ v·K⁻¹v, at common velocity. It does not depend on Γ.
+    /// Returns the greatest loss of any impulse, ½ v·K⁻¹v, at common velocity. It does not depend on Γ.
     #[inline(always)]
     pub fn greatest_loss(&self) -> T {
         self.approach.clone().dot(self.common_velocity_impulse()).half()

@@ -1,13 +1,14 @@
-//! The energy account: what each component of the impulse takes, and what the bodies have before and after.
+//! The energy balance: work of each component of the impulse, and kinetic energy before and after.
 
 use crate::frame::Nt;
 use crate::scalar::Field;
 
 /// The work of each component of the impulse, in J; negative where energy is lost.
 ///
-/// `n` is the work of the normal impulse, which the crush keeps; `t` that of the tangential impulse, from sliding, shearing and entanglement; `m` that of the
-/// moment impulse, zero when there is none. A single component may be positive.
+/// `n` is the work of the normal impulse, whose loss is the crush energy; `t` is that of the tangential impulse, from sliding, shearing and entanglement; `m`
+/// is that of the moment impulse, zero without one. A single component may be positive.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<T = f64> {
     /// W_n = −½ P_n (v_n + V_n)   (Eqs 5–7)
     pub n: T,
@@ -19,6 +20,7 @@ pub struct Work<T = f64> {
 
 /// Kinetic energy of both bodies together, in J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct KineticEnergy<T = f64> {
     /// Before the impact.
     pub before: T,
@@ -26,35 +28,35 @@ pub struct KineticEnergy<T = f64> {
     pub after: T,
 }
 
-/// The work of one component of the impulse on body one, against the relative velocity (of body two less that of body one) along it:
-/// −½ P (v + V), the impulse times the mean velocity of its point of application (Eq 5).
+/// Returns the work of one component of the impulse on body one, against the relative velocity (of body two less that of body one) along it: −½ P (v + V),
+/// the impulse times the mean velocity of its point of application (Eq 5).
 #[inline(always)]
 pub fn work<T: Field>(impulse: T, before: T, after: T) -> T {
     -(impulse * (before + after)).half()
 }
 
 impl<T: Field> Work<T> {
-    /// The work of an impulse that turns the approach into the separation velocity, without a moment.
+    /// Returns the work of an impulse that changes the approach velocity to the separation velocity, without a moment.
     #[inline(always)]
     pub fn of(impulse: Nt<T>, approach: Nt<T>, separation: Nt<T>) -> Self {
         Work { n: work(impulse.n, approach.n, separation.n), t: work(impulse.t, approach.t, separation.t), m: T::int(0) }
     }
 
-    /// The energy lost, T_L = −(W_n + W_t + W_m).
+    /// Returns the energy lost, T_L = −(W_n + W_t + W_m).
     ///
     /// # Properties
     ///
     /// Exactly the kinetic energy before less that after (`proptests/energy.rs`, `work_is_the_change_of_kinetic_energy`), and more accurate than that
-    /// difference, which cancels.
+    /// difference, which suffers from cancellation.
     #[inline(always)]
     pub fn loss(&self) -> T {
-        // Less zero is nothing to compute for a float without a moment; plus zero would be, for the sake of negative zero.
+        // Subtracting zero is free for a float without a moment; adding zero is not, because of negative zero.
         -(self.n.clone() + self.t.clone()) - self.m.clone()
     }
 }
 
 impl<T> Work<T> {
-    /// The same work on another scalar.
+    /// Converts the work to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Work<U> {
         Work { n: f(self.n), t: f(self.t), m: f(self.m) }
@@ -62,7 +64,7 @@ impl<T> Work<T> {
 }
 
 impl<T> KineticEnergy<T> {
-    /// The same energies on another scalar.
+    /// Converts the energies to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> KineticEnergy<U> {
         KineticEnergy { before: f(self.before), after: f(self.after) }

@@ -1,8 +1,8 @@
-//! Formulas: what the code computes, written down.
+//! Formulas of what the code computes.
 //!
-//! The kernel runs on [`Symbol`](crate::scalar::symbol::Symbol)s, which record what it does. The record is simplified, and what the kernel itself gives a name — an arm, the compliance, the
-//! impulse — keeps that name, so that a formula is a short list of definitions as in the paper. No formula is written by hand: what is printed is what is
-//! computed, by construction.
+//! The kernel runs on [`Symbol`](crate::scalar::symbol::Symbol)s, which record its operations. The record is simplified, and quantities that the kernel
+//! itself names — an arm, the compliance, the impulse — keep their names, so that a formula is a short list of definitions as in the paper. No formula is
+//! written by hand: the printed formula is by construction the computed one.
 //!
 //! ```
 //! use planar_impact::formula::Formulas;
@@ -31,27 +31,28 @@
 //!
 //! # Properties
 //!
-//! | what holds | test in `proptests/` |
+//! | property | test in `proptests/` |
 //! |---|---|
-//! | the record evaluated in f64 is what the kernel computes, to the bit | `symbols.rs`, `the_record_is_the_kernel_to_the_bit` |
-//! | the formula and its derivative by each input are those of the kernel, as equalities | `symbols.rs`, `the_formula_and_its_derivative_are_those_of_the_kernel_in_rationals` |
-//! | in f64 they are to rounding | `symbols.rs`, `the_formula_is_the_kernel_to_rounding`, `the_derivative_is_that_of_dual_numbers` |
-//! | simplification keeps the value of any expression, the text says the formula, differentiation is exact | `formulas.rs`, `simplification_keeps_the_value_and_differentiation_is_exact`, `roots_and_circular_functions_keep_their_value_and_derivative` |
+//! | the record evaluated in f64 equals the result of the kernel, to the bit | `symbols.rs`, `the_record_is_the_kernel_to_the_bit` |
+//! | the formula and its derivative by each input equal those of the kernel, exactly | `symbols.rs`, `the_formula_and_its_derivative_are_those_of_the_kernel_in_rationals` |
+//! | in f64 they agree to rounding | `symbols.rs`, `the_formula_is_the_kernel_to_rounding`, `the_derivative_is_that_of_dual_numbers` |
+//! | simplification preserves the value of any expression, the text states the formula, differentiation is exact | `formulas.rs`, `simplification_keeps_the_value_and_differentiation_is_exact`, `roots_and_circular_functions_keep_their_value_and_derivative` |
 //! | the Rust source compiles, and computes the formula | `source.rs`, `the_source_compiles_and_computes_the_formula` |
 
 mod build;
 mod combine;
 mod derivative;
+mod equivalence;
 mod evaluate;
 mod expression;
 mod glossary;
 mod kernel;
 mod known;
 mod latex;
-mod likeness;
 mod listing;
 mod notation;
 mod source;
+mod structural_hash;
 mod text;
 
 pub use glossary::Glossary;
@@ -69,7 +70,7 @@ use known::Known;
 use listing::Listing;
 use notation::Writer;
 
-/// A name as text has it: `Gamma` is Γ, and `dV1` is ΔV1.
+/// Returns a name as it is written in text: `Gamma` is Γ, and `dV1` is ΔV1.
 pub fn written(name: &str) -> String {
     text::spaced(&text::symbol(name))
 }
@@ -90,7 +91,7 @@ pub struct Definition {
 }
 
 impl Formula {
-    /// Its derivative by a variable, total: through every quantity that it is expressed in.
+    /// Returns its total derivative by a variable, through every quantity in it.
     #[must_use]
     pub fn derivative(&self, variable: &str) -> Formula {
         let variable: Arc<str> = variable.into();
@@ -99,17 +100,17 @@ impl Formula {
         Formula { name: self.name.derivative(&variable), value, known: self.known.clone() }
     }
 
-    /// Its value, given that of each variable. Every quantity is computed once.
+    /// Evaluates the formula, given the value of each variable. Every quantity is computed once.
     pub fn evaluate<T: Real>(&self, variable: impl FnMut(&str) -> T) -> T {
         self.value.evaluate(variable)
     }
 
-    /// The variables that it depends on.
+    /// Returns the variables that it depends on.
     pub fn variables(&self) -> Vec<Arc<str>> {
         self.listing().variables
     }
 
-    /// Its definitions: the formula itself, then those that it is expressed in, each before those that it is expressed in.
+    /// Returns its definitions: the formula itself, then the quantities in it, each before those that it contains.
     pub fn definitions(&self) -> Vec<Definition> {
         let listing = self.listing();
         let writer = Writer { notation: text::Text, listing: &listing };
@@ -120,7 +121,7 @@ impl Formula {
         listing.entries.iter().map(definition).collect()
     }
 
-    /// As text of at most so many columns, if that is possible.
+    /// Formats the formula as text of at most `width` columns, if possible.
     pub fn text(&self, width: usize) -> String {
         let definitions = self.definitions();
         let (formula, others) = definitions.split_first().expect("a formula has a value");
@@ -137,7 +138,7 @@ impl Formula {
         text
     }
 
-    /// As an `aligned` environment of LaTeX's mathematics.
+    /// Formats the formula as an `aligned` environment of LaTeX mathematics.
     pub fn latex(&self) -> String {
         let listing = self.listing();
         let writer = Writer { notation: latex::Latex, listing: &listing };
@@ -146,7 +147,7 @@ impl Formula {
         format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
     }
 
-    /// As a Rust function of f64 that needs nothing but the standard library.
+    /// Formats the formula as a Rust function of f64 that needs only the standard library.
     pub fn rust(&self) -> String {
         source::function(&self.listing())
     }
@@ -160,18 +161,18 @@ impl Formula {
 }
 
 impl Definition {
-    /// The name of the quantity, as text has it.
+    /// Returns the name of the quantity as text.
     pub fn name(&self) -> String {
         text::spaced(&self.text[0])
     }
 
-    /// As text of at most so many columns, if that is possible.
+    /// Formats the definition as text of at most `width` columns, if possible.
     pub fn text(&self, width: usize) -> String {
         let [label, value] = &self.text;
         text::definition(label, value, width)
     }
 
-    /// Its value, given that of each variable.
+    /// Evaluates the definition, given the value of each variable.
     pub fn evaluate<T: Real>(&self, variable: impl FnMut(&str) -> T) -> T {
         self.value.evaluate(variable)
     }

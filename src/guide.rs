@@ -1,4 +1,4 @@
-//! Pages to read, one for each thing that the library is for beyond solving.
+//! Guides to the uses of the library besides the forward problem.
 
 #[doc = include_str!("guide/sensitivities.md")]
 pub mod sensitivities {}
@@ -10,9 +10,9 @@ pub mod crush {}
 #[doc = include_str!("guide/reconstruction.md")]
 pub mod reconstruction {}
 
-#[cfg(feature = "rest")]
-#[doc = include_str!("guide/rest.md")]
-pub mod rest {}
+#[cfg(feature = "post-impact")]
+#[doc = include_str!("guide/post_impact.md")]
+pub mod post_impact {}
 
 #[doc = include_str!("guide/proofs.md")]
 pub mod proofs {}
@@ -22,3 +22,6 @@ pub mod checking {}
 
 #[doc = include_str!("guide/formulas.md")]
 pub mod formulas {}
+
+#[doc = concat!(include_str!("guide/scalars.md"), "```\n", include_str!("../examples/own_scalar.rs"), "```\n")]
+pub mod scalars {}

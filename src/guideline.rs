@@ -1,34 +1,55 @@
 //! The paper's guideline for the crush plane ("Guidelines for Use of the Method", Fig 5).
 //!
-//! Γ cannot be measured, and the partition of the energy loss depends on it. The paper starts from the two undeformed surfaces that meet: the nominal
-//! crush plane is half way between them, and each of them is an end of the bracket in which Γ may lie.
+//! Γ cannot be measured, and the partition of the energy loss depends on it. The paper starts from the two undeformed surfaces in contact: the nominal crush
+//! plane is half way between them, and each of them is one end of the range of Γ.
 
-use crate::scalar::{Ordered, Real};
-use crate::solve::slack;
+use crate::input::Input;
+use crate::issue::{InputIssue, Issue, IssueCollector, Issues, Place};
+use crate::measure::Measure;
+use crate::message::Message;
+use crate::scalar::{Ordered, Real, slack};
+use alloc::borrow::Cow;
 use core::fmt;
 
 /// The nominal crush plane and its bracket, as angles Γ in rad. Γ and Γ + 180° are the same plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushPlaneBracket<T = f64> {
     /// Half way between the ends.
     pub nominal: T,
-    /// The end that is the normal of vehicle 1's surface, as given.
+    /// The end given by the normal of vehicle 1's surface.
     pub one: T,
-    /// The end that is the normal of vehicle 2's surface, by half turns within a right angle of the other end.
+    /// The end given by the normal of vehicle 2's surface, shifted by half turns to within a right angle of the other end.
     pub two: T,
 }
 
-/// Two surfaces at a right angle, which have two planes half way between them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerpendicularSurfaces<T = f64> {
-    /// The one mean, in rad.
-    pub one: T,
-    /// The other, a right angle further.
-    pub other: T,
+/// Reason why two surfaces have no nominal crush plane.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SurfaceIssue<T = f64> {
+    /// An angle is not finite, or beyond a million radians. Places are counted from zero.
+    Input(InputIssue<T>),
+    /// The surfaces are at a right angle: there are two planes half way between them.
+    Perpendicular {
+        /// One mean, in rad.
+        one: T,
+        /// The other mean, a right angle further, in rad.
+        other: T,
+    },
 }
 
+impl<T> From<InputIssue<T>> for SurfaceIssue<T> {
+    fn from(issue: InputIssue<T>) -> Self {
+        SurfaceIssue::Input(issue)
+    }
+}
+
+/// Place of the normals of the two surfaces in issues.
+const SURFACES: Place = Place::of("contact.surfaces", Measure::Angle);
+
 impl<T: Real + Ordered<Mask = bool>> CrushPlaneBracket<T> {
-    /// From the directions of the normals of the two undeformed surfaces that meet, in rad from x. Either normal of a surface will do.
+    /// Computes the bracket from the directions of the normals of the two undeformed surfaces in contact, in rad from x. Either normal of a surface is
+    /// accepted.
     ///
     /// The two cars of Fig 5, headed 0° and 225°, meet front to front: Γ is 22.5°, between 0° and 45°.
     ///
@@ -38,51 +59,98 @@ impl<T: Real + Ordered<Mask = bool>> CrushPlaneBracket<T> {
     /// assert!((bracket.nominal.to_degrees() - 22.5).abs() < 1e-12);
     /// assert_eq!(bracket.lower(), 0.0);
     /// assert!((bracket.upper().to_degrees() - 45.0).abs() < 1e-12);
-    /// # Ok::<(), planar_impact::PerpendicularSurfaces>(())
+    /// # Ok::<(), planar_impact::Issues<planar_impact::SurfaceIssue>>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`PerpendicularSurfaces`], with the two planes that are half way, when the surfaces stand at a right angle.
-    pub fn of_surfaces(one: T, two: T) -> Result<Self, PerpendicularSurfaces<T>> {
+    /// [`SurfaceIssue::Perpendicular`], with the two planes half way between them, if the surfaces are at a right angle; otherwise every angle that is not
+    /// finite, or beyond a million radians, where it has lost its digits.
+    pub fn of_surfaces(one: T, two: T) -> Result<Self, Issues<SurfaceIssue<T>>> {
+        let mut issues = IssueCollector::<SurfaceIssue<T>>::new();
+        for (i, angle) in [&one, &two].into_iter().enumerate() {
+            issues.within(SURFACES.at(i), angle, T::int(-1_000_000), Some(T::int(1_000_000)));
+        }
+        issues.finish()?;
         let turn = two.clone() - one.clone();
-        let quarter = T::int(1).atan2(T::int(0));
-        let (sin, cos) = turn.clone().sin_cos();
+        let quarter = T::int(1).arctangent(T::int(0));
+        let (sin, cos) = turn.clone().sin_and_cos();
         if cos.clone().magnitude().less(&slack()) {
             let mean = one + quarter.clone().half();
-            return Err(PerpendicularSurfaces { one: mean.clone() - quarter, other: mean });
+            return Err(SurfaceIssue::Perpendicular { one: mean.clone() - quarter, other: mean }.into());
         }
         let two = if turn.magnitude().less(&quarter) {
             two
         } else {
             let side = T::select(cos.less(&T::int(0)), T::int(-1), T::int(1));
-            one.clone() + (sin * side.clone()).atan2(cos * side)
+            one.clone() + (sin * side.clone()).arctangent(cos * side)
         };
         Ok(CrushPlaneBracket { nominal: (one.clone() + two.clone()).half(), one, two })
     }
 
-    /// The lower end.
+    /// Returns the lower end.
     pub fn lower(&self) -> T {
         T::select(self.two.less(&self.one), self.two.clone(), self.one.clone())
     }
 
-    /// The upper end.
+    /// Returns the upper end.
     pub fn upper(&self) -> T {
         T::select(self.two.less(&self.one), self.one.clone(), self.two.clone())
     }
 }
 
-impl<T: fmt::Display> fmt::Display for PerpendicularSurfaces<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the surfaces stand at a right angle: the planes at {} rad and at {} rad are both half way", self.one, self.other)
+impl<T: Ordered<Mask = bool>> Issue for SurfaceIssue<T> {
+    type Number = T;
+
+    fn code(&self) -> &'static str {
+        match self {
+            SurfaceIssue::Input(issue) => issue.code(),
+            SurfaceIssue::Perpendicular { .. } => "perpendicular-surfaces",
+        }
+    }
+
+    fn path(&self) -> Option<Cow<'static, str>> {
+        match self {
+            SurfaceIssue::Input(issue) => issue.path(),
+            SurfaceIssue::Perpendicular { .. } => Some(Input::CrushPlane.name().into()),
+        }
+    }
+
+    fn message(&self) -> Message<T> {
+        match self {
+            SurfaceIssue::Input(issue) => issue.message(),
+            SurfaceIssue::Perpendicular { one, other } => Message::new()
+                .text("the surfaces are at a right angle: the planes at ")
+                .figure(Measure::Angle, one.clone())
+                .text(" and at ")
+                .figure(Measure::Angle, other.clone())
+                .text(" are both half way between them"),
+        }
+    }
+
+    fn help(&self) -> Option<Message<T>> {
+        match self {
+            SurfaceIssue::Input(issue) => issue.help(),
+            SurfaceIssue::Perpendicular { .. } => None,
+        }
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for PerpendicularSurfaces<T> {}
+impl<T: Ordered<Mask = bool> + fmt::Display> fmt::Display for SurfaceIssue<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SurfaceIssue::Input(issue) => issue.fmt(f),
+            SurfaceIssue::Perpendicular { .. } => self.message().fmt(f),
+        }
+    }
+}
+
+impl<T: Ordered<Mask = bool> + fmt::Debug + fmt::Display> core::error::Error for SurfaceIssue<T> {}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::string::ToString;
     use approx::assert_abs_diff_eq;
 
     fn degrees(one: f64, two: f64) -> [f64; 3] {
@@ -122,11 +190,22 @@ mod tests {
     fn a_right_angle_has_two_means() {
         for two in [90.0_f64, -90.0, 270.0, 630.0] {
             let refused = CrushPlaneBracket::of_surfaces(0.0, two.to_radians()).expect_err("a right angle");
-            assert_abs_diff_eq!(refused.one.to_degrees(), -45.0, epsilon = 1e-12);
-            assert_abs_diff_eq!(refused.other.to_degrees(), 45.0, epsilon = 1e-12);
+            let [SurfaceIssue::Perpendicular { one, other }] = refused.as_slice() else { panic!("{refused}") };
+            assert_abs_diff_eq!(one.to_degrees(), -45.0, epsilon = 1e-12);
+            assert_abs_diff_eq!(other.to_degrees(), 45.0, epsilon = 1e-12);
         }
         assert!(CrushPlaneBracket::of_surfaces(0.0, 89.999_f64.to_radians()).is_ok());
         assert!(CrushPlaneBracket::of_surfaces(0.0_f32, core::f32::consts::FRAC_PI_2).is_err());
+    }
+
+    #[test]
+    fn what_is_no_angle_is_refused() {
+        let refused = CrushPlaneBracket::of_surfaces(f64::INFINITY, -2e6).expect_err("neither is an angle");
+        assert_eq!(
+            refused.to_string(),
+            "contact.surfaces[0] is not finite: inf; contact.surfaces[1] is -2000000 rad; it must be from -1000000 rad to 1000000 rad"
+        );
+        assert!(CrushPlaneBracket::of_surfaces(0.0, f64::NAN).is_err());
     }
 
     #[cfg(feature = "dual")]

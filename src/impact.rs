@@ -1,28 +1,29 @@
-//! What an impact does: the motions after it, the impulse, the works.
+//! The result of an impact: post-impact motions, impulse, works.
 
 use crate::energy::{KineticEnergy, Work};
 use crate::frame::{ForwardLeft, Nt, Xy};
 use crate::scalar::{Field, Real};
 use crate::vehicle::Motion;
 
-/// What an impact does.
+/// The result of an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Impact<T = f64> {
-    /// The impulse on vehicle 1 in the axes of the contact, in N s; vehicle 2 gets the opposite.
+    /// The impulse on vehicle 1 in contact axes, in N s; vehicle 2 gets the opposite.
     pub impulse: Nt<T>,
-    /// The same in ground axes.
+    /// The impulse on vehicle 1 in ground axes, in N s.
     pub impulse_on_ground: Xy<T>,
-    /// The moment impulse on vehicle 1 in N m s; zero when there is none.
+    /// The moment impulse on vehicle 1 in N m s; zero without one.
     pub moment: T,
-    /// The impulse after which sliding has ended, K P = ((1 + e) v_n, v_t): its ratio is the critical one.
+    /// The impulse after which sliding has ended, K P = ((1 + e) v_n, v_t), whose ratio is the critical ratio.
     pub critical_impulse: Nt<T>,
     /// Relative velocity at the impact center before, v_2C − v_1C, in m/s.
     pub approach: Nt<T>,
     /// Relative velocity at the impact center after, V_2C − V_1C, in m/s.
     pub separation: Nt<T>,
-    /// What vehicle 1 does.
+    /// The response of vehicle 1.
     pub one: Response<T>,
-    /// What vehicle 2 does.
+    /// The response of vehicle 2.
     pub two: Response<T>,
     /// The work of each component of the impulse, in J.
     pub work: Work<T>,
@@ -30,31 +31,32 @@ pub struct Impact<T = f64> {
     pub kinetic_energy: KineticEnergy<T>,
 }
 
-/// What an impact does to one vehicle. A barrier's entries are zero.
+/// The response of one vehicle to an impact. A barrier's entries are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response<T = f64> {
     /// Its motion after the impact.
     pub after: Motion<T>,
     /// Its change of velocity P/m, in m/s.
     pub delta_v: Xy<T>,
-    /// The same in the vehicle's own axes.
+    /// Its change of velocity in vehicle axes, in m/s.
     pub delta_v_in_vehicle: ForwardLeft<T>,
 }
 
 impl<T: Field> Impact<T> {
-    /// The impulse ratio, μ = P_t/P_n (A8).
+    /// Returns the impulse ratio, μ = P_t/P_n (A8).
     #[inline(always)]
     pub fn impulse_ratio(&self) -> T {
         self.impulse.t.clone() / self.impulse.n.clone()
     }
 
-    /// The critical impulse ratio μ₀, at which sliding just ends (A27). A property of the collision, whichever law and ratio are in force.
+    /// Returns the critical impulse ratio μ₀, at which sliding just ends (A27). It is a property of the collision, whichever law and ratio are in force.
     #[inline(always)]
     pub fn critical_impulse_ratio(&self) -> T {
         self.critical_impulse.t.clone() / self.critical_impulse.n.clone()
     }
 
-    /// The energy lost, T_L (Eq 1).
+    /// Returns the energy lost, T_L (Eq 1).
     #[inline(always)]
     pub fn loss(&self) -> T {
         self.work.loss()
@@ -62,7 +64,7 @@ impl<T: Field> Impact<T> {
 }
 
 impl<T> Impact<T> {
-    /// The same impact on another scalar.
+    /// Converts the impact to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Impact<U> {
         Impact {
@@ -81,58 +83,65 @@ impl<T> Impact<T> {
 }
 
 impl<T> Response<T> {
-    /// The same response on another scalar.
+    /// Converts the response to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Response<U> {
         Response { after: self.after.map(&mut f), delta_v: self.delta_v.map(&mut f), delta_v_in_vehicle: self.delta_v_in_vehicle.map(f) }
     }
 }
 
-/// Where a force comes from, in the axes of the vehicle that it acts on. Its length is no matter.
+/// Direction a force comes from, in the axes of the vehicle that it acts on. Its length has no meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ForceOrigin<T = f64> {
-    /// Ahead of the vehicle.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ForceDirection<T = f64> {
+    /// Component ahead of the vehicle.
     pub ahead: T,
-    /// To its right.
+    /// Component to its right.
     pub right: T,
 }
 
-impl<T: Field> ForceOrigin<T> {
-    /// Whence a push in the vehicle's axes comes.
+impl<T: Field> ForceDirection<T> {
+    /// Returns the direction that a push comes from, in vehicle axes.
     #[inline(always)]
     pub fn of_push(push: ForwardLeft<T>) -> Self {
-        // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and no push from 0.
-        ForceOrigin { ahead: T::int(0) - push.forward, right: push.left + T::int(0) }
+        // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and a zero push from 0.
+        ForceDirection { ahead: T::int(0) - push.forward, right: push.left + T::int(0) }
+    }
+
+    /// Returns the direction of the push, in vehicle axes.
+    #[inline(always)]
+    pub fn push(&self) -> ForwardLeft<T> {
+        ForwardLeft { forward: -self.ahead.clone(), left: self.right.clone() }
     }
 }
 
-impl<T: Real> ForceOrigin<T> {
-    /// Its direction in radians clockwise from straight ahead, in (−π, π]; zero where no force comes.
+impl<T: Real> ForceDirection<T> {
+    /// Returns its direction in radians clockwise from straight ahead, in (−π, π]; zero without a force.
     #[inline(always)]
     pub fn direction(self) -> T {
-        self.right.atan2(self.ahead)
+        self.right.arctangent(self.ahead)
     }
 }
 
 impl<T: Field> Response<T> {
-    /// Where the principal force comes from: whence the vehicle is pushed.
+    /// Returns the direction the principal force comes from, in vehicle axes.
     #[inline(always)]
-    pub fn force_origin(&self) -> ForceOrigin<T> {
-        ForceOrigin::of_push(self.delta_v_in_vehicle.clone())
+    pub fn force_direction(&self) -> ForceDirection<T> {
+        ForceDirection::of_push(self.delta_v_in_vehicle.clone())
     }
 }
 
 impl<T: Real> Response<T> {
-    /// Magnitude of the change of velocity, ΔV, in m/s.
+    /// Returns the magnitude of the change of velocity, ΔV, in m/s.
     #[inline(always)]
     pub fn delta_v_magnitude(&self) -> T {
         self.delta_v.clone().length()
     }
 
-    /// The principal direction of force: where the force comes from, in the vehicle's axes, in radians clockwise from straight ahead, in (−π, π].
-    /// 0 is a frontal impact, π/2 one from the right. Zero where no force acts.
+    /// Returns the principal direction of force, from which the force comes, in vehicle axes, in radians clockwise from straight ahead, in (−π, π]. 0 is a
+    /// frontal impact, π/2 one from the right. Zero if no force acts.
     #[inline(always)]
     pub fn principal_direction_of_force(&self) -> T {
-        self.force_origin().direction()
+        self.force_direction().direction()
     }
 }

@@ -1,174 +1,105 @@
-//! The inputs of a collision, each by one name.
+//! Inputs of a collision, identified by name.
 //!
-//! A name is the path that a case file has for the input, with vehicles 1 and 2 as in the paper. The paper's own symbol is an alias.
+//! A name is the path of the input in a case file, with vehicles 1 and 2 as in the paper. The paper's own symbol is an alias.
 
+use crate::catalogue::catalogue;
 use crate::collision::Collision;
+use crate::frame::{CrushPlane, Heading};
 use crate::law::ImpulseRatio;
+use crate::measure::Measure;
 use crate::moment::Moment;
 use crate::scalar::Real;
 use crate::vehicle::{Party, Vehicle};
-use core::fmt;
 
-/// One of the two that collide.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// One of the two parties.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// Vehicle 1, on which the impulse acts.
     One,
-    /// Vehicle 2, on which its opposite acts.
+    /// Vehicle 2, on which the opposite impulse acts.
     Two,
 }
 
-/// An input of a collision.
-///
-/// ```
-/// use planar_impact::{Input, Side};
-/// assert_eq!(Input::CrushPlane.name(), "contact.crush_plane");
-/// assert_eq!(Input::named("omega1"), Some(Input::YawRate(Side::One)));
-/// assert_eq!(Input::named("vehicle.2.velocity.x"), Some(Input::VelocityX(Side::Two)));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Input {
-    /// Mass m in kg.
-    Mass(Side),
-    /// Yaw inertia I in kg m².
-    YawInertia(Side),
-    /// Heading θ in rad. The velocity stays as it is.
-    Heading(Side),
-    /// Impact center ahead of the center of mass, in m.
-    ImpactCenterForward(Side),
-    /// Impact center to the left of the center of mass, in m.
-    ImpactCenterLeft(Side),
-    /// Velocity along x before the impact, in m/s.
-    VelocityX(Side),
-    /// Velocity along y before the impact, in m/s.
-    VelocityY(Side),
-    /// Yaw rate ω before the impact, in rad/s.
-    YawRate(Side),
-    /// Angle Γ of the crush plane in rad.
-    CrushPlane,
-    /// Coefficient of restitution e.
-    Restitution,
-    /// The number that the impulse ratio is given by: μ, its fraction of the critical ratio, or the friction. None at the critical ratio.
-    ImpulseRatio,
-    /// The number that the moment impulse is given by, in N m s, or its fraction of the critical one. None without a moment.
-    Moment,
-}
+impl Side {
+    /// Both, vehicle 1 first.
+    pub const ALL: [Side; 2] = [Side::One, Side::Two];
 
-/// The name of each input and the paper's symbol for it, in the order of [`Input::ALL`].
-const NAMES: [(&str, &str); Input::COUNT] = [
-    ("vehicle.1.mass", "m1"),
-    ("vehicle.1.yaw_inertia", "I1"),
-    ("vehicle.1.heading", "theta1"),
-    ("vehicle.1.impact_center.forward", "f1"),
-    ("vehicle.1.impact_center.left", "l1"),
-    ("vehicle.1.velocity.x", "v1x"),
-    ("vehicle.1.velocity.y", "v1y"),
-    ("vehicle.1.yaw_rate", "omega1"),
-    ("vehicle.2.mass", "m2"),
-    ("vehicle.2.yaw_inertia", "I2"),
-    ("vehicle.2.heading", "theta2"),
-    ("vehicle.2.impact_center.forward", "f2"),
-    ("vehicle.2.impact_center.left", "l2"),
-    ("vehicle.2.velocity.x", "v2x"),
-    ("vehicle.2.velocity.y", "v2y"),
-    ("vehicle.2.yaw_rate", "omega2"),
-    ("contact.crush_plane", "Gamma"),
-    ("contact.restitution", "e"),
-    ("contact.impulse_ratio", "mu"),
-    ("contact.moment", "M"),
-];
-
-impl Input {
-    /// How many there are.
-    pub const COUNT: usize = 20;
-
-    /// Every input: those of vehicle 1, those of vehicle 2, those of the contact.
-    pub const ALL: [Input; Input::COUNT] = {
-        use Input::*;
-        use Side::{One, Two};
-        [
-            Mass(One),
-            YawInertia(One),
-            Heading(One),
-            ImpactCenterForward(One),
-            ImpactCenterLeft(One),
-            VelocityX(One),
-            VelocityY(One),
-            YawRate(One),
-            Mass(Two),
-            YawInertia(Two),
-            Heading(Two),
-            ImpactCenterForward(Two),
-            ImpactCenterLeft(Two),
-            VelocityX(Two),
-            VelocityY(Two),
-            YawRate(Two),
-            CrushPlane,
-            Restitution,
-            ImpulseRatio,
-            Moment,
-        ]
-    };
-
-    /// The vehicle that it is of, if of one.
-    pub fn side(self) -> Option<Side> {
+    /// Returns the other one.
+    #[must_use]
+    pub const fn other(self) -> Side {
         match self {
-            Input::Mass(side)
-            | Input::YawInertia(side)
-            | Input::Heading(side)
-            | Input::ImpactCenterForward(side)
-            | Input::ImpactCenterLeft(side)
-            | Input::VelocityX(side)
-            | Input::VelocityY(side)
-            | Input::YawRate(side) => Some(side),
-            Input::CrushPlane | Input::Restitution | Input::ImpulseRatio | Input::Moment => None,
+            Side::One => Side::Two,
+            Side::Two => Side::One,
         }
     }
+}
 
-    /// Its place in [`Input::ALL`].
-    #[inline(always)]
-    pub const fn index(self) -> usize {
-        let (at, side) = match self {
-            Input::Mass(side) => (0, side),
-            Input::YawInertia(side) => (1, side),
-            Input::Heading(side) => (2, side),
-            Input::ImpactCenterForward(side) => (3, side),
-            Input::ImpactCenterLeft(side) => (4, side),
-            Input::VelocityX(side) => (5, side),
-            Input::VelocityY(side) => (6, side),
-            Input::YawRate(side) => (7, side),
-            Input::CrushPlane => return 16,
-            Input::Restitution => return 17,
-            Input::ImpulseRatio => return 18,
-            Input::Moment => return 19,
-        };
-        at + 8 * (side as usize)
+catalogue! {
+    /// An input of a collision.
+    ///
+    /// ```
+    /// use planar_impact::{Input, Side};
+    /// assert_eq!(Input::CrushPlane.name(), "contact.crush_plane");
+    /// assert_eq!(Input::named("omega1"), Some(Input::YawRate(Side::One)));
+    /// assert_eq!(Input::named("vehicle.2.velocity.x"), Some(Input::VelocityX(Side::Two)));
+    /// ```
+    pub enum Input after "" with symbols,
+    /// Returns its measure.
+    measure: Measure {
+        of each vehicle {
+            /// Mass m in kg.
+            Mass = "vehicle." _ ".mass", "m" _, Mass;
+            /// Yaw inertia I in kg m².
+            YawInertia = "vehicle." _ ".yaw_inertia", "I" _, YawInertia;
+            /// Heading θ in rad. A change of it does not change the velocity.
+            Heading = "vehicle." _ ".heading", "theta" _, Angle;
+            /// Impact center ahead of the center of mass, in m.
+            ImpactCenterForward = "vehicle." _ ".impact_center.forward", "f" _, Length;
+            /// Impact center to the left of the center of mass, in m.
+            ImpactCenterLeft = "vehicle." _ ".impact_center.left", "l" _, Length;
+            /// Velocity along x before the impact, in m/s.
+            VelocityX = "vehicle." _ ".velocity.x", "v" _ "x", Speed;
+            /// Velocity along y before the impact, in m/s.
+            VelocityY = "vehicle." _ ".velocity.y", "v" _ "y", Speed;
+            /// Yaw rate ω before the impact, in rad/s.
+            YawRate = "vehicle." _ ".yaw_rate", "omega" _, YawRate;
+        }
+        of the pair {
+            /// Angle Γ of the crush plane in rad.
+            CrushPlane = "contact.crush_plane", "Gamma", Angle;
+            /// Coefficient of restitution e.
+            Restitution = "contact.restitution", "e", Ratio;
+            /// The number that specifies the impulse ratio: μ, its fraction of the critical ratio, or the friction. Absent at the critical ratio.
+            ImpulseRatio = "contact.impulse_ratio", "mu", Ratio;
+            /// The number that specifies the moment impulse, in N m s, or its fraction of the critical one. Absent without a moment.
+            Moment = "contact.moment", "M", MomentImpulse;
+        }
     }
+}
 
-    /// Its name, such as `vehicle.1.mass`.
-    pub const fn name(self) -> &'static str {
-        NAMES[self.index()].0
-    }
-
-    /// Its symbol, the paper's where it has one, such as `m1` or `Gamma`.
-    pub const fn symbol(self) -> &'static str {
-        NAMES[self.index()].1
-    }
-
-    /// The input of a name or a symbol.
+impl Input {
+    /// Returns the input with a name or a symbol.
     pub fn named(name: &str) -> Option<Input> {
-        NAMES.iter().position(|&(path, symbol)| path == name || symbol == name).map(|at| Input::ALL[at])
+        Input::of_name(name)
     }
 }
 
-impl fmt::Display for Input {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+/// An input that a collision does not have: a barrier has no mass, and the critical ratio is not given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoSuchInput(pub Input);
+
+impl core::fmt::Display for NoSuchInput {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "this collision has no {}: its party is a barrier, or its contact does not give it", self.0)
     }
 }
+
+impl core::error::Error for NoSuchInput {}
 
 impl<T: Real> Collision<T> {
-    /// The value of an input, an angle in (−π, π]. None if this collision does not have it: a barrier has no mass, and the critical ratio is not given.
+    /// Returns the value of an input, an angle in (−π, π], or `None` if this collision does not have it: a barrier has no mass, and the critical ratio is not
+    /// given.
     pub fn input(&self, input: Input) -> Option<T> {
         let vehicle = |side| match side {
             Side::One => self.one.vehicle(),
@@ -196,9 +127,82 @@ impl<T: Real> Collision<T> {
         })
     }
 
-    /// The same collision with something added to each input. What is added to an input that this collision does not have is lost.
+    /// Sets an input, an angle in rad.
     ///
-    /// With an infinitesimal of a dual number added, everything computed from the collision carries its derivative by that input:
+    /// ```
+    /// use planar_impact::{Collision, Input, Party, Side, Vehicle};
+    /// let mut collision = Collision::new(Vehicle::new(1200.0, 1900.0), Party::Barrier);
+    /// collision.set(Input::VelocityX(Side::One), 15.0)?;
+    /// assert_eq!(collision.input(Input::VelocityX(Side::One)), Some(15.0));
+    /// assert!(collision.set(Input::Mass(Side::Two), 900.0).is_err());
+    /// # Ok::<(), planar_impact::NoSuchInput>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`NoSuchInput`] if this collision does not have it, as in [`Collision::input`]. The value itself is checked by [`Collision::solve`].
+    pub fn set(&mut self, input: Input, value: T) -> Result<(), NoSuchInput> {
+        let missing = Err(NoSuchInput(input));
+        match (input, &mut self.impulse_ratio, &mut self.moment) {
+            (Input::CrushPlane, ..) => self.crush_plane = CrushPlane::from_angle(value),
+            (Input::Restitution, ..) => self.restitution = value,
+            (Input::ImpulseRatio, ImpulseRatio::Critical, _) | (Input::Moment, _, Moment::None) => return missing,
+            (Input::ImpulseRatio, ImpulseRatio::Given(x) | ImpulseRatio::OfCritical(x) | ImpulseRatio::LimitedByFriction(x), _)
+            | (Input::Moment, _, Moment::Given(x) | Moment::OfCritical(x)) => *x = value,
+            _ => {
+                let party = if input.side() == Some(Side::One) { &mut self.one } else { &mut self.two };
+                let Party::Vehicle(vehicle) = party else { return missing };
+                match input {
+                    Input::Heading(_) => vehicle.heading = Heading::from_angle(value),
+                    Input::Mass(_) => vehicle.mass = value,
+                    Input::YawInertia(_) => vehicle.yaw_inertia = value,
+                    Input::ImpactCenterForward(_) => vehicle.impact_center.forward = value,
+                    Input::ImpactCenterLeft(_) => vehicle.impact_center.left = value,
+                    Input::VelocityX(_) => vehicle.motion.velocity.x = value,
+                    Input::VelocityY(_) => vehicle.motion.velocity.y = value,
+                    _ => vehicle.motion.yaw_rate = value,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns all inputs in the order of [`Input::ALL`], angles in (−π, π]. Those that this collision does not have are zero.
+    ///
+    /// ```
+    /// use planar_impact::{Collision, Input, Party, Side, Vehicle};
+    /// let collision = Collision::new(Vehicle::new(1200.0, 1900.0).with_speed(15.0), Party::Barrier);
+    /// let mut inputs = collision.to_inputs();
+    /// inputs[Input::Mass(Side::One).index()] += 100.0;
+    /// assert_eq!(collision.with_inputs(inputs).input(Input::Mass(Side::One)), Some(1300.0));
+    /// ```
+    pub fn to_inputs(&self) -> [T; Input::COUNT] {
+        Input::ALL.map(|input| self.input(input).unwrap_or_else(|| T::int(0)))
+    }
+
+    /// Returns the same collision with all inputs replaced, in the order of [`Input::ALL`]. Values of inputs that this collision does not have are ignored.
+    #[must_use]
+    pub fn with_inputs(mut self, inputs: [T; Input::COUNT]) -> Self {
+        for (input, value) in Input::ALL.into_iter().zip(inputs) {
+            // An input that it does not have stays absent.
+            let _ = self.set(input, value);
+        }
+        self
+    }
+
+    /// Creates a collision of two vehicles from all inputs, in the order of [`Input::ALL`]: the impulse ratio and the moment are given numbers, and the law is
+    /// the paper's.
+    #[must_use]
+    pub fn from_inputs(inputs: [T; Input::COUNT]) -> Self {
+        Collision::new(Vehicle::default(), Vehicle::default())
+            .with_impulse_ratio(ImpulseRatio::Given(T::int(0)))
+            .with_moment(Moment::Given(T::int(0)))
+            .with_inputs(inputs)
+    }
+
+    /// Returns the same collision with an increment added to each input. Increments of inputs that this collision does not have are ignored.
+    ///
+    /// If the increment is an infinitesimal dual number, everything computed from the collision carries its derivative by that input:
     ///
     /// ```
     /// # #[cfg(feature = "dual")] {
@@ -228,7 +232,7 @@ impl<T: Real> Collision<T> {
         Collision {
             one,
             two,
-            crush_plane: crush_plane.turned(by(Input::CrushPlane)),
+            crush_plane: crush_plane.shifted(by(Input::CrushPlane)),
             restitution: restitution + by(Input::Restitution),
             impulse_ratio: impulse_ratio.map(|x| x + by(Input::ImpulseRatio)),
             law,
@@ -248,7 +252,7 @@ fn shifted_party<T: Real>(party: Party<T>, side: Side, by: &mut impl FnMut(Input
     add(&mut motion.velocity.x, Input::VelocityX(side));
     add(&mut motion.velocity.y, Input::VelocityY(side));
     add(&mut motion.yaw_rate, Input::YawRate(side));
-    *heading = heading.clone().turned(by(Input::Heading(side)));
+    *heading = heading.clone().shifted(by(Input::Heading(side)));
     Party::Vehicle(vehicle)
 }
 
@@ -258,6 +262,7 @@ mod tests {
     use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
     use crate::law::Law;
     use crate::vehicle::Motion;
+    use alloc::string::ToString;
 
     #[test]
     fn every_input_has_its_place_and_its_names() {
@@ -267,6 +272,10 @@ mod tests {
             assert_eq!(Input::named(input.symbol()), Some(input));
         }
         assert_eq!(Input::named("vehicle.3.mass"), None);
+        assert_eq!("omega2".parse(), Ok(Input::YawRate(Side::Two)));
+        let unknown = "vehicle.3.mass".parse::<Input>().expect_err("there are two");
+        assert_eq!(unknown.to_string(), "no quantity is named \"vehicle.3.mass\"; `ALL` lists those that exist");
+        assert_eq!(Side::ALL.map(Side::other), [Side::Two, Side::One]);
     }
 
     #[test]
@@ -287,8 +296,16 @@ mod tests {
             law: Law::Brach,
             moment: Moment::Given(7.0),
         };
+        let inputs = collision.to_inputs();
+        assert_eq!(Collision { impulse_ratio: ImpulseRatio::OfCritical(0.5), ..Collision::from_inputs(inputs) }.to_inputs(), inputs);
         for input in Input::ALL {
             let before = collision.input(input).expect("it has every input");
+            let mut set = collision;
+            assert_eq!(set.set(input, before + 0.125), Ok(()));
+            for other in Input::ALL {
+                let expected = collision.input(other).expect("as before") + if other == input { 0.125 } else { 0.0 };
+                assert!((set.input(other).expect("as before") - expected).abs() < 1e-15, "{other} with {input}");
+            }
             let moved = collision.shifted(|other| if other == input { 0.125 } else { 0.0 });
             let after = moved.input(input).expect("as before");
             assert!((after - before - 0.125).abs() < 1e-15, "{input}");
@@ -312,6 +329,10 @@ mod tests {
         assert_eq!(collision.input(Input::Mass(Side::One)), None);
         assert_eq!(collision.input(Input::ImpulseRatio), None);
         assert_eq!(collision.input(Input::Moment), None);
+        for input in [Input::Mass(Side::One), Input::Heading(Side::Two), Input::ImpulseRatio, Input::Moment] {
+            assert_eq!(collision.clone().set(input, 1.0), Err(NoSuchInput(input)));
+        }
+        assert_eq!(collision.with_inputs([1.0; Input::COUNT]).one, Party::Barrier);
         assert_eq!(collision.shifted(|_| 1.0).one, Party::Barrier);
     }
 }

@@ -1,46 +1,48 @@
-//! The laws that choose an impulse: how far it goes, and in which direction.
+//! Laws that determine the magnitude and the direction of the impulse.
 //!
-//! Restitution fixes the normal separation velocity, V_n = −e v_n (A7). For the tangential part a **law** says which impulse ends the tangential
-//! process (the *sticking* impulse), and a **ratio** says how much of it takes place:
+//! Restitution determines the normal separation velocity, V_n = −e v_n (A7). For the tangential part a **law** determines the impulse that ends the
+//! tangential process (the *sticking* impulse), and a **ratio** determines how much of it takes place:
 //!
 //! | law | sticking impulse | tangential separation velocity |
 //! |---|---|---|
 //! | [`Law::Brach`], the paper's | K P = ((1 + e) v_n, v_t) | 0: sliding ends |
-//! | [`Law::KudlichSlibar`] | K P = (1 + e) (v_n, v_t) | −e v_t: restitution holds for both components |
+//! | [`Law::KudlichSlibar`] | K P = (1 + e) (v_n, v_t) | −e v_t: restitution applies to both components |
 //!
-//! The two agree at e = 0. The paper's P_t/P_n of the first is the critical impulse ratio μ₀ (A27).
+//! The two agree at e = 0. P_t/P_n of the first is the paper's critical impulse ratio μ₀ (A27).
 
 use crate::compliance::Compliance;
 use crate::frame::Nt;
 use crate::scalar::{Field, Ordered};
 
-/// Which impulse ends the tangential process.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The impulse that ends the tangential process.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Law {
-    /// The paper's: sliding has ended at separation.
+    /// The paper's law: sliding has ended at separation.
     #[default]
     Brach,
-    /// That of PC-Crash and Virtual CRASH, and of Carpenter and Welcher: restitution multiplies both components of the common-velocity impulse.
+    /// The law of PC-Crash and Virtual CRASH, and of Carpenter and Welcher: restitution multiplies both components of the common-velocity impulse.
     KudlichSlibar,
 }
 
-/// How the tangential impulse follows from the normal one, μ = P_t/P_n (A8).
+/// Relation between the tangential and the normal impulse, μ = P_t/P_n (A8).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ImpulseRatio<T = f64> {
-    /// The law's own: the sticking impulse. With [`Law::Brach`] μ = μ₀.
+    /// The sticking impulse of the law. With [`Law::Brach`] μ = μ₀.
     #[default]
     Critical,
-    /// A given μ, signed, between 0 and the critical ratio.
+    /// A given μ, with its sign, between 0 and the critical ratio.
     Given(T),
     /// A fraction of the critical ratio, from 0 to 1.
     OfCritical(T),
-    /// Critical, unless its magnitude is above this coefficient of friction: then the bodies slide throughout, at this ratio, the way the sticking
-    /// impulse points.
+    /// The critical ratio, unless its magnitude is above this coefficient of friction: then the bodies slide throughout, at this ratio, in the direction of
+    /// the sticking impulse.
     LimitedByFriction(T),
 }
 
 impl Law {
-    /// The change of relative velocity that the sticking impulse brings.
+    /// Returns the change of relative velocity caused by the sticking impulse.
     #[inline(always)]
     pub fn change<T: Field>(self, approach: Nt<T>, restitution: T) -> Nt<T> {
         let both = T::int(1) + restitution;
@@ -52,7 +54,7 @@ impl Law {
 }
 
 impl<T> ImpulseRatio<T> {
-    /// The same ratio on another scalar.
+    /// Converts the ratio to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> ImpulseRatio<U> {
         match self {
@@ -65,7 +67,7 @@ impl<T> ImpulseRatio<T> {
 }
 
 impl<T: Ordered> ImpulseRatio<T> {
-    /// The impulse of this ratio, where the sticking impulse would bring the change `change` of relative velocity.
+    /// Returns the impulse of this ratio, given the change of relative velocity `change` that the sticking impulse would cause.
     #[inline(always)]
     pub fn impulse(&self, compliance: &Compliance<T>, change: Nt<T>) -> Nt<T> {
         match self {
@@ -77,24 +79,24 @@ impl<T: Ordered> ImpulseRatio<T> {
     }
 }
 
-/// The impulse at a given ratio that brings a given change of normal velocity: P_n = change/(K_nn + μ K_nt), P_t = μ P_n (A1, A2, A14).
+/// Returns the impulse at a given ratio that causes a given change of normal velocity: P_n = change/(K_nn + μ K_nt), P_t = μ P_n (A1, A2, A14).
 #[inline(always)]
 pub fn impulse_at_ratio<T: Field>(compliance: &Compliance<T>, normal_change: T, ratio: T) -> Nt<T> {
     let n = normal_change / compliance.along_ratio(ratio.clone());
     Nt { t: ratio * n.clone(), n }
 }
 
-/// The impulse at a fraction of the ratio of the sticking impulse, which would bring the change `change` of relative velocity.
+/// Returns the impulse at a fraction of the ratio of the sticking impulse, which would cause the change of relative velocity `change`.
 #[inline(always)]
 pub fn impulse_at_fraction<T: Field>(compliance: &Compliance<T>, change: Nt<T>, fraction: T) -> Nt<T> {
     let sticking = compliance.impulse_for(change.clone());
     impulse_at_ratio(compliance, change.n, fraction * sticking.t / sticking.n)
 }
 
-/// The sticking impulse, unless it lies outside the friction cone: then the impulse on the edge of the cone that has the same normal change.
+/// Returns the sticking impulse, unless it lies outside the friction cone: then the impulse on the edge of the cone with the same normal change.
 ///
-/// On the way from no tangential impulse to the sticking one the ratio leaves the cone where the magnitude of the tangential part passes the friction
-/// coefficient times the compression; that point always exists and divides by nothing, even where the sticking impulse would pull.
+/// From zero tangential impulse to the sticking impulse, the ratio leaves the cone where the magnitude of the tangential part exceeds the friction
+/// coefficient times the compression. That point always exists and involves no division, even if the sticking impulse is tensile.
 #[inline(always)]
 pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>, friction: T) -> Nt<T> {
     let sticking = compliance.impulse_for(change.clone());
@@ -104,11 +106,11 @@ pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>
     Nt { n: T::select(cone.slides.clone(), sliding.n, sticking.n), t: T::select(cone.slides, sliding.t, sticking.t) }
 }
 
-/// Where the sticking impulse lies beside the impulses that a friction allows.
+/// Position of the sticking impulse relative to the friction cone.
 pub(crate) struct FrictionCone<T: Ordered> {
-    /// Whether it lies outside: the bodies slide throughout.
+    /// True if it lies outside: the bodies slide throughout.
     pub(crate) slides: T::Mask,
-    /// The sign of the ratio on the edge that it left by: 1 or −1.
+    /// Sign of the ratio on the edge where it leaves the cone: 1 or −1.
     pub(crate) side: T,
 }
 
@@ -152,7 +154,7 @@ mod tests {
         assert_eq!(ImpulseRatio::OfCritical(1.0).impulse(&k, change), sticking);
         let half = ImpulseRatio::OfCritical(0.5).impulse(&k, change);
         assert_eq!(half.t / half.n, 0.125);
-        assert_eq!(k.yield_to(half).n, change.n);
+        assert_eq!(k.velocity_change(half).n, change.n);
         assert_eq!(ImpulseRatio::Given(0.0).impulse(&k, change), Nt { n: -7.0 / 0.75, t: -0.0 });
     }
 
@@ -170,7 +172,7 @@ mod tests {
 
     #[test]
     fn friction_slides_where_sticking_would_pull() {
-        // K⁻¹ (−1, −7) = (2.29, −5.43): sticking would pull the bodies together.
+        // K⁻¹ (−1, −7) = (2.29, −5.43): the sticking impulse would be tensile.
         let (k, change) = (compliance(), Nt { n: -1.0, t: -7.0 });
         assert!(k.impulse_for(change).n > 0.0);
         let sliding = ImpulseRatio::LimitedByFriction(0.5).impulse(&k, change);

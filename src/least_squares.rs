@@ -1,10 +1,12 @@
-//! The least sum of squares within bounds, from one start: the tool of both ways back, from evidence to speeds and from rest to separation.
+//! Bounded nonlinear least squares from one start, for reconstruction and for separation velocities from rest positions.
 //!
-//! The steps are Levenberg's and Marquardt's, scaled by the distance to the bounds (Branch, Coleman and Li 1999), of the crate `basin`. They stay inside the bounds,
-//! so what they end with is brought to its end here: unknowns that press against a bound are put on it, and the others take Gauss–Newton steps until these are
-//! nothing beside the unknowns' scale. Only that is called converged.
+//! The Levenberg–Marquardt steps, scaled by the distance to the bounds (Branch, Coleman and Li 1999), are those of the crate `basin`. They stay inside the
+//! bounds, so their result is refined here: unknowns that press against a bound are moved onto it, and the others take Gauss–Newton steps until the steps are
+//! negligible compared with the scales of the unknowns. Only then has the search converged.
 
 mod polish;
+
+pub(crate) use polish::{decomposed, scaled};
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -12,42 +14,42 @@ use core::convert::Infallible;
 use basin::{BoundedLevenbergMarquardt, BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual};
 use nalgebra::DMatrix;
 
-/// What is to be made small: residuals and how they move.
+/// Residuals and their derivatives.
 pub trait Residuals {
-    /// The residuals at the unknowns; none where there are none, as beyond what is possible.
+    /// Returns the residuals at the unknowns, or `None` if they are undefined, such as for an impossible collision.
     fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>>;
 
-    /// The derivatives of the residuals, a row for each residual and a column for each unknown, where [`Residuals::at`] has them.
+    /// Returns the derivatives of the residuals, a row for each residual and a column for each unknown, where [`Residuals::at`] is defined.
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64>;
 
-    /// The sum of the second derivatives of the residuals, each times its residual, by each two unknowns; none where they are not known. Where residuals are
-    /// large and an unknown moves them little, the last digits need it.
-    fn bend(&self, _unknowns: &[f64]) -> Option<DMatrix<f64>> {
+    /// Returns the sum of the second derivatives of the residuals, each times its residual, for each pair of unknowns, or `None` if unknown. The last digits
+    /// need it if residuals are large and an unknown has little effect on them.
+    fn residual_hessian(&self, _unknowns: &[f64]) -> Option<DMatrix<f64>> {
         None
     }
 }
 
-/// The range of one unknown, and what counts as a change of it.
+/// The range and the scale of one unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
-    /// The least it may be; −∞ without a bound.
+pub struct ParameterBounds {
+    /// Lower bound; −∞ without a bound.
     pub min: f64,
-    /// The most it may be; ∞ without a bound.
+    /// Upper bound; ∞ without a bound.
     pub max: f64,
-    /// A change that matters: the unknowns are measured in it.
+    /// A significant change, the unit in which the unknown is measured.
     pub scale: f64,
 }
 
 /// A bound of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// The least it may be.
+    /// The lower bound.
     Min,
-    /// The most it may be.
+    /// The upper bound.
     Max,
 }
 
-/// Where the sum of squares is least, as far as one can see from there.
+/// A local minimum of the sum of squares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Minimum {
     /// The unknowns.
@@ -56,67 +58,73 @@ pub struct Minimum {
     pub sum_of_squares: f64,
     /// The bound that each unknown is on.
     pub at: Vec<Option<Bound>>,
-    /// Whether that bound holds it: beyond it the sum would be less.
+    /// `true` if that bound is active: the sum would be smaller beyond it.
     pub is_held: Vec<bool>,
-    /// Steps taken.
+    /// Number of steps taken.
     pub iterations: usize,
 }
 
-/// Where the search stopped without having found a least sum.
+/// State of a search that stopped without convergence.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stopped {
+pub struct NotConverged {
     /// The unknowns.
     pub unknowns: Vec<f64>,
     /// The sum of the squares of the residuals.
     pub sum_of_squares: f64,
-    /// The step that the residuals still ask for, in scales of the unknowns.
+    /// The remaining step, in scales of the unknowns.
     pub step: f64,
-    /// Steps taken.
+    /// Number of steps taken.
     pub iterations: usize,
-    /// Where that step would lead.
+    /// The unknowns after that step.
     pub toward: Vec<f64>,
 }
 
-/// Why there is no minimum.
+/// Reason for the absence of a minimum.
 #[derive(Clone, Debug, PartialEq)]
-pub enum NoMinimum {
-    /// There are no residuals at the start.
+pub enum FitError {
+    /// The residuals are undefined at the start.
     NoStart,
-    /// It does not converge.
-    Stopped(Stopped),
+    /// The search does not converge.
+    NotConverged(NotConverged),
 }
 
-/// How far a step may be, in scales, for its end to be the minimum.
-pub(crate) const CONVERGED: f64 = 1e-9;
+/// Largest step, in scales, at which the search has converged.
+const CONVERGED: f64 = 1e-9;
 
-/// The least sum of squares that lies downhill from a start.
+/// Finds a local minimum of the sum of squares from a start.
 ///
 /// # Errors
 ///
-/// [`NoMinimum`]: the residuals are not defined at the start, or no minimum is reached in so many iterations.
-pub fn minimum(of: &impl Residuals, start: &[f64], spans: &[Span], iterations: usize) -> Result<Minimum, NoMinimum> {
-    let residuals = of.at(start).ok_or(NoMinimum::NoStart)?.len();
+/// [`FitError`] if the residuals are undefined at the start, or no minimum is reached within the given number of iterations.
+pub fn minimum(of: &impl Residuals, start: &[f64], spans: &[ParameterBounds], iterations: usize) -> Result<Minimum, FitError> {
+    let residuals = of.at(start).ok_or(FitError::NoStart)?.len();
     let scaled = Scaled::of(of, residuals, spans);
     let from = start.iter().zip(spans).map(|(x, span)| x / span.scale).collect();
     let solver = BoundedLevenbergMarquardt::new().with_absolute_scaled_gradient_tolerance(1e-6).with_relative_cost_change_tolerance(1e-6);
-    let run = Executor::from_start(scaled, solver, from).max_iter(iterations as u64).run().map_err(|_| NoMinimum::NoStart)?;
+    let run = Executor::from_start(scaled, solver, from).max_iter(iterations as u64).run().map_err(|_| FitError::NoStart)?;
     let unknowns: Vec<f64> = run.param().iter().zip(spans).map(|(z, span)| (z * span.scale).clamp(span.min, span.max)).collect();
-    polish::polish(of, unknowns, spans, run.iter() as usize, iterations).map_err(NoMinimum::Stopped)
+    polish::polish(of, unknowns, spans, run.iter() as usize, iterations).map_err(FitError::NotConverged)
 }
 
-/// The residuals over the unknowns in their scales.
+/// Returns the distance between two points, the largest difference of an unknown in its scale. It is NaN if any of them is: such a step has not ended.
+pub(crate) fn distance(one: &[f64], other: &[f64], scales: impl IntoIterator<Item = f64>) -> f64 {
+    let differences = one.iter().zip(other).zip(scales).map(|((one, other), scale)| (one - other).abs() / scale);
+    differences.fold(0.0, |largest, next| if next > largest || next.is_nan() { next } else { largest })
+}
+
+/// The residuals as functions of the scaled unknowns.
 struct Scaled<'a, R> {
     of: &'a R,
-    /// How many residuals there are.
+    /// Number of residuals.
     residuals: usize,
-    spans: &'a [Span],
+    spans: &'a [ParameterBounds],
     lower: Vec<f64>,
     upper: Vec<f64>,
 }
 
 impl<'a, R: Residuals> Scaled<'a, R> {
-    fn of(of: &'a R, residuals: usize, spans: &'a [Span]) -> Self {
-        let each = |bound: fn(&Span) -> f64| spans.iter().map(|span| bound(span) / span.scale).collect();
+    fn of(of: &'a R, residuals: usize, spans: &'a [ParameterBounds]) -> Self {
+        let each = |bound: fn(&ParameterBounds) -> f64| spans.iter().map(|span| bound(span) / span.scale).collect();
         Scaled { of, residuals, spans, lower: each(|span| span.min), upper: each(|span| span.max) }
     }
 
@@ -139,7 +147,7 @@ impl<R: Residuals> Residual for Scaled<'_, R> {
     type Error = Infallible;
 
     fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
-        // What is not a number is no better than before, and the damping grows.
+        // NaN is no improvement, so the damping grows.
         Ok(self.of.at(&self.unscaled(point)).unwrap_or_else(|| alloc::vec![f64::NAN; self.residuals]))
     }
 }
@@ -171,7 +179,7 @@ mod tests {
         }
     }
 
-    const FREE: Span = Span { min: f64::NEG_INFINITY, max: f64::INFINITY, scale: 1.0 };
+    const FREE: ParameterBounds = ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale: 1.0 };
 
     #[test]
     fn the_end_of_the_valley_is_found_to_the_last_digits() {
@@ -182,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_bound_in_the_way_is_reached_exactly_and_named() {
-        let until = Span { max: 0.5, ..FREE };
+        let until = ParameterBounds { max: 0.5, ..FREE };
         let minimum = minimum(&Valley, &[-1.2, 1.0], &[until, FREE], 200).expect("it converges");
         assert_eq!(minimum.unknowns[0], 0.5);
         assert!((minimum.unknowns[1] - 0.25).abs() < 1e-12, "{minimum:?}");
@@ -192,12 +200,12 @@ mod tests {
 
     #[test]
     fn scales_do_not_matter() {
-        let spans = [Span { scale: 1e-4, ..FREE }, Span { scale: 1e3, ..FREE }];
+        let spans = [ParameterBounds { scale: 1e-4, ..FREE }, ParameterBounds { scale: 1e3, ..FREE }];
         let minimum = minimum(&Valley, &[-1.2, 1.0], &spans, 500).expect("it converges");
         assert!(minimum.unknowns.iter().all(|x| (x - 1.0).abs() < 1e-9), "{minimum:?}");
     }
 
-    /// A residual of 3 that bends as much as the other grows: straight lines take a twentieth of the way with each step.
+    /// A residual of 3 whose curvature matches the slope of the other: a Gauss–Newton step covers a twentieth of the remaining distance.
     struct Bent;
 
     impl Residuals for Bent {
@@ -209,7 +217,7 @@ mod tests {
             DMatrix::from_row_slice(2, 1, &[1.0, -0.95 / 3.0 * x[0]])
         }
 
-        fn bend(&self, x: &[f64]) -> Option<DMatrix<f64>> {
+        fn residual_hessian(&self, x: &[f64]) -> Option<DMatrix<f64>> {
             Some(DMatrix::from_element(1, 1, -0.95 / 3.0 * (3.0 - 0.95 / 6.0 * x[0] * x[0])))
         }
     }
@@ -221,7 +229,7 @@ mod tests {
         assert!(slope[0].abs() < 1e-12, "{minimum:?}");
     }
 
-    /// √x + 1, which there is only above zero, and a slope that leads there.
+    /// √x + 1, which is defined only above zero and decreases toward zero.
     struct Edge;
 
     impl Residuals for Edge {
@@ -237,11 +245,11 @@ mod tests {
     #[test]
     fn the_edge_of_what_is_defined_is_no_minimum() {
         let end = minimum(&Edge, &[4.0], &[FREE], 200);
-        assert!(matches!(end, Err(NoMinimum::Stopped(_))), "{end:?}");
-        assert_eq!(minimum(&Edge, &[-4.0], &[FREE], 200), Err(NoMinimum::NoStart));
+        assert!(matches!(end, Err(FitError::NotConverged(_))), "{end:?}");
+        assert_eq!(minimum(&Edge, &[-4.0], &[FREE], 200), Err(FitError::NoStart));
     }
 
-    /// |x|, which has no slope where it is least.
+    /// |x| + 1, which has no derivative at its minimum.
     struct Kink;
 
     impl Residuals for Kink {
@@ -258,14 +266,25 @@ mod tests {
     fn where_there_is_no_slope_there_is_no_minimum_and_no_panic() {
         for start in [0.0, 1.0, -3.0] {
             let end = minimum(&Kink, &[start], &[FREE], 200);
-            assert!(matches!(end, Err(NoMinimum::Stopped(_))), "{end:?}");
+            assert!(matches!(end, Err(FitError::NotConverged(_))), "{end:?}");
+        }
+    }
+
+    #[test]
+    fn a_distance_is_the_largest_difference_and_keeps_nan() {
+        let to = |other: [f64; 3]| distance(&[1.0, 2.0, 3.0], &other, [1.0, 0.5, 2.0]);
+        assert_eq!((to([1.0, 2.0, 3.0]), to([2.0, 1.0, 5.0])), (0.0, 2.0));
+        for i in 0..3 {
+            let mut other = [2.0, 1.0, 5.0];
+            other[i] = f64::NAN;
+            assert!(to(other).is_nan(), "whatever follows the unknown {i}");
         }
     }
 
     #[test]
     fn too_few_iterations_are_no_minimum() {
         let end = minimum(&Valley, &[-1.2, 1.0], &[FREE, FREE], 1);
-        let Err(NoMinimum::Stopped(stopped)) = end else { panic!("{end:?}") };
+        let Err(FitError::NotConverged(stopped)) = end else { panic!("{end:?}") };
         assert!(stopped.step > CONVERGED, "{stopped:?}");
     }
 }

@@ -1,15 +1,15 @@
 //! The moment impulse: a third component of the contact, about the vertical through the impact center.
 //!
-//! Vehicles that are locked together over a wide contact pass on a couple as well as a force. It is off by default. When it is on, the compliance has
-//! a third row: with ω_r the relative yaw rate,
+//! Vehicles that are locked together over a wide contact transmit a couple as well as a force. It is off by default. With it the compliance has a third row:
+//! with ω_r the relative yaw rate,
 //!
 //! ```text
 //! K_nm = −Σ r_t/I      K_tm = Σ r_n/I      K_mm = Σ 1/I
 //! change of (v_n, v_t, ω_r) = K₃ (P_n, P_t, M)
 //! ```
 //!
-//! The **critical moment** is that of the impact in which sliding and relative rotation both end. The paper leaves the moment out and suspects it
-//! behind the yaw rates of Table B1 (its reference 20).
+//! The **critical moment** is that of the impact in which sliding and relative rotation both end. The paper leaves the moment out, and suggests it as the
+//! cause of the yaw rates of Table B1 (its reference 20).
 
 use crate::contact::Contact;
 use crate::frame::Nt;
@@ -17,8 +17,9 @@ use crate::scalar::Field;
 
 /// The moment impulse M on body one; body two gets −M.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Moment<T = f64> {
-    /// The contact passes on no couple.
+    /// The contact transmits no couple.
     #[default]
     None,
     /// A given moment impulse in N m s, counter-clockwise positive.
@@ -37,7 +38,7 @@ pub struct MomentCompliance<T = f64> {
 }
 
 impl<T> Moment<T> {
-    /// The same moment on another scalar.
+    /// Converts the moment to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Moment<U> {
         match self {
@@ -49,7 +50,7 @@ impl<T> Moment<T> {
 }
 
 impl<T: Field> Contact<T> {
-    /// The third row of the compliance.
+    /// Returns the third row of the compliance.
     #[inline(always)]
     pub fn moment_compliance(&self) -> MomentCompliance<T> {
         let (one, two) = (&self.one, &self.two);
@@ -57,14 +58,14 @@ impl<T: Field> Contact<T> {
         MomentCompliance { force: (one.arm.clone() * j1.clone() + two.arm.clone() * j2.clone()).quarter_turn(), moment: j1 + j2 }
     }
 
-    /// The relative yaw rate before the impact, ω_2 − ω_1.
+    /// Returns the relative yaw rate before the impact, ω_2 − ω_1.
     #[inline(always)]
     pub fn relative_yaw_rate(&self) -> T {
         self.two.yaw_rate.clone() - self.one.yaw_rate.clone()
     }
 
-    /// The moment of the impact whose impulse and moment together bring the change `change` of relative velocity and the change `yaw` of relative yaw rate:
-    /// M = (yaw − k·K⁻¹change)/(K_mm − k·K⁻¹k), k the force part of the third row.
+    /// Returns the moment of the impact whose impulse and moment together cause the change `change` of relative velocity and the change `yaw` of relative yaw
+    /// rate: M = (yaw − k·K⁻¹change)/(K_mm − k·K⁻¹k), with k the force part of the third row.
     #[inline(always)]
     pub fn moment_for(&self, change: Nt<T>, yaw: T) -> T {
         let row = self.moment_compliance();
@@ -98,7 +99,7 @@ mod tests {
         let after_n = contact.separation(impulse) - row.force * moment;
         let after_yaw = yaw - row.force.dot(impulse) - row.moment * moment;
         assert!(after_n.length() < 1e-14 && after_yaw.abs() < 1e-14);
-        // Not by accident: without the moment they would still turn against each other.
+        // Without the moment they would still rotate relative to each other.
         let without = yaw - row.force.dot(contact.common_velocity_impulse());
         assert!(without.abs() > 0.1);
     }

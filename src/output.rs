@@ -1,23 +1,25 @@
-//! What is known after an impact, each by one name.
+//! Outputs of a collision, identified by name.
 //!
-//! A name is the path that the JSON of the command `solve` has for the output, with vehicles 1 and 2 as in the paper. The paper's own symbol is an alias.
+//! A name is the path of the output in the JSON of the command `solve`, with vehicles 1 and 2 as in the paper. The paper's own symbol is an alias.
 
+use crate::catalogue::catalogue;
 use crate::collision::Collision;
 use crate::energy::{KineticEnergy, Work};
 use crate::frame::{Nt, Xy};
 use crate::impact::{Impact, Response};
-use crate::input::Side;
+use crate::input::{Input, Side};
+use crate::measure::Measure;
 use crate::scalar::Real;
 use crate::vehicle::Motion;
-use core::fmt;
 use core::ops::{Index, IndexMut};
 
-/// Everything that is known after an impact, the magnitudes and ratios among it.
+/// All outputs of an impact, including magnitudes and ratios.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Outputs<T = f64> {
-    /// What happens to vehicle 1.
+    /// The outputs of vehicle 1.
     pub one: VehicleOutputs<T>,
-    /// What happens to vehicle 2.
+    /// The outputs of vehicle 2.
     pub two: VehicleOutputs<T>,
     /// Coefficient of restitution e.
     pub restitution: T,
@@ -25,9 +27,9 @@ pub struct Outputs<T = f64> {
     pub impulse_ratio: T,
     /// Critical impulse ratio μ₀.
     pub critical_impulse_ratio: T,
-    /// The impulse on vehicle 1 in the axes of the contact, in N s.
+    /// The impulse on vehicle 1 in contact axes, in N s.
     pub impulse: Nt<T>,
-    /// The same in ground axes.
+    /// The impulse on vehicle 1 in ground axes, in N s.
     pub impulse_on_ground: Xy<T>,
     /// The moment impulse on vehicle 1, in N m s.
     pub moment: T,
@@ -43,190 +45,90 @@ pub struct Outputs<T = f64> {
     pub work: Work<T>,
 }
 
-/// What an impact does to one vehicle.
+/// The outputs of one vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VehicleOutputs<T = f64> {
     /// Its motion after the impact.
     pub after: Motion<T>,
     /// Its change of velocity in ground axes, in m/s.
     pub delta_v: Xy<T>,
-    /// The magnitude of that, ΔV.
+    /// The magnitude of the change of velocity, ΔV, in m/s.
     pub delta_v_magnitude: T,
     /// The principal direction of force in rad, clockwise from straight ahead.
     pub principal_direction_of_force: T,
 }
 
-/// One of the [`Outputs`].
-///
-/// ```
-/// use planar_impact::{Output, Side};
-/// assert_eq!(Output::NormalWork.name(), "energy.normal_work");
-/// assert_eq!(Output::named("dV1"), Some(Output::DeltaVMagnitude(Side::One)));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Output {
-    /// Velocity along x after the impact.
-    VelocityX(Side),
-    /// Velocity along y after the impact.
-    VelocityY(Side),
-    /// Yaw rate Ω after the impact.
-    YawRate(Side),
-    /// Change of velocity along x.
-    DeltaVX(Side),
-    /// Change of velocity along y.
-    DeltaVY(Side),
-    /// Magnitude of the change of velocity, ΔV.
-    DeltaVMagnitude(Side),
-    /// Principal direction of force.
-    PrincipalDirectionOfForce(Side),
-    /// Coefficient of restitution e, which is an input too.
-    Restitution,
-    /// Impulse ratio μ.
-    ImpulseRatio,
-    /// Critical impulse ratio μ₀.
-    CriticalImpulseRatio,
-    /// Normal impulse P_n.
-    NormalImpulse,
-    /// Tangential impulse P_t.
-    TangentialImpulse,
-    /// Impulse along x.
-    ImpulseX,
-    /// Impulse along y.
-    ImpulseY,
-    /// Moment impulse.
-    Moment,
-    /// Normal approach velocity v_n.
-    NormalApproach,
-    /// Tangential approach velocity v_t.
-    TangentialApproach,
-    /// Normal separation velocity V_n.
-    NormalSeparation,
-    /// Tangential separation velocity V_t.
-    TangentialSeparation,
-    /// Kinetic energy before the impact.
-    EnergyBefore,
-    /// Kinetic energy after it.
-    EnergyAfter,
-    /// Energy loss T_L.
-    Loss,
-    /// Work W_n of the normal impulse.
-    NormalWork,
-    /// Work W_t of the tangential impulse.
-    TangentialWork,
-    /// Work W_m of the moment impulse.
-    MomentWork,
-}
-
-/// The name of each output and the paper's symbol for it, in the order of [`Output::ALL`].
-const NAMES: [(&str, &str); Output::COUNT] = [
-    ("vehicle.1.velocity.x", "V1x"),
-    ("vehicle.1.velocity.y", "V1y"),
-    ("vehicle.1.yaw_rate", "Omega1"),
-    ("vehicle.1.delta_v.x", "dV1x"),
-    ("vehicle.1.delta_v.y", "dV1y"),
-    ("vehicle.1.delta_v_magnitude", "dV1"),
-    ("vehicle.1.pdof", "pdof1"),
-    ("vehicle.2.velocity.x", "V2x"),
-    ("vehicle.2.velocity.y", "V2y"),
-    ("vehicle.2.yaw_rate", "Omega2"),
-    ("vehicle.2.delta_v.x", "dV2x"),
-    ("vehicle.2.delta_v.y", "dV2y"),
-    ("vehicle.2.delta_v_magnitude", "dV2"),
-    ("vehicle.2.pdof", "pdof2"),
-    ("contact.restitution", "e"),
-    ("contact.impulse_ratio", "mu"),
-    ("contact.critical_impulse_ratio", "mu0"),
-    ("contact.impulse.normal", "P_n"),
-    ("contact.impulse.tangential", "P_t"),
-    ("contact.impulse.x", "P_x"),
-    ("contact.impulse.y", "P_y"),
-    ("contact.impulse.moment", "M"),
-    ("contact.approach.normal", "v_n"),
-    ("contact.approach.tangential", "v_t"),
-    ("contact.separation.normal", "V_n"),
-    ("contact.separation.tangential", "V_t"),
-    ("energy.before", "T_before"),
-    ("energy.after", "T_after"),
-    ("energy.loss", "T_L"),
-    ("energy.normal_work", "W_n"),
-    ("energy.tangential_work", "W_t"),
-    ("energy.moment_work", "W_m"),
-];
-
-impl Output {
-    /// How many there are.
-    pub const COUNT: usize = 32;
-
-    /// Every output: those of vehicle 1, those of vehicle 2, those of the contact, the energies.
-    pub const ALL: [Output; Output::COUNT] = {
-        use Output::*;
-        use Side::{One, Two};
-        [
-            VelocityX(One),
-            VelocityY(One),
-            YawRate(One),
-            DeltaVX(One),
-            DeltaVY(One),
-            DeltaVMagnitude(One),
-            PrincipalDirectionOfForce(One),
-            VelocityX(Two),
-            VelocityY(Two),
-            YawRate(Two),
-            DeltaVX(Two),
-            DeltaVY(Two),
-            DeltaVMagnitude(Two),
-            PrincipalDirectionOfForce(Two),
-            Restitution,
-            ImpulseRatio,
-            CriticalImpulseRatio,
-            NormalImpulse,
-            TangentialImpulse,
-            ImpulseX,
-            ImpulseY,
-            Moment,
-            NormalApproach,
-            TangentialApproach,
-            NormalSeparation,
-            TangentialSeparation,
-            EnergyBefore,
-            EnergyAfter,
-            Loss,
-            NormalWork,
-            TangentialWork,
-            MomentWork,
-        ]
-    };
-
-    /// Its place in [`Output::ALL`].
-    pub fn index(self) -> usize {
-        Output::ALL.iter().position(|&output| output == self).expect("every output is among all of them")
-    }
-
-    /// The vehicle that it is of, if of one.
-    pub fn side(self) -> Option<Side> {
-        match self {
-            Output::VelocityX(side)
-            | Output::VelocityY(side)
-            | Output::YawRate(side)
-            | Output::DeltaVX(side)
-            | Output::DeltaVY(side)
-            | Output::DeltaVMagnitude(side)
-            | Output::PrincipalDirectionOfForce(side) => Some(side),
-            _ => None,
+catalogue! {
+    /// One of the [`Outputs`].
+    ///
+    /// ```
+    /// use planar_impact::{Output, Side};
+    /// assert_eq!(Output::NormalWork.name(), "energy.normal_work");
+    /// assert_eq!(Output::named("dV1"), Some(Output::DeltaVMagnitude(Side::One)));
+    /// ```
+    pub enum Output after "result." with symbols,
+    /// Returns its measure.
+    measure: Measure {
+        of each vehicle {
+            /// Velocity along x after the impact.
+            VelocityX = "vehicle." _ ".velocity.x", "V" _ "x", Speed;
+            /// Velocity along y after the impact.
+            VelocityY = "vehicle." _ ".velocity.y", "V" _ "y", Speed;
+            /// Yaw rate Ω after the impact.
+            YawRate = "vehicle." _ ".yaw_rate", "Omega" _, YawRate;
+            /// Change of velocity along x.
+            DeltaVX = "vehicle." _ ".delta_v.x", "dV" _ "x", Speed;
+            /// Change of velocity along y.
+            DeltaVY = "vehicle." _ ".delta_v.y", "dV" _ "y", Speed;
+            /// Magnitude of the change of velocity, ΔV.
+            DeltaVMagnitude = "vehicle." _ ".delta_v_magnitude", "dV" _, Speed;
+            /// Principal direction of force.
+            PrincipalDirectionOfForce = "vehicle." _ ".pdof", "pdof" _, Angle;
+        }
+        of the pair {
+            /// Coefficient of restitution e, which is an input too.
+            Restitution = "contact.restitution", "e", Ratio;
+            /// Impulse ratio μ.
+            ImpulseRatio = "contact.impulse_ratio", "mu", Ratio;
+            /// Critical impulse ratio μ₀.
+            CriticalImpulseRatio = "contact.critical_impulse_ratio", "mu0", Ratio;
+            /// Normal impulse P_n.
+            NormalImpulse = "contact.impulse.normal", "P_n", Impulse;
+            /// Tangential impulse P_t.
+            TangentialImpulse = "contact.impulse.tangential", "P_t", Impulse;
+            /// Impulse along x.
+            ImpulseX = "contact.impulse.x", "P_x", Impulse;
+            /// Impulse along y.
+            ImpulseY = "contact.impulse.y", "P_y", Impulse;
+            /// Moment impulse.
+            Moment = "contact.impulse.moment", "M", MomentImpulse;
+            /// Normal approach velocity v_n.
+            NormalApproach = "contact.approach.normal", "v_n", Speed;
+            /// Tangential approach velocity v_t.
+            TangentialApproach = "contact.approach.tangential", "v_t", Speed;
+            /// Normal separation velocity V_n.
+            NormalSeparation = "contact.separation.normal", "V_n", Speed;
+            /// Tangential separation velocity V_t.
+            TangentialSeparation = "contact.separation.tangential", "V_t", Speed;
+            /// Kinetic energy before the impact.
+            EnergyBefore = "energy.before", "T_before", Energy;
+            /// Kinetic energy after the impact.
+            EnergyAfter = "energy.after", "T_after", Energy;
+            /// Energy loss T_L.
+            Loss = "energy.loss", "T_L", Energy;
+            /// Work W_n of the normal impulse.
+            NormalWork = "energy.normal_work", "W_n", Energy;
+            /// Work W_t of the tangential impulse.
+            TangentialWork = "energy.tangential_work", "W_t", Energy;
+            /// Work W_m of the moment impulse.
+            MomentWork = "energy.moment_work", "W_m", Energy;
         }
     }
+}
 
-    /// Its name, such as `energy.normal_work`.
-    pub fn name(self) -> &'static str {
-        NAMES[self.index()].0
-    }
-
-    /// Its symbol, the paper's where it has one, such as `W_n`.
-    pub fn symbol(self) -> &'static str {
-        NAMES[self.index()].1
-    }
-
-    /// This output alone, of a collision and its impact.
+impl Output {
+    /// Returns this output of a collision and its impact.
     #[inline(always)]
     pub fn of<T: Real>(self, collision: &Collision<T>, impact: &Impact<T>) -> T {
         let response = |side| match side {
@@ -262,20 +164,29 @@ impl Output {
         }
     }
 
-    /// The output of a name or a symbol.
+    /// Returns the output with a name or a symbol. Any name may be prefixed by `result.`, as qualified names are.
     pub fn named(name: &str) -> Option<Output> {
-        NAMES.iter().position(|&(path, symbol)| path == name || symbol == name).map(|at| Output::ALL[at])
+        match name.strip_prefix("result.") {
+            Some(name) => Output::ALL.into_iter().find(|output| output.name() == name),
+            None => Output::of_name(name),
+        }
     }
-}
 
-impl fmt::Display for Output {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+    /// Returns a name that no input has: with the prefix `result.` if an input has the plain name.
+    ///
+    /// ```
+    /// use planar_impact::{Output, Side};
+    /// assert_eq!(Output::VelocityX(Side::One).qualified_name(), "result.vehicle.1.velocity.x");
+    /// assert_eq!(Output::Loss.qualified_name(), "energy.loss");
+    /// ```
+    pub fn qualified_name(self) -> &'static str {
+        let is_taken = Input::ALL.into_iter().any(|input| input.name() == self.name());
+        if is_taken { Output::PREFIXED[self.index()] } else { self.name() }
     }
 }
 
 impl<T: Real> Outputs<T> {
-    /// Of a collision and its impact.
+    /// Computes the outputs of a collision and its impact.
     #[inline(always)]
     pub fn of(collision: &Collision<T>, impact: &Impact<T>) -> Self {
         let impact = impact.clone();
@@ -310,7 +221,7 @@ impl<T: Real> VehicleOutputs<T> {
 }
 
 impl<T> Outputs<T> {
-    /// The same outputs on another scalar.
+    /// Converts the outputs to another scalar type.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Outputs<U> {
         Outputs {
             one: self.one.map(&mut f),
@@ -331,7 +242,7 @@ impl<T> Outputs<T> {
 }
 
 impl<T> VehicleOutputs<T> {
-    /// The same outputs on another scalar.
+    /// Converts the outputs to another scalar type.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> VehicleOutputs<U> {
         VehicleOutputs {
             after: self.after.map(&mut f),
@@ -342,7 +253,7 @@ impl<T> VehicleOutputs<T> {
     }
 }
 
-/// The place of each output, by shared or by mutable reference.
+/// Returns the place of each output, by shared or by mutable reference.
 macro_rules! place {
     ($outputs:expr, $output:expr, $($reference:tt)+) => {{
         let vehicle = match $output {
@@ -416,6 +327,36 @@ mod tests {
             assert_eq!(Output::named(output.symbol()), Some(output));
         }
         assert_eq!(Output::named("energy"), None);
+    }
+
+    #[test]
+    fn a_qualified_name_is_that_of_no_input_and_every_output_has_one() {
+        let qualified: [&str; 8] = [
+            "result.vehicle.1.velocity.x",
+            "result.vehicle.1.velocity.y",
+            "result.vehicle.1.yaw_rate",
+            "result.vehicle.2.velocity.x",
+            "result.vehicle.2.velocity.y",
+            "result.vehicle.2.yaw_rate",
+            "result.contact.restitution",
+            "result.contact.impulse_ratio",
+        ];
+        assert!(Output::ALL.into_iter().map(Output::qualified_name).filter(|name| name.starts_with("result.")).eq(qualified));
+        for output in Output::ALL {
+            assert_eq!(Output::named(output.qualified_name()), Some(output));
+            assert_eq!(Output::named(&alloc::format!("result.{}", output.name())), Some(output));
+            assert!(Input::ALL.into_iter().all(|input| input.name() != output.qualified_name()));
+        }
+        assert_eq!((Output::named("result.mu"), Output::named("result.result.energy.loss")), (None, None));
+    }
+
+    #[test]
+    fn names_sides_and_measures_are_those_of_the_rows() {
+        use Side::{One, Two};
+        assert_eq!((Output::DeltaVX(Two).name(), Output::DeltaVX(Two).symbol()), ("vehicle.2.delta_v.x", "dV2x"));
+        assert_eq!((Output::DeltaVX(Two).side(), Output::Loss.side()), (Some(Two), None));
+        assert_eq!((Output::PrincipalDirectionOfForce(One).measure(), Output::Moment.measure()), (Measure::Angle, Measure::MomentImpulse));
+        assert_eq!((Output::COUNT, Output::VelocityX(Two).index(), Output::MomentWork.index()), (32, 7, 31));
     }
 
     #[test]

@@ -1,26 +1,26 @@
-//! What a number must be able to do, in three rungs.
+//! Operations that a number must support, in three levels.
 //!
-//! | rung | when to use it | who climbs it |
+//! | level | use | scalars |
 //! |---|---|---|
-//! | [`Field`] | everything that is only + − × ÷: the whole of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
-//! | [`Ordered`] | where two numbers must be compared and one of two answers taken: the friction limit | all of these but complex numbers |
-//! | [`Real`] | where an angle comes in, or a magnitude or a direction goes out | floats, dual numbers, lanes, symbols |
-//! | [`Power`] | beside the three: powers with any exponent, for one law of crush | floats, dual numbers |
+//! | [`Field`] | everything that needs only + − × ÷: all of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
+//! | [`Ordered`] | comparing two numbers to select one of two results: the friction limit | all of these except complex numbers |
+//! | [`Real`] | angles as input, magnitudes or directions as output | floats, dual numbers, lanes, symbols |
+//! | [`Power`] | in addition to the three: powers with any exponent, for one law of crush | floats, dual numbers |
 //!
-//! A function asks for the lowest rung that it needs. The first two are blanket implementations over
-//! `num-traits` and `core`, so a number type from elsewhere needs no line of code here.
+//! A function requires the lowest level that it needs. The first two are blanket implementations over `num-traits` and `core`, so a number type of another
+//! crate needs no additional code.
 //!
-//! # Why it is so
+//! # Design
 //!
-//! **Why not `Copy`?** Rationals and heap-allocated duals are not. Arguments are taken by value and cloned only where they are used twice;
-//! for a `Copy` type that costs nothing.
+//! **Why not `Copy`?** Rationals and heap-allocated duals are not. Arguments are taken by value and cloned only if they are used twice; for a `Copy` type
+//! that costs nothing.
 //!
-//! **Why [`Inv`]?** It is what keeps the integers out: they have all four operations, and would answer a wrong impulse without a word.
+//! **Why [`Inv`]?** It excludes the integers, which have all four operations, and would silently give a wrong impulse.
 //!
-//! **Why no `Zero` or `One`?** `is_zero` has no honest answer on four lanes or on an interval. Small integers come from [`Field::int`].
+//! **Why no `Zero` or `One`?** `is_zero` has no correct result on four lanes or on an interval. Small integers come from [`Field::int`].
 //!
-//! **Why a mask?** Four lanes compare four ways at once, and two overlapping intervals cannot be compared at all. A mask that selects serves them both:
-//! lane by lane, or the hull of both answers. A symbol keeps both and the condition.
+//! **Why a mask?** Four lanes compare in four ways at once, and two overlapping intervals cannot be compared at all. A mask that selects works for both: lane
+//! by lane, or the hull of both results. A symbol keeps both and the condition.
 //!
 //! **Why `libm`?** The sine of the standard library differs between platforms in its last bit. Through `libm` the same input gives the same bits everywhere.
 //!
@@ -30,17 +30,19 @@ pub mod interval;
 #[cfg(feature = "lanes")]
 pub mod lanes;
 pub mod power;
+mod predicate;
 #[cfg(feature = "symbols")]
 pub mod symbol;
 
 pub use power::Power;
+pub(crate) use predicate::{is_finite, is_positive, is_zero, rounding, slack, tolerance};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
 
-/// A field: closed under the four operations, with the small integers in it.
+/// A field: closed under the four operations, and containing the small integers.
 ///
-/// It is implemented for everything that meets its supertraits. Integers do not:
+/// It is implemented for every type that meets its supertraits. Integers do not:
 ///
 /// ```compile_fail,E0277
 /// // ½ of 3 kg·m/s would be 1, if integers were allowed:
@@ -65,19 +67,19 @@ pub trait Field:
     + Mul<Output = Self>
     + Div<Output = Self>
 {
-    /// The integer `n` as an element of the field.
+    /// Returns the integer `n` as an element of the field.
     #[inline(always)]
     fn int(n: i32) -> Self {
         Self::from_i32(n).expect("every field contains the small integers")
     }
 
-    /// Half of it.
+    /// Returns half of it.
     #[inline(always)]
     fn half(self) -> Self {
         self * (Self::int(1) / Self::int(2))
     }
 
-    /// Its square.
+    /// Returns its square.
     #[inline(always)]
     fn squared(self) -> Self {
         self.clone() * self
@@ -89,18 +91,22 @@ impl<T> Field for T where
 {
 }
 
-/// A field whose elements can be compared, and the answer used to select.
+/// A field whose elements can be compared, with a result that selects.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be compared as the friction limit requires",
+    note = "a field that is `PartialOrd` is `Ordered`; a type that compares in several ways at once implements `Ordered` with a mask"
+)]
 pub trait Ordered: Field {
-    /// What a comparison answers: `bool` for one number, a mask for lanes, three-valued for intervals.
+    /// The result of a comparison: `bool` for one number, a mask for lanes, three-valued for intervals.
     type Mask: Clone;
 
-    /// Where `self < other`.
+    /// Returns the mask of `self < other`.
     fn less(&self, other: &Self) -> Self::Mask;
 
-    /// `yes` where the mask holds, `no` elsewhere; of an undecided interval the hull of both.
+    /// Returns `yes` if the mask is true and `no` otherwise; for an undecided interval the hull of both.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// The absolute value.
+    /// Returns the absolute value.
     #[inline(always)]
     fn magnitude(self) -> Self {
         let mask = self.less(&Self::int(0));
@@ -126,18 +132,23 @@ impl<T: Field + PartialOrd> Ordered for T {
 ///
 /// Floats and dual numbers take sine, cosine and arctangent from `libm`, so a result has the same bits on every platform, and the real part of a
 /// dual number is the float.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no angles and magnitudes",
+    note = "implement `Real`: a square root, sine and cosine, and the arctangent of two numbers; without them give directions as cosine and sine, or by \
+            `from_half_tangent`"
+)]
 pub trait Real: Ordered {
-    /// The square root. That of 0 is 0 without derivatives, which it does not have.
-    fn sqrt(self) -> Self;
+    /// Returns the square root. At 0 it is 0 without derivatives, which do not exist there.
+    fn square_root(self) -> Self;
 
-    /// Sine and cosine of an angle in radians.
-    fn sin_cos(self) -> (Self, Self);
+    /// Returns sine and cosine of an angle in radians.
+    fn sin_and_cos(self) -> (Self, Self);
 
-    /// The angle of the direction (`x`, `self`), in [−π, π] as the sign of a zero `self` has it. That of no direction at all is the float's, without derivatives.
-    fn atan2(self, x: Self) -> Self;
+    /// Returns the angle of the direction (`x`, `self`), in [−π, π] with the sign of a zero `self`. For (0, 0) it is that of the floats, without derivatives.
+    fn arctangent(self, x: Self) -> Self;
 }
 
-/// The functions of a primitive float that the platform does not fix.
+/// Functions of a primitive float whose result differs between platforms.
 trait Portable: Sized {
     fn portable_sin_cos(self) -> (Self, Self);
     fn portable_atan2(self, x: Self) -> Self;
@@ -193,7 +204,7 @@ mod dual {
         <T as DualNum>::Primitive: Portable,
     {
         #[inline(always)]
-        fn sqrt(self) -> Self {
+        fn square_root(self) -> Self {
             let re = self.re();
             if T::NDERIV > 0 && re.is_zero() {
                 return T::from(re);
@@ -201,10 +212,10 @@ mod dual {
             DualNum::sqrt(&self)
         }
 
-        /// Through the addition theorem about the real part: `self` less its real part is exactly zero there, where sine and cosine are exact on
-        /// every platform, and carries only the derivatives.
+        /// Applies the addition theorem about the real part: `self` less its real part is exactly zero there, where sine and cosine are exact on every
+        /// platform, and carries only the derivatives.
         #[inline(always)]
-        fn sin_cos(self) -> (Self, Self) {
+        fn sin_and_cos(self) -> (Self, Self) {
             let re = self.re();
             let (sin, cos) = re.portable_sin_cos();
             let (sin, cos) = (T::from(sin), T::from(cos));
@@ -215,9 +226,9 @@ mod dual {
             (sin.clone() * cos_rest.clone() + cos.clone() * sin_rest.clone(), cos * cos_rest - sin * sin_rest)
         }
 
-        /// The angle of the real parts, and that from there to the full number, which is zero but for its derivatives.
+        /// Adds the angle of the real parts and the angle from there to the full number, which is zero except for its derivatives.
         #[inline(always)]
-        fn atan2(self, x: Self) -> Self {
+        fn arctangent(self, x: Self) -> Self {
             let (y_re, x_re) = (self.re(), x.re());
             let angle = T::from(y_re.portable_atan2(x_re));
             if T::NDERIV == 0 || (y_re.is_zero() && x_re.is_zero()) {
@@ -239,17 +250,17 @@ mod float {
         ($float:ty, $sqrt:path) => {
             impl Real for $float {
                 #[inline(always)]
-                fn sqrt(self) -> Self {
+                fn square_root(self) -> Self {
                     $sqrt(self)
                 }
 
                 #[inline(always)]
-                fn sin_cos(self) -> (Self, Self) {
+                fn sin_and_cos(self) -> (Self, Self) {
                     self.portable_sin_cos()
                 }
 
                 #[inline(always)]
-                fn atan2(self, x: Self) -> Self {
+                fn arctangent(self, x: Self) -> Self {
                     self.portable_atan2(x)
                 }
             }
@@ -284,11 +295,11 @@ mod tests {
         fn real_parts_are_the_bits_of_the_float() {
             for i in -40..40 {
                 let a = 0.37 * f64::from(i);
-                let (s, c) = Real::sin_cos(a);
-                let (ds, dc) = Real::sin_cos(HyperDual64::from(a).derivative1().derivative2());
+                let (s, c) = Real::sin_and_cos(a);
+                let (ds, dc) = Real::sin_and_cos(HyperDual64::from(a).derivative1().derivative2());
                 assert_eq!((s.to_bits(), c.to_bits()), (ds.re.to_bits(), dc.re.to_bits()));
-                let t = Real::atan2(s, c);
-                let dt = Real::atan2(ds, dc);
+                let t = Real::arctangent(s, c);
+                let dt = Real::arctangent(ds, dc);
                 assert_eq!(t.to_bits(), dt.re.to_bits());
             }
         }
@@ -296,10 +307,10 @@ mod tests {
         #[test]
         fn derivatives_of_the_circle() {
             let a = 1.1;
-            let (s, c) = Real::sin_cos(Dual2_64::new(a, 1.0, 0.0));
+            let (s, c) = Real::sin_and_cos(Dual2_64::new(a, 1.0, 0.0));
             assert!((s.v1 - a.cos()).abs() < 1e-15 && (s.v2 + a.sin()).abs() < 1e-15);
             assert!((c.v1 + a.sin()).abs() < 1e-15 && (c.v2 + a.cos()).abs() < 1e-15);
-            let back = Real::atan2(s, c);
+            let back = Real::arctangent(s, c);
             assert!((back.re - a).abs() < 1e-15 && (back.v1 - 1.0).abs() < 1e-15 && back.v2.abs() < 1e-14);
         }
 
@@ -308,7 +319,7 @@ mod tests {
             use num_dual::Dual;
             let a = 0.7;
             let x = Dual::new(Dual64::new(a, 1.0), Dual64::new(1.0, 0.0));
-            let (s, _) = Real::sin_cos(x);
+            let (s, _) = Real::sin_and_cos(x);
             assert!((s.eps.eps + a.sin()).abs() < 1e-15);
         }
     }

@@ -20,66 +20,75 @@
 //! assert_eq!(format!("{:.1}", outputs.work.n.value), "-30097.2");
 //! // ft lb a degree: Table 2 has −29221.9 at −1° and −30966.2 at 1°.
 //! assert_eq!(format!("{:.1}", outputs.work.n.by[Input::CrushPlane].to_radians()), "-872.3");
-//! // At μ = μ₀ the derivative is that of the critical solution: μ₀ moves with its arguments.
+//! // At μ = μ₀ the derivative is that of the critical solution: μ₀ changes with its arguments.
 //! assert_eq!(format!("{:.3}", outputs.critical_impulse_ratio.by[Input::Restitution]), "-0.504");
 //! # Ok::<(), Refusals>(())
 //! ```
 //!
-//! | what | how | cost beside one solution |
+//! | derivatives | function | cost relative to one solution |
 //! |---|---|---|
 //! | all outputs by all inputs | [`Collision::sensitivities`], [`Collision::sensitivities_to`] | 3½, 2½ |
 //! | one output by all inputs | [`Collision::sensitivity`] | 1½ to 2 of that output alone |
 //! | one output twice by all inputs | [`Collision::curvature`] | 5 to 6 |
-//! | anything by anything | [`Collision::shifted`] on a dual number | 2½ for each input |
+//! | a weighted sum of outputs by all inputs | [`Collision::pullback`] | 1½ to 2 |
+//! | all outputs along one direction of the inputs | [`Collision::pushforward`] | 3½ |
+//! | any quantity by any other | [`Collision::shifted`] on a dual number | 2½ for each input |
 //!
-//! # What is held
+//! # What is held constant
 //!
-//! A derivative by one input holds all the others of [`Input::ALL`]. By a heading, the vehicle turns and its velocity stays; by a mass, the yaw inertia stays.
+//! A derivative by one input holds all the others of [`Input::ALL`] constant. The derivative by a heading rotates the vehicle, not its velocity; the
+//! derivative by a mass leaves the yaw inertia as it is.
 //!
-//! # How it is done, and why it is right
+//! # Method
 //!
-//! Dual numbers through the one solution are the definition ([`by_definition`], [`curvature_by_definition`]). The fast way differentiates the equation of the impulse
-//! instead, K P = change: everything that an input does to the impulse it does through the two components of that equation, the narrow waist of the
-//! mechanics. Given what the output is worth of each component of the impulse, one solution with K gives the worth λ of the two equations, and
-//! the rest is the derivative of one scalar with the impulse held,
+//! Dual numbers through the one solution are the definition ([`by_definition`], [`curvature_by_definition`]). The fast method differentiates the equation of
+//! the impulse instead, K P = change: every input acts on the impulse only through the two components of that equation. Given the derivative of the output by
+//! each component of the impulse, one solution with K gives the adjoint λ of the two equations, and the rest is the derivative of one scalar with the impulse
+//! held constant,
 //!
 //! ```text
 //! α·v − λ·K P,    v the approach velocity,  λ·K P = Σ λ·P/m + (r×λ)(r×P)/I
 //! ```
 //!
-//! first by each input, then, for the curvature, by each pair. `proptests/derivatives.rs` holds both to the definition. No memory is allocated on the way.
+//! first by each input, then, for the curvature, by each pair. `proptests/derivatives.rs` compares both with the definition. No memory is allocated.
 
-mod bend;
+mod body_partials;
+mod cotangent;
 mod definition;
+mod hessian;
+mod impulse_adjoint;
 mod jacobian;
-mod lever;
 #[cfg(feature = "nalgebra")]
 mod matrix;
-mod waist;
-mod worth;
 
 pub use definition::{by_definition, curvature_by_definition};
 
 use crate::collision::Collision;
 use crate::impact::Impact;
 use crate::input::Input;
+use crate::law::ImpulseRatio;
 use crate::moment::Moment;
 use crate::output::{Output, Outputs};
-use crate::refusal::Refusals;
+use crate::refusal::{Refusal, Refusals};
+use crate::scalar::is_finite;
+use crate::vehicle::{Motion, Party, Vehicle};
 use core::ops::{Index, IndexMut};
 
 /// The derivatives of one number by each [`Input`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 // Two floats are stored at a time; across a cache line that takes twice as long.
 #[repr(align(16))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gradient<T = f64>(pub(crate) [T; Input::COUNT]);
 
 /// The second derivatives of one number by each pair of [`Input`]s, symmetric.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hessian<T = f64>(pub(crate) [[T; Input::COUNT]; Input::COUNT]);
 
 /// A number and its derivatives, in SI units and radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sensitive<T = f64> {
     /// The number.
     pub value: T,
@@ -89,6 +98,7 @@ pub struct Sensitive<T = f64> {
 
 /// A number, its derivatives and its second derivatives, in SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Curved<T = f64> {
     /// The number.
     pub value: T,
@@ -99,19 +109,32 @@ pub struct Curved<T = f64> {
 }
 
 impl<T> Gradient<T> {
-    /// Each input and the derivative by it, in the order of [`Input::ALL`].
+    /// Returns each input and the derivative by it, in the order of [`Input::ALL`].
     pub fn iter(&self) -> impl Iterator<Item = (Input, &T)> {
         Input::ALL.into_iter().zip(&self.0)
     }
 
-    /// The derivatives in the order of [`Input::ALL`].
+    /// Returns the derivatives in the order of [`Input::ALL`].
     pub fn as_array(&self) -> &[T; Input::COUNT] {
         &self.0
     }
 }
 
+impl<T> From<[T; Input::COUNT]> for Gradient<T> {
+    /// From the derivatives in the order of [`Input::ALL`].
+    fn from(by: [T; Input::COUNT]) -> Self {
+        Gradient(by)
+    }
+}
+
+impl Gradient {
+    fn is_finite(&self) -> bool {
+        self.0.iter().all(is_finite)
+    }
+}
+
 impl<T> Hessian<T> {
-    /// The second derivatives, rows and columns in the order of [`Input::ALL`].
+    /// Returns the second derivatives, rows and columns in the order of [`Input::ALL`].
     pub fn as_rows(&self) -> &[[T; Input::COUNT]; Input::COUNT] {
         &self.0
     }
@@ -143,24 +166,29 @@ impl<T> Index<(Input, Input)> for Hessian<T> {
 }
 
 impl Collision<f64> {
-    /// Every output with its derivatives by every input.
+    /// Computes every output with its derivatives by every input.
     ///
     /// # Errors
     ///
-    /// [`Refusals`], exactly those of [`Collision::solve`].
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     pub fn sensitivities(&self) -> Result<Outputs<Sensitive>, Refusals> {
-        let mut to = Outputs::default();
-        self.sensitivities_to(&mut to)?;
-        Ok(to)
+        // The table is written where it is returned: moving it would cost as much as computing it.
+        let mut result = Ok(Outputs::default());
+        if let Ok(to) = &mut result
+            && let Err(refusals) = self.sensitivities_to(to)
+        {
+            result = Err(refusals);
+        }
+        result
     }
 
-    /// The same, written to where they are wanted. All of it is written; when the collision is refused, none.
+    /// Computes the same as [`Self::sensitivities`], written to `to`. A refused collision leaves it as it was; a derivative that is not finite leaves zeros.
     ///
-    /// The table has 5.4 kB. Returning it moves it, which costs half as much as computing it; where that counts, keep one and write to it.
+    /// The table has 5.4 kB. Returning it moves it, which costs half as much as computing it; if that matters, keep one table and write to it.
     ///
     /// # Errors
     ///
-    /// [`Refusals`], exactly those of [`Collision::solve`].
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     pub fn sensitivities_to(&self, to: &mut Outputs<Sensitive>) -> Result<(), Refusals> {
         let contact = self.checked_contact()?;
         let impact = self.solve_at(&contact)?;
@@ -168,35 +196,122 @@ impl Collision<f64> {
             Moment::None => jacobian::write(self, &contact, &impact, to),
             _ => *to = by_definition(self),
         }
-        Ok(())
+        // What is refused must not be left in the table of the caller.
+        self.within_floats(|| Output::ALL.into_iter().all(|output| is_finite(&to[output].value) && to[output].by.is_finite()))
+            .inspect_err(|_| *to = Outputs::default())
     }
 
-    /// One output with its derivatives by every input, at less than the cost of all.
+    /// Refuses derivatives that are not finite, although the outputs are. Only numbers far from those of vehicles have such derivatives: others are not
+    /// searched for them.
+    #[inline(always)]
+    fn within_floats(&self, is_finite: impl FnOnce() -> bool) -> Result<(), Refusals> {
+        if self.is_moderate() || is_finite() { Ok(()) } else { Err(Refusal::OutOfFloatRange.into()) }
+    }
+
+    /// Returns `true` if each number is zero or within 10⁻¹⁵ to 10¹⁵ in SI: products of a dozen of them are finite.
+    #[inline(always)]
+    fn is_moderate(&self) -> bool {
+        let is_moderate = |x: f64| x == 0.0 || (1e-15..=1e15).contains(&x.abs());
+        let of_party = |party: &Party| {
+            party.vehicle().is_none_or(|vehicle| {
+                let Vehicle { mass, yaw_inertia, impact_center, motion: Motion { velocity, yaw_rate }, .. } = *vehicle;
+                [mass, yaw_inertia, impact_center.forward, impact_center.left, velocity.x, velocity.y, yaw_rate]
+                    .into_iter()
+                    .all(is_moderate)
+            })
+        };
+        let moment = match self.moment {
+            Moment::None => 0.0,
+            Moment::Given(moment) | Moment::OfCritical(moment) => moment,
+        };
+        let ratio = match self.impulse_ratio {
+            ImpulseRatio::Critical => 0.0,
+            ImpulseRatio::Given(ratio) | ImpulseRatio::OfCritical(ratio) | ImpulseRatio::LimitedByFriction(ratio) => ratio,
+        };
+        of_party(&self.one) && of_party(&self.two) && is_moderate(moment) && is_moderate(ratio)
+    }
+
+    /// Computes one output with its derivatives by every input, at less than the cost of all.
     ///
     /// # Errors
     ///
-    /// [`Refusals`], exactly those of [`Collision::solve`].
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     #[inline]
     pub fn sensitivity(&self, of: Output) -> Result<Sensitive, Refusals> {
         let contact = self.checked_contact()?;
         let impact = self.solve_at(&contact)?;
-        Ok(match self.moment {
-            Moment::None => worth::sensitivity(self, &contact, &impact, of),
+        let sensitive = match self.moment {
+            Moment::None => cotangent::sensitivity(self, &contact, &impact, of),
             _ => by_definition(self)[of],
-        })
+        };
+        self.within_floats(|| is_finite(&sensitive.value) && sensitive.by.is_finite())?;
+        Ok(sensitive)
     }
 
-    /// One output with its first and second derivatives by every input.
+    /// Computes the derivatives by every input of the sum of all outputs, each times its weight: the product of a row vector with the Jacobian. For an
+    /// objective of several outputs it costs little more than the sensitivity of one.
+    ///
+    /// ```
+    /// use planar_impact::{Collision, Input, Outputs, Party, Side, Vehicle};
+    /// let car = Vehicle::new(1200.0, 1900.0).with_impact_center(1.8, 0.3).with_speed(15.0);
+    /// let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
+    /// // J = T_L + 100 ΔV, in J and m/s.
+    /// let mut weights = Outputs::default();
+    /// (weights.loss, weights.one.delta_v_magnitude) = (1.0, 100.0);
+    /// let by = collision.pullback(&weights)?;
+    /// assert!(by[Input::VelocityX(Side::One)] > 0.0);
+    /// # Ok::<(), planar_impact::Refusals>(())
+    /// ```
     ///
     /// # Errors
     ///
-    /// [`Refusals`], exactly those of [`Collision::solve`].
-    pub fn curvature(&self, of: Output) -> Result<Curved, Refusals> {
-        self.solve().map(|impact| self.curvature_of(&impact, of))
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
+    #[inline]
+    pub fn pullback(&self, weights: &Outputs<f64>) -> Result<Gradient, Refusals> {
+        let contact = self.checked_contact()?;
+        let impact = self.solve_at(&contact)?;
+        let gradient = match self.moment {
+            Moment::None => cotangent::pullback(self, &contact, &impact, weights),
+            _ => {
+                let rows = by_definition(self);
+                Output::ALL.into_iter().fold(Gradient::zero(), |mut sum, of| {
+                    // An output without a derivative does not matter unless it is weighted.
+                    if weights[of] != 0.0 {
+                        sum.add_scaled(weights[of], &rows[of].by);
+                    }
+                    sum
+                })
+            }
+        };
+        // Weights may be of any size.
+        if gradient.is_finite() { Ok(gradient) } else { Err(Refusal::OutOfFloatRange.into()) }
     }
 
-    /// The sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] gave for this collision. Nothing is asked of it; a quantity that
-    /// has no derivative, as the ΔV of no impulse, has derivatives that are not numbers.
+    /// Computes the derivatives of every output along a direction of the inputs, in the order of [`Input::ALL`]: the product of the Jacobian with a column
+    /// vector.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
+    pub fn pushforward(&self, direction: &[f64; Input::COUNT]) -> Result<Outputs<f64>, Refusals> {
+        self.solve()?;
+        let along = definition::along(self, |input| direction[input.index()]).map(|dual| dual.eps);
+        if Output::ALL.into_iter().all(|of| is_finite(&along[of])) { Ok(along) } else { Err(Refusal::OutOfFloatRange.into()) }
+    }
+
+    /// Computes one output with its first and second derivatives by every input.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
+    pub fn curvature(&self, of: Output) -> Result<Curved, Refusals> {
+        let curved = self.curvature_of(&self.solve()?, of);
+        self.within_floats(|| is_finite(&curved.value) && curved.by.is_finite() && curved.twice.0.iter().flatten().all(is_finite))?;
+        Ok(curved)
+    }
+
+    /// Computes the sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] returned for this collision. The impact is not checked; a
+    /// quantity without a derivative, such as the ΔV of a zero impulse, has derivatives of NaN.
     #[inline(always)]
     pub fn sensitivities_of(&self, impact: &Impact) -> Outputs<Sensitive> {
         let mut to = Outputs::default();
@@ -207,19 +322,19 @@ impl Collision<f64> {
         to
     }
 
-    /// The sensitivity of one output of an impact at hand, as [`Collision::sensitivities_of`].
+    /// Computes the sensitivity of one output of a given impact, as [`Collision::sensitivities_of`].
     #[inline(always)]
     pub fn sensitivity_of(&self, impact: &Impact, of: Output) -> Sensitive {
         match self.moment {
-            Moment::None => worth::sensitivity(self, &self.contact(), impact, of),
+            Moment::None => cotangent::sensitivity(self, &self.contact(), impact, of),
             _ => by_definition(self)[of],
         }
     }
 
-    /// The curvature of one output of an impact at hand, as [`Collision::sensitivities_of`].
+    /// Computes the curvature of one output of a given impact, as [`Collision::sensitivities_of`].
     pub fn curvature_of(&self, impact: &Impact, of: Output) -> Curved {
         match self.moment {
-            Moment::None => bend::curvature(self, impact, of),
+            Moment::None => hessian::curvature(self, impact, of),
             _ => curvature_by_definition(self, of),
         }
     }

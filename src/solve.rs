@@ -1,144 +1,51 @@
-//! The forward problem with its conditions: the impact, or every reason why there is none.
+//! The forward problem with its conditions: the impact, or every reason for refusing it.
 //!
-//! The checks stand around the kernel, which has no condition in it. Every scalar that compares with yes or no is refused the same (`proptests/refusals.rs`,
-//! `every_scalar_refuses_the_same`), an f32 to its own precision.
+//! The checks surround the kernel, which contains no conditions. Every scalar with true or false comparisons is refused for the same reasons
+//! (`proptests/refusals.rs`, `every_scalar_refuses_the_same`), an f32 to its own precision.
 
 use crate::collision::Collision;
 use crate::contact::Contact;
 use crate::frame::Nt;
-use crate::impact::Impact;
+use crate::impact::{Impact, Response};
+use crate::input::{Input, Side};
+use crate::issue::{IssueCollector, Place};
 use crate::law::ImpulseRatio;
 use crate::moment::Moment;
 use crate::refusal::{Refusal, Refusals, Tension};
-use crate::scalar::Ordered;
+use crate::scalar::{Ordered, is_finite, is_positive, is_zero, rounding, slack, tolerance};
 use crate::vehicle::Party;
-use alloc::vec::Vec;
-
-/// Whether the scalar has no more than the 24 bits of an f32: one more than 2²⁴ is 2²⁴.
-fn is_single<T: Ordered<Mask = bool>>() -> bool {
-    let limit = T::int(1 << 24);
-    !limit.less(&(limit.clone() + T::int(1)))
-}
-
-/// 2⁻⁴⁸: what is smaller than this share of the terms it was summed from is their rounding. 2⁻²⁰ of an f32.
-pub(crate) fn rounding<T: Ordered<Mask = bool>>() -> T {
-    let step = T::int(1) / T::int(if is_single::<T>() { 1 << 10 } else { 1 << 24 });
-    step.squared()
-}
-
-/// 2⁻⁴⁰: how far a given direction may be from unit length, and a given ratio from a critical one computed elsewhere. 2⁻¹⁶ of an f32.
-pub(crate) fn slack<T: Ordered<Mask = bool>>() -> T {
-    let step = T::int(1) / T::int(if is_single::<T>() { 1 << 8 } else { 1 << 20 });
-    step.squared()
-}
-
-pub(crate) fn is_finite<T: Ordered<Mask = bool>>(x: &T) -> bool {
-    // Zero for every finite number, and not a number for the others.
-    let nothing = x.clone() - x.clone();
-    nothing.less(&T::int(1)) && T::int(-1).less(&nothing)
-}
-
-pub(crate) fn is_positive<T: Ordered<Mask = bool>>(x: &T) -> bool {
-    T::int(0).less(x)
-}
-
-fn is_zero<T: Ordered<Mask = bool>>(x: &T) -> bool {
-    !is_positive(x) && !x.less(&T::int(0))
-}
 
 fn sum_of_magnitudes<T: Ordered>(v: &Nt<T>) -> T {
     v.n.clone().magnitude() + v.t.clone().magnitude()
 }
 
-/// The problems found so far.
-pub(crate) struct Findings<T>(Vec<Refusal<T>>);
-
-impl<T: Ordered<Mask = bool>> Findings<T> {
-    pub(crate) fn none() -> Self {
-        Findings(Vec::new())
-    }
-
-    pub(crate) fn add(&mut self, refusal: Refusal<T>) {
-        self.0.push(refusal);
-    }
-
-    pub(crate) fn finite(&mut self, input: &'static str, value: &T) -> bool {
-        let finite = is_finite(value);
-        if !finite {
-            self.0.push(Refusal::NotFinite { input, value: value.clone() });
+/// Checks a direction, given as a cosine and a sine.
+fn check_direction<T: Ordered<Mask = bool>>(issues: &mut IssueCollector<Refusal<T>>, input: Input, cos: &T, sin: &T) {
+    let at = Place::input(input);
+    if issues.finite(at, cos) && issues.finite(at, sin) {
+        let length_squared = cos.clone().squared() + sin.clone().squared();
+        let error = (length_squared.clone() - T::int(1)).magnitude();
+        if !error.less(&slack()) {
+            issues.push(Refusal::NotADirection { at, length_squared });
         }
-        finite
-    }
-
-    pub(crate) fn positive(&mut self, input: &'static str, value: &T) {
-        if self.finite(input, value) && !is_positive(value) {
-            self.0.push(Refusal::NotPositive { input, value: value.clone() });
-        }
-    }
-
-    pub(crate) fn within(&mut self, input: &'static str, value: &T, least: i32, greatest: Option<i32>) {
-        if !self.finite(input, value) {
-            return;
-        }
-        let above = greatest.is_some_and(|greatest| T::int(greatest).less(value));
-        if value.less(&T::int(least)) || above {
-            self.0.push(Refusal::OutOfRange { input, value: value.clone(), least, greatest });
-        }
-    }
-
-    fn direction(&mut self, input: &'static str, cos: &T, sin: &T) {
-        if self.finite(input, cos) && self.finite(input, sin) {
-            let length_squared = cos.clone().squared() + sin.clone().squared();
-            let error = (length_squared.clone() - T::int(1)).magnitude();
-            if !error.less(&slack()) {
-                self.0.push(Refusal::NotADirection { input, length_squared });
-            }
-        }
-    }
-
-    fn party(&mut self, names: &[&'static str; 8], party: &Party<T>) {
-        if let Party::Vehicle(vehicle) = party {
-            let [mass, inertia, heading, forward, left, vx, vy, yaw_rate] = names;
-            self.positive(mass, &vehicle.mass);
-            self.positive(inertia, &vehicle.yaw_inertia);
-            self.direction(heading, &vehicle.heading.cos, &vehicle.heading.sin);
-            self.finite(forward, &vehicle.impact_center.forward);
-            self.finite(left, &vehicle.impact_center.left);
-            self.finite(vx, &vehicle.motion.velocity.x);
-            self.finite(vy, &vehicle.motion.velocity.y);
-            self.finite(yaw_rate, &vehicle.motion.yaw_rate);
-        }
-    }
-
-    pub(crate) fn done(self) -> Result<(), Refusals<T>> {
-        if self.0.is_empty() { Ok(()) } else { Err(Refusals(self.0)) }
     }
 }
 
-const ONE: [&str; 8] = [
-    "vehicle.1.mass",
-    "vehicle.1.yaw_inertia",
-    "vehicle.1.heading",
-    "vehicle.1.impact_center.forward",
-    "vehicle.1.impact_center.left",
-    "vehicle.1.velocity.x",
-    "vehicle.1.velocity.y",
-    "vehicle.1.yaw_rate",
-];
-
-const TWO: [&str; 8] = [
-    "vehicle.2.mass",
-    "vehicle.2.yaw_inertia",
-    "vehicle.2.heading",
-    "vehicle.2.impact_center.forward",
-    "vehicle.2.impact_center.left",
-    "vehicle.2.velocity.x",
-    "vehicle.2.velocity.y",
-    "vehicle.2.yaw_rate",
-];
+fn check_party<T: Ordered<Mask = bool>>(issues: &mut IssueCollector<Refusal<T>>, side: Side, party: &Party<T>) {
+    if let Party::Vehicle(vehicle) = party {
+        issues.positive(Place::input(Input::Mass(side)), &vehicle.mass);
+        issues.positive(Place::input(Input::YawInertia(side)), &vehicle.yaw_inertia);
+        check_direction(issues, Input::Heading(side), &vehicle.heading.cos, &vehicle.heading.sin);
+        issues.finite(Place::input(Input::ImpactCenterForward(side)), &vehicle.impact_center.forward);
+        issues.finite(Place::input(Input::ImpactCenterLeft(side)), &vehicle.impact_center.left);
+        issues.finite(Place::input(Input::VelocityX(side)), &vehicle.motion.velocity.x);
+        issues.finite(Place::input(Input::VelocityY(side)), &vehicle.motion.velocity.y);
+        issues.finite(Place::input(Input::YawRate(side)), &vehicle.motion.yaw_rate);
+    }
+}
 
 impl<T: Ordered<Mask = bool>> Collision<T> {
-    /// The impact, or every reason why there is none.
+    /// Computes the impact, or returns every reason for refusing it.
     ///
     /// # Errors
     ///
@@ -148,18 +55,18 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         self.solve_at(&contact)
     }
 
-    /// The contact, once the inputs are in order.
+    /// Returns the contact after checking the inputs.
     #[inline(always)]
     pub(crate) fn checked_contact(&self) -> Result<Contact<T>, Refusals<T>> {
         self.check_inputs()?;
         Ok(self.contact())
     }
 
-    /// The impact at the contact of this collision.
+    /// Computes the impact at the contact of this collision.
     #[inline(always)]
     pub(crate) fn solve_at(&self, contact: &Contact<T>) -> Result<Impact<T>, Refusals<T>> {
         if !is_finite(&contact.compliance.determinant) || !is_positive(&contact.compliance.determinant) {
-            return Err(Refusals([Refusal::OutOfFloatRange].into()));
+            return Err(Refusal::OutOfFloatRange.into());
         }
         self.check_closing(contact)?;
         self.check_ratio(contact)?;
@@ -170,29 +77,30 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
     }
 
     fn check_inputs(&self) -> Result<(), Refusals<T>> {
-        let mut findings = Findings::none();
-        findings.party(&ONE, &self.one);
-        findings.party(&TWO, &self.two);
+        let mut issues = IssueCollector::<Refusal<T>>::new();
+        check_party(&mut issues, Side::One, &self.one);
+        check_party(&mut issues, Side::Two, &self.two);
         if self.one.vehicle().is_none() && self.two.vehicle().is_none() {
-            findings.0.push(Refusal::NothingMoves);
+            issues.push(Refusal::NothingMoves);
         }
-        findings.direction("contact.crush_plane", &self.crush_plane.cos, &self.crush_plane.sin);
-        findings.within("contact.restitution", &self.restitution, 0, Some(1));
+        check_direction(&mut issues, Input::CrushPlane, &self.crush_plane.cos, &self.crush_plane.sin);
+        let (zero, one) = (T::int(0), T::int(1));
+        issues.within(Place::input(Input::Restitution), &self.restitution, zero.clone(), Some(one.clone()));
         match &self.impulse_ratio {
-            ImpulseRatio::Critical => (),
-            ImpulseRatio::Given(ratio) => drop(findings.finite("contact.impulse_ratio", ratio)),
-            ImpulseRatio::OfCritical(fraction) => drop(findings.finite("contact.impulse_ratio.of_critical", fraction)),
-            ImpulseRatio::LimitedByFriction(friction) => findings.within("contact.friction", friction, 0, None),
-        }
+            ImpulseRatio::Critical => true,
+            ImpulseRatio::Given(ratio) => issues.finite(Place::input(Input::ImpulseRatio), ratio),
+            ImpulseRatio::OfCritical(fraction) => issues.finite(Place::plain("contact.impulse_ratio.of_critical"), fraction),
+            ImpulseRatio::LimitedByFriction(friction) => issues.not_negative(Place::plain("contact.friction"), friction),
+        };
         match &self.moment {
-            Moment::None => (),
-            Moment::Given(moment) => drop(findings.finite("contact.moment", moment)),
-            Moment::OfCritical(fraction) => findings.within("contact.moment.of_critical", fraction, 0, Some(1)),
-        }
-        findings.done()
+            Moment::None => true,
+            Moment::Given(moment) => issues.finite(Place::input(Input::Moment), moment),
+            Moment::OfCritical(fraction) => issues.within(Place::plain("contact.moment.of_critical"), fraction, zero, Some(one)),
+        };
+        issues.finish()
     }
 
-    /// They close where v_n s < 0, both of them more than the rounding of their terms.
+    /// Checks that the vehicles are closing: v_n s < 0, with both above the rounding of their terms.
     fn check_closing(&self, contact: &Contact<T>) -> Result<(), Refusals<T>> {
         let (one, two) = (&contact.one, &contact.two);
         let speeds = sum_of_magnitudes(&one.velocity)
@@ -206,22 +114,22 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         if moves && apart && is_positive(&approach) != is_positive(&offset) {
             Ok(())
         } else {
-            Err(Refusals([Refusal::NotClosing { approach, offset }].into()))
+            Err(Refusal::NotClosing { approach, offset }.into())
         }
     }
 
-    /// That the ratio can be evaluated: nothing divides by zero, and the sticking impulse that it is a fraction of pushes.
+    /// Checks that the ratio can be evaluated: nothing divides by zero, and a sticking impulse of which it is a fraction is compressive.
     fn check_ratio(&self, contact: &Contact<T>) -> Result<(), Refusals<T>> {
         match &self.impulse_ratio {
             ImpulseRatio::Given(ratio) => {
                 let normal = contact.compliance.along_ratio(ratio.clone());
                 if !is_positive(&normal) {
-                    return Err(Refusals([Refusal::Tensile { normal, reason: Tension::Wedges }].into()));
+                    return Err(Refusal::Tensile { normal, reason: Tension::Wedges }.into());
                 }
             }
             ImpulseRatio::OfCritical(fraction) => {
                 let sticking = self.sticking_impulse(contact);
-                // None of it at all is none of it, even where the whole would pull.
+                // A fraction of zero is zero, even if the sticking impulse is tensile.
                 let none = is_zero(fraction) && !is_zero(&sticking.n);
                 if !none {
                     self.check_push(contact, &sticking)?;
@@ -229,7 +137,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
                 if fraction.less(&T::int(0)) || T::int(1).less(fraction) {
                     let critical = sticking.t / sticking.n;
                     let ratio = fraction.clone() * critical.clone();
-                    return Err(Refusals([Refusal::BeyondCritical { ratio, critical: Some(critical) }].into()));
+                    return Err(Refusal::BeyondCritical { ratio, critical: Some(critical) }.into());
                 }
             }
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
@@ -237,18 +145,34 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         Ok(())
     }
 
-    /// The impulse that ends the tangential process, whichever ratio is in force.
+    /// Returns the impulse that ends the tangential process, whichever ratio is in force.
     fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
         Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
     }
 
-    /// The impulse must push body one away from body two, as the approach does.
+    /// Checks that the impulse pushes body one away from body two, as the approach does.
     fn check_push(&self, contact: &Contact<T>, impulse: &Nt<T>) -> Result<(), Refusals<T>> {
         if is_positive(&(impulse.n.clone() * contact.approach.n.clone())) {
             Ok(())
         } else {
-            Err(Refusals([Refusal::Tensile { normal: impulse.n.clone(), reason: Tension::Pulls }].into()))
+            Err(Refusal::Tensile { normal: impulse.n.clone(), reason: Tension::Pulls }.into())
         }
+    }
+
+    /// Checks that the result has the restitution and the loss that it was computed for: if m r²/I is huge, rounding alone determines them.
+    fn check_accuracy(&self, impact: &Impact<T>) -> Result<(), Refusals<T>> {
+        let energy = &impact.kinetic_energy;
+        let missed = [
+            (impact.separation.n.clone() + self.restitution.clone() * impact.approach.n.clone(), impact.approach.n.clone().magnitude()),
+            (energy.after.clone() - energy.before.clone() + impact.loss(), energy.before.clone() + energy.after.clone()),
+        ];
+        for (error, size) in missed {
+            let error = error.magnitude();
+            if (size.clone() * tolerance()).less(&error) {
+                return Err(Refusal::IllConditioned { error: error / size }.into());
+            }
+        }
+        Ok(())
     }
 
     fn check_impact(&self, contact: &Contact<T>, impact: &Impact<T>) -> Result<(), Refusals<T>> {
@@ -264,20 +188,22 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
             &impact.kinetic_energy.before,
             &impact.kinetic_energy.after,
         ];
-        if !results.into_iter().all(is_finite) {
-            return Err(Refusals([Refusal::OutOfFloatRange].into()));
+        let has_delta_v = |response: &Response<T>| is_finite(&response.delta_v.clone().length_squared());
+        if !results.into_iter().all(is_finite) || !has_delta_v(&impact.one) || !has_delta_v(&impact.two) {
+            return Err(Refusal::OutOfFloatRange.into());
         }
+        self.check_accuracy(impact)?;
         self.check_push(contact, &impact.impulse)?;
-        let mut findings = Findings::none();
+        let mut issues = IssueCollector::<Refusal<T>>::new();
         if let ImpulseRatio::Given(ratio) = &self.impulse_ratio {
             let sticking = self.sticking_impulse(contact);
-            // Of tangential impulses with the same normal change, those between none and the sticking one: the ratio itself has no bound
-            // where the sticking impulse would pull.
+            // Accept tangential impulses with the same normal change between zero and the sticking impulse: the ratio itself has no bound if the sticking
+            // impulse is tensile.
             let limit = sticking.t.clone().magnitude() * (T::int(1) + slack());
             let against = (impact.impulse.t.clone() * sticking.t.clone()).less(&T::int(0));
             if against || limit.less(&impact.impulse.t.clone().magnitude()) {
                 let critical = self.check_push(contact, &sticking).is_ok().then(|| sticking.t / sticking.n);
-                findings.0.push(Refusal::BeyondCritical { ratio: ratio.clone(), critical });
+                issues.push(Refusal::BeyondCritical { ratio: ratio.clone(), critical });
             }
         }
         let loss = impact.loss();
@@ -286,8 +212,8 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
             + impact.work.m.clone().magnitude()
             + (impact.impulse.n.clone() * impact.approach.n.clone()).magnitude();
         if loss.less(&-(exchanged * slack())) {
-            findings.0.push(Refusal::EnergyGain { gain: -loss, before: impact.kinetic_energy.before.clone() });
+            issues.push(Refusal::EnergyGain { gain: -loss, before: impact.kinetic_energy.before.clone() });
         }
-        findings.done()
+        issues.finish()
     }
 }

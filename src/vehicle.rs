@@ -1,10 +1,11 @@
-//! What is known of a vehicle on the ground: its inertia, where it points, where it is hit, and how it moves.
+//! A vehicle on the ground: its inertia, heading, impact center and motion.
 
 use crate::frame::{ForwardLeft, Heading, Xy};
-use crate::scalar::Field;
+use crate::scalar::{Field, Real};
 
-/// How a rigid body moves in the plane.
+/// Planar motion of a rigid body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion<T = f64> {
     /// Velocity of the center of mass, in m/s.
     pub velocity: Xy<T>,
@@ -12,23 +13,25 @@ pub struct Motion<T = f64> {
     pub yaw_rate: T,
 }
 
-/// A vehicle as it is when the vehicles touch.
+/// A vehicle at the moment of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vehicle<T = f64> {
     /// Mass m in kg.
     pub mass: T,
     /// Yaw inertia I = m k² about the vertical through the center of mass, in kg m².
     pub yaw_inertia: T,
-    /// Where it points, θ.
+    /// Heading θ.
     pub heading: Heading<T>,
-    /// The impact center C, from the center of mass, in m.
+    /// The impact center C, relative to the center of mass, in m.
     pub impact_center: ForwardLeft<T>,
     /// Its motion before the impact.
     pub motion: Motion<T>,
 }
 
-/// One of the two that collide.
+/// One of the two parties of a collision.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Party<T = f64> {
     /// A vehicle, free to move.
     Vehicle(Vehicle<T>),
@@ -43,7 +46,7 @@ impl<T> From<Vehicle<T>> for Party<T> {
 }
 
 impl<T> Motion<T> {
-    /// The same motion on another scalar.
+    /// Converts the motion to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Motion<U> {
         Motion { velocity: self.velocity.map(&mut f), yaw_rate: f(self.yaw_rate) }
@@ -51,7 +54,7 @@ impl<T> Motion<T> {
 }
 
 impl<T: Field> Motion<T> {
-    /// At rest.
+    /// Returns the motion of a body at rest.
     #[inline(always)]
     pub fn rest() -> Self {
         Motion { velocity: Xy::zero(), yaw_rate: T::int(0) }
@@ -59,7 +62,7 @@ impl<T: Field> Motion<T> {
 }
 
 impl<T> Vehicle<T> {
-    /// The same vehicle on another scalar.
+    /// Converts the vehicle to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vehicle<U> {
         Vehicle {
@@ -72,16 +75,96 @@ impl<T> Vehicle<T> {
     }
 }
 
+impl<T: Field> Default for Vehicle<T> {
+    /// A vehicle at rest, headed along x, with its impact center at its center of mass. It has no mass and no yaw inertia: a collision with it is refused
+    /// until it has both.
+    fn default() -> Self {
+        Vehicle::new(T::int(0), T::int(0))
+    }
+}
+
 impl<T: Field> Vehicle<T> {
-    /// Kinetic energy in a given motion, ½ m v² + ½ I ω², in J.
+    /// Creates a vehicle with a mass in kg and a yaw inertia in kg m², headed along x, at rest, with its impact center at its center of mass.
+    ///
+    /// ```
+    /// use planar_impact::{Collision, Heading, Vehicle};
+    /// let car = Vehicle::new(1200.0, 1900.0).with_impact_center(1.8, 0.3).with_speed(15.0);
+    /// let other = Vehicle::new(1500.0, 2600.0).with_heading(Heading::from_degrees(170.0)).with_impact_center(1.9, 0.4).with_speed(12.0);
+    /// let impact = Collision::new(car, other).with_restitution(0.1).solve()?;
+    /// assert!(impact.one.delta_v_magnitude() > impact.two.delta_v_magnitude());
+    /// # Ok::<(), planar_impact::Refusals>(())
+    /// ```
+    #[must_use]
+    pub fn new(mass: T, yaw_inertia: T) -> Self {
+        Vehicle { mass, yaw_inertia, heading: Heading::along_x(), impact_center: ForwardLeft::zero(), motion: Motion::rest() }
+    }
+
+    /// Returns the same vehicle with another heading. Its velocity on the ground stays.
+    #[must_use]
+    pub fn with_heading(self, heading: Heading<T>) -> Self {
+        Vehicle { heading, ..self }
+    }
+
+    /// Returns the same vehicle with its impact center ahead and to the left of the center of mass, in m.
+    #[must_use]
+    pub fn with_impact_center(self, forward: T, left: T) -> Self {
+        Vehicle { impact_center: ForwardLeft { forward, left }, ..self }
+    }
+
+    /// Returns the same vehicle with a velocity along x and y, in m/s.
+    #[must_use]
+    pub fn with_velocity(self, velocity: Xy<T>) -> Self {
+        Vehicle { motion: Motion { velocity, ..self.motion }, ..self }
+    }
+
+    /// Returns the same vehicle with a speed along its heading, in m/s. Give the heading first.
+    #[must_use]
+    pub fn with_speed(self, speed: T) -> Self {
+        let velocity = self.heading.to_ground(ForwardLeft { forward: speed, left: T::int(0) });
+        self.with_velocity(velocity)
+    }
+
+    /// Returns the same vehicle with a yaw rate, in rad/s.
+    #[must_use]
+    pub fn with_yaw_rate(self, yaw_rate: T) -> Self {
+        Vehicle { motion: Motion { yaw_rate, ..self.motion }, ..self }
+    }
+
+    /// Returns the kinetic energy in a given motion, ½ m v² + ½ I ω², in J.
     #[inline(always)]
     pub fn kinetic_energy(&self, motion: Motion<T>) -> T {
         (self.mass.clone() * motion.velocity.length_squared() + self.yaw_inertia.clone() * motion.yaw_rate.squared()).half()
     }
 }
 
+impl<T: Real> Vehicle<T> {
+    /// Returns the radius of gyration about the center of mass, √(I/m), in m.
+    ///
+    /// ```
+    /// use planar_impact::*;
+    /// let vehicle: Vehicle = Vehicle {
+    ///     mass: 1200.0,
+    ///     yaw_inertia: 2700.0,
+    ///     heading: Heading::from_angle(0.0),
+    ///     impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
+    ///     motion: Motion::rest(),
+    /// };
+    /// assert_eq!(vehicle.radius_of_gyration(), 1.5);
+    /// ```
+    pub fn radius_of_gyration(&self) -> T {
+        (self.yaw_inertia.clone() / self.mass.clone()).square_root()
+    }
+}
+
+impl Vehicle {
+    /// Returns `true` if its velocity is along its heading, up to a lateral share of its speed.
+    pub fn drives_along_heading(&self, share: f64) -> bool {
+        self.heading.to_vehicle(self.motion.velocity).left.abs() <= share * self.motion.velocity.length()
+    }
+}
+
 impl<T> Party<T> {
-    /// The same party on another scalar.
+    /// Converts the party to another scalar type.
     #[inline(always)]
     pub fn map<U>(self, f: impl FnMut(T) -> U) -> Party<U> {
         match self {
@@ -90,13 +173,20 @@ impl<T> Party<T> {
         }
     }
 
-    /// The vehicle, if it is one.
+    /// Returns the vehicle, or `None` for a barrier.
     #[inline(always)]
     pub fn vehicle(&self) -> Option<&Vehicle<T>> {
         match self {
             Party::Vehicle(vehicle) => Some(vehicle),
             Party::Barrier => None,
         }
+    }
+}
+
+impl<T: Field> Party<T> {
+    /// Returns its motion before the impact; at rest for a barrier.
+    pub fn motion(&self) -> Motion<T> {
+        self.vehicle().map_or_else(Motion::rest, |vehicle| vehicle.motion.clone())
     }
 }
 

@@ -1,4 +1,4 @@
-//! What does a crush energy cost, beside the formula written out by hand, and what the derivatives and CRASH3 on top of it?
+//! Benchmarks crush energy against the formula written by hand, its derivatives, and CRASH3.
 
 use crate::COLLISIONS;
 use crate::inputs::{self, collision_from_angles};
@@ -8,7 +8,7 @@ use planar_impact::crash3::DamagedPair;
 use planar_impact::crush::{CrushStiffness, ProfileMoments};
 use std::hint::black_box;
 
-/// The measuring protocol's number of depths.
+/// Number of depths of the measuring protocol.
 const DEPTHS: usize = 6;
 
 /// A measured crush: width, depths, d₀, d₁.
@@ -18,7 +18,7 @@ struct Measured {
     stiffness: CrushStiffness,
 }
 
-/// Depths of some decimeters that differ from one to the next.
+/// Returns depths of some decimeters that differ from one to the next.
 fn measured() -> Vec<Measured> {
     let depth = |i: usize| 0.05 + 0.001 * ((i * 7919) % 601) as f64;
     let one = |i: usize| Measured {
@@ -29,7 +29,7 @@ fn measured() -> Vec<Measured> {
     (0..COLLISIONS).map(one).collect()
 }
 
-/// The six-depth formula as textbooks have it.
+/// Computes the six-depth formula of textbooks.
 fn by_hand(crush: &Measured) -> f64 {
     let [c1, c2, c3, c4, c5, c6] = crush.depths;
     let (w, d0, d1) = (crush.width, crush.stiffness.onset, crush.stiffness.slope);
@@ -44,7 +44,7 @@ fn generic(crush: &Measured) -> f64 {
     crush.stiffness.crush_energy(ProfileMoments::of(crush.width, &crush.depths).expect("six depths"))
 }
 
-/// ∂E_C/∂C₃.
+/// Computes ∂E_C/∂C₃.
 fn by_a_depth(crush: &Measured) -> Dual64 {
     let depths: [Dual64; DEPTHS] = std::array::from_fn(|i| Dual64::new(crush.depths[i], f64::from(u8::from(i == 2))));
     let stiffness = CrushStiffness { onset: crush.stiffness.onset.into(), slope: crush.stiffness.slope.into() };

@@ -1,4 +1,4 @@
-//! What do derivatives cost beside the solution that they belong to?
+//! Benchmarks derivatives against the solution that they belong to.
 
 use crate::COLLISIONS;
 use crate::inputs::{self, Angles, collision_from_angles};
@@ -9,7 +9,7 @@ use planar_impact::{Collision, CrushPlane, Output, Outputs};
 use std::cell::RefCell;
 use std::hint::black_box;
 
-/// Every collision from its angles, and one thing computed of each.
+/// Benchmarks a function on every collision, set up from its angles.
 fn each<R>(c: &mut Criterion, group: &str, name: &str, compute: impl Fn(&Collision) -> R) {
     let cases: Vec<Angles<f64>> = inputs::cases(COLLISIONS);
     let mut group = c.benchmark_group(group);
@@ -25,7 +25,7 @@ fn each<R>(c: &mut Criterion, group: &str, name: &str, compute: impl Fn(&Collisi
 }
 
 pub fn derivatives(c: &mut Criterion) {
-    // All outputs: asked of first, as `solve` does, and not, as `evaluate`.
+    // All outputs, both with the checks of `solve` and without, by `evaluate`.
     each(c, "jacobian", "solve, all outputs", |collision| collision.solve().map(|impact| Outputs::of(collision, &impact)));
     each(c, "jacobian", "solve, all outputs by all inputs", |collision| collision.sensitivities());
     let kept = RefCell::new(Outputs::default());
@@ -38,7 +38,7 @@ pub fn derivatives(c: &mut Criterion) {
     each(c, "jacobian", "evaluate, all outputs by all inputs", |collision| collision.sensitivities_of(&collision.evaluate()));
     each(c, "jacobian", "by definition, Dual64 for each input", by_definition);
 
-    // One output. Evaluated alone, the compiler leaves out what the others would need.
+    // One output. When only one is evaluated, the compiler omits what the others would need.
     each(c, "gradient", "solve, W_n", |collision| collision.solve().map(|impact| Output::NormalWork.of(collision, &impact)));
     each(c, "gradient", "solve, W_n by all inputs", |collision| collision.sensitivity(Output::NormalWork));
     each(c, "gradient", "evaluate, W_n alone", |collision| Output::NormalWork.of(collision, &collision.evaluate()));

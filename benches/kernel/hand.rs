@@ -1,8 +1,8 @@
-//! The same impact, written by hand for f64 and for nothing else: what the generic kernel is measured against.
+//! The same impact, written by hand for f64 only: the reference for the generic kernel.
 
-use crate::inputs::Angles;
+use crate::inputs::{Angles, DIRECTIONS};
 
-/// A collision at the critical ratio, its angles as cosines and sines.
+/// A collision at the critical ratio, with its angles as cosines and sines.
 #[derive(Clone, Copy)]
 pub struct Directions {
     m1: f64,
@@ -22,7 +22,7 @@ pub struct Directions {
 }
 
 impl Directions {
-    pub const COUNT: usize = 21;
+    pub const COUNT: usize = DIRECTIONS;
 
     pub fn from_row(row: [f64; Self::COUNT]) -> Self {
         let [m1, m2, i1, i2, hc1, hs1, hc2, hs2, f1, f2, l1, l2, vx1, vx2, vy1, vy2, w1, w2, pc, ps, e] = row;
@@ -106,16 +106,16 @@ pub fn solve(d: &Directions) -> Outputs {
     }
 }
 
-/// Where the circular functions come from.
+/// Source of the trigonometric functions.
 pub trait Circle {
     fn sin_cos(angle: f64) -> (f64, f64);
     fn atan2(y: f64, x: f64) -> f64;
 }
 
-/// From the standard library: what is at hand, and differs between platforms.
+/// The standard library, whose results differ between platforms.
 pub struct Std;
 
-/// From libm, as the library has it: the same bits everywhere.
+/// libm, as in the library: identical bits on every platform.
 pub struct Libm;
 
 impl Circle for Std {
@@ -142,11 +142,11 @@ impl Circle for Libm {
     }
 }
 
-/// Magnitude of a change of velocity, and where the force comes from.
+/// Computes the magnitude of a velocity change, and the direction the force comes from.
 #[inline(always)]
 fn delta_v<C: Circle>(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
     let [forward, left] = back(heading, dv);
-    // The same answer on the axes as the library's: no negative zero, which would be −π from straight behind.
+    // Matches the library on the axes: no negative zero, which would give −π directly from behind.
     let (left, forward) = (left + 0.0, 0.0 - forward);
     [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), C::atan2(left, forward)]
 }

@@ -1,9 +1,11 @@
-//! The collisions that are timed: distinct side impacts, drawn by a fixed recurrence around one of them.
+//! The benchmarked collisions: distinct side impacts, drawn by a fixed recurrence around one of them.
 
-use crate::hand::Directions;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use planar_impact::*;
+
+/// Number of values of a collision whose angles are given as cosines and sines.
+pub const DIRECTIONS: usize = 21;
 
 /// The eighteen inputs of a collision at the critical ratio, and the one that is not used there.
 #[derive(Clone, Debug)]
@@ -55,8 +57,8 @@ impl<T: Clone> Angles<T> {
 }
 
 impl Angles<f64> {
-    /// The same with each angle as a cosine and a sine.
-    pub fn directions(&self) -> [f64; Directions::COUNT] {
+    /// Returns the values with each angle as a cosine and a sine.
+    pub fn directions(&self) -> [f64; DIRECTIONS] {
         let [h1, h2, plane] = [self.heading[0], self.heading[1], self.crush_plane].map(|angle| {
             let (sin, cos) = angle.sin_cos();
             [cos, sin]
@@ -87,8 +89,9 @@ impl Angles<f64> {
     }
 }
 
-/// The directions by their half-tangents to three digits, everything else to three digits: numbers as a person would give them.
-pub fn in_rationals(case: &Angles<f64>) -> [BigRational; Directions::COUNT] {
+/// Returns rational values as a person would give them: directions from half-angle tangents with three decimals,
+/// everything else with three decimals.
+pub fn in_rationals(case: &Angles<f64>) -> [BigRational; DIRECTIONS] {
     let rational = |x: f64| BigRational::new(BigInt::from((x * 1000.0).round() as i64), BigInt::from(1000));
     let mut row = case.directions().map(rational);
     for (at, angle) in [(4, case.heading[0]), (6, case.heading[1]), (18, case.crush_plane)] {
@@ -99,7 +102,7 @@ pub fn in_rationals(case: &Angles<f64>) -> [BigRational; Directions::COUNT] {
     row
 }
 
-/// Side impacts around one of a sedan into the side of a pickup.
+/// Returns side impacts around that of a sedan into the side of a pickup.
 pub fn cases(count: usize) -> Vec<Angles<f64>> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let mut about = |center: f64, spread: f64| {
@@ -129,7 +132,7 @@ fn party<T>(mass: T, yaw_inertia: T, heading: Heading<T>, impact_center: Forward
 }
 
 #[inline(always)]
-pub fn collision<T>(row: [T; Directions::COUNT]) -> Collision<T> {
+pub fn collision<T>(row: [T; DIRECTIONS]) -> Collision<T> {
     let [m1, m2, i1, i2, hc1, hs1, hc2, hs2, f1, f2, l1, l2, vx1, vx2, vy1, vy2, w1, w2, pc, ps, restitution] = row;
     let center = |forward, left| ForwardLeft { forward, left };
     Collision {
@@ -166,7 +169,7 @@ pub fn collision_from_angles<T: Real>(case: &Angles<T>) -> Collision<T> {
     }
 }
 
-/// What the hand-written kernel answers, from the generic one.
+/// Returns the outputs of the hand-written kernel from the generic one.
 #[inline(always)]
 pub fn outputs<T: Field>(impact: &Impact<T>) -> [T; 12] {
     [
@@ -185,7 +188,7 @@ pub fn outputs<T: Field>(impact: &Impact<T>) -> [T; 12] {
     ]
 }
 
-/// The same with magnitude and direction of both ΔV.
+/// Returns these outputs with magnitude and direction of both ΔV.
 #[inline(always)]
 pub fn outputs_with_directions<T: Real>(impact: &Impact<T>) -> [T; 16] {
     let [a, b, c, d, e, f, g, h, i, j, k, l] = outputs(impact);

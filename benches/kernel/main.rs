@@ -1,15 +1,15 @@
-//! What does one impact cost, on each scalar, beside a kernel written by hand for f64?
+//! Benchmarks one impact on each scalar type against a kernel written by hand for f64.
 //!
 //! | group | question |
 //! |---|---|
-//! | `directions` | from directions (cosine and sine given) to motions, impulse, μ₀ and works: + − × ÷ only |
-//! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: three sines, two roots, two arctangents more |
-//! | `jacobian`, `gradient`, `hessian` | derivatives by all inputs beside the solution that they belong to |
-//! | `crush` | a crush energy beside the textbook's formula, its derivative, and CRASH3 |
-//! | `reconstruct` | the way back with six unknowns, from one start and from 64, beside least squares put together by hand (feature `reconstruct`) |
-//! | `scalars` | the same one definition on duals, intervals and rationals |
+//! | `directions` | from directions (cosine and sine given) to velocities, impulse, μ₀ and works: + − × ÷ only |
+//! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: in addition three sines, two roots, two arctangents |
+//! | `jacobian`, `gradient`, `hessian` | derivatives with respect to all inputs, and the solution that they belong to |
+//! | `crush` | a crush energy, the textbook's formula, its derivative, and CRASH3 |
+//! | `reconstruct` | reconstruction with six unknowns, from one start and from 64, and least squares assembled by hand (feature `reconstruct`) |
+//! | `scalars` | the same definition on duals, intervals and rationals |
 //!
-//! Every figure is for 256 distinct collisions, and criterion prints the throughput in collisions a second.
+//! Every figure is for 256 distinct collisions; criterion prints the throughput in collisions per second.
 
 mod crush;
 mod derivatives;
@@ -31,7 +31,7 @@ use std::hint::black_box;
 
 const COLLISIONS: usize = 256;
 
-/// Four collisions in each element.
+/// Packs four collisions into each element.
 fn in_lanes<I, const N: usize>(cases: &[[f64; N]], make: impl Fn([Lanes; N]) -> I) -> Vec<I> {
     cases
         .chunks_exact(Lanes::WIDTH)
@@ -180,7 +180,7 @@ fn scalars(c: &mut Criterion) {
     group.finish();
 }
 
-/// Without the feature there is nothing to time.
+/// Does nothing without the feature.
 #[cfg(not(feature = "reconstruct"))]
 fn reconstruct(_: &mut Criterion) {}
 

@@ -1,8 +1,9 @@
-//! What does a reconstruction with six unknowns cost, from one start and from 64, beside the same least squares put together by hand on a trust region?
+//! Benchmarks a reconstruction with six unknowns, from one start and from 64, against the same least squares
+//! assembled by hand on a trust region.
 
 use basin::{BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual, TrustRegionReflective};
 use criterion::Criterion;
-use planar_impact::reconstruct::{Measurable, Reconstruction, Search, Uncertainty, Variable};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
 use planar_impact::*;
 use std::convert::Infallible;
 use std::hint::black_box;
@@ -16,7 +17,7 @@ const UNKNOWNS: [(Input, f64, f64, f64); 6] = [
     (Input::ImpactCenterLeft(Side::One), 0.2, -1.0, 1.0),
 ];
 
-/// The evidence and its standard deviation; the normal work is the crush energy.
+/// The evidence and its standard deviations; the normal work equals the crush energy.
 const EVIDENCE: [(Output, f64); 8] = [
     (Output::NormalWork, 6e3),
     (Output::VelocityX(Side::One), 0.5),
@@ -50,23 +51,23 @@ fn crash() -> Collision {
     }
 }
 
-/// What was measured: the truth, each piece off by up to half its deviation.
+/// Returns simulated measurements: true values, each with an error of up to half its standard deviation.
 fn measured(collision: &Collision) -> [f64; EVIDENCE.len()] {
     let outputs = Outputs::of(collision, &collision.solve().expect("possible"));
     std::array::from_fn(|i| outputs[EVIDENCE[i].0] + EVIDENCE[i].1 * (0.5 - 0.3 * (i % 4) as f64))
 }
 
-fn question(collision: Collision, measured: &[f64]) -> Reconstruction {
-    let asked = UNKNOWNS
-        .into_iter()
-        .fold(Reconstruction::of(collision), |asked, (input, start, min, max)| asked.between(Variable::Input(input), start, min, max));
+fn question(collision: Collision, measured: &[f64]) -> ReconstructionProblem {
+    let asked = UNKNOWNS.into_iter().fold(ReconstructionProblem::of(collision), |asked, (input, start, min, max)| {
+        asked.between(Variable::Input(input), start, min, max)
+    });
     EVIDENCE
         .into_iter()
         .zip(measured)
-        .fold(asked, |asked, ((output, sd), &value)| asked.evidence(Measurable::Output(output), value, Uncertainty::StandardDeviation(sd)))
+        .fold(asked, |asked, ((output, sd), &value)| asked.evidence(Measurand::Output(output), value, Uncertainty::StandardDeviation(sd)))
 }
 
-/// The same by hand: residuals and their derivatives by the sensitivities of the library, steps by a trust region.
+/// The same problem by hand: residuals and derivatives from the library's sensitivities, steps by a trust region.
 struct ByHand {
     collision: Collision,
     measured: [f64; EVIDENCE.len()],

@@ -1,4 +1,4 @@
-//! Writes many collision records, to see how fast `planar-impact check` is and how much memory it takes:
+//! Writes many collision records, to measure the speed and memory use of `planar-impact check`:
 //!
 //! ```sh
 //! cargo run --release -p planar-impact-cli --example records -- 1000000 jsonl > /tmp/records.jsonl
@@ -13,7 +13,7 @@ use std::io::{self, BufWriter, Write};
 use planar_impact::check::{Key, Record};
 use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
 
-/// Numbers that look random, the same every time.
+/// A generator of pseudo-random numbers, the same in every run.
 struct Numbers(u64);
 
 impl Numbers {
@@ -90,24 +90,39 @@ fn json(record: &Record, printed: bool) -> String {
 
 const HEADER: &str = r#""schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "rad"}"#;
 
-/// The columns of a table: those of the JSON above.
+/// Returns the columns of a CSV file: those of the JSON above.
 fn columns() -> Vec<Key> {
-    let left_out = ["heading", "pdof", "ees", "kinetic", "impulse.", "speed", "reported.impulse_ratio", "critical"];
+    let left_out = [
+        "heading",
+        "pdof",
+        "ees",
+        "kinetic",
+        "impulse.",
+        "speed",
+        "moment",
+        "duration",
+        "after.cg",
+        "after.p",
+        "reported.impulse_ratio",
+        "critical",
+    ];
     Key::ALL.into_iter().filter(|key| !left_out.iter().any(|part| key.name().contains(part))).collect()
 }
 
 fn unit(key: Key) -> &'static str {
-    use planar_impact::check::Measure;
-    match key.measure() {
-        Measure::Mass => "kg",
-        Measure::YawInertia => "kg m^2",
-        Measure::Length => "m",
-        Measure::Velocity => "m/s",
-        Measure::YawRate => "rad/s",
-        Measure::Angle => "rad",
-        Measure::Energy => "J",
-        Measure::Impulse => "N s",
-        Measure::Restitution | Measure::ImpulseRatio => "",
+    use planar_impact::check::ResolutionGroup as Group;
+    match key.group() {
+        Group::Mass => "kg",
+        Group::YawInertia => "kg m^2",
+        Group::Length => "m",
+        Group::Velocity => "m/s",
+        Group::YawRate => "rad/s",
+        Group::Angle => "rad",
+        Group::Energy => "J",
+        Group::Impulse => "N s",
+        Group::MomentImpulse => "N m s",
+        Group::Time => "s",
+        Group::Restitution | Group::ImpulseRatio => "",
     }
 }
 

@@ -1,4 +1,4 @@
-//! The command line, as clap sees it.
+//! The command line, parsed by clap.
 
 mod formula;
 mod help;
@@ -8,29 +8,28 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use planar_impact::check::Severity;
+use planar_impact_app::Units;
+use planar_impact_app::check::{Options, Severity};
+use planar_impact_app::quantity;
 
-use crate::quantity;
-use crate::units::Units;
+pub use formula::{Formula, Notation};
 
-pub use formula::{Formula, MomentImpulse, Notation, Ratio, TangentialLaw};
-
-/// Planar impact mechanics and crush energy: how two vehicles leave a collision, and what it cost them.
+/// Planar impact mechanics and crush energy: velocities, impulse and energy of two vehicles in a collision.
 #[derive(Debug, Parser)]
 #[command(name = "planar-impact", version, after_help = help::STATUS, max_term_width = 100)]
 pub struct Arguments {
-    /// What to do.
+    /// The verb.
     #[command(subcommand)]
     pub verb: Verb,
 }
 
-/// What to do.
+/// The verb to run.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
     /// Solve a collision: final velocities, impulse, delta-V, energy.
     #[command(after_help = help::CASE)]
     Solve(OfCase),
-    /// Differentiate a collision: how its outputs answer to its inputs.
+    /// Differentiate a collision: derivatives of outputs with respect to inputs.
     #[command(after_help = help::GRADIENT)]
     Gradient(Gradient),
     /// Vary one or two inputs of a collision: tables, data and charts.
@@ -39,27 +38,34 @@ pub enum Verb {
     /// Check collision results of any program against the laws of mechanics.
     #[command(after_help = help::CHECK)]
     Check(Check),
-    /// Tell what residual crush stands for: energy and equivalent speed.
+    /// Compute crush energy and equivalent speed from residual crush.
     #[command(after_help = help::CRUSH)]
     Crush(OfCase),
-    /// Reconstruct delta-V from crush as CRASH3 does, beside planar mechanics.
+    /// Reconstruct delta-V from crush with CRASH3, compared with planar mechanics.
     #[command(after_help = help::CRASH3)]
     Crash3(OfCase),
-    /// Reconstruct speeds from what is left after the crash, and say how sure that is.
+    /// Reconstruct speeds and other unknowns from evidence, with their uncertainty.
     #[command(after_help = help::RECONSTRUCT)]
     Reconstruct(Reconstruct),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
-    /// Hold every printed cell of the paper's tables to account, then measured tests.
+    /// Compare every printed value of the paper's tables, and measured tests.
     #[command(after_help = help::VALIDATE)]
     Validate(Validate),
-    /// Prove the identities of the mechanics, and show what is wrong in print.
+    /// Prove the identities of the mechanics, and demonstrate the paper's misprints.
     #[command(after_help = "Examples:\n  planar-impact prove\n  planar-impact prove --format json")]
     Prove(Prove),
     /// Print the formula that the code computes for an output, or for its derivative.
     #[command(after_help = help::FORMULA)]
     Formula(Formula),
+    /// Print the JSON Schema of case files, of barrier tests, or of the answer of a verb.
+    #[command(after_help = "Examples:\n  planar-impact schema case\n  planar-impact schema solve")]
+    Schema {
+        /// `case`, `tests`, or a verb.
+        #[arg(value_parser = planar_impact_app::schema::names())]
+        of: String,
+    },
     /// Print a completion script for a shell.
     #[command(after_help = "Example:\n  planar-impact completions bash > ~/.local/share/bash-completion/completions/planar-impact")]
     Completions {
@@ -71,93 +77,111 @@ pub enum Verb {
     Man,
 }
 
-/// The call of a verb that reads a case and prints what follows.
+/// A system of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum UnitSystem {
+    /// Feet, pounds, seconds; ΔV also in miles per hour.
+    Us,
+    /// Meters, kilograms, seconds; ΔV also in kilometers per hour.
+    Si,
+}
+
+impl From<UnitSystem> for Units {
+    fn from(system: UnitSystem) -> Units {
+        match system {
+            UnitSystem::Us => Units::Us,
+            UnitSystem::Si => Units::Si,
+        }
+    }
+}
+
+/// Arguments of a verb that reads a case and prints its answer.
 #[derive(Debug, Args)]
 pub struct OfCase {
     /// The case file, TOML or JSON; - reads standard input.
     pub case: PathBuf,
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    /// Units of the text. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
-    pub units: Option<Units>,
+    pub units: Option<UnitSystem>,
 }
 
-/// The call of `reconstruct`.
+/// Arguments of `reconstruct`.
 #[derive(Debug, Args)]
 pub struct Reconstruct {
     /// The case file with [evidence] and [unknown], TOML or JSON; - reads standard input.
     pub case: PathBuf,
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    /// Units of the text. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
-    pub units: Option<Units>,
-    /// From how many starts to search: the first is the given one, the others are drawn within the bounds. Some more searches begin beside what these found.
+    pub units: Option<UnitSystem>,
+    /// Number of starts of the search: the given one, and others drawn within the bounds. A few more searches start close to each solution.
     #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub starts: u64,
-    /// The seed of those draws: the same seed gives the same answer.
+    /// Seed of the random starts. The same seed gives the same answer.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
 }
 
-/// The call of `stiffness`.
+/// Arguments of `stiffness`.
 #[derive(Debug, Args)]
 pub struct Stiffness {
     /// The file of barrier tests, TOML or JSON; - reads standard input.
     pub tests: PathBuf,
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Units of the text; those that most of the file is in, unless given. JSON is always SI.
+    /// Units of the text. Default: those of most values in the file. JSON is always SI.
     #[arg(long, value_enum)]
-    pub units: Option<Units>,
+    pub units: Option<UnitSystem>,
 }
 
-/// The call of `gradient`.
+/// Arguments of `gradient`.
 #[derive(Debug, Args)]
 pub struct Gradient {
     /// The case file, TOML or JSON; - reads standard input.
     pub case: PathBuf,
-    /// The outputs, by name or symbol; may be repeated. All of them in JSON and the principal ones in the text, unless given.
+    /// Outputs, by name or symbol; may be repeated. Default: all in JSON, the principal ones in text.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub of: Vec<String>,
-    /// The inputs, by name or symbol; may be repeated. All of them in JSON and the keys of the file in the text, unless given.
+    /// Inputs, by name or symbol; may be repeated. Default: all in JSON, the keys of the file in text.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub wrt: Vec<String>,
     /// Add the second derivatives.
     #[arg(long)]
     pub second: bool,
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Units of the text; those that most of the case file is in, unless given. JSON is always SI.
+    /// Units of the text. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
-    pub units: Option<Units>,
+    pub units: Option<UnitSystem>,
 }
 
-/// The call of `sweep`.
+/// Arguments of `sweep`.
 #[derive(Debug, Args)]
 pub struct Sweep {
     /// The case file, TOML or JSON; - reads standard input.
     pub case: PathBuf,
-    /// An input by name or symbol, its first and its last value and the step. A second one makes a grid.
+    /// An input by name or symbol, with its first and last value and the step. A second one makes a grid.
     #[arg(long, value_name = "NAME=FROM:TO:STEP", required = true)]
     pub vary: Vec<String>,
-    /// The outputs, by name or symbol; may be repeated. W_n, W_t, T_L and mu0 unless given.
+    /// Outputs, by name or symbol; may be repeated. Default: W_n, W_t, T_L and mu0.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub of: Vec<String>,
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = SweepFormat::Text)]
     pub format: SweepFormat,
-    /// Units of the outputs but in JSON, which is SI; those that most of the case file is in, unless given.
+    /// Units of outputs in text, CSV and SVG. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
-    pub units: Option<Units>,
+    pub units: Option<UnitSystem>,
 }
 
-/// How to print a sweep.
+/// Format of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum SweepFormat {
     /// A table.
@@ -170,30 +194,30 @@ pub enum SweepFormat {
     Svg,
 }
 
-/// The call of `check`.
+/// Arguments of `check`.
 #[derive(Debug, Args)]
 pub struct Check {
     /// Files of records: a JSON document, JSON Lines or CSV; - reads standard input.
     #[arg(required_unless_present = "rules")]
     pub files: Vec<PathBuf>,
-    /// How to print what was found.
+    /// Format of the findings.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,
-    /// The tolerance of numbers without a resolution, as a share of what they would be off by if nothing were right; that of the record's profile, unless given.
+    /// Relative tolerance of numbers without a resolution, at most 0.5. Default: that of the record's profile.
     #[arg(long, value_name = "REL", value_parser = tolerance)]
     pub tolerance: Option<f64>,
-    /// From which severity on the exit status is 1.
+    /// Lowest severity for which the exit status is 1.
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t = FailOn::Fail)]
     pub fail_on: FailOn,
-    /// Print the rules instead, with what each means.
+    /// Print the rules and their meaning instead.
     #[arg(long, conflicts_with = "files")]
     pub rules: bool,
 }
 
-/// How to print what was found.
+/// Format of the findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
-    /// For people: the records that do not simply pass, and a summary.
+    /// For people: records with findings, and a summary.
     Text,
     /// For programs.
     Json,
@@ -203,19 +227,19 @@ pub enum CheckFormat {
     Sarif,
 }
 
-/// From which severity on a finding fails the run.
+/// Lowest severity that fails the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FailOn {
-    /// Broken rules alone.
+    /// Violated rules.
     Fail,
-    /// What cannot be decided too.
+    /// Also rules that could not be evaluated.
     Undecidable,
-    /// Warnings too.
+    /// Also warnings.
     Warn,
 }
 
 impl FailOn {
-    /// Whether a severity is among them.
+    /// Returns `true` if a finding of this severity fails the run.
     pub fn includes(self, severity: Severity) -> bool {
         let least = match self {
             FailOn::Fail => Severity::Fail,
@@ -226,21 +250,32 @@ impl FailOn {
     }
 }
 
-/// A share between 0 and 1.
+/// Parses a tolerance that the checker accepts.
 fn tolerance(text: &str) -> Result<f64, String> {
     let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
-    if value > 0.0 && value < 1.0 { Ok(value) } else { Err("expected a share between 0 and 1, such as 1e-6".to_owned()) }
+    let is_valid = Options { tolerance: Some(value) }.validate();
+    is_valid.map(|()| value).map_err(|issues| format!("{issues}; give a share such as 1e-6"))
 }
 
-/// The call of `validate`.
+/// Arguments of `validate`.
 #[derive(Debug, Args)]
 pub struct Validate {
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Draw a figure of the paper as SVG instead, from the computed numbers.
+    /// Draw a figure of the paper as SVG instead, from computed numbers.
     #[arg(long, value_enum, value_name = "NUMBER", conflicts_with = "format")]
     pub figure: Option<FigureNumber>,
+}
+
+impl FigureNumber {
+    /// Returns the number.
+    pub fn number(self) -> u32 {
+        match self {
+            FigureNumber::Six => 6,
+            FigureNumber::Seven => 7,
+        }
+    }
 }
 
 /// A figure that can be drawn.
@@ -254,15 +289,15 @@ pub enum FigureNumber {
     Seven,
 }
 
-/// The call of `prove`.
+/// Arguments of `prove`.
 #[derive(Debug, Args)]
 pub struct Prove {
-    /// How to print the result.
+    /// Format of the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 }
 
-/// How to print a result.
+/// Format of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// For people.
@@ -271,11 +306,11 @@ pub enum Format {
     Json,
 }
 
-/// Writes the manual: the page of the program, then that of each verb.
+/// Writes the manual: the page of the program, then the page of each verb.
 ///
 /// # Errors
 ///
-/// When the writer fails.
+/// Fails if the writer fails.
 pub fn manual(page: &mut dyn Write) -> io::Result<()> {
     let mut command = Arguments::command();
     command.build();

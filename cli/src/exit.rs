@@ -1,6 +1,13 @@
-//! How the program ends.
+//! Exit statuses and failures of the program.
 
-use crate::document::Problems;
+use clap::error::ContextValue;
+use planar_impact_app::plain_text::{is_active, shorten};
+use planar_impact_app::{Cause, Issues, Units};
+
+use crate::diagnostics;
+
+/// Maximum width of a word of the call repeated in a message, in columns.
+const LONGEST_WORD: usize = 120;
 
 /// The exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,12 +24,12 @@ pub enum Status {
     Defect,
     /// The output cannot be written.
     Output,
-    /// The user has asked to stop.
+    /// The user has requested a stop.
     Interrupted,
 }
 
 impl Status {
-    /// Its number.
+    /// Returns its number.
     pub fn code(self) -> u8 {
         match self {
             Status::Done => 0,
@@ -36,45 +43,75 @@ impl Status {
     }
 }
 
-/// Why a verb has nothing to print.
+/// Reason why a verb prints no answer.
 #[derive(Debug)]
 pub enum Failure {
     /// The call is wrong.
     Call(clap::Error),
-    /// The case file is wrong.
-    Input(Problems),
-    /// The physics refuses the case.
-    Physics(Problems),
+    /// A verb has no answer; figures are in the units of the reader.
+    Issues(Issues, Units),
     /// A defect, already reported.
     Defect,
-    /// The program's own data are wrong.
-    Data(String),
     /// The output cannot be written.
     Output(std::io::Error),
-    /// The user has asked to stop.
-    Interrupted,
+}
+
+/// A wrong call, with its words cleaned and shortened. A hint that repeats a long word is omitted.
+impl From<clap::Error> for Failure {
+    fn from(mut error: clap::Error) -> Self {
+        let is_plain = |hint: &clap::builder::StyledStr| {
+            let hint = hint.to_string();
+            hint.len() <= 2 * LONGEST_WORD && !hint.contains(is_active)
+        };
+        let cleaned = |value: &ContextValue| match value {
+            ContextValue::String(word) => Some(ContextValue::String(shorten(word, LONGEST_WORD))),
+            ContextValue::Strings(words) => Some(ContextValue::Strings(words.iter().map(|word| shorten(word, LONGEST_WORD)).collect())),
+            ContextValue::StyledStrs(hints) => {
+                Some(ContextValue::StyledStrs(hints.iter().filter(|hint| is_plain(hint)).cloned().collect()))
+            }
+            _ => None,
+        };
+        let context: Vec<_> = error.context().filter_map(|(kind, value)| Some((kind, cleaned(value)?))).collect();
+        for (kind, value) in context {
+            error.insert(kind, value);
+        }
+        Failure::Call(error)
+    }
+}
+
+impl From<Issues> for Failure {
+    fn from(issues: Issues) -> Self {
+        Failure::Issues(issues, Units::Si)
+    }
 }
 
 impl Failure {
-    /// Its exit status.
+    /// Returns its exit status.
     pub fn status(&self) -> Status {
         match self {
-            Failure::Call(_) | Failure::Input(_) => Status::Input,
-            Failure::Physics(_) => Status::Physics,
-            Failure::Defect | Failure::Data(_) => Status::Defect,
+            Failure::Call(_) => Status::Input,
+            Failure::Issues(issues, _) => match issues.cause() {
+                Cause::Input => Status::Input,
+                Cause::Physics => Status::Physics,
+                Cause::Interrupted => Status::Interrupted,
+                Cause::Defect => Status::Defect,
+            },
+            Failure::Defect => Status::Defect,
             Failure::Output(_) => Status::Output,
-            Failure::Interrupted => Status::Interrupted,
         }
     }
 
-    /// What to tell the user, if it has not been told.
+    /// Returns the message for the user, if there is one.
     pub fn render(&self, color: bool) -> Option<String> {
         match self {
             Failure::Call(error) if color => Some(error.render().ansi().to_string()),
             Failure::Call(error) => Some(error.render().to_string().trim_end().to_owned()),
-            Failure::Input(problems) | Failure::Physics(problems) => Some(problems.render(color)),
-            Failure::Defect | Failure::Interrupted => None,
-            Failure::Data(what) => Some(format!("error: a defect of planar-impact, please report it: {what}")),
+            Failure::Issues(issues, units) => match issues.cause() {
+                Cause::Interrupted => None,
+                Cause::Defect => Some(format!("error: a defect of planar-impact, please report it: {issues}")),
+                Cause::Input | Cause::Physics => Some(diagnostics::render(issues, *units, color)),
+            },
+            Failure::Defect => None,
             Failure::Output(error) => Some(format!("error: the output cannot be written: {error}")),
         }
     }

@@ -1,72 +1,58 @@
-//! How far a long computation has come, and whether it shall stop.
+//! Shows the progress of a long computation on a terminal.
 
-use std::sync::Once;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::cell::{Cell, OnceCell};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use planar_impact_app::Control;
 
-/// How long a computation may last without a word.
-const SILENCE: Duration = Duration::from_secs(1);
-/// Looking at the clock takes as long as a step.
+use crate::interrupt;
+
+/// Time after which a computation shows its progress.
+pub const SILENCE: Duration = Duration::from_secs(1);
+/// Steps between two readings of the clock, because a reading takes as long as a step.
 const STEPS_A_LOOK: usize = 256;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+const TEMPLATE: &str = "{wide_bar} {pos} of {len}, {eta} left";
 
-/// Whether the user has asked to stop.
-pub fn is_interrupted() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
-}
-
-/// From now on an interrupt is noted, and does not end the program in the middle of its output.
-pub fn note_interrupts() {
-    static ONCE: Once = Once::new();
-    // Without a handler an interrupt ends the program at once, which leaves nothing half done either.
-    ONCE.call_once(|| drop(ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed))));
-}
-
-/// A bar on the terminal once a computation has lasted a second; nothing where standard error is no terminal.
+/// A progress bar on standard error, shown after one second; not shown if standard error is not a terminal. An
+/// interrupt stops the computation.
 pub struct Progress {
-    total: usize,
-    done: usize,
     started: Instant,
-    bar: Option<ProgressBar>,
+    steps: Cell<usize>,
+    bar: OnceCell<ProgressBar>,
 }
 
 impl Progress {
-    /// Over a number of steps. It stops early only where interrupts are noted.
-    pub fn over(total: usize) -> Progress {
-        Progress { total, done: 0, started: Instant::now(), bar: None }
+    /// Starts a bar for a computation that begins now.
+    pub fn new() -> Progress {
+        Progress { started: Instant::now(), steps: Cell::new(0), bar: OnceCell::new() }
     }
+}
 
-    /// Begins the next step; false if it shall not be begun.
-    pub fn step(&mut self) -> bool {
-        self.done += 1;
-        if self.done.is_multiple_of(STEPS_A_LOOK) {
-            if self.bar.is_none() && self.started.elapsed() > SILENCE {
-                self.bar = Some(bar(self.total).with_elapsed(self.started.elapsed()));
-            }
-            if let Some(bar) = &self.bar {
-                bar.set_position(self.done as u64);
-            }
+impl Control for Progress {
+    fn goes_on(&self, done: usize, total: usize) -> bool {
+        interrupt::note();
+        self.steps.set(self.steps.get() + 1);
+        if self.steps.get().is_multiple_of(STEPS_A_LOOK) && self.started.elapsed() > SILENCE {
+            let bar = self.bar.get_or_init(|| styled(ProgressBar::new(total as u64), TEMPLATE).with_elapsed(self.started.elapsed()));
+            bar.set_position(done as u64);
         }
-        !is_interrupted()
+        !interrupt::is_interrupted()
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
+        if let Some(bar) = self.bar.get() {
             bar.finish_and_clear();
         }
     }
 }
 
-fn bar(total: usize) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{wide_bar} {pos} of {len} points, {eta} left").unwrap_or_else(|_| ProgressStyle::default_bar());
-    // On standard error, and only if that is a terminal.
-    ProgressBar::new(total as u64).with_style(style)
+/// Creates a bar in a style. It draws on standard error, and only if that is a terminal.
+pub fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    bar.with_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 #[cfg(test)]
@@ -75,13 +61,13 @@ mod tests {
 
     #[test]
     fn the_bar_s_template_is_sound() {
-        assert!(ProgressStyle::with_template("{wide_bar} {pos} of {len} points, {eta} left").is_ok());
+        assert!(ProgressStyle::with_template(TEMPLATE).is_ok());
     }
 
     #[test]
     fn steps_go_on_until_interrupted() {
-        let mut progress = Progress::over(3);
-        assert!((0..3).all(|_| progress.step()));
-        assert!(progress.bar.is_none(), "nothing is shown in the first second");
+        let progress = Progress::new();
+        assert!((0..1000).all(|done| progress.goes_on(done, 1000)));
+        assert!(progress.bar.get().is_none(), "nothing is shown in the first second");
     }
 }

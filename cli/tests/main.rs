@@ -1,15 +1,19 @@
-//! The command line as a process: what it is given, what it prints where, and how it ends.
+//! Tests of the command line as a process: its input, its output and its exit status.
 //!
-//! One binary, because each would link the program's dependencies again. `bad_inputs` holds what must be refused, `check` what
-//! is found in the results of other programs, `examples` what the manual promises, `reference`, `gradient` and `crush` the
-//! numbers of an independent solver.
+//! One test binary, because each one would link the program's dependencies again. `bad_inputs` holds inputs that must
+//! be refused, `check` the findings in results of other programs, `examples` the examples of the manual, `reference`,
+//! `gradient` and `crush` the numbers of an independent solver, and `pins` every number of the output.
 
+#[path = "main/answers.rs"]
+mod answers;
 #[path = "main/bad_inputs/mod.rs"]
 mod bad_inputs;
 #[path = "main/check/mod.rs"]
 mod check;
 #[path = "main/crush.rs"]
 mod crush;
+#[path = "main/endings.rs"]
+mod endings;
 #[path = "main/examples.rs"]
 mod examples;
 #[path = "main/formula.rs"]
@@ -18,8 +22,12 @@ mod formula;
 mod gradient;
 #[path = "main/guideline.rs"]
 mod guideline;
+#[path = "main/hostile.rs"]
+mod hostile;
 #[path = "main/manual.rs"]
 mod manual;
+#[path = "main/pins/mod.rs"]
+mod pins;
 #[path = "main/process.rs"]
 mod process;
 #[path = "main/reconstruct/mod.rs"]
@@ -28,7 +36,11 @@ mod reconstruct;
 mod reference;
 #[path = "main/rest.rs"]
 mod rest;
+#[path = "main/schema.rs"]
+mod schema;
 #[path = "main/stiffness.rs"]
 mod stiffness;
 #[path = "main/sweep.rs"]
 mod sweep;
+#[path = "main/warnings.rs"]
+mod warnings;

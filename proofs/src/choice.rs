@@ -1,4 +1,4 @@
-//! Where the code compares and selects: out of reach of a field, and tried at random fractions instead.
+//! Comparisons and selections of the code, which a field does not have: tested at random fractions instead.
 
 use planar_impact::law::impulse_at_fraction;
 use planar_impact::{Collision, Field, ImpulseRatio, Law, Moment, Vehicle};
@@ -12,30 +12,30 @@ use crate::identity::scene::{Scene, each_vehicle, with_moment};
 use crate::proof::{Trial, Verdict, fraction};
 use crate::scalar::Rational;
 
-/// How many points a choice is tried at.
+/// Number of points at which a choice is tested.
 const POINTS: u64 = 20;
 
-/// What [`Collision::evaluate`] must choose, tried and not proven.
+/// A required choice of [`Collision::evaluate`], tested and not proven.
 #[derive(Clone, Copy, Debug)]
 pub struct Choice {
-    /// What it must choose.
+    /// The required choice.
     pub name: &'static str,
-    /// The same in letters.
+    /// The same in symbols.
     pub statement: &'static str,
-    /// How many points it was tried at.
+    /// Number of points at which it was tested.
     pub points: u64,
-    /// What came of it.
+    /// The verdict.
     pub verdict: Verdict,
 }
 
 impl Choice {
-    /// Whether it chose so at every point.
+    /// Returns `true` if the code made this choice at every point.
     pub fn holds(&self) -> bool {
         self.verdict == Verdict::Holds
     }
 }
 
-/// A choice before it is tried.
+/// A choice before its test.
 struct Case {
     name: &'static str,
     statement: &'static str,
@@ -58,7 +58,7 @@ const CASES: [Case; 4] = [
     },
 ];
 
-/// All of them, tried.
+/// Tests all choices.
 pub(crate) fn all(seed: u64) -> Vec<Choice> {
     let mut rng = ChaCha20Rng::seed_from_u64(seed);
     rng.set_stream(u64::MAX);
@@ -68,7 +68,7 @@ pub(crate) fn all(seed: u64) -> Vec<Choice> {
     CASES.into_iter().map(&mut tried).collect()
 }
 
-/// Collisions of each kind under each law, without a moment, with a given one and with a fraction of the critical one.
+/// Returns collisions of each kind under each law, without a moment impulse, with a given one and with a fraction of the critical one.
 fn collisions(free: &mut Free<'_, Rational>) -> Vec<Collision<Rational>> {
     let mut all = Vec::new();
     for collision in free.collisions() {
@@ -120,7 +120,7 @@ fn limited(free: &mut Free<'_, Rational>) -> Equations<Rational> {
     let mut must = Equations::new();
     let (zero, one) = (Rational::int(0), Rational::int(1));
     for collision in free.collisions() {
-        // Squares, for what must not be negative.
+        // Squares, for quantities that must not be negative.
         let positive = each_vehicle(collision, |vehicle| Vehicle {
             mass: vehicle.mass.squared(),
             yaw_inertia: vehicle.yaw_inertia.squared(),

@@ -1,23 +1,23 @@
-//! What follows from the identities by the order of the rational numbers, which no field identity can speak of.
+//! Conclusions from the identities by the order of the rational numbers, which no field identity can express.
 
 use crate::proof::Proof;
 
-/// An inequality, or another conclusion, and the identities that it rests on.
+/// An inequality, or another conclusion, and the identities that it depends on.
 #[derive(Clone, Debug)]
 pub struct Conclusion {
-    /// What it says, in a few words.
+    /// The conclusion, in a few words.
     pub name: &'static str,
-    /// What it says, in letters.
+    /// The conclusion, in symbols.
     pub statement: &'static str,
-    /// Why it follows.
+    /// Reason why it follows.
     pub reason: &'static str,
-    /// The names of the identities that it follows from.
+    /// The names of the identities from which it follows.
     pub premises: &'static [&'static str],
-    /// Whether all of them hold.
+    /// `true` if all of them hold.
     pub holds: bool,
 }
 
-/// A conclusion before its premises are looked up.
+/// A conclusion before its premises are checked.
 struct Claim {
     name: &'static str,
     statement: &'static str,
@@ -43,7 +43,7 @@ const CLAIMS: &[Claim] = &[
         name: "the peak of T_L with a moment",
         statement: "no impulse and moment lose more than those that end sliding, approach and relative rotation",
         reason: "the same square with three components, a sum of squares as well",
-        premises: &["with a moment the peak ends all relative motion", "so it is with a moment"],
+        premises: &["with a moment the peak ends all relative motion", "(P, M)·K₃ (P, M) is a sum of squares"],
     },
     Claim {
         name: "the bound on e at the critical ratio",
@@ -83,7 +83,7 @@ const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// All of them, with the proofs of their premises looked up.
+/// Returns all conclusions, with their premises checked against the proofs.
 pub(crate) fn from(proofs: &[&Proof]) -> Vec<Conclusion> {
     let holds = |premise: &&str| proofs.iter().any(|proof| proof.identity.name == *premise && proof.holds());
     CLAIMS

@@ -1,7 +1,7 @@
-//! False identities: the run must tell each of them from a true one, or it proves nothing.
+//! False identities: a run that fails to detect one of them proves nothing.
 
 use num_traits::FromPrimitive;
-use planar_impact::paper::Letters;
+use planar_impact::paper::PaperNotation;
 use planar_impact::{Collision, Field};
 
 use crate::equation::Equations;
@@ -11,31 +11,31 @@ use crate::identity::scene::{Scene, inelastic};
 use crate::proof::{Proof, Verdict};
 use crate::scalar::PRIMES;
 
-/// A false identity, and what the run says of it.
+/// A false identity, and its verdict in the run.
 #[derive(Clone, Debug)]
 pub struct Control {
     /// The attempt to prove it.
     pub proof: Proof,
-    /// Why it must fail.
+    /// Reason why it must fail.
     pub expected: Expected,
 }
 
-/// How a false identity must be told.
+/// Reason why a false identity must fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expected {
     /// A point shows it to be false.
     False,
-    /// It is true modulo every prime, and its coefficients betray it.
+    /// It is true modulo every prime, but its coefficients are too large.
     TooLarge,
     /// It divides by zero.
     Undefined,
-    /// It demands nothing.
+    /// It contains no equation.
     Empty,
 }
 
 impl Control {
-    /// Whether it was told.
-    pub fn is_told(&self) -> bool {
+    /// Returns `true` if it was detected.
+    pub fn is_detected(&self) -> bool {
         let told = match self.expected {
             Expected::False => matches!(self.proof.verdict, Verdict::False { .. }),
             Expected::TooLarge => self.proof.verdict == Verdict::TooLarge,
@@ -46,7 +46,7 @@ impl Control {
     }
 }
 
-/// All of them.
+/// Tests all controls.
 pub(crate) fn all(seed: u64) -> Vec<Control> {
     let controls = [
         (Expected::False, identity!(wrong_sign, "a wrong sign", "m₂ (V₂ − v₂) = +P")),
@@ -57,7 +57,7 @@ pub(crate) fn all(seed: u64) -> Vec<Control> {
         (Expected::Undefined, identity!(nowhere_defined, "nowhere defined", "1/(x − x) = 1/(x − x)")),
         (Expected::Empty, identity!(nothing, "no equation at all", "")),
     ];
-    // Streams of their own, far from those of the identities.
+    // Streams far from those of the identities.
     let streams = (0..).map(|place| u64::from(u32::MAX) + place);
     controls
         .into_iter()
@@ -87,7 +87,7 @@ fn no_condition<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn printed_a11<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let contact = free.contact();
-    let l = Letters::of(&contact.one, &contact.two, T::int(0), T::int(0));
+    let l = PaperNotation::of(&contact.one, &contact.two, T::int(0), T::int(0));
     let mut must = Equations::new();
     must.equal((l.v_2n - l.d_a * l.omega_2) - (l.v_1n - l.d_c * l.omega_1), contact.approach.n);
     must

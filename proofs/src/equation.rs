@@ -1,4 +1,4 @@
-//! What an identity demands at one point.
+//! The equations of an identity at one point.
 
 use planar_impact::{ForwardLeft, KineticEnergy, Motion, Nt, Response, Work, Xy};
 
@@ -16,22 +16,22 @@ pub struct Equation<T> {
 pub struct Equations<T>(Vec<Equation<T>>);
 
 impl<T> Equations<T> {
-    /// None yet.
+    /// Creates an empty list.
     pub fn new() -> Self {
         Equations(Vec::new())
     }
 
-    /// Demands that two numbers are equal, or two vectors, motions, works in each component.
+    /// Requires two numbers to be equal, or two vectors, motions or works in each component.
     pub fn equal<P: Parts<T>>(&mut self, left: P, right: P) {
         self.0.extend(left.parts().into_iter().zip(right.parts()).map(|(left, right)| Equation { left, right }));
     }
 
-    /// How many there are.
+    /// Returns the number of equations.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Each of them.
+    /// Returns an iterator over the equations.
     pub fn iter(&self) -> impl Iterator<Item = &Equation<T>> {
         self.0.iter()
     }
@@ -45,9 +45,9 @@ impl<T> IntoIterator for Equations<T> {
     }
 }
 
-/// What is made of numbers, always of as many.
+/// A value composed of a fixed number of numbers.
 pub trait Parts<T> {
-    /// Its numbers, in a fixed order.
+    /// Returns its numbers, in a fixed order.
     fn parts(self) -> Vec<T>;
 }
 

@@ -1,51 +1,51 @@
-//! Free variables, and what is made of them: everything that an identity holds for all of.
+//! Free variables, and values composed of them: an identity holds for all their values.
 
 use planar_impact::{
     Body, Collision, Contact, CrushPlane, Field, ForwardLeft, Heading, ImpulseRatio, Law, Moment, Motion, Nt, Party, Vehicle, Xy,
 };
 
-/// A source of free variables. Where they come from decides what is computed: random residues, random fractions, or the sizes of polynomials.
+/// A source of free variables. It determines what is computed: random residues, random fractions, or the sizes of polynomials.
 pub struct Free<'a, T> {
     next: &'a mut dyn FnMut() -> T,
 }
 
 impl<'a, T: Field> Free<'a, T> {
-    /// Of whatever answers with the next variable.
+    /// Creates a source from a function that returns the next variable.
     pub fn new(next: &'a mut dyn FnMut() -> T) -> Self {
         Free { next }
     }
 
-    /// One more variable.
+    /// Returns one more variable.
     pub fn variable(&mut self) -> T {
         (self.next)()
     }
 
-    /// A vector on the ground.
+    /// Returns a vector in ground axes.
     pub fn xy(&mut self) -> Xy<T> {
         Xy { x: self.variable(), y: self.variable() }
     }
 
-    /// A vector in the axes of the contact.
+    /// Returns a vector in n-t axes.
     pub fn nt(&mut self) -> Nt<T> {
         Nt { n: self.variable(), t: self.variable() }
     }
 
-    /// A vector in the axes of a vehicle.
+    /// Returns a vector in vehicle axes.
     pub fn forward_left(&mut self) -> ForwardLeft<T> {
         ForwardLeft { forward: self.variable(), left: self.variable() }
     }
 
-    /// A direction, by the tangent of half its angle.
+    /// Returns a direction, from the tangent of half its angle.
     pub fn heading(&mut self) -> Heading<T> {
         Heading::from_half_tangent(self.variable())
     }
 
-    /// A crush plane, by the tangent of half of Γ.
+    /// Returns a crush plane, from the tangent of half of Γ.
     pub fn crush_plane(&mut self) -> CrushPlane<T> {
         CrushPlane::from_half_tangent(self.variable())
     }
 
-    /// A vehicle of which everything is free.
+    /// Returns a vehicle with all numbers free.
     pub fn vehicle(&mut self) -> Vehicle<T> {
         Vehicle {
             mass: self.variable(),
@@ -56,7 +56,7 @@ impl<'a, T: Field> Free<'a, T> {
         }
     }
 
-    /// A body in the axes of the contact of which everything is free.
+    /// Returns a body in n-t axes with all numbers free.
     pub fn body(&mut self) -> Body<T> {
         Body {
             inverse_mass: self.variable(),
@@ -67,23 +67,23 @@ impl<'a, T: Field> Free<'a, T> {
         }
     }
 
-    /// Two free bodies in contact.
+    /// Returns two free bodies in contact.
     pub fn contact(&mut self) -> Contact<T> {
         Contact::between(self.body(), self.body())
     }
 
-    /// Two free vehicles, any Γ and any e.
+    /// Returns a collision of two free vehicles, any Γ and any e.
     pub fn collision(&mut self) -> Collision<T> {
         let two = self.vehicle().into();
         self.collision_with(two)
     }
 
-    /// A free vehicle and a barrier, any Γ and any e.
+    /// Returns a collision of a free vehicle and a barrier, any Γ and any e.
     pub fn barrier_collision(&mut self) -> Collision<T> {
         self.collision_with(Party::Barrier)
     }
 
-    /// One collision of each kind.
+    /// Returns one collision of each kind.
     pub fn collisions(&mut self) -> [Collision<T>; 2] {
         [self.collision(), self.barrier_collision()]
     }

@@ -1,7 +1,8 @@
 //! The identities, by subject.
 //!
-//! An identity is a function that is written once over any field: it takes free variables and says which numbers must be equal. What it is computed on
-//! decides what is learned from it. Each file begins with the list of its identities.
+//! An identity is a function written once over any field: it takes free variables and returns the numbers that must
+//! be equal. The arithmetic on which it is evaluated determines what it shows. Each file begins with the list of its
+//! identities.
 
 mod compliance;
 mod crash3;
@@ -21,33 +22,33 @@ use crate::equation::Equations;
 use crate::free::Free;
 use crate::scalar::{Rational, Residues, Size};
 
-/// What an identity demands over one kind of number.
+/// An identity over one kind of number.
 pub(crate) type Form<T> = fn(&mut Free<'_, T>) -> Equations<T>;
 
 /// An identity of the model.
 #[derive(Clone, Copy, Debug)]
 pub struct Identity {
-    /// What it says, in a few words.
+    /// The identity, in a few words.
     pub name: &'static str,
-    /// What it says, in letters.
+    /// The identity, in symbols.
     pub statement: &'static str,
-    /// The numbers of the paper's equations that it is about, empty if there are none.
+    /// The numbers of the paper's equations that it covers; empty if there are none.
     pub equations: &'static str,
     pub(crate) size: Form<Size>,
     pub(crate) residues: Form<Residues>,
     pub(crate) rational: Form<Rational>,
 }
 
-/// The identities about one subject.
+/// The identities of one subject.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// What they are about.
+    /// The subject.
     pub name: &'static str,
-    /// Each of them.
+    /// The identities.
     pub identities: Vec<Identity>,
 }
 
-/// An identity from a function that is generic over the field, with the paper's numbers if it has any.
+/// Creates an identity from a function that is generic over the field, with the paper's equation numbers if it has any.
 macro_rules! identity {
     ($function:ident, $name:literal, $statement:literal) => {
         $crate::identity::identity!($function, $name, $statement, "")
@@ -65,7 +66,7 @@ macro_rules! identity {
 }
 pub(crate) use identity;
 
-/// All of them, in the order of the argument.
+/// Returns all subjects, in the order of the argument.
 pub fn subjects() -> Vec<Subject> {
     vec![
         Subject { name: "Frames", identities: frame::all() },

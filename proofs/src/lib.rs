@@ -19,21 +19,21 @@ pub use misprint::{Finding, Input, Misprint};
 pub use proof::{Arithmetic, ERROR_BITS, FRACTIONS, Proof, REDRAWS, Verdict};
 pub use report::{Problem, Proofs, Report, TOTAL_ERROR_BITS};
 
-/// The seed of [`run`]. Any other does as well; a fixed one makes a run repeatable.
+/// The seed of [`run`]. Any other is just as good; a fixed one makes a run repeatable.
 pub const SEED: u64 = 1;
 
-/// Proves every identity, draws the conclusions, and shows every misprint.
+/// Proves every identity, draws the conclusions, and demonstrates every misprint.
 pub fn run() -> Report {
     run_from(SEED)
 }
 
-/// The same at other points.
+/// Runs the proofs with points drawn from another seed.
 pub fn run_from(seed: u64) -> Report {
     let mut streams = 0..;
     let mut next_streams = |count: usize| streams.by_ref().take(count).collect::<Vec<u64>>();
     let (subjects, choices) = std::thread::scope(|scope| {
         let choices = scope.spawn(|| choice::all(seed));
-        // A thread for each subject. Its points are those of its streams, whichever ends first.
+        // One thread per subject. Its points depend only on its streams, not on the order in which threads finish.
         let subjects: Vec<_> = identity::subjects()
             .into_iter()
             .map(|subject| {

@@ -1,7 +1,7 @@
-//! What is wrong in print, each by one collision in exact fractions.
+//! Errors in print, each demonstrated by one collision in exact fractions.
 //!
-//! Both forms are computed: the printed one breaks a law of mechanics, the form used keeps it. A value that the two have in common shows nothing, and the run
-//! fails.
+//! Both forms are computed: the printed one violates a law of mechanics, the form used satisfies it. A quantity equal
+//! in both forms demonstrates nothing, and makes the run fail.
 
 mod equations;
 mod motions;
@@ -9,65 +9,65 @@ mod statements;
 
 use num_rational::BigRational;
 
-/// An equation or a statement that is wrong as printed, and a collision that shows it.
+/// An equation or a statement that is wrong as printed, and a collision that demonstrates it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misprint {
-    /// Where it stands.
+    /// Its place in the paper.
     pub place: &'static str,
-    /// What it says.
+    /// The printed form.
     pub stated: &'static str,
-    /// What holds.
+    /// The correct form.
     pub holds: &'static str,
-    /// The law that this breaks.
+    /// The law that the printed form violates.
     pub breaks: &'static str,
     /// All inputs of the collision.
     pub inputs: Vec<Input>,
-    /// What comes of them.
+    /// Results computed from the inputs.
     pub findings: Vec<Finding>,
 }
 
 /// A given number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
-    /// Its letter.
+    /// Its symbol.
     pub name: &'static str,
     /// Its value.
     pub value: BigRational,
 }
 
-/// A quantity, as it is stated and as it is.
+/// A quantity, as stated and as correct.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// What is computed.
+    /// The quantity.
     pub quantity: &'static str,
-    /// What comes of the form as stated, or what is said of it.
+    /// The result of the stated form, or a statement about the quantity.
     pub stated: String,
-    /// What the motions before and after the impact say.
+    /// The result from the motions before and after the impact.
     pub holds: String,
-    /// Whether the two differ, and the right form has what holds.
+    /// `true` if the two differ, and the correct form gives the second.
     pub shows: bool,
 }
 
 impl Misprint {
-    /// Whether every quantity shows it.
+    /// Returns `true` if every quantity demonstrates it.
     pub fn is_shown(&self) -> bool {
         !self.findings.is_empty() && self.findings.iter().all(|finding| finding.shows)
     }
 }
 
 impl Finding {
-    /// A quantity by the form as stated, by the right one, and by the motions, which must agree with the right one alone.
+    /// Compares the stated form and the correct form of a quantity with the motions, which must agree only with the correct form.
     fn values(quantity: &'static str, stated: BigRational, right: &BigRational, demanded: &BigRational) -> Self {
         Finding { quantity, shows: stated != *demanded && right == demanded, stated: stated.to_string(), holds: demanded.to_string() }
     }
 
-    /// A quantity of which something is said, and whether what is found shows what it has to.
+    /// Compares a statement about a quantity with the computed value; `shows` is `true` if that demonstrates the misprint.
     fn says(quantity: &'static str, stated: &str, found: &BigRational, shows: bool) -> Self {
         Finding { quantity, stated: stated.to_owned(), holds: found.to_string(), shows }
     }
 }
 
-/// All of them, in the order of the paper.
+/// Returns all misprints, in the order of the paper.
 pub fn all() -> Vec<Misprint> {
     [equations::all(), statements::all()].into_iter().flatten().collect()
 }

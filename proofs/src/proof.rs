@@ -1,15 +1,18 @@
-//! From an identity to a proof: the bound on its degree, the points, and the probability of error.
+//! Proves an identity: the bound on its degree, the points, and the probability of error.
 //!
 //! # The argument
 //!
-//! An equation of an identity says that left − right is zero, a rational function N/D of the free variables with integer coefficients. Suppose it were
-//! false: N is not the polynomial zero. Its degree is at most d, and each of its coefficients is smaller than the product of [`PRIMES`](crate::scalar::PRIMES); both bounds come from running
-//! the same code on [`Size`]. So one of the primes, p, does not divide one of the coefficients, and N is not zero modulo p. By the lemma of Schwartz and
-//! Zippel N vanishes at a point drawn uniformly modulo p with a probability of at most d/p.
+//! An equation of an identity states that left − right is zero, a rational function N/D of the free variables with
+//! integer coefficients. Suppose it is false: then N is not the zero polynomial. Its degree is at most d, and each of
+//! its coefficients is smaller than the product of [`PRIMES`](crate::scalar::PRIMES); both bounds are found by
+//! running the same code on [`Size`]. So one of the primes, p, does not divide one of the coefficients, and N is not
+//! zero modulo p. By the lemma of Schwartz and Zippel, N is zero at a point drawn uniformly modulo p with a
+//! probability of at most d/p.
 //!
-//! A point at which a divisor vanishes says nothing and is drawn again, at most [`REDRAWS`] times. To pass with n points a false identity needs n zeros of N among
-//! the first n + [`REDRAWS`] points, which has a probability of at most C(n + [`REDRAWS`], n) (d/p)ⁿ. The number n is the least that brings this below 2⁻¹¹⁰, so that
-//! the probability that any one of up to a thousand identities is false stays below 2⁻¹⁰⁰.
+//! A point at which a divisor is zero gives no information and is drawn again, at most [`REDRAWS`] times. To pass
+//! with n points, a false identity needs n zeros of N among the first n + [`REDRAWS`] points, which has a probability
+//! of at most C(n + [`REDRAWS`], n) (d/p)ⁿ. The number n is the smallest for which this is below 2⁻¹¹⁰, so that the
+//! probability that any one of up to a thousand identities is false stays below 2⁻¹⁰⁰.
 
 use std::fmt;
 
@@ -24,61 +27,61 @@ use crate::free::Free;
 use crate::identity::{Form, Identity};
 use crate::scalar::{Extent, Lanes, PRIMES, Partial, Rational, Residues, Ring, Size};
 
-/// A proof needs a probability of error of at most 2 to the minus this.
+/// A proof requires a probability of error of at most 2 to the power of minus this.
 pub const ERROR_BITS: u64 = 110;
 
-/// How often a point may be drawn again because something is divided by zero there.
+/// Maximum number of points that may be redrawn because of a division by zero.
 pub const REDRAWS: u64 = 2;
 
-/// How many points in exact fractions an identity is tried at besides.
+/// Number of additional points in exact fractions at which an identity is evaluated.
 pub const FRACTIONS: u64 = 20;
 
-/// Fractions are small and meet zero divisors often; so many of them may be drawn again.
+/// Maximum number of redrawn points in fractions, which are small and often cause divisions by zero.
 const FRACTION_REDRAWS: u64 = 200;
 
-/// An identity, and how it was established.
+/// An identity, and the evidence for it.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// The identity.
     pub identity: Identity,
-    /// What is not less than the degree of any of its equations, cleared of fractions.
+    /// An upper bound on the degree of its equations, cleared of fractions.
     pub degree: u64,
-    /// So many bits suffice for each coefficient of them.
+    /// Number of bits that suffice for each of their coefficients.
     pub coefficient_bits: u64,
-    /// How many points it was tried at modulo each prime.
+    /// Number of points at which it was evaluated modulo each prime.
     pub points: u64,
-    /// How many of these had to be drawn again.
+    /// Number of points that had to be redrawn.
     pub redrawn: u64,
-    /// How many points it was tried at in exact fractions.
+    /// Number of points at which it was evaluated in exact fractions.
     pub fractions: u64,
-    /// If it were false, it would have passed with a probability of at most 2 to the minus this.
+    /// A false identity would pass with a probability of at most 2 to the power of minus this.
     pub error_bits: u64,
-    /// What came of it.
+    /// The verdict.
     pub verdict: Verdict,
 }
 
-/// What came of an attempt to prove an identity.
+/// Result of an attempt to prove an identity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// It holds, but for the probability of error.
+    /// It holds, except for the probability of error.
     Holds,
-    /// It is false: at a point one of its equations was seen to fail.
+    /// It is false: one of its equations fails at a point.
     False {
-        /// The arithmetic that showed it.
+        /// The arithmetic in which it fails.
         by: Arithmetic,
-        /// The place of the equation among those of the identity, from 1.
+        /// The number of the equation within the identity, counted from 1.
         equation: usize,
     },
-    /// It demands nothing.
+    /// It contains no equation.
     Empty,
     /// Its coefficients may be larger than the product of the primes.
     TooLarge,
-    /// Something was divided by zero at too many points.
+    /// A division by zero occurred at too many points.
     Undefined(Arithmetic),
 }
 
-/// The numbers that an identity is tried on.
+/// The numbers on which an identity is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Residues modulo the primes.
@@ -109,7 +112,7 @@ impl fmt::Display for Arithmetic {
 }
 
 impl Proof {
-    /// Tries an identity. `stream` sets its points apart from those of the others.
+    /// Evaluates an identity. `stream` separates its points from those of the others.
     pub(crate) fn of(identity: Identity, seed: u64, stream: u64) -> Self {
         let equations = (identity.size)(&mut Free::new(&mut Size::variable));
         let count = equations.len();
@@ -139,7 +142,7 @@ impl Proof {
         proof
     }
 
-    /// Whether it holds, with a probability of error that is small enough.
+    /// Returns `true` if it holds with a sufficiently small probability of error.
     pub fn holds(&self) -> bool {
         self.verdict == Verdict::Holds && self.error_bits >= ERROR_BITS
     }
@@ -155,16 +158,16 @@ impl Proof {
     }
 }
 
-/// A small fraction.
+/// Draws a small fraction.
 pub(crate) fn fraction(rng: &mut ChaCha20Rng) -> Rational {
     let (numerator, denominator): (i32, i32) = (rng.random_range(-9..=9), rng.random_range(1..=3));
     Rational::defined(BigRational::new(numerator.into(), denominator.into()))
 }
 
-/// The binary logarithm, rounded down, of 1/(C(n + r, n) (d/p)ⁿ) with p the smallest prime.
+/// Returns the binary logarithm, rounded down, of 1/(C(n + r, n) (d/p)ⁿ), where p is the smallest prime.
 fn error_bits(degree: u64, points: u64) -> u64 {
     let smallest = PRIMES.into_iter().min().expect("there are primes");
-    // A polynomial of degree zero has no zeros but if it is zero; counting it as of degree 1 only makes the bound larger.
+    // A polynomial of degree zero has no zeros unless it is zero; treating it as of degree 1 only increases the bound.
     let degree = degree.max(1);
     let choices: BigUint = (1..=REDRAWS).fold(BigUint::one(), |choices, r| choices * (points + r) / r);
     let exponent = u32::try_from(points).expect("a few points");
@@ -172,20 +175,20 @@ fn error_bits(degree: u64, points: u64) -> u64 {
     ratio.bits().saturating_sub(1)
 }
 
-/// The least number of points that brings the probability of error below its limit.
+/// Returns the smallest number of points for which the probability of error is below its limit.
 fn points_for(degree: u64) -> u64 {
     let enough = (2..100).find(|&points| error_bits(degree, points) >= ERROR_BITS);
-    // Only a degree of nearly the primes themselves would need more, and its proof fails.
+    // Only a degree close to the primes themselves would need more, and its proof fails.
     enough.unwrap_or(100)
 }
 
-/// How often an equation is to be tried.
+/// Number of points of a trial, and how many may be redrawn.
 pub(crate) struct Trial {
     pub(crate) points: u64,
     pub(crate) redraws: u64,
 }
 
-/// Why a trial failed.
+/// Reason why a trial failed.
 enum Failure {
     Differs { equation: usize },
     Undefined,
@@ -201,12 +204,12 @@ impl Failure {
 }
 
 impl Trial {
-    /// What comes of trying an identity in fractions.
+    /// Returns the verdict of evaluating an identity in fractions.
     pub(crate) fn verdict(&self, form: Form<Rational>, draw: impl FnMut() -> Rational) -> Verdict {
         self.of(form, draw).map_or_else(|failure| failure.verdict(Arithmetic::Fractions), |_| Verdict::Holds)
     }
 
-    /// Tries an identity at its points, and answers how many had to be drawn again.
+    /// Evaluates an identity at its points, and returns the number of redrawn points.
     fn of<T: Ring + PartialEq>(&self, form: Form<Partial<T>>, mut draw: impl FnMut() -> Partial<T>) -> Result<u64, Failure> {
         let (mut passed, mut redrawn) = (0, 0);
         while passed < self.points {
@@ -254,7 +257,7 @@ mod tests {
     fn a_true_identity_is_proven_with_its_degree() {
         let proof = Proof::of(identity!(square_of_a_sum, "(a + b)²", "a² + 2ab + b²"), 1, 0);
         assert!(proof.holds(), "{proof:?}");
-        // 1 + 2 + 1 on the left, and as much on the right.
+        // 1 + 2 + 1 on the left, and the same on the right.
         assert_eq!((proof.degree, proof.coefficient_bits, proof.redrawn), (2, 4, 0));
     }
 
@@ -269,7 +272,7 @@ mod tests {
 
     #[test]
     fn the_error_is_that_of_the_lemma() {
-        // (2⁶¹ − 283)²/6 = 2^119.4 at degree 1; of degree 2³⁰ a point gains 31 bits but for the C(n + 2, 2) choices.
+        // (2⁶¹ − 283)²/6 = 2^119.4 at degree 1; at degree 2³⁰ each point contributes 31 bits, minus the C(n + 2, 2) choices.
         assert_eq!(error_bits(1, 2), 119);
         assert_eq!(error_bits(0, 2), 119);
         assert_eq!(error_bits(1 << 30, 4), 4 * 31 - 4);

@@ -1,4 +1,4 @@
-//! What a run found, and whether it holds.
+//! The findings of a run, and whether they all hold.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -13,59 +13,59 @@ use crate::identity::Subject;
 use crate::misprint::Misprint;
 use crate::proof::{Proof, Verdict};
 
-/// The probability that any identity of a run is false must be below 2 to the minus this.
+/// The probability that any identity of a run is false must be below 2 to the power of minus this.
 pub const TOTAL_ERROR_BITS: u64 = 100;
 
 /// Everything that a run found.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The seed that all points were drawn from.
+    /// The seed from which all points were drawn.
     pub seed: u64,
     /// The identities, by subject.
     pub subjects: Vec<Proofs>,
-    /// What follows from them.
+    /// The conclusions from them.
     pub conclusions: Vec<Conclusion>,
-    /// What is tried at points and not proven, because it compares.
+    /// Choices tested at points instead of proven, because they compare numbers.
     pub choices: Vec<Choice>,
-    /// What is wrong in print.
+    /// The errors in print.
     pub misprints: Vec<Misprint>,
-    /// What must not be proven.
+    /// The false identities that must not be proven.
     pub controls: Vec<Control>,
 }
 
-/// The proofs about one subject.
+/// The proofs of one subject.
 #[derive(Clone, Debug)]
 pub struct Proofs {
-    /// What they are about.
+    /// The subject.
     pub name: &'static str,
-    /// Each of them.
+    /// The proofs.
     pub proofs: Vec<Proof>,
 }
 
-/// Why a report does not hold.
+/// Reason why a report does not hold.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Problem {
     /// An identity is not proven.
     Identity(Proof),
-    /// Two identities have one name.
+    /// Two identities have the same name.
     Name(&'static str),
     /// A conclusion lacks a premise.
     Conclusion(&'static str),
-    /// The code chooses otherwise.
+    /// The code does not make the required choice.
     Choice(Choice),
-    /// A misprint is not shown.
+    /// A misprint is not demonstrated.
     Misprint(&'static str),
-    /// A false identity was not told.
+    /// A false identity was not detected.
     Control(Control),
-    /// The probabilities of error add up to too much: 2 to the minus this.
+    /// The probabilities of error add up to more than allowed: 2 to the power of minus this.
     Error(u64),
     /// A part of the report is empty.
     Nothing,
 }
 
 impl Proofs {
-    /// Tries the identities of a subject, each at the points of its stream.
+    /// Evaluates the identities of a subject, each at the points of its stream.
     pub(crate) fn of(subject: Subject, seed: u64, streams: &[u64]) -> Self {
         let identities = subject.identities.into_iter().zip(streams);
         Proofs { name: subject.name, proofs: identities.map(|(identity, &stream)| Proof::of(identity, seed, stream)).collect() }
@@ -73,17 +73,17 @@ impl Proofs {
 }
 
 impl Report {
-    /// Every proof of every subject.
+    /// Returns every proof of every subject.
     pub fn proofs(&self) -> impl Iterator<Item = &Proof> {
         self.subjects.iter().flat_map(|subject| &subject.proofs)
     }
 
-    /// Whether all of it holds.
+    /// Returns `true` if everything holds.
     pub fn holds(&self) -> bool {
         self.problems().is_empty()
     }
 
-    /// Why it does not hold; empty if it does.
+    /// Returns the reasons why it does not hold; empty if it does.
     pub fn problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
         let mut names = HashSet::new();
@@ -99,7 +99,7 @@ impl Report {
             .extend(self.conclusions.iter().filter(|conclusion| !conclusion.holds).map(|conclusion| Problem::Conclusion(conclusion.name)));
         problems.extend(self.choices.iter().filter(|choice| !choice.holds()).cloned().map(Problem::Choice));
         problems.extend(self.misprints.iter().filter(|misprint| !misprint.is_shown()).map(|misprint| Problem::Misprint(misprint.place)));
-        problems.extend(self.controls.iter().filter(|control| !control.is_told()).cloned().map(Problem::Control));
+        problems.extend(self.controls.iter().filter(|control| !control.is_detected()).cloned().map(Problem::Control));
         if self.error_bits() <= TOTAL_ERROR_BITS {
             problems.push(Problem::Error(self.error_bits()));
         }
@@ -110,21 +110,22 @@ impl Report {
         problems
     }
 
-    /// The probability that any of the identities is false, and passed, is at most 2 to the minus this: the sum of their probabilities of error.
+    /// Returns the exponent of the total error: the probability that any identity is false and passed is at most 2 to
+    /// the power of minus this, the sum of their probabilities of error.
     pub fn error_bits(&self) -> u64 {
         let largest = self.proofs().map(|proof| proof.error_bits).max().unwrap_or(0);
         let sum: BigUint = self.proofs().map(|proof| BigUint::one() << (largest - proof.error_bits)).sum();
-        // A sum of at most 2ᵏ, rounded up to a power of two.
+        // The sum is at most 2ᵏ, rounded up to a power of two.
         let rounded_up = if sum.is_zero() { 0 } else { (sum - 1_u8).bits() };
         largest.saturating_sub(rounded_up)
     }
 
-    /// The outcome in one line.
+    /// Returns the outcome in one line.
     pub fn summary(&self) -> String {
         let proven = self.proofs().filter(|proof| proof.holds()).count();
         let concluded = self.conclusions.iter().filter(|conclusion| conclusion.holds).count();
         let shown = self.misprints.iter().filter(|misprint| misprint.is_shown()).count();
-        let told = self.controls.iter().filter(|control| control.is_told()).count();
+        let told = self.controls.iter().filter(|control| control.is_detected()).count();
         let outcome = if self.holds() { "all of it holds" } else { "NOT all of it holds" };
         format!(
             "{proven} of {} identities proven, with an error of at most 2^-{} for all of them together; {concluded} of {} conclusions; {} choices tried; {shown} of {} misprints \

@@ -1,13 +1,13 @@
-//! The numbers that the mechanics are put through.
+//! The scalar types on which the mechanics is evaluated.
 //!
-//! | number | what it is for |
+//! | type | purpose |
 //! |---|---|
-//! | [`Residues`] | the value of an expression modulo six primes at once: this is what proves |
-//! | [`Size`] | how large the polynomials behind that value can be: this is what says how surely |
-//! | [`Rational`] | the value in exact fractions, by other arithmetic than the first: a cross-check |
+//! | [`Residues`] | the value of an expression modulo six primes at once: the basis of the proofs |
+//! | [`Size`] | bounds on the polynomials behind that value: the basis of the error probability |
+//! | [`Rational`] | the value in exact fractions, by independent arithmetic: a cross-check |
 //! | [`Dual`] | a value and its derivative, over any of these |
 //!
-//! Residues, sizes and duals are not [`Ordered`](planar_impact::Ordered), so the compiler lets no code that compares or selects take part:
+//! Residues, sizes and duals are not [`Ordered`](planar_impact::Ordered), so the compiler rejects code that compares or selects:
 //!
 //! ```compile_fail,E0277
 //! use planar_impact_proofs::scalar::Residues;

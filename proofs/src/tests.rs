@@ -1,4 +1,6 @@
-//! The run, and runs that must not hold.
+//! Tests of the run, and of runs that must not hold.
+
+mod laws;
 
 use std::sync::OnceLock;
 

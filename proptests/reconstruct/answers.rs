@@ -1,4 +1,4 @@
-//! What an answer carries: uncertainty, influence, weights.
+//! The contents of an answer: uncertainty, influence, weights.
 
 use planar_impact::reconstruct::*;
 use planar_impact::*;
@@ -8,24 +8,24 @@ use super::scene::{Source, Truth, asking, deviation};
 
 const CASES: usize = 200;
 
-/// Five unknowns, of which one has a prior.
+/// Four unknowns without prior; a fifth one has a prior.
 const UNKNOWNS: [Variable; 4] =
     [Variable::Speed(Side::One), Variable::Speed(Side::Two), Variable::Input(Input::Restitution), Variable::Input(Input::CrushPlane)];
 
-const EVIDENCE: [Measurable; 7] = [
-    Measurable::CrushEnergy,
-    Measurable::Output(Output::VelocityX(Side::One)),
-    Measurable::Output(Output::VelocityY(Side::One)),
-    Measurable::Output(Output::YawRate(Side::One)),
-    Measurable::SeparationDirection(Side::Two),
-    Measurable::DeltaVForward(Side::Two),
-    Measurable::Output(Output::PrincipalDirectionOfForce(Side::One)),
+const EVIDENCE: [Measurand; 7] = [
+    Measurand::CrushEnergy,
+    Measurand::Output(Output::VelocityX(Side::One)),
+    Measurand::Output(Output::VelocityY(Side::One)),
+    Measurand::Output(Output::YawRate(Side::One)),
+    Measurand::SeparationDirection(Side::Two),
+    Measurand::DeltaVForward(Side::Two),
+    Measurand::Output(Output::PrincipalDirectionOfForce(Side::One)),
 ];
 
-/// A question with noise in its evidence.
-fn noisy(source: &mut Source) -> (Truth, Reconstruction) {
+/// Returns a question with noisy evidence.
+fn noisy(source: &mut Source) -> (Truth, ReconstructionProblem) {
     let truth = Truth::of(source.collision(), 0.5);
-    let mut question = Reconstruction::of(truth.collision);
+    let mut question = ReconstructionProblem::of(truth.collision);
     for variable in UNKNOWNS {
         question = asking(question, variable, truth.variable(variable), source);
     }
@@ -82,7 +82,7 @@ fn the_covariance_is_what_the_errors_of_the_evidence_make() {
         let Ok(answer) = question.solve(&ONE_START) else { continue };
         let best = answer.best();
         let errors: Vec<f64> = best.evidence.iter().chain(&best.priors).map(|fitted| fitted.sd.expect("each has one")).collect();
-        // At a fold the covariance is larger than that.
+        // At a fold the covariance is larger than this.
         let variance = |i: usize| (0..errors.len()).map(|piece| (best.influence[i][piece] * errors[piece]).powi(2)).sum::<f64>();
         if (0..best.unknowns.len()).any(|i| best.covariance.get(i, i) > 2.0 * variance(i)) {
             continue;
@@ -99,7 +99,7 @@ fn the_covariance_is_what_the_errors_of_the_evidence_make() {
             }
         }
     }
-    // From one start a few end nowhere.
+    // A few searches from one start do not converge.
     assert!(10 * answered >= 9 * (CASES), "{answered}");
 }
 
@@ -121,7 +121,7 @@ fn the_order_of_the_question_does_not_matter_and_its_answer_is_the_same_to_the_b
             assert!((unknown.value - other.value).abs() < 1e-7, "{} {}", unknown.value, other.value);
         }
     }
-    // From one start a few end nowhere.
+    // A few searches from one start do not converge.
     assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
@@ -142,7 +142,7 @@ fn correlated_evidence_counts_by_the_inverse_of_its_covariance() {
         let rest: f64 = (0..z.len()).filter(|i| ![1, 2].contains(i)).map(|i| z[i] * z[i]).sum();
         assert!((best.chi_square - pair - rest).abs() < 1e-9 * (1.0 + best.chi_square), "{} {}", best.chi_square, pair + rest);
     }
-    // From one start a few end nowhere.
+    // A few searches from one start do not converge.
     assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
@@ -158,7 +158,7 @@ fn what_is_exact_is_met_and_adds_no_uncertainty() {
         let best = answer.best();
         assert!(best.evidence[0].residual.abs() < 1e-4 * best.evidence[0].given && best.evidence[0].standardised_residual().is_none());
         let exact = best.unknowns[0].sd;
-        // The limit of an ever smaller deviation.
+        // The limit of a decreasing standard deviation.
         question.evidence[0].uncertainty = Uncertainty::StandardDeviation(1e-6 * question.evidence[0].value);
         let near = question.solve(&ONE_START).expect("it is nearly the same question");
         assert!((near.best().unknowns[0].value - best.unknowns[0].value).abs() < 1e-5);
@@ -166,16 +166,19 @@ fn what_is_exact_is_met_and_adds_no_uncertainty() {
             assert!((exact - near).abs() < 1e-4, "{exact} {near}");
         }
     }
-    // From one start a few end nowhere.
+    // A few searches from one start do not converge.
     assert!(10 * answered >= 9 * (CASES / 4), "{answered}");
 }
 
 #[test]
 fn evidence_that_has_no_deviation_at_all_gives_none_to_the_answer() {
     let truth = Truth::of(Source::of(26).collision(), 0.5);
-    let of = Measurable::CrushEnergy;
-    let question =
-        Reconstruction::of(truth.collision).unknown(Variable::Speed(Side::One), 12.0).evidence(of, truth.measured(of), Uncertainty::Exact);
+    let of = Measurand::CrushEnergy;
+    let question = ReconstructionProblem::of(truth.collision).unknown(Variable::Speed(Side::One), 12.0).evidence(
+        of,
+        truth.measured(of),
+        Uncertainty::Exact,
+    );
     let answer = question.solve(&Search::default()).expect("it has an answer");
     assert_eq!(answer.best().unknowns[0].sd, None);
 }
@@ -183,16 +186,16 @@ fn evidence_that_has_no_deviation_at_all_gives_none_to_the_answer() {
 #[test]
 fn a_prior_is_evidence_of_the_unknown_itself_and_a_resolution_a_deviation() {
     let truth = Truth::of(Source::of(27).collision(), 0.5);
-    let (of, speed) = (Measurable::CrushEnergy, Variable::Speed(Side::One));
-    let base = Reconstruction::of(truth.collision).evidence(of, 1.1 * truth.measured(of), Uncertainty::StandardDeviation(4e3));
+    let (of, speed) = (Measurand::CrushEnergy, Variable::Speed(Side::One));
+    let base = ReconstructionProblem::of(truth.collision).evidence(of, 1.1 * truth.measured(of), Uncertainty::StandardDeviation(4e3));
     let with_prior = base.clone().prior(speed, 14.0, 2.0).solve(&ONE_START).expect("it has an answer");
-    let as_evidence = base.clone().unknown(speed, 14.0).evidence(Measurable::Variable(speed), 14.0, Uncertainty::StandardDeviation(2.0));
+    let as_evidence = base.clone().unknown(speed, 14.0).evidence(Measurand::Variable(speed), 14.0, Uncertainty::StandardDeviation(2.0));
     let as_evidence = as_evidence.solve(&ONE_START).expect("it has an answer");
     assert!((with_prior.best().unknowns[0].value - as_evidence.best().unknowns[0].value).abs() < 1e-9);
     assert!((with_prior.best().chi_square - as_evidence.best().chi_square).abs() < 1e-9);
     assert_eq!(with_prior.best().degrees_of_freedom, 1);
     let resolution =
-        base.clone().unknown(speed, 14.0).evidence(Measurable::Variable(speed), 14.0, Uncertainty::Resolution(2.0 * 12_f64.sqrt()));
+        base.clone().unknown(speed, 14.0).evidence(Measurand::Variable(speed), 14.0, Uncertainty::Resolution(2.0 * 12_f64.sqrt()));
     let resolution = resolution.solve(&ONE_START).expect("it has an answer");
     assert!((resolution.best().unknowns[0].value - as_evidence.best().unknowns[0].value).abs() < 1e-9);
 }
@@ -203,10 +206,10 @@ fn every_measurable_is_measured_as_by_hand() {
     for _ in 0..CASES / 4 {
         let share = source.between(0.1, 0.9);
         let truth = Truth::of(source.collision(), share);
-        let is_missing = |of: &Measurable| matches!(of, Measurable::Variable(Variable::Input(Input::Moment)));
-        for of in Measurable::all().filter(|of| !is_missing(of)) {
-            assert_eq!(Measurable::named(of.name()), Some(of), "{}", of.name());
-            let mut question = Reconstruction::of(truth.collision)
+        let is_missing = |of: &Measurand| matches!(of, Measurand::Variable(Variable::Input(Input::Moment)));
+        for of in Measurand::all().filter(|of| !is_missing(of)) {
+            assert_eq!(Measurand::named(of.name()), Some(of), "{}", of.name());
+            let mut question = ReconstructionProblem::of(truth.collision)
                 .prior(Variable::Speed(Side::One), truth.variable(Variable::Speed(Side::One)), 1e-3)
                 .evidence(of, truth.measured(of), Uncertainty::StandardDeviation(1.0));
             question.crush_share = Some(share);
@@ -223,8 +226,8 @@ fn angles_are_compared_the_shorter_way() {
     for _ in 0..CASES / 4 {
         let truth = Truth::of(source.collision(), 0.5);
         let turns = if source.0.random::<bool>() { 1.0 } else { -1.0 } * std::f64::consts::TAU;
-        let of = Measurable::SeparationDirection(Side::One);
-        let question = Reconstruction::of(truth.collision)
+        let of = Measurand::SeparationDirection(Side::One);
+        let question = ReconstructionProblem::of(truth.collision)
             .between(Variable::Speed(Side::One), truth.variable(Variable::Speed(Side::One)), 0.0, 60.0)
             .evidence(of, truth.measured(of) + turns, Uncertainty::StandardDeviation(0.02));
         let answer = question.solve(&ONE_START).expect("it starts at the truth");
@@ -236,10 +239,10 @@ fn angles_are_compared_the_shorter_way() {
 fn a_vehicle_that_drives_along_its_heading_turns_with_it() {
     let truth = Truth::of(Source::of(30).collision(), 0.5);
     let heading = Variable::Input(Input::Heading(Side::One));
-    let mut question = Reconstruction::of(truth.collision);
+    let mut question = ReconstructionProblem::of(truth.collision);
     question.drives_along_heading[0] = true;
     question = question.between(heading, 0.2, -0.5, 0.5);
-    for of in [Measurable::Output(Output::VelocityX(Side::One)), Measurable::Output(Output::VelocityY(Side::One))] {
+    for of in [Measurand::Output(Output::VelocityX(Side::One)), Measurand::Output(Output::VelocityY(Side::One))] {
         question = question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.3));
     }
     let answer = question.solve(&Search::default()).expect("it has an answer");

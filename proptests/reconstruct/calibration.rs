@@ -1,11 +1,12 @@
-//! Whether the uncertainty is right: simulation-based calibration (Talts and others 2018).
+//! Calibration of the uncertainty: simulation-based calibration (Talts and others 2018).
 //!
-//! A truth is drawn from the priors, evidence is simulated with its noise, and the truth is looked up in what the reconstruction says of each unknown: the probability
-//! below it must be uniform, and the interval of 95 % must contain it in 95 % of the cases.
+//! A truth is drawn from the priors, evidence is simulated with its noise, and the truth is compared with the
+//! distribution of each reconstructed unknown: the probability below it must be uniform, and the 95 % interval must
+//! contain it in 95 % of the cases.
 
 use std::thread;
 
-use planar_impact::reconstruct::{Measurable, Reconstruction, Search, Uncertainty, Variable};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
 use planar_impact::*;
 use rand::RngExt;
 use rand_distr::StandardNormal;
@@ -15,7 +16,7 @@ use super::scene::{Source, Truth};
 
 const REPLICATES: usize = 10_000;
 
-/// The unknowns and what is known of them beforehand: mean and standard deviation.
+/// The unknowns and their priors: mean and standard deviation.
 const PRIORS: [(Variable, f64, f64); 6] = [
     (Variable::Speed(Side::One), 18.0, 2.0),
     (Variable::Speed(Side::Two), 14.0, 2.0),
@@ -25,14 +26,14 @@ const PRIORS: [(Variable, f64, f64); 6] = [
     (Variable::Input(Input::YawRate(Side::Two)), 0.0, 0.2),
 ];
 
-/// The evidence and its standard deviation; of the crush energy as a share.
-const EVIDENCE: [(Measurable, f64); 6] = [
-    (Measurable::CrushEnergy, 0.08),
-    (Measurable::Output(Output::VelocityX(Side::One)), 0.5),
-    (Measurable::Output(Output::VelocityY(Side::One)), 0.5),
-    (Measurable::Output(Output::YawRate(Side::One)), 0.2),
-    (Measurable::SeparationDirection(Side::Two), 0.05),
-    (Measurable::Output(Output::DeltaVMagnitude(Side::Two)), 0.4),
+/// The evidence and its standard deviation; that of the crush energy is relative.
+const EVIDENCE: [(Measurand, f64); 6] = [
+    (Measurand::CrushEnergy, 0.08),
+    (Measurand::Output(Output::VelocityX(Side::One)), 0.5),
+    (Measurand::Output(Output::VelocityY(Side::One)), 0.5),
+    (Measurand::Output(Output::YawRate(Side::One)), 0.2),
+    (Measurand::SeparationDirection(Side::Two), 0.05),
+    (Measurand::Output(Output::DeltaVMagnitude(Side::Two)), 0.4),
 ];
 
 fn car(heading: f64, mass: f64) -> Vehicle {
@@ -57,7 +58,7 @@ fn crossing() -> Collision {
     }
 }
 
-/// Where the truth of each unknown lies in what is said of it: the probability below it.
+/// The position of the true value of each unknown in its distribution: the probability below it.
 struct Replicate([f64; PRIORS.len()]);
 
 fn replicate(source: &mut Source) -> Option<Replicate> {
@@ -66,13 +67,13 @@ fn replicate(source: &mut Source) -> Option<Replicate> {
     let collision = put(&truth);
     collision.solve().ok()?;
     let crash = Truth::of(collision, 0.5);
-    let mut question = Reconstruction::of(crossing());
+    let mut question = ReconstructionProblem::of(crossing());
     for (variable, mean, sd) in PRIORS {
         question = question.prior(variable, mean, sd);
     }
     for (measurable, sd) in EVIDENCE {
         let exact = crash.measured(measurable);
-        let sd = if measurable == Measurable::CrushEnergy { sd * 140e3 } else { sd };
+        let sd = if measurable == Measurand::CrushEnergy { sd * 140e3 } else { sd };
         question = question.evidence(measurable, exact + sd * normal(source), Uncertainty::StandardDeviation(sd));
     }
     let answer = question.solve(&Search { starts: 1, ..Search::default() }).ok()?;
@@ -84,7 +85,7 @@ fn replicate(source: &mut Source) -> Option<Replicate> {
     Some(Replicate(below))
 }
 
-/// The collision of given unknowns, put together by hand.
+/// Returns the collision of given unknowns, assembled by hand.
 fn put(values: &[f64; PRIORS.len()]) -> Collision {
     let [speed_1, speed_2, restitution, crush_plane, left, yaw_rate] = *values;
     let (mut one, mut two) = (car(0.0, 1300.0), car(2.3, 1700.0));
@@ -114,7 +115,7 @@ fn replicates() -> (Vec<Replicate>, usize) {
 fn ranks_are_uniform_and_intervals_cover() {
     const BINS: usize = 20;
     let (replicates, lost) = replicates();
-    // A truth that the mechanics refuses, or a fit that presses e against 0: they leave the rest as it is while they are few.
+    // Lost cases: the mechanics refuses the truth, or the fit is at the bound e = 0. A few of them do not affect the rest.
     assert!(lost * 1000 <= REPLICATES, "{lost} of {REPLICATES} have no answer");
     let count = replicates.len() as f64;
     let mut found = Vec::new();

@@ -1,8 +1,8 @@
-//! The formulas of the way back, against the way there.
+//! The closed form from rest position to separation, compared with the integrated slide.
 
 use num_dual::Dual64;
 use planar_impact::reconstruct::closed_form::*;
-use planar_impact::reconstruct::{Measurable, Reconstruction, Search, Uncertainty, Variable, Verdict};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable, Verdict};
 use planar_impact::*;
 
 use super::scene::{Source, Truth};
@@ -21,7 +21,7 @@ fn against_barrier(source: &mut Source) -> Collision {
     loop {
         let mut collision = Collision { two: Party::Barrier, impulse_ratio: ImpulseRatio::Critical, ..source.collision() };
         if let Party::Vehicle(car) = &mut collision.one {
-            // A crab angle: the car moves otherwise than it points.
+            // A crab angle: the car does not move along its heading.
             car.motion.velocity = Heading::from_angle(source.between(-0.6, 0.6)).to_ground(ForwardLeft { forward: 15.0, left: 0.0 });
         }
         if collision.solve().is_ok() {
@@ -47,22 +47,25 @@ fn a_barrier_with_a_known_crab_angle_gives_the_speed_back() {
 #[test]
 fn the_search_finds_what_the_formula_has() {
     let mut source = Source::of(12);
+    let mut searched = 0;
     for _ in 0..CASES {
         let collision = source.collision();
         let standing = with_motions(&collision, collision.one.vehicle().expect("a car").motion, Motion::rest());
         let Ok(impact) = standing.solve() else { continue };
+        searched += 1;
         let crush_energy = -impact.work.n * source.between(0.3, 3.0);
         let expected = at_crush_energy(&standing, crush_energy).one.vehicle().expect("a car").motion.velocity.length();
-        let question = Reconstruction::of(standing).between(Variable::Speed(Side::One), 10.0, 0.0, 100.0).evidence(
-            Measurable::CrushEnergy,
+        let question = ReconstructionProblem::of(standing).between(Variable::Speed(Side::One), 10.0, 0.0, 100.0).evidence(
+            Measurand::CrushEnergy,
             crush_energy,
             Uncertainty::Exact,
         );
         let answer = question.solve(&Search::default()).expect("it has an answer");
-        // The formula is the start, and the only one.
+        // The formula gives the start, and the only one.
         assert_eq!((answer.verdict, answer.searches), (Verdict::Agrees, 1));
         assert!((answer.best().unknowns[0].value - expected).abs() < 1e-11 * expected);
     }
+    assert!(2 * searched > CASES, "{searched}");
 }
 
 #[test]
@@ -116,7 +119,7 @@ fn known_motions_after_it_and_crush_energy_give_the_motions_before() {
     let mut source = Source::of(15);
     let mut tried = 0;
     for _ in 0..CASES {
-        // The case of the books: e = 0 and sliding ended, so that both move alike where they touch; and any other.
+        // The textbook case: e = 0 and sliding ended, so that both have a common velocity at the impact center; and any other case.
         let common = source.between(0.0, 1.0) < 0.5;
         let collision = source.collision();
         let collision = if common { collision.at_common_velocity() } else { collision };
@@ -134,7 +137,7 @@ fn known_motions_after_it_and_crush_energy_give_the_motions_before() {
             };
             let nearest = roots.iter().map(miss).fold(f64::INFINITY, f64::min);
             assert!(nearest < 1e-6, "{direction:?}: {nearest:e} in {collision:?}");
-            // Both roots end in the given motions, whether possible or not.
+            // Both roots lead to the given motions, whether possible or not.
             for root in roots {
                 let again = root.evaluate();
                 let off = (again.one.after.velocity - impact.one.after.velocity).length();
@@ -151,17 +154,17 @@ fn no_impulse_along_the_heading_of_a_barrier() {
     let mut source = Source::of(16);
     let collision = against_barrier(&mut source);
     assert_eq!(before_separation(&collision, 1e4, Direction::AlongHeading(Side::Two)), None);
-    // Less than nothing is kept by no push.
+    // No impulse has an energy below zero.
     assert_eq!(before_separation(&collision, -1e12, Direction::Ratio(0.0)), None);
 }
 
 #[test]
 fn the_formulas_carry_derivatives() {
-    // dv/dE = v/(2 E) of a speed that grows with the root of the energy.
+    // dv/dE = v/(2 E) for a speed proportional to the root of the energy.
     let mut source = Source::of(17);
     for _ in 0..100 {
         let truth = Truth::of(against_barrier(&mut source), 1.0);
-        let crush_energy = truth.measured(Measurable::CrushEnergy);
+        let crush_energy = truth.measured(Measurand::CrushEnergy);
         let energy = Dual64::new(crush_energy, 1.0);
         let back = at_crush_energy(&truth.collision.map(Dual64::from), energy);
         let speed = back.one.vehicle().expect("a car").motion.velocity.length();

@@ -1,18 +1,18 @@
-//! What a reconstruction is asked, and what is said of it.
+//! Diagnostics of a reconstruction, and their messages.
 
 use planar_impact::crush::{CrushLaw, CrushStiffness, ForceLine, Profile, StiffnessZones};
 use planar_impact::reconstruct::diagnosis::*;
-use planar_impact::reconstruct::{Evidence, Measurable, Reconstruction, Search, Solution, Uncertainty, Unknown, Variable};
+use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Unknown, Variable};
 use planar_impact::*;
 
 use super::scene::{Source, Truth};
 
-/// Reconstructs the speed of vehicle 1 from its own crush energy, with more evidence if there is any.
-fn solved(collision: Collision, more: &[(Measurable, f64)]) -> (Reconstruction, Solution) {
+/// Reconstructs the speed of vehicle 1 from its own crush energy, and from other evidence if given.
+fn solved(collision: Collision, more: &[(Measurand, f64)]) -> (ReconstructionProblem, Solution) {
     let truth = Truth::of(collision, 0.5);
-    let mut question = Reconstruction::of(collision)
+    let mut question = ReconstructionProblem::of(collision)
         .between(Variable::Speed(Side::One), truth.variable(Variable::Speed(Side::One)), 0.0, 100.0)
-        .evidence(Measurable::CrushEnergy, truth.measured(Measurable::CrushEnergy), Uncertainty::StandardDeviation(1.0));
+        .evidence(Measurand::CrushEnergy, truth.measured(Measurand::CrushEnergy), Uncertainty::StandardDeviation(1.0));
     let with = |&(of, value)| Evidence { of, value, uncertainty: Uncertainty::StandardDeviation(1e3) };
     question.evidence.extend(more.iter().map(with));
     let answer = question.solve(&Search { starts: 1, ..Search::default() }).expect("it starts at the truth");
@@ -33,7 +33,7 @@ fn diagnose(collision: Collision, damage: [Option<Damage>; 2]) -> Vec<Finding> {
 }
 
 fn flat(force: f64, stiffness: f64) -> Damage {
-    Damage { crush_energy: force * force / (2.0 * stiffness), force: Some(force), stiffness: Some(stiffness), force_origin: None }
+    Damage { crush_energy: force * force / (2.0 * stiffness), force: Some(force), stiffness: Some(stiffness), force_direction: None }
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn a_damage_has_the_force_of_its_law() {
     let (soft, stiff) = (ForceLine { onset: 40e3, slope: 600e3 }, ForceLine { onset: 60e3, slope: 1200e3 });
     let zones = StiffnessZones::new(vec![CrushStiffness::from(soft), CrushStiffness::from(stiff)], vec![0.75]).expect("two zones");
     let damage = Damage::of(&profile, &zones);
-    // Straight lines: the force of a half is that at its middle, 0.3 m and 0.35 m, times its width.
+    // Straight lines: the force on each half is that at its middle, 0.3 m and 0.35 m, times its width.
     let by_hand = 0.75 * CrushStiffness::from(soft).force(0.3) + 0.75 * CrushStiffness::from(stiff).force(0.35);
     assert!((damage.force.expect("linear") / by_hand - 1.0).abs() < 1e-12);
     assert!((damage.stiffness.expect("linear") - 0.75 * (600e3 + 1200e3)).abs() < 1e-6);
@@ -66,7 +66,7 @@ fn a_damage_has_the_force_of_its_law() {
 #[test]
 fn forces_of_two_crushes_balance_within_100_percent() {
     let of = |other: f64| diagnose(crash(32), [Some(flat(200e3, 1e6)), Some(flat(other, 1e6))]);
-    // One crush plane and one force: what lies along the surface is the same share of both.
+    // One crush plane and one force: the component along the surface is the same fraction of both.
     for (other, expected, reading) in [
         (200e3, 0.0, Reading::Within),
         (390e3, 0.95, Reading::Within),
@@ -89,7 +89,7 @@ fn the_softer_vehicle_has_the_larger_share() {
     let fits = share([Some(soft), Some(stiff)]);
     assert_eq!((fits.reading, fits.figure.map(|figure| (figure.value() * 1e9).round())), (Reading::Within, Some(1e9)));
     assert!(fits.meaning.to_string().starts_with("vehicle 1 has 75 % of the crush energy, by the stiffness of both it should have 75 %"));
-    // With forces as 1 to 2.1 the energies of the same stiffness are as 1 to 4.41.
+    // With forces in the ratio 1 to 2.1, the energies at equal stiffness are in the ratio 1 to 4.41.
     let off = share([Some(flat(210e3, 1e6)), Some(flat(100e3, 1e6))]);
     assert!(off.reading == Reading::Outside && (off.figure.expect("checked").value() - 4.41).abs() < 1e-9);
     assert_eq!(share([Some(flat(100e3, 1e6)), Some(flat(210e3, 1e6))]).reading, Reading::Outside);
@@ -101,7 +101,7 @@ fn directions_read_off_the_vehicles_are_compared_on_the_ground() {
     let impact = collision.solve().expect("possible");
     let read_off = |response: &Response, by: f64| {
         let angle = response.principal_direction_of_force() + by;
-        Some(Damage { force_origin: Some(ForceOrigin { ahead: angle.cos(), right: angle.sin() }), ..flat(2e5, 1e6) })
+        Some(Damage { force_direction: Some(ForceDirection { ahead: angle.cos(), right: angle.sin() }), ..flat(2e5, 1e6) })
     };
     let opposite = |damage| asked(&diagnose(collision, damage), Question::OppositeForces).clone();
     for (by, reading) in [(0.0, Reading::Within), (0.6, Reading::Within), (-0.65, Reading::Outside), (3.0, Reading::Outside)] {
@@ -120,7 +120,7 @@ fn a_vehicle_that_turns_against_the_moment_is_named() {
     let collision = crash(35);
     let impact = collision.solve().expect("possible");
     let rates = [impact.one.after.yaw_rate, impact.two.after.yaw_rate];
-    let of = |side| Measurable::Output(Output::YawRate(side));
+    let of = |side| Measurand::Output(Output::YawRate(side));
     let evidence = |deviation: f64, one: f64, two: f64| {
         let (mut question, _) = solved(collision, &[(of(Side::One), one), (of(Side::Two), two)]);
         for evidence in &mut question.evidence[1..] {
@@ -133,7 +133,7 @@ fn a_vehicle_that_turns_against_the_moment_is_named() {
     let [one, two] = &evidence(0.01, rates[0], -rates[1])[..] else { panic!("one for each vehicle") };
     assert_eq!((one.reading, two.reading), (Reading::Within, Reading::Outside));
     assert!(two.meaning.to_string().contains("vehicle 2"));
-    // Known so badly that it may have turned the other way.
+    // So uncertain that it may have turned the other way.
     let unsure = evidence(rates[0].abs().max(rates[1].abs()), -rates[0], -rates[1]);
     assert!(unsure.iter().all(|finding| finding.reading == Reading::Within && finding.meaning.to_string().contains("hardly turned")));
 }
@@ -157,14 +157,14 @@ fn restitution_is_compared_with_tests_at_the_same_closing_speed() {
         let mut collision = Collision { restitution: e, ..crash(37) };
         for party in [&mut collision.one, &mut collision.two] {
             if let Party::Vehicle(car) = party {
-                car.motion.velocity = car.motion.velocity * factor;
+                car.motion.velocity *= factor;
             }
         }
         asked(&diagnose(collision, [None, None]), Question::Restitution).reading
     };
     assert_eq!(restitution(0.15, 1.0), Reading::Within);
     assert_eq!(restitution(0.35, 1.0), Reading::Outside);
-    // At a walking pace bumpers spring back.
+    // At walking speed, bumpers rebound.
     assert_eq!(restitution(0.35, 0.06), Reading::Within);
     assert_eq!(restitution(0.15, 0.06), Reading::Outside);
 }
@@ -175,8 +175,8 @@ fn restitution_on_its_upper_bound_points_at_the_geometry() {
     let truth = Truth::of(collision, 0.5);
     let e = Variable::Input(Input::Restitution);
     let at = |max: f64| {
-        let of = Measurable::Output(Output::DeltaVMagnitude(Side::One));
-        let question = Reconstruction::of(collision)
+        let of = Measurand::Output(Output::DeltaVMagnitude(Side::One));
+        let question = ReconstructionProblem::of(collision)
             .with(Unknown { of: e, start: 0.05, min: Some(0.0), max: Some(max), prior: None })
             .evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.2));
         let answer = question.solve(&Search::default()).expect("it has a least sum of squares");

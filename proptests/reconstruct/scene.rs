@@ -1,6 +1,6 @@
-//! Random oblique collisions of two cars, and what would be measured of them.
+//! Random oblique collisions of two cars, and their simulated measurements.
 
-use planar_impact::reconstruct::{Measurable, Reconstruction, Unknown, Variable};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Unknown, Variable};
 use planar_impact::*;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -29,7 +29,7 @@ impl Source {
         }
     }
 
-    /// Two cars that meet obliquely or head on, with some sliding left.
+    /// Draws two cars that meet obliquely or head-on, with some sliding left.
     pub fn collision(&mut self) -> Collision {
         loop {
             let heading = self.between(1.8, 4.4);
@@ -49,7 +49,7 @@ impl Source {
     }
 }
 
-/// A collision as it was.
+/// The true collision.
 pub struct Truth {
     pub collision: Collision,
     pub impact: Impact,
@@ -78,51 +78,52 @@ impl Truth {
         }
     }
 
-    /// What would be measured; computed apart from the library's own way from a measurable to a number.
-    pub fn measured(&self, measurable: Measurable) -> f64 {
+    /// Returns the true value of a measurand, computed independently of the library's measurands.
+    pub fn measured(&self, measurable: Measurand) -> f64 {
         let response = |side| match side {
             Side::One => &self.impact.one,
             Side::Two => &self.impact.two,
         };
         let crush_energy = -self.impact.work.n;
         match measurable {
-            Measurable::Variable(variable) => self.variable(variable),
-            Measurable::Output(output) => Outputs::of(&self.collision, &self.impact)[output],
-            Measurable::CrushEnergy => crush_energy,
-            Measurable::CrushEnergyOf(Side::One) => crush_energy * self.crush_share,
-            Measurable::CrushEnergyOf(Side::Two) => crush_energy * (1.0 - self.crush_share),
-            Measurable::ApproachDirection(side) => {
+            Measurand::Variable(variable) => self.variable(variable),
+            Measurand::Output(output) => Outputs::of(&self.collision, &self.impact)[output],
+            Measurand::CrushEnergy => crush_energy,
+            Measurand::CrushEnergyOf(Side::One) => crush_energy * self.crush_share,
+            Measurand::CrushEnergyOf(Side::Two) => crush_energy * (1.0 - self.crush_share),
+            Measurand::ApproachDirection(side) => {
                 let velocity = self.vehicle(side).motion.velocity;
                 velocity.y.atan2(velocity.x)
             }
-            Measurable::SeparationSpeed(side) => response(side).after.velocity.x.hypot(response(side).after.velocity.y),
-            Measurable::SeparationDirection(side) => response(side).after.velocity.y.atan2(response(side).after.velocity.x),
-            Measurable::DeltaVForward(side) => {
+            Measurand::SeparationSpeed(side) => response(side).after.velocity.x.hypot(response(side).after.velocity.y),
+            Measurand::SeparationDirection(side) => response(side).after.velocity.y.atan2(response(side).after.velocity.x),
+            Measurand::DeltaVForward(side) => {
                 let (delta_v, heading) = (response(side).delta_v, self.vehicle(side).heading);
                 delta_v.x * heading.cos + delta_v.y * heading.sin
             }
-            Measurable::DeltaVLeft(side) => {
+            Measurand::DeltaVLeft(side) => {
                 let (delta_v, heading) = (response(side).delta_v, self.vehicle(side).heading);
                 delta_v.y * heading.cos - delta_v.x * heading.sin
             }
+            _ => unimplemented!("{measurable:?} is new: measure it by hand"),
         }
     }
 }
 
-/// How well such things are known.
-pub fn deviation(measurable: Measurable, value: f64) -> f64 {
+/// Returns the typical standard deviation of a measurand.
+pub fn deviation(measurable: Measurand, value: f64) -> f64 {
     match measurable {
-        Measurable::CrushEnergy | Measurable::CrushEnergyOf(_) => 0.05 * value,
-        Measurable::Output(Output::NormalWork) => 0.05 * value.abs(),
-        Measurable::ApproachDirection(_)
-        | Measurable::SeparationDirection(_)
-        | Measurable::Output(Output::PrincipalDirectionOfForce(_)) => 0.03,
+        Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) => 0.05 * value,
+        Measurand::Output(Output::NormalWork) => 0.05 * value.abs(),
+        Measurand::ApproachDirection(_) | Measurand::SeparationDirection(_) | Measurand::Output(Output::PrincipalDirectionOfForce(_)) => {
+            0.03
+        }
         _ => 0.3,
     }
 }
 
-/// The question with one more unknown, from a start that knows nothing of the truth but, for components, its neighborhood.
-pub fn asking(question: Reconstruction, variable: Variable, truth: f64, source: &mut Source) -> Reconstruction {
+/// Adds an unknown to the question, with a start independent of the truth; for components, a start near it.
+pub fn asking(question: ReconstructionProblem, variable: Variable, truth: f64, source: &mut Source) -> ReconstructionProblem {
     match variable {
         Variable::Speed(_) => question.with(Unknown { of: variable, start: 15.0, min: Some(0.0), max: Some(50.0), prior: None }),
         Variable::CrushShare => question.between(variable, 0.5, 0.0, 1.0),

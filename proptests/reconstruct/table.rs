@@ -1,23 +1,23 @@
-//! The table of the guide: which evidence determines which unknowns.
+//! The table of the guide: the unknowns that each set of evidence determines.
 
 use std::thread;
 
-use planar_impact::reconstruct::{Estimate, Fitted, Measurable, Reconstruction, Search, Solution, Uncertainty, Variable, Verdict};
+use planar_impact::reconstruct::{Estimate, Fitted, Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable, Verdict};
 
 use super::scene::{Source, Truth, asking, deviation};
 use crate::strategies::config;
 
 const GUIDE: &str = include_str!("../../src/guide/reconstruction.md");
 
-/// How far an unknown may come back from the truth, in m/s, rad/s, m, rad or 1.
+/// Maximum error of a recovered unknown, in m/s, rad/s, m, rad or 1.
 const EXACT: f64 = 1e-9;
 
-/// How many cases of half a row may lie at a fold: of 240,000 cases one does.
+/// Maximum number of cases at a fold in half a row: there is one in 240,000 cases.
 const FOLDS: usize = 2;
 
 struct Row {
     unknowns: Vec<Variable>,
-    evidence: Vec<Measurable>,
+    evidence: Vec<Measurand>,
     is_determined: bool,
 }
 
@@ -29,7 +29,7 @@ fn rows() -> Vec<Row> {
             let [_, unknowns, evidence, determined, _] = cells(line)[..] else { panic!("{line}") };
             Row {
                 unknowns: unknowns.split(", ").map(|name| Variable::named(name).unwrap_or_else(|| panic!("{name}"))).collect(),
-                evidence: evidence.split(", ").map(|name| Measurable::named(name).unwrap_or_else(|| panic!("{name}"))).collect(),
+                evidence: evidence.split(", ").map(|name| Measurand::named(name).unwrap_or_else(|| panic!("{name}"))).collect(),
                 is_determined: match determined {
                     "yes" => true,
                     "no" => false,
@@ -40,20 +40,20 @@ fn rows() -> Vec<Row> {
         .collect()
 }
 
-/// What comes back of one random collision.
+/// Result of reconstructing one random collision.
 enum Back {
-    /// What the row says.
+    /// The result stated in the row.
     AsSaid,
-    /// Another crash that is the same to the last bits of the evidence: at a fold, where two solutions become one, nothing tells them apart.
+    /// Another collision that agrees with the evidence to its last bits: at a fold, where two solutions merge, nothing distinguishes them.
     Folded,
-    /// Something else.
+    /// Another result.
     Wrong(String),
 }
 
 fn back(row: &Row, source: &mut Source) -> Back {
     let share = source.between(0.2, 0.8);
     let truth = Truth::of(source.collision(), share);
-    let mut question = Reconstruction::of(truth.collision);
+    let mut question = ReconstructionProblem::of(truth.collision);
     for &variable in &row.unknowns {
         question = asking(question, variable, truth.variable(variable), source);
     }
@@ -61,7 +61,7 @@ fn back(row: &Row, source: &mut Source) -> Back {
         let value = truth.measured(measurable);
         question = question.evidence(measurable, value, Uncertainty::StandardDeviation(deviation(measurable, value)));
     }
-    // The first starts of the default search, then all of them: what a part of them finds all of them find.
+    // First a part of the starts of the default search, then all of them, which find everything that a part of them finds.
     let few = Search { starts: 8, ..Search::default() };
     match answer(row, &truth, &question, &few) {
         Back::Wrong(_) => answer(row, &truth, &question, &Search::default()),
@@ -69,7 +69,7 @@ fn back(row: &Row, source: &mut Source) -> Back {
     }
 }
 
-fn answer(row: &Row, truth: &Truth, question: &Reconstruction, search: &Search) -> Back {
+fn answer(row: &Row, truth: &Truth, question: &ReconstructionProblem, search: &Search) -> Back {
     let answer = match question.solve(search) {
         Ok(answer) => answer,
         Err(why) => return Back::Wrong(format!("{why}")),
@@ -88,7 +88,8 @@ fn answer(row: &Row, truth: &Truth, question: &Reconstruction, search: &Search) 
     }
 }
 
-/// Whether a solution has the evidence of the truth to its last bits, and lies a millionth of its own standard deviations from it.
+/// Returns `true` if a solution reproduces the true evidence to its last bits, and is within a millionth of its own
+/// standard deviations of the truth.
 fn is_folded(solution: &Solution, truth: &Truth) -> bool {
     let is_last_bit = |fitted: &Fitted| fitted.residual.abs() <= 16.0 * f64::EPSILON * fitted.given.abs().max(1.0);
     let is_near =
@@ -96,7 +97,8 @@ fn is_folded(solution: &Solution, truth: &Truth) -> bool {
     solution.evidence.iter().all(is_last_bit) && solution.unknowns.iter().all(is_near)
 }
 
-/// The largest error of a solution, in what is allowed: 10⁻⁹, or what the last bits of the evidence come to where they come to more.
+/// Returns the largest error of a solution, relative to the allowed error: 10⁻⁹, or the effect of the last bits of
+/// the evidence if that is larger.
 fn miss(solution: &Solution, truth: &Truth) -> f64 {
     let of_unknown = |(estimate, row): (&Estimate, &Vec<f64>)| {
         let last_bits = row.iter().zip(&solution.evidence).map(|(by, evidence)| (by * evidence.given).abs() * 4.0 * f64::EPSILON);

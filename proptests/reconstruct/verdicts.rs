@@ -1,4 +1,4 @@
-//! What is said where there is no one answer.
+//! Verdicts of questions without a unique answer.
 
 use planar_impact::reconstruct::*;
 use planar_impact::*;
@@ -12,21 +12,21 @@ fn crash(seed: u64) -> Truth {
     Truth::of(Source::of(seed).collision(), 0.4)
 }
 
-/// The question for both speeds, from given evidence.
-fn speeds(truth: &Truth, evidence: &[(Measurable, f64)]) -> Reconstruction {
-    let question = Reconstruction::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(SPEED_2, 15.0, 0.0, 60.0);
+/// Returns the question for both speeds, from given evidence.
+fn speeds(truth: &Truth, evidence: &[(Measurand, f64)]) -> ReconstructionProblem {
+    let question = ReconstructionProblem::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(SPEED_2, 15.0, 0.0, 60.0);
     evidence.iter().fold(question, |question, &(of, sd)| question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(sd)))
 }
 
-const AFTER_1: [(Measurable, f64); 2] =
-    [(Measurable::Output(Output::VelocityX(Side::One)), 0.5), (Measurable::Output(Output::VelocityY(Side::One)), 0.5)];
+const AFTER_1: [(Measurand, f64); 2] =
+    [(Measurand::Output(Output::VelocityX(Side::One)), 0.5), (Measurand::Output(Output::VelocityY(Side::One)), 0.5)];
 
 #[test]
 fn evidence_that_contradicts_itself_is_called_so() {
     let truth = crash(1);
     let delta_v = truth.impact.two.delta_v_magnitude();
-    let of = Measurable::Output(Output::DeltaVMagnitude(Side::Two));
-    let question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 5e3)]);
+    let of = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
+    let question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurand::CrushEnergy, 5e3)]);
     let question = question.evidence(of, delta_v + 8.0, Uncertainty::StandardDeviation(0.5));
     let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
     assert_eq!(answer.verdict, Verdict::Contradicted);
@@ -39,7 +39,7 @@ fn evidence_that_contradicts_itself_is_called_so() {
 #[test]
 fn as_much_as_chance_explains_is_no_contradiction() {
     let truth = crash(1);
-    let of = Measurable::Output(Output::DeltaVMagnitude(Side::Two));
+    let of = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
     let near = truth.impact.two.delta_v_magnitude() + 0.5;
     let question = speeds(&truth, &AFTER_1).evidence(of, near, Uncertainty::StandardDeviation(0.5));
     assert_eq!(question.solve(&Search::default()).expect("it has an answer").verdict, Verdict::Agrees);
@@ -49,7 +49,7 @@ fn as_much_as_chance_explains_is_no_contradiction() {
 fn bounds_that_leave_the_solution_out_are_named() {
     let truth = crash(2);
     let speed = truth.variable(SPEED_1);
-    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 3e3)]);
+    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurand::CrushEnergy, 3e3)]);
     question.unknowns[0] = Unknown { max: Some(speed - 6.0), start: speed - 7.0, ..question.unknowns[0] };
     let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
     assert_eq!(answer.verdict, Verdict::BoundsExclude);
@@ -59,9 +59,8 @@ fn bounds_that_leave_the_solution_out_are_named() {
     assert!((beyond.unknowns[0].value - speed).abs() < 1e-9 && beyond.is_explained());
 }
 
-#[test]
-fn both_of_two_solutions_are_returned() {
-    // Straight into a barrier, a crush plane turned to the left takes as much as one turned to the right.
+/// Returns a car that drives straight into a barrier, with a crush plane that may be oblique to its path.
+fn straight_into_barrier(crush_plane: f64) -> Collision {
     let car = Vehicle {
         mass: 1500.0,
         yaw_inertia: 2500.0,
@@ -69,20 +68,26 @@ fn both_of_two_solutions_are_returned() {
         impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
         motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
     };
-    let collision = Collision {
+    Collision {
         one: car.into(),
         two: Party::Barrier,
-        crush_plane: CrushPlane::from_angle(0.3),
+        crush_plane: CrushPlane::from_angle(crush_plane),
         restitution: 0.1,
         impulse_ratio: ImpulseRatio::Critical,
         law: Law::Brach,
         moment: Moment::None,
-    };
+    }
+}
+
+#[test]
+fn both_of_two_solutions_are_returned() {
+    // Straight into a barrier, a crush plane turned to the left absorbs the same energy as one turned to the right.
+    let collision = straight_into_barrier(0.3);
     let plane = Variable::Input(Input::CrushPlane);
     let truth = Truth::of(collision, 1.0);
-    let question = Reconstruction::of(collision).between(plane, 0.1, -0.6, 0.6).evidence(
-        Measurable::CrushEnergy,
-        truth.measured(Measurable::CrushEnergy),
+    let question = ReconstructionProblem::of(collision).between(plane, 0.1, -0.6, 0.6).evidence(
+        Measurand::CrushEnergy,
+        truth.measured(Measurand::CrushEnergy),
         Uncertainty::StandardDeviation(2e3),
     );
     let answer = question.solve(&Search::default()).expect("it has answers");
@@ -96,20 +101,20 @@ fn both_of_two_solutions_are_returned() {
 #[test]
 fn what_is_open_is_named_with_how_it_moves() {
     let truth = crash(3);
-    let magnitude = |side| (Measurable::Output(Output::DeltaVMagnitude(side)), 0.3);
+    let magnitude = |side| (Measurand::Output(Output::DeltaVMagnitude(side)), 0.3);
     let answer = speeds(&truth, &[magnitude(Side::One), magnitude(Side::Two)]).solve(&Search::default()).expect("it has one of many");
     assert_eq!(answer.verdict, Verdict::Undetermined);
     let [direction] = &answer.not_determined[..] else { panic!("{:?}", answer.not_determined) };
     assert_eq!(direction.variables().collect::<Vec<_>>(), [SPEED_1, SPEED_2]);
     assert!(answer.best().unknowns.iter().all(|unknown| !unknown.is_determined && unknown.sd.is_none()));
     assert!(!answer.determines(SPEED_1));
-    // A step along it changes no piece of evidence.
+    // A step along it does not change any evidence.
     let mut stepped = truth.collision;
     for (variable, by) in &direction.parts {
         let party = if *variable == SPEED_1 { &mut stepped.one } else { &mut stepped.two };
         if let Party::Vehicle(car) = party {
             let along = car.heading.to_ground(ForwardLeft { forward: 1e-4 * by, left: 0.0 });
-            car.motion.velocity = car.motion.velocity + along;
+            car.motion.velocity += along;
         }
     }
     let delta_v = stepped.solve().expect("near a possible one").two.delta_v_magnitude();
@@ -119,12 +124,12 @@ fn what_is_open_is_named_with_how_it_moves() {
 
 #[test]
 fn evidence_that_no_unknown_moves_is_none() {
-    // With plane and ratio given the force has one direction, whatever the speeds are.
+    // If plane and ratio are given, the force has one direction at any speeds.
     let mut truth = crash(13);
     truth.collision.impulse_ratio = ImpulseRatio::Given(truth.impact.impulse_ratio());
     let truth = Truth::of(truth.collision, 0.5);
-    let pdof = Measurable::Output(Output::PrincipalDirectionOfForce(Side::One));
-    let answer = speeds(&truth, &[(Measurable::Output(Output::YawRate(Side::One)), 0.1), (pdof, 0.05)]).solve(&Search::default());
+    let pdof = Measurand::Output(Output::PrincipalDirectionOfForce(Side::One));
+    let answer = speeds(&truth, &[(Measurand::Output(Output::YawRate(Side::One)), 0.1), (pdof, 0.05)]).solve(&Search::default());
     assert_eq!(answer.expect("it has one of many").verdict, Verdict::Undetermined);
 }
 
@@ -134,9 +139,12 @@ fn an_angle_comes_back_as_the_turn_that_is_nearest_to_its_start() {
     let plane = Variable::Input(Input::CrushPlane);
     for turns in [-3.0, 0.0, 5.0] {
         let start = truth.variable(plane) + 0.1 + turns * std::f64::consts::PI;
-        let of = Measurable::DeltaVLeft(Side::One);
-        let question =
-            Reconstruction::of(truth.collision).unknown(plane, start).evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.1));
+        let of = Measurand::DeltaVLeft(Side::One);
+        let question = ReconstructionProblem::of(truth.collision).unknown(plane, start).evidence(
+            of,
+            truth.measured(of),
+            Uncertainty::StandardDeviation(0.1),
+        );
         let answer = question.solve(&Search::default()).expect("it has an answer");
         for solution in &answer.solutions {
             assert!(
@@ -150,29 +158,15 @@ fn an_angle_comes_back_as_the_turn_that_is_nearest_to_its_start() {
 
 #[test]
 fn where_the_slope_has_nothing_to_say_curvature_does_not_make_it_sure() {
-    // The share of the normal work is least where the plane is square to the approach: there, to first order, it says nothing of the plane.
-    let car = Vehicle {
-        mass: 1500.0,
-        yaw_inertia: 2500.0,
-        heading: Heading::from_angle(0.0),
-        impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
-        motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
-    };
-    let collision = Collision {
-        one: car.into(),
-        two: Party::Barrier,
-        crush_plane: CrushPlane::from_angle(1e-4),
-        restitution: 0.1,
-        impulse_ratio: ImpulseRatio::Critical,
-        law: Law::Brach,
-        moment: Moment::None,
-    };
+    // The fraction of the normal work is smallest if the plane is perpendicular to the approach: there it does not
+    // determine the plane to first order.
+    let collision = straight_into_barrier(1e-4);
     let (plane, truth) = (Variable::Input(Input::CrushPlane), Truth::of(collision, 1.0));
-    // More than any plane has: the best is square, where the residual bends and nothing slopes.
-    let question = Reconstruction::of(collision).between(plane, 1e-3, -0.6, 0.6).evidence(
-        Measurable::CrushEnergy,
-        1.05 * truth.measured(Measurable::CrushEnergy),
-        Uncertainty::StandardDeviation(0.05 * truth.measured(Measurable::CrushEnergy)),
+    // More energy than any plane absorbs: the best plane is perpendicular, where the residual has curvature but no slope.
+    let question = ReconstructionProblem::of(collision).between(plane, 1e-3, -0.6, 0.6).evidence(
+        Measurand::CrushEnergy,
+        1.05 * truth.measured(Measurand::CrushEnergy),
+        Uncertainty::StandardDeviation(0.05 * truth.measured(Measurand::CrushEnergy)),
     );
     let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
     let vague = answer.best().hardly_determined(&question);
@@ -181,10 +175,11 @@ fn where_the_slope_has_nothing_to_say_curvature_does_not_make_it_sure() {
 
 #[test]
 fn part_of_the_unknowns_can_be_determined() {
-    // ΔV of one vehicle gives its speed against a standing one; nothing is said of the share of the crush energy.
+    // ΔV of one vehicle determines its speed against a standing one; nothing determines the crush share.
     let truth = crash(4);
-    let mut question = Reconstruction::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(Variable::CrushShare, 0.5, 0.0, 1.0);
-    for of in [Measurable::DeltaVForward(Side::One), Measurable::DeltaVLeft(Side::One)] {
+    let mut question =
+        ReconstructionProblem::of(truth.collision).between(SPEED_1, 15.0, 0.0, 60.0).between(Variable::CrushShare, 0.5, 0.0, 1.0);
+    for of in [Measurand::DeltaVForward(Side::One), Measurand::DeltaVLeft(Side::One)] {
         question = question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.3));
     }
     let answer = question.solve(&Search::default()).expect("it has one of many");
@@ -196,14 +191,14 @@ fn part_of_the_unknowns_can_be_determined() {
 }
 
 #[test]
-fn what_the_evidence_says_as_good_as_nothing_of_is_named() {
+fn unknowns_that_the_evidence_barely_constrains_are_named() {
     let truth = crash(4);
     let plane = Variable::Input(Input::CrushPlane);
     let of = |sd| {
-        let question = Reconstruction::of(truth.collision)
+        let question = ReconstructionProblem::of(truth.collision)
             .between(SPEED_1, 15.0, 0.0, 60.0)
             .between(plane, 0.0, -0.8, 0.8)
-            .evidence(Measurable::CrushEnergy, truth.measured(Measurable::CrushEnergy), Uncertainty::StandardDeviation(2e3))
+            .evidence(Measurand::CrushEnergy, truth.measured(Measurand::CrushEnergy), Uncertainty::StandardDeviation(2e3))
             .evidence(AFTER_1[0].0, truth.measured(AFTER_1[0].0), Uncertainty::StandardDeviation(sd));
         let answer = question.solve(&Search::default()).expect("it has an answer");
         answer.best().hardly_determined(&question)
@@ -220,14 +215,14 @@ fn evidence_that_leads_to_the_impossible_says_what_it_meets() {
     truth.collision.impulse_ratio = ImpulseRatio::Given(0.5 * critical);
     let sliding = Truth::of(truth.collision, 0.5);
     let beyond = Collision { impulse_ratio: ImpulseRatio::Given(1.6 * critical), ..truth.collision }.evaluate();
-    let question = Reconstruction::of(sliding.collision)
+    let question = ReconstructionProblem::of(sliding.collision)
         .unknown(Variable::Input(Input::ImpulseRatio), 0.5 * critical)
-        .evidence(Measurable::Output(Output::YawRate(Side::One)), beyond.one.after.yaw_rate, Uncertainty::StandardDeviation(0.01))
-        .evidence(Measurable::Output(Output::YawRate(Side::Two)), beyond.two.after.yaw_rate, Uncertainty::StandardDeviation(0.01));
-    let Err(Unsolved::NotConverged { nearest, searches, .. }) = question.solve(&Search::default()) else { panic!("it has no answer") };
+        .evidence(Measurand::Output(Output::YawRate(Side::One)), beyond.one.after.yaw_rate, Uncertainty::StandardDeviation(0.01))
+        .evidence(Measurand::Output(Output::YawRate(Side::Two)), beyond.two.after.yaw_rate, Uncertainty::StandardDeviation(0.01));
+    let Err(SolveError::NotConverged { nearest, searches, .. }) = question.solve(&Search::default()) else { panic!("it has no answer") };
     assert!(searches > 1 && nearest.chi_square > 10.0 && nearest.step > 0.0);
     let refusals = nearest.beyond.expect("the mechanics refuses what lies there");
-    assert!(matches!(refusals.reasons(), [Refusal::BeyondCritical { .. }]), "{refusals}");
+    assert!(matches!(refusals.as_slice(), [Refusal::BeyondCritical { .. }]), "{refusals}");
     assert!((nearest.unknowns[0].1 / critical - 1.0).abs() < 0.05, "{:?}", nearest.unknowns);
 }
 
@@ -235,8 +230,8 @@ fn evidence_that_leads_to_the_impossible_says_what_it_meets() {
 fn too_few_steps_are_no_answer() {
     let truth = crash(6);
     let search = Search { starts: 3, iterations: 1, ..Search::default() };
-    let unsolved = speeds(&truth, &[AFTER_1[0], (Measurable::CrushEnergy, 1e3)]).solve(&search);
-    let Err(Unsolved::NotConverged { nearest, searches: 3, converged: 0 }) = &unsolved else { panic!("{unsolved:?}") };
+    let unsolved = speeds(&truth, &[AFTER_1[0], (Measurand::CrushEnergy, 1e3)]).solve(&search);
+    let Err(SolveError::NotConverged { nearest, searches: 3, converged: 0 }) = &unsolved else { panic!("{unsolved:?}") };
     assert!(nearest.beyond.is_none() && nearest.step > 1e-9);
     let text = unsolved.expect_err("as matched").to_string();
     assert!(text.starts_with("none of 3 searches converged; the nearest stopped after ") && text.contains("chi-square"), "{text}");
@@ -247,9 +242,9 @@ fn a_moment_is_found_from_none() {
     let truth = crash(12);
     for (moment, none) in [(Moment::Given(800.0), Moment::Given(0.0)), (Moment::OfCritical(0.4), Moment::OfCritical(0.0))] {
         let turned = Truth::of(Collision { moment, ..truth.collision }, 0.5);
-        let of = Measurable::Output(Output::YawRate(Side::Two));
+        let of = Measurand::Output(Output::YawRate(Side::Two));
         let asked = Variable::Input(Input::Moment);
-        let question = Reconstruction::of(Collision { moment: none, ..truth.collision }).unknown(asked, 0.0).evidence(
+        let question = ReconstructionProblem::of(Collision { moment: none, ..truth.collision }).unknown(asked, 0.0).evidence(
             of,
             turned.measured(of),
             Uncertainty::StandardDeviation(0.05),
@@ -266,10 +261,11 @@ fn a_pair_that_never_closes_has_no_start() {
     let Party::Vehicle(mut car) = truth.collision.one else { panic!() };
     car.motion.velocity = Xy { x: -80.0, y: 0.0 };
     let leaving = Collision { one: car.into(), ..truth.collision };
-    let question = Reconstruction::of(leaving).between(SPEED_2, 1.0, 0.0, 2.0).evidence(Measurable::CrushEnergy, 1e4, Uncertainty::Exact);
+    let question =
+        ReconstructionProblem::of(leaving).between(SPEED_2, 1.0, 0.0, 2.0).evidence(Measurand::CrushEnergy, 1e4, Uncertainty::Exact);
     let unsolved = question.solve(&Search::default());
-    let Err(Unsolved::NoStart { refusals, .. }) = &unsolved else { panic!("{unsolved:?}") };
-    assert!(matches!(refusals.reasons(), [Refusal::NotClosing { .. }]));
+    let Err(SolveError::NoStart { refusals, .. }) = &unsolved else { panic!("{unsolved:?}") };
+    assert!(matches!(refusals.as_slice(), [Refusal::NotClosing { .. }]));
 }
 
 #[test]
@@ -277,7 +273,7 @@ fn every_problem_of_a_question_is_reported_at_once() {
     let truth = crash(8);
     let barrier = Collision { two: Party::Barrier, impulse_ratio: ImpulseRatio::Critical, ..truth.collision };
     let sd = Uncertainty::StandardDeviation;
-    let question = Reconstruction::of(barrier)
+    let question = ReconstructionProblem::of(barrier)
         .unknown(SPEED_1, f64::NAN)
         .unknown(SPEED_1, 3.0)
         .unknown(SPEED_2, 3.0)
@@ -287,60 +283,110 @@ fn every_problem_of_a_question_is_reported_at_once() {
         .between(Variable::Input(Input::CrushPlane), 0.5, 0.1, 0.2)
         .between(Variable::Input(Input::Mass(Side::One)), 1e3, -5.0, 2e3)
         .prior(Variable::Input(Input::YawRate(Side::One)), 0.0, 0.0)
-        .evidence(Measurable::CrushEnergy, f64::INFINITY, sd(1.0))
-        .evidence(Measurable::CrushEnergy, 1e4, sd(-1.0))
-        .evidence(Measurable::SeparationSpeed(Side::Two), -1e4, Uncertainty::Resolution(0.0));
-    let question =
-        Reconstruction { correlations: vec![Correlation { one: SAME, other: SAME, coefficient: 0.5 }], crush_share: Some(1.5), ..question };
+        .evidence(Measurand::CrushEnergy, f64::INFINITY, sd(1.0))
+        .evidence(Measurand::CrushEnergy, 1e4, sd(-1.0))
+        .evidence(Measurand::SeparationSpeed(Side::Two), -1e4, Uncertainty::Resolution(0.0));
+    let question = ReconstructionProblem {
+        correlations: vec![Correlation { one: SAME, other: SAME, coefficient: 0.5 }],
+        crush_share: Some(1.5),
+        ..question
+    };
     let problems = question.check().expect_err("everything is wrong with it");
-    let has = |wanted: fn(&Problem) -> bool| problems.list().iter().filter(|problem| wanted(problem)).count();
-    assert_eq!(has(|p| matches!(p, Problem::UnknownNotFinite { what: "start", .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::UnknownTwice(SPEED_1))), 1);
-    assert_eq!(has(|p| matches!(p, Problem::NotInCase(_))), 2);
-    assert_eq!(has(|p| matches!(p, Problem::SpeedAndVelocity(Side::One))), 2);
-    assert_eq!(has(|p| matches!(p, Problem::BoundsCrossed { .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::StartOutside { .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::BoundOutside { bound: -5.0, .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::NotPositive { .. })), 3);
-    assert_eq!(has(|p| matches!(p, Problem::EvidenceNotFinite { what: "value", .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::EvidenceTwice(_))), 1);
-    assert_eq!(has(|p| matches!(p, Problem::NothingToMeasure(_))), 1);
-    assert_eq!(has(|p| matches!(p, Problem::BelowZero { value: -1e4, .. })), 1);
-    assert_eq!(has(|p| matches!(p, Problem::CorrelationOfNothing(..))), 1);
-    assert_eq!(has(|p| matches!(p, Problem::NotAShare(_))), 1);
-    assert_eq!(has(|p| matches!(p, Problem::TooLittleEvidence { evidence: 4, .. })), 1);
-    // Not a number is not itself.
-    let Err(Unsolved::Problems(again)) = question.solve(&Search::default()) else { panic!("it cannot be asked") };
+    let codes = |codes: &[&str]| problems.iter().filter(|problem| codes.contains(&problem.code())).count();
+    let has = |wanted: fn(&ReconstructionIssue) -> bool| problems.iter().filter(|problem| wanted(problem)).count();
+    assert_eq!(
+        has(
+            |p| matches!(p, ReconstructionIssue::Unknown { of: SPEED_1, issue } if issue.code() == "not-finite" && issue.at.part == Some("start"))
+        ),
+        1
+    );
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::UnknownTwice(SPEED_1))), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::NotInCase(_))), 2);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::SpeedAndVelocity(Side::One))), 2);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::BoundsCrossed { .. })), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::StartOutside { .. })), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::BoundOutside { bound: -5.0, .. })), 1);
+    assert_eq!(codes(&["not-positive"]), 3);
+    assert_eq!(
+        has(|p| matches!(p, ReconstructionIssue::Evidence { issue, .. } if issue.code() == "not-finite" && issue.at.part.is_none())),
+        1
+    );
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::EvidenceTwice(_))), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::NothingToMeasure(_))), 1);
+    assert_eq!(
+        has(|p| matches!(
+            p,
+            ReconstructionIssue::Evidence { issue: InputIssue { kind: InputIssueKind::OutOfRange { value: -1e4, .. }, .. }, .. }
+        )),
+        1
+    );
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::CorrelationOfNothing(..))), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::Unknown { of: Variable::CrushShare, issue } if issue.code() == "out-of-range")), 1);
+    assert_eq!(has(|p| matches!(p, ReconstructionIssue::TooLittleEvidence { evidence: 4, .. })), 1);
+    // NaN does not equal itself.
+    let Err(SolveError::Problems(again)) = question.solve(&Search::default()) else { panic!("it cannot be asked") };
     assert_eq!(format!("{again:?}"), format!("{problems:?}"));
     let text = problems.to_string();
-    assert!(problems.list().iter().all(|problem| text.contains(&problem.to_string())));
+    assert!(problems.iter().all(|problem| text.contains(&problem.to_string())));
 }
 
-const SAME: Measurable = Measurable::CrushEnergy;
+const SAME: Measurand = Measurand::CrushEnergy;
 
 #[test]
 fn nothing_unknown_and_a_share_unsaid_are_problems() {
     let truth = crash(9);
-    let nothing = Reconstruction::of(truth.collision).check().expect_err("nothing is asked");
-    assert_eq!(nothing.list(), [Problem::NothingUnknown]);
-    let of = Measurable::CrushEnergyOf(Side::One);
-    let question = Reconstruction::of(truth.collision).unknown(SPEED_1, 10.0).evidence(of, 5e4, Uncertainty::Exact);
-    assert_eq!(question.check().expect_err("whose share?").list(), [Problem::ShareUnknown(of)]);
-    let known = Reconstruction { crush_share: Some(0.4), ..question };
+    let nothing = ReconstructionProblem::of(truth.collision).check().expect_err("nothing is asked");
+    assert_eq!(nothing.as_slice(), [ReconstructionIssue::NothingUnknown]);
+    let of = Measurand::CrushEnergyOf(Side::One);
+    let question = ReconstructionProblem::of(truth.collision).unknown(SPEED_1, 10.0).evidence(of, 5e4, Uncertainty::Exact);
+    assert_eq!(question.check().expect_err("whose share?").as_slice(), [ReconstructionIssue::ShareUnknown(of)]);
+    let known = ReconstructionProblem { crush_share: Some(0.4), ..question };
     assert!(known.check().is_ok());
 }
 
 #[test]
 fn correlations_that_cannot_be_are_refused_with_their_eigenvalue() {
     let truth = crash(10);
-    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurable::CrushEnergy, 3e3)]);
-    let [x, y, energy] = [AFTER_1[0].0, AFTER_1[1].0, Measurable::CrushEnergy];
+    let mut question = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurand::CrushEnergy, 3e3)]);
+    let [x, y, energy] = [AFTER_1[0].0, AFTER_1[1].0, Measurand::CrushEnergy];
     let pair = |one, other, coefficient| Correlation { one, other, coefficient };
     question.correlations = vec![pair(x, y, 0.9), pair(y, energy, 0.9), pair(x, energy, -0.9)];
     let problems = question.check().expect_err("they contradict each other");
-    // The matrix with ±0.9 off its diagonal, one of three reversed, has the eigenvalue 1 − 2 × 0.9.
-    let [Problem::CorrelationsImpossible { eigenvalue }] = problems.list() else { panic!("{problems}") };
+    // The matrix with ±0.9 off the diagonal, one of three negative, has the eigenvalue 1 − 2 × 0.9.
+    let [ReconstructionIssue::CorrelationsImpossible { eigenvalue }] = problems.as_slice() else { panic!("{problems}") };
     assert!((eigenvalue + 0.8).abs() < 1e-12);
     question.correlations = vec![pair(x, y, f64::NAN)];
-    assert!(matches!(question.check().expect_err("no number").list(), [Problem::CorrelationsImpossible { .. }]));
+    assert!(matches!(question.check().expect_err("no number").as_slice(), [ReconstructionIssue::CorrelationsImpossible { .. }]));
+}
+
+/// Every size of a deviation: the answer has a finite deviation above zero for each determined unknown, or the deviation is refused by name.
+#[test]
+fn deviations_of_every_size_are_refused_or_lawful() {
+    let truth = crash(1);
+    let of = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
+    let mut answers = 0;
+    for power in [-300, -200, -60, -49, -8, 0, 8, 49, 60, 200, 300] {
+        let sd = 10_f64.powi(power);
+        let with_evidence =
+            speeds(&truth, &[(AFTER_1[0].0, sd), (AFTER_1[1].0, sd)]).evidence(of, truth.measured(of), Uncertainty::StandardDeviation(sd));
+        let mut with_prior = speeds(&truth, &AFTER_1);
+        with_prior.unknowns[0].prior = Some(sd);
+        for question in [with_evidence, with_prior] {
+            let answer = match question.solve(&Search { starts: 4, ..Search::default() }) {
+                Err(SolveError::Problems(issues)) => {
+                    assert!(power.abs() > 50 && issues.iter().all(|issue| issue.code() == "out-of-range"), "1e{power}: {issues}");
+                    continue;
+                }
+                Err(other) => panic!("1e{power}: {other}"),
+                Ok(answer) => answer,
+            };
+            assert!(power.abs() <= 50, "1e{power} is answered");
+            answers += 1;
+            for unknown in &answer.best().unknowns {
+                assert!(unknown.sd.is_none_or(|sd| sd.is_finite() && sd > 0.0), "1e{power}: {unknown:?}");
+                assert!(unknown.sd.is_some() || answer.verdict != Verdict::Agrees, "1e{power}: {:?} {unknown:?}", answer.verdict);
+            }
+        }
+    }
+    assert_eq!(answers, 2 * 5);
 }

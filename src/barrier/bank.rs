@@ -1,94 +1,98 @@
 //! Load cells of a barrier, summed into banks, and the impulse on the vehicle.
 
 use super::estimate::Estimate;
-use super::findings::Findings;
-use super::problem::{Place, Problem, Problems};
+use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
 use super::record::{Record, Window};
 use crate::frame::Nt;
+use crate::issue::{InputIssue, IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::Ordered;
 use alloc::vec::Vec;
 
-/// The channels of a barrier: those that feel the normal force and those that feel the tangential one, as forces on the vehicle, in N.
+/// Channels of a barrier, as forces on the vehicle in N: those that measure the normal force and those that measure the tangential force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarrierRecord<T = f64> {
     /// Load cells of the main face, normal to it.
     pub normal: Vec<Record<T>>,
-    /// Load cells along the main face, as those of a wing.
+    /// Load cells along the main face, such as those of a wing.
     pub tangential: Vec<Record<T>>,
 }
 
-/// The sum of channels that were sampled at the same instants.
+/// Returns the sum of channels that were sampled at the same instants.
 ///
 /// # Errors
 ///
-/// No channel at all, and every channel whose instants are not those of the first.
-pub fn bank<T: Ordered<Mask = bool>>(channels: &[Record<T>]) -> Result<Record<T>, Problems<T>> {
-    let mut findings = Findings::none();
+/// If there are no channels, and for every channel whose instants differ from those of the first.
+pub fn bank<T: Ordered<Mask = bool>>(channels: &[Record<T>]) -> Result<Record<T>, TestIssues<T>> {
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
     let [first, others @ ..] = channels else {
-        return Err(Problem::TooFew { name: "channels", count: 0, least: 1 }.into());
+        return Err(InputIssue::too_few(Place::plain("channels"), 0, 1).into());
     };
     for (i, other) in others.iter().enumerate() {
         if !are_simultaneous(first, other) {
-            findings
-                .push(Problem::NotAlike { place: Place::of("channel").at(i + 1), like: "the first channel, sampled at the same instants" });
+            issues.push(TestIssue::InstantsDiffer { at: Place::plain("channel").at(i + 1) });
         }
     }
-    findings.done()?;
+    issues.finish()?;
     let mut sums = first.values().to_vec();
     for other in others {
         sums.iter_mut().zip(other.values()).for_each(|(sum, value)| *sum = sum.clone() + value.clone());
     }
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
+    issues.all_finite(Place::plain("sums"), &sums);
+    issues.finish()?;
     Ok(first.with_values(sums))
 }
 
 impl<T: Ordered<Mask = bool>> BarrierRecord<T> {
-    /// The impulse over a window, the baseline before it taken off, along the normal and the tangent, in N s.
+    /// Returns the impulse over a window along the normal and the tangent, in N s, with the baseline of the window before it removed.
     ///
     /// # Errors
     ///
     /// As [`bank`], [`Record::baseline`] and [`Record::impulse_over`].
-    pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Nt<T>, Problems<T>> {
+    pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Nt<T>, TestIssues<T>> {
         let along = |channels: &[Record<T>]| bank(channels)?.corrected(before)?.impulse_over(over);
         Ok(Nt { n: along(&self.normal)?, t: along(&self.tangential)? })
     }
 }
 
 impl<T: Ordered<Mask = bool>> BarrierRecord<T> {
-    /// The impulse ratio over a window, μ = P_t/P_n, with its variance from the noise of the two banks, which is taken as independent   (A8).
+    /// Returns the impulse ratio over a window, μ = P_t/P_n, with its variance from the noise of the two banks, which are assumed independent   (A8).
     ///
     /// # Errors
     ///
-    /// As [`bank`] and [`Record::impulse`], and a normal impulse of zero.
-    pub fn ratio(&self, over: &Window<T>, before: &Window<T>) -> Result<Estimate<T>, Problems<T>> {
+    /// As [`bank`] and [`Record::impulse`], and if the normal impulse is zero.
+    pub fn ratio(&self, over: &Window<T>, before: &Window<T>) -> Result<Estimate<T>, TestIssues<T>> {
         let (normal, tangential) = (bank(&self.normal)?.impulse(over, before)?, bank(&self.tangential)?.impulse(over, before)?);
         impulse_ratio(Nt { n: normal.value.clone(), t: tangential.value.clone() })?;
-        Ok(tangential.over(normal))
+        finite_estimate("impulse ratio", tangential.over(normal))
     }
 }
 
-/// The impulse ratio μ = P_t/P_n   (A8).
+/// Returns the impulse ratio μ = P_t/P_n   (A8).
 ///
 /// ```
 /// use planar_impact::{Nt, barrier::impulse_ratio};
 /// // Table 3 of the paper, test 1: main barrier left and right, and wing, in N s.
 /// let ratio = impulse_ratio(Nt { n: 2596.0 + 4612.0, t: 1720.0 })?;
 /// assert_eq!(format!("{ratio:.3}"), "0.239");
-/// # Ok::<(), planar_impact::barrier::Problems>(())
+/// # Ok::<(), planar_impact::barrier::TestIssues>(())
 /// ```
 ///
 /// # Errors
 ///
-/// A normal impulse of zero, and impulses that are not finite.
-pub fn impulse_ratio<T: Ordered<Mask = bool>>(impulse: Nt<T>) -> Result<T, Problems<T>> {
-    let mut findings = Findings::none();
-    findings.positive(Place::of("magnitude of the normal impulse"), &impulse.n.clone().magnitude());
-    findings.finite(Place::of("tangential impulse"), &impulse.t);
-    findings.done().map(|()| impulse.t / impulse.n)
+/// If the normal impulse is zero, or a number is not finite.
+pub fn impulse_ratio<T: Ordered<Mask = bool>>(impulse: Nt<T>) -> Result<T, TestIssues<T>> {
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
+    issues.positive(Place::of("magnitude of the normal impulse", Measure::Impulse), &impulse.n.clone().magnitude());
+    issues.finite(Place::of("tangential impulse", Measure::Impulse), &impulse.t);
+    issues.finish()?;
+    finite(Place::plain("impulse ratio"), impulse.t / impulse.n)
 }
 
-/// Whether two channels were sampled at the same instants, to rounding.
+/// Returns `true` if two channels were sampled at the same instants, to rounding.
 fn are_simultaneous<T: Ordered<Mask = bool>>(one: &Record<T>, other: &Record<T>) -> bool {
-    let slack = (one.time(one.len() - 1) - one.time(0)) * crate::solve::slack();
+    let slack = (one.time(one.len() - 1) - one.time(0)) * crate::scalar::slack();
     one.len() == other.len() && (0..one.len()).all(|i| !slack.less(&(one.time(i) - other.time(i)).magnitude()))
 }
 
@@ -136,9 +140,9 @@ mod tests {
     #[test]
     fn channels_of_other_instants_are_named() {
         let channels = [channel(0.0, [0.0; 4]), channel(0.5, [0.0; 4]), channel(0.0, [0.0; 4])];
-        let problems = bank(&channels).expect_err("one channel is late");
-        assert_eq!(problems.all().len(), 1);
-        assert!(alloc::string::ToString::to_string(&problems).contains("channel[1]"));
+        let issues = bank(&channels).expect_err("one channel is late");
+        assert_eq!(issues.len(), 1);
+        assert!(alloc::string::ToString::to_string(&issues).contains("channel[1]"));
         let given = Record::at_times(alloc::vec![0.0, 1.0, 2.0, 3.0], alloc::vec![1.0; 4]).expect("a good record");
         assert!(bank(&[channel(0.0, [0.0; 4]), given]).is_ok());
         let longer = Record::uniform(0.0, 1.0, alloc::vec![0.0; 5]).expect("a good record");

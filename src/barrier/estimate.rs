@@ -1,4 +1,4 @@
-//! A number and how uncertain it is.
+//! A number and its uncertainty.
 
 use crate::scalar::{Field, Real};
 
@@ -12,12 +12,12 @@ pub struct Estimate<T = f64> {
 }
 
 impl<T: Field> Estimate<T> {
-    /// From a number and its standard deviation.
+    /// Creates an estimate from a number and its standard deviation.
     pub fn with_deviation(value: T, deviation: T) -> Self {
         Estimate { value, variance: deviation.squared() }
     }
 
-    /// The quotient of two independent numbers, its variance to first order.
+    /// Returns the quotient of two independent numbers, with its variance to first order.
     #[must_use]
     pub fn over(self, divisor: Self) -> Self {
         let value = self.value / divisor.value.clone();
@@ -27,9 +27,9 @@ impl<T: Field> Estimate<T> {
 }
 
 impl<T: Real> Estimate<T> {
-    /// The standard deviation, in the unit of the number.
+    /// Returns the standard deviation, in the unit of the number.
     pub fn deviation(&self) -> T {
-        self.variance.clone().sqrt()
+        self.variance.clone().square_root()
     }
 }
 

@@ -1,16 +1,18 @@
 //! Restitution from film: the distance of a point from the barrier over time, smoothed and differentiated.
 
 use super::estimate::Estimate;
-use super::findings::Findings;
+use super::issue::{TestIssue, TestIssues};
 use super::lowess::Lowess;
-use super::problem::{Place, Problems};
 use super::record::Record;
+use crate::issue::{IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::Ordered;
 
-/// The restitution of a point from its distance to the barrier over time, e = V_Cn/v_Cn: the slope of the smoothed distance at separation over the closing speed.
+/// Computes the restitution of a point from its distance to the barrier over time, e = V_Cn/v_Cn: the slope of the smoothed distance at separation over the
+/// closing speed.
 ///
-/// The distance is perpendicular to the barrier, in m, and grows when the point rebounds. The separation time is in s, the closing speed normal to the barrier in
-/// m/s. The variance has the noise of the distances and that of the closing speed, not the bias of the smoothing: see [`Lowess::smooth`].
+/// The distance is perpendicular to the barrier, in m, and grows as the point rebounds. The separation time is in s, the closing speed normal to the barrier
+/// in m/s. The variance includes the noise of the distances and that of the closing speed, but not the bias of the smoothing: see [`Lowess::smooth`].
 ///
 /// ```
 /// use planar_impact::barrier::{Estimate, Lowess, Record, restitution_from_film};
@@ -21,22 +23,22 @@ use crate::scalar::Ordered;
 /// let lowess = Lowess { neighbors: 9, robust_passes: 3 };
 /// let restitution = restitution_from_film(&film, lowess, 0.2, Estimate::with_deviation(10.0, 0.05))?;
 /// assert!((restitution.value - 0.15).abs() < 3.0 * restitution.deviation());
-/// # Ok::<(), planar_impact::barrier::Problems>(())
+/// # Ok::<(), planar_impact::barrier::TestIssues>(())
 /// ```
 ///
 /// # Errors
 ///
-/// As [`Lowess::smooth`], a separation time outside of the record, a closing speed that is not above zero, a negative variance.
+/// As [`Lowess::smooth`], and for a separation time outside the record, a closing speed that is not above zero, or a negative variance.
 pub fn restitution_from_film<T: Ordered<Mask = bool>>(
     distance: &Record<T>,
     lowess: Lowess,
     separation: T,
     closing: Estimate<T>,
-) -> Result<Estimate<T>, Problems<T>> {
-    let mut findings = Findings::none();
-    findings.positive(Place::of("closing speed"), &closing.value);
-    findings.not_negative(Place::of("variance of the closing speed"), &closing.variance);
-    findings.done()?;
+) -> Result<Estimate<T>, TestIssues<T>> {
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
+    issues.positive(Place::of("closing speed", Measure::Speed), &closing.value);
+    issues.not_negative(Place::plain("variance of the closing speed"), &closing.variance);
+    issues.finish()?;
     let line = lowess.smooth(distance)?.at(separation)?;
     Ok(line.slope.over(closing))
 }
@@ -72,8 +74,8 @@ mod tests {
 
     #[test]
     fn a_vehicle_that_does_not_close_is_refused() {
-        let problems = restitution_from_film(&film(0.0), LOWESS, 0.1, Estimate { value: -1.0, variance: -1.0 }).expect_err("two problems");
-        assert_eq!(problems.all().len(), 2);
+        let issues = restitution_from_film(&film(0.0), LOWESS, 0.1, Estimate { value: -1.0, variance: -1.0 }).expect_err("two issues");
+        assert_eq!(issues.len(), 2);
         assert!(restitution_from_film(&film(0.0), LOWESS, 0.2, Estimate::with_deviation(1.0, 0.0)).is_err());
     }
 }

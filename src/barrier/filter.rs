@@ -1,8 +1,9 @@
-//! Channel frequency classes of SAE J211-1: a Butterworth filter of two poles, run over the record forwards and backwards.
+//! Channel frequency classes of SAE J211-1: a two-pole Butterworth filter, run over the record forwards and backwards.
 
-use super::findings::Findings;
-use super::problem::{Place, Problem, Problems};
+use super::issue::{TestIssue, TestIssues};
 use super::record::{Clock, Record};
+use crate::issue::{IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::{Field, Ordered, Real};
 use alloc::vec::Vec;
 
@@ -19,24 +20,24 @@ pub enum ChannelClass {
     Cfc1000,
 }
 
-/// The filter of a class at a sampling interval, by the letters of SAE J211-1, Annex C: Y_t = a₀ (X_t + 2 X_t−1 + X_t−2) + b₁ Y_t−1 + b₂ Y_t−2.
+/// The filter of a class at a sampling interval, in the notation of SAE J211-1, Annex C: Y_t = a₀ (X_t + 2 X_t−1 + X_t−2) + b₁ Y_t−1 + b₂ Y_t−2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelFilter<T = f64> {
-    /// a₀ = a₂ = a₁/2: what the samples count.
+    /// a₀ = a₂ = a₁/2: coefficient of the samples.
     pub feed: T,
-    /// b₁: what the last filtered sample counts.
+    /// b₁: coefficient of the last filtered sample.
     pub last: T,
-    /// b₂: what the one before counts.
+    /// b₂: coefficient of the filtered sample before the last.
     pub last_but_one: T,
     /// The time between two samples, Δt, in s.
     pub step: T,
 }
 
 impl ChannelClass {
-    /// All of them.
+    /// All classes.
     pub const ALL: [ChannelClass; 4] = [ChannelClass::Cfc60, ChannelClass::Cfc180, ChannelClass::Cfc600, ChannelClass::Cfc1000];
 
-    /// Its number, the frequency F_H in Hz up to which the response is flat.
+    /// Returns the number of the class, the frequency F_H in Hz up to which the response is flat.
     pub fn number(self) -> i32 {
         match self {
             ChannelClass::Cfc60 => 60,
@@ -46,45 +47,45 @@ impl ChannelClass {
         }
     }
 
-    /// The longest sampling interval, in s: ten samples in a period of F_H, so that CFC 60 needs 600 Hz and CFC 1000 needs 10 kHz.
+    /// Returns the longest sampling interval, in s: a tenth of a period of F_H, so CFC 60 needs 600 Hz and CFC 1000 needs 10 kHz.
     pub fn longest_step<T: Field>(self) -> T {
         T::int(10 * self.number()).inv()
     }
 }
 
 impl<T: Real + Ordered<Mask = bool>> ChannelFilter<T> {
-    /// The filter of a class for samples that are `step` seconds apart.
+    /// Creates the filter of a class for samples that are `step` seconds apart.
     ///
     /// ```
     /// use planar_impact::barrier::{ChannelClass, ChannelFilter};
     /// let filter = ChannelFilter::<f64>::new(ChannelClass::Cfc60, 1e-4)?;
     /// // −3 dB at 100 Hz, after both passes.
     /// assert!((20.0 * filter.gain(100.0).log10() + 3.0).abs() < 0.05);
-    /// # Ok::<(), planar_impact::barrier::Problems>(())
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// A step that is not above zero, or longer than [`ChannelClass::longest_step`].
-    pub fn new(class: ChannelClass, step: T) -> Result<Self, Problems<T>> {
+    /// If the step is not above zero, or is longer than [`ChannelClass::longest_step`].
+    pub fn new(class: ChannelClass, step: T) -> Result<Self, TestIssues<T>> {
         let longest: T = class.longest_step();
-        let mut findings = Findings::none();
-        findings.positive(Place::of("step"), &step);
-        findings.done()?;
-        if (longest.clone() + longest.clone() * crate::solve::slack()).less(&step) {
-            return Err(Problem::SampledTooSlowly { step, longest }.into());
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
+        issues.positive(Place::of("step", Measure::Time), &step);
+        issues.finish()?;
+        if (longest.clone() + longest.clone() * crate::scalar::slack()).less(&step) {
+            return Err(TestIssue::SampledTooSlowly { step, longest }.into());
         }
-        let pi = T::int(0).atan2(T::int(-1));
-        // ω_d = 2π · 2.0775 CFC is where one pass has −3 dB; two passes have it at 5/3 CFC.
+        let pi = T::int(0).arctangent(T::int(-1));
+        // ω_d = 2π · 2.0775 CFC is the −3 dB frequency of one pass; that of two passes is 5/3 CFC.
         let corner = T::int(2) * pi * T::int(20775 * class.number()) / T::int(10_000);
-        let (sin, cos) = (corner * step.clone()).half().sin_cos();
-        Ok(Self::of_warped_corner(step, sin / cos, T::int(2).sqrt()))
+        let (sin, cos) = (corner * step.clone()).half().sin_and_cos();
+        Ok(Self::of_warped_corner(step, sin / cos, T::int(2).square_root()))
     }
 
-    /// What is left of a sine of a frequency in Hz after both passes. There is no phase.
+    /// Returns the gain of both passes at a frequency in Hz. The phase is zero.
     pub fn gain(&self, frequency: T) -> T {
-        let pi = T::int(0).atan2(T::int(-1));
-        let (sin, cos) = (T::int(2) * pi * frequency * self.step.clone()).sin_cos();
+        let pi = T::int(0).arctangent(T::int(-1));
+        let (sin, cos) = (T::int(2) * pi * frequency * self.step.clone()).sin_and_cos();
         let (sin_twice, cos_twice) = (T::int(2) * sin.clone() * cos.clone(), cos.clone().squared() - sin.clone().squared());
         let ahead = (T::int(2) * self.feed.clone() * (T::int(1) + cos.clone())).squared();
         let real = T::int(1) - self.last.clone() * cos - self.last_but_one.clone() * cos_twice;
@@ -94,7 +95,7 @@ impl<T: Real + Ordered<Mask = bool>> ChannelFilter<T> {
 }
 
 impl<T: Field> ChannelFilter<T> {
-    /// From ω_a = tan(ω_d Δt/2) and √2, which no rational number is. Whatever they are, a constant passes unchanged.
+    /// Creates the filter from ω_a = tan(ω_d Δt/2) and √2, which is irrational. A constant passes unchanged whatever their values.
     #[doc(hidden)]
     pub fn of_warped_corner(step: T, corner: T, root_two: T) -> Self {
         let square = corner.clone().squared();
@@ -111,8 +112,9 @@ impl<T: Field> ChannelFilter<T> {
 
     /// Filters equally spaced samples forwards and backwards, so that nothing is delayed.
     ///
-    /// At both ends the whole record is continued by its reflection in its end point, 2 x₀ − x_i, and the filter starts as if the outermost value had always been there.
-    /// A constant passes unchanged, and a straight line but for what is left of the start of the filter, a record's length away.
+    /// At both ends the whole record is continued by its reflection in its end point, 2 x₀ − x_i, and the filter starts as if the outermost value had always
+    /// been there. A constant passes unchanged; so does a straight line, except for what remains of the filter's start-up transient after the length of a
+    /// record.
     pub fn filter(&self, samples: &[T]) -> Vec<T> {
         let ([first, tail @ ..], Some(last)) = (samples, samples.last()) else {
             return Vec::new();
@@ -130,7 +132,7 @@ impl<T: Field> ChannelFilter<T> {
         run
     }
 
-    /// One pass, in place.
+    /// Runs one pass, in place.
     fn pass(&self, samples: &mut [T]) {
         let Some(start) = samples.first().cloned() else { return };
         let [mut x1, mut x2, mut y1, mut y2] = [start.clone(), start.clone(), start.clone(), start];
@@ -147,14 +149,14 @@ impl<T: Field> ChannelFilter<T> {
 }
 
 impl<T: Real + Ordered<Mask = bool>> Record<T> {
-    /// The record filtered to a channel frequency class, without delay. See [`ChannelFilter::filter`] for what is done at its ends.
+    /// Returns the record filtered to a channel frequency class, without delay. See [`ChannelFilter::filter`] for the treatment of its ends.
     ///
     /// # Errors
     ///
-    /// A record that is not sampled at equal intervals, or too slowly for the class.
-    pub fn filtered(&self, class: ChannelClass) -> Result<Self, Problems<T>> {
+    /// If the record is not sampled at equal intervals, or is sampled too slowly for the class.
+    pub fn filtered(&self, class: ChannelClass) -> Result<Self, TestIssues<T>> {
         let Clock::Uniform { step, .. } = self.clock() else {
-            return Err(Problem::NotUniform.into());
+            return Err(TestIssue::NotUniform.into());
         };
         let filter = ChannelFilter::new(class, step.clone())?;
         Ok(self.with_values(filter.filter(self.values())))
@@ -164,6 +166,7 @@ impl<T: Real + Ordered<Mask = bool>> Record<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::issue::InputIssue;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
 
     fn decibel(class: ChannelClass, frequency: f64, step: f64) -> f64 {
@@ -181,7 +184,7 @@ mod tests {
 
     #[test]
     fn the_response_stays_in_the_corridor() {
-        // SAE J211-1, Figure 1: ±½ dB up to F_H, there −1 dB at the least, −4 dB at F_N, from which it falls by 9 to 24 dB an octave.
+        // SAE J211-1, Figure 1: ±½ dB up to F_H, at least −1 dB at F_H, −4 dB at F_N, and beyond it a fall of 9 to 24 dB per octave.
         for class in ChannelClass::ALL {
             let f_h = f64::from(class.number());
             let f_n = if class == ChannelClass::Cfc1000 { 1650.0 } else { f_h / 0.6 };
@@ -228,13 +231,16 @@ mod tests {
     #[test]
     fn a_record_too_slow_or_uneven_is_refused() {
         assert!(ChannelFilter::new(ChannelClass::Cfc60, 1.0 / 600.0).is_ok());
-        let problems = ChannelFilter::new(ChannelClass::Cfc1000, 1.1e-4).expect_err("too slow");
-        assert_eq!(problems.all(), [Problem::SampledTooSlowly { step: 1.1e-4, longest: 1e-4 }]);
-        let problem = |step: f64| ChannelFilter::new(ChannelClass::Cfc60, step).expect_err("no step").all().to_vec();
-        assert!(matches!(problem(f64::NAN)[..], [Problem::NotFinite { .. }]));
-        assert_eq!(problem(-1.0), [Problem::NotPositive { place: Place::of("step"), value: -1.0 }]);
+        let issues = ChannelFilter::new(ChannelClass::Cfc1000, 1.1e-4).expect_err("too slow");
+        assert_eq!(issues.as_slice(), [TestIssue::SampledTooSlowly { step: 1.1e-4, longest: 1e-4 }]);
+        let problem = |step: f64| ChannelFilter::new(ChannelClass::Cfc60, step).expect_err("no step").as_slice().to_vec();
+        assert!(matches!(
+            problem(f64::NAN)[..],
+            [TestIssue::Input(InputIssue { kind: crate::issue::InputIssueKind::NotFinite { .. }, .. })]
+        ));
+        assert_eq!(problem(-1.0), [InputIssue::not_positive(Place::of("step", Measure::Time), -1.0).into()]);
         let uneven = Record::at_times(alloc::vec![0.0, 1.0, 3.0], alloc::vec![0.0; 3]).expect("a good record");
-        assert_eq!(uneven.filtered(ChannelClass::Cfc60).expect_err("uneven").all(), [Problem::NotUniform]);
+        assert_eq!(uneven.filtered(ChannelClass::Cfc60).expect_err("uneven").as_slice(), [TestIssue::NotUniform]);
     }
 
     #[test]

@@ -1,66 +1,43 @@
-//! d₀ and d₁ from several tests: weighted least squares of E* against the crush, with what it leaves uncertain.
+//! d₀ and d₁ from several tests: weighted least squares of E* against the crush, with their uncertainty.
 
 use super::estimate::Estimate;
-use super::findings::Findings;
+use super::fitted::{Residual, StiffnessCovariance};
+use super::issue::{TestIssue, TestIssues};
 use super::observation::Observations;
-use super::problem::{Place, Problems};
 use super::{line_fit, profile_fit};
 use crate::crush::{CrushStiffness, ProfileMoments};
+use crate::issue::{IssueCollector, Place};
 use crate::scalar::{Field, Ordered, Real};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// Covariance of d₀ and d₁.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StiffnessCovariance<T = f64> {
-    /// Variance of d₀, in N.
-    pub onset: T,
-    /// Covariance of d₀ and d₁, in N/m.
-    pub between: T,
-    /// Variance of d₁, in N/m².
-    pub slope: T,
-}
-
-/// What the crush of a test is taken for in the fit.
+/// The model of a test's crush in the fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrushModel {
-    /// Its mean depth: E* = d₀ + d₁ C, as the paper has it (Eq 3). Exact for flat profiles.
+    /// Mean depth: E* = d₀ + d₁ C, as in the paper (Eq 3). Exact for flat profiles.
     MeanDepth,
-    /// The profile itself: E*² = d₀² + 2 d₀ d₁ C + d₁² C², with the means of C and of C² over the width. It is Eq 4.
+    /// The profile itself: E*² = d₀² + 2 d₀ d₁ C + d₁² C², with the means of C and of C² over the width. This is Eq 4.
     Profile,
 }
 
-/// What the covariance is made of.
+/// The basis of the covariance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CovarianceBasis {
     /// The standard deviations as given.
     Deviations,
-    /// The standard deviations as given but for a common factor, which the residuals tell: the covariance is scaled by χ² over the degrees of freedom.
+    /// The standard deviations up to a common factor that the residuals determine: the covariance is scaled by χ² over the degrees of freedom.
     Residuals,
 }
 
-/// One test in the fit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Residual<T = f64> {
-    /// Moments of its crush.
-    pub crush: ProfileMoments<T>,
-    /// E* as measured, in √N.
-    pub observed: T,
-    /// E* as fitted, in √N.
-    pub fitted: T,
-    /// Variance of the measured E*, in N, as given.
-    pub variance: T,
-}
-
-/// What a fit says that a stiffness should not.
+/// A property of a fit that is implausible for a stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FitFinding<T = f64> {
-    /// d₀ is below zero: the tests would leave crush at no energy.
+    /// d₀ is below zero: crush would remain without any energy.
     NegativeOnset(T),
-    /// d₁ is below zero: the structure would take less energy the deeper it is crushed.
+    /// d₁ is below zero: the structure would absorb less energy the deeper it is crushed.
     NegativeSlope(T),
-    /// As many tests as coefficients: the residuals say nothing of the scatter.
+    /// There are only as many tests as coefficients, so the residuals do not measure the scatter.
     NoFreedom,
 }
 
@@ -79,24 +56,24 @@ impl<T: fmt::Display> fmt::Display for FitFinding<T> {
 /// A stiffness that was fitted to tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessFit<T = f64> {
-    /// d₀ and d₁, as they come out, negative ones included.
+    /// d₀ and d₁ as fitted, even if negative.
     pub stiffness: CrushStiffness<T>,
     /// Their covariance.
     pub covariance: StiffnessCovariance<T>,
-    /// What the covariance is made of.
+    /// The basis of the covariance.
     pub basis: CovarianceBasis,
-    /// What the crush was taken for.
+    /// The model of the crush.
     pub model: CrushModel,
-    /// The tests, in their order.
+    /// Residuals of the tests, in their order.
     pub residuals: Vec<Residual<T>>,
     /// χ²: the sum of the squares of the residuals, weighted by the inverse of their covariance as given.
     pub chi_square: T,
-    /// Tests less coefficients.
+    /// Number of tests less number of coefficients.
     pub degrees_of_freedom: usize,
 }
 
 impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
-    /// The line E* = d₀ + d₁ C through the mean depths, in closed form.
+    /// Fits the line E* = d₀ + d₁ C through the mean depths, in closed form.
     ///
     /// ```
     /// use planar_impact::barrier::{Observation, Observations, StiffnessFit};
@@ -107,13 +84,13 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
     /// assert!((fit.stiffness.slope - 1000.0).abs() < 1e-9);
     /// // The line is known best in the middle: 10 √N/√3.
     /// assert!((fit.intensity_at(0.3).deviation() - 10.0 / 3_f64.sqrt()).abs() < 1e-9);
-    /// # Ok::<(), planar_impact::barrier::Problems>(())
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// Fewer than two tests, fewer than two different mean depths, a covariance that is none.
-    pub fn on_mean_depth(observations: &Observations<T>) -> Result<Self, Problems<T>> {
+    /// If there are fewer than two tests or fewer than two different mean depths, or the covariance is not positive definite.
+    pub fn on_mean_depth(observations: &Observations<T>) -> Result<Self, TestIssues<T>> {
         let weight = line_fit::ready(observations)?;
         let (stiffness, covariance) = line_fit::line(observations, &weight);
         let fitted = |crush: &ProfileMoments<T>| stiffness.crush_intensity(crush.mean_depth());
@@ -121,9 +98,9 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
         Self::of(stiffness, covariance, CrushModel::MeanDepth, residuals, chi_square).within_range()
     }
 
-    /// Refuses what the numbers were too large or too small for.
-    fn within_range(self) -> Result<Self, Problems<T>> {
-        let mut findings = Findings::none();
+    /// Returns an error if the numbers were so large or so small that a result is not finite.
+    fn within_range(self) -> Result<Self, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (name, number) in [
             ("fitted d0", &self.stiffness.onset),
             ("fitted d1", &self.stiffness.slope),
@@ -131,12 +108,12 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
             ("variance of d1", &self.covariance.slope),
             ("chi square", &self.chi_square),
         ] {
-            findings.finite(Place::of(name), number);
+            issues.finite(Place::plain(name), number);
         }
-        findings.done().map(|()| self)
+        issues.finish().map(|()| self)
     }
 
-    /// What the fit says that a stiffness should not.
+    /// Returns the properties of the fit that are implausible for a stiffness.
     pub fn findings(&self) -> Vec<FitFinding<T>> {
         let negative = |value: &T| value.less(&T::int(0)).then(|| value.clone());
         let onset = negative(&self.stiffness.onset).map(FitFinding::NegativeOnset);
@@ -146,15 +123,16 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
 }
 
 impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
-    /// The stiffness whose crush energy of each measured profile (Eq 4) is nearest to that of its test, in terms of E*.
+    /// Fits the stiffness whose crush energy of each measured profile (Eq 4) is nearest to that of its test, in terms of E*.
     ///
-    /// Newton's steps from the line through the mean depths, until they are rounding, and one more, so that derivatives of first and second order have settled
-    /// as well. It is the answer near to that line: two very uneven profiles can have a second one that is as exact, and a third test tells them apart.
+    /// Takes Newton steps from the line through the mean depths until they are at rounding level, and one more, so that derivatives of first and second order
+    /// have converged as well. The result is the solution near that line: two very uneven profiles can have a second one that is just as exact, which a third
+    /// test would distinguish.
     ///
     /// # Errors
     ///
-    /// As [`Self::on_mean_depth`], and a fit that does not settle.
-    pub fn on_profiles(observations: &Observations<T>) -> Result<Self, Problems<T>> {
+    /// As [`Self::on_mean_depth`], and if the fit does not converge.
+    pub fn on_profiles(observations: &Observations<T>) -> Result<Self, TestIssues<T>> {
         let weight = line_fit::ready(observations)?;
         let (start, _) = line_fit::line(observations, &weight);
         let (stiffness, covariance) = profile_fit::settle(observations, &weight, start)?;
@@ -176,8 +154,8 @@ impl<T: Field> StiffnessFit<T> {
         StiffnessFit { stiffness, covariance, basis: CovarianceBasis::Deviations, model, residuals, chi_square, degrees_of_freedom }
     }
 
-    /// The same fit with the covariance that the residuals tell, for standard deviations that are only relative to each other: the covariance times χ²/ν.
-    /// None without degrees of freedom ν, where the residuals tell nothing.
+    /// Returns the same fit with the covariance from the residuals, for standard deviations that are only known relative to each other: the covariance times
+    /// χ²/ν. Returns `None` without degrees of freedom ν.
     pub fn rescaled(&self) -> Option<Self> {
         let freedom = T::from_usize(self.degrees_of_freedom).filter(|_| self.degrees_of_freedom > 0)?;
         let factor = self.chi_square.clone() / freedom;
@@ -190,22 +168,22 @@ impl<T: Field> StiffnessFit<T> {
         Some(StiffnessFit { covariance, basis: CovarianceBasis::Residuals, ..self.clone() })
     }
 
-    /// d₀ with its variance, in √N.
+    /// Returns d₀ with its variance, in √N.
     pub fn onset(&self) -> Estimate<T> {
         Estimate { value: self.stiffness.onset.clone(), variance: self.covariance.onset.clone() }
     }
 
-    /// d₁ with its variance, in √N/m.
+    /// Returns d₁ with its variance, in √N/m.
     pub fn slope(&self) -> Estimate<T> {
         Estimate { value: self.stiffness.slope.clone(), variance: self.covariance.slope.clone() }
     }
 
-    /// E* = d₀ + d₁ C at a depth in m, and what the covariance leaves it uncertain, in √N.
+    /// Returns E* = d₀ + d₁ C at a depth in m, in √N, with the variance that follows from the covariance.
     pub fn intensity_at(&self, depth: T) -> Estimate<T> {
         Estimate { value: self.stiffness.crush_intensity(depth.clone()), variance: self.covariance.along(T::int(1), depth) }
     }
 
-    /// The crush energy of a profile (Eq 4), and what the covariance leaves it uncertain, in J. The variance is that of the first order, by the exact derivatives
+    /// Returns the crush energy of a profile (Eq 4), in J, with the variance that follows from the covariance to first order, from the exact derivatives
     /// ∂E_C/∂d₀ = 2 d₀ K₁ + d₁ K₂ and ∂E_C/∂d₁ = d₀ K₂ + 2 d₁ K₃. The profile is taken as exact.
     pub fn energy_of(&self, crush: ProfileMoments<T>) -> Estimate<T> {
         let CrushStiffness { onset, slope } = self.stiffness.clone();
@@ -214,39 +192,10 @@ impl<T: Field> StiffnessFit<T> {
         Estimate { value: self.stiffness.crush_energy(crush), variance: self.covariance.along(by_onset, by_slope) }
     }
 
-    /// The crush energy of a flat profile of a depth and a width in m, and what the covariance leaves it uncertain, in J.
+    /// Returns the crush energy of a flat profile of a depth and a width in m, in J, with the variance that follows from the covariance.
     pub fn energy_at(&self, depth: T, width: T) -> Estimate<T> {
         let (second, third) = (width.clone() * depth.clone(), width.clone() * depth.squared().half());
         self.energy_of(ProfileMoments { first: width.half(), second, third })
-    }
-}
-
-impl<T: Field> StiffnessCovariance<T> {
-    /// The variance of a number that d₀ and d₁ move by these derivatives.
-    pub fn along(&self, by_onset: T, by_slope: T) -> T {
-        let cross = T::int(2) * by_onset.clone() * by_slope.clone() * self.between.clone();
-        by_onset.squared() * self.onset.clone() + cross + by_slope.squared() * self.slope.clone()
-    }
-}
-
-impl<T: Real> StiffnessCovariance<T> {
-    /// The correlation of d₀ and d₁.
-    pub fn correlation(&self) -> T {
-        self.between.clone() / (self.onset.clone().sqrt() * self.slope.clone().sqrt())
-    }
-}
-
-impl<T: Field> Residual<T> {
-    /// E* as measured less as fitted, in √N.
-    pub fn difference(&self) -> T {
-        self.observed.clone() - self.fitted.clone()
-    }
-}
-
-impl<T: Real> Residual<T> {
-    /// The difference in standard deviations of the measured E*.
-    pub fn standardized(&self) -> T {
-        self.difference() / self.variance.clone().sqrt()
     }
 }
 

@@ -1,35 +1,35 @@
-//! The line of weighted least squares through the mean depths, in closed form.
+//! Weighted least-squares line through the mean depths, in closed form.
 
-use super::fit::{Residual, StiffnessCovariance};
+use super::fitted::{Residual, StiffnessCovariance};
+use super::issue::{TestIssue, TestIssues};
 use super::observation::{Observations, Point};
-use super::problem::{Problem, Problems};
 use super::weight::{Weight, dot};
 use crate::crush::{CrushStiffness, ProfileMoments};
-use crate::scalar::{Field, Ordered};
-use crate::solve::slack;
+use crate::issue::{InputIssue, Place};
+use crate::scalar::{Field, Ordered, slack};
 use alloc::vec::Vec;
 
-/// Whether a line can be laid through the observations, and what to weigh them with.
-pub(super) fn ready<T: Ordered<Mask = bool>>(observations: &Observations<T>) -> Result<Weight<T>, Problems<T>> {
+/// Checks that a line can be fitted to the observations, and returns their weight.
+pub(super) fn ready<T: Ordered<Mask = bool>>(observations: &Observations<T>) -> Result<Weight<T>, TestIssues<T>> {
     let count = observations.len();
     let depths: Vec<T> = observations.points.iter().map(|point| point.crush.mean_depth()).collect();
     let [first, others @ ..] = depths.as_slice() else {
-        return Err(Problem::TooFew { name: "tests", count, least: 2 }.into());
+        return Err(InputIssue::too_few(Place::plain("tests"), count, 2).into());
     };
     if others.is_empty() {
-        return Err(Problem::TooFew { name: "tests", count, least: 2 }.into());
+        return Err(InputIssue::too_few(Place::plain("tests"), count, 2).into());
     }
     let differs = |depth: &T| {
         let size = first.clone().magnitude() + depth.clone().magnitude();
         (size * slack()).less(&(depth.clone() - first.clone()).magnitude())
     };
     if !others.iter().any(differs) {
-        return Err(Problem::OneDepth { depth: first.clone() }.into());
+        return Err(TestIssue::OneDepth { depth: first.clone() }.into());
     }
     Weight::of(&observations.covariance, |i| observations.points[i].place)
 }
 
-/// The weighted line through the mean depths, and its covariance.
+/// Fits the weighted line through the mean depths, and computes its covariance.
 pub(super) fn line<T: Field>(observations: &Observations<T>, weight: &Weight<T>) -> (CrushStiffness<T>, StiffnessCovariance<T>) {
     let points = &observations.points;
     let ones = alloc::vec![T::int(1); points.len()];
@@ -38,7 +38,7 @@ pub(super) fn line<T: Field>(observations: &Observations<T>, weight: &Weight<T>)
     let weighed = weight.times(&ones);
     let sum = dot(&weighed, &ones);
     let (depth, intensity) = (dot(&weighed, &depths) / sum.clone(), dot(&weighed, &intensities) / sum.clone());
-    // About the middle of the depths the two coefficients are not correlated, and no digits are lost.
+    // About the mean of the depths the two coefficients are uncorrelated, and no digits are lost.
     let about: Vec<T> = depths.iter().map(|each| each.clone() - depth.clone()).collect();
     let weighed = weight.times(&about);
     let spread = dot(&weighed, &about);
@@ -51,7 +51,7 @@ pub(super) fn line<T: Field>(observations: &Observations<T>, weight: &Weight<T>)
     (CrushStiffness { onset: intensity - slope.clone() * depth, slope }, covariance)
 }
 
-/// What the fit leaves of each test, and χ².
+/// Computes the residual of each test, and χ².
 pub(super) fn residuals<T: Field>(
     observations: &Observations<T>,
     weight: &Weight<T>,

@@ -1,31 +1,31 @@
 //! LOWESS: locally weighted lines through the nearest samples of a record (Cleveland 1979), with the uncertainty of their value and slope.
 
 use super::estimate::Estimate;
-use super::findings::{Findings, finite};
-use super::problem::{Place, Problem, Problems};
+use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
 use super::record::{Record, whole};
 use super::weight::dot;
-use crate::scalar::{Field, Ordered};
-use crate::solve::{is_finite, is_positive, rounding};
+use crate::issue::{IssueCollector, Place};
+use crate::measure::Measure;
+use crate::scalar::{Field, Ordered, is_finite, is_positive, rounding};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-/// How to smooth.
+/// Settings of the smoother.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lowess {
-    /// How many samples a local line goes through. The farthest of them has no weight any more, so four is the least that can be enough.
+    /// Number of samples in a local line. The farthest of them has zero weight, so at least four are needed.
     pub neighbors: usize,
-    /// How often the lines are laid again with less weight on samples far from them (bisquare). None for clean data, three for outliers.
+    /// Number of passes that refit the lines with less weight on samples far from them (bisquare): 0 for clean data, 3 with outliers.
     pub robust_passes: usize,
 }
 
-/// A record with all that is needed to lay a local line anywhere in it.
+/// A smoothed record, which can evaluate a local line at any time within it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Smoothed<T = f64> {
     times: Vec<T>,
     values: Vec<T>,
     neighbors: usize,
-    /// What robustness has left of the weight of each sample.
+    /// The robust weight of each sample.
     trust: Vec<T>,
     /// Variance of one sample about the smoothed record.
     noise: T,
@@ -36,79 +36,79 @@ pub struct Smoothed<T = f64> {
 pub struct LocalLine<T = f64> {
     /// The smoothed value, in the unit of the record.
     pub value: Estimate<T>,
-    /// The slope there, in that unit per second.
+    /// The slope at that time, in the same unit per second.
     pub slope: Estimate<T>,
 }
 
-/// What each sample counts in the value and in the slope of a local line.
+/// The weight of each sample in the value and in the slope of a local line.
 struct Shares<T> {
     value: Vec<T>,
     slope: Vec<T>,
 }
 
 impl Lowess {
-    /// Smooths a record: at t the line of least squares through the nearest samples, weighted by the tricube (1 − (|t_i − t|/h)³)³, h the distance of the farthest.
+    /// Smooths a record: at t it fits a least-squares line through the nearest samples, weighted by the tricube (1 − (|t_i − t|/h)³)³, where h is the
+    /// distance of the farthest.
     ///
-    /// The noise is that of the residuals r = (1 − L) y over its degrees of freedom, σ² = Σ δ_i r_i² / Σ δ_i ‖row i of 1 − L‖², L the smoother and δ the robustness
-    /// weights, which are taken as given. It has to be the same for all samples and independent from one to the next. A record that is curved within the span adds
-    /// a bias that no standard deviation here shows: compare a shorter span.
+    /// The noise is that of the residuals r = (1 − L) y over its degrees of freedom, σ² = Σ δ_i r_i² / Σ δ_i ‖row i of 1 − L‖², where L is the smoother and δ
+    /// the robustness weights, which are taken as given. It must be the same for all samples and independent from one to the next. A record that is curved
+    /// within the span adds a bias that no standard deviation here includes: compare with a shorter span.
     ///
-    /// The cost grows with the square of the number of samples: a film of a thousand frames takes a million steps each time the lines are laid.
+    /// The cost grows with the square of the number of samples: a film of a thousand frames takes a million steps for each fit of the lines.
     ///
     /// # Errors
     ///
-    /// More neighbors than samples, and a span too narrow for a line, or for the residuals to tell the noise.
-    pub fn smooth<T: Ordered<Mask = bool>>(&self, record: &Record<T>) -> Result<Smoothed<T>, Problems<T>> {
+    /// If there are more neighbors than samples, or the span is too narrow for a line or for measuring the noise from the residuals.
+    pub fn smooth<T: Ordered<Mask = bool>>(&self, record: &Record<T>) -> Result<Smoothed<T>, TestIssues<T>> {
         self.smooth_points(record.times(), record.values().to_vec())
     }
 
-    fn smooth_points<T: Ordered<Mask = bool>>(&self, times: Vec<T>, values: Vec<T>) -> Result<Smoothed<T>, Problems<T>> {
-        let mut findings = Findings::none();
-        findings.at_least("neighbors", self.neighbors, 2);
-        findings.at_least("samples for so many neighbors", values.len(), self.neighbors);
-        findings.done()?;
+    fn smooth_points<T: Ordered<Mask = bool>>(&self, times: Vec<T>, values: Vec<T>) -> Result<Smoothed<T>, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
+        issues.at_least(Place::plain("neighbors"), self.neighbors, 2);
+        issues.at_least(Place::plain("samples for so many neighbors"), values.len(), self.neighbors);
+        issues.finish()?;
         let trust = alloc::vec![T::int(1); values.len()];
         let mut smoothed = Smoothed { times, values, neighbors: self.neighbors, trust, noise: T::int(0) };
         for _ in 0..self.robust_passes {
             let Some(trust) = bisquare(&smoothed.residuals()?) else { break };
             smoothed.trust = trust;
         }
-        smoothed.noise = finite("noise", smoothed.estimate_noise()?)?;
+        smoothed.noise = finite(Place::plain("noise"), smoothed.estimate_noise()?)?;
         Ok(smoothed)
     }
 }
 
 impl<T: Ordered<Mask = bool>> Smoothed<T> {
-    /// The local line at a time within the record, in s.
+    /// Returns the local line at a time within the record, in s.
     ///
     /// # Errors
     ///
-    /// A time outside of the record: a smoother does not extrapolate.
-    pub fn at(&self, time: T) -> Result<LocalLine<T>, Problems<T>> {
-        let mut findings = Findings::none();
+    /// If the time is outside the record: a smoother does not extrapolate.
+    pub fn at(&self, time: T) -> Result<LocalLine<T>, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         if let [first, .., last] = self.times.as_slice() {
-            findings.within(Place::of("time"), &time, first.clone(), Some(last.clone()));
+            issues.within(Place::of("time", Measure::Time), &time, first.clone(), Some(last.clone()));
         }
-        findings.done()?;
+        issues.finish()?;
         let shares = self.shares_at(&time)?;
-        let estimate = |name, shares: &[T]| -> Result<Estimate<T>, Problems<T>> {
-            let variance = finite("variance of the smoothed record", dot(shares, shares) * self.noise.clone())?;
-            Ok(Estimate { value: finite(name, dot(shares, &self.values))?, variance })
+        let estimate = |name, shares: &[T]| -> Result<Estimate<T>, TestIssues<T>> {
+            finite_estimate(name, Estimate { value: dot(shares, &self.values), variance: dot(shares, shares) * self.noise.clone() })
         };
         Ok(LocalLine { value: estimate("smoothed value", &shares.value)?, slope: estimate("slope", &shares.slope)? })
     }
 
-    /// The variance of one sample about the smoothed record, in the square of its unit.
+    /// Returns the variance of one sample about the smoothed record, in the square of its unit.
     pub fn noise(&self) -> T {
         self.noise.clone()
     }
 
-    fn residuals(&self) -> Result<Vec<T>, Problems<T>> {
+    fn residuals(&self) -> Result<Vec<T>, TestIssues<T>> {
         let residual = |(time, value): (&T, &T)| Ok(value.clone() - dot(&self.shares_at(time)?.value, &self.values));
         self.times.iter().zip(&self.values).map(residual).collect()
     }
 
-    fn estimate_noise(&self) -> Result<T, Problems<T>> {
+    fn estimate_noise(&self) -> Result<T, TestIssues<T>> {
         let (mut squares, mut freedom) = (T::int(0), T::int(0));
         for (i, time) in self.times.iter().enumerate() {
             let mut row: Vec<T> = self.shares_at(time)?.value.into_iter().map(|share| -share).collect();
@@ -116,19 +116,19 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
             squares = squares + self.trust[i].clone() * dot(&row, &self.values).squared();
             freedom = freedom + self.trust[i].clone() * dot(&row, &row);
         }
-        // Lines through two samples each leave nothing but rounding.
+        // Lines through two samples each leave residuals of rounding only.
         if !rounding::<T>().less(&freedom) {
-            return Err(Problem::SpanTooNarrow { neighbors: self.neighbors, time: self.times[0].clone() }.into());
+            return Err(TestIssue::SpanTooNarrow { neighbors: self.neighbors, time: self.times[0].clone() }.into());
         }
         Ok(squares / freedom)
     }
 
-    /// The line of weighted least squares at a time, as sums over the samples.
-    fn shares_at(&self, time: &T) -> Result<Shares<T>, Problems<T>> {
+    /// Computes the least-squares line at a time, as the weights of its sums over the samples.
+    fn shares_at(&self, time: &T) -> Result<Shares<T>, TestIssues<T>> {
         let apart: Vec<T> = self.times.iter().map(|each| each.clone() - time.clone()).collect();
         let weights: Vec<T> = tricube(&apart, self.neighbors).into_iter().zip(&self.trust).map(|(w, trust)| w * trust.clone()).collect();
         let total = weights.iter().fold(T::int(0), |sum, weight| sum + weight.clone());
-        let too_narrow = || Problem::SpanTooNarrow { neighbors: self.neighbors, time: time.clone() };
+        let too_narrow = || TestIssue::SpanTooNarrow { neighbors: self.neighbors, time: time.clone() };
         if !is_positive(&total) {
             return Err(too_narrow().into());
         }
@@ -145,7 +145,7 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
     }
 }
 
-/// The weight of each sample by its distance, zero from the distance of the last neighbor on.
+/// Computes the weight of each sample by its distance, zero from the distance of the last neighbor onward.
 fn tricube<T: Ordered<Mask = bool>>(apart: &[T], neighbors: usize) -> Vec<T> {
     let distances: Vec<T> = apart.iter().map(|each| each.clone().magnitude()).collect();
     let mut sorted = distances.clone();
@@ -161,7 +161,7 @@ fn tricube<T: Ordered<Mask = bool>>(apart: &[T], neighbors: usize) -> Vec<T> {
     distances.into_iter().map(weight).collect()
 }
 
-/// (1 − (r/6s)²)² with the median s of the magnitudes. None where the median is rounding: the lines go through the samples.
+/// Returns (1 − (r/6s)²)² with the median s of the magnitudes, or `None` if the median is at rounding level: the lines pass through the samples.
 fn bisquare<T: Ordered<Mask = bool>>(residuals: &[T]) -> Option<Vec<T>> {
     let magnitudes: Vec<T> = residuals.iter().map(|each| each.clone().magnitude()).collect();
     let mut sorted = magnitudes.clone();
@@ -178,7 +178,7 @@ fn bisquare<T: Ordered<Mask = bool>>(residuals: &[T]) -> Option<Vec<T>> {
     Some(magnitudes.into_iter().map(trust).collect())
 }
 
-/// From small to large; what overflowed comes last, so that the order is total.
+/// Orders from small to large, with infinities and NaN last, so that the order is total.
 fn order<T: Ordered<Mask = bool>>(a: &T, b: &T) -> Ordering {
     is_finite(b).cmp(&is_finite(a)).then_with(|| b.less(a).cmp(&a.less(b)))
 }
@@ -215,14 +215,14 @@ mod tests {
         speeds.dedup();
         assert_eq!(speeds.len(), expected.len());
         for (speed, expected) in speeds.into_iter().zip(expected) {
-            // R gives samples within 0.1 % of the span's end, or of the residuals', the weight 0 or 1.
+            // R assigns weight 0 or 1 to samples within 0.1 % of the span's end, or of the residuals'.
             assert_abs_diff_eq!(smoothed.at(f64::from(speed)).expect("inside").value.value, expected, epsilon = 5e-6);
         }
     }
 
     #[test]
     fn one_line_through_all_is_the_textbook() {
-        // Far away neighbors: the weights of a very wide span are all but equal, so the line, its slope and their deviations are those of simple regression.
+        // With a very distant neighbor the weights are all but equal, so the line, its slope and their deviations are those of simple regression.
         // By hand: t = −1, 0, 1, y = 0, 3, 3: slope 3/2, mean 2, residuals −½, 1, −½, σ² = 3/2 over one degree of freedom.
         let smoothed = Smoothed {
             times: alloc::vec![-1.0, 0.0, 1.0, 1e9],
@@ -248,7 +248,7 @@ mod tests {
             Lowess { neighbors: 15, robust_passes }.smooth(&record).expect("wide enough").at(17.0).expect("inside").slope.value
         };
         assert!((slope(0) - 2.0).abs() > 1.0);
-        // What is left is of the zigzag of ½.
+        // The remaining error comes from the zigzag of ½.
         assert_abs_diff_eq!(slope(3), 2.0, epsilon = 0.05);
     }
 

@@ -1,10 +1,11 @@
-//! What tests say of a stiffness: the crush, E* = √(2 E_C/w), and how uncertain E* is.
+//! Observations of a stiffness from tests: the crush, E* = √(2 E_C/w), and the uncertainty of E*.
 
-use super::findings::Findings;
-use super::problem::{Place, Problem, Problems};
+use super::issue::{TestIssue, TestIssues};
 use super::series::check_series;
 use super::test::{BarrierTest, check_crush};
 use crate::crush::{ProfileMoments, crush_intensity};
+use crate::issue::{InputIssue, IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::{Ordered, Real};
 use alloc::vec::Vec;
 
@@ -17,16 +18,17 @@ pub struct MeasuredTest<T = f64> {
     pub speed_deviation: T,
     /// Standard deviation of the restitution.
     pub restitution_deviation: T,
-    /// Standard deviation of E* by all that is not speed or restitution, in √N: the measured depth (d₁ times its standard deviation), and structures that do not follow the line.
+    /// Standard deviation of E* from all sources but speed and restitution, in √N: the measured depth (d₁ times its standard deviation), and structures that
+    /// do not follow the line.
     pub scatter: T,
 }
 
-/// A crush and the energy that is in it, where the energies are known and not the tests.
+/// A crush and its energy, for use when the energies are known but not the tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrushEnergy<T = f64> {
     /// Moments of the residual crush.
     pub crush: ProfileMoments<T>,
-    /// All the energy that the crush keeps, E_C, in J.
+    /// Total energy absorbed by the crush, E_C, in J.
     pub energy: T,
     /// Its standard deviation, in J.
     pub deviation: T,
@@ -43,7 +45,7 @@ pub struct Observation<T = f64> {
     pub deviation: T,
 }
 
-/// Crushes with their E*, and the covariance of these.
+/// Crushes with their E*, and the covariance of the E*.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observations<T = f64> {
     pub(super) points: Vec<Point<T>>,
@@ -53,29 +55,29 @@ pub struct Observations<T = f64> {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Point<T> {
-    /// Where the input has it.
+    /// Place in the input.
     pub place: Place,
     pub crush: ProfileMoments<T>,
     pub intensity: T,
 }
 
 impl<T: Ordered<Mask = bool>> Observations<T> {
-    /// Of E* whose errors have nothing to do with each other.
+    /// Creates observations from E* whose errors are independent.
     ///
     /// # Errors
     ///
-    /// Every number that is out of order.
-    pub fn independent(observations: &[Observation<T>]) -> Result<Self, Problems<T>> {
-        let mut findings = Findings::none();
+    /// Every invalid number.
+    pub fn independent(observations: &[Observation<T>]) -> Result<Self, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (i, observation) in observations.iter().enumerate() {
-            let place = Place::of("observation").at(i);
-            check_crush(&observation.crush, place, &mut findings);
-            findings.positive(place.named("intensity"), &observation.intensity);
-            findings.positive(place.named("deviation"), &observation.deviation);
+            let place = Place::plain("observation").at(i);
+            check_crush(&observation.crush, place, &mut issues);
+            issues.positive(place.named("intensity", Measure::RootForce), &observation.intensity);
+            issues.positive(place.named("deviation", Measure::RootForce), &observation.deviation);
         }
-        findings.done()?;
+        issues.finish()?;
         let point = |(i, observation): (usize, &Observation<T>)| Point {
-            place: Place::of("observation").at(i),
+            place: Place::plain("observation").at(i),
             crush: observation.crush.clone(),
             intensity: observation.intensity.clone(),
         };
@@ -88,69 +90,69 @@ impl<T: Ordered<Mask = bool>> Observations<T> {
         Ok(Observations { points, covariance: observations.iter().enumerate().map(row).collect() })
     }
 
-    /// How many there are.
+    /// Returns the number of observations.
     pub fn len(&self) -> usize {
         self.points.len()
     }
 
-    /// Whether there are none.
+    /// Returns `true` if there are no observations.
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
     }
 }
 
 impl<T: Real + Ordered<Mask = bool>> Observations<T> {
-    /// Of tests on several vehicles, a list for each: the tests of one list are repeated tests of one vehicle, in order.
+    /// Creates observations from tests on several vehicles, a list for each: the tests of one list are repeated tests of one vehicle, in order.
     ///
-    /// The energies of repeated tests add up, and so do their errors: the speed of the first test is in every later E* of its vehicle. The covariance has it.
-    /// To first order, var E_C = (m (1 − e²) v σ_v)² + (m e v² σ_e)² of each test, and σ(E*) = σ(E_C)/(w E*).
+    /// The energies of repeated tests add up, and so do their errors: the speed of the first test enters every later E* of its vehicle. The covariance
+    /// includes this. To first order, var E_C = (m (1 − e²) v σ_v)² + (m e v² σ_e)² for each test, and σ(E*) = σ(E_C)/(w E*).
     ///
     /// # Errors
     ///
-    /// Every number of every test that is out of order, and a mean depth below that of the test before.
-    pub fn of_tests<S: AsRef<[MeasuredTest<T>]>>(vehicles: &[S]) -> Result<Self, Problems<T>> {
-        let mut findings = Findings::none();
+    /// Every invalid number of every test, and every mean depth below that of the test before.
+    pub fn of_tests<S: AsRef<[MeasuredTest<T>]>>(vehicles: &[S]) -> Result<Self, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (series, tests) in vehicles.iter().enumerate() {
-            let place = Place::of("test").in_series(series);
-            check_series(tests.as_ref().iter().map(|measured| &measured.test), place, &mut findings);
+            let place = Place::plain("test").in_series(series);
+            check_series(tests.as_ref().iter().map(|measured| &measured.test), place, &mut issues);
             for (i, measured) in tests.as_ref().iter().enumerate() {
                 let place = place.at(i);
-                findings.not_negative(place.named("speed_deviation"), &measured.speed_deviation);
-                findings.not_negative(place.named("restitution_deviation"), &measured.restitution_deviation);
-                findings.not_negative(place.named("scatter"), &measured.scatter);
-                // At e = 1 nothing is kept, and nothing can be said of the stiffness.
-                findings.positive(place.named("crush energy"), &measured.test.crush_energy());
+                issues.not_negative(place.named("speed_deviation", Measure::Speed), &measured.speed_deviation);
+                issues.not_negative(place.named("restitution_deviation", Measure::Ratio), &measured.restitution_deviation);
+                issues.not_negative(place.named("scatter", Measure::RootForce), &measured.scatter);
+                // At e = 1 the crush absorbs nothing, so the test contains no information on the stiffness.
+                issues.positive(place.named("crush energy", Measure::Energy), &measured.test.crush_energy());
             }
         }
-        findings.done()?;
+        issues.finish()?;
         let mut observations = Observations { points: Vec::new(), covariance: Vec::new() };
         for (series, tests) in vehicles.iter().enumerate() {
-            observations.add_vehicle(tests.as_ref(), Place::of("test").in_series(series));
+            observations.add_vehicle(tests.as_ref(), Place::plain("test").in_series(series));
         }
         observations.check_deviations()?;
         Ok(observations)
     }
 
-    /// Of energies that are known as such, in the order in which one vehicle gathered them, their errors independent of each other.
+    /// Creates observations from known energies with independent errors, in the order in which one vehicle accumulated them.
     ///
     /// # Errors
     ///
-    /// Every number that is out of order, and an energy that is not above the one before.
-    pub fn of_energies(series: &[CrushEnergy<T>]) -> Result<Self, Problems<T>> {
-        let mut findings = Findings::none();
+    /// Every invalid number, and every energy that is not above the one before.
+    pub fn of_energies(series: &[CrushEnergy<T>]) -> Result<Self, TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (i, known) in series.iter().enumerate() {
-            let place = Place::of("energy").at(i);
-            check_crush(&known.crush, place, &mut findings);
-            findings.positive(place, &known.energy);
-            findings.positive(place.named("deviation"), &known.deviation);
+            let place = Place::of("energy", Measure::Energy).at(i);
+            check_crush(&known.crush, place, &mut issues);
+            issues.positive(place, &known.energy);
+            issues.positive(place.named("deviation", Measure::Energy), &known.deviation);
         }
         for (i, pair) in series.windows(2).enumerate() {
             let (before, value) = (pair[0].energy.clone(), pair[1].energy.clone());
             if !before.less(&value) {
-                findings.push(Problem::OutOfOrder { place: Place::of("energy").at(i + 1), value, before });
+                issues.push(InputIssue::out_of_order(Place::of("energy", Measure::Energy).at(i + 1), value, before));
             }
         }
-        findings.done()?;
+        issues.finish()?;
         let observe = |known: &CrushEnergy<T>| {
             let width = known.crush.width();
             let intensity = crush_intensity(known.energy.clone(), width.clone());
@@ -163,7 +165,7 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
     fn add_vehicle(&mut self, tests: &[MeasuredTest<T>], place: Place) {
         let first = self.points.len();
         let (mut energy, mut energy_variance) = (T::int(0), T::int(0));
-        // w E* of each test so far, and the variance of the energy by then.
+        // w E* of each test so far, and the variance of the cumulative energy.
         let mut before: Vec<(T, T)> = Vec::new();
         for (i, measured) in tests.iter().enumerate() {
             let test = &measured.test;
@@ -180,14 +182,14 @@ impl<T: Real + Ordered<Mask = bool>> Observations<T> {
         }
     }
 
-    fn check_deviations(&self) -> Result<(), Problems<T>> {
-        let mut findings = Findings::none();
+    fn check_deviations(&self) -> Result<(), TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (point, row) in self.points.iter().zip(&self.covariance) {
             if let Some(variance) = row.last() {
-                findings.positive(point.place.named("variance"), variance);
+                issues.positive(point.place.named("variance", Measure::Force), variance);
             }
         }
-        findings.done()
+        issues.finish()
     }
 }
 
@@ -259,19 +261,22 @@ mod tests {
     fn energies_that_do_not_grow_are_out_of_order() {
         let crush = ProfileMoments::of(2.0, &[0.1, 0.1]).expect("two depths");
         let energy = |energy| CrushEnergy { crush, energy, deviation: 1.0 };
-        let problems = Observations::of_energies(&[energy(3.0), energy(2.0), energy(f64::NAN)]).expect_err("two problems");
-        assert_eq!(problems.all().len(), 3);
-        assert!(problems.all().contains(&Problem::OutOfOrder { place: Place::of("energy").at(1), value: 2.0, before: 3.0 }));
+        let issues = Observations::of_energies(&[energy(3.0), energy(2.0), energy(f64::NAN)]).expect_err("two issues");
+        assert_eq!(issues.len(), 3);
+        assert!(issues.as_slice().contains(&InputIssue::out_of_order(Place::of("energy", Measure::Energy).at(1), 2.0, 3.0).into()));
     }
 
     #[test]
     fn a_test_that_keeps_no_energy_or_knows_everything_is_refused() {
         let mut elastic = measured(3.0, 0.1);
         elastic.test.restitution = 1.0;
-        let problems = Observations::of_tests(&[[elastic]]).expect_err("no energy");
-        assert_eq!(problems.all(), [Problem::NotPositive { place: Place::of("crush energy").in_series(0).at(0), value: 0.0 }]);
+        let issues = Observations::of_tests(&[[elastic]]).expect_err("no energy");
+        assert_eq!(
+            issues.as_slice(),
+            [InputIssue::not_positive(Place::of("crush energy", Measure::Energy).in_series(0).at(0), 0.0).into()]
+        );
         let certain = MeasuredTest { speed_deviation: 0.0, ..measured(3.0, 0.1) };
-        let problems = Observations::of_tests(&[vec![measured(3.0, 0.1); 2], vec![certain]]).expect_err("no deviation");
-        assert_eq!(problems.all(), [Problem::NotPositive { place: Place::of("variance").in_series(1).at(0), value: 0.0 }]);
+        let issues = Observations::of_tests(&[vec![measured(3.0, 0.1); 2], vec![certain]]).expect_err("no deviation");
+        assert_eq!(issues.as_slice(), [InputIssue::not_positive(Place::of("variance", Measure::Force).in_series(1).at(0), 0.0).into()]);
     }
 }

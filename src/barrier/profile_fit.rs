@@ -1,24 +1,24 @@
-//! The fit that takes each measured profile as it is. E* = √q with q = 2 E_C/w = d₀² + 2 d₀ d₁ C̄ + d₁² C̄², C̄ and C̄² the means over the width: not linear in
+//! Fit to each measured profile itself. E* = √q with q = 2 E_C/w = d₀² + 2 d₀ d₁ C̄ + d₁² C̄², where C̄ and C̄² are the means over the width: not linear in
 //! d₀ and d₁, but convex in them and nearly linear.
 
-use super::fit::StiffnessCovariance;
+use super::fitted::StiffnessCovariance;
+use super::issue::{TestIssue, TestIssues};
 use super::observation::Observations;
-use super::problem::{Problem, Problems};
 use super::test::mean_square_depth;
 use super::weight::{Weight, dot};
 use crate::crush::{CrushStiffness, ProfileMoments};
-use crate::scalar::{Field, Ordered, Real};
-use crate::solve::{is_positive, slack};
+use crate::scalar::{Field, Ordered, Real, is_positive, slack};
 use alloc::vec::Vec;
 
-/// Newton's steps: a handful is enough, or it will never settle.
+/// Maximum number of Newton steps. A handful is enough, or the iteration never converges.
 const STEPS: usize = 60;
-/// After the value has settled to rounding: each step doubles the order up to which derivatives are right, and the start may have the value by luck.
+/// Steps after the value has converged to rounding: each step doubles the order up to which derivatives are correct, and the start may have the value by
+/// chance.
 const STEPS_OF_DERIVATIVES: usize = 1;
 
-/// E* of a profile.
+/// Returns E* of a profile.
 pub(super) fn intensity<T: Real>(stiffness: &CrushStiffness<T>, crush: &ProfileMoments<T>) -> T {
-    (stiffness.crush_energy(crush.clone()) / crush.first.clone()).sqrt()
+    (stiffness.crush_energy(crush.clone()) / crush.first.clone()).square_root()
 }
 
 /// A symmetric 2×2 matrix.
@@ -42,17 +42,17 @@ impl<T: Field> Symmetric<T> {
     }
 }
 
-/// The best fit near to a start, and its covariance.
+/// Computes the best fit near a start, and its covariance.
 pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
     observations: &Observations<T>,
     weight: &Weight<T>,
     start: CrushStiffness<T>,
-) -> Result<(CrushStiffness<T>, StiffnessCovariance<T>), Problems<T>> {
+) -> Result<(CrushStiffness<T>, StiffnessCovariance<T>), TestIssues<T>> {
     let mut stiffness = start;
     let mut settled_for = 0;
     let depth = observations.points.iter().fold(T::int(0), |sum, point| sum + point.crush.mean_depth().magnitude());
-    for _ in 0..STEPS {
-        let local = Local::at(observations, weight, &stiffness).ok_or(Problem::NotConverged { steps: STEPS })?;
+    for steps in 0..STEPS {
+        let local = Local::at(observations, weight, &stiffness).ok_or(TestIssue::NotConverged { steps })?;
         if settled_for > STEPS_OF_DERIVATIVES {
             let determinant = local.information.determinant();
             let share = |entry: T| entry / determinant.clone();
@@ -69,10 +69,10 @@ pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
         settled_for = if small { settled_for + 1 } else { 0 };
         stiffness = CrushStiffness { onset: stiffness.onset + step.onset, slope: stiffness.slope + step.slope };
     }
-    Err(Problem::NotConverged { steps: STEPS }.into())
+    Err(TestIssue::NotConverged { steps: STEPS }.into())
 }
 
-/// The sum of squares about a stiffness: its slope, its curvature, and the curvature without the residuals, which is the information that the tests carry.
+/// Sum of squares near a stiffness: its slope, its curvature, and the curvature without the residuals, which is the Fisher information of the tests.
 struct Local<T> {
     downhill: (T, T),
     information: Symmetric<T>,
@@ -80,7 +80,7 @@ struct Local<T> {
 }
 
 impl<T: Real + Ordered<Mask = bool>> Local<T> {
-    /// None where E* is zero for a test, and has no derivative.
+    /// Returns `None` if E* is zero for a test, where it has no derivative.
     fn at(observations: &Observations<T>, weight: &Weight<T>, stiffness: &CrushStiffness<T>) -> Option<Self> {
         let CrushStiffness { onset, slope } = stiffness;
         let (mut by_onset, mut by_slope, mut residuals) = (Vec::new(), Vec::new(), Vec::new());
@@ -104,7 +104,7 @@ impl<T: Real + Ordered<Mask = bool>> Local<T> {
         let weighed = weight.times(&residuals);
         for (i, point) in observations.points.iter().enumerate() {
             let (mean, mean_square) = (point.crush.mean_depth(), mean_square_depth(&point.crush));
-            // Second derivatives of √q: those of q/2, less the product of the first, over √q.
+            // Second derivatives of √q: those of q/2 less the product of the first derivatives, over √q.
             let pull = weighed[i].clone() / (point.intensity.clone() - residuals[i].clone());
             let (a, b) = (by_onset[i].clone(), by_slope[i].clone());
             first = first - pull.clone() * (T::int(1) - a.clone().squared());
@@ -115,7 +115,7 @@ impl<T: Real + Ordered<Mask = bool>> Local<T> {
         Some(Local { downhill, information, curvature: Symmetric { first, between, second } })
     }
 
-    /// Newton's step, or that of Gauss and Newton where the sum of squares is not curved upwards.
+    /// Returns the Newton step, or the Gauss–Newton step if the sum of squares is not convex there.
     fn step(&self) -> CrushStiffness<T> {
         let upwards = is_positive(&self.curvature.first) && is_positive(&self.curvature.determinant());
         let matrix = if upwards { &self.curvature } else { &self.information };
@@ -155,5 +155,18 @@ mod tests {
         assert_relative_eq!(local.curvature.between, -quotient(more.1, less.1), max_relative = 1e-7);
         let (more, less) = (at(onset, slope + h).downhill, at(onset, slope - h).downhill);
         assert_relative_eq!(local.curvature.second, -quotient(more.1, less.1), max_relative = 1e-7);
+    }
+
+    #[test]
+    fn where_a_test_has_no_energy_no_step_is_taken() {
+        let observe = |depth| Observation {
+            crush: ProfileMoments::of(1.5, &[depth, depth]).expect("two depths"),
+            intensity: 1.0 + depth,
+            deviation: 0.5,
+        };
+        let observations = Observations::independent(&[observe(0.0), observe(1.0)]).expect("good numbers");
+        let weight = Weight::of(&observations.covariance, |i| observations.points[i].place).expect("positive");
+        let end = settle(&observations, &weight, CrushStiffness { onset: 0.0, slope: 1.0 });
+        assert_eq!(end.map(|_| ()), Err(TestIssue::NotConverged { steps: 0 }.into()));
     }
 }

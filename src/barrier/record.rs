@@ -1,34 +1,35 @@
-//! What a channel recorded over time: its baseline, its integral, and how uncertain noise leaves the integral.
+//! A channel over time: its baseline, its integral, and the uncertainty of the integral from noise.
 
 use super::estimate::Estimate;
-use super::findings::{Findings, finite};
-use super::problem::{Place, Problem, Problems};
+use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
 use super::weight::dot;
+use crate::issue::{InputIssue, IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::{Field, Ordered};
 use alloc::vec::Vec;
 
-/// When a channel was sampled.
+/// Sampling times of a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Clock<T = f64> {
     /// At equal intervals.
     Uniform {
         /// The time of the first sample, in s.
         start: T,
-        /// From one sample to the next, in s.
+        /// Time from one sample to the next, in s.
         step: T,
     },
     /// At these times, in s.
     Given(Vec<T>),
 }
 
-/// A channel over time. Between its samples it is taken to be straight.
+/// A channel over time, linear between its samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record<T = f64> {
     clock: Clock<T>,
     values: Vec<T>,
 }
 
-/// A stretch of time, both ends in s.
+/// An interval of time, both ends in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window<T = f64> {
     /// Its beginning.
@@ -38,88 +39,88 @@ pub struct Window<T = f64> {
 }
 
 impl<T: Ordered<Mask = bool>> Record<T> {
-    /// A channel that was sampled at equal intervals: the time of its first sample and the step to the next, in s, and its values.
+    /// Creates a channel that was sampled at equal intervals: the time of its first sample and the step to the next, in s, and its values.
     ///
     /// # Errors
     ///
-    /// Fewer than two values, a step that is not above zero, values that are not finite.
-    pub fn uniform(start: T, step: T, values: Vec<T>) -> Result<Self, Problems<T>> {
-        let mut findings = check_values(&values);
-        findings.finite(Place::of("start"), &start);
-        findings.positive(Place::of("step"), &step);
-        findings.done()?;
+    /// If there are fewer than two values, the step is not above zero, or values are not finite.
+    pub fn uniform(start: T, step: T, values: Vec<T>) -> Result<Self, TestIssues<T>> {
+        let mut issues = check_values(&values);
+        issues.finite(Place::of("start", Measure::Time), &start);
+        issues.positive(Place::of("step", Measure::Time), &step);
+        issues.finish()?;
         Ok(Record { clock: Clock::Uniform { start, step }, values })
     }
 
-    /// A channel with the time of each value, in s.
+    /// Creates a channel with the time of each value, in s.
     ///
     /// # Errors
     ///
-    /// Fewer than two values, not as many times, times that do not increase, numbers that are not finite.
-    pub fn at_times(times: Vec<T>, values: Vec<T>) -> Result<Self, Problems<T>> {
-        let mut findings = check_values(&values);
+    /// If there are fewer than two values, the number of times differs, times do not increase, or numbers are not finite.
+    pub fn at_times(times: Vec<T>, values: Vec<T>) -> Result<Self, TestIssues<T>> {
+        let mut issues = check_values(&values);
         if times.len() != values.len() {
-            findings.push(Problem::NotAlike { place: Place::of("times"), like: "the values, one for each" });
+            issues.push(TestIssue::UnequalLengths { at: Place::plain("times"), like: "the values" });
         }
-        findings.all_finite("times", &times);
+        issues.all_finite(Place::plain("times"), &times);
         for (i, pair) in times.windows(2).enumerate() {
-            if pair.iter().all(crate::solve::is_finite) && !pair[0].less(&pair[1]) {
-                findings.push(Problem::OutOfOrder { place: Place::of("time").at(i + 1), value: pair[1].clone(), before: pair[0].clone() });
+            if pair.iter().all(crate::scalar::is_finite) && !pair[0].less(&pair[1]) {
+                issues.push(InputIssue::out_of_order(Place::of("time", Measure::Time).at(i + 1), pair[1].clone(), pair[0].clone()));
             }
         }
-        findings.done()?;
+        issues.finish()?;
         Ok(Record { clock: Clock::Given(times), values })
     }
 
-    /// What the channel reads where nothing acts on it: the mean of the samples in a window before the event, and the variance of one sample about it.
+    /// Returns the reading of the unloaded channel: the mean of the samples in a window before the event, and the variance of one sample about it.
     ///
     /// # Errors
     ///
-    /// A window that is none or reaches beyond the record, and fewer than two samples in it.
-    pub fn baseline(&self, window: &Window<T>) -> Result<Estimate<T>, Problems<T>> {
+    /// If the window is invalid or extends beyond the record, or contains fewer than two samples.
+    pub fn baseline(&self, window: &Window<T>) -> Result<Estimate<T>, TestIssues<T>> {
         self.check_window(window)?;
         let inside: Vec<T> = self.indices_in(window).map(|i| self.values[i].clone()).collect();
-        let mut findings = Findings::none();
-        findings.at_least("samples in the baseline", inside.len(), 2);
-        findings.done()?;
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
+        issues.at_least(Place::plain("samples in the baseline"), inside.len(), 2);
+        issues.finish()?;
         let count = whole::<T>(inside.len());
         let value = inside.iter().fold(T::int(0), |sum, each| sum + each.clone()) / count.clone();
         let squares = inside.iter().fold(T::int(0), |sum, each| sum + (each.clone() - value.clone()).squared());
-        Ok(Estimate { value, variance: squares / (count - T::int(1)) })
+        finite_estimate("baseline", Estimate { value, variance: squares / (count - T::int(1)) })
     }
 
-    /// The record less its baseline.
+    /// Returns the record less its baseline.
     ///
     /// # Errors
     ///
     /// As [`Self::baseline`].
-    pub fn corrected(&self, before: &Window<T>) -> Result<Self, Problems<T>> {
+    pub fn corrected(&self, before: &Window<T>) -> Result<Self, TestIssues<T>> {
         let offset = self.baseline(before)?.value;
         Ok(self.with_values(self.values.iter().map(|value| value.clone() - offset.clone()).collect()))
     }
 
-    /// The integral over a window by trapezoids, in the unit of the channel times s: of forces in N an impulse in N s. Where the window begins or ends between
-    /// two samples, the straight line between them is cut there.
+    /// Computes the integral over a window by trapezoids, in the unit of the channel times s: forces in N give an impulse in N s. If the window begins or
+    /// ends between two samples, the straight line between them is cut there.
     ///
     /// # Errors
     ///
-    /// A window that is none or reaches beyond the record.
-    pub fn impulse_over(&self, window: &Window<T>) -> Result<T, Problems<T>> {
+    /// If the window is invalid or extends beyond the record.
+    pub fn impulse_over(&self, window: &Window<T>) -> Result<T, TestIssues<T>> {
         self.check_window(window)?;
         let weights = self.weights_over(window);
-        finite("impulse", dot(&weights, &self.values))
+        finite(Place::plain("impulse"), dot(&weights, &self.values))
     }
 
-    /// The impulse over a window, less the baseline, with its variance from the noise: raw record in, impulse out, in N s.
+    /// Computes the impulse over a window from a raw record, less the baseline, in N s, with its variance from the noise.
     ///
-    /// The noise is taken as white, of the variance that the baseline shows. Then the impulse, a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over the samples, has that
-    /// variance times the sum of the squares of the weights: the baseline's own uncertainty grows with the length Δt of the window. Noise that was filtered is
-    /// not white; integrate the raw record, as the filter changes no impulse that begins and ends inside the record.
+    /// The noise is assumed to be white, with the variance found in the baseline. Then the impulse, a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over
+    /// the samples, has that variance times the sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window.
+    /// Filtered noise is not white, so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
     ///
     /// # Errors
     ///
     /// As [`Self::baseline`] and [`Self::impulse_over`].
-    pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Estimate<T>, Problems<T>> {
+    pub fn impulse(&self, over: &Window<T>, before: &Window<T>) -> Result<Estimate<T>, TestIssues<T>> {
         let baseline = self.baseline(before)?;
         self.check_window(over)?;
         let mut weights = self.weights_over(over);
@@ -128,22 +129,22 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         for i in self.indices_in(before) {
             weights[i] = weights[i].clone() - share.clone();
         }
-        let variance = finite("variance of the impulse", dot(&weights, &weights) * baseline.variance)?;
-        Ok(Estimate { value: finite("impulse", dot(&weights, &self.values))?, variance })
+        let variance = dot(&weights, &weights) * baseline.variance;
+        finite_estimate("impulse", Estimate { value: dot(&weights, &self.values), variance })
     }
 
-    fn check_window(&self, window: &Window<T>) -> Result<(), Problems<T>> {
-        let mut findings = Findings::none();
+    fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {
+        let mut issues = IssueCollector::<TestIssue<T>>::new();
         let (first, last) = (self.time(0), self.time(self.len() - 1));
-        // Times from a start and a step are rounded.
-        let slack = (last.clone() - first.clone()) * crate::solve::slack();
+        // Times computed from a start and a step are rounded.
+        let slack = (last.clone() - first.clone()) * crate::scalar::slack();
         let (least, greatest) = (first - slack.clone(), last + slack);
-        let from = findings.within(Place::of("window from"), &window.from, least.clone(), Some(greatest.clone()));
-        let to = findings.within(Place::of("window to"), &window.to, least, Some(greatest));
+        let from = issues.within(Place::of("window from", Measure::Time), &window.from, least.clone(), Some(greatest.clone()));
+        let to = issues.within(Place::of("window to", Measure::Time), &window.to, least, Some(greatest));
         if from && to && !window.from.less(&window.to) {
-            findings.push(Problem::OutOfOrder { place: Place::of("window to"), value: window.to.clone(), before: window.from.clone() });
+            issues.push(InputIssue::out_of_order(Place::of("window to", Measure::Time), window.to.clone(), window.from.clone()));
         }
-        findings.done()
+        issues.finish()
     }
 
     fn indices_in(&self, window: &Window<T>) -> impl Iterator<Item = usize> {
@@ -153,20 +154,20 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         })
     }
 
-    /// What each sample counts in the integral over a window.
+    /// Computes the weight of each sample in the integral over a window.
     fn weights_over(&self, window: &Window<T>) -> Vec<T> {
         let mut weights = alloc::vec![T::int(0); self.len()];
         let (mut here, mut next) = (self.time(0), self.time(0));
         for i in 0..self.len() - 1 {
             core::mem::swap(&mut here, &mut next);
             next = self.time(i + 1);
-            // On a sample, the window's end is taken: the integral moves with it, and with the sample it does not.
+            // If the window ends on a sample, use the window's end: the integral depends on it, and not on the sample.
             let from = T::select(window.from.less(&here), here.clone(), window.from.clone());
             let to = T::select(next.less(&window.to), next.clone(), window.to.clone());
             if !from.less(&to) {
                 continue;
             }
-            // The middle of the stretch, as a share of the interval, divides the weight of the line between its two samples.
+            // The middle of the interval, as a share of the step, divides the weight of the line between its two samples.
             let middle = ((from.clone() + to.clone()).half() - here.clone()) / (next.clone() - here.clone());
             let duration = to - from;
             let later = middle * duration.clone();
@@ -178,20 +179,20 @@ impl<T: Ordered<Mask = bool>> Record<T> {
 }
 
 impl<T: Field> Record<T> {
-    /// The integral over the whole record by trapezoids, in the unit of the channel times s.
+    /// Computes the integral over the whole record by trapezoids, in the unit of the channel times s.
     ///
     /// ```
     /// use planar_impact::barrier::Record;
     /// // A triangle of 20 kN and 0.1 s.
     /// let force = Record::uniform(0.0, 0.05, vec![0.0, 20e3, 0.0])?;
     /// assert_eq!(force.integral(), 1000.0);
-    /// # Ok::<(), planar_impact::barrier::Problems>(())
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
     /// ```
     pub fn integral(&self) -> T {
         self.running_integral().pop().unwrap_or_else(|| T::int(0))
     }
 
-    /// The integral from the first sample to each, by trapezoids.
+    /// Computes the integral from the first sample to each, by trapezoids.
     pub fn running_integral(&self) -> Vec<T> {
         let mut sum = T::int(0);
         let mut sums = alloc::vec![sum.clone()];
@@ -206,7 +207,7 @@ impl<T: Field> Record<T> {
         sums
     }
 
-    /// The times of the samples, in s.
+    /// Returns the times of the samples, in s.
     pub fn times(&self) -> Vec<T> {
         (0..self.values.len()).map(|i| self.time(i)).collect()
     }
@@ -218,40 +219,40 @@ impl<T: Field> Record<T> {
         }
     }
 
-    /// The same channel with other values, as many as before.
+    /// Returns the same channel with other values, as many as before.
     pub(super) fn with_values(&self, values: Vec<T>) -> Self {
         Record { clock: self.clock.clone(), values }
     }
 }
 
 impl<T> Record<T> {
-    /// When it was sampled.
+    /// Returns the sampling times.
     pub fn clock(&self) -> &Clock<T> {
         &self.clock
     }
 
-    /// Its values, one for each sample.
+    /// Returns its values, one for each sample.
     pub fn values(&self) -> &[T] {
         &self.values
     }
 
-    /// How many samples it has: two or more.
+    /// Returns the number of samples, at least two.
     #[allow(clippy::len_without_is_empty)]
     pub fn len(&self) -> usize {
         self.values.len()
     }
 }
 
-/// A count as a number.
+/// Converts a count to a number.
 pub(super) fn whole<T: Field>(count: usize) -> T {
     T::from_usize(count).expect("every field contains the integers")
 }
 
-fn check_values<T: Ordered<Mask = bool>>(values: &[T]) -> Findings<T> {
-    let mut findings = Findings::none();
-    findings.at_least("values", values.len(), 2);
-    findings.all_finite("values", values);
-    findings
+fn check_values<T: Ordered<Mask = bool>>(values: &[T]) -> IssueCollector<TestIssue<T>> {
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
+    issues.at_least(Place::plain("values"), values.len(), 2);
+    issues.all_finite(Place::plain("values"), values);
+    issues
 }
 
 #[cfg(test)]

@@ -1,20 +1,21 @@
-//! The inverse of a covariance, which is what a least-squares fit weighs with.
+//! The inverse of a covariance, the weight of a least-squares fit.
 
-use super::problem::{Place, Problem, Problems};
-use crate::scalar::{Field, Ordered};
-use crate::solve::is_positive;
+use super::issue::TestIssues;
+use crate::issue::{InputIssue, Place};
+use crate::measure::Measure;
+use crate::scalar::{Field, Ordered, is_positive};
 use alloc::vec::Vec;
 
-/// A covariance as L D Lᵀ, L with ones on its diagonal. It needs no root, so it is exact in rationals.
+/// A covariance as L D Lᵀ, with ones on the diagonal of L. It needs no square root, so it is exact in rationals.
 pub(super) struct Weight<T> {
-    /// Rows of L, each up to its diagonal and without it.
+    /// Rows of L, each up to but excluding its diagonal.
     lower: Vec<Vec<T>>,
     pivots: Vec<T>,
 }
 
 impl<T: Ordered<Mask = bool>> Weight<T> {
-    /// Of the rows of a covariance, each up to its diagonal, and where the input has them.
-    pub fn of(covariance: &[Vec<T>], place: impl Fn(usize) -> Place) -> Result<Self, Problems<T>> {
+    /// Factors a covariance given by its rows, each up to its diagonal; `place` is the place of each row in the input.
+    pub fn of(covariance: &[Vec<T>], place: impl Fn(usize) -> Place) -> Result<Self, TestIssues<T>> {
         let mut weight = Weight { lower: Vec::new(), pivots: Vec::<T>::new() };
         for (i, row) in covariance.iter().enumerate() {
             // L D of this row, then L.
@@ -26,7 +27,7 @@ impl<T: Ordered<Mask = bool>> Weight<T> {
             let lower: Vec<T> = scaled.iter().zip(&weight.pivots).map(|(s, d)| s.clone() / d.clone()).collect();
             let pivot = row[i].clone() - dot(&scaled, &lower);
             if !is_positive(&pivot) {
-                return Err(Problem::NotPositive { place: place(i).named("pivot of the covariance"), value: pivot }.into());
+                return Err(InputIssue::not_positive(place(i).named("pivot of the covariance", Measure::Force), pivot).into());
             }
             weight.lower.push(lower);
             weight.pivots.push(pivot);
@@ -36,7 +37,7 @@ impl<T: Ordered<Mask = bool>> Weight<T> {
 }
 
 impl<T: Field> Weight<T> {
-    /// The inverse of the covariance times a column.
+    /// Returns the inverse of the covariance times a column.
     pub fn times(&self, column: &[T]) -> Vec<T> {
         let mut solved: Vec<T> = Vec::with_capacity(column.len());
         for (row, entry) in self.lower.iter().zip(column) {
@@ -56,7 +57,7 @@ impl<T: Field> Weight<T> {
     }
 }
 
-/// The sum of products over the shorter of two columns.
+/// Returns the sum of products over the shorter of two columns.
 pub(super) fn dot<T: Field>(a: &[T], b: &[T]) -> T {
     a.iter().zip(b).fold(T::int(0), |sum, (a, b)| sum + a.clone() * b.clone())
 }
@@ -67,7 +68,7 @@ mod tests {
     use alloc::vec;
 
     fn row(i: usize) -> Place {
-        Place::of("row").at(i)
+        Place::plain("row").at(i)
     }
 
     #[test]

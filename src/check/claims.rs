@@ -1,12 +1,12 @@
-//! Results that are reported, against what the motions imply: the first half of `reported`.
+//! Consistency of reported results with what the motions imply: the first half of `reported`.
 
+use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::momentum::number_of;
 use super::normal;
 use super::rule::Rule;
-use super::say::Digits;
 use super::uncertain::Uncertain;
 use super::work::scale_of;
 use crate::frame::{Heading, Xy};
@@ -18,24 +18,24 @@ use alloc::format;
 use alloc::string::String;
 use core::f64::consts::TAU;
 
-/// A reported number beside the one that the motions imply.
+/// A reported number and the one that the motions imply.
 struct Claim<const N: usize> {
     key: Key,
     implied: Uncertain<N>,
-    /// What the number would be off by if nothing were right.
+    /// The magnitude of the number, which an arbitrary error would have.
     scale: f64,
 }
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let claim = |key, implied, scale| Claim { key, implied, scale };
-    if let Some(fall) = known.fall.filter(|fall| !fall.translation_only) {
+    if let Some(fall) = known.energy_loss.filter(|fall| !fall.translation_only) {
         let scale = fall.before.value.max(fall.after.value);
         hold(known, judge, claim(Key::EnergyBefore, fall.before, scale));
         hold(known, judge, claim(Key::EnergyAfter, fall.after, scale));
     }
     if let Some(loss) = known.loss() {
         let of_work = known.touch.as_ref().and_then(scale_of);
-        let scale = of_work.or(known.fall.map(|fall| fall.available)).unwrap_or(0.0);
+        let scale = of_work.or(known.energy_loss.map(|fall| fall.available)).unwrap_or(0.0);
         hold(known, judge, claim(Key::EnergyLoss, loss, scale));
     }
     for side in [Side::One, Side::Two] {
@@ -54,7 +54,7 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 
 fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
     let Some(delta_v) = known.subject(side).delta_v() else { return };
-    // Of the order of the larger one: that of a heavy body may be next to nothing, and that of a fixed one is.
+    // Of the order of the larger one: that of a heavy body may be almost zero, and that of a fixed body is zero.
     let both = [known.one.delta_v(), known.two.delta_v()].into_iter().flatten();
     let scale = both.fold(0.0, |scale: f64, delta_v| scale.max(norm(delta_v).value));
     hold(known, judge, Claim { key: Key::DeltaV(side), implied: norm(delta_v), scale });
@@ -73,16 +73,16 @@ fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mu
     claim(Key::TangentialImpulse, p.t, normal::length(&p));
     claim(Key::NormalWork, work.n, scale);
     claim(Key::TangentialWork, work.t, scale);
-    // Multiplied out, so that nothing is divided by; the sentence has the ratios again.
+    claim(Key::MomentWork, work.m, scale);
+    // Multiplied out to avoid a division; the message has the ratios again.
     if let Some(said) = known.number(Key::ReportedRatio) {
         ratio(judge, Key::ReportedRatio, said, [p.n, p.t]);
     }
+    // μ₀ is a property of the contact, whichever law is in force.
+    let e = || known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
     if let Some(said) = known.number(Key::CriticalRatio)
-        && let Some(k) = touch.compliance()
+        && let Some(sticking) = touch.sticking(Law::Brach, e())
     {
-        // μ₀ is a property of the contact, whichever law is in force.
-        let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
-        let sticking = k.impulse_for(Law::Brach.change(touch.approach, e));
         ratio(judge, Key::CriticalRatio, said, [sticking.n, sticking.t]);
     }
 }
@@ -108,7 +108,7 @@ fn hold<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>
     });
 }
 
-/// The length of a vector: its component along itself, and what the one across adds to that, which is of second order.
+/// Returns the length of a vector: its component along itself, and the second-order contribution of the perpendicular component.
 pub(super) fn norm<const N: usize>(v: Xy<Uncertain<N>>) -> Uncertain<N> {
     let length = Xy { x: v.x.value, y: v.y.value }.length();
     if length == 0.0 {
@@ -121,7 +121,7 @@ pub(super) fn norm<const N: usize>(v: Xy<Uncertain<N>>) -> Uncertain<N> {
     along
 }
 
-/// The components of a vector along its value and a quarter turn from it.
+/// Returns the components of a vector along its value and a quarter turn from it.
 fn along_and_across<const N: usize>(v: Xy<Uncertain<N>>, length: f64) -> (Uncertain<N>, Uncertain<N>) {
     let (cos, sin) = (v.x.value / length, v.y.value / length);
     (v.x.scaled(cos) + v.y.scaled(sin), v.y.scaled(cos) - v.x.scaled(sin))
@@ -147,7 +147,7 @@ fn direction_of_force<const N: usize>(
     let turns = libm::rint((claimed.value - implied) / TAU);
     let (along, across) = along_and_across(delta_v, length);
     let (a, b) = (along.radius() / length, across.radius() / length);
-    // The direction is `heading − angle of ΔV + π`; the angle of ΔV moves with the component across.
+    // The direction is `heading − angle of ΔV + π`; the angle of ΔV changes with the perpendicular component.
     let mut off = claimed - heading + across.scaled(1.0 / length);
     off.value = claimed.value - implied - turns * TAU;
     off.rest += if a < 1.0 { a * b / (1.0 - a) + b * b * b } else { f64::INFINITY };

@@ -1,25 +1,18 @@
-//! What the records of a group have in common.
+//! The quantities that the records of a group must share.
 
+use super::claim_consistency::claimed_loss;
 use super::claims::norm;
 use super::judge::{Judge, Residual};
 use super::key::Key;
 use super::known::Known;
 use super::model::Agreement;
-use super::mutual::claimed_loss;
+use super::outcome::Common;
 use super::rule::Rule;
 use super::uncertain::Uncertain;
 use crate::input::Side;
 
-/// One quantity that must be the same in every record of a group.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Common {
-    pub(super) name: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) value: f64,
-    pub(super) bound: f64,
-}
-
-/// The quantities that an agreement is about, as far as the record tells them: a claim before what the motions imply, since `reported` compares the two.
+/// Collects the quantities that an agreement covers, as far as the record determines them. A claim takes precedence over what the motions imply, since
+/// `reported` compares the two.
 pub(super) fn collect<const N: usize>(known: &Known<'_, N>, agreement: Agreement, judge: &mut Judge) {
     let mut add = |name, unit, quantity: Option<Uncertain<N>>, scale: f64| {
         if let Some(quantity) = quantity {
@@ -48,7 +41,7 @@ pub(super) fn collect<const N: usize>(known: &Known<'_, N>, agreement: Agreement
         if subject.fixed {
             continue;
         }
-        // Of the order of what the impact changes: a component may be next to nothing.
+        // Of the order of the change in the impact: a component may be almost zero.
         let change = subject.delta_v().map_or(0.0, |delta_v| norm(delta_v).value);
         let turn = subject.yaw_after.zip(subject.yaw_before).map_or(0.0, |(after, before)| (after - before).value.abs());
         add(names[0], "m/s", subject.after.map(|v| v.x), change);

@@ -1,27 +1,34 @@
-//! Numbers that are none, and numbers that are hardly meant: `finite`, `plausible-units`.
+//! Numbers that are not finite, and implausible numbers: `finite`, `plausible-units`.
 
+use super::format::Digits;
 use super::judge::Judge;
 use super::key::Key;
 use super::momentum::number_of;
+use super::options::Options;
 use super::profile::Profile;
 use super::record::Record;
 use super::rule::Rule;
-use super::say::Digits;
 use crate::frame::Xy;
 use crate::input::Side;
+use crate::measure::Measure;
 use alloc::format;
 use core::f64::consts::TAU;
 
-/// Every number is finite, what must be above zero is, and something can move.
-pub(super) fn check(record: &Record, judge: &mut Judge) {
+/// Checks that every number is finite, that what must be above zero is, that the options are valid, and that a body can move.
+pub(super) fn check(record: &Record, options: &Options, judge: &mut Judge) {
     let rule = Rule::Finite;
     judge.checks(rule);
+    for issue in options.validate().err().iter().flatten() {
+        judge.fail(rule, f64::INFINITY, 0.0, format!("{issue}"));
+    }
     for key in Key::ALL {
         let Some(value) = record.get(key) else { continue };
         if !value.is_finite() {
             judge.fail(rule, f64::INFINITY, 0.0, format!("{key} is {value}, which is not a finite number"));
         } else if matches!(key, Key::Mass(_) | Key::YawInertia(_)) && value <= 0.0 {
             judge.fail(rule, -value, 0.0, format!("{key} is {}, and must be above zero", Digits(value)));
+        } else if key == Key::Duration && value < 0.0 {
+            judge.fail(rule, -value, 0.0, format!("{key} is {}, and must be at least zero", Digits(value)));
         }
     }
     for (name, resolution) in record.resolution.entries() {
@@ -35,25 +42,28 @@ pub(super) fn check(record: &Record, judge: &mut Judge) {
     }
 }
 
-/// Radius of gyration of a vehicle in m.
+/// Range of the radius of gyration of a vehicle, in m.
 const GYRATION: (f64, f64) = (0.9, 2.5);
-/// Mass of a vehicle in kg, from a motorcycle to a loaded truck.
+/// Range of the mass of a vehicle, in kg, from a motorcycle to a loaded truck.
 const MASS: (f64, f64) = (100.0, 80_000.0);
-/// Fastest, in m/s and rad/s, and farthest from its center of mass that a vehicle is hit, in m.
+/// Highest speed in m/s, highest yaw rate in rad/s, and largest distance of an impact from the center of mass in m.
 const SPEED: f64 = 150.0;
 const YAW_RATE: f64 = 30.0;
 const ARM: f64 = 15.0;
+/// Longest contact in s; that of vehicles lasts about 0.1 s.
+const DURATION: f64 = 1.0;
 
-/// Sizes that vehicles have. The bodies of a stepping engine may have any; that an angle is within a turn holds for them too.
+/// Checks that vehicles have plausible sizes. The bodies of a stepping engine may have any size, but their angles must be within a turn as well.
 pub(super) fn plausible(record: &Record, judge: &mut Judge) {
     judge.checks(Rule::PlausibleUnits);
-    for key in Key::ALL.into_iter().filter(|key| key.name().ends_with("angle") || matches!(key, Key::Heading(_) | Key::ForceDirection(_))) {
+    for key in Key::ALL.into_iter().filter(|key| key.measure() == Measure::Angle) {
         let turn = TAU * (1.0 + 1e-9);
         above(judge, record.get(key).map(f64::abs), turn, |angle| format!("{key} is {angle} rad, more than a turn: degrees?"));
     }
     if matches!(record.profile, Profile::Stepper | Profile::StepperF32) {
         return;
     }
+    above(judge, record.duration, DURATION, |time| format!("the contact lasts {time} s: milliseconds?"));
     for side in [Side::One, Side::Two] {
         of_body(record, side, judge);
     }
@@ -116,7 +126,7 @@ mod tests {
         assert!(half.findings[0].what.contains("contact.py is NaN"), "{half}");
         let walls = Record { one: Subject::FIXED, two: Subject::FIXED, ..Record::default() };
         assert_eq!(check(&walls, &Options::default()).verdict(), Verdict::Fail);
-        let negative = Record { resolution: Resolution::default().with(Measure::Mass, -1.0), ..Record::default() };
+        let negative = Record { resolution: Resolution::default().with(ResolutionGroup::Mass, -1.0), ..Record::default() };
         assert!(check(&negative, &Options::default()).findings[0].what.contains("the resolution of mass is -1"));
     }
 

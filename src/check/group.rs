@@ -1,17 +1,18 @@
 //! Records that must agree: `group`.
 //!
-//! Each record tells an interval for each quantity, its value and bound. The consensus is the region that lies in the most intervals (Marzullo's algorithm), so that
-//! records that are all right are never found to disagree, and a record that is wrong cannot draw the consensus to itself. If more than half of the records share
-//! the region and there is no other like it, those outside of it are wrong; if not, which of those that disagree with another is wrong cannot be told.
+//! Each record contributes an interval for each quantity: its value and bound. The consensus is the region contained in the most intervals (Marzullo's
+//! algorithm), so correct records are never found to disagree, and a wrong record cannot shift the consensus to itself. If more than half of the records
+//! share the region and no other region has as many, the records outside it are wrong; otherwise it cannot be determined which of the disagreeing records is
+//! wrong. They all fail: that the records disagree is certain, so the rule is broken, and not undecidable.
 
-use super::common::Common;
+use super::format::Digits;
+use super::outcome::Common;
 use super::outcome::{Finding, Outcome};
 use super::rule::{Rule, Severity};
-use super::say::Digits;
 use alloc::format;
 use alloc::vec::Vec;
 
-/// What the records of a group agree on.
+/// The consensus of a group of records.
 ///
 /// ```
 /// use planar_impact::check::{Consensus, Membership, Options, Record, Rule, check};
@@ -42,15 +43,15 @@ struct Region {
     upper: f64,
     votes: usize,
     records: usize,
-    /// Whether no other region has as many votes.
+    /// `true` if no other region has as many votes.
     only: bool,
-    /// Whoever lies above the one or below the other disagrees with somebody.
+    /// An interval above `least_upper` or below `greatest_lower` disagrees with another.
     least_upper: f64,
     greatest_lower: f64,
 }
 
 impl Consensus {
-    /// That of the records of one group, of which two or more must tell a quantity.
+    /// Computes the consensus of the records of one group. A quantity needs at least two records.
     pub fn of(outcomes: &[Outcome]) -> Consensus {
         let mut names: Vec<(&'static str, &'static str)> = Vec::new();
         for common in outcomes.iter().flat_map(|outcome| &outcome.common) {
@@ -63,7 +64,7 @@ impl Consensus {
         Consensus { regions: regions.collect() }
     }
 
-    /// Adds a finding to each record that is outside of the consensus.
+    /// Adds a finding to each record that is outside the consensus.
     pub fn apply(&self, outcomes: &mut [Outcome]) {
         for outcome in outcomes {
             for region in &self.regions {
@@ -79,7 +80,7 @@ fn quantity<'a>(outcome: &'a Outcome, name: &str) -> Option<&'a Common> {
 
 impl Region {
     fn of(name: &'static str, unit: &'static str, all: &[&Common]) -> Option<Region> {
-        // Ends of intervals in order, and of those at one place the beginnings first: intervals that touch share a point.
+        // Ends of intervals in order, with beginnings before ends at the same value: intervals that touch share a point.
         let mut ends: Vec<(f64, bool)> = Vec::with_capacity(2 * all.len());
         for common in all.iter().filter(|common| common.value.is_finite() && common.bound.is_finite()) {
             ends.push((common.value - common.bound, false));
@@ -102,7 +103,7 @@ impl Region {
             }
             depth += 1;
             if depth > best.votes {
-                // The region reaches to the next end, where one interval or another closes.
+                // The region extends to the next end, where an interval closes.
                 let upper = ends[i + 1..].iter().find(|(_, is_end)| *is_end).map_or(at, |(to, _)| *to);
                 best = Region { lower: at, upper, votes: depth, only: true, ..best };
             } else if depth == best.votes {
@@ -129,7 +130,7 @@ impl Region {
             format!("and {} of the {} records of the group agree on {} {unit}", self.votes, self.records, Digits(middle))
         } else {
             format!(
-                "and the {} records of the group do not agree: no more than {} share a value, so which of them is wrong cannot be told",
+                "and the {} records of the group do not agree: no more than {} share a value, so at least one is wrong, and which one cannot be determined",
                 self.records, self.votes
             )
         };
@@ -142,11 +143,12 @@ impl Region {
 mod tests {
     use crate::check::*;
 
-    /// The outcomes of records that report a loss each, with a resolution.
+    /// Returns the outcomes of records that each report a loss with a resolution.
     fn outcomes(losses: &[(f64, f64)]) -> Vec<Outcome> {
         let record = |&(loss, resolution): &(f64, f64)| {
             let group = Some(Membership { name: "g".into(), agreement: Agreement::Loss });
-            let mut record = Record { group, resolution: Resolution::default().with(Measure::Energy, resolution), ..Record::default() };
+            let mut record =
+                Record { group, resolution: Resolution::default().with(ResolutionGroup::Energy, resolution), ..Record::default() };
             record.set(Key::EnergyLoss, loss);
             check(&record, &Options::default())
         };
@@ -165,7 +167,9 @@ mod tests {
         assert_eq!(found(&[(10.0, 0.5), (10.9, 0.5), (10.4, 0.5)]), []);
         assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5)]), [1]);
         assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5), (8.0, 0.5), (10.2, 0.1)]), [1, 3]);
-        // A coarse one agrees with everything and proves nothing.
+        // Half of the records are no majority.
+        assert_eq!(found(&[(10.0, 0.5), (10.2, 0.5), (20.0, 0.1), (30.0, 0.1)]), [0, 1, 2, 3]);
+        // A coarse record agrees with everything and proves nothing.
         assert_eq!(found(&[(10.0, 100.0), (12.0, 0.5), (10.4, 0.5)]), [1, 2]);
         assert_eq!(found(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5), (12.1, 0.5)]), [0, 1, 2, 3]);
     }
@@ -181,7 +185,8 @@ mod tests {
         let both = outcomes(&[(10.0, 0.1), (12.0, 0.1)]);
         for outcome in &both {
             assert_eq!(outcome.verdict(), Verdict::Fail);
-            assert!(outcome.findings[0].what.contains("cannot be told"), "{outcome}");
+            assert!(outcome.findings[0].what.contains("at least one is wrong, and which one cannot be determined"), "{outcome}");
+            assert_eq!((outcome.findings[0].severity, outcome.findings.len()), (Severity::Fail, 1));
         }
     }
 

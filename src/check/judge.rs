@@ -1,17 +1,18 @@
-//! How a residual is held against its bound.
+//! Comparison of residuals with their bounds.
 
-use super::Options;
-use super::common::Common;
-use super::outcome::{Finding, Outcome};
+use super::coverage::Coverage;
+use super::format::Digits;
+use super::options::Options;
+use super::outcome::{Common, Finding, Outcome};
 use super::profile::Profile;
+use super::record::Record;
 use super::rule::{Rule, Rules, Severity};
-use super::say::Digits;
 use super::uncertain::Uncertain;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// Collects what is found about one record.
+/// Collects the findings of one record.
 pub(super) struct Judge {
     profile: Profile,
     tolerance: Option<f64>,
@@ -20,31 +21,48 @@ pub(super) struct Judge {
     pub(super) common: Vec<Common>,
 }
 
-/// A quantity that must be zero, or must not be above it, with the size that it has where nothing is right.
+/// A quantity that must be zero, or must not be above it, with its size for arbitrary errors.
 #[derive(Clone, Copy)]
 pub(super) struct Residual<const N: usize> {
     pub(super) value: Uncertain<N>,
-    /// In the same unit. The tolerance is a share of it, and a bound beyond it says nothing.
+    /// Size for arbitrary errors, in the same unit. The tolerance is a share of it, and a larger bound makes the rule undecidable.
     pub(super) scale: f64,
+    /// Part of it that the record leaves open, and that is accepted.
+    slack: f64,
+    /// Further part that motion during the contact may explain: a warning.
+    leeway: f64,
 }
 
-/// How far a residual may be from zero.
+/// Largest accepted distance of a residual from zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound {
-    /// All in all.
+    /// The total bound.
     pub(super) total: f64,
-    /// The part that comes of resolutions or tolerance, not of rounding.
+    /// The part from resolutions or tolerance, without rounding.
     implied: f64,
+}
+
+impl Bound {
+    /// Returns the part from rounding.
+    pub(super) fn rounding(&self) -> f64 {
+        self.total - self.implied
+    }
 }
 
 impl<const N: usize> Residual<N> {
     pub(super) fn new(value: Uncertain<N>, scale: f64) -> Self {
-        Residual { value, scale }
+        Residual { value, scale, slack: 0.0, leeway: 0.0 }
     }
 
-    /// In another unit.
+    /// Accepts a part that the record leaves open, and only warns of a further part that motion during the contact may explain.
+    pub(super) fn open(self, slack: f64, leeway: f64) -> Self {
+        Residual { slack, leeway, ..self }
+    }
+
+    /// Converts the residual to another unit.
     pub(super) fn per(self, divisor: f64) -> Self {
-        Residual { value: self.value.scaled(1.0 / divisor), scale: self.scale / divisor.abs() }
+        let unit = divisor.abs();
+        Residual { value: self.value.scaled(1.0 / divisor), scale: self.scale / unit, slack: self.slack / unit, leeway: self.leeway / unit }
     }
 }
 
@@ -53,15 +71,16 @@ impl Judge {
         Judge { profile, tolerance: options.tolerance, checked: Rules::default(), findings: Vec::new(), common: Vec::new() }
     }
 
-    pub(super) fn done(self, id: String) -> Outcome {
-        Outcome { id, findings: self.findings, checked: self.checked, common: self.common }
+    pub(super) fn done(self, record: &Record) -> Outcome {
+        let coverage = Coverage::of(record);
+        Outcome { id: record.id.clone(), findings: self.findings, checked: self.checked, coverage, common: self.common }
     }
 
     pub(super) fn has_failed(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity == Severity::Fail)
     }
 
-    /// That the record is held against a rule, whatever comes of it.
+    /// Marks a rule as checked, whatever the result.
     pub(super) fn checks(&mut self, rule: Rule) {
         self.checked.insert(rule);
     }
@@ -79,11 +98,11 @@ impl Judge {
         self.push(rule, Severity::Warn, size, bound, what);
     }
 
-    /// What the resolutions imply, or else the tolerance; and rounding.
+    /// Returns the bound from the resolutions, or from the tolerance if there are none, plus rounding.
     pub(super) fn bound<const N: usize>(&self, rule: Rule, residual: &Residual<N>) -> Bound {
         let of_profile = if rule == Rule::LinearMomentum { self.profile.linear_tolerance() } else { self.profile.tolerance() };
         let spread = if self.profile == Profile::Measured { residual.value.three_sigma() } else { residual.value.radius() };
-        // Not a number where nothing is known times nothing.
+        // NaN if an unknown quantity was multiplied by zero.
         let implied = match spread {
             0.0 => self.tolerance.unwrap_or(of_profile) * residual.scale,
             spread if spread.is_finite() => spread,
@@ -92,17 +111,17 @@ impl Judge {
         Bound { total: implied + self.profile.rounding() * residual.value.size, implied }
     }
 
-    /// A residual that must be zero.
+    /// Checks a residual that must be zero.
     pub(super) fn zero<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, what: impl FnOnce(f64, f64) -> String) {
         self.hold(rule, residual, residual.value.value.abs(), what);
     }
 
-    /// A quantity that must not be above zero.
+    /// Checks a quantity that must not be above zero.
     pub(super) fn not_above<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, what: impl FnOnce(f64, f64) -> String) {
         self.hold(rule, residual, residual.value.value, what);
     }
 
-    /// Residuals that must be zero and are one matter, as the components of a vector: the one farthest beyond its bound is told.
+    /// Checks residuals that must all be zero and belong together, such as the components of a vector: only the one farthest beyond its bound is reported.
     pub(super) fn all_zero<const N: usize, const M: usize>(
         &mut self,
         rule: Rule,
@@ -111,7 +130,7 @@ impl Judge {
     ) {
         let excess = |residual: &Residual<N>| {
             let bound = self.bound(rule, residual).total;
-            // Zero of zero is nothing; all that is not a number must be seen.
+            // 0/0 counts as zero; any other NaN must be reported.
             let share = residual.value.value.abs() / bound;
             if residual.value.value == 0.0 { 0.0 } else { share }
         };
@@ -123,24 +142,31 @@ impl Judge {
 
     fn hold<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, size: f64, what: impl FnOnce(f64, f64) -> String) {
         self.checks(rule);
-        let bound = self.bound(rule, &residual);
+        let mut bound = self.bound(rule, &residual);
+        bound.total += residual.slack;
         if !size.is_finite() {
             self.push(Rule::Finite, Severity::Fail, size, bound.total, format!("the numbers are so large that {rule} cannot be computed"));
+        } else if size > bound.total && size <= bound.total + residual.leeway {
+            let leeway = Digits(residual.leeway);
+            let reason = format!(
+                "the bodies move during the contact, which may explain {leeway} of it: add the centers of mass and the contact point after it"
+            );
+            self.warn(rule, size, bound.total, format!("{}; {reason}", what(size, bound.total)));
         } else if size > bound.total {
             self.push(rule, Severity::Fail, size, bound.total, what(size, bound.total));
         } else if size >= -bound.total && bound.implied > residual.scale {
-            // Below that an upper limit holds for certain.
+            // Below −bound the upper limit holds with certainty.
             self.undecidable(rule, size.max(0.0), bound.total, residual.scale);
         }
     }
 
-    /// Whether a quantity is beyond its bound to either side: its sign is known then.
+    /// Returns the sign of a quantity if it is beyond its bound to either side, otherwise `None`.
     pub(super) fn sign<const N: usize>(&self, rule: Rule, residual: &Residual<N>) -> Option<f64> {
         let value = residual.value.value;
         (value.abs() > self.bound(rule, residual).total).then(|| value.signum())
     }
 
-    /// That the numbers are too coarse for a rule; told once.
+    /// Reports once that the numbers are too coarse for a rule.
     pub(super) fn undecidable(&mut self, rule: Rule, size: f64, bound: f64, scale: f64) {
         if self.findings.iter().any(|finding| finding.rule == rule && finding.severity == Severity::Undecidable) {
             return;
@@ -188,7 +214,7 @@ mod tests {
             let mut judge = Judge::new(Profile::Printed, &Options::default());
             let value = Uncertain::<1>::input(value, 0, resolution);
             judge.zero(Rule::Restitution, Residual::new(value, scale), |_, _| String::new());
-            judge.done(String::new()).verdict()
+            judge.done(&Record::default()).verdict()
         };
         use super::super::Verdict;
         assert_eq!(verdict(1.0, 2.0, 3.0), Verdict::Pass);

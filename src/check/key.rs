@@ -1,263 +1,126 @@
-//! The numbers of a record, each by one name.
+//! Numbers of a record, identified by name.
 
-use super::measure::Measure;
+use super::resolution_group::ResolutionGroup;
+use crate::catalogue::catalogue;
 use crate::input::Side;
-use core::fmt;
+use crate::measure::Measure;
 
-/// A number of a record.
-///
-/// Its name is the heading of its column in a table of records, and what a resolution of that number alone is given under.
-///
-/// ```
-/// use planar_impact::Side;
-/// use planar_impact::check::{Key, Measure};
-/// assert_eq!(Key::AfterX(Side::One).name(), "b1.after.vx");
-/// assert_eq!(Key::named("reported.ees.2"), Some(Key::EquivalentEnergySpeed(Side::Two)));
-/// assert_eq!(Key::AfterX(Side::One).measure(), Measure::Velocity);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Key {
-    /// Mass in kg.
-    Mass(Side),
-    /// Yaw inertia about the center of mass in kg m².
-    YawInertia(Side),
-    /// Where the body points, from x, in rad. Needed for a direction of force only.
-    Heading(Side),
-    /// Center of mass along x, in m.
-    CenterX(Side),
-    /// Center of mass along y, in m.
-    CenterY(Side),
-    /// Velocity of the center of mass along x before the impact, in m/s.
-    BeforeX(Side),
-    /// The same along y.
-    BeforeY(Side),
-    /// Yaw rate before the impact in rad/s.
-    BeforeYawRate(Side),
-    /// Velocity of the center of mass along x after the impact, in m/s.
-    AfterX(Side),
-    /// The same along y.
-    AfterY(Side),
-    /// Yaw rate after the impact in rad/s.
-    AfterYawRate(Side),
-    /// Contact point along x, in m.
-    PointX,
-    /// Contact point along y, in m.
-    PointY,
-    /// Angle from x to the normal of the contact, in rad; either of its two directions.
-    NormalAngle,
-    /// Coefficient of restitution of the model.
-    Restitution,
-    /// Impulse ratio of the model, as its kind says.
-    ImpulseRatio,
-    /// Energy lost, T_L, in J.
-    EnergyLoss,
-    /// Work of the normal impulse in J, negative where energy is lost.
-    NormalWork,
-    /// Work of the tangential impulse in J, negative where energy is lost.
-    TangentialWork,
-    /// Kinetic energy of both bodies before the impact, in J.
-    EnergyBefore,
-    /// Kinetic energy of both bodies after it, in J.
-    EnergyAfter,
-    /// Magnitude of a body's change of velocity, in m/s.
-    DeltaV(Side),
-    /// Direction that the force on a body comes from, clockwise from its heading, in rad.
-    ForceDirection(Side),
-    /// Equivalent energy speed of a body in m/s.
-    EquivalentEnergySpeed(Side),
-    /// Impulse on body 1 along the normal, in N s.
-    NormalImpulse,
-    /// Impulse on body 1 along the tangent, in N s.
-    TangentialImpulse,
-    /// Impulse on body 1 along x, in N s.
-    ImpulseX,
-    /// Impulse on body 1 along y, in N s.
-    ImpulseY,
-    /// Magnitude of the impulse in N s.
-    ImpulseMagnitude,
-    /// Speed at which the bodies approach each other along the normal at the contact point, in m/s.
-    ClosingSpeed,
-    /// Speed at which they part there, in m/s.
-    SeparationSpeed,
-    /// P_t/P_n.
-    ReportedRatio,
-    /// The ratio at which sliding just ends, μ₀.
-    CriticalRatio,
+catalogue! {
+    /// A number of a record.
+    ///
+    /// Its name is the heading of its column in a table of records, and the key of its own resolution.
+    ///
+    /// ```
+    /// use planar_impact::Side;
+    /// use planar_impact::check::{Key, ResolutionGroup};
+    /// assert_eq!(Key::AfterX(Side::One).name(), "b1.after.vx");
+    /// assert_eq!(Key::named("reported.ees.2"), Some(Key::EquivalentEnergySpeed(Side::Two)));
+    /// assert_eq!(Key::AfterX(Side::One).group(), ResolutionGroup::Velocity);
+    /// ```
+    pub enum Key after "",
+    /// Returns the group that shares its resolution.
+    group: ResolutionGroup {
+        of each vehicle {
+            /// Mass in kg.
+            Mass = "b" _ ".mass", Mass;
+            /// Yaw inertia about the center of mass in kg m².
+            YawInertia = "b" _ ".yaw_inertia", YawInertia;
+            /// Heading of the body from x, in rad. Needed only for a direction of force.
+            Heading = "b" _ ".heading", Angle;
+            /// Center of mass along x, in m.
+            CenterX = "b" _ ".cgx", Length;
+            /// Center of mass along y, in m.
+            CenterY = "b" _ ".cgy", Length;
+            /// Velocity of the center of mass along x before the impact, in m/s.
+            BeforeX = "b" _ ".before.vx", Velocity;
+            /// The same along y.
+            BeforeY = "b" _ ".before.vy", Velocity;
+            /// Yaw rate before the impact in rad/s.
+            BeforeYawRate = "b" _ ".before.yaw_rate", YawRate;
+            /// Velocity of the center of mass along x after the impact, in m/s.
+            AfterX = "b" _ ".after.vx", Velocity;
+            /// The same along y.
+            AfterY = "b" _ ".after.vy", Velocity;
+            /// Yaw rate after the impact in rad/s.
+            AfterYawRate = "b" _ ".after.yaw_rate", YawRate;
+            /// Center of mass along x after the contact, in m.
+            CenterAfterX = "b" _ ".after.cgx", Length;
+            /// The same along y.
+            CenterAfterY = "b" _ ".after.cgy", Length;
+            /// Magnitude of a body's change of velocity, in m/s.
+            DeltaV = "reported.delta_v." _, Velocity;
+            /// Direction that the force on a body comes from, clockwise from its heading, in rad.
+            ForceDirection = "reported.pdof." _, Angle;
+            /// Equivalent energy speed of a body in m/s.
+            EquivalentEnergySpeed = "reported.ees." _, Velocity;
+        }
+        of the pair {
+            /// Contact point along x, in m.
+            PointX = "contact.px", Length;
+            /// Contact point along y, in m.
+            PointY = "contact.py", Length;
+            /// Contact point after the contact along x, in m.
+            PointAfterX = "contact.after.px", Length;
+            /// The same along y.
+            PointAfterY = "contact.after.py", Length;
+            /// Duration of the contact in s.
+            Duration = "contact.duration", Time;
+            /// Angle from x to the normal of the contact, in rad; either of its two directions.
+            NormalAngle = "contact.normal_angle", Angle;
+            /// Moment impulse on body 1 in N m s, counter-clockwise.
+            Moment = "contact.moment", MomentImpulse;
+            /// Coefficient of restitution of the model.
+            Restitution = "model.restitution", Restitution;
+            /// Impulse ratio of the model, as described by its kind.
+            ImpulseRatio = "model.impulse_ratio", ImpulseRatio;
+            /// Energy lost, T_L, in J.
+            EnergyLoss = "reported.energy_loss", Energy;
+            /// Work of the normal impulse in J, negative where energy is lost.
+            NormalWork = "reported.work_normal", Energy;
+            /// Work of the tangential impulse in J, negative where energy is lost.
+            TangentialWork = "reported.work_tangential", Energy;
+            /// Work of the moment impulse in J, negative where energy is lost.
+            MomentWork = "reported.work_moment", Energy;
+            /// Kinetic energy of both bodies before the impact, in J.
+            EnergyBefore = "reported.kinetic_energy_before", Energy;
+            /// Kinetic energy of both bodies after it, in J.
+            EnergyAfter = "reported.kinetic_energy_after", Energy;
+            /// Impulse on body 1 along the normal, in N s.
+            NormalImpulse = "reported.impulse.normal", Impulse;
+            /// Impulse on body 1 along the tangent, in N s.
+            TangentialImpulse = "reported.impulse.tangential", Impulse;
+            /// Impulse on body 1 along x, in N s.
+            ImpulseX = "reported.impulse.x", Impulse;
+            /// Impulse on body 1 along y, in N s.
+            ImpulseY = "reported.impulse.y", Impulse;
+            /// Magnitude of the impulse in N s.
+            ImpulseMagnitude = "reported.impulse.magnitude", Impulse;
+            /// Speed at which the bodies approach each other along the normal at the contact point, in m/s.
+            ClosingSpeed = "reported.closing_speed", Velocity;
+            /// Speed at which they separate there, in m/s.
+            SeparationSpeed = "reported.separation_speed", Velocity;
+            /// P_t/P_n.
+            ReportedRatio = "reported.impulse_ratio", ImpulseRatio;
+            /// The ratio at which sliding just ends, μ₀.
+            CriticalRatio = "reported.critical_impulse_ratio", ImpulseRatio;
+        }
+    }
 }
-
-/// Name and measure of each key, in the order of [`Key::ALL`].
-const NAMES: [(&str, Measure); Key::COUNT] = {
-    use Measure::*;
-    [
-        ("b1.mass", Mass),
-        ("b1.yaw_inertia", YawInertia),
-        ("b1.heading", Angle),
-        ("b1.cgx", Length),
-        ("b1.cgy", Length),
-        ("b1.before.vx", Velocity),
-        ("b1.before.vy", Velocity),
-        ("b1.before.yaw_rate", YawRate),
-        ("b1.after.vx", Velocity),
-        ("b1.after.vy", Velocity),
-        ("b1.after.yaw_rate", YawRate),
-        ("reported.delta_v.1", Velocity),
-        ("reported.pdof.1", Angle),
-        ("reported.ees.1", Velocity),
-        ("b2.mass", Mass),
-        ("b2.yaw_inertia", YawInertia),
-        ("b2.heading", Angle),
-        ("b2.cgx", Length),
-        ("b2.cgy", Length),
-        ("b2.before.vx", Velocity),
-        ("b2.before.vy", Velocity),
-        ("b2.before.yaw_rate", YawRate),
-        ("b2.after.vx", Velocity),
-        ("b2.after.vy", Velocity),
-        ("b2.after.yaw_rate", YawRate),
-        ("reported.delta_v.2", Velocity),
-        ("reported.pdof.2", Angle),
-        ("reported.ees.2", Velocity),
-        ("contact.px", Length),
-        ("contact.py", Length),
-        ("contact.normal_angle", Angle),
-        ("model.restitution", Restitution),
-        ("model.impulse_ratio", ImpulseRatio),
-        ("reported.energy_loss", Energy),
-        ("reported.work_normal", Energy),
-        ("reported.work_tangential", Energy),
-        ("reported.kinetic_energy_before", Energy),
-        ("reported.kinetic_energy_after", Energy),
-        ("reported.impulse.normal", Impulse),
-        ("reported.impulse.tangential", Impulse),
-        ("reported.impulse.x", Impulse),
-        ("reported.impulse.y", Impulse),
-        ("reported.impulse.magnitude", Impulse),
-        ("reported.closing_speed", Velocity),
-        ("reported.separation_speed", Velocity),
-        ("reported.impulse_ratio", ImpulseRatio),
-        ("reported.critical_impulse_ratio", ImpulseRatio),
-    ]
-};
 
 impl Key {
-    /// How many there are.
-    pub const COUNT: usize = 47;
-
-    /// Every key: those of body 1, those of body 2, those of the contact and of the pair.
-    pub const ALL: [Key; Key::COUNT] = {
-        use Key::*;
-        use Side::{One, Two};
-        [
-            Mass(One),
-            YawInertia(One),
-            Heading(One),
-            CenterX(One),
-            CenterY(One),
-            BeforeX(One),
-            BeforeY(One),
-            BeforeYawRate(One),
-            AfterX(One),
-            AfterY(One),
-            AfterYawRate(One),
-            DeltaV(One),
-            ForceDirection(One),
-            EquivalentEnergySpeed(One),
-            Mass(Two),
-            YawInertia(Two),
-            Heading(Two),
-            CenterX(Two),
-            CenterY(Two),
-            BeforeX(Two),
-            BeforeY(Two),
-            BeforeYawRate(Two),
-            AfterX(Two),
-            AfterY(Two),
-            AfterYawRate(Two),
-            DeltaV(Two),
-            ForceDirection(Two),
-            EquivalentEnergySpeed(Two),
-            PointX,
-            PointY,
-            NormalAngle,
-            Restitution,
-            ImpulseRatio,
-            EnergyLoss,
-            NormalWork,
-            TangentialWork,
-            EnergyBefore,
-            EnergyAfter,
-            NormalImpulse,
-            TangentialImpulse,
-            ImpulseX,
-            ImpulseY,
-            ImpulseMagnitude,
-            ClosingSpeed,
-            SeparationSpeed,
-            ReportedRatio,
-            CriticalRatio,
-        ]
-    };
-
-    /// Its place in [`Key::ALL`].
-    #[inline(always)]
-    pub const fn index(self) -> usize {
-        let (at, side) = match self {
-            Key::Mass(side) => (0, side),
-            Key::YawInertia(side) => (1, side),
-            Key::Heading(side) => (2, side),
-            Key::CenterX(side) => (3, side),
-            Key::CenterY(side) => (4, side),
-            Key::BeforeX(side) => (5, side),
-            Key::BeforeY(side) => (6, side),
-            Key::BeforeYawRate(side) => (7, side),
-            Key::AfterX(side) => (8, side),
-            Key::AfterY(side) => (9, side),
-            Key::AfterYawRate(side) => (10, side),
-            Key::DeltaV(side) => (11, side),
-            Key::ForceDirection(side) => (12, side),
-            Key::EquivalentEnergySpeed(side) => (13, side),
-            Key::PointX => return 28,
-            Key::PointY => return 29,
-            Key::NormalAngle => return 30,
-            Key::Restitution => return 31,
-            Key::ImpulseRatio => return 32,
-            Key::EnergyLoss => return 33,
-            Key::NormalWork => return 34,
-            Key::TangentialWork => return 35,
-            Key::EnergyBefore => return 36,
-            Key::EnergyAfter => return 37,
-            Key::NormalImpulse => return 38,
-            Key::TangentialImpulse => return 39,
-            Key::ImpulseX => return 40,
-            Key::ImpulseY => return 41,
-            Key::ImpulseMagnitude => return 42,
-            Key::ClosingSpeed => return 43,
-            Key::SeparationSpeed => return 44,
-            Key::ReportedRatio => return 45,
-            Key::CriticalRatio => return 46,
-        };
-        at + 14 * (side as usize)
-    }
-
-    /// Its name, such as `b1.after.vx`.
-    pub const fn name(self) -> &'static str {
-        NAMES[self.index()].0
-    }
-
-    /// What it measures.
-    pub const fn measure(self) -> Measure {
-        NAMES[self.index()].1
-    }
-
-    /// The key of a name.
+    /// Returns the key with a name.
     pub fn named(name: &str) -> Option<Key> {
-        NAMES.iter().position(|&(known, _)| known == name).map(|at| Key::ALL[at])
+        Key::of_name(name)
     }
-}
 
-impl fmt::Display for Key {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+    /// Returns `true` if it is a result that a program reports besides the motions.
+    pub(super) fn is_claim(self) -> bool {
+        self.name().starts_with("reported.")
+    }
+
+    /// Returns its measure.
+    pub const fn measure(self) -> Measure {
+        self.group().measure()
     }
 }
 

@@ -1,29 +1,34 @@
-//! What a record lets one compute: each quantity whose parts are known, by the crate's own mechanics on numbers with a resolution.
+//! Derived quantities of a record: those whose inputs are known, computed by the crate's own mechanics on numbers with a resolution.
 
-use super::fall::Fall;
+use super::energy_loss::EnergyLoss;
 use super::key::Key;
 use super::record::Record;
 use super::subject::{Subject, When, number, pair};
-use super::uncertain::Uncertain;
+use super::travel::Travel;
+use super::uncertain::{Uncertain, sharper_known};
 use crate::body::Body;
-use crate::compliance::Compliance;
 use crate::contact::{Contact, relative_velocity};
-use crate::energy::Work;
+use crate::energy::{Work, work};
 use crate::frame::{CrushPlane, Nt, Xy};
 use crate::input::Side;
+use crate::law::Law;
 
-/// What is known of a record.
+/// The known quantities of a record.
 pub(super) struct Known<'a, const N: usize> {
     pub(super) record: &'a Record,
     pub(super) one: Subject<N>,
     pub(super) two: Subject<N>,
     pub(super) plane: Option<CrushPlane<Uncertain<N>>>,
-    /// The impulse on body 1 in ground axes, from the body that tells it more exactly.
+    /// The moment impulse on body 1; `None` if the contact transmits no couple.
+    pub(super) moment: Option<Uncertain<N>>,
+    /// The impulse on body 1 in ground axes, from the body that determines it more precisely.
     pub(super) impulse: Option<Xy<Uncertain<N>>>,
-    /// What takes the contact and the motions around it.
+    /// Change of the lever arms during the contact.
+    pub(super) travel: Travel,
+    /// Quantities that need the contact and the motions around it.
     pub(super) touch: Option<Touch<N>>,
-    /// What takes masses and motions.
-    pub(super) fall: Option<Fall<N>>,
+    /// Quantities that need masses and motions.
+    pub(super) energy_loss: Option<EnergyLoss<N>>,
 }
 
 /// The impact at the contact point.
@@ -35,25 +40,14 @@ pub(super) struct Touch<const N: usize> {
     pub(super) separation: Nt<Uncertain<N>>,
     /// From center of mass 1 to center of mass 2; a fixed body's reference point is the contact point.
     pub(super) offset: Nt<Uncertain<N>>,
-    /// On body 1.
+    /// Impulse on body 1.
     pub(super) impulse: Option<Nt<Uncertain<N>>>,
     pub(super) work: Option<Work<Uncertain<N>>>,
-    /// The bodies before, without their inertia.
+    /// Moment impulse on body 1; `None` if the contact transmits no couple.
+    pub(super) moment: Option<Uncertain<N>>,
+    /// The bodies before the impact, without their inertia.
     bodies: [Body<Uncertain<N>>; 2],
     subjects: [Subject<N>; 2],
-}
-
-/// The one of two that is known more exactly.
-pub(super) fn sharper<T>(a: T, b: T, radius: impl Fn(&T) -> f64) -> T {
-    if radius(&b) < radius(&a) { b } else { a }
-}
-
-/// The same, where one or both may be missing.
-pub(super) fn sharper_known<T>(a: Option<T>, b: Option<T>, radius: impl Fn(&T) -> f64) -> Option<T> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(sharper(a, b, radius)),
-        (a, b) => a.or(b),
-    }
 }
 
 impl<'a, const N: usize> Known<'a, N> {
@@ -63,12 +57,14 @@ impl<'a, const N: usize> Known<'a, N> {
         let plane = number(record, Key::NormalAngle).map(turned);
         let on_two = two.momentum_gained().map(|gained| -gained);
         let impulse = sharper_known(one.momentum_gained(), on_two, |p: &Xy<Uncertain<N>>| p.x.radius() + p.y.radius());
-        let touch = plane.as_ref().and_then(|plane| Touch::of(plane, &one, &two, impulse));
-        let fall = Fall::of(&one, &two);
-        Known { record, one, two, plane, impulse, touch, fall }
+        let moment = number(record, Key::Moment);
+        let touch = plane.as_ref().and_then(|plane| Touch::of(plane, &one, &two, impulse, moment));
+        let energy_loss = EnergyLoss::of(&one, &two);
+        let travel = Travel::of(record, &one, &two);
+        Known { record, one, two, plane, moment, impulse, travel, touch, energy_loss }
     }
 
-    /// A number of the record with its resolution.
+    /// Returns a number of the record with its resolution.
     pub(super) fn number(&self, key: Key) -> Option<Uncertain<N>> {
         number(self.record, key)
     }
@@ -80,38 +76,54 @@ impl<'a, const N: usize> Known<'a, N> {
         }
     }
 
-    /// The loss of energy as it is known best: the fall of the kinetic energy, or the works.
+    /// Returns the impulse on body 1 without its resolution, zero if it is unknown.
+    pub(super) fn impulse_value(&self) -> Xy {
+        self.impulse.map_or(Xy::zero(), |impulse| impulse.map(|p| p.value))
+    }
+
+    /// Returns the most precise energy loss: from the kinetic energies, or from the works.
     pub(super) fn loss(&self) -> Option<Uncertain<N>> {
-        let falls = self.fall.filter(|fall| !fall.translation_only).map(|fall| fall.sharpest());
+        let falls = self.energy_loss.filter(|fall| !fall.translation_only).map(|fall| fall.sharpest());
         let works = self.touch.and_then(|touch| touch.work).map(|work| work.loss());
         sharper_known(falls, works, Uncertain::radius)
     }
 }
 
 impl<const N: usize> Touch<N> {
-    fn of(plane: &CrushPlane<Uncertain<N>>, one: &Subject<N>, two: &Subject<N>, impulse: Option<Xy<Uncertain<N>>>) -> Option<Self> {
+    fn of(
+        plane: &CrushPlane<Uncertain<N>>,
+        one: &Subject<N>,
+        two: &Subject<N>,
+        impulse: Option<Xy<Uncertain<N>>>,
+        moment: Option<Uncertain<N>>,
+    ) -> Option<Self> {
         let before = [one.body(plane, When::Before)?, two.body(plane, When::Before)?];
-        let approach = relative_velocity(&before[0], &before[1]);
-        let separation = relative_velocity(&one.body(plane, When::After)?, &two.body(plane, When::After)?);
+        let after = [one.body(plane, When::After)?, two.body(plane, When::After)?];
+        let (approach, separation) = (relative_velocity(&before[0], &before[1]), relative_velocity(&after[0], &after[1]));
+        let relative_yaw_rate = |bodies: &[Body<Uncertain<N>>; 2]| bodies[1].yaw_rate - bodies[0].yaw_rate;
+        let of_moment = moment.map_or(Uncertain::exact(0.0), |m| work(m, relative_yaw_rate(&before), relative_yaw_rate(&after)));
         let impulse = impulse.map(|impulse| plane.to_contact(impulse));
         Some(Touch {
             approach,
             separation,
             offset: before[0].arm - before[1].arm,
             impulse,
-            work: impulse.map(|impulse| Work::of(impulse, approach, separation)),
+            work: impulse.map(|impulse| Work { m: of_moment, ..Work::of(impulse, approach, separation) }),
+            moment,
             bodies: before,
             subjects: [*one, *two],
         })
     }
 
-    /// The compliance, if the inertia of the bodies is known.
-    pub(super) fn compliance(&self) -> Option<Compliance<Uncertain<N>>> {
+    /// Returns the impulse that ends sliding under a law, with restitution e and the moment impulse, if the inertia of the bodies is known.
+    pub(super) fn sticking(&self, law: Law, e: Uncertain<N>) -> Option<Nt<Uncertain<N>>> {
         let [one, two] = &self.subjects;
-        Some(Compliance::between(&one.with_inertia(self.bodies[0])?, &two.with_inertia(self.bodies[1])?))
+        let contact = Contact::between(one.with_inertia(self.bodies[0])?, two.with_inertia(self.bodies[1])?);
+        let change = law.change(self.approach, e);
+        Some(contact.compliance.impulse_for(self.moment.map_or(change, |moment| change - contact.moment_compliance().force * moment)))
     }
 
-    /// The contact without resolutions, if the inertia of the bodies is known.
+    /// Returns the contact without resolutions, if the inertia of the bodies is known.
     pub(super) fn values(&self) -> Option<Contact> {
         let values = |i: usize| {
             let body = self.bodies[i].map(|x| x.value);
@@ -122,7 +134,7 @@ impl<const N: usize> Touch<N> {
     }
 }
 
-/// Cosine and sine of an angle with a resolution. The second derivative of either is within 1.
+/// Returns the cosine and sine of an angle with a resolution. The magnitude of either second derivative is at most 1.
 fn turned<const N: usize>(angle: Uncertain<N>) -> CrushPlane<Uncertain<N>> {
     let exact = CrushPlane::from_angle(angle.value);
     CrushPlane { cos: angle.through(exact.cos, -exact.sin, 1.0), sin: angle.through(exact.sin, exact.cos, 1.0) }

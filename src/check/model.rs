@@ -1,32 +1,32 @@
-//! What the program that made a record says it used, and which records must agree.
+//! The model stated by a program, and groups of records that must agree.
 
 use crate::law::Law;
 use alloc::string::String;
 
-/// What the program says it used.
+/// The model stated by the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Model {
     /// Coefficient of restitution e.
     pub restitution: Option<f64>,
-    /// The number that the impulse ratio is given by; what it is depends on the kind.
+    /// The number that specifies the impulse ratio, as described by `ratio_kind`.
     pub impulse_ratio: Option<f64>,
-    /// What that number is.
+    /// The kind of that number.
     pub ratio_kind: RatioKind,
-    /// Which impulse ends the tangential process.
+    /// The impulse that ends the tangential process.
     pub law: Law,
 }
 
-/// What the impulse ratio of a model is.
+/// The kind of the impulse ratio of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RatioKind {
-    /// The number is μ = P_t/P_n, signed.
+    /// The number is μ = P_t/P_n, with its sign.
     #[default]
     Given,
-    /// Sliding has ended as the law says; the number, if there is one, is the ratio that came out.
+    /// Sliding has ended as the law says; the number, if present, is the resulting ratio.
     Critical,
     /// The number is the fraction of the critical ratio.
     OfCritical,
-    /// The number is a coefficient of friction: sliding has ended, or goes on throughout at this ratio.
+    /// The number is a coefficient of friction: sliding has ended, or continues throughout at this ratio.
     Friction,
 }
 
@@ -34,7 +34,7 @@ impl RatioKind {
     /// Every kind.
     pub const ALL: [RatioKind; 4] = [RatioKind::Given, RatioKind::Critical, RatioKind::OfCritical, RatioKind::Friction];
 
-    /// Its name in a file of records.
+    /// Returns its name in a file of records.
     pub const fn name(self) -> &'static str {
         match self {
             RatioKind::Given => "given",
@@ -45,24 +45,25 @@ impl RatioKind {
     }
 }
 
-/// That a record belongs to a group.
+/// Membership of a record in a group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Membership {
     /// The name of the group.
     pub name: String,
-    /// What its records have in common.
+    /// The quantities that its records share.
     pub agreement: Agreement,
 }
 
-/// What the records of a group have in common.
+/// The quantities that the records of a group share.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Agreement {
     /// The energy lost and the magnitude of the impulse: a sweep of the crush plane at e = 0 and μ = μ₀, mirror images, exchanged bodies, moving observers.
     #[default]
     Magnitudes,
-    /// The energy lost alone.
+    /// Only the energy lost.
     Loss,
-    /// These, and the impulse and the motions after it component by component: a sweep of the crush plane at e = 0 and μ = μ₀.
+    /// The energy lost and the magnitude of the impulse, and also the impulse and the post-impact motions by component: a sweep of the crush plane at e = 0
+    /// and μ = μ₀.
     Outcome,
 }
 
@@ -70,7 +71,7 @@ impl Agreement {
     /// Every agreement.
     pub const ALL: [Agreement; 3] = [Agreement::Magnitudes, Agreement::Loss, Agreement::Outcome];
 
-    /// Its name in a file of records.
+    /// Returns its name in a file of records.
     pub const fn name(self) -> &'static str {
         match self {
             Agreement::Magnitudes => "magnitudes",

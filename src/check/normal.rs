@@ -1,17 +1,17 @@
-//! What happens along the normal: `compressive`, `interpenetration`, `restitution`.
+//! Rules along the normal: `compressive`, `interpenetration`, `restitution`.
 
+use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::model::RatioKind;
-use super::rule::Rule;
-use super::say::Digits;
+use super::rule::{Rule, Severity};
 use super::uncertain::Uncertain;
 use crate::frame::Nt;
 use crate::law::Law;
 use alloc::format;
 
-/// The length of a vector's values.
+/// Returns the length of a vector's values.
 pub(super) fn length<const N: usize>(v: &Nt<Uncertain<N>>) -> f64 {
     Nt { n: v.n.value, t: v.t.value }.length()
 }
@@ -20,29 +20,38 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     restitution_in_range(known, judge);
     match &known.touch {
         Some(touch) => {
-            along_the_normal(touch, judge);
+            along_the_normal(touch, known.travel.velocity_leeway(), judge);
             restitution(known, touch, judge);
         }
         None => restitution_of_claims(known, judge),
     }
 }
 
-/// Which way is compressive follows from s, the normal component of center of mass 2 less center of mass 1.
-fn along_the_normal<const N: usize>(touch: &Touch<N>, judge: &mut Judge) {
+/// Checks `compressive` and `interpenetration`. The sign of s, the normal component of center of mass 2 less center of mass 1, determines the compressive
+/// direction.
+fn along_the_normal<const N: usize>(touch: &Touch<N>, leeway: f64, judge: &mut Judge) {
     let offset = Residual::new(touch.offset.n, length(&touch.offset));
     let side = judge.sign(Rule::Compressive, &offset);
     let Some(side) = side else {
         judge.checks(Rule::Compressive);
         judge.checks(Rule::Interpenetration);
-        let bound = judge.bound(Rule::Compressive, &offset).total;
+        let bound = judge.bound(Rule::Compressive, &offset);
         let size = offset.value.value.abs();
         if offset.value.radius() > 0.0 {
-            judge.undecidable(Rule::Compressive, size, bound, offset.scale);
-            judge.undecidable(Rule::Interpenetration, size, bound, offset.scale);
+            judge.undecidable(Rule::Compressive, size, bound.total, offset.scale);
+            judge.undecidable(Rule::Interpenetration, size, bound.total, offset.scale);
+        } else if size > bound.rounding() {
+            // The tolerance of a law is no precision of positions.
+            let what = format!(
+                "the centers of mass are {} m apart along the normal, within the tolerance of {} m, so the compressive direction is unknown",
+                Digits(size),
+                Digits(bound.total)
+            );
+            judge.push(Rule::Compressive, Severity::Undecidable, size, bound.total, what);
         } else {
             let what =
                 format!("the centers of mass are abreast: {} m apart along the normal, so no approach along it closes", Digits(size));
-            judge.fail(Rule::Compressive, size, bound, what);
+            judge.fail(Rule::Compressive, size, bound.total, what);
         }
         return;
     };
@@ -56,7 +65,7 @@ fn along_the_normal<const N: usize>(touch: &Touch<N>, judge: &mut Judge) {
             format!("the normal impulse pulls the bodies together with {} N s, {} may be", Digits(size), Digits(bound))
         });
     }
-    judge.not_above(Rule::Interpenetration, apart(-touch.separation.n), |size, bound| {
+    judge.not_above(Rule::Interpenetration, apart(-touch.separation.n).open(0.0, leeway), |size, bound| {
         format!("after the impact the bodies approach each other still along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
     });
 }
@@ -73,7 +82,7 @@ fn restitution_in_range<const N: usize>(known: &Known<'_, N>, judge: &mut Judge)
     });
 }
 
-/// V_n = −e v_n, as a share of v_n.
+/// Checks V_n = −e v_n, as a share of v_n.
 fn restitution<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
     let (approach, separation) = (touch.approach.n, touch.separation.n);
     let closing = Residual::new(approach, length(&touch.approach));
@@ -87,7 +96,7 @@ fn restitution<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &m
     }
     let v = approach.value;
     let found = -separation.value / v;
-    let per_approach = |value: Uncertain<N>| Residual::new(value, v.abs()).per(v);
+    let per_approach = |value: Uncertain<N>| Residual::new(value, v.abs()).open(0.0, known.travel.velocity_leeway()).per(v);
     match known.number(Key::Restitution) {
         Some(claimed) => {
             judge.zero(Rule::Restitution, per_approach(separation + claimed * approach), |size, bound| {
@@ -113,10 +122,11 @@ fn restitution<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &m
     warn_above_bound(known, touch, known.record.model.restitution.unwrap_or(found), judge);
 }
 
-/// At the critical ratio a restitution above √(1 − K_nt²/(K_nn K_tt)) gains energy at some approach velocities, if not at this one.
+/// Warns of a restitution above √(1 − K_nt²/(K_nn K_tt)) at the critical ratio, which gains energy at some approach velocities, if not at this one.
 fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f64, judge: &mut Judge) {
     let model = &known.record.model;
-    if model.ratio_kind != RatioKind::Critical || model.law != Law::Brach {
+    // A moment shifts the bound.
+    if model.ratio_kind != RatioKind::Critical || model.law != Law::Brach || touch.moment.is_some() {
         return;
     }
     let Some(contact) = touch.values() else { return };
@@ -131,7 +141,7 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
     }
 }
 
-/// The restitution of reported speeds, where the motions do not tell it.
+/// Checks the restitution of reported speeds if the motions do not determine it.
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let keys = [Key::Restitution, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
     let [Some(e), Some(closing), Some(parting)] = keys else { return };

@@ -1,18 +1,18 @@
-//! How exact the numbers of a record are taken to be.
+//! Assumed precision of the numbers of a record.
 
-/// How exact the numbers of a record are where no [`Resolution`](super::Resolution) is given, and what a resolution is.
+/// Assumed precision of numbers without a [`Resolution`](super::Resolution), and the meaning of a resolution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
     /// An impulse solver in f64: the laws hold to 1e-9.
     #[default]
     Impulse,
-    /// Numbers from print: a resolution is half a unit of the last digit, and decides. A number without one is exact.
+    /// Printed numbers: a resolution is half a unit of the last digit, and determines the bound. A number without one is exact.
     Printed,
-    /// An engine that steps through time in f64: momentum to 1e-6; its position correction disturbs the rest by up to 2e-2.
+    /// A time-stepping engine in f64: momentum to 1e-6; its position correction disturbs the rest by up to 2e-2.
     Stepper,
-    /// The same in f32: momentum to 1e-5, and the rounding of an f32.
+    /// A time-stepping engine in f32: momentum to 1e-5, and the rounding of an f32.
     StepperF32,
-    /// Measurements: a resolution is a standard uncertainty, and three of the residual's are allowed. Without any, 5e-2.
+    /// Measurements: a resolution is a standard uncertainty, and residuals of three standard uncertainties are accepted. Without any resolution, 5e-2.
     Measured,
 }
 
@@ -20,7 +20,7 @@ impl Profile {
     /// Every profile.
     pub const ALL: [Profile; 5] = [Profile::Impulse, Profile::Printed, Profile::Stepper, Profile::StepperF32, Profile::Measured];
 
-    /// Its name in a file of records.
+    /// Returns its name in a file of records.
     pub const fn name(self) -> &'static str {
         match self {
             Profile::Impulse => "impulse",
@@ -31,7 +31,7 @@ impl Profile {
         }
     }
 
-    /// How far linear momentum may be from conserved, as a share of what is exchanged.
+    /// Returns the tolerance of the conservation of linear momentum, as a share of the exchanged momentum.
     pub const fn linear_tolerance(self) -> f64 {
         match self {
             Profile::Impulse | Profile::Printed => 1e-9,
@@ -41,7 +41,7 @@ impl Profile {
         }
     }
 
-    /// The same for everything else.
+    /// Returns the tolerance of every other rule.
     pub const fn tolerance(self) -> f64 {
         match self {
             Profile::Impulse | Profile::Printed => 1e-9,
@@ -50,7 +50,7 @@ impl Profile {
         }
     }
 
-    /// The share of its terms that a sum may be off by rounding: a few units in the last place.
+    /// Returns the rounding error of a sum as a share of its terms: a few units in the last place.
     pub(super) const fn rounding(self) -> f64 {
         match self {
             Profile::StepperF32 => 1.0 / (1 << 20) as f64,

@@ -10,13 +10,14 @@ use crate::frame::Xy;
 use crate::impact::Impact;
 use crate::input::Side;
 use crate::law::ImpulseRatio;
+use crate::moment::Moment;
 use crate::vehicle::{Motion, Party};
 use alloc::string::String;
 
-/// One collision as a program reports it, in SI and radians. What is not known is left out; what is checked follows from what is there.
+/// One collision as a program reports it, in SI and radians. Unknown values are left out; the rules that are checked follow from those that are present.
 ///
 /// ```
-/// use planar_impact::check::{Record, State, Subject, check, Options};
+/// use planar_impact::check::{Options, Record, Rule, State, Subject, check};
 /// use planar_impact::Xy;
 ///
 /// // Two pucks in line: the lighter one comes back.
@@ -27,27 +28,35 @@ use alloc::string::String;
 ///     ..Subject::default()
 /// };
 /// let record = Record { one: puck(1.0, 3.0, -1.0), two: puck(3.0, -1.0, 1.0 / 3.0), ..Record::default() };
-/// check(&record, &Options::default()).assert();
+/// // Nothing is known of their rotation and contact.
+/// check(&record, &Options::default()).assert_checked(&[Rule::LinearMomentum, Rule::EnergyGain]);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// What the record is called in what is found about it.
+    /// The name of the record in its findings.
     pub id: String,
-    /// How exact its numbers are where no resolution is given.
+    /// Assumed precision of numbers without a resolution.
     pub profile: Profile,
-    /// Body 1; the impulse is the one on it.
+    /// Body 1; impulses are those on body 1.
     pub one: Subject,
     /// Body 2.
     pub two: Subject,
-    /// Where the bodies touch, in ground axes, in m.
+    /// Contact point in ground axes, in m.
     pub point: Option<Xy>,
+    /// Contact point at the end of a contact that lasts, with the bodies at [`Subject::center_after`]. Without those, it is a second point of the same
+    /// instant. The impulse acts anywhere between the two.
+    pub point_after: Option<Xy>,
+    /// Duration of the contact in s. What the motion of the bodies meanwhile may explain is then a warning, unless the record has the places after it.
+    pub duration: Option<f64>,
     /// The angle from x to the normal of the contact, in rad; either of its two directions.
     pub normal_angle: Option<f64>,
-    /// The coefficients that the program says it used.
+    /// Moment impulse on body 1 in N m s, counter-clockwise; body 2 gets the opposite. Without it the contact transmits no couple.
+    pub moment: Option<f64>,
+    /// The coefficients that the program states.
     pub model: Model,
     /// Other results of the program.
     pub reported: Reported,
-    /// How exact the numbers are.
+    /// Resolutions of the numbers.
     pub resolution: Resolution,
     /// The group of records that must agree, if it is in one.
     pub group: Option<Membership>,
@@ -56,23 +65,25 @@ pub struct Record {
 /// A body of a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Subject {
-    /// Whether no impulse moves it: a barrier. It has no mass then, and keeps its velocity; without one it is at rest.
+    /// `true` if no impulse moves it, as a barrier. It then has no mass and keeps its velocity; without a velocity it is at rest.
     pub fixed: bool,
     /// Mass in kg.
     pub mass: Option<f64>,
     /// Yaw inertia about the center of mass in kg m².
     pub yaw_inertia: Option<f64>,
-    /// Where it points, from x, counter-clockwise, in rad. Needed for a direction of force only.
+    /// Heading from x, counter-clockwise, in rad. Needed only for a direction of force.
     pub heading: Option<f64>,
-    /// Center of mass in ground axes, in m.
+    /// Center of mass in ground axes, in m; at the beginning of a contact that lasts.
     pub center: Option<Xy>,
-    /// How it moves before the impact.
+    /// Center of mass at the end of a contact that lasts, in m.
+    pub center_after: Option<Xy>,
+    /// Motion before the impact.
     pub before: State,
-    /// How it moves after the impact.
+    /// Motion after the impact.
     pub after: State,
 }
 
-/// How a body moves, as far as it is known.
+/// Motion of a body, as far as it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
     /// Velocity of the center of mass, in m/s.
@@ -95,13 +106,14 @@ impl Subject {
         yaw_inertia: None,
         heading: None,
         center: None,
+        center_after: None,
         before: State { velocity: None, yaw_rate: None },
         after: State { velocity: None, yaw_rate: None },
     };
 }
 
 impl Record {
-    /// The record of a collision and its impact, with everything that this crate computes of it as reported. The contact point is the origin.
+    /// Creates the record of a collision and its impact, with everything that this crate computes of it as reported. The contact point is the origin.
     pub fn of(collision: &Collision, impact: &Impact) -> Record {
         let subject = |party: &Party, after: &Motion| match party {
             Party::Barrier => Subject::FIXED,
@@ -111,6 +123,7 @@ impl Record {
                 yaw_inertia: Some(vehicle.yaw_inertia),
                 heading: Some(vehicle.heading.angle()),
                 center: Some(-vehicle.heading.to_ground(vehicle.impact_center)),
+                center_after: None,
                 before: vehicle.motion.into(),
                 after: (*after).into(),
             },
@@ -121,16 +134,19 @@ impl Record {
             ImpulseRatio::OfCritical(fraction) => (RatioKind::OfCritical, Some(fraction)),
             ImpulseRatio::LimitedByFriction(friction) => (RatioKind::Friction, Some(friction)),
         };
+        let of_moment = |value: f64| Some(value).filter(|_| !matches!(collision.moment, Moment::None));
         Record {
             one: subject(&collision.one, &impact.one.after),
             two: subject(&collision.two, &impact.two.after),
             point: Some(Xy::zero()),
             normal_angle: Some(collision.crush_plane.angle()),
+            moment: of_moment(impact.moment),
             model: Model { restitution: Some(collision.restitution), impulse_ratio, ratio_kind, law: collision.law },
             reported: Reported {
                 energy_loss: Some(impact.loss()),
                 work_normal: Some(impact.work.n),
                 work_tangential: Some(impact.work.t),
+                work_moment: of_moment(impact.work.m),
                 kinetic_energy_before: Some(impact.kinetic_energy.before),
                 kinetic_energy_after: Some(impact.kinetic_energy.after),
                 delta_v: [Some(impact.one.delta_v_magnitude()), Some(impact.two.delta_v_magnitude())],
@@ -146,14 +162,14 @@ impl Record {
                 closing_speed: Some(impact.approach.n.abs()),
                 separation_speed: Some(impact.separation.n.abs()),
                 impulse_ratio: Some(impact.impulse_ratio()),
-                // Infinite where the impulse that ends sliding has no normal part.
+                // Infinite if the impulse that ends sliding has no normal component.
                 critical_impulse_ratio: Some(impact.critical_impulse_ratio()).filter(|ratio| ratio.is_finite()),
             },
             ..Record::default()
         }
     }
 
-    /// A body.
+    /// Returns a body.
     pub fn subject(&self, side: Side) -> &Subject {
         match side {
             Side::One => &self.one,
@@ -161,7 +177,7 @@ impl Record {
         }
     }
 
-    /// A number, if it is known.
+    /// Returns a number, if it is known.
     pub fn get(&self, key: Key) -> Option<f64> {
         let reported = &self.reported;
         match key {
@@ -170,6 +186,8 @@ impl Record {
             Key::Heading(side) => self.subject(side).heading,
             Key::CenterX(side) => self.subject(side).center.map(|c| c.x),
             Key::CenterY(side) => self.subject(side).center.map(|c| c.y),
+            Key::CenterAfterX(side) => self.subject(side).center_after.map(|c| c.x),
+            Key::CenterAfterY(side) => self.subject(side).center_after.map(|c| c.y),
             Key::BeforeX(side) => self.subject(side).before.velocity.map(|v| v.x),
             Key::BeforeY(side) => self.subject(side).before.velocity.map(|v| v.y),
             Key::BeforeYawRate(side) => self.subject(side).before.yaw_rate,
@@ -181,12 +199,17 @@ impl Record {
             Key::EquivalentEnergySpeed(side) => reported.ees[side as usize],
             Key::PointX => self.point.map(|p| p.x),
             Key::PointY => self.point.map(|p| p.y),
+            Key::PointAfterX => self.point_after.map(|p| p.x),
+            Key::PointAfterY => self.point_after.map(|p| p.y),
+            Key::Duration => self.duration,
             Key::NormalAngle => self.normal_angle,
+            Key::Moment => self.moment,
             Key::Restitution => self.model.restitution,
             Key::ImpulseRatio => self.model.impulse_ratio,
             Key::EnergyLoss => reported.energy_loss,
             Key::NormalWork => reported.work_normal,
             Key::TangentialWork => reported.work_tangential,
+            Key::MomentWork => reported.work_moment,
             Key::EnergyBefore => reported.kinetic_energy_before,
             Key::EnergyAfter => reported.kinetic_energy_after,
             Key::NormalImpulse => reported.impulse.normal,
@@ -201,7 +224,7 @@ impl Record {
         }
     }
 
-    /// Sets a number. Of a position or a velocity whose other component is not known yet, that one becomes NaN, and is found to be until it is set.
+    /// Sets a number. If the other component of a position or a velocity is not known yet, it becomes NaN, which the check reports until it is set.
     pub fn set(&mut self, key: Key, value: f64) {
         fn x(pair: &mut Option<Xy>, value: f64) {
             pair.get_or_insert(Xy { x: value, y: f64::NAN }).x = value;
@@ -221,6 +244,8 @@ impl Record {
             Key::Heading(side) => subject(side).heading = Some(value),
             Key::CenterX(side) => x(&mut subject(side).center, value),
             Key::CenterY(side) => y(&mut subject(side).center, value),
+            Key::CenterAfterX(side) => x(&mut subject(side).center_after, value),
+            Key::CenterAfterY(side) => y(&mut subject(side).center_after, value),
             Key::BeforeX(side) => x(&mut subject(side).before.velocity, value),
             Key::BeforeY(side) => y(&mut subject(side).before.velocity, value),
             Key::BeforeYawRate(side) => subject(side).before.yaw_rate = Some(value),
@@ -232,12 +257,17 @@ impl Record {
             Key::EquivalentEnergySpeed(side) => reported.ees[side as usize] = Some(value),
             Key::PointX => x(&mut self.point, value),
             Key::PointY => y(&mut self.point, value),
+            Key::PointAfterX => x(&mut self.point_after, value),
+            Key::PointAfterY => y(&mut self.point_after, value),
+            Key::Duration => self.duration = Some(value),
             Key::NormalAngle => self.normal_angle = Some(value),
+            Key::Moment => self.moment = Some(value),
             Key::Restitution => self.model.restitution = Some(value),
             Key::ImpulseRatio => self.model.impulse_ratio = Some(value),
             Key::EnergyLoss => reported.energy_loss = Some(value),
             Key::NormalWork => reported.work_normal = Some(value),
             Key::TangentialWork => reported.work_tangential = Some(value),
+            Key::MomentWork => reported.work_moment = Some(value),
             Key::EnergyBefore => reported.kinetic_energy_before = Some(value),
             Key::EnergyAfter => reported.kinetic_energy_after = Some(value),
             Key::NormalImpulse => reported.impulse.normal = Some(value),

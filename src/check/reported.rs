@@ -1,6 +1,6 @@
-//! Results that a program reports beside the motions.
+//! Results that a program reports besides the motions.
 
-/// Results that a program reports beside the motions. Each is held against what the motions imply and against the others.
+/// Results that a program reports besides the motions. Each is compared with what the motions imply and with the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reported {
     /// Energy lost, T_L, in J.
@@ -9,6 +9,8 @@ pub struct Reported {
     pub work_normal: Option<f64>,
     /// Work of the tangential impulse in J, negative where energy is lost.
     pub work_tangential: Option<f64>,
+    /// Work of the moment impulse in J, negative where energy is lost.
+    pub work_moment: Option<f64>,
     /// Kinetic energy of both bodies before the impact, in J.
     pub kinetic_energy_before: Option<f64>,
     /// Kinetic energy of both bodies after it, in J.
@@ -17,13 +19,14 @@ pub struct Reported {
     pub delta_v: [Option<f64>; 2],
     /// Direction that the force on bodies 1 and 2 comes from, clockwise from the heading, in rad.
     pub pdof: [Option<f64>; 2],
-    /// Equivalent energy speed of bodies 1 and 2 in m/s: Σ ½ m EES² is the work of the normal impulse taken, or, as some programs have it, all the loss.
+    /// Equivalent energy speed of bodies 1 and 2 in m/s: Σ ½ m EES² is the work of the normal impulse with its sign reversed or, in some programs, the total
+    /// loss.
     pub ees: [Option<f64>; 2],
     /// The impulse on body 1.
     pub impulse: ReportedImpulse,
     /// Speed at which the bodies approach each other along the normal at the contact point, in m/s.
     pub closing_speed: Option<f64>,
-    /// Speed at which they part there, in m/s.
+    /// Speed at which they separate there, in m/s.
     pub separation_speed: Option<f64>,
     /// P_t/P_n.
     pub impulse_ratio: Option<f64>,

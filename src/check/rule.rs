@@ -1,53 +1,54 @@
-//! The rules that a record is held against.
+//! Rules for checking a record.
 
 use core::fmt;
 
-/// A rule. Its name is part of what other programs rely on.
+/// A rule. Other programs rely on its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Rule {
-    /// Every number is one.
+    /// Every number is finite.
     Finite,
-    /// The numbers are of the size that vehicles have.
+    /// The numbers have the size of those of vehicles.
     PlausibleUnits,
-    /// What one body gains in linear momentum the other loses.
+    /// The linear momentum gained by one body is lost by the other.
     LinearMomentum,
-    /// What one body gains in angular momentum the other loses.
+    /// The angular momentum gained by one body is lost by the other.
     AngularMomentum,
     /// The impulse acts at the contact point.
     LineOfAction,
-    /// No energy comes from nowhere.
+    /// The impact does not create energy.
     EnergyGain,
-    /// The normal impulse pushes, on bodies that approach each other.
+    /// The normal impulse is compressive, on bodies that approach each other.
     Compressive,
-    /// The bodies do not approach each other still.
+    /// The bodies no longer approach each other after the impact.
     Interpenetration,
-    /// The bodies part as the restitution says, which is between 0 and 1.
+    /// The bodies separate as the restitution requires, which is between 0 and 1.
     Restitution,
-    /// The impulse has the ratio it is said to have.
+    /// The impulse has the stated ratio.
     ImpulseRatio,
-    /// The tangential impulse ends the sliding at most.
+    /// The tangential impulse does not exceed the one that ends sliding.
     BeyondCritical,
-    /// The works of the impulse are the change of energy.
+    /// The works of the impulse equal the change of energy.
     WorkIdentity,
-    /// Results that are reported agree with the motions and with each other.
+    /// Reported results agree with the motions and with each other.
     Reported,
     /// The records of a group agree.
     Group,
 }
 
-/// How bad it is that a rule does not hold.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Possible, and rarely meant.
+    /// Possible, but rarely intended.
     Warn,
-    /// It cannot be told whether the rule holds: the numbers are too coarse.
+    /// The rule could not be evaluated: the numbers are too coarse.
     Undecidable,
     /// The rule is broken.
     Fail,
 }
 
 impl Severity {
-    /// Its name in a report.
+    /// Returns its name in a report.
     pub const fn name(self) -> &'static str {
         match self {
             Severity::Warn => "warn",
@@ -64,7 +65,7 @@ impl fmt::Display for Severity {
 }
 
 impl Rule {
-    /// How many there are.
+    /// Number of rules.
     pub const COUNT: usize = 14;
 
     /// Every rule, in the order in which they are checked.
@@ -85,7 +86,7 @@ impl Rule {
         Rule::Group,
     ];
 
-    /// Its name, such as `linear-momentum`.
+    /// Returns its name, such as `linear-momentum`.
     pub const fn name(self) -> &'static str {
         match self {
             Rule::Finite => "finite",
@@ -105,12 +106,12 @@ impl Rule {
         }
     }
 
-    /// The rule of a name.
+    /// Returns the rule with a name.
     pub fn named(name: &str) -> Option<Rule> {
         Rule::ALL.into_iter().find(|rule| rule.name() == name)
     }
 
-    /// What it means that the rule is broken.
+    /// Returns the severity of a violation.
     pub const fn severity(self) -> Severity {
         match self {
             Rule::PlausibleUnits => Severity::Warn,
@@ -118,16 +119,16 @@ impl Rule {
         }
     }
 
-    /// What must hold, in a sentence or two, and what it needs to be known.
+    /// Returns the law in a sentence or two, and the quantities it needs.
     pub const fn help(self) -> &'static str {
         match self {
             Rule::Finite => {
                 "Every number is finite, masses and yaw inertias are above zero, resolutions are not below it, and one body can move. \
-                 Nothing else is checked of a record that breaks this rule."
+                 Nothing else is checked of a record that breaks this rule. A tolerance out of range breaks it too."
             }
             Rule::PlausibleUnits => {
                 "The numbers are of the size that vehicles have: radius of gyration 0.9 to 2.5 m, mass 100 kg to 80 t, speed below 150 m/s, \
-                 yaw rate below 30 rad/s, contact within 15 m, angles within one turn. A warning. Of a stepping engine, whose bodies may have any \
+                 yaw rate below 30 rad/s, contact within 15 m and 1 s, angles within one turn. A warning. Of a stepping engine, whose bodies may have any \
                  size, only angles are looked at."
             }
             Rule::LinearMomentum => {
@@ -135,11 +136,12 @@ impl Rule {
                  before and after."
             }
             Rule::AngularMomentum => {
-                "What one body gains in angular momentum about any point the other loses. Needs centers of mass, yaw inertias and yaw rates too."
+                "What one body gains in angular momentum about any point the other loses. Needs centers of mass, yaw inertias and yaw rates too; of a \
+                 contact that lasts, the centers of mass after it."
             }
             Rule::LineOfAction => {
-                "The impulse on each body acts at the contact point: its angular momentum about that point does not change. Needs the contact \
-                 point too."
+                "The impulse on each body acts at the contact point: its angular momentum about that point changes by the moment impulse alone, \
+                 which is zero unless it is given. Needs the contact point too."
             }
             Rule::EnergyGain => {
                 "The kinetic energy after the impact is not above that before, for an observer on the ground and for one who moves along with the \
@@ -163,7 +165,7 @@ impl Rule {
                  would pull, the critical ratio bounds nothing, and this still holds."
             }
             Rule::WorkIdentity => {
-                "The works of the normal and of the tangential impulse are together the change of kinetic energy. A positive tangential work is a \
+                "The works of the normal and of the tangential impulse and of the moment are together the change of kinetic energy. A positive tangential work is a \
                  warning: it is possible."
             }
             Rule::Reported => {
@@ -177,14 +179,15 @@ impl Rule {
         }
     }
 
-    /// The law, with its equations in the source paper and where this crate has it.
+    /// Returns the law, with its equations in the source paper and its place in this crate.
     pub const fn law(self) -> &'static str {
         match self {
             Rule::Finite | Rule::PlausibleUnits => "no law of mechanics",
             Rule::LinearMomentum => "m1 (V1 - v1) + m2 (V2 - v2) = 0 (Eqs A1-A4, A22, A23; Body::delta_v)",
             Rule::AngularMomentum => "sum of I (W - w) + c x m (V - v) = 0, c the center of mass (Eqs A5, A6)",
             Rule::LineOfAction => {
-                "I (W - w) = r x m (V - v), r from the center of mass to the contact point (Eqs A5, A6; Body::delta_yaw_rate)"
+                "I (W - w) = r x m (V - v) + M, r from the center of mass to the contact point, M on body 1 and -M on body 2 \
+                 (Eqs A5, A6; Body::delta_yaw_rate)"
             }
             Rule::EnergyGain => "T_L = T - T' >= 0, T = sum of 1/2 m v^2 + 1/2 I w^2 (Eq 1; Vehicle::kinetic_energy, Admissible)",
             Rule::Compressive => {
@@ -194,8 +197,8 @@ impl Rule {
             Rule::Restitution => "V_n = -e v_n, 0 <= e <= 1 (Eq A7); e^2 <= 1 - K_nt^2/(K_nn K_tt) for no gain (Admissible)",
             Rule::ImpulseRatio => "P_t = mu P_n (Eq A8); V_t = 0 at the critical ratio, -e v_t with Kudlich and Slibar's law (Eq A27; Law)",
             Rule::BeyondCritical => "P_t V_t >= 0, so that mu lies between 0 and mu0 (Eq A27; Refusal::BeyondCritical)",
-            Rule::WorkIdentity => "W_n + W_t = T' - T, W = -1/2 P (v + V) (Eqs 5-8; Work)",
-            Rule::Reported => "T_L = -(W_n + W_t), dV = |P|/m, mu = P_t/P_n, sum of 1/2 m EES^2 = -W_n (Eqs 1-9, A22-A27; Impact)",
+            Rule::WorkIdentity => "W_n + W_t + W_m = T' - T, W = -1/2 P (v + V), W_m = -1/2 M (w_r + W_r) (Eqs 5-8; Work)",
+            Rule::Reported => "T_L = -(W_n + W_t + W_m), dV = |P|/m, mu = P_t/P_n, sum of 1/2 m EES^2 = -W_n (Eqs 1-9, A22-A27; Impact)",
             Rule::Group => "T_L and |P| at e = 0, mu = mu0 do not depend on the crush plane (Contact::greatest_loss)",
         }
     }

@@ -1,4 +1,4 @@
-//! What a record tells of one body, on numbers with a resolution.
+//! One body of a record, in numbers with a resolution.
 
 use super::key::Key;
 use super::record::Record;
@@ -10,33 +10,37 @@ use crate::scalar::Field;
 use crate::vehicle::{Motion, Vehicle};
 use num_traits::Inv;
 
-/// What is known of one body.
+/// The known quantities of one body.
 #[derive(Clone, Copy)]
 pub(super) struct Subject<const N: usize> {
     pub(super) fixed: bool,
     pub(super) mass: Option<Uncertain<N>>,
     pub(super) yaw_inertia: Option<Uncertain<N>>,
-    /// Of a fixed body the contact point, if that is known.
+    /// Center of mass; for a fixed body the contact point, if that is known.
     pub(super) center: Option<Xy<Uncertain<N>>>,
     pub(super) before: Option<Xy<Uncertain<N>>>,
     pub(super) after: Option<Xy<Uncertain<N>>>,
     pub(super) yaw_before: Option<Uncertain<N>>,
     pub(super) yaw_after: Option<Uncertain<N>>,
+    /// Center of mass at the end of a contact that lasts.
+    pub(super) center_after: Option<Xy<Uncertain<N>>>,
     /// From the center of mass to the contact point.
     pub(super) arm: Option<Xy<Uncertain<N>>>,
+    /// The same at the end of a contact that lasts, and `arm` if the contact point then is unknown.
+    pub(super) arm_after: Option<Xy<Uncertain<N>>>,
 }
 
-/// One of two moments.
+/// Before or after the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum When {
     Before,
     After,
 }
 
-/// How many places there are for inputs with a resolution.
-pub(super) const PLACES: usize = 32;
+/// Number of slots for inputs with a resolution.
+pub(super) const PLACES: usize = 40;
 
-/// The place of an input. Results that are reported share theirs with others, since no residual has two that do.
+/// Returns the slot of an input. Reported results share slots with others, since no residual contains two of the same slot.
 const fn place(key: Key) -> usize {
     match key {
         Key::Mass(side) => 10 * side as usize,
@@ -64,25 +68,33 @@ const fn place(key: Key) -> usize {
         Key::TangentialWork | Key::ImpulseX => 29,
         Key::EnergyBefore | Key::ImpulseY => 30,
         Key::EnergyAfter | Key::ImpulseMagnitude => 31,
+        // With the moment and the motion, or with other works.
+        Key::MomentWork => 24,
+        Key::Moment => 32,
+        Key::CenterAfterX(side) => 33 + 2 * side as usize,
+        Key::CenterAfterY(side) => 34 + 2 * side as usize,
+        Key::PointAfterX => 37,
+        Key::PointAfterY => 38,
+        Key::Duration => 39,
         Key::ReportedRatio => 25,
         Key::CriticalRatio => 26,
     }
 }
 
-/// A number of the record with its resolution.
+/// Returns a number of the record with its resolution.
 pub(super) fn number<const N: usize>(record: &Record, key: Key) -> Option<Uncertain<N>> {
     let value = record.get(key)?;
     let resolution = if N == 0 { 0.0 } else { record.resolution.of(key).unwrap_or(0.0) };
     Some(Uncertain::input(value, place(key), resolution))
 }
 
-/// Two numbers of the record as a vector in ground axes.
+/// Returns two numbers of the record as a vector in ground axes.
 pub(super) fn pair<const N: usize>(record: &Record, x: Key, y: Key) -> Option<Xy<Uncertain<N>>> {
     Some(Xy { x: number(record, x)?, y: number(record, y)? })
 }
 
 impl<const N: usize> Subject<N> {
-    /// A body of a record that touches the other at a point.
+    /// Returns a body of a record that touches the other body at a point.
     pub(super) fn of(record: &Record, side: Side, point: Option<Xy<Uncertain<N>>>) -> Self {
         let before = pair(record, Key::BeforeX(side), Key::BeforeY(side));
         if record.subject(side).fixed {
@@ -97,10 +109,15 @@ impl<const N: usize> Subject<N> {
                 after: before,
                 yaw_before: still,
                 yaw_after: still,
+                center_after: None,
                 arm: rest,
+                arm_after: rest,
             };
         }
         let center = pair(record, Key::CenterX(side), Key::CenterY(side));
+        let center_after = pair(record, Key::CenterAfterX(side), Key::CenterAfterY(side));
+        let arm = point.zip(center).map(|(point, center)| point - center);
+        let point_after = pair(record, Key::PointAfterX, Key::PointAfterY);
         Subject {
             fixed: false,
             mass: number(record, Key::Mass(side)),
@@ -110,7 +127,9 @@ impl<const N: usize> Subject<N> {
             after: pair(record, Key::AfterX(side), Key::AfterY(side)),
             yaw_before: number(record, Key::BeforeYawRate(side)),
             yaw_after: number(record, Key::AfterYawRate(side)),
-            arm: point.zip(center).map(|(point, center)| point - center),
+            center_after,
+            arm,
+            arm_after: point_after.zip(center_after.or(center)).map(|(point, center)| point - center).or(arm),
         }
     }
 
@@ -128,37 +147,41 @@ impl<const N: usize> Subject<N> {
         }
     }
 
-    /// Its change of velocity.
+    /// Returns its change of velocity.
     pub(super) fn delta_v(&self) -> Option<Xy<Uncertain<N>>> {
         Some(self.after? - self.before?)
     }
 
-    /// Its change of momentum; that of a fixed body cannot be seen.
+    /// Returns its change of momentum; `None` for a fixed body, which has no mass.
     pub(super) fn momentum_gained(&self) -> Option<Xy<Uncertain<N>>> {
         Some(self.delta_v()? * self.mass?)
     }
 
-    /// Its change of spin, I (Ω − ω); that of a fixed body cannot be seen.
+    /// Returns its change of spin, I (Ω − ω); `None` for a fixed body, which has no inertia.
     pub(super) fn spin_gained(&self) -> Option<Uncertain<N>> {
         Some((self.yaw_after? - self.yaw_before?) * self.yaw_inertia?)
     }
 
-    /// Whether its spin can be counted; a fixed body has none.
+    /// Returns `true` if its change of spin is known or it is fixed.
     pub(super) fn spin_is_known(&self) -> bool {
         self.fixed || self.spin_gained().is_some()
     }
 
-    /// The body as the contact sees it, but for its inertia.
+    /// Returns the body in contact axes, without its inertia.
     pub(super) fn body(&self, plane: &CrushPlane<Uncertain<N>>, when: When) -> Option<Body<Uncertain<N>>> {
+        let arm = match when {
+            When::Before => self.arm?,
+            When::After => self.arm_after?,
+        };
         Some(Body {
-            arm: plane.to_contact(self.arm?),
+            arm: plane.to_contact(arm),
             velocity: plane.to_contact(self.velocity(when)?),
             yaw_rate: self.yaw_rate(when)?,
             ..Body::fixed()
         })
     }
 
-    /// The same with its inertia.
+    /// Returns the same body with its inertia.
     pub(super) fn with_inertia(&self, body: Body<Uncertain<N>>) -> Option<Body<Uncertain<N>>> {
         if self.fixed {
             return Some(body);
@@ -166,17 +189,17 @@ impl<const N: usize> Subject<N> {
         Some(Body { inverse_mass: self.mass?.inv(), inverse_yaw_inertia: self.yaw_inertia?.inv(), ..body })
     }
 
-    /// Its inverse mass and inverse yaw inertia, without resolutions.
+    /// Returns its inverse mass and inverse yaw inertia, without resolutions.
     pub(super) fn yields(&self) -> Option<(f64, f64)> {
         if self.fixed { Some((0.0, 0.0)) } else { Some((1.0 / self.mass?.value, 1.0 / self.yaw_inertia?.value)) }
     }
 
-    /// The kinetic energy of its spin. A fixed body has none.
+    /// Returns the kinetic energy of its spin, zero for a fixed body.
     pub(super) fn spin_energy(&self, when: When) -> Option<Uncertain<N>> {
         if self.fixed { Some(Uncertain::exact(0.0)) } else { Some(self.yaw_inertia? * self.yaw_rate(when)?.squared().half()) }
     }
 
-    /// Its kinetic energy as seen by an observer who moves, with its spin or of its translation alone. A fixed body is not counted.
+    /// Returns its kinetic energy for a moving observer, with its spin or of its translation alone; zero for a fixed body.
     pub(super) fn kinetic_energy(&self, when: When, observer: Xy<Uncertain<N>>, spin: bool) -> Option<Uncertain<N>> {
         let none = Uncertain::exact(0.0);
         if self.fixed {

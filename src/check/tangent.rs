@@ -1,12 +1,12 @@
-//! What happens along the tangent: `impulse-ratio`, `beyond-critical`.
+//! Rules along the tangent: `impulse-ratio`, `beyond-critical`.
 
+use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::model::RatioKind;
 use super::normal::length;
 use super::rule::Rule;
-use super::say::Digits;
 use super::uncertain::Uncertain;
 use crate::frame::Nt;
 use crate::law::Law;
@@ -30,7 +30,7 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
-/// Whether a divisor is clear of zero. There is no ratio where it is not; whether there is one cannot be told where the resolution alone stands in the way.
+/// Returns `true` if a divisor is clearly nonzero. Otherwise there is no ratio; if that is due to the resolution alone, the rules are marked undecidable.
 fn can_divide<const N: usize>(divisor: Residual<N>, judge: &mut Judge) -> bool {
     let clear = judge.sign(Rule::ImpulseRatio, &divisor).is_some();
     if !clear && divisor.value.radius() > 0.0 {
@@ -43,7 +43,7 @@ fn can_divide<const N: usize>(divisor: Residual<N>, judge: &mut Judge) -> bool {
     clear
 }
 
-/// The tangential velocity after the impact less that at which sliding has ended: V_t, and V_t + e v_t where restitution holds for both components.
+/// Returns the tangential velocity after the impact less that at which sliding has ended: V_t, and V_t + e v_t if restitution applies to both components.
 fn slip<const N: usize>(law: Law, touch: &Touch<N>) -> Uncertain<N> {
     match law {
         Law::Brach => touch.separation.t,
@@ -52,14 +52,15 @@ fn slip<const N: usize>(law: Law, touch: &Touch<N>) -> Uncertain<N> {
     }
 }
 
-/// What the model says of the ratio.
+/// Checks the ratio of the model.
 fn impulse_ratio<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, impulse: Nt<Uncertain<N>>, slip: Uncertain<N>, judge: &mut Judge) {
     let rule = Rule::ImpulseRatio;
     let model = &known.record.model;
     let claimed = known.number(Key::ImpulseRatio);
     let ratio = impulse.t.value / impulse.n.value;
     let sliding_ended = |judge: &mut Judge, why: &str| {
-        judge.zero(rule, Residual::new(slip, length(&touch.approach)), |size, bound| {
+        let residual = Residual::new(slip, length(&touch.approach)).open(0.0, known.travel.velocity_leeway());
+        judge.zero(rule, residual, |size, bound| {
             let end = if model.law == Law::Brach { "has" } else { "and its restitution have" };
             format!("{why}, so sliding {end} ended, but {} m/s of it are left, {} may be", Digits(size), Digits(bound))
         });
@@ -100,7 +101,7 @@ fn impulse_ratio<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, impulse
                     Digits(bound)
                 )
             });
-            // Inside of the cone whichever sign the tangential impulse has.
+            // Inside the friction cone for either sign of the tangential impulse.
             let other = Residual::new(-impulse.t.magnitude() - friction * push, length(&impulse));
             if judge.sign(rule, &excess) == Some(-1.0) && judge.sign(rule, &other) == Some(-1.0) {
                 sliding_ended(judge, "the impulse ratio is below the friction");
@@ -110,7 +111,7 @@ fn impulse_ratio<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, impulse
     }
 }
 
-/// P_t = f P_n S_t/S_n, S the impulse that ends sliding.
+/// Checks P_t = f P_n S_t/S_n, where S is the impulse that ends sliding.
 fn fraction<const N: usize>(
     known: &Known<'_, N>,
     touch: &Touch<N>,
@@ -118,11 +119,10 @@ fn fraction<const N: usize>(
     claimed: Option<Uncertain<N>>,
     judge: &mut Judge,
 ) {
-    let (Some(fraction), Some(k)) = (claimed, touch.compliance()) else { return };
     let e = known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
-    let sticking = k.impulse_for(known.record.model.law.change(touch.approach, e));
+    let (Some(fraction), Some(sticking)) = (claimed, touch.sticking(known.record.model.law, e)) else { return };
     let product = impulse.t * sticking.n - fraction * impulse.n * sticking.t;
-    // Not by the normal part of the sticking impulse, which may be none where the fraction is zero.
+    // Not by the normal component of the sticking impulse, which may be zero if the fraction is zero.
     let unit = impulse.n.value.abs() * length(&sticking);
     let scale = length(&impulse) * length(&sticking);
     judge.zero(Rule::ImpulseRatio, Residual::new(product, scale).per(unit), |size, bound| {
@@ -137,8 +137,9 @@ fn fraction<const N: usize>(
     });
 }
 
-/// Along the line of impulses with the same normal change the slip falls steadily with P_t, and is zero at the sticking impulse. So P_t lies between none and
-/// that if and only if the two have the same sign; nothing is divided by, and it holds where the sticking impulse would pull.
+/// Checks `beyond-critical`. Along the line of impulses with the same normal change, the slip decreases steadily with P_t and is zero at the sticking
+/// impulse. So P_t lies between zero and that impulse if and only if the two have the same sign; nothing is divided by, and this holds even if the sticking
+/// impulse is tensile. With a moment the impulse may wedge, K_nn + μ K_nt < 0: it works against the normal change, which the moment causes, and μ has no bound.
 fn beyond_critical<const N: usize>(
     known: &Known<'_, N>,
     touch: &Touch<N>,
@@ -148,10 +149,14 @@ fn beyond_critical<const N: usize>(
 ) {
     let rule = Rule::BeyondCritical;
     judge.checks(rule);
+    let along = touch.values().map(|contact| contact.compliance.along_ratio(impulse.t.value / impulse.n.value));
+    if touch.moment.is_some() && along.is_some_and(|along| along < 0.0) {
+        return;
+    }
     let slip = Residual::new(slip, length(&touch.approach));
     let tangential = Residual::new(impulse.t, length(&impulse));
     let Some(pushed) = judge.sign(rule, &tangential) else { return };
-    let backward = Residual::new(slip.value.scaled(-pushed), slip.scale);
+    let backward = Residual::new(slip.value.scaled(-pushed), slip.scale).open(0.0, known.travel.velocity_leeway());
     judge.not_above(rule, backward, |size, bound| {
         let ratio = impulse.t.value / impulse.n.value;
         let critical = sticking(known, touch).filter(|sticking| sticking.n * touch.approach.n.value > 0.0).map(|p| p.t / p.n);
@@ -162,18 +167,17 @@ fn beyond_critical<const N: usize>(
             Some(critical) if critical.abs() < ratio.abs() => {
                 format!("the impulse ratio {} is beyond the critical one, {}", Digits(ratio), Digits(critical))
             }
-            // Where the sticking impulse would pull, or momentum is not conserved.
+            // The sticking impulse is tensile, or momentum is not conserved.
             _ => format!("the tangential impulse, {} N s, goes too far or points the wrong way", Digits(impulse.t.value)),
         };
         format!("{side}: after the impact the bodies slide against it at {} m/s, {} may be", Digits(size), Digits(bound))
     });
 }
 
-/// The impulse with the same normal change after which sliding has ended.
+/// Returns the impulse with the same normal change after which sliding has ended.
 fn sticking<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>) -> Option<Nt> {
-    let contact = touch.values()?;
-    let e = -touch.separation.n.value / touch.approach.n.value;
-    Some(contact.compliance.impulse_for(known.record.model.law.change(contact.approach, e)))
+    let sticking = touch.sticking(known.record.model.law, -touch.separation.n / touch.approach.n)?;
+    Some(sticking.map(|p| p.value))
 }
 
 fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, judge: &mut Judge) {
@@ -202,7 +206,7 @@ fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, ju
     }
 }
 
-/// Ratios that are claimed, where the motions do not tell them.
+/// Checks reported ratios if the motions do not determine them.
 fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let model = &known.record.model;
     let claimed = known.number(Key::ImpulseRatio);

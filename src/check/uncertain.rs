@@ -1,39 +1,39 @@
-//! A number that knows how far it can be from what it stands for.
+//! A number with bounds on its distance from the quantity it represents.
 //!
-//! It is one more scalar for the mechanics: affine arithmetic. Each input i that has a resolution u_i varies as x_i + u_i ε_i with |ε_i| ≤ 1, and a result is
+//! A further scalar for the mechanics, with affine arithmetic. Each input i that has a resolution u_i varies as x_i + u_i ε_i with |ε_i| ≤ 1, and a result is
 //!
 //! ```text
 //! value + Σ spread_i ε_i ± rest
 //! ```
 //!
-//! The spreads are u_i times the exact partial derivatives, so an input that stands twice in a formula cancels where it should; the rest bounds
-//! everything of second order. So the bound is never too narrow, and wider than necessary by the second order alone.
+//! The spreads are u_i times the exact partial derivatives, so an input that occurs twice in a formula cancels correctly; the rest bounds everything of
+//! second order. The bound is therefore never too narrow, and too wide only to second order.
 //!
-//! `size` is the same formula with the magnitudes of all terms added up: what rounding is a share of.
+//! `size` is the same formula with the magnitudes of all terms added up; rounding is a share of it.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
 
-/// A number of N inputs with a resolution.
+/// A number that depends on N inputs with a resolution.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Uncertain<const N: usize> {
-    /// The value computed from the inputs as they stand.
+    /// The value computed from the nominal inputs.
     pub(super) value: f64,
     /// The sum of the magnitudes of its terms.
     pub(super) size: f64,
-    /// How much each input moves it, within its resolution.
+    /// Change of the value by each input, within its resolution.
     pub(super) spread: [f64; N],
-    /// How much all of them move it beyond that.
+    /// Bound on the second-order changes by all inputs together.
     pub(super) rest: f64,
 }
 
 impl<const N: usize> Uncertain<N> {
-    /// An exact number.
+    /// Creates an exact number.
     pub(super) fn exact(value: f64) -> Self {
         Uncertain { value, size: value.abs(), spread: [0.0; N], rest: 0.0 }
     }
 
-    /// An input in its place, with its resolution. Without a place for it the resolution is lost: it must be zero then.
+    /// Creates an input in a slot, with its resolution. A slot beyond N discards the resolution, which must then be zero.
     pub(super) fn input(value: f64, place: usize, resolution: f64) -> Self {
         let mut made = Self::exact(value);
         if let Some(spread) = made.spread.get_mut(place) {
@@ -42,24 +42,24 @@ impl<const N: usize> Uncertain<N> {
         made
     }
 
-    /// How far the inputs can move it, all of them in the worst way.
+    /// Returns the largest change of the value by all inputs together.
     pub(super) fn radius(&self) -> f64 {
         self.spread.iter().fold(self.rest, |sum, spread| sum + spread.abs())
     }
 
-    /// Three standard uncertainties, where each resolution is one and the inputs vary by themselves.
+    /// Returns three standard uncertainties, for resolutions that are standard uncertainties of independent inputs.
     pub(super) fn three_sigma(&self) -> f64 {
         let variance = self.spread.iter().fold(0.0, |sum, spread| sum + spread * spread);
-        // The rest is a bound in units of one resolution each; of second order, it grows with the square.
+        // The rest is a bound for changes of one resolution each; being of second order, it grows with the square.
         3.0 * libm::sqrt(variance) + 9.0 * self.rest
     }
 
-    /// Its magnitude, where the sign is that of the value.
+    /// Returns its magnitude, with the sign taken from the value.
     pub(super) fn magnitude(self) -> Self {
         if self.value < 0.0 { -self } else { self }
     }
 
-    /// Times an exact factor.
+    /// Multiplies by an exact factor.
     pub(super) fn scaled(mut self, factor: f64) -> Self {
         self.value *= factor;
         self.size *= factor.abs();
@@ -68,7 +68,7 @@ impl<const N: usize> Uncertain<N> {
         self
     }
 
-    /// A function of it with the value `value`, the derivative `slope` and, over the whole of its range, a second derivative within `curvature`.
+    /// Applies a function with the value `value`, the derivative `slope` and, over the whole range, a second derivative within `curvature`.
     pub(super) fn through(self, value: f64, slope: f64, curvature: f64) -> Self {
         let radius = self.radius();
         let scaled = self.scaled(slope);
@@ -143,7 +143,7 @@ impl<const N: usize> Mul for Uncertain<N> {
 
 impl<const N: usize> Inv for Uncertain<N> {
     type Output = Self;
-    /// Of a number that may be zero nothing is known.
+    /// Returns the reciprocal, with an unbounded rest if the number may be zero.
     fn inv(self) -> Self {
         let value = 1.0 / self.value;
         let least = self.value.abs() - self.radius();
@@ -162,6 +162,19 @@ impl<const N: usize> Div for Uncertain<N> {
     }
 }
 
+/// Returns the more precise of two.
+pub(super) fn sharper<T>(a: T, b: T, radius: impl Fn(&T) -> f64) -> T {
+    if radius(&b) < radius(&a) { b } else { a }
+}
+
+/// Returns the more precise of two, either of which may be missing.
+pub(super) fn sharper_known<T>(a: Option<T>, b: Option<T>, radius: impl Fn(&T) -> f64) -> Option<T> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(sharper(a, b, radius)),
+        (a, b) => a.or(b),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,7 +185,7 @@ mod tests {
         (Two::input(x, 0, dx), Two::input(y, 1, dy))
     }
 
-    /// Every corner and many points between lie within the bound, and the bound is of the first order.
+    /// Checks that every corner and many points in between lie within the bound, and that the bound is of first order.
     #[track_caller]
     fn holds(formula: fn(Two, Two) -> Two, plain: fn(f64, f64) -> f64, x: f64, dx: f64, y: f64, dy: f64) {
         let (a, b) = pair(x, dx, y, dy);
@@ -205,7 +218,7 @@ mod tests {
         let (x, y) = pair(3.0, 0.1, 2.0, 0.1);
         assert_eq!((x - x).radius(), 0.0);
         let zero = (x + y) * (x - y) - (x * x - y * y);
-        // First order cancels; what is left is of second order.
+        // The first order cancels; the second remains.
         assert!(zero.radius() < 10.0 * 0.1 * 0.1, "{zero:?}");
     }
 
@@ -225,9 +238,65 @@ mod tests {
         assert_eq!(y.inv().size, 1e-6);
     }
 
+    /// Compares value, size, spreads and rest with numbers by hand, exact in binary.
+    #[track_caller]
+    fn is(number: Two, value: f64, size: f64, spread: [f64; 2], rest: f64) {
+        assert_eq!((number.value, number.size, number.spread, number.rest), (value, size, spread, rest));
+    }
+
+    #[test]
+    fn second_order_is_counted_by_hand() {
+        let (x, y) = pair(3.0, 0.5, -2.0, 0.25);
+        let product = x * y;
+        is(product, -6.0, 6.0, [-1.0, 0.75], 0.125);
+        is(product * y, 12.0, 12.0, [2.0, -3.0], 0.125 * 2.0 + 1.875 * 0.25);
+        is(y * product, 12.0, 12.0, [2.0, -3.0], 0.125 * 2.0 + 1.875 * 0.25);
+        is(-product, 6.0, 6.0, [1.0, -0.75], 0.125);
+        is(product.magnitude(), 6.0, 6.0, [1.0, -0.75], 0.125);
+        is(x.magnitude(), 3.0, 3.0, [0.5, 0.0], 0.0);
+        is(product.scaled(-2.0), 12.0, 12.0, [2.0, -1.5], 0.25);
+        is(product + x, -3.0, 9.0, [-0.5, 0.75], 0.125);
+        is(x - product, 9.0, 9.0, [1.5, -0.75], 0.125);
+        is(product - product, 0.0, 12.0, [0.0, 0.0], 0.25);
+        is(product + product, -12.0, 12.0, [-2.0, 1.5], 0.25);
+        is(x.through(7.0, -2.0, 4.0), 7.0, 13.0, [-1.0, 0.0], 0.5);
+        is(product.through(7.0, -2.0, 4.0), 7.0, 19.0, [2.0, -1.5], 0.25 + 2.0 * 1.875 * 1.875);
+        assert_eq!((product.radius(), x.radius()), (1.875, 0.5));
+    }
+
+    #[test]
+    fn a_reciprocal_is_bounded_by_its_curvature_at_the_near_end() {
+        let (x, _) = pair(2.0, 0.5, 0.0, 0.0);
+        // 1/x has the slope −1/4 and at most the second derivative 2/1.5³.
+        let inverse = x.inv();
+        is(inverse, 0.5, 0.5, [-0.125, 0.0], 0.5 * (2.0 / (1.5 * 1.5 * 1.5)) * 0.25);
+        let negative = (-x).inv();
+        is(negative, -0.5, 0.5, [0.125, 0.0], inverse.rest);
+        // A resolution as large as the number itself.
+        assert_eq!(Two::input(0.5, 0, 0.5).inv().rest, f64::INFINITY);
+    }
+
+    #[test]
+    fn the_more_precise_of_two_is_the_first_if_both_are() {
+        let (fine, coarse) = (Two::input(1.0, 0, 0.1), Two::input(2.0, 0, 0.2));
+        let of = |a, b| sharper(a, b, Two::radius).value;
+        assert_eq!((of(fine, coarse), of(coarse, fine), of(fine, Two::input(3.0, 1, 0.1))), (1.0, 1.0, 1.0));
+        assert_eq!(sharper_known(None, Some(fine), Two::radius).map(|x| x.value), Some(1.0));
+        assert_eq!(sharper_known(Some(coarse), Some(fine), Two::radius).map(|x| x.value), Some(1.0));
+        assert!(sharper_known(None, None, Two::radius).is_none());
+    }
+
+    #[test]
+    fn an_exact_number_has_no_second_order_and_a_slot_beyond_the_last_none() {
+        let (x, y) = (Uncertain::<0>::input(3.0, 5, 0.0), Uncertain::<0>::exact(-2.0));
+        assert_eq!(((x * y).rest, (x * y).radius(), x.size, y.size), (0.0, 0.0, 3.0, 2.0));
+    }
+
     #[test]
     fn standard_uncertainties_add_in_squares() {
         let (x, y) = pair(0.0, 3.0, 0.0, 4.0);
         assert_eq!(((x + y).radius(), (x + y).three_sigma()), (7.0, 15.0));
+        // The second order of a product, 12 within one resolution, is nine times that within three.
+        assert_eq!((x + y + x * y).three_sigma(), 15.0 + 9.0 * 12.0);
     }
 }

@@ -1,25 +1,28 @@
-//! The account of energy: `energy-gain`, `work-identity`.
+//! The energy balance: `energy-gain`, `work-identity`.
 
-use super::fall::Fall;
+use super::claim_consistency::claimed_moment_work;
+use super::energy_loss::EnergyLoss;
+use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
-use super::known::{Known, Touch, sharper};
+use super::known::{Known, Touch};
 use super::normal::length;
 use super::rule::Rule;
-use super::say::Digits;
-use super::uncertain::Uncertain;
+use super::uncertain::{Uncertain, sharper};
+use crate::energy::Work;
 use alloc::format;
+use alloc::string::String;
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    if let Some(fall) = &known.fall {
+    if let Some(fall) = &known.energy_loss {
         energy_gain(fall, judge);
     }
     work_identity(known, judge);
 }
 
-/// Neither the observer on the ground nor the one who moves along sees a gain. Rounding and resolutions show more on the ground; momentum that is not conserved
-/// shows there alone.
-fn energy_gain<const N: usize>(fall: &Fall<N>, judge: &mut Judge) {
+/// Checks that neither the observer on the ground nor the one moving with the pair sees a gain. Rounding and resolutions have more effect on the ground;
+/// momentum that is not conserved is visible there only.
+fn energy_gain<const N: usize>(fall: &EnergyLoss<N>, judge: &mut Judge) {
     let residuals = [fall.on_ground, fall.of_pair].map(|falls| Residual::new(-falls, fall.available));
     let excess = |residual: &Residual<N>| residual.value.value - judge.bound(Rule::EnergyGain, residual).total;
     let worst = if excess(&residuals[1]) > excess(&residuals[0]) { residuals[1] } else { residuals[0] };
@@ -42,7 +45,7 @@ fn energy_gain<const N: usize>(fall: &Fall<N>, judge: &mut Judge) {
         }
         return;
     }
-    // Told to be undecidable by the sharper of the two alone.
+    // Undecidable only by the more precise of the two.
     let (size, bound) = (worst.value.value, judge.bound(Rule::EnergyGain, &worst).total);
     if size > bound {
         judge.not_above(Rule::EnergyGain, worst, told);
@@ -51,25 +54,28 @@ fn energy_gain<const N: usize>(fall: &Fall<N>, judge: &mut Judge) {
     }
 }
 
-/// W_n + W_t = T' − T: of the works that the motions imply, or else of those that are reported.
+/// Checks W_n + W_t = T' − T, with the works that the motions imply, or else those that are reported.
 fn work_identity<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let Some(fall) = known.fall.filter(|fall| !fall.translation_only) else { return };
+    let Some(fall) = known.energy_loss.filter(|fall| !fall.translation_only) else { return };
     let implied = known.touch.and_then(|touch| Some((touch.work?, scale_of(&touch)?, "the impulse at the contact point does")));
     let claimed = || {
         let (n, t) = (known.number(Key::NormalWork)?, known.number(Key::TangentialWork)?);
-        let work = crate::energy::Work { n, t, m: Uncertain::exact(0.0) };
-        Some((work, n.value.abs() + t.value.abs(), "the impulse is said to do"))
+        let work = Work { n, t, m: claimed_moment_work(known)? };
+        Some((work, n.value.abs() + t.value.abs() + work.m.value.abs(), "the impulse is said to do"))
     };
     let Some((work, scale, words)) = implied.or_else(claimed) else { return };
-    let off = |falls: Uncertain<N>| Residual::new(falls - work.loss(), scale);
-    // The difference is known better than its parts.
+    let impulse = known.impulse_value();
+    let (slack, leeway) = (known.travel.work_slack(impulse), known.travel.work_leeway(impulse));
+    let off = |falls: Uncertain<N>| Residual::new(falls - work.loss(), scale).open(slack, leeway);
+    // The difference is more precise than its parts.
     let residual = sharper(off(fall.of_pair), off(fall.on_ground), |residual| residual.value.radius());
     judge.zero(Rule::WorkIdentity, residual, |size, bound| {
         format!(
-            "{words} {} J of work along n and {} J along t, and the kinetic energy changes by {} J: {} J off, {} may be",
+            "{words} {} J of work along n and {} J along t{}, and the kinetic energy changes by {} J: {} J off, {} may be",
             Digits(work.n.value),
             Digits(work.t.value),
-            Digits(work.n.value + work.t.value - residual.value.value),
+            if known.moment.is_some() { format!(", the moment {} J", Digits(work.m.value)) } else { String::new() },
+            Digits(-work.loss().value - residual.value.value),
             Digits(size),
             Digits(bound)
         )
@@ -82,7 +88,8 @@ fn work_identity<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
-/// ½ |P| (|v| + |V|): what the works are made of, even where they come out as nothing.
+/// Returns ½ |P| (|v| + |V|) + |W_m|, the magnitude of the works even if those of the impulse cancel.
 pub(super) fn scale_of<const N: usize>(touch: &Touch<N>) -> Option<f64> {
-    Some(0.5 * length(touch.impulse.as_ref()?) * (length(&touch.approach) + length(&touch.separation)))
+    let of_impulse = 0.5 * length(touch.impulse.as_ref()?) * (length(&touch.approach) + length(&touch.separation));
+    Some(of_impulse + touch.work.as_ref()?.m.size)
 }

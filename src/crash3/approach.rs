@@ -1,12 +1,12 @@
-//! The last step: back to the velocities before the impact.
+//! The last step: velocities before the impact.
 
 use super::VehicleEstimate;
 use crate::frame::{Heading, Xy};
 use crate::scalar::Real;
 
-/// CRASH3's approach velocity: the separation velocity less ΔV along the principal force, in ground axes, in m/s.
+/// Returns CRASH3's approach velocity: the separation velocity less ΔV along the principal force, in ground axes, in m/s.
 ///
-/// The yaw rate plays no part in it: the vehicle is a point that is pushed.
+/// The yaw rate has no effect: the vehicle is a point mass.
 pub fn approach_velocity<T: Real>(estimate: &VehicleEstimate<T>, heading: &Heading<T>, separation: Xy<T>) -> Xy<T> {
     separation - heading.to_ground(estimate.delta_v.clone())
 }
@@ -16,7 +16,7 @@ mod tests {
     use super::super::{Damaged, DamagedPair, Surface};
     use super::*;
     use crate::frame::ForwardLeft;
-    use crate::impact::ForceOrigin;
+    use crate::impact::ForceDirection;
 
     #[test]
     fn the_push_is_taken_back() {
@@ -26,7 +26,7 @@ mod tests {
             yaw_inertia: 3000.0,
             impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
             surface: Surface::Front,
-            force_origin: ForceOrigin { ahead: 0.5, right: 0.0 },
+            force_direction: ForceDirection { ahead: 0.5, right: 0.0 },
             crush_energy: 16_000.0,
         };
         let estimate = DamagedPair { one: Some(damaged), two: None }.evaluate().one.expect("a vehicle");

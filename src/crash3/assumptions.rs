@@ -1,7 +1,7 @@
-//! What CRASH3 assumes, and what that costs in a given collision.
+//! The assumptions of CRASH3, and their effect in a given collision.
 //!
-//! Both methods start from the crush energy E_C, the work of the normal impulse, and end at the loss T_L and at ΔV. With k = K (1, μ), the normal and the
-//! tangential velocity that a unit of normal impulse brings along with its tangential part, and V_t = σ v_n what sliding is left, planar mechanics has
+//! Both methods start from the crush energy E_C, which is −W_n, and end with the loss T_L and ΔV. With k = K (1, μ), the normal and the tangential velocity
+//! change by a unit of normal impulse together with its tangential part, and V_t = σ v_n the remaining sliding velocity, planar mechanics gives
 //!
 //! ```text
 //! P_n² = 2 E_C (1 + e) / ((1 − e) k_n)
@@ -9,16 +9,16 @@
 //! ΔV_i = P_n √(1 + μ²) / m_i
 //! ```
 //!
-//! Each assumption changes one thing in it:
+//! Each assumption changes one thing in these formulas:
 //!
 //! | assumption | in the formula |
 //! |---|---|
-//! | common velocity | e = 0, μ = μ₀ and σ = 0, from the same direction of approach |
+//! | common velocity | e = 0, μ = μ₀ and σ = 0, with the same direction of approach |
 //! | a point mass with the equivalent mass along the force | K is κ times the identity, κ = (k_n + μ k_t)/(1 + μ²) = Σ 1/(γ m) |
 //! | tangential factor | T_L = (1 + tan² α) E_C with tan α = μ, and ΔV from T_L as before (Eq 2) |
 //!
-//! All three together are CRASH3. With the first two the third follows: for a point mass at common velocity k_t = μ k_n. With e = 0, an impact through both
-//! centers of mass and the true direction of force none costs anything, and the methods agree exactly (`proptests/crash3.rs`).
+//! All three together are CRASH3. The first two imply the third: for a point mass at common velocity k_t = μ k_n. With e = 0, an impact through both centers
+//! of mass and the true direction of force, none has any effect, and the methods agree exactly (`proptests/crash3.rs`).
 
 use crate::collision::Collision;
 use crate::moment::Moment;
@@ -27,19 +27,19 @@ use crate::scalar::Real;
 /// One of the assumptions of CRASH3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Assumption {
-    /// The vehicles reach a common velocity where they touch: no restitution, and no sliding left.
+    /// The vehicles reach a common velocity at the contact: no restitution, and no remaining sliding.
     CommonVelocity,
-    /// Each is a point mass, its equivalent mass γ m.
+    /// Each vehicle is a point mass, its equivalent mass γ m.
     PointMass,
     /// Tangential work is tan² α times the crush energy.
     TangentialFactor,
 }
 
 impl Assumption {
-    /// All three, as the paper lists them.
+    /// All three, in the order of the paper.
     pub const ALL: [Assumption; 3] = [Assumption::CommonVelocity, Assumption::PointMass, Assumption::TangentialFactor];
 
-    /// Its name.
+    /// Returns its name.
     pub fn name(self) -> &'static str {
         match self {
             Assumption::CommonVelocity => "common velocity",
@@ -48,7 +48,7 @@ impl Assumption {
         }
     }
 
-    /// The assumption in words.
+    /// Returns the assumption in words.
     pub fn statement(self) -> &'static str {
         match self {
             Assumption::CommonVelocity => "the vehicles reach a common velocity where they touch: no restitution, no sliding left",
@@ -58,39 +58,54 @@ impl Assumption {
     }
 }
 
-/// What follows from a crush energy.
+/// Loss and ΔV that follow from a crush energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Consequence<T = f64> {
-    /// The energy lost in all, T_L, in J.
+    /// Total energy lost, T_L, in J.
     pub loss: T,
-    /// ΔV of vehicle 1, in m/s; zero of a barrier.
+    /// ΔV of vehicle 1, in m/s; zero for a barrier.
     pub delta_v_1: T,
-    /// ΔV of vehicle 2, in m/s.
+    /// ΔV of vehicle 2, in m/s; zero for a barrier.
     pub delta_v_2: T,
 }
 
-/// What follows from the crush energy of one collision, with and without the assumptions of CRASH3.
+/// Results of the crush energy of one collision, with and without the assumptions of CRASH3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assumptions<T = f64> {
-    /// The crush energy that all of them start from, E_C = −W_n, in J.
+    /// The crush energy from which all of them start, E_C = −W_n, in J.
     pub crush_energy: T,
-    /// By planar mechanics: with no assumption.
+    /// From planar mechanics, without assumptions.
     pub planar: Consequence<T>,
-    /// With the first alone.
+    /// With common velocity alone.
     pub common_velocity: Consequence<T>,
-    /// With the second alone.
+    /// With the point mass alone.
     pub point_mass: Consequence<T>,
-    /// With the third alone.
+    /// With the tangential factor alone.
     pub tangential_factor: Consequence<T>,
     /// With all three: CRASH3 with the force of the common-velocity impulse, α from the normal of the crush plane and the correction without a limit.
     pub together: Consequence<T>,
 }
 
+impl Consequence {
+    /// Returns `true` if each number is finite.
+    pub fn is_finite(&self) -> bool {
+        [self.loss, self.delta_v_1, self.delta_v_2].iter().all(|value| value.is_finite())
+    }
+}
+
+impl Assumptions {
+    /// Returns `true` if every consequence is finite: not at e = 1, nor if no compressive impulse brings the vehicles to a common velocity.
+    pub fn is_finite(&self) -> bool {
+        let all = [&self.planar, &self.common_velocity, &self.point_mass, &self.tangential_factor, &self.together];
+        all.into_iter().all(Consequence::is_finite)
+    }
+}
+
 impl<T: Real> Assumptions<T> {
-    /// Of a collision. None with a moment impulse, which CRASH3 knows nothing of.
+    /// Computes the consequences for a collision. Returns `None` with a moment impulse, which CRASH3 does not model.
     ///
-    /// Without a loss on the normal, at e = 1, there is nothing to start from, and the results are not finite. Nor are those with common velocity where the
-    /// impulse that ends sliding would pull.
+    /// At e = 1 there is no normal loss to start from, and the results are not finite. Nor are those with common velocity if the impulse that ends sliding is
+    /// tensile.
     ///
     /// ```
     /// # use planar_impact::*;
@@ -120,8 +135,8 @@ impl<T: Real> Assumptions<T> {
         Self::from_crush_energy(collision, -collision.evaluate().work.n)
     }
 
-    /// The same from another crush energy, as that of a measured crush: what a collision that differs from the given one in its speeds alone has lost, and
-    /// which ΔV it had. The loss grows with the energy, ΔV with its root.
+    /// Computes the same from another crush energy, such as that of a measured crush: the loss and the ΔV of a collision that differs from the given one only
+    /// in its speeds. The loss grows with the energy, ΔV with its square root. Returns `None` with a moment impulse.
     pub fn from_crush_energy(collision: &Collision<T>, crush_energy: T) -> Option<Self> {
         if !matches!(collision.moment, Moment::None) {
             return None;
@@ -141,7 +156,7 @@ impl<T: Real> Assumptions<T> {
         })
     }
 
-    /// What follows with one assumption alone.
+    /// Returns the results with one assumption alone.
     pub fn with(&self, assumption: Assumption) -> &Consequence<T> {
         match assumption {
             Assumption::CommonVelocity => &self.common_velocity,
@@ -150,12 +165,12 @@ impl<T: Real> Assumptions<T> {
         }
     }
 
-    /// What one assumption alone costs: what follows with it, less what follows without.
+    /// Returns the effect of one assumption alone: the result with it, less the result without.
     pub fn cost(&self, assumption: Assumption) -> Consequence<T> {
         self.with(assumption).less(&self.planar)
     }
 
-    /// What all of them cost together.
+    /// Returns the effect of all assumptions together.
     pub fn cost_together(&self) -> Consequence<T> {
         self.together.less(&self.planar)
     }
@@ -171,12 +186,12 @@ impl<T: Real> Consequence<T> {
     }
 }
 
-/// What leads from the crush energy to the loss and ΔV.
+/// Factors from the crush energy to the loss and ΔV.
 #[derive(Clone)]
 struct Chain<T> {
-    /// k_n: change of normal velocity by a unit of normal impulse.
+    /// k_n: change of normal velocity by a unit of normal impulse with its tangential part.
     normal: T,
-    /// k_t: change of tangential velocity by it.
+    /// k_t: change of tangential velocity by the same impulse.
     tangential: T,
     restitution: T,
     /// σ = V_t/v_n.
@@ -202,19 +217,19 @@ impl<T: Real> Chain<T> {
         Chain { tangential: self.ratio.clone() * mean.clone(), normal: mean, ..self }
     }
 
-    /// 1 + μ²: also 1 + tan² α.
+    /// Returns 1 + μ², which is also 1 + tan² α.
     fn length_squared(&self) -> T {
         T::int(1) + self.ratio.clone().squared()
     }
 
-    /// T_L/E_C.
+    /// Returns T_L/E_C.
     fn loss_of_energy(&self) -> T {
         let (plus, minus) = (T::int(1) + self.restitution.clone(), T::int(1) - self.restitution.clone());
         let slid = T::int(2) * self.sliding.clone() * self.normal.clone() + plus * self.tangential.clone();
         T::int(1) + self.ratio.clone() * slid / (minus * self.normal.clone())
     }
 
-    /// P²/E_C.
+    /// Returns P²/E_C.
     fn impulse_squared_of_energy(&self) -> T {
         let (plus, minus) = (T::int(1) + self.restitution.clone(), T::int(1) - self.restitution.clone());
         T::int(2) * plus * self.length_squared() / (minus * self.normal.clone())
@@ -228,10 +243,10 @@ impl<T: Real> Chain<T> {
         self.with_loss_of_energy(self.length_squared(), crush_energy, inverse_mass)
     }
 
-    /// What follows with a given T_L/E_C: P² grows with the loss (Eq 2).
+    /// Returns the results with a given T_L/E_C: P² grows with the loss (Eq 2).
     fn with_loss_of_energy(&self, loss_of_energy: T, crush_energy: &T, inverse_mass: &[T; 2]) -> Consequence<T> {
         let share = loss_of_energy.clone() / self.loss_of_energy();
-        let impulse = (crush_energy.clone() * self.impulse_squared_of_energy() * share).sqrt();
+        let impulse = (crush_energy.clone() * self.impulse_squared_of_energy() * share).square_root();
         Consequence {
             loss: crush_energy.clone() * loss_of_energy,
             delta_v_1: impulse.clone() * inverse_mass[0].clone(),

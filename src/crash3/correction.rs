@@ -1,44 +1,44 @@
 //! The energy correction for a force that is not perpendicular to the crushed surface.
 
 use super::Surface;
-use crate::impact::ForceOrigin;
+use crate::impact::ForceDirection;
 use crate::scalar::{Field, Ordered};
 
-/// The most that the correction multiplies an energy by.
+/// Largest value of the correction factor.
 const CAP: i32 = 2;
 
-/// CRASH3's energy correction factor 1 + tan² α, at most 2, with α the angle from the perpendicular of the surface to the principal force.
+/// Returns CRASH3's energy correction factor 1 + tan² α, at most 2, with α the angle from the perpendicular of the surface to the principal force.
 ///
-/// A force that does not come at the surface at all, |α| ≥ 90°, has the factor 2 as well: the energy of such a crush is no longer that of this force, and
-/// the angle should be questioned.
+/// A force that does not point into the surface at all, |α| ≥ 90°, has the factor 2 as well: such a force cannot have caused the crush energy, and the angle
+/// should be questioned.
 ///
 /// ```
-/// use planar_impact::ForceOrigin;
+/// use planar_impact::ForceDirection;
 /// use planar_impact::crash3::{Surface, energy_correction};
-/// let from_ahead_and_right = ForceOrigin { ahead: 2.0, right: 1.0 };
+/// let from_ahead_and_right = ForceDirection { ahead: 2.0, right: 1.0 };
 /// assert_eq!(energy_correction(Surface::Front, &from_ahead_and_right), 1.25);
 /// assert_eq!(energy_correction(Surface::Right, &from_ahead_and_right), 2.0); // 5 without the limit
 /// ```
-pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceOrigin<T>) -> T {
+pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceDirection<T>) -> T {
     let Parts { along, length_squared } = Parts::of(surface, origin);
     let capped = T::int(CAP) * along.clone().squared();
     let away = T::select(T::int(0).less(&along), capped, T::int(0));
     let below = length_squared.less(&away);
-    // Above the limit the division is by anything but zero: its result is not taken.
+    // Above the limit, divide by one: the result is discarded.
     let square = T::select(below.clone(), along.squared(), T::int(1));
     T::select(below, length_squared / square, T::int(CAP))
 }
 
-/// A force seen from a surface.
+/// A force relative to a surface.
 struct Parts<T> {
-    /// The component perpendicular to the surface, positive where it pushes it in.
+    /// Component perpendicular to the surface, positive if it points into the surface.
     along: T,
     length_squared: T,
 }
 
 impl<T: Field> Parts<T> {
-    fn of(surface: Surface, origin: &ForceOrigin<T>) -> Self {
-        let perpendicular: ForceOrigin<T> = surface.perpendicular();
+    fn of(surface: Surface, origin: &ForceDirection<T>) -> Self {
+        let perpendicular: ForceDirection<T> = surface.perpendicular();
         let (ahead, right) = (origin.ahead.clone(), origin.right.clone());
         Parts {
             along: ahead.clone() * perpendicular.ahead + right.clone() * perpendicular.right,
@@ -58,16 +58,16 @@ mod tests {
             let (right, ahead) = f64::to_radians(degrees).sin_cos();
             let expected = 1.0 + f64::to_radians(degrees).tan().powi(2);
             for length in [1e-3, 1.0, 7e4] {
-                let origin = ForceOrigin { ahead: ahead * length, right: right * length };
+                let origin = ForceDirection { ahead: ahead * length, right: right * length };
                 assert_relative_eq!(energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
             }
         }
         for degrees in [45.1, 89.0, 90.0, 120.0, 180.0, -60.0] {
             let (right, ahead) = f64::to_radians(degrees).sin_cos();
-            assert_eq!(energy_correction(Surface::Front, &ForceOrigin { ahead, right }), 2.0);
+            assert_eq!(energy_correction(Surface::Front, &ForceDirection { ahead, right }), 2.0);
         }
-        assert_eq!(energy_correction(Surface::Front, &ForceOrigin { ahead: 1.0, right: 1.0 }), 2.0);
-        assert_eq!(energy_correction(Surface::Left, &ForceOrigin { ahead: 1.0, right: -2.0 }), 1.25);
-        assert_eq!(energy_correction(Surface::Rear, &ForceOrigin { ahead: -2.0, right: -1.0 }), 1.25);
+        assert_eq!(energy_correction(Surface::Front, &ForceDirection { ahead: 1.0, right: 1.0 }), 2.0);
+        assert_eq!(energy_correction(Surface::Left, &ForceDirection { ahead: 1.0, right: -2.0 }), 1.25);
+        assert_eq!(energy_correction(Surface::Rear, &ForceDirection { ahead: -2.0, right: -1.0 }), 1.25);
     }
 }

@@ -4,28 +4,28 @@ use super::correction::energy_correction;
 use super::surface::Surface;
 use crate::collision::Collision;
 use crate::frame::ForwardLeft;
-use crate::impact::{ForceOrigin, Response};
+use crate::impact::{ForceDirection, Response};
 use crate::scalar::{Field, Ordered, Real};
 use crate::vehicle::{Party, Vehicle};
 
-/// What CRASH3 knows of a vehicle.
+/// The input of CRASH3 for one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damaged<T = f64> {
     /// Mass m, in kg.
     pub mass: T,
     /// Yaw inertia I = m k², in kg m².
     pub yaw_inertia: T,
-    /// From the center of mass to where the principal force acts, in m.
+    /// Point of action of the principal force, from the center of mass, in m.
     pub impact_center: ForwardLeft<T>,
     /// The surface that is crushed.
     pub surface: Surface,
-    /// Where the principal force comes from.
-    pub force_origin: ForceOrigin<T>,
-    /// The energy that the crush stands for, in J.
+    /// Direction the principal force comes from.
+    pub force_direction: ForceDirection<T>,
+    /// Crush energy, in J.
     pub crush_energy: T,
 }
 
-/// The two parties; none is a fixed barrier.
+/// The two parties; `None` is a fixed barrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamagedPair<T = f64> {
     /// Vehicle 1.
@@ -34,60 +34,60 @@ pub struct DamagedPair<T = f64> {
     pub two: Option<Damaged<T>>,
 }
 
-/// What the damage of one vehicle says.
+/// The estimate from the damage of one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VehicleEstimate<T = f64> {
     /// 1 + tan² α, at most 2.
     pub correction: T,
     /// The crush energy times the correction, in J.
     pub corrected_energy: T,
-    /// h in m: the moment about the center of mass of a unit of the force, positive where it turns the vehicle counter-clockwise.
+    /// h in m: the moment of a unit force about the center of mass, positive if it turns the vehicle counter-clockwise.
     pub moment_arm: T,
-    /// γ = k²/(k² + h²): the share of the mass that the force moves.
+    /// γ = k²/(k² + h²): the effective share of the mass.
     pub effective_mass_factor: T,
     /// ΔV in m/s.
     pub delta_v_magnitude: T,
-    /// The same as a vector along the force, in the vehicle's axes.
+    /// ΔV as a vector along the force, in vehicle axes.
     pub delta_v: ForwardLeft<T>,
 }
 
-/// What the damage of both says.
+/// The estimate from the damage of both vehicles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairEstimate<T = f64> {
-    /// The corrected energies of both, in J.
+    /// Sum of the corrected energies, in J.
     pub energy: T,
     /// The magnitude of the impulse between them, in N s.
     pub impulse: T,
-    /// Of vehicle 1; none of a barrier.
+    /// Estimate of vehicle 1; `None` for a barrier.
     pub one: Option<VehicleEstimate<T>>,
-    /// Of vehicle 2.
+    /// Estimate of vehicle 2; `None` for a barrier.
     pub two: Option<VehicleEstimate<T>>,
 }
 
 impl<T: Field> Damaged<T> {
-    /// Of a vehicle.
-    pub fn of(vehicle: &Vehicle<T>, surface: Surface, force_origin: ForceOrigin<T>, crush_energy: T) -> Self {
+    /// Creates the input for a vehicle.
+    pub fn of(vehicle: &Vehicle<T>, surface: Surface, force_direction: ForceDirection<T>, crush_energy: T) -> Self {
         let (mass, yaw_inertia) = (vehicle.mass.clone(), vehicle.yaw_inertia.clone());
-        Damaged { mass, yaw_inertia, impact_center: vehicle.impact_center.clone(), surface, force_origin, crush_energy }
+        Damaged { mass, yaw_inertia, impact_center: vehicle.impact_center.clone(), surface, force_direction, crush_energy }
     }
 
-    /// The moment of the force origin as a push, unscaled: r × u |o|.
+    /// Returns the moment of the force, unscaled: r × u |o|, with o the direction it comes from.
     fn moment(&self) -> T {
-        let (r, from) = (self.impact_center.clone(), self.force_origin.clone());
+        let (r, from) = (self.impact_center.clone(), self.force_direction.clone());
         r.forward * from.right + r.left * from.ahead
     }
 
     pub(super) fn origin_squared(&self) -> T {
-        self.force_origin.ahead.clone().squared() + self.force_origin.right.clone().squared()
+        self.force_direction.ahead.clone().squared() + self.force_direction.right.clone().squared()
     }
 
-    /// 1/(γ m) = 1/m + h²/I, in 1/kg: how readily the point where the force acts yields along it.
+    /// Returns 1/(γ m) = 1/m + h²/I, in 1/kg: the compliance of the point of action along the force.
     pub fn inverse_effective_mass(&self) -> T {
         let arm_squared = self.moment().squared() / self.origin_squared();
         self.mass.clone().inv() + arm_squared / self.yaw_inertia.clone()
     }
 
-    /// γ = k²/(k² + h²).
+    /// Returns γ = k²/(k² + h²).
     pub fn effective_mass_factor(&self) -> T {
         let inertia = self.yaw_inertia.clone() * self.origin_squared();
         inertia.clone() / (inertia + self.mass.clone() * self.moment().squared())
@@ -95,23 +95,59 @@ impl<T: Field> Damaged<T> {
 }
 
 impl<T: Ordered> Damaged<T> {
-    /// The crush energy times 1 + tan² α, in J.
+    /// Returns the crush energy times 1 + tan² α, in J.
     pub fn corrected_energy(&self) -> T {
-        self.crush_energy.clone() * energy_correction(self.surface, &self.force_origin)
+        self.crush_energy.clone() * energy_correction(self.surface, &self.force_direction)
     }
 }
 
 impl<T: Real<Mask = bool>> DamagedPair<T> {
-    /// The pair of a collision, each with its crush energy: the surfaces those along the crush plane, the force that of the
-    /// [common-velocity](Collision::at_common_velocity) impulse. What a barrier is given is not used.
+    /// Creates the input from a collision and the crush energy of each vehicle. The surfaces are those along the crush plane, and the force is that of the
+    /// [common-velocity](Collision::at_common_velocity) impulse. The energy of a barrier is not used.
     pub fn of_collision(collision: &Collision<T>, crush_energy: [T; 2]) -> Self {
         let impact = collision.at_common_velocity().evaluate();
         let [energy_1, energy_2] = crush_energy;
         let damaged = |party: &Party<T>, response: &Response<T>, energy| {
-            let (vehicle, origin) = (party.vehicle()?, response.force_origin());
+            let (vehicle, origin) = (party.vehicle()?, response.force_direction());
             Some(Damaged::of(vehicle, Surface::along(&collision.crush_plane, &vehicle.heading, &origin), origin, energy))
         };
         DamagedPair { one: damaged(&collision.one, &impact.one, energy_1), two: damaged(&collision.two, &impact.two, energy_2) }
+    }
+}
+
+/// An investigator's findings on the damage of a vehicle, which replace those computed from the collision.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Investigated<T = f64> {
+    /// The surface that is crushed.
+    pub surface: Option<Surface>,
+    /// Direction the principal force comes from.
+    pub force_direction: Option<ForceDirection<T>>,
+}
+
+impl<T: Real<Mask = bool>> DamagedPair<T> {
+    /// Replaces the surface and the direction of force of vehicle 1 and of vehicle 2 by an investigator's findings. A given direction of force without a
+    /// surface acts on the surface along the crush plane of the collision that faces it.
+    pub fn with_investigated(self, collision: &Collision<T>, found: [Investigated<T>; 2]) -> Self {
+        let [one, two] = found;
+        let with = |damaged: Option<Damaged<T>>, party: &Party<T>, found: Investigated<T>| {
+            let (damaged, vehicle) = (damaged?, party.vehicle()?);
+            let force_direction = found.force_direction.unwrap_or(damaged.force_direction.clone());
+            let along = || Surface::along(&collision.crush_plane, &vehicle.heading, &force_direction);
+            Some(Damaged { surface: found.surface.unwrap_or_else(along), force_direction, ..damaged })
+        };
+        DamagedPair { one: with(self.one, &collision.one, one), two: with(self.two, &collision.two, two) }
+    }
+}
+
+impl DamagedPair {
+    /// Returns the angle in rad by which the forces on the two vehicles deviate from being opposite, in ground axes, or `None` with a barrier.
+    pub fn force_misalignment(&self, collision: &Collision) -> Option<f64> {
+        let push = |damaged: &Option<Damaged>, party: &Party| {
+            let push = damaged.as_ref()?.force_direction.push();
+            Some(party.vehicle()?.heading.to_ground(push))
+        };
+        let (one, two) = (push(&self.one, &collision.one)?, push(&self.two, &collision.two)?);
+        Some(Real::arctangent(one.cross(two), -one.dot(two)).abs())
     }
 }
 
@@ -120,28 +156,28 @@ impl<T: Field> DamagedPair<T> {
         [&self.one, &self.two].into_iter().flatten().fold(T::int(0), |sum, damaged| sum + of(damaged))
     }
 
-    /// Σ 1/(γ m), in 1/kg: a barrier adds nothing.
+    /// Returns Σ 1/(γ m), in 1/kg: a barrier adds nothing.
     pub fn inverse_effective_mass(&self) -> T {
         self.sum(Damaged::inverse_effective_mass)
     }
 }
 
 impl<T: Ordered> DamagedPair<T> {
-    /// The corrected energies of both, in J.
+    /// Returns the sum of the corrected energies, in J.
     pub fn corrected_energy(&self) -> T {
         self.sum(Damaged::corrected_energy)
     }
 
-    /// The square of the impulse between them, 2 (E'₁ + E'₂)/Σ 1/(γ m).
+    /// Returns the square of the impulse between them, 2 (E'₁ + E'₂)/Σ 1/(γ m).
     pub fn impulse_squared(&self) -> T {
         T::int(2) * self.corrected_energy() / self.inverse_effective_mass()
     }
 }
 
 impl<T: Real> DamagedPair<T> {
-    /// What the damage says, without asking whether it can.
+    /// Computes the estimate from the damage, without checking its input.
     pub fn evaluate(&self) -> PairEstimate<T> {
-        let impulse = self.impulse_squared().sqrt();
+        let impulse = self.impulse_squared().square_root();
         let estimate = |damaged: &Damaged<T>| VehicleEstimate::of(damaged, impulse.clone());
         PairEstimate {
             energy: self.corrected_energy(),
@@ -154,12 +190,12 @@ impl<T: Real> DamagedPair<T> {
 
 impl<T: Real> VehicleEstimate<T> {
     fn of(damaged: &Damaged<T>, impulse: T) -> Self {
-        let length = damaged.origin_squared().sqrt();
+        let length = damaged.origin_squared().square_root();
         let delta_v = impulse / damaged.mass.clone();
         let along = delta_v.clone() / length.clone();
-        let ForceOrigin { ahead, right } = damaged.force_origin.clone();
+        let ForceDirection { ahead, right } = damaged.force_direction.clone();
         VehicleEstimate {
-            correction: energy_correction(damaged.surface, &damaged.force_origin),
+            correction: energy_correction(damaged.surface, &damaged.force_direction),
             corrected_energy: damaged.corrected_energy(),
             moment_arm: damaged.moment() / length,
             effective_mass_factor: damaged.effective_mass_factor(),
@@ -180,7 +216,7 @@ pub(super) mod tests {
             yaw_inertia: 1690.0,
             impact_center: ForwardLeft { forward: 2.0, left: 0.5 },
             surface: Surface::Front,
-            force_origin: ForceOrigin { ahead: 4.0, right: 3.0 },
+            force_direction: ForceDirection { ahead: 4.0, right: 3.0 },
             crush_energy: 8000.0,
         }
     }

@@ -1,9 +1,8 @@
-//! Which surface of a vehicle is crushed.
+//! The crushed surface of a vehicle.
 
 use crate::frame::{CrushPlane, Heading, Nt};
-use crate::impact::ForceOrigin;
-use crate::scalar::{Field, Ordered};
-use crate::solve::slack;
+use crate::impact::ForceDirection;
+use crate::scalar::{Field, Ordered, slack};
 
 /// An end or a side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,19 +21,20 @@ impl Surface {
     /// All four, clockwise from the front.
     pub const ALL: [Surface; 4] = [Surface::Front, Surface::Right, Surface::Rear, Surface::Left];
 
-    /// Where a force comes from that is perpendicular to the undeformed surface.
-    pub fn perpendicular<T: Field>(self) -> ForceOrigin<T> {
+    /// Returns the direction from which a force perpendicular to the undeformed surface comes.
+    pub fn perpendicular<T: Field>(self) -> ForceDirection<T> {
         let (ahead, right) = match self {
             Surface::Front => (1, 0),
             Surface::Right => (0, 1),
             Surface::Rear => (-1, 0),
             Surface::Left => (0, -1),
         };
-        ForceOrigin { ahead: T::int(ahead), right: T::int(right) }
+        ForceDirection { ahead: T::int(ahead), right: T::int(right) }
     }
 
-    /// The surface that a force comes at: the one whose perpendicular is nearest to it. An end before a side where both are as near.
-    pub fn facing<T: Ordered<Mask = bool>>(origin: &ForceOrigin<T>) -> Surface {
+    /// Returns the surface that faces a force: the one whose perpendicular is nearest to its direction. An end takes precedence over a side if both are
+    /// equally near.
+    pub fn facing<T: Ordered<Mask = bool>>(origin: &ForceDirection<T>) -> Surface {
         let (ahead, right) = (origin.ahead.clone().magnitude(), origin.right.clone().magnitude());
         if (ahead * (T::int(1) + slack())).less(&right) {
             if origin.right.less(&T::int(0)) { Surface::Left } else { Surface::Right }
@@ -45,23 +45,23 @@ impl Surface {
         }
     }
 
-    /// The surface of a vehicle that lies along a crush plane: the one whose perpendicular is nearest to the normal of the plane, on the side that the
-    /// force comes from.
+    /// Returns the surface of a vehicle that lies along a crush plane: the one whose perpendicular is nearest to the normal of the plane, on the side that
+    /// the force comes from.
     ///
     /// ```
     /// use planar_impact::crash3::Surface;
-    /// use planar_impact::{CrushPlane, ForceOrigin, Heading};
+    /// use planar_impact::{CrushPlane, ForceDirection, Heading};
     /// // A plane across the way, and a force from ahead and farther to the right than 45°: the front is crushed nevertheless.
     /// let (plane, heading) = (CrushPlane::from_angle(0.1), Heading::from_angle(0.0));
-    /// let origin = ForceOrigin { ahead: 1.0, right: 1.5 };
+    /// let origin = ForceDirection { ahead: 1.0, right: 1.5 };
     /// assert_eq!(Surface::along(&plane, &heading, &origin), Surface::Front);
     /// assert_eq!(Surface::facing(&origin), Surface::Right);
     /// ```
-    pub fn along<T: Ordered<Mask = bool>>(plane: &CrushPlane<T>, heading: &Heading<T>, origin: &ForceOrigin<T>) -> Surface {
-        let normal = ForceOrigin::of_push(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
+    pub fn along<T: Ordered<Mask = bool>>(plane: &CrushPlane<T>, heading: &Heading<T>, origin: &ForceDirection<T>) -> Surface {
+        let normal = ForceDirection::of_push(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
         let towards = normal.ahead.clone() * origin.ahead.clone() + normal.right.clone() * origin.right.clone();
         if towards.less(&T::int(0)) {
-            Surface::facing(&ForceOrigin { ahead: -normal.ahead, right: -normal.right })
+            Surface::facing(&ForceDirection { ahead: -normal.ahead, right: -normal.right })
         } else {
             Surface::facing(&normal)
         }
@@ -89,13 +89,13 @@ mod tests {
             (-170.0, Surface::Rear),
         ] {
             let (right, ahead) = f64::to_radians(degrees).sin_cos();
-            assert_eq!(Surface::facing(&ForceOrigin { ahead, right }), surface, "{degrees}");
+            assert_eq!(Surface::facing(&ForceDirection { ahead, right }), surface, "{degrees}");
         }
     }
 
     #[test]
     fn along_a_plane_it_is_the_surface_nearest_to_the_normal_on_the_side_of_the_force() {
-        // Directions as they are seen from the vehicle, clockwise from ahead: that of the normal is the heading less the plane's angle.
+        // Directions relative to the vehicle, clockwise from ahead: that of the normal is the heading less the plane's angle.
         for (heading, plane, pdof, surface) in [
             (0.0, 0.0, 10.0, Surface::Front),
             (0.0, 0.0, 170.0, Surface::Rear),
@@ -112,7 +112,7 @@ mod tests {
             let (right, ahead) = f64::to_radians(pdof).sin_cos();
             let (plane, heading) = (CrushPlane::from_angle(f64::to_radians(plane)), Heading::from_angle(f64::to_radians(heading)));
             for length in [1e-3, 1.0, 4e4] {
-                let origin = ForceOrigin { ahead: ahead * length, right: right * length };
+                let origin = ForceDirection { ahead: ahead * length, right: right * length };
                 assert_eq!(Surface::along(&plane, &heading, &origin), surface, "{heading:?} {plane:?} {pdof}");
             }
         }
@@ -121,6 +121,6 @@ mod tests {
     #[test]
     fn a_push_comes_from_where_it_does_not_go() {
         let push = ForwardLeft { forward: 3.0, left: 4.0 };
-        assert_eq!(ForceOrigin::of_push(push), ForceOrigin { ahead: -3.0, right: 4.0 });
+        assert_eq!(ForceDirection::of_push(push), ForceDirection { ahead: -3.0, right: 4.0 });
     }
 }

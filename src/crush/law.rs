@@ -1,33 +1,22 @@
-//! Laws of crush other than the linear one.
-//!
-//! A law says which force per width a depth takes, F/w, and which energy per width it has kept, E/w: the second is the first integrated from depth 0, plus
-//! what leaves no crush at all.
-//!
-//! | law | F/w | E/w | energy of a profile |
-//! |---|---|---|---|
-//! | [`CrushStiffness`], linear | A + B C | G + A C + ½ B C² | exact (Eq 4) |
-//! | [`ConstantForce`] | F | G + F C | exact |
-//! | [`Saturating`] | A + B min(C, C_s) | linear up to C_s, straight on beyond | exact |
-//! | [`PowerLaw`] | F_r (C/C_r)ⁿ | G + F_r C_r/(n + 1) (C/C_r)ⁿ⁺¹ | exact where it keeps the digits, else by quadrature |
-//!
-//! The third test of the paper's barrier series is said to have behaved as a constant force.
+//! Laws of crush: force per width at a depth, F/w, and absorbed energy per width, E/w. The second is the integral of the first from depth 0, plus the energy
+//! that leaves no crush.
 
-use super::{CrushStiffness, ForceLine, Profile, Segment, energy_by_quadrature};
-use crate::scalar::{Field, Ordered, Power};
+use super::{CrushStiffness, Profile, Segment};
+use crate::scalar::Field;
 
-/// How a structure takes force and keeps energy as it is crushed.
+/// Force and absorbed energy of a structure as it is crushed.
 pub trait CrushLaw<T: Field> {
-    /// Force per width at a depth of residual crush, in N/m: the slope of the energy.
+    /// Returns the force per width at a depth of residual crush, in N/m: the derivative of the energy.
     fn force(&self, depth: T) -> T;
 
-    /// Energy per width at a depth of residual crush, in J/m, with what leaves no crush.
+    /// Returns the energy per width at a depth of residual crush, in J/m, including the energy that leaves no crush.
     fn energy(&self, depth: T) -> T;
 
-    /// Energy of a width whose depth goes from one value to another in a straight line, in J: by formula where there is one, else by
-    /// [`energy_by_quadrature`].
+    /// Returns the energy of a width over which the depth changes linearly, in J: by a formula if there is one, otherwise by
+    /// [`energy_by_quadrature`](super::energy_by_quadrature).
     fn energy_of_segment(&self, segment: &Segment<T>) -> T;
 
-    /// Energy of a profile, in J.
+    /// Returns the energy of a profile, in J.
     fn energy_of(&self, profile: &Profile<T>) -> T {
         profile.segments().fold(T::int(0), |sum, segment| sum + self.energy_of_segment(&segment))
     }
@@ -48,197 +37,5 @@ impl<T: Field> CrushLaw<T> for CrushStiffness<T> {
 
     fn energy_of(&self, profile: &Profile<T>) -> T {
         self.crush_energy(profile.moments())
-    }
-}
-
-/// The same force per width at every depth.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConstantForce<T = f64> {
-    /// G in J/m: the energy per width that leaves no crush.
-    pub energy_without_crush: T,
-    /// F in N/m.
-    pub force: T,
-}
-
-impl<T: Field> CrushLaw<T> for ConstantForce<T> {
-    fn force(&self, _depth: T) -> T {
-        self.force.clone()
-    }
-
-    fn energy(&self, depth: T) -> T {
-        self.energy_without_crush.clone() + self.force.clone() * depth
-    }
-
-    fn energy_of_segment(&self, segment: &Segment<T>) -> T {
-        segment.width.clone() * self.energy((segment.from.clone() + segment.to.clone()).half())
-    }
-}
-
-/// The linear law up to a depth, and the force of that depth beyond it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Saturating<T = f64> {
-    /// The linear law.
-    pub stiffness: CrushStiffness<T>,
-    /// C_s in m: where the force stops growing.
-    pub depth: T,
-}
-
-impl<T: Ordered> Saturating<T> {
-    fn beyond(&self, depth: &T) -> T {
-        let over = depth.clone() - self.depth.clone();
-        T::select(over.less(&T::int(0)), T::int(0), over)
-    }
-
-    fn slope(&self) -> T {
-        ForceLine::from(self.stiffness.clone()).slope
-    }
-}
-
-impl<T: Ordered> CrushLaw<T> for Saturating<T> {
-    fn force(&self, depth: T) -> T {
-        let over = self.beyond(&depth);
-        CrushLaw::force(&self.stiffness, depth) - self.slope() * over
-    }
-
-    fn energy(&self, depth: T) -> T {
-        let over = self.beyond(&depth);
-        CrushLaw::energy(&self.stiffness, depth) - (self.slope() * over.squared()).half()
-    }
-
-    /// What the linear law has, less ½ B (C − C_s)² over the part that is deeper than C_s.
-    fn energy_of_segment(&self, segment: &Segment<T>) -> T {
-        let (from, to) = (self.beyond(&segment.from), self.beyond(&segment.to));
-        let deep = T::select(from.less(&to), to.clone(), from.clone());
-        let squares = from.clone().squared() + from * to.clone() + to.squared();
-        // Where one end alone is beyond, the width beyond is to the whole as the depth beyond is to the difference of the depths.
-        let reach = (segment.to.clone() - segment.from.clone()).magnitude();
-        let crosses = deep.less(&reach);
-        let share = deep / T::select(T::int(0).less(&reach), reach, T::int(1));
-        let over = self.slope() * squares * T::select(crosses, share, T::int(1)) / T::int(6);
-        CrushLaw::energy_of_segment(&self.stiffness, segment) - segment.width.clone() * over
-    }
-}
-
-/// A force per width that grows with a power of the depth.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PowerLaw<T = f64> {
-    /// G in J/m: the energy per width that leaves no crush.
-    pub energy_without_crush: T,
-    /// F_r in N/m: the force per width at the reference depth.
-    pub force: T,
-    /// C_r in m, above zero.
-    pub reference_depth: T,
-    /// n, at least 0.
-    pub exponent: T,
-}
-
-impl<T: Power> PowerLaw<T> {
-    /// (C/C_r)ᵖ.
-    fn power(&self, depth: T, exponent: T) -> T {
-        (depth / self.reference_depth.clone()).power(exponent)
-    }
-
-    fn plus(&self, n: i32) -> T {
-        self.exponent.clone() + T::int(n)
-    }
-}
-
-impl<T: Power<Mask = bool>> CrushLaw<T> for PowerLaw<T> {
-    fn force(&self, depth: T) -> T {
-        self.force.clone() * self.power(depth, self.exponent.clone())
-    }
-
-    fn energy(&self, depth: T) -> T {
-        let factor = self.force.clone() * self.reference_depth.clone() / self.plus(1);
-        self.energy_without_crush.clone() + factor * self.power(depth, self.plus(1))
-    }
-
-    /// The integral of the power is a difference of powers over the difference of depths. Where the depths are near each other it would lose digits, and
-    /// the law is smooth enough there for quadrature to be exact to rounding.
-    fn energy_of_segment(&self, segment: &Segment<T>) -> T {
-        let (from, to) = (segment.from.clone(), segment.to.clone());
-        let reach = (to.clone() - from.clone()).magnitude();
-        if !(from.clone() + to.clone()).less(&(T::int(4) * reach)) {
-            return energy_by_quadrature(self, segment);
-        }
-        let factor = self.force.clone() * self.reference_depth.clone().squared() / (self.plus(1) * self.plus(2));
-        let powers = (self.power(to.clone(), self.plus(2)) - self.power(from.clone(), self.plus(2))) / (to - from);
-        segment.width.clone() * (self.energy_without_crush.clone() + factor * powers)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use alloc::vec;
-    use approx::assert_relative_eq;
-
-    const LINE: CrushStiffness = CrushStiffness { onset: 3.0, slope: 4.0 };
-
-    fn profile() -> Profile {
-        Profile::at_stations(vec![0.0, 0.5, 1.5, 2.0, 3.5], vec![0.0, 0.75, 0.25, 0.25, 1.0]).expect("five depths")
-    }
-
-    /// Many thin slices, each with its middle depth.
-    fn sliced<L: CrushLaw<f64>>(law: &L, profile: &Profile) -> f64 {
-        const SLICES: i32 = 20_000;
-        let slice = |segment: Segment| {
-            let depth = |i: i32| segment.from + (segment.to - segment.from) * (f64::from(i) + 0.5) / f64::from(SLICES);
-            (0..SLICES).map(|i| law.energy(depth(i))).sum::<f64>() * segment.width / f64::from(SLICES)
-        };
-        profile.segments().map(slice).sum()
-    }
-
-    #[test]
-    fn a_constant_force_is_a_force_times_the_mean_depth() {
-        let law = ConstantForce { energy_without_crush: 2.0, force: 10.0 };
-        let profile = profile();
-        let expected = profile.width() * (2.0 + 10.0 * profile.moments().mean_depth());
-        assert_relative_eq!(law.energy_of(&profile), expected, max_relative = 1e-14);
-        assert_relative_eq!(sliced(&law, &profile), expected, max_relative = 1e-12);
-    }
-
-    #[test]
-    fn saturation_is_the_linear_law_until_it_is_reached() {
-        let deep = Saturating { stiffness: LINE, depth: 1.0 };
-        assert_eq!(deep.energy_of(&profile()), profile().segments().map(|s| LINE.energy_of_segment(&s)).sum::<f64>());
-        // From no depth on it is the constant force A = 12 with G = 4.5.
-        let shallow = Saturating { stiffness: LINE, depth: 0.0 };
-        let constant = ConstantForce { energy_without_crush: 4.5, force: 12.0 };
-        assert_relative_eq!(shallow.energy_of(&profile()), constant.energy_of(&profile()), max_relative = 1e-14);
-        for depth in [0.1, 0.25, 0.5, 0.9] {
-            let law = Saturating { stiffness: LINE, depth };
-            assert_relative_eq!(law.energy_of(&profile()), sliced(&law, &profile()), max_relative = 1e-8);
-            assert_relative_eq!(law.force(depth + 0.5), law.force(depth), max_relative = 1e-14);
-        }
-    }
-
-    #[test]
-    fn a_power_of_one_is_the_linear_law_without_onset() {
-        let line = CrushStiffness { onset: 0.0, slope: 4.0 };
-        let law = PowerLaw { energy_without_crush: 0.0, force: 16.0, reference_depth: 1.0, exponent: 1.0 };
-        assert_relative_eq!(law.energy_of(&profile()), line.energy_of(&profile()), max_relative = 1e-14);
-        let constant = PowerLaw { energy_without_crush: 2.0, force: 10.0, reference_depth: 0.3, exponent: 0.0 };
-        let same = ConstantForce { energy_without_crush: 2.0, force: 10.0 };
-        assert_relative_eq!(constant.energy_of(&profile()), same.energy_of(&profile()), max_relative = 1e-14);
-    }
-
-    #[test]
-    fn the_formula_and_the_quadrature_of_a_power_meet() {
-        for exponent in [0.5, 1.5, 2.25] {
-            let law = PowerLaw { energy_without_crush: 1.0, force: 10.0, reference_depth: 0.5, exponent };
-            assert_relative_eq!(law.energy_of(&profile()), sliced(&law, &profile()), max_relative = 1e-7);
-            // At the border between the two both are good to rounding.
-            let segment = Segment { width: 2.0, from: 0.375, to: 0.625 };
-            let a_little_less = Segment { to: 0.624_999_999_999, ..segment };
-            let (one, other) = (law.energy_of_segment(&segment), law.energy_of_segment(&a_little_less));
-            assert_relative_eq!(one, other, max_relative = 1e-11);
-            assert_relative_eq!(law.energy_of_segment(&a_little_less), energy_by_quadrature(&law, &a_little_less), max_relative = 1e-13);
-            // Between depths that are nearly one, a difference of powers would have no digits left.
-            for (from, to) in [(0.5, 0.5 + 1e-12), (2.0, 2.0 - 1e-12), (0.125, 0.125)] {
-                let level = Segment { width: 2.0, from, to };
-                assert_relative_eq!(law.energy_of_segment(&level), 2.0 * law.energy(from), max_relative = 1e-11);
-            }
-        }
     }
 }

@@ -6,9 +6,10 @@ use crate::scalar::Field;
 
 /// K₁, K₂, K₃: the moments of a crush profile (Eq 4).
 ///
-/// Exact for a profile that is piecewise linear between its depths, so a profile with more points on the same lines has the same moments, and the moments
-/// of a width are the sum of those of its parts.
+/// Exact for a profile that is piecewise linear between its depths: a profile with more points on the same lines has the same moments, and the moments of a
+/// width are the sum of those of its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ProfileMoments<T = f64> {
     /// K₁ = w/2, in m.
     pub first: T,
@@ -19,7 +20,7 @@ pub struct ProfileMoments<T = f64> {
 }
 
 impl<T: Field> ProfileMoments<T> {
-    /// Of a profile of a given width whose depths are equally spaced over it. None with fewer than two depths.
+    /// Computes the moments of a profile of a given width with equally spaced depths. Returns `None` with fewer than two depths.
     ///
     /// ```
     /// use planar_impact::crush::ProfileMoments;
@@ -38,24 +39,24 @@ impl<T: Field> ProfileMoments<T> {
         Some(ProfileMoments { first: width.half(), second: step.clone() * sum.half(), third: step * sum_of_squares / T::int(6) })
     }
 
-    /// Of a width whose depth goes from one value to another in a straight line.
+    /// Computes the moments of a width over which the depth changes linearly.
     #[inline(always)]
     pub fn of_segment(width: T, from: T, to: T) -> Self {
         let squares = from.clone().squared() + from.clone() * to.clone() + to.clone().squared();
         ProfileMoments { first: width.clone().half(), second: width.clone() * (from + to).half(), third: width * squares / T::int(6) }
     }
 
-    /// Those of no width.
+    /// Returns the moments of zero width.
     pub fn zero() -> Self {
         ProfileMoments { first: T::int(0), second: T::int(0), third: T::int(0) }
     }
 
-    /// The width, 2 K₁, in m.
+    /// Returns the width, 2 K₁, in m.
     pub fn width(&self) -> T {
         T::int(2) * self.first.clone()
     }
 
-    /// The mean depth over the width, ∫ C dw/w = K₂/(2 K₁), in m.
+    /// Returns the mean depth over the width, ∫ C dw/w = K₂/(2 K₁), in m.
     pub fn mean_depth(&self) -> T {
         self.second.clone() / (T::int(2) * self.first.clone())
     }

@@ -1,19 +1,23 @@
 //! The shape of a crush: depths at stations across its width, linear in between.
 
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use core::fmt;
 
 use super::ProfileMoments;
+use crate::issue::{InputIssue, Issue, IssueCollector, Issues, Place};
+use crate::measure::Measure;
+use crate::message::Message;
 use crate::scalar::{Field, Ordered};
 
-/// A part of a crush profile: a width over which the depth changes in a straight line.
+/// A part of a crush profile: a width over which the depth changes linearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment<T = f64> {
     /// Its width, in m.
     pub width: T,
-    /// The depth where it begins, in m.
+    /// Depth at its beginning, in m.
     pub from: T,
-    /// The depth where it ends, in m.
+    /// Depth at its end, in m.
     pub to: T,
 }
 
@@ -26,7 +30,7 @@ pub struct Segment<T = f64> {
 /// let stiffness = CrushStiffness { onset: 100.0, slope: 1000.0 };
 /// let difference: f64 = stiffness.crush_energy(even.moments()) - stiffness.crush_energy(uneven.moments());
 /// assert!(difference.abs() < 1e-9);
-/// # Ok::<(), planar_impact::crush::ProfileError>(())
+/// # Ok::<(), planar_impact::Issues<planar_impact::crush::ProfileError>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<T = f64> {
@@ -34,91 +38,99 @@ pub struct Profile<T = f64> {
     depths: Vec<T>,
 }
 
-/// Where the depths are. Equal spacing is kept as such, so that its moments are those of [`ProfileMoments::of`] to the bit.
+/// Positions of the depths. Equal spacing is stored as such, so that its moments equal those of [`ProfileMoments::of`] to the bit.
 #[derive(Clone, Debug, PartialEq)]
 enum Stations<T> {
     Equal { width: T },
     At(Vec<T>),
 }
 
-/// Why depths and stations make no profile.
+/// Reason why depths and stations do not form a profile.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ProfileError<T = f64> {
-    /// A profile needs two depths at least.
-    TooFewDepths {
-        /// How many there are.
-        count: usize,
-    },
-    /// Each depth needs its station.
+    /// A depth, a station, the width or a list is invalid. Places are counted from zero.
+    Input(InputIssue<T>),
+    /// The numbers of depths and stations differ.
     Unequal {
         /// The number of depths.
         depths: usize,
         /// The number of stations.
         stations: usize,
     },
-    /// The width is not above zero.
-    NoWidth {
-        /// The width, in m.
-        width: T,
-    },
-    /// A station does not lie beyond the one before it.
-    NotIncreasing {
-        /// Its place, counted from 1.
-        place: usize,
-        /// The station, in m.
-        station: T,
-        /// The one before, in m.
-        before: T,
-    },
-    /// A depth is below zero, or not a finite number.
-    NotADepth {
-        /// Its place, counted from 1.
-        place: usize,
-        /// The depth, in m.
-        depth: T,
-    },
 }
 
-impl<T: fmt::Display> fmt::Display for ProfileError<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl<T> From<InputIssue<T>> for ProfileError<T> {
+    fn from(issue: InputIssue<T>) -> Self {
+        ProfileError::Input(issue)
+    }
+}
+
+impl<T: Ordered<Mask = bool>> Issue for ProfileError<T> {
+    type Number = T;
+
+    fn code(&self) -> &'static str {
         match self {
-            ProfileError::TooFewDepths { count } => write!(f, "{count} depths make no crush profile: two or more are needed"),
-            ProfileError::Unequal { depths, stations } => write!(f, "{depths} depths at {stations} stations: each depth needs its station"),
-            ProfileError::NoWidth { width } => write!(f, "the width of the crush is {width} m: it must be above zero"),
-            ProfileError::NotIncreasing { place, station, before } => {
-                write!(f, "station {place} at {station} m does not lie beyond station {} at {before} m", place - 1)
+            ProfileError::Input(issue) => issue.code(),
+            ProfileError::Unequal { .. } => "unequal-lengths",
+        }
+    }
+
+    fn path(&self) -> Option<Cow<'static, str>> {
+        match self {
+            ProfileError::Input(issue) => issue.path(),
+            ProfileError::Unequal { .. } => Some("stations".into()),
+        }
+    }
+
+    fn message(&self) -> Message<T> {
+        match self {
+            ProfileError::Input(issue) => issue.message(),
+            ProfileError::Unequal { depths, stations } => {
+                Message::new().text(alloc::format!("{depths} depths at {stations} stations: each depth needs its station"))
             }
-            ProfileError::NotADepth { place, depth } => write!(f, "depth {place} is {depth} m: it must not be below zero"),
         }
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for ProfileError<T> {}
+impl<T: Ordered<Mask = bool> + fmt::Display> fmt::Display for ProfileError<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ProfileError::Input(issue) => issue.fmt(f),
+            ProfileError::Unequal { .. } => self.message().fmt(f),
+        }
+    }
+}
+
+impl<T: Ordered<Mask = bool> + fmt::Debug + fmt::Display> core::error::Error for ProfileError<T> {}
+
+/// Place of the depths of a profile in issues.
+pub(super) const DEPTHS: Place = Place::of("depths", Measure::Length);
+const STATIONS: Place = Place::of("stations", Measure::Length);
 
 impl<T: Field> Profile<T> {
-    /// Depths equally spaced over a width, which is the usual protocol with two, four or six of them.
-    ///
-    /// The depths are taken as they are: for floats, [`Profile::checked`] refuses those that are none.
+    /// Creates a profile as [`Profile::equally_spaced`] does, without checking its numbers: for a field without an order, and for numbers that are checked
+    /// later, by [`Profile::checked`].
     ///
     /// # Errors
     ///
-    /// [`ProfileError::TooFewDepths`].
-    pub fn equally_spaced(width: T, depths: Vec<T>) -> Result<Self, ProfileError<T>> {
+    /// If there are fewer than two depths.
+    pub fn equally_spaced_unchecked(width: T, depths: Vec<T>) -> Result<Self, ProfileError<T>> {
         if depths.len() < 2 || i32::try_from(depths.len()).is_err() {
-            return Err(ProfileError::TooFewDepths { count: depths.len() });
+            return Err(InputIssue::too_few(DEPTHS, depths.len(), 2).into());
         }
         Ok(Profile { stations: Stations::Equal { width }, depths })
     }
 
-    /// Depths at given stations along the surface, in m from any origin, increasing.
+    /// Creates a profile as [`Profile::at_stations`] does, without checking its numbers: for a field without an order, and for numbers that are checked
+    /// later, by [`Profile::checked`].
     ///
     /// # Errors
     ///
-    /// [`ProfileError::TooFewDepths`], or [`ProfileError::Unequal`].
-    pub fn at_stations(stations: Vec<T>, depths: Vec<T>) -> Result<Self, ProfileError<T>> {
+    /// If there are fewer than two depths, or [`ProfileError::Unequal`].
+    pub fn at_stations_unchecked(stations: Vec<T>, depths: Vec<T>) -> Result<Self, ProfileError<T>> {
         if depths.len() < 2 {
-            return Err(ProfileError::TooFewDepths { count: depths.len() });
+            return Err(InputIssue::too_few(DEPTHS, depths.len(), 2).into());
         }
         if stations.len() != depths.len() {
             return Err(ProfileError::Unequal { depths: depths.len(), stations: stations.len() });
@@ -126,12 +138,12 @@ impl<T: Field> Profile<T> {
         Ok(Profile { stations: Stations::At(stations), depths })
     }
 
-    /// The depths, in m.
+    /// Returns the depths, in m.
     pub fn depths(&self) -> &[T] {
         &self.depths
     }
 
-    /// Where the depths are along the surface, in m; equally spaced ones begin at 0.
+    /// Returns the positions of the depths along the surface, in m; equally spaced ones begin at 0.
     pub fn stations(&self) -> Vec<T> {
         match &self.stations {
             Stations::At(stations) => stations.clone(),
@@ -142,7 +154,7 @@ impl<T: Field> Profile<T> {
         }
     }
 
-    /// The width of the crush, in m.
+    /// Returns the width of the crush, in m.
     pub fn width(&self) -> T {
         match &self.stations {
             Stations::Equal { width } => width.clone(),
@@ -154,7 +166,7 @@ impl<T: Field> Profile<T> {
         i32::try_from(self.depths.len() - 1).expect("checked where it is made")
     }
 
-    /// The parts between neighbouring depths.
+    /// Returns the parts between neighboring depths.
     pub fn segments(&self) -> impl Iterator<Item = Segment<T>> + '_ {
         let step = match &self.stations {
             Stations::Equal { width } => Some(width.clone() / T::int(self.gaps())),
@@ -170,7 +182,7 @@ impl<T: Field> Profile<T> {
         })
     }
 
-    /// K₁, K₂, K₃ of the profile   (Eq 4).
+    /// Returns K₁, K₂, K₃ of the profile   (Eq 4).
     pub fn moments(&self) -> ProfileMoments<T> {
         if let Stations::Equal { width } = &self.stations
             && let Some(moments) = ProfileMoments::of(width.clone(), &self.depths)
@@ -182,7 +194,7 @@ impl<T: Field> Profile<T> {
 }
 
 impl<T: Field> Segment<T> {
-    /// K₁, K₂, K₃ of this part   (Eq 4).
+    /// Returns K₁, K₂, K₃ of this part   (Eq 4).
     #[inline(always)]
     pub fn moments(&self) -> ProfileMoments<T> {
         ProfileMoments::of_segment(self.width.clone(), self.from.clone(), self.to.clone())
@@ -190,32 +202,56 @@ impl<T: Field> Segment<T> {
 }
 
 impl<T: Ordered<Mask = bool>> Profile<T> {
-    /// The same profile, if its numbers can be those of a crush.
+    /// Creates a profile with depths equally spaced over a width, both in m; usually two, four or six depths.
+    ///
+    /// ```
+    /// use planar_impact::crush::Profile;
+    /// let wrong = Profile::equally_spaced(-1.0, vec![0.2, -0.3]).unwrap_err();
+    /// assert_eq!(wrong.to_string(), "width is -1 m; it must be above zero; depths[1] is -0.3 m; it must be at least 0 m");
+    /// ```
     ///
     /// # Errors
     ///
-    /// Everything wrong with it: a width that is not above zero, stations that do not increase, depths below zero. Infinity and what is not a number are
-    /// neither a width nor a depth.
-    pub fn checked(self) -> Result<Self, Vec<ProfileError<T>>> {
-        let mut errors = Vec::new();
-        let is_above = |x: &T, y: &T| y.less(x) && (x.clone() - x.clone()).less(&T::int(1));
+    /// Every issue: fewer than two depths, a width that is not above zero, depths below zero, numbers that are not finite.
+    pub fn equally_spaced(width: T, depths: Vec<T>) -> Result<Self, Issues<ProfileError<T>>> {
+        Profile::equally_spaced_unchecked(width, depths)?.checked()
+    }
+
+    /// Creates a profile with depths at given stations along the surface, in m from any origin, increasing.
+    ///
+    /// # Errors
+    ///
+    /// Every issue: fewer than two depths, another number of stations, stations that do not increase, depths below zero, numbers that are not finite.
+    pub fn at_stations(stations: Vec<T>, depths: Vec<T>) -> Result<Self, Issues<ProfileError<T>>> {
+        Profile::at_stations_unchecked(stations, depths)?.checked()
+    }
+
+    /// Returns the same profile if its numbers are valid for a crush.
+    ///
+    /// # Errors
+    ///
+    /// Every issue: a width that is not above zero, stations that do not increase, depths below zero, numbers that are not finite.
+    pub fn checked(self) -> Result<Self, Issues<ProfileError<T>>> {
+        let mut issues = IssueCollector::<ProfileError<T>>::new();
         match &self.stations {
-            Stations::Equal { width } if !is_above(width, &T::int(0)) => errors.push(ProfileError::NoWidth { width: width.clone() }),
-            Stations::Equal { .. } => (),
+            Stations::Equal { width } => {
+                issues.positive(Place::of("width", Measure::Length), width);
+            }
             Stations::At(stations) => {
-                for (i, pair) in stations.windows(2).enumerate().filter(|(_, pair)| !is_above(&pair[1], &pair[0])) {
-                    let (before, station) = (pair[0].clone(), pair[1].clone());
-                    errors.push(ProfileError::NotIncreasing { place: i + 2, station, before });
+                let mut before: Option<&T> = None;
+                for (i, station) in stations.iter().enumerate() {
+                    let finite = issues.finite(STATIONS.at(i), station);
+                    if let Some(before) = before.filter(|before| finite && !before.less(station)) {
+                        issues.push(InputIssue::out_of_order(STATIONS.at(i), station.clone(), before.clone()));
+                    }
+                    before = finite.then_some(station);
                 }
             }
         }
         for (i, depth) in self.depths.iter().enumerate() {
-            let is_number = (depth.clone() - depth.clone()).less(&T::int(1));
-            if depth.less(&T::int(0)) || !is_number {
-                errors.push(ProfileError::NotADepth { place: i + 1, depth: depth.clone() });
-            }
+            issues.not_negative(DEPTHS.at(i), depth);
         }
-        if errors.is_empty() { Ok(self) } else { Err(errors) }
+        issues.finish().map(|()| self)
     }
 }
 
@@ -238,41 +274,28 @@ mod tests {
 
     #[test]
     fn what_is_no_profile_is_refused() {
-        assert_eq!(Profile::equally_spaced(1.0, vec![0.5]), Err(ProfileError::TooFewDepths { count: 1 }));
-        assert_eq!(Profile::at_stations(vec![0.0], vec![0.5]), Err(ProfileError::TooFewDepths { count: 1 }));
-        assert_eq!(Profile::at_stations(vec![0.0], vec![0.5, 0.5]), Err(ProfileError::Unequal { depths: 2, stations: 1 }));
-        let wrong = Profile::at_stations(vec![0.0, 1.0, 1.0, f64::NAN], vec![0.1, -0.1, f64::NAN, 0.0]).expect("four and four");
-        let errors = wrong.checked().expect_err("four of them are wrong");
-        assert!(matches!(errors[0], ProfileError::NotIncreasing { place: 3, station: 1.0, before: 1.0 }));
-        assert!(matches!(errors[1], ProfileError::NotIncreasing { place: 4, .. }));
-        assert!(matches!(errors[2], ProfileError::NotADepth { place: 2, depth: -0.1 }));
-        assert!(matches!(errors[3], ProfileError::NotADepth { place: 3, .. }));
-        assert_eq!(errors.len(), 4);
+        let one_depth = ProfileError::Input(InputIssue::too_few(DEPTHS, 1, 2));
+        assert_eq!(Profile::equally_spaced(1.0, vec![0.5]), Err(one_depth.clone().into()));
+        assert_eq!(Profile::at_stations(vec![0.0], vec![0.5]), Err(one_depth.into()));
+        assert_eq!(Profile::at_stations(vec![0.0], vec![0.5, 0.5]), Err(ProfileError::Unequal { depths: 2, stations: 1 }.into()));
+        let wrong = Profile::at_stations(vec![0.0, 1.0, 1.0, f64::NAN], vec![0.1, -0.1, f64::NAN, 0.0]);
+        let texts: Vec<_> = wrong.expect_err("four of them are wrong").iter().map(ToString::to_string).collect();
+        assert_eq!(
+            texts,
+            [
+                "stations[2] is 1 m after 1 m; it is out of order",
+                "stations[3] is not finite: NaN",
+                "depths[1] is -0.1 m; it must be at least 0 m",
+                "depths[2] is not finite: NaN"
+            ]
+        );
         for width in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let profile = Profile::equally_spaced(width, vec![0.1, 0.2]).expect("two depths");
-            let errors = profile.checked().expect_err("no width");
-            assert!(matches!(errors.as_slice(), [ProfileError::NoWidth { .. }]), "{width}");
+            let errors = Profile::equally_spaced(width, vec![0.1, 0.2]).expect_err("no width");
+            assert!(matches!(errors.as_slice(), [ProfileError::Input(issue)] if issue.at.name == "width"), "{width}");
         }
-        let deep = Profile::equally_spaced(1.0, vec![0.9, f64::INFINITY]).expect("two depths");
-        assert_eq!(deep.checked(), Err(vec![ProfileError::NotADepth { place: 2, depth: f64::INFINITY }]));
+        let deep = Profile::equally_spaced(1.0, vec![0.9, f64::INFINITY]);
+        assert_eq!(deep.expect_err("it is infinite").to_string(), "depths[1] is not finite: inf");
         let right = Profile::equally_spaced(1.0, vec![0.0, 1.2]).expect("two depths");
         assert_eq!(right.clone().checked(), Ok(right));
-    }
-
-    #[test]
-    fn errors_have_their_numbers() {
-        let words: [(ProfileError, &str); 5] = [
-            (ProfileError::TooFewDepths { count: 1 }, "1 depths make no crush profile: two or more are needed"),
-            (ProfileError::Unequal { depths: 2, stations: 3 }, "2 depths at 3 stations: each depth needs its station"),
-            (ProfileError::NoWidth { width: -1.5 }, "the width of the crush is -1.5 m: it must be above zero"),
-            (
-                ProfileError::NotIncreasing { place: 3, station: 0.5, before: 0.75 },
-                "station 3 at 0.5 m does not lie beyond station 2 at 0.75 m",
-            ),
-            (ProfileError::NotADepth { place: 2, depth: -0.1 }, "depth 2 is -0.1 m: it must not be below zero"),
-        ];
-        for (error, text) in words {
-            assert_eq!(error.to_string(), text);
-        }
     }
 }

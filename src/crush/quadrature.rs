@@ -1,14 +1,15 @@
-//! The energy of a law that has no formula for a profile.
+//! Energy of a law without a formula for a profile.
 
 use super::{CrushLaw, Segment};
 use crate::scalar::Real;
 
-/// The parts into which a segment is cut.
+/// Number of parts into which a segment is divided.
 const PARTS: i32 = 4;
 
-/// The energy of a segment under a law, in J: the energy per width at five Gauss points in each of four parts, summed with their weights.
+/// Computes the energy of a segment under a law, in J: the energy per width at five Gauss points in each of four parts, summed with their weights.
 ///
-/// Exact to rounding where the energy is a polynomial of degree nine in the depth. A kink of the law inside a segment costs accuracy: cut the profile there.
+/// Exact to rounding if the energy is a polynomial of degree at most nine in the depth. A kink of the law inside a segment reduces the accuracy: cut the
+/// profile there.
 ///
 /// ```
 /// use planar_impact::Real;
@@ -30,7 +31,7 @@ const PARTS: i32 = 4;
 /// let profile = Profile::equally_spaced(2.0, vec![1.0, 4.0])?;
 /// let exact = 2.0 / 3.0 * (2.0 / 5.0) * (32.0 - 1.0) * 2.0 / 3.0;
 /// assert!((RootLaw(1.0).energy_of(&profile) / exact - 1.0).abs() < 1e-12);
-/// # Ok::<(), planar_impact::crush::ProfileError>(())
+/// # Ok::<(), planar_impact::Issues<planar_impact::crush::ProfileError>>(())
 /// ```
 pub fn energy_by_quadrature<T: Real, L: CrushLaw<T> + ?Sized>(law: &L, segment: &Segment<T>) -> T {
     let step = (segment.to.clone() - segment.from.clone()) / T::int(2 * PARTS);
@@ -48,7 +49,7 @@ pub fn energy_by_quadrature<T: Real, L: CrushLaw<T> + ?Sized>(law: &L, segment: 
 
 /// A pair of Gauss points, one on each side of the middle.
 struct Node<T> {
-    /// How far out, of 1.
+    /// Distance from the middle, from 0 to 1.
     place: T,
     weight: T,
 }
@@ -57,13 +58,13 @@ fn weight_of_the_middle<T: Real>() -> T {
     T::int(128) / T::int(225)
 }
 
-/// The outer points of the five of Gauss and Legendre: ⅓√(5 ∓ 2√(10/7)), with the weights (322 ± 13√70)/900.
+/// Returns the outer points of the five-point Gauss–Legendre rule: ⅓√(5 ∓ 2√(10/7)), with the weights (322 ± 13√70)/900.
 fn nodes<T: Real>() -> [Node<T>; 2] {
-    let root = T::int(2) * (T::int(10) / T::int(7)).sqrt();
-    let thirteen = T::int(13) * T::int(70).sqrt();
+    let root = T::int(2) * (T::int(10) / T::int(7)).square_root();
+    let thirteen = T::int(13) * T::int(70).square_root();
     [
-        Node { place: (T::int(5) - root.clone()).sqrt() / T::int(3), weight: (T::int(322) + thirteen.clone()) / T::int(900) },
-        Node { place: (T::int(5) + root).sqrt() / T::int(3), weight: (T::int(322) - thirteen) / T::int(900) },
+        Node { place: (T::int(5) - root.clone()).square_root() / T::int(3), weight: (T::int(322) + thirteen.clone()) / T::int(900) },
+        Node { place: (T::int(5) + root).square_root() / T::int(3), weight: (T::int(322) - thirteen) / T::int(900) },
     ]
 }
 

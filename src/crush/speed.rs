@@ -1,27 +1,28 @@
-//! The speed that an energy stands for.
+//! The equivalent speed of an energy.
 
 use crate::scalar::{Field, Real};
 
-/// E* = √(2 E_C/w), from a crush energy and the width of the crush, in √N   (Eq 3).
+/// Returns E* = √(2 E_C/w), from a crush energy and the width of the crush, in √N   (Eq 3).
 pub fn crush_intensity<T: Real>(crush_energy: T, width: T) -> T {
-    (T::int(2) * crush_energy / width).sqrt()
+    (T::int(2) * crush_energy / width).square_root()
 }
 
-/// The square of the equivalent energy speed of a series of tests of one vehicle: Σ (1 − e²) v_n², each a normal approach speed and a restitution.
+/// Returns the square of the equivalent energy speed of a series of tests of one vehicle: Σ (1 − e²) v_n², from a normal approach speed and a restitution
+/// each.
 ///
-/// Eq 9 of the paper prints it without 1 − e², which holds for e = 0 alone; the paper's own tables have the factor.
+/// The paper prints Eq 9 without 1 − e², which holds only for e = 0; the paper's own tables include the factor.
 pub fn equivalent_energy_speed_squared<T: Field>(tests: impl IntoIterator<Item = (T, T)>) -> T {
     tests.into_iter().fold(T::int(0), |sum, (speed, restitution)| sum + (T::int(1) - restitution.squared()) * speed.squared())
 }
 
-/// The equivalent energy speed of a series of tests, EES = √Σ (1 − e²) v_n², in m/s   (Eq 9).
+/// Returns the equivalent energy speed of a series of tests, EES = √Σ (1 − e²) v_n², in m/s   (Eq 9).
 pub fn equivalent_energy_speed<T: Real>(tests: impl IntoIterator<Item = (T, T)>) -> T {
-    equivalent_energy_speed_squared(tests).sqrt()
+    equivalent_energy_speed_squared(tests).square_root()
 }
 
-/// The speed of a vehicle whose kinetic energy is the crush energy, √(2 E_C/m), in m/s.
+/// Returns the speed of a vehicle whose kinetic energy is the crush energy, √(2 E_C/m), in m/s.
 pub fn speed_of_energy<T: Real>(crush_energy: T, mass: T) -> T {
-    (T::int(2) * crush_energy / mass).sqrt()
+    (T::int(2) * crush_energy / mass).square_root()
 }
 
 #[cfg(test)]

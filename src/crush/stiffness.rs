@@ -1,6 +1,6 @@
-//! The linear law of crush, in the three forms that the field writes it in.
+//! The linear law of crush, in the three forms used in the field.
 //!
-//! | form | reads | gives d₀, d₁ as |
+//! | form | equation | d₀, d₁ |
 //! |---|---|---|
 //! | [`CrushStiffness`] | √(2 E/w) = d₀ + d₁ C | |
 //! | [`ForceLine`] | F/w = A + B C, with E/w = G + A C + ½ B C² and G = A²/(2 B) | A/√B, √B |
@@ -11,17 +11,19 @@ use crate::scalar::{Field, Real};
 
 /// Stiffness of a vehicle's structure against crush: the line E* = d₀ + d₁ C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushStiffness<T = f64> {
-    /// d₀ in √N: where crush begins.
+    /// d₀ in √N: value at which crush begins.
     pub onset: T,
-    /// d₁ in √N/m: how the root of the energy grows with depth.
+    /// d₁ in √N/m: increase of E* with depth.
     pub slope: T,
 }
 
 /// The same line as force per width against depth: F/w = A + B C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ForceLine<T = f64> {
-    /// A in N/m: where crush begins.
+    /// A in N/m: force per width at which crush begins.
     pub onset: T,
     /// B in N/m², above zero.
     pub slope: T,
@@ -29,6 +31,7 @@ pub struct ForceLine<T = f64> {
 
 /// The same line as the speed of a barrier test against the depth it leaves: v = b₀ + b₁ C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BarrierSpeedLine<T = f64> {
     /// b₀ in m/s: the speed that leaves no crush.
     pub onset: T,
@@ -42,27 +45,27 @@ pub struct BarrierSpeedLine<T = f64> {
 
 impl<T: Real> From<ForceLine<T>> for CrushStiffness<T> {
     fn from(line: ForceLine<T>) -> Self {
-        let root = line.slope.sqrt();
+        let root = line.slope.square_root();
         CrushStiffness { onset: line.onset / root.clone(), slope: root }
     }
 }
 
 impl<T: Real> From<BarrierSpeedLine<T>> for CrushStiffness<T> {
     fn from(line: BarrierSpeedLine<T>) -> Self {
-        let root = (line.test_mass / line.test_width).sqrt();
+        let root = (line.test_mass / line.test_width).square_root();
         CrushStiffness { onset: line.onset * root.clone(), slope: line.slope * root }
     }
 }
 
 impl<T: Field> From<CrushStiffness<T>> for ForceLine<T> {
-    /// A = d₀ d₁, B = d₁².
+    /// Converts with A = d₀ d₁, B = d₁².
     fn from(line: CrushStiffness<T>) -> Self {
         ForceLine { onset: line.onset * line.slope.clone(), slope: line.slope.squared() }
     }
 }
 
 impl<T: Field> ForceLine<T> {
-    /// G = A²/(2 B), the energy per width that leaves no crush, in J/m.
+    /// Returns G = A²/(2 B), the energy per width that leaves no crush, in J/m.
     ///
     /// ```
     /// use planar_impact::crush::{CrushStiffness, ForceLine};
@@ -75,7 +78,7 @@ impl<T: Field> ForceLine<T> {
 }
 
 impl<T: Field> CrushStiffness<T> {
-    /// Crush energy of a profile, E_C = d₀² K₁ + d₀ d₁ K₂ + d₁² K₃, in J   (Eq 4).
+    /// Returns the crush energy of a profile, E_C = d₀² K₁ + d₀ d₁ K₂ + d₁² K₃, in J   (Eq 4).
     #[inline(always)]
     pub fn crush_energy(&self, moments: ProfileMoments<T>) -> T {
         self.onset.clone().squared() * moments.first
@@ -83,19 +86,19 @@ impl<T: Field> CrushStiffness<T> {
             + self.slope.clone().squared() * moments.third
     }
 
-    /// E* = d₀ + d₁ C at a depth C, in √N   (Eq 3).
+    /// Returns E* = d₀ + d₁ C at a depth C, in √N   (Eq 3).
     pub fn crush_intensity(&self, depth: T) -> T {
         self.onset.clone() + self.slope.clone() * depth
     }
 
-    /// G = ½ d₀², the energy per width that leaves no crush, in J/m.
+    /// Returns G = ½ d₀², the energy per width that leaves no crush, in J/m.
     pub fn energy_without_crush(&self) -> T {
         self.onset.clone().squared().half()
     }
 }
 
 impl<T: Real> CrushStiffness<T> {
-    /// The same line as the speed of a barrier test of a given mass (kg) and width (m): b = d √(w/m).
+    /// Returns the same line as the speed of a barrier test of a given mass (kg) and width (m): b = d √(w/m).
     ///
     /// ```
     /// use planar_impact::crush::{BarrierSpeedLine, CrushStiffness};
@@ -103,7 +106,7 @@ impl<T: Real> CrushStiffness<T> {
     /// assert_eq!(CrushStiffness::from(test).as_barrier_speed(8.0, 2.0), test);
     /// ```
     pub fn as_barrier_speed(&self, test_mass: T, test_width: T) -> BarrierSpeedLine<T> {
-        let root = (test_mass.clone() / test_width.clone()).sqrt();
+        let root = (test_mass.clone() / test_width.clone()).square_root();
         BarrierSpeedLine { onset: self.onset.clone() / root.clone(), slope: self.slope.clone() / root, test_mass, test_width }
     }
 }
@@ -133,7 +136,7 @@ mod tests {
         assert_eq!(CrushStiffness::from(other), CrushStiffness { onset: 3.0, slope: 12.0 });
         let barrier = BarrierSpeedLine { onset: 1.5, slope: 2.0, test_mass: 8.0, test_width: 2.0 };
         assert_eq!((CrushStiffness::from(barrier), line.as_barrier_speed(8.0, 2.0)), (line, barrier));
-        // The crush of the test itself is worth the speed of the test: b₀ + b₁ C.
+        // The equivalent speed of the test's own crush is the speed of the test: b₀ + b₁ C.
         let energy = line.crush_energy(ProfileMoments::of(2.0, &[0.5, 0.5]).expect("two depths"));
         assert_eq!(speed_of_energy(energy, 8.0), 2.5);
     }
@@ -144,7 +147,7 @@ mod tests {
         let none = ProfileMoments::of(2.0, &[0.0, 0.0]).expect("two depths");
         assert_eq!(line.crush_energy(none), 2.0 * line.energy_without_crush());
         assert_eq!(ForceLine::from(line).energy_without_crush(), 4.5);
-        // A structure that does not stiffen still has it, though A²/(2 B) is 0/0 there.
+        // A structure that does not stiffen has this energy too, although A²/(2 B) is 0/0 there.
         assert_eq!(CrushStiffness { onset: 3.0, slope: 0.0 }.energy_without_crush(), 4.5);
     }
 }

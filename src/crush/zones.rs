@@ -4,6 +4,8 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::{CrushStiffness, Profile, ProfileMoments};
+use crate::issue::Issue;
+use crate::message::Message;
 use crate::scalar::{Field, Ordered};
 
 /// Zones of stiffness side by side along the surface, each with its own line E* = d₀ + d₁ C.
@@ -24,7 +26,7 @@ pub struct StiffnessZones<T = f64> {
     borders: Vec<T>,
 }
 
-/// The number of borders does not fit the number of zones: n zones have n − 1 borders between them.
+/// The number of borders does not match the number of zones: n zones have n − 1 borders between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ZoneError {
     /// The number of zones.
@@ -33,21 +35,37 @@ pub struct ZoneError {
     pub borders: usize,
 }
 
+impl Issue for ZoneError {
+    type Number = f64;
+
+    fn code(&self) -> &'static str {
+        "zone-count"
+    }
+
+    fn message(&self) -> Message {
+        Message::new().text(alloc::format!(
+            "{} zones of stiffness with {} borders: there is one border between two zones",
+            self.zones,
+            self.borders
+        ))
+    }
+}
+
 impl fmt::Display for ZoneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} zones of stiffness with {} borders: there is one border between two zones", self.zones, self.borders)
+        self.message().fmt(f)
     }
 }
 
 impl core::error::Error for ZoneError {}
 
 impl<T> StiffnessZones<T> {
-    /// Zones in the order of their stations, and the station of each border between two of them, in m, increasing. The first and the last reach to the ends
-    /// of whatever is crushed. A border that does not lie beyond the one before leaves no width between them.
+    /// Creates zones in the order of their stations, with the station of each border between two of them, in m, increasing. The first and the last zone
+    /// extend to the ends of the crush. A border that does not lie beyond the one before leaves no width between them.
     ///
     /// # Errors
     ///
-    /// [`ZoneError`]: n zones need n − 1 borders, and there must be one zone.
+    /// [`ZoneError`] unless there is at least one zone and n zones have n − 1 borders.
     pub fn new(zones: Vec<CrushStiffness<T>>, borders: Vec<T>) -> Result<Self, ZoneError> {
         if zones.len() != borders.len() + 1 {
             return Err(ZoneError { zones: zones.len(), borders: borders.len() });
@@ -55,12 +73,12 @@ impl<T> StiffnessZones<T> {
         Ok(StiffnessZones { zones, borders })
     }
 
-    /// The zones.
+    /// Returns the zones.
     pub fn zones(&self) -> &[CrushStiffness<T>] {
         &self.zones
     }
 
-    /// The borders between them.
+    /// Returns the borders between them.
     pub fn borders(&self) -> &[T] {
         &self.borders
     }
@@ -73,7 +91,7 @@ impl<T: Field> From<CrushStiffness<T>> for StiffnessZones<T> {
 }
 
 impl<T: Ordered> StiffnessZones<T> {
-    /// Crush energy of a profile, each part of it with the stiffness of its zone, in J   (Eq 4 in each zone).
+    /// Returns the crush energy of a profile, each part of it with the stiffness of its zone, in J   (Eq 4 in each zone).
     pub fn crush_energy(&self, profile: &Profile<T>) -> T {
         if let [stiffness] = self.zones.as_slice() {
             return stiffness.crush_energy(profile.moments());
@@ -81,7 +99,7 @@ impl<T: Ordered> StiffnessZones<T> {
         self.moments(profile).zip(&self.zones).fold(T::int(0), |sum, (moments, zone)| sum + zone.crush_energy(moments))
     }
 
-    /// K₁, K₂, K₃ of what lies in each zone.
+    /// Returns K₁, K₂, K₃ of the part of the profile in each zone.
     pub fn moments<'a>(&'a self, profile: &'a Profile<T>) -> impl Iterator<Item = ProfileMoments<T>> + 'a {
         let stations = profile.stations();
         (0..self.zones.len()).map(move |zone| {
@@ -89,7 +107,7 @@ impl<T: Ordered> StiffnessZones<T> {
             ends.fold(ProfileMoments::zero(), |sum, (at, depth)| {
                 let (begin, end) = (at[0].clone(), at[1].clone());
                 let (mut from, mut to) = (begin.clone(), end.clone());
-                // A border belongs to the part that begins at it: where it lies on a station it moves that part, and not the one before as well.
+                // A border belongs to the part that begins at it: if it lies on a station it shifts only that part, not the one before as well.
                 if let Some(border) = zone.checked_sub(1).and_then(|before| self.borders.get(before)) {
                     let inside = T::select(border.less(&end), border.clone(), end.clone());
                     from = T::select(border.less(&begin), from, inside);
@@ -102,7 +120,7 @@ impl<T: Ordered> StiffnessZones<T> {
                     let share = (station.clone() - begin.clone()) / (end.clone() - begin.clone());
                     depth[0].clone() + (depth[1].clone() - depth[0].clone()) * share
                 };
-                // Borders out of order leave nothing between them.
+                // Borders out of order leave no width between them.
                 let width = to.clone() - from.clone();
                 let width = T::select(width.less(&T::int(0)), T::int(0), width);
                 sum + ProfileMoments::of_segment(width, depth_at(&from), depth_at(&to))

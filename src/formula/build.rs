@@ -1,6 +1,6 @@
-//! The constructors of expressions, which simplify: exact numbers, neutral elements, like terms, powers, common factors.
+//! Simplifying constructors of expressions: exact numbers, neutral elements, like terms, powers, common factors.
 //!
-//! Each keeps the value as a formula in real numbers, wherever the formula has one. Rounding, and the sign of a zero, are no business of formulas.
+//! Each preserves the value as a formula in real numbers, wherever the formula has one. Rounding and the sign of zero are not represented.
 
 use super::combine::{collect, exact_root, gather, place, raised, without_common_factors, without_squared_roots};
 use super::expression::{Choice, Expression, Factor, Form, Name, Term};
@@ -21,12 +21,12 @@ impl Expression {
         Expression::new(Form::Variable(name.into()))
     }
 
-    /// Under a name, unless it is as short as one.
+    /// Returns it under a name, unless it is as short as a name.
     pub(super) fn named(self, name: Name) -> Expression {
         if self.is_short() { self } else { Expression::new(Form::Named(name, self)) }
     }
 
-    /// Whether a name for it would make nothing shorter: a number, a symbol, or a number times a symbol.
+    /// Returns `true` if a name would not make it shorter: a number, a symbol, or a number times a symbol.
     pub(super) fn is_short(&self) -> bool {
         match self.form() {
             Form::Number(_) | Form::Variable(_) | Form::Named(..) => true,
@@ -35,7 +35,7 @@ impl Expression {
         }
     }
 
-    /// A number times it.
+    /// Multiplies it by a number.
     pub(super) fn times(&self, number: &BigRational) -> Expression {
         if number.is_one() {
             return self.clone();
@@ -59,7 +59,7 @@ impl Expression {
         Expression::product([(self.clone(), exponent)])
     }
 
-    /// The sum of terms.
+    /// Creates the sum of terms.
     pub(super) fn sum(terms: impl IntoIterator<Item = Term>) -> Expression {
         let mut sum: Vec<Term> = Vec::new();
         for term in terms {
@@ -75,7 +75,7 @@ impl Expression {
         }
     }
 
-    /// The product of powers.
+    /// Creates the product of powers.
     pub(super) fn product(powers: impl IntoIterator<Item = (Expression, i64)>) -> Expression {
         let mut number = BigRational::one();
         let mut product: Vec<Factor> = Vec::new();
@@ -109,7 +109,8 @@ impl Expression {
         product.times(&number)
     }
 
-    /// The terms with each sum in a product multiplied out, unless it is raised or below a bar. None if they are too many to be of use.
+    /// Returns the terms with each sum in a product multiplied out, unless it has an exponent or is in a denominator. Returns `None` if there would be too
+    /// many terms.
     pub(super) fn expanded(&self) -> Option<Vec<Term>> {
         const MANY: usize = 64;
         let mut expanded = Vec::new();
@@ -147,13 +148,13 @@ impl Expression {
         if self.is_zero() { Expression::int(1) } else { Expression::new(Form::Cosine(self.clone())) }
     }
 
-    /// The direction of (x, y); that of no direction at all is 0, as it is for floats.
+    /// Creates the direction of (x, y); that of (0, 0) is 0, as for floats.
     pub(super) fn angle(y: Expression, x: Expression) -> Expression {
         let ahead = x.as_number().is_some_and(|x| !x.is_negative());
         if y.is_zero() && ahead { y } else { Expression::new(Form::Angle { y, x }) }
     }
 
-    /// One of two, which need not ask their condition again.
+    /// Creates a choice between two expressions, which do not repeat its condition.
     pub(super) fn choice(choice: Choice) -> Expression {
         let Choice { left, right, yes, no } = &choice;
         if let (Some(left), Some(right)) = (left.as_number(), right.as_number()) {
@@ -163,7 +164,7 @@ impl Expression {
         if yes.equals(&no) { yes } else { Expression::new(Form::Choice(Choice { left: left.clone(), right: right.clone(), yes, no })) }
     }
 
-    /// Itself where the condition of a choice is known to hold or not.
+    /// Returns the expression with the condition of a choice known to be true or false.
     fn given(&self, known: &Choice, holds: bool) -> Expression {
         self.replaced(&mut |expression| match expression.form() {
             Form::Choice(choice) if choice.same_condition(known) => Some(if holds { choice.yes.clone() } else { choice.no.clone() }),
@@ -171,7 +172,7 @@ impl Expression {
         })
     }
 
-    /// Itself with parts replaced, from the root inward; what has a name of its own is left alone.
+    /// Returns the expression with parts replaced, from the root inward; named parts are not changed.
     pub(super) fn replaced(&self, by: &mut impl FnMut(&Expression) -> Option<Expression>) -> Expression {
         if let Some(other) = by(self) {
             return other.replaced(by);
@@ -202,7 +203,7 @@ mod tests {
     use alloc::string::{String, ToString};
     use num_traits::Inv;
 
-    /// What the simplified expression of x, y and z is printed as.
+    /// Returns the printed form of the simplified expression of x, y and z.
     fn simplified(of: impl FnOnce(Symbol, Symbol, Symbol) -> Symbol) -> String {
         let [x, y, z] = ["x", "y", "z"].map(Symbol::variable);
         let text = Glossary::default().formula("f", &of(x, y, z)).to_string();
@@ -233,11 +234,11 @@ mod tests {
 
     #[test]
     fn roots_circles_and_directions() {
-        assert_eq!(simplified(|x, y, _| (x.clone() + y.clone()).sqrt() * (x + y).sqrt()), "x + y");
-        assert_eq!(simplified(|_, _, _| (Symbol::int(9) / Symbol::int(4)).sqrt()), "3/2");
-        assert_eq!(simplified(|_, _, _| Symbol::int(0).sin_cos().1), "1");
-        assert_eq!(simplified(|_, _, _| Symbol::int(0).atan2(Symbol::int(0))), "0");
-        assert_eq!(simplified(|_, _, _| Symbol::int(0).atan2(Symbol::int(-1))), "atan2(0, −1)");
+        assert_eq!(simplified(|x, y, _| (x.clone() + y.clone()).square_root() * (x + y).square_root()), "x + y");
+        assert_eq!(simplified(|_, _, _| (Symbol::int(9) / Symbol::int(4)).square_root()), "3/2");
+        assert_eq!(simplified(|_, _, _| Symbol::int(0).sin_and_cos().1), "1");
+        assert_eq!(simplified(|_, _, _| Symbol::int(0).arctangent(Symbol::int(0))), "0");
+        assert_eq!(simplified(|_, _, _| Symbol::int(0).arctangent(Symbol::int(-1))), "atan2(0, −1)");
     }
 
     #[test]
@@ -256,7 +257,7 @@ mod tests {
     fn no_exponent_is_too_large_and_no_divisor_too_small() {
         let power = |x: Symbol, times: u32| (0..times).fold(x, |power, _| power.squared());
         assert_eq!(simplified(|x, _, _| power(x, 62)), "x⁴⁶¹¹⁶⁸⁶⁰¹⁸⁴²⁷³⁸⁷⁹⁰⁴");
-        // Beyond that it stays as it is.
+        // Beyond that it is not simplified.
         assert!(simplified(|x, _, _| power(x.clone(), 64) / power(x, 64)).starts_with("x⁴⁶¹¹⁶⁸⁶⁰¹⁸⁴²⁷³⁸⁷⁹⁰⁴ x⁴⁶"));
         assert_eq!(simplified(|x, _, _| x / Symbol::int(0)), "x/0");
         assert_eq!(simplified(|_, _, _| power(Symbol::int(2), 10)).len(), 309);

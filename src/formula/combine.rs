@@ -1,12 +1,12 @@
-//! How terms and factors combine.
+//! Combining terms and factors.
 
+use super::equivalence::Equivalence;
 use super::expression::{Expression, Factor, Form, Term};
-use super::likeness::Likeness;
 use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-/// Where a factor is read best: 1 + e first, derivatives behind symbols, and last what is read together with whatever follows it.
+/// Returns the rank of a factor in a product: 1 + e first, derivatives after symbols, and sines and cosines last.
 pub(super) fn place(factor: &Expression) -> u8 {
     match factor.form() {
         Form::Sum(terms) if terms.iter().any(|term| term.of.as_number().is_some()) => 0,
@@ -16,26 +16,26 @@ pub(super) fn place(factor: &Expression) -> u8 {
     }
 }
 
-/// Adds a term to its like, if there is one.
+/// Adds a term to its like term, if there is one.
 pub(super) fn collect(sum: &mut Vec<Term>, term: Term) {
     for known in sum.iter_mut() {
-        match known.of.likeness(&term.of) {
-            Some(Likeness::Equal) => return known.coefficient += term.coefficient,
-            Some(Likeness::Opposite) => return known.coefficient -= term.coefficient,
+        match known.of.equivalence(&term.of) {
+            Some(Equivalence::Equal) => return known.coefficient += term.coefficient,
+            Some(Equivalence::Opposite) => return known.coefficient -= term.coefficient,
             None => (),
         }
     }
     sum.push(term);
 }
 
-/// Multiplies a power with that of the same base, if there is one.
+/// Multiplies a power with the power of the same base, if there is one.
 pub(super) fn gather(number: &mut BigRational, product: &mut Vec<Factor>, factor: Factor) {
     for known in product.iter_mut() {
-        if let Some(likeness) = known.base.likeness(&factor.base)
+        if let Some(equivalence) = known.base.equivalence(&factor.base)
             && let Some(exponent) = known.exponent.checked_add(factor.exponent)
         {
             known.exponent = exponent;
-            if likeness == Likeness::Opposite && factor.exponent % 2 != 0 {
+            if equivalence == Equivalence::Opposite && factor.exponent % 2 != 0 {
                 *number = -number.clone();
             }
             return;
@@ -44,7 +44,7 @@ pub(super) fn gather(number: &mut BigRational, product: &mut Vec<Factor>, factor
     product.push(factor);
 }
 
-/// The sum with what all of its terms have in common before the bracket.
+/// Factors out what all terms of the sum have in common.
 pub(super) fn without_common_factors(sum: Vec<Term>) -> Expression {
     let products: Vec<Vec<Factor>> = sum.iter().map(|term| term.of.factors().1).collect();
     let of_all = |factor: &Factor| {
@@ -68,7 +68,7 @@ pub(super) fn without_common_factors(sum: Vec<Term>) -> Expression {
     Expression::product(common.into_iter().chain([(rest, 1)]))
 }
 
-/// The powers with the squares of roots resolved, if there are any.
+/// Returns the powers with the squares of roots resolved, or `None` if there are none.
 pub(super) fn without_squared_roots(product: &[Factor]) -> Option<Vec<(Expression, i64)>> {
     product.iter().any(|factor| matches!(factor.base.form(), Form::Root(_)) && factor.exponent.abs() > 1).then(|| {
         let resolved = |factor: &Factor| match factor.base.form() {
@@ -79,7 +79,7 @@ pub(super) fn without_squared_roots(product: &[Factor]) -> Option<Vec<(Expressio
     })
 }
 
-/// The power of a number, unless it divides by zero or is out of all proportion.
+/// Returns the power of a number, unless it divides by zero or is excessively large.
 pub(super) fn raised(number: &BigRational, exponent: i64) -> Option<BigRational> {
     if number.is_one() {
         return Some(One::one());
@@ -88,7 +88,7 @@ pub(super) fn raised(number: &BigRational, exponent: i64) -> Option<BigRational>
     (exponent > 0 || !number.is_zero()).then(|| number.pow(exponent))
 }
 
-/// The root of a number that is a square.
+/// Returns the square root of a number, if the number is a perfect square.
 pub(super) fn exact_root(number: &BigRational) -> Option<BigRational> {
     if number < &BigRational::zero() {
         return None;

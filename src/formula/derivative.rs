@@ -1,4 +1,4 @@
-//! The derivative of an expression, in terms of the quantities that it is expressed in and of their derivatives.
+//! Derivative of an expression, in terms of the quantities in it and of their derivatives.
 
 use super::expression::{Choice, Expression, Factor, Form, Term};
 use super::known::Known;
@@ -7,7 +7,7 @@ use alloc::collections::BTreeMap;
 use alloc::sync::Arc;
 use num_rational::BigRational;
 
-/// How many symbols a derivative has that needs no name.
+/// Number of symbols up to which a derivative needs no name.
 const SHORT: usize = 2;
 
 /// Differentiation by one variable.
@@ -22,7 +22,7 @@ impl<'a> Derivative<'a> {
         Derivative { variable, known, done: BTreeMap::new() }
     }
 
-    /// Of an expression that outlives the differentiation.
+    /// Returns the derivative of an expression that outlives the differentiation.
     pub(super) fn of(&mut self, expression: &'a Expression) -> Expression {
         if let Some(derivative) = self.done.get(&expression.identity()) {
             return derivative.clone();
@@ -56,7 +56,7 @@ impl<'a> Derivative<'a> {
         derivative
     }
 
-    /// Of a quantity, in terms of itself where that is shorter: (x/y)′ is (x′ − (x/y) y′)/y, and √x′ is x′/(2 √x).
+    /// Returns the derivative of a quantity, in terms of the quantity itself if that is shorter: (x/y)′ is (x′ − (x/y) y′)/y, and √x′ is x′/(2 √x).
     pub(super) fn of_quantity(&mut self, quantity: &Expression, value: &'a Expression) -> Expression {
         let derivative = match value.form() {
             Form::Product(factors) => self.of_product(factors, Some((quantity, &BigRational::from_integer(1.into())))),
@@ -75,7 +75,7 @@ impl<'a> Derivative<'a> {
         self.of(of).multiplied(&root.power(-1)).times(&half)
     }
 
-    /// By the product rule; where a divisor is differentiated, through the quantity that is a number times the product.
+    /// Applies the product rule; the derivative of a divisor is expressed by the quantity that is a number times the product.
     fn of_product(&mut self, factors: &'a [Factor], quantity: Option<(&Expression, &BigRational)>) -> Expression {
         let terms = factors.iter().enumerate().flat_map(|(i, factor)| {
             let derivative = self.of(&factor.base);
@@ -106,7 +106,7 @@ mod tests {
     use crate::scalar::{Field, Ordered, Real};
     use alloc::string::{String, ToString};
 
-    /// The derivative by x.
+    /// Returns the derivative by x.
     fn derivative(of: impl FnOnce(Symbol, Symbol) -> Symbol) -> String {
         let [x, y] = ["x", "y"].map(Symbol::variable);
         let text = Glossary::default().formula("f", &of(x, y)).derivative("x").to_string();
@@ -119,18 +119,18 @@ mod tests {
         assert_eq!(derivative(|x, y| x * y + Symbol::int(3)), "y");
         assert_eq!(derivative(|x, y| x.squared() * y), "2 x y");
         assert_eq!(derivative(|x, y| y / x), "−f/x\n\nwhere\n  f = y/x");
-        assert_eq!(derivative(|x, _| x.sqrt()), "1/(2 f)\n\nwhere\n  f = √x");
-        assert_eq!(derivative(|x, _| x.sin_cos().0), "cos x");
-        assert_eq!(derivative(|x, _| x.sin_cos().1), "−sin x");
-        assert_eq!(derivative(|x, y| y.atan2(x)), "−y/(x² + y²)");
-        assert_eq!(derivative(|x, y| x.atan2(y)), "y/(y² + x²)");
+        assert_eq!(derivative(|x, _| x.square_root()), "1/(2 f)\n\nwhere\n  f = √x");
+        assert_eq!(derivative(|x, _| x.sin_and_cos().0), "cos x");
+        assert_eq!(derivative(|x, _| x.sin_and_cos().1), "−sin x");
+        assert_eq!(derivative(|x, y| y.arctangent(x)), "−y/(x² + y²)");
+        assert_eq!(derivative(|x, y| x.arctangent(y)), "y/(y² + x²)");
         assert_eq!(derivative(|x, _| x.magnitude()), "−1\n          if x < 0\n        1\n          otherwise");
     }
 
     #[test]
     fn a_derivative_is_expressed_by_what_is_known() {
         let [x, y, a] = ["x", "y", "a"].map(Symbol::variable);
-        let (sin, cos) = a.sin_cos();
+        let (sin, cos) = a.sin_and_cos();
         let along = x.clone() * cos.clone() + y.clone() * sin.clone();
         let across = y * cos - x * sin;
         let mut glossary = Glossary::default();

@@ -1,4 +1,4 @@
-//! The value of an expression on any real scalar.
+//! Evaluation of an expression on any real scalar.
 
 use super::expression::{Choice, Expression, Factor, Form};
 use crate::scalar::Real;
@@ -6,7 +6,7 @@ use crate::scalar::symbol::in_field;
 use alloc::collections::BTreeMap;
 
 impl Expression {
-    /// The value, given that of each variable. What is shared is computed once.
+    /// Evaluates the expression, given the value of each variable. Shared parts are computed once.
     pub(super) fn evaluate<T: Real>(&self, mut variable: impl FnMut(&str) -> T) -> T {
         self.computed(&mut variable, &mut BTreeMap::new())
     }
@@ -33,11 +33,11 @@ impl Expression {
                 let above = product(above);
                 if below.is_empty() { above } else { above / product(below) }
             }
-            Form::Root(a) => of(a).sqrt(),
-            Form::Sine(a) => of(a).sin_cos().0,
-            Form::Cosine(a) => of(a).sin_cos().1,
-            // Real numbers have one zero, and that is the positive one.
-            Form::Angle { y, x } => (of(y) + T::int(0)).atan2(of(x) + T::int(0)),
+            Form::Root(a) => of(a).square_root(),
+            Form::Sine(a) => of(a).sin_and_cos().0,
+            Form::Cosine(a) => of(a).sin_and_cos().1,
+            // Real numbers have one zero, the positive one.
+            Form::Angle { y, x } => (of(y) + T::int(0)).arctangent(of(x) + T::int(0)),
             Form::Choice(Choice { left, right, yes, no }) => {
                 let mask = of(left).less(&of(right));
                 T::select(mask, of(yes), of(no))
@@ -48,7 +48,7 @@ impl Expression {
     }
 }
 
-/// By squaring.
+/// Computes a power by squaring.
 fn raised<T: Real>(base: T, exponent: u64) -> T {
     if exponent <= 1 {
         return base;

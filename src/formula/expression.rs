@@ -1,35 +1,35 @@
 //! An expression in simplified form.
 //!
-//! | form | kept |
+//! | form | invariant |
 //! |---|---|
 //! | sum | terms with a coefficient each, like terms together, no common factor in all of them |
 //! | product | powers of different bases, no number among them |
 //!
-//! Terms and, but for a few, factors stay in the order in which the code has them, because that is the order in which they are read. So two expressions can be
-//! equal, or opposite, in another order: [`Expression::likeness`] says.
+//! Terms and, with few exceptions, factors stay in the order of the code, which is the order in which they are read. So two expressions can be equal, or
+//! opposite, in a different order: see [`Expression::equivalence`].
 
-use super::likeness::trace;
+use super::structural_hash::{mix, of_magnitude, of_text};
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-/// A simplified expression; a clone is the same one.
+/// A simplified expression; a clone shares its identity.
 #[derive(Clone, Debug)]
 pub(super) struct Expression(Arc<Node>);
 
 #[derive(Debug)]
 struct Node {
     form: Form,
-    trace: u64,
+    structural_hash: u64,
 }
 
-/// What an expression is.
+/// The form of an expression.
 #[derive(Debug)]
 pub(super) enum Form {
     Number(BigRational),
     Variable(Arc<str>),
-    /// A quantity that has a name, and what it is.
+    /// A quantity that has a name, and its value.
     Named(Name, Expression),
     /// Two terms or more, or one with a coefficient.
     Sum(Vec<Term>),
@@ -46,21 +46,21 @@ pub(super) enum Form {
     Choice(Choice),
 }
 
-/// A term of a sum; neither a sum nor a number but 1.
+/// A term of a sum: neither a sum nor a number other than 1.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) coefficient: BigRational,
     pub(super) of: Expression,
 }
 
-/// A factor of a product; neither a product nor a number, except that a division by zero stays as it is.
+/// A factor of a product: neither a product nor a number, except that a division by zero is kept.
 #[derive(Clone, Debug)]
 pub(super) struct Factor {
     pub(super) base: Expression,
     pub(super) exponent: i64,
 }
 
-/// `yes` where `left < right`, else `no`.
+/// `yes` if `left < right`, otherwise `no`.
 #[derive(Clone, Debug)]
 pub(super) struct Choice {
     pub(super) left: Expression,
@@ -73,17 +73,17 @@ pub(super) struct Choice {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Name {
     pub(super) symbol: Arc<str>,
-    /// The variables that it is differentiated by, one after the other.
+    /// The variables by which it is differentiated, in order.
     pub(super) by: Vec<Arc<str>>,
 }
 
 impl Name {
-    /// Of a quantity.
+    /// Creates the name of a quantity.
     pub(super) fn of(symbol: &str) -> Name {
         Name { symbol: symbol.into(), by: Vec::new() }
     }
 
-    /// Of its derivative.
+    /// Returns the name of its derivative.
     pub(super) fn derivative(&self, variable: &Arc<str>) -> Name {
         let mut by = self.by.clone();
         by.push(variable.clone());
@@ -92,27 +92,27 @@ impl Name {
 }
 
 impl Expression {
-    /// As it is: the constructors in `build.rs` simplify.
+    /// Creates an expression without simplifying: the constructors in `build.rs` simplify.
     pub(super) fn new(form: Form) -> Expression {
-        let trace = trace(&form);
-        Expression(Arc::new(Node { form, trace }))
+        let structural_hash = structural_hash(&form);
+        Expression(Arc::new(Node { form, structural_hash }))
     }
 
-    /// Equal for expressions that are equal or opposite.
-    pub(super) fn trace(&self) -> u64 {
-        self.0.trace
+    /// Returns a hash that is the same for expressions that are equal or opposite.
+    pub(super) fn structural_hash(&self) -> u64 {
+        self.0.structural_hash
     }
 
     pub(super) fn form(&self) -> &Form {
         &self.0.form
     }
 
-    /// Its identity, which its clones share, for as long as one of them lives.
+    /// Returns its identity, which it shares with its clones, valid as long as one of them lives.
     pub(super) fn identity(&self) -> usize {
         Arc::as_ptr(&self.0).addr()
     }
 
-    /// The number that it is.
+    /// Returns the number, if it is one.
     pub(super) fn as_number(&self) -> Option<&BigRational> {
         match self.form() {
             Form::Number(number) => Some(number),
@@ -124,12 +124,12 @@ impl Expression {
         self.as_number().is_some_and(Zero::is_zero)
     }
 
-    /// Whether it has two terms or more.
+    /// Returns `true` if it has two or more terms.
     pub(super) fn has_terms(&self) -> bool {
         matches!(self.form(), Form::Sum(terms) if terms.len() > 1)
     }
 
-    /// Itself as a sum.
+    /// Returns its terms as a sum.
     pub(super) fn terms(&self) -> Vec<Term> {
         match self.form() {
             Form::Sum(terms) => terms.clone(),
@@ -139,7 +139,7 @@ impl Expression {
         }
     }
 
-    /// Itself as a number times a product. What a sum has in all its coefficients is in the number, its sign if all of them are negative.
+    /// Returns it as a number times a product. The number contains the common factor of the coefficients of a sum, negative if all of them are.
     pub(super) fn factors(&self) -> (BigRational, Vec<Factor>) {
         let single = |base: &Expression| Vec::from([Factor { base: base.clone(), exponent: 1 }]);
         match self.form() {
@@ -159,7 +159,7 @@ impl Expression {
         }
     }
 
-    /// The expressions that it is made of.
+    /// Returns the expressions in it.
     pub(super) fn parts(&self) -> Vec<&Expression> {
         match self.form() {
             Form::Number(_) | Form::Variable(_) => Vec::new(),
@@ -174,14 +174,14 @@ impl Expression {
 }
 
 impl Choice {
-    /// What it is the magnitude of, if it is one.
+    /// Returns the expression whose magnitude the choice is, or `None` if it is not a magnitude.
     pub(super) fn magnitude(&self) -> Option<&Expression> {
         let Choice { left, right, yes, no } = self;
         (right.is_zero() && no.equals(left) && yes.equals(&no.negative())).then_some(no)
     }
 }
 
-/// The greatest number that all coefficients are integer multiples of; negative if all of them are.
+/// Returns the greatest number of which all coefficients are integer multiples; negative if all of them are.
 fn content(terms: &[Term]) -> BigRational {
     let coefficients = || terms.iter().map(|term| &term.coefficient);
     let content = if coefficients().all(BigRational::is_integer) && coefficients().any(|c| c.numer().magnitude().is_one()) {
@@ -192,10 +192,34 @@ fn content(terms: &[Term]) -> BigRational {
     if coefficients().all(Signed::is_negative) { -content } else { content }
 }
 
-/// Euclid's algorithm.
+/// Computes the common measure by Euclid's algorithm.
 fn common_measure(mut a: BigRational, mut b: BigRational) -> BigRational {
     while !b.is_zero() {
         (a, b) = (b.clone(), a % b);
     }
     a.abs()
+}
+
+/// Computes a hash that differs for most distinct expressions. It ignores the order of terms and factors and all signs.
+fn structural_hash(form: &Form) -> u64 {
+    let of = |expression: &Expression| expression.structural_hash();
+    let ordered = |kind: u64, parts: &[&Expression]| parts.iter().fold(kind, |sum, part| mix(sum ^ of(part)));
+    match form {
+        Form::Number(number) => of_magnitude(number),
+        Form::Variable(name) => of_text(1, name),
+        Form::Named(name, _) => name.by.iter().fold(of_text(2, &name.symbol), |sum, by| mix(sum ^ of_text(3, by))),
+        Form::Sum(terms) => {
+            let sum = terms.iter().fold(0_u64, |sum, term| sum.wrapping_add(mix(of(&term.of) ^ of_magnitude(&term.coefficient))));
+            mix(4 ^ sum)
+        }
+        Form::Product(factors) => {
+            let sum = factors.iter().fold(0_u64, |sum, factor| sum.wrapping_add(mix(of(&factor.base) ^ mix(factor.exponent as u64))));
+            mix(5 ^ sum)
+        }
+        Form::Root(a) => ordered(6, &[a]),
+        Form::Sine(a) => ordered(7, &[a]),
+        Form::Cosine(a) => ordered(8, &[a]),
+        Form::Angle { y, x } => ordered(9, &[y, x]),
+        Form::Choice(choice) => ordered(10, &[&choice.left, &choice.right, &choice.yes, &choice.no]),
+    }
 }

@@ -1,4 +1,4 @@
-//! From what was recorded to formulas.
+//! Formulas from recorded operations.
 
 use super::Formula;
 use super::expression::{Choice, Expression, Form, Name};
@@ -7,7 +7,7 @@ use crate::scalar::symbol::{Operation, Symbol, is_name};
 use alloc::collections::BTreeMap;
 use alloc::sync::Arc;
 
-/// Names for quantities. Whatever turns out to be one of them, or a number times one of them, is expressed by it.
+/// Names for quantities. Any expression that is one of them, or a number times one of them, is expressed by it.
 ///
 /// ```
 /// use planar_impact::formula::Glossary;
@@ -23,22 +23,22 @@ use alloc::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Glossary {
     known: Arc<Known>,
-    /// What has been simplified, by its identity, which it keeps as long as it is here.
+    /// Simplified expressions by identity, which is valid as long as they are stored here.
     done: BTreeMap<usize, (Symbol, Expression)>,
 }
 
 impl Glossary {
-    /// Without quantities; formulas take their variables in this order.
+    /// Creates a glossary without quantities; formulas take their variables in this order.
     pub fn of_variables(names: &[&str]) -> Glossary {
         Glossary { known: Arc::new(Known::of_variables(names)), done: BTreeMap::new() }
     }
 
-    /// Gives an expression a name, in terms of the quantities that have one already; so a quantity comes before those that it is used in. What is as short as
-    /// a name, or is a quantity already, gets none.
+    /// Gives an expression a name, in terms of the quantities that already have one, so name a quantity before those that contain it. An expression that is
+    /// as short as a name, or is already a quantity, gets none.
     ///
     /// # Panics
     ///
-    /// If the name is not one for a [`Symbol::variable`] either.
+    /// If the name is not valid for a [`Symbol::variable`] either.
     pub fn give(&mut self, name: &str, symbol: &Symbol) {
         assert!(is_name(name), "`{name}` is not a name");
         let value = self.simplified(symbol);
@@ -46,11 +46,11 @@ impl Glossary {
         self.done.insert(symbol.identity(), (symbol.clone(), named));
     }
 
-    /// The formula of an expression, in terms of the quantities that have a name.
+    /// Returns the formula of an expression, in terms of the named quantities.
     ///
     /// # Panics
     ///
-    /// If the name is not one for a [`Symbol::variable`] either.
+    /// If the name is not valid for a [`Symbol::variable`] either.
     pub fn formula(&mut self, name: &str, symbol: &Symbol) -> Formula {
         assert!(is_name(name), "`{name}` is not a name");
         let name = Name::of(name);

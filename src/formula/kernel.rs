@@ -1,4 +1,4 @@
-//! The kernel run on symbols, and the names of what it computes on the way.
+//! The kernel run on symbols, and the names of its intermediate quantities.
 
 use super::{Formula, Glossary};
 use crate::collision::Collision;
@@ -22,8 +22,8 @@ pub struct Formulas {
 }
 
 impl Formulas {
-    /// Of collisions like this one: with the same barriers and law, the impulse ratio and the moment given in the same way. Its numbers are not asked for, so
-    /// a `Collision<()>` will do.
+    /// Derives the formulas of collisions like this one: with the same barriers and law, and the impulse ratio and the moment given in the same way. Its
+    /// numbers are not used, so a `Collision<()>` is accepted.
     ///
     /// The variables are the [symbols](Input::symbol) of the inputs.
     pub fn of<T: Clone>(collision: &Collision<T>) -> Formulas {
@@ -73,18 +73,18 @@ impl Formulas {
         Formulas { record: outputs, formulas }
     }
 
-    /// The formula of an output.
+    /// Returns the formula of an output.
     pub fn output(&self, output: Output) -> &Formula {
         &self.formulas[output.index()]
     }
 
-    /// What the kernel does to compute an output, as it was recorded.
+    /// Returns the recorded operations of the kernel that compute an output.
     pub fn record(&self, output: Output) -> &Symbol {
         &self.record[output]
     }
 }
 
-/// The outputs that others are computed from, each behind those that it is computed from.
+/// Outputs from which others are computed, each after those that it depends on.
 const CAUSES: [[Output; 4]; 3] = {
     use Output::*;
     use Side::{One, Two};
@@ -95,7 +95,7 @@ const CAUSES: [[Output; 4]; 3] = {
     ]
 };
 
-/// The outputs that are computed from those.
+/// Outputs that are computed from those.
 const EFFECTS: [[Output; 4]; 4] = {
     use Output::*;
     use Side::{One, Two};
@@ -112,7 +112,7 @@ fn pair(glossary: &mut Glossary, name: &str, of: &Nt<Symbol>) {
     glossary.give(&format!("{name}t"), &of.t);
 }
 
-/// The collision with a variable for each input.
+/// Returns the collision with a variable for each input.
 fn symbolic<T: Clone>(collision: &Collision<T>) -> Collision<Symbol> {
     let mut all_zero = collision.clone().map(|_| Symbol::int(0));
     all_zero.crush_plane = CrushPlane { cos: Symbol::int(1), sin: Symbol::int(0) };

@@ -1,13 +1,13 @@
-//! The quantities that have a name, and what can be expressed by them.
+//! Named quantities, and expressions in terms of them.
 
+use super::equivalence::Equivalence;
 use super::expression::{Expression, Factor, Form, Name, Term};
-use super::likeness::Likeness;
 use super::listing::length;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use num_rational::BigRational;
 
-/// What has a name, and the order of variables.
+/// Named quantities, and the order of variables.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Known {
     quantities: Vec<Quantity>,
@@ -29,7 +29,7 @@ impl Known {
         Known { quantities: Vec::new(), variables: names.iter().map(|&name| name.into()).collect() }
     }
 
-    /// The value under its name, unless it is as short as one.
+    /// Returns the value under its name, unless it is as short as a name.
     pub(super) fn add(&mut self, name: Name, value: Expression) -> Expression {
         if value.is_short() {
             return value;
@@ -40,12 +40,12 @@ impl Known {
         named
     }
 
-    /// The names of the quantities.
+    /// Returns the names of the quantities.
     pub(super) fn names(&self) -> Vec<&str> {
         self.quantities.iter().map(|quantity| &*quantity.name.symbol).collect()
     }
 
-    /// The expression in terms of the quantities that it, or a factor of it, is.
+    /// Returns the expression in terms of the quantities that equal it or a factor of it.
     pub(super) fn recognized(&self, expression: &Expression) -> Expression {
         if let Some(quantity) = self.quantity(expression) {
             return quantity;
@@ -68,7 +68,7 @@ impl Known {
         }
     }
 
-    /// With each sum in terms of fewer quantities.
+    /// Returns the expression with each sum in terms of fewer quantities.
     pub(super) fn shortened(&self, expression: &Expression) -> Expression {
         let shorter = match expression.form() {
             Form::Sum(terms) if terms.len() == 1 => self.shortened(&terms[0].of).times(&terms[0].coefficient),
@@ -82,7 +82,7 @@ impl Known {
         self.of_two(expression).unwrap_or_else(|| expression.clone())
     }
 
-    /// A sum with each quantity in it resolved, because that may cancel something.
+    /// Returns a sum with each quantity in it resolved, because terms may cancel.
     fn resolved(&self, terms: &[Term]) -> Expression {
         let values = terms.iter().flat_map(|term| match term.of.form() {
             Form::Named(_, value) => value.times(&term.coefficient).terms(),
@@ -91,14 +91,14 @@ impl Known {
         self.recognized(&Expression::sum(values))
     }
 
-    /// The expression as a sum of two quantities or of multiples of them, if it is one and longer than that.
+    /// Returns the expression as a sum of two quantities or of multiples of them, if that is shorter.
     fn of_two(&self, expression: &Expression) -> Option<Expression> {
         if length(expression) <= 2 {
             return None;
         }
         let parts = expression.expanded()?;
         self.quantities.iter().find_map(|quantity| {
-            // A term in common says with which factor the quantity can be one of the two.
+            // A common term determines the factor with which the quantity can be one of the two.
             let Form::Sum(terms) = quantity.value.form() else { return None };
             let factor = terms.iter().find_map(|term| parts.iter().find_map(|part| term.ratio_to(part)))?;
             let quantity_taken = quantity.value.times(&-factor.clone()).terms();
@@ -107,22 +107,22 @@ impl Known {
         })
     }
 
-    /// The quantity that the expression is, or is a multiple of.
+    /// Returns the quantity that the expression equals, or of which it is a multiple.
     fn quantity(&self, expression: &Expression) -> Option<Expression> {
         if expression.is_short() {
             return None;
         }
         let (content, primitive) = apart(expression);
         self.quantities.iter().find_map(|quantity| {
-            let likeness = quantity.primitive.likeness(&primitive)?;
+            let equivalence = quantity.primitive.equivalence(&primitive)?;
             let ratio = &content / &quantity.content;
-            Some(quantity.named.times(&if likeness == Likeness::Equal { ratio } else { -ratio }))
+            Some(quantity.named.times(&if equivalence == Equivalence::Equal { ratio } else { -ratio }))
         })
     }
 }
 
 impl Quantity {
-    /// The product of factors in terms of this quantity, if it is the product of some of them.
+    /// Returns the product of factors in terms of this quantity, if it is the product of some of them.
     fn taken_out_of(&self, factors: &[Factor]) -> Option<Expression> {
         let Form::Product(own) = self.primitive.form() else { return None };
         let is_own = |factor: &Factor| own.iter().any(|own| own.equals(factor));
@@ -138,13 +138,13 @@ impl Quantity {
     }
 }
 
-/// The number before an expression, and the rest.
+/// Splits an expression into its numeric factor and the rest.
 fn apart(expression: &Expression) -> (BigRational, Expression) {
     let (content, factors) = expression.factors();
     (content, Expression::product(factors.into_iter().map(|factor| (factor.base, factor.exponent))))
 }
 
-/// A quotient of two quantities in terms of what they are, if something cancels: P_t/P_n is μ where P_t is μ P_n.
+/// Returns a quotient of two quantities in terms of their values, if something cancels: P_t/P_n is μ if P_t is μ P_n.
 pub(super) fn cancelled(expression: Expression) -> Expression {
     let (number, factors) = expression.factors();
     let pairs = factors.iter().flat_map(|above| factors.iter().map(move |below| (above, below)));
@@ -158,8 +158,8 @@ pub(super) fn cancelled(expression: Expression) -> Expression {
     cancelled(Expression::product(resolved).times(&number))
 }
 
-/// What stands above and below a bar, each with what it is resolved into so that something cancels: the quantity above contains the one below as a factor,
-/// or both have a factor in common.
+/// Returns the numerator and the denominator of a quotient that cancels, each with its resolved value: the quantity in the numerator contains the one in the
+/// denominator as a factor, or both have a common factor.
 fn cancelling(above: &Factor, below: &Factor) -> Option<((Factor, Expression), (Factor, Expression))> {
     let Form::Named(_, above_is) = above.base.form() else { return None };
     let (own, below_is) = (above_is.factors().1, resolved(&below.base));
@@ -176,7 +176,7 @@ fn cancelling(above: &Factor, below: &Factor) -> Option<((Factor, Expression), (
     Some(((above.clone(), above_is.clone()), (below.clone(), below_is)))
 }
 
-/// What a quantity is.
+/// Returns the value of a quantity.
 fn resolved(expression: &Expression) -> Expression {
     match expression.form() {
         Form::Named(_, value) => value.clone(),
@@ -185,14 +185,14 @@ fn resolved(expression: &Expression) -> Expression {
 }
 
 impl Term {
-    /// The term as an expression.
+    /// Returns the term as an expression.
     pub(super) fn expression(&self) -> Expression {
         self.of.times(&self.coefficient)
     }
 
-    /// The number times which it is another term.
+    /// Returns the number that this term is multiplied by to give the other, or `None` if there is none.
     fn ratio_to(&self, other: &Term) -> Option<BigRational> {
-        let likeness = self.of.likeness(&other.of)?;
-        Some(&other.coefficient / &self.coefficient * BigRational::from_integer(likeness.sign().into()))
+        let equivalence = self.of.equivalence(&other.of)?;
+        Some(&other.coefficient / &self.coefficient * BigRational::from_integer(equivalence.sign().into()))
     }
 }

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::One;
 
-/// LaTeX's mathematics, as far as KaTeX and MathJax know it too.
+/// LaTeX mathematics, limited to what KaTeX and MathJax support.
 pub(super) struct Latex;
 
 fn symbol(name: &str) -> String {
@@ -112,10 +112,10 @@ impl Notation for Latex {
     }
 }
 
-/// How many characters of source a line may have before it is broken; most of them are not seen.
+/// Length in characters of source from which a line is broken; most of them are not visible.
 const LONG: usize = 160;
 
-/// A definition as a line of an aligned environment, broken before signs that stand in no bracket.
+/// Writes a definition as a line of an aligned environment, broken before signs outside of brackets.
 pub(super) fn definition(label: &str, value: &str) -> String {
     let mut line = format!("{label} &= ");
     let (mut depth, mut length) = (0, line.len());

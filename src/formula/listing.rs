@@ -1,4 +1,4 @@
-//! What a formula consists of: the quantity itself, and all that it is expressed in, each with its definition.
+//! Listing of a formula: the quantity itself and all quantities in it, each with its definition.
 
 use super::expression::{Choice, Expression, Form, Name};
 use alloc::format;
@@ -6,31 +6,31 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::cmp::Reverse;
 
-/// A formula with its definitions, each quantity before those that it is expressed in.
+/// A formula with its definitions, each quantity before those that it contains.
 pub(super) struct Listing {
     pub(super) entries: Vec<Entry>,
-    /// In the order in which they are met.
+    /// Variables in order of appearance.
     pub(super) variables: Vec<Arc<str>>,
 }
 
 /// A quantity and its definition.
 pub(super) struct Entry {
     pub(super) label: Label,
-    /// What stands for it in other definitions; nothing does for the formula itself.
+    /// The quantity as it appears in other definitions; `None` for the formula itself.
     reference: Option<Expression>,
     pub(super) value: Expression,
 }
 
-/// A name that is that of one quantity only.
+/// A unique name of a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Label {
     pub(super) name: Name,
-    /// How many others have the name.
+    /// Number of quantities with the same name before this one.
     pub(super) primes: usize,
 }
 
 impl Listing {
-    /// Of a quantity; those of its definitions that are known come in that order, as far as their depth leaves it open.
+    /// Creates the listing of a quantity. Its definitions that are in `known` come in that order, as far as their depth allows.
     pub(super) fn of(name: &Name, value: &Expression, known: &[&str]) -> Listing {
         let mut entries = Vec::from([Entry { label: Label { name: name.clone(), primes: 0 }, reference: None, value: value.clone() }]);
         let mut variables = Vec::new();
@@ -47,13 +47,13 @@ impl Listing {
         listing
     }
 
-    /// The name of a quantity in this listing.
+    /// Returns the name of a quantity in this listing.
     pub(super) fn label(&self, quantity: &Expression) -> &Label {
         let is_it = |entry: &&Entry| entry.reference.as_ref().is_some_and(|reference| reference.equals(quantity));
         &self.entries.iter().find(is_it).expect("every quantity is listed").label
     }
 
-    /// Numbers what is long and stands in more than one place, and every choice inside an expression but for magnitudes.
+    /// Numbers long expressions that occur more than once, and every choice inside an expression except magnitudes.
     fn name_what_is_repeated(&mut self) {
         let mut number = 0;
         while let Some(repeated) = self.repeated() {
@@ -61,8 +61,8 @@ impl Listing {
             let reference = repeated.clone().named(Name::of(&format!("s{number}")));
             for entry in &mut self.entries {
                 entry.value = entry.value.replaced(&mut |part| {
-                    let likeness = (!matches!(part.form(), Form::Named(..))).then(|| part.likeness(&repeated))??;
-                    Some(reference.times(&num_rational::BigRational::from_integer(likeness.sign().into())))
+                    let equivalence = (!matches!(part.form(), Form::Named(..))).then(|| part.equivalence(&repeated))??;
+                    Some(reference.times(&num_rational::BigRational::from_integer(equivalence.sign().into())))
                 });
             }
             self.entries.push(Entry {
@@ -73,12 +73,12 @@ impl Listing {
         }
     }
 
-    /// The longest of what deserves a number.
+    /// Returns the longest expression to be numbered.
     fn repeated(&self) -> Option<Expression> {
         let mut met: Vec<(Expression, usize)> = Vec::new();
         for entry in &self.entries {
-            // The definition itself has a name already, and so has what it is otherwise.
-            inside(&entry.value, true, &mut |part| match met.iter_mut().find(|(other, _)| other.likeness(part).is_some()) {
+            // The definition itself already has a name, and so does the last alternative of its choice.
+            inside(&entry.value, true, &mut |part| match met.iter_mut().find(|(other, _)| other.equivalence(part).is_some()) {
                 Some((_, times)) => *times += 1,
                 None => met.push((part.clone(), 1)),
             });
@@ -90,7 +90,7 @@ impl Listing {
         met.into_iter().filter(deserves).max_by_key(|(part, _)| length(part)).map(|(part, _)| part)
     }
 
-    /// The formula first; then what needs the most steps to be computed.
+    /// Sorts the formula first, then the quantities with the most computation steps.
     fn sort(&mut self, known: &[&str]) {
         let mut depths: Vec<Option<usize>> = self.entries.iter().map(|_| None).collect();
         for at in 0..self.entries.len() {
@@ -117,7 +117,7 @@ impl Listing {
         depth
     }
 
-    /// Primes the names that another quantity or a variable has already.
+    /// Adds primes to names that another quantity or a variable already has.
     fn tell_apart(&mut self) {
         for at in 0..self.entries.len() {
             let label = self.entries[at].label.clone();
@@ -129,10 +129,10 @@ impl Listing {
     }
 }
 
-/// How many symbols make an expression long.
+/// Number of symbols from which an expression is long.
 const LONG: usize = 10;
 
-/// How many symbols an expression has.
+/// Returns the number of symbols in an expression.
 pub(super) fn length(expression: &Expression) -> usize {
     match expression.form() {
         Form::Number(_) | Form::Variable(_) | Form::Named(..) => 1,
@@ -140,7 +140,7 @@ pub(super) fn length(expression: &Expression) -> usize {
     }
 }
 
-/// Lists what an expression mentions for the first time.
+/// Lists the quantities and variables that occur in an expression for the first time.
 fn visit(expression: &Expression, entries: &mut Vec<Entry>, variables: &mut Vec<Arc<str>>) {
     match expression.form() {
         Form::Variable(name) if !variables.contains(name) => variables.push(name.clone()),

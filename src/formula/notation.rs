@@ -1,4 +1,4 @@
-//! What the notations have in common: which sign a term has, what stands above and below a bar, where a bracket is needed.
+//! Rules shared by the notations: the sign of a term, the numerator and the denominator of a quotient, and brackets.
 
 use super::expression::{Choice, Expression, Factor, Form, Term};
 use super::listing::{Label, Listing};
@@ -8,17 +8,17 @@ use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-/// How strongly the parts of a written expression hold together.
+/// Strength with which the parts of a written expression hold together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Bond {
     Sum,
-    /// Nothing can be written behind it without a change of meaning.
+    /// Nothing can be written after it without changing its meaning.
     Quotient,
-    /// It can be multiplied, but not divided by or raised.
+    /// It can be multiplied, but not used as a divisor or raised to a power.
     Factor,
-    /// It can be divided by, but a function of it, or a power, needs brackets; so does a quotient that it ends above the bar.
+    /// It can be used as a divisor, but as the argument of a function or the base of a power it needs brackets; so does a numerator that ends with it.
     Divisor,
-    /// The same, but for the quotient.
+    /// As [`Bond::Divisor`], except that a numerator ending with it needs no brackets.
     Power,
     Symbol,
 }
@@ -35,19 +35,19 @@ impl Written {
     }
 }
 
-/// A way to write formulas.
+/// A notation for formulas.
 pub(super) trait Notation {
-    /// Whether a quotient is written with a bar, which needs no brackets above and below it.
+    /// `true` if a quotient is written with a bar, whose numerator and denominator need no brackets.
     const BAR: bool;
 
-    /// Between two terms, to the left and the right of the sign.
+    /// Separators between two terms, to the left and the right of the sign.
     const SIGNS: [&'static str; 2];
 
     fn variable(&self, name: &str) -> Written;
     fn quantity(&self, label: &Label) -> Written;
     fn integer(&self, digits: String) -> String;
 
-    /// A fraction of numbers that can stand before other factors.
+    /// Formats a fraction of numbers that can precede other factors, if the notation has one.
     fn fraction(&self, number: &BigRational) -> Option<String>;
     fn product(&self, factors: &[String]) -> String;
     fn quotient(&self, above: String, below: String) -> String;
@@ -56,12 +56,12 @@ pub(super) trait Notation {
     fn minus(&self) -> &'static str;
     fn root(&self, of: String, bond: Bond) -> Written;
 
-    /// Sine or cosine, raised if the exponent is not 1.
+    /// Formats a sine or cosine, with the exponent if it is not 1.
     fn circular(&self, name: &'static str, of: &Expression, written: Written, exponent: i64) -> Written;
     fn angle(&self, y: String, x: String) -> String;
     fn magnitude(&self, of: String) -> String;
 
-    /// What holds under which condition, the first that does, and what holds otherwise.
+    /// Formats a choice: the value of the first condition that holds, or else `otherwise`.
     fn cases(&self, cases: &[[String; 2]], otherwise: String) -> String;
 }
 
@@ -72,7 +72,7 @@ pub(super) struct Writer<'a, N> {
 }
 
 impl<N: Notation> Writer<'_, N> {
-    /// The right side of a definition.
+    /// Formats the right side of a definition.
     pub(super) fn definition(&self, value: &Expression) -> String {
         match value.form() {
             Form::Choice(choice) if choice.magnitude().is_none() => self.cases(choice),
@@ -117,7 +117,7 @@ impl<N: Notation> Writer<'_, N> {
         }
     }
 
-    /// With a term that is added first, if there is one.
+    /// Formats a sum, beginning with a term that is added, if there is one.
     fn sum(&self, terms: &[Term]) -> Written {
         let first = terms.iter().position(|term| term.coefficient.is_positive()).unwrap_or(0);
         let order = [first].into_iter().chain((0..terms.len()).filter(|&at| at != first));
@@ -139,7 +139,7 @@ impl<N: Notation> Writer<'_, N> {
         Written::new(text, Bond::Sum)
     }
 
-    /// A number times a product.
+    /// Formats a number times a product.
     fn product_of(&self, number: &BigRational, factors: &[Factor]) -> Written {
         let (magnitude, mut above, mut below) = (number.abs(), Vec::new(), Vec::new());
         let (up, down): (Vec<&Factor>, Vec<&Factor>) = factors.iter().partition(|factor| factor.exponent > 0);
@@ -172,7 +172,7 @@ impl<N: Notation> Writer<'_, N> {
         } else {
             let denominator = self.notation.product(&below);
             let bracketed = |text: String, so: bool| if so && !N::BAR { self.notation.brackets(text) } else { text };
-            // What is divided must not be taken for a part of what a function is of, or of the bar of a derivative.
+            // The numerator must not be read as part of the argument of a function, or of the bar of a derivative.
             self.notation.quotient(bracketed(numerator, last < Bond::Power), bracketed(denominator, below.len() > 1))
         };
         if number.is_negative() {
@@ -186,7 +186,7 @@ impl<N: Notation> Writer<'_, N> {
         Written::new(text, bond)
     }
 
-    /// A power with a positive exponent, with at least the given bond.
+    /// Formats a power with a positive exponent, with at least the given bond.
     fn power(&self, base: &Expression, exponent: i64, least: Bond) -> Written {
         let raised = |of: &Expression, name| self.notation.circular(name, of, self.written(of), exponent);
         let written = match base.form() {
@@ -219,16 +219,16 @@ mod tests {
     fn brackets_where_they_are_needed() {
         let of = |of: fn([Symbol; 3]) -> Symbol| formula(of).to_string();
         assert_eq!(of(|[m, a, v]| (m.clone() + v) / (m * a)), "f = (m1 + v_n)/(m1 θ1)");
-        assert_eq!(of(|[m, a, v]| a.sin_cos().1 / m * v), "f = (v_n cos θ1)/m1");
-        assert_eq!(of(|[m, a, _]| (a.squared() + m).sin_cos().0), "f = sin(θ1² + m1)");
-        assert_eq!(of(|[_, a, _]| a.clone().sin_cos().0.squared() * a.squared().sin_cos().1), "f = sin² θ1 cos(θ1²)");
-        assert_eq!(of(|[m, a, v]| -(m * (a - v)).sqrt()), "f = −√(m1 (θ1 − v_n))");
+        assert_eq!(of(|[m, a, v]| a.sin_and_cos().1 / m * v), "f = (v_n cos θ1)/m1");
+        assert_eq!(of(|[m, a, _]| (a.squared() + m).sin_and_cos().0), "f = sin(θ1² + m1)");
+        assert_eq!(of(|[_, a, _]| a.clone().sin_and_cos().0.squared() * a.squared().sin_and_cos().1), "f = sin² θ1 cos(θ1²)");
+        assert_eq!(of(|[m, a, v]| -(m * (a - v)).square_root()), "f = −√(m1 (θ1 − v_n))");
         assert_eq!(of(|[m, a, v]| v - m * a.inv()), "f = v_n − m1/θ1");
     }
 
     #[test]
     fn the_same_in_three_notations() {
-        let formula = formula(|[m, a, v]| (m.clone() * v.clone().squared()).half() * a.sin_cos().0 / (m + v.magnitude()).sqrt());
+        let formula = formula(|[m, a, v]| (m.clone() * v.clone().squared()).half() * a.sin_and_cos().0 / (m + v.magnitude()).square_root());
         assert_eq!(formula.to_string(), "f = (½ m1 v_n² sin θ1)/√(m1 + |v_n|)");
         assert_eq!(
             formula.latex(),
@@ -255,7 +255,7 @@ mod tests {
         let names = ["a", "b", "c", "d", "g", "h", "i", "j", "k", "l"];
         let long = names.map(Symbol::variable).into_iter().reduce(|sum, x| sum + x).expect("there are ten");
         let [x, y] = ["x", "y"].map(Symbol::variable);
-        let formula = Glossary::default().formula("f", &(long.clone() * x - long.sqrt() * y));
+        let formula = Glossary::default().formula("f", &(long.clone() * x - long.square_root() * y));
         assert_eq!(
             formula.to_string(),
             "f = s1 x − y √s1\n\nwhere\n  s1 = a + b + c + d + g + h + i + j + k + l".replace("y √s1", "√s1 y")

@@ -11,24 +11,24 @@ use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
-/// What cannot be the name of a quantity.
+/// Words that cannot be the name of a quantity.
 const RESERVED: &str = "as async await abstract become box break const continue crate do dyn else enum extern f64 false final fn for gen if impl in let loop \
     macro match mod move mut override priv pub ref return self static struct super trait true try type typeof unsafe unsized use virtual where while yield";
 
-/// A function of f64 that needs the standard library alone.
+/// A function of f64 that needs only the standard library.
 struct Source {
     quantities: Vec<(Label, String)>,
     variables: Vec<(String, Variable)>,
 }
 
-/// The names in which a variable stands.
+/// The names under which a variable appears.
 struct Variable {
     itself: String,
     sine: Option<String>,
     cosine: Option<String>,
 }
 
-/// Names that are taken.
+/// Names that are in use.
 struct Names(Vec<String>);
 
 impl Names {
@@ -44,7 +44,7 @@ impl Names {
 impl Source {
     fn of(listing: &Listing) -> Source {
         let mut names = Names(RESERVED.split_whitespace().map(str::to_owned).collect());
-        // The variables first: what calls the function knows them by name.
+        // The variables come first: callers of the function use their names.
         let itself: Vec<String> = listing.variables.iter().map(|name| names.unique(name.to_string())).collect();
         let variables = listing.variables.iter().zip(itself).map(|(name, itself)| {
             let mut turned = |prefix: &str, sine: bool| {
@@ -68,7 +68,7 @@ fn label(label: &Label) -> String {
     format!("{}{}{}", "d".repeat(usize::from(!by.is_empty())), label.name.symbol, by.concat()) + &"_".repeat(label.primes)
 }
 
-/// Whether the sine, or else the cosine, of a variable is in an expression.
+/// Returns `true` if the sine, or else the cosine, of a variable occurs in an expression.
 fn turns(expression: &Expression, variable: &str, sine: bool) -> bool {
     let is_it = |of: &Expression| matches!(of.form(), Form::Variable(name) if **name == *variable);
     match expression.form() {
@@ -96,7 +96,7 @@ impl Notation for Source {
         digits + ".0"
     }
 
-    /// Decimal, where that is the number itself.
+    /// Formats the number as a decimal if that is exact.
     fn fraction(&self, number: &BigRational) -> Option<String> {
         let float = number.to_f64().filter(|float| BigRational::from_float(*float).as_ref() == Some(number))?;
         (!number.denom().is_one()).then(|| format!("{float:?}"))
@@ -138,7 +138,7 @@ impl Notation for Source {
         Written::new(if exponent == 1 { turned } else { self.power(turned, exponent) }, Bond::Symbol)
     }
 
-    /// Plus zero, so that a zero is the positive one.
+    /// Adds zero to make a zero positive.
     fn angle(&self, y: String, x: String) -> String {
         format!("f64::atan2({y}\u{a0}+\u{202f}0.0,\u{a0}{x}\u{a0}+\u{202f}0.0)")
     }
@@ -156,7 +156,7 @@ impl Notation for Source {
     }
 }
 
-/// The function.
+/// Returns the function.
 pub(super) fn function(listing: &Listing) -> String {
     let source = Source::of(listing);
     let mut lines = Vec::new();
@@ -185,7 +185,7 @@ pub(super) fn function(listing: &Listing) -> String {
     format!("{attribute}\n{head}\n{}\n}}", lines.join("\n"))
 }
 
-/// A statement in lines of a hundred columns, if that is possible, each block of it indented.
+/// Returns a statement in lines of at most a hundred columns, if possible, with each block indented.
 fn statement(start: String, text: String) -> String {
     let mut lines = Vec::new();
     let mut depth = 1;

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use core::cmp::Reverse;
 use num_rational::BigRational;
 
-/// A place where a line can be broken only if there is no better one.
+/// A place for a line break only if there is no better one.
 const WEAK: char = '\u{a0}';
 /// A space at which no line is broken.
 const TIGHT: char = '\u{202f}';
@@ -17,7 +17,7 @@ const TIGHT: char = '\u{202f}';
 /// Unicode text.
 pub(super) struct Text;
 
-/// The Greek letters that stand in names, and what text and LaTeX have for them.
+/// Greek letters in names, and their form in text and LaTeX.
 const GREEK: [(&str, &str); 10] = [
     ("alpha", "α"),
     ("gamma", "γ"),
@@ -31,11 +31,11 @@ const GREEK: [(&str, &str); 10] = [
     ("Omega", "Ω"),
 ];
 
-/// A name as its first letters and what is written below them.
+/// A name as its first letters and its subscript.
 pub(super) struct Parts<'a> {
     pub(super) head: &'a str,
     pub(super) index: &'a str,
-    /// Whether it is a change of what the rest names.
+    /// `true` if it is a change of the quantity that the rest names.
     pub(super) change: bool,
 }
 
@@ -50,7 +50,7 @@ impl<'a> Parts<'a> {
         Parts { head, index, change }
     }
 
-    /// The Greek letter that it begins with.
+    /// Returns the Greek letter that it begins with.
     pub(super) fn greek(&self) -> Option<(&'static str, &'static str)> {
         GREEK.into_iter().find(|(name, _)| *name == self.head)
     }
@@ -154,11 +154,11 @@ impl Notation for Text {
     }
 }
 
-/// A definition in lines of at most the width, if that is possible. What follows its sign of equality stands below what follows it in the first line.
+/// Formats a definition in lines of at most the width, if possible. Its continuation lines are aligned after the equals sign.
 pub(super) fn definition(label: &str, value: &str, width: usize) -> String {
     let indent = label.chars().count() + 3;
     let lines = value.split('\n').enumerate().flat_map(|(at, line)| {
-        // A condition stands further inward than what it is the condition of, and what follows in it further still.
+        // A condition is indented further than its value, and its continuation further still.
         let condition = line.trim_start();
         let inward = line.len() - condition.len();
         let start = if at == 0 { format!("{label} = ") } else { " ".repeat(indent + inward) };
@@ -167,7 +167,7 @@ pub(super) fn definition(label: &str, value: &str, width: usize) -> String {
     spaced(&lines.collect::<Vec<_>>().join("\n"))
 }
 
-/// Lines of at most the width, if that is possible, broken before a sign, or else between factors.
+/// Breaks text into lines of at most the width, if possible, before a sign or else between factors.
 pub(super) fn broken(start: String, text: &str, width: usize, indent: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = start;
@@ -185,7 +185,7 @@ pub(super) fn broken(start: String, text: &str, width: usize, indent: usize) -> 
     }
 }
 
-/// The place in the right two thirds of a line that is in the fewest brackets, and the last of those; or else the last place of all.
+/// Returns the last break in the fewest brackets within the right two thirds of a line, or else the last break of all.
 fn best_break(line: &[char]) -> Option<usize> {
     let mut depth = 0;
     let mut places = Vec::new();
@@ -202,7 +202,7 @@ fn best_break(line: &[char]) -> Option<usize> {
     late.or_else(|| places.last()).map(|(_, at)| *at).or_else(weak)
 }
 
-/// With ordinary spaces.
+/// Replaces special spaces by ordinary spaces.
 pub(super) fn spaced(text: &str) -> String {
     text.replace([WEAK, TIGHT], " ")
 }

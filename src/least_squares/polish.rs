@@ -1,32 +1,38 @@
-//! The last digits: Gauss–Newton steps of the unknowns that no bound holds, and Newton steps where those are slow.
+//! The last digits: Gauss–Newton steps of the unknowns that are not on an active bound, and Newton steps if those converge slowly.
 
 use alloc::vec::Vec;
 
-use nalgebra::{DMatrix, DVector, SVD};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::{Bound, CONVERGED, Minimum, Residuals, Span, Stopped};
+use super::{Bound, CONVERGED, Minimum, NotConverged, ParameterBounds, Residuals, distance};
 
-/// The most steps that are taken. Where the residuals are large the steps shrink by a factor only.
+/// Maximum number of steps. If the residuals are large, the steps only shrink by a factor.
 const STEPS: usize = 60;
 
-/// After how many of them the second derivatives are worth their price.
+/// Number of steps after which second derivatives are used.
 const SLOW: usize = 6;
 
-/// Shares of the largest singular value below which a direction moves no residual.
+/// Share of the largest singular value below which a direction changes no residual.
 const NOTHING: f64 = 1e-11;
 
-/// How near to a bound, in scales, counts as on it.
+/// Distance from a bound, in scales, within which an unknown is on it.
 const ON_BOUND: f64 = 1e-9;
 
-/// How many full steps are taken on trust.
+/// Number of full steps that are taken without comparing sums of squares.
 const TRUSTED: usize = 12;
 
-/// Goes from near a minimum to it.
-pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], before: usize, at_most: usize) -> Result<Minimum, Stopped> {
+/// Refines a point near a minimum.
+pub(super) fn polish(
+    of: &impl Residuals,
+    start: Vec<f64>,
+    spans: &[ParameterBounds],
+    before: usize,
+    at_most: usize,
+) -> Result<Minimum, NotConverged> {
     let mut point = Point::at(of, start, spans);
     if point.residuals.is_empty() {
         let Point { unknowns, toward, .. } = point;
-        return Err(Stopped { unknowns, sum_of_squares: f64::INFINITY, step: f64::INFINITY, iterations: before, toward });
+        return Err(NotConverged { unknowns, sum_of_squares: f64::INFINITY, step: f64::INFINITY, iterations: before, toward });
     }
     let taken = match point.sprint(of, spans, TRUSTED.min(at_most)) {
         Some((end, taken)) => {
@@ -38,25 +44,25 @@ pub(super) fn polish(of: &impl Residuals, start: Vec<f64>, spans: &[Span], befor
     let (sum_of_squares, iterations) = (point.residuals.norm_squared(), before + taken);
     let Point { mut unknowns, residuals, asked, toward } = point;
     let jacobian = if asked <= CONVERGED { slopes(of, &unknowns, spans) } else { None };
-    let Some(jacobian) = jacobian else { return Err(Stopped { unknowns, sum_of_squares, step: asked, iterations, toward }) };
+    let Some(jacobian) = jacobian else { return Err(NotConverged { unknowns, sum_of_squares, step: asked, iterations, toward }) };
     let at: Vec<Option<Bound>> = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
     let is_held = (0..at.len()).map(|i| at[i].is_some_and(|at| presses(&jacobian, &residuals, i, at))).collect();
     Ok(Minimum { unknowns, sum_of_squares, at, is_held, iterations })
 }
 
-/// A point on the way.
+/// A point of the iteration.
 #[derive(Clone)]
 struct Point {
     unknowns: Vec<f64>,
     residuals: DVector<f64>,
-    /// The last step that the residuals asked for, in scales.
+    /// The last step that was wanted, in scales.
     asked: f64,
-    /// Where that step leads, if nothing on the way there is better.
+    /// The unknowns after the full wanted step.
     toward: Vec<f64>,
 }
 
 impl Point {
-    fn at(of: &impl Residuals, mut unknowns: Vec<f64>, spans: &[Span]) -> Self {
+    fn at(of: &impl Residuals, mut unknowns: Vec<f64>, spans: &[ParameterBounds]) -> Self {
         for (x, span) in unknowns.iter_mut().zip(spans) {
             settle(x, span);
         }
@@ -64,8 +70,9 @@ impl Point {
         Point { toward: unknowns.clone(), unknowns, residuals, asked: f64::INFINITY }
     }
 
-    /// Full steps, even where the sum of squares grows on the way: along a narrow valley that bends it must. None where they lead nowhere, or not below.
-    fn sprint(&self, of: &impl Residuals, spans: &[Span], at_most: usize) -> Option<(Point, usize)> {
+    /// Takes full steps, even if the sum of squares grows in between, as it must along a narrow curved valley. Returns `None` if they do not converge or do
+    /// not decrease the sum.
+    fn sprint(&self, of: &impl Residuals, spans: &[ParameterBounds], at_most: usize) -> Option<(Point, usize)> {
         let mut point = self.clone();
         for taken in 1..=at_most {
             let last = point.asked;
@@ -81,26 +88,27 @@ impl Point {
         None
     }
 
-    /// Steps that never make the sum of squares larger. How many there were.
-    fn walk(&mut self, of: &impl Residuals, spans: &[Span], at_most: usize) -> usize {
+    /// Takes steps that never increase the sum of squares. Returns the number of steps.
+    fn walk(&mut self, of: &impl Residuals, spans: &[ParameterBounds], at_most: usize) -> usize {
         let mut step = f64::INFINITY;
         for taken in 0..at_most {
             let last = step;
             let Some(jacobian) = slopes(of, &self.unknowns, spans) else { return taken };
-            let curved = || of.bend(&self.unknowns).map(|bend| scaled(scaled(bend, spans).transpose(), spans));
+            let curved =
+                || of.residual_hessian(&self.unknowns).map(|residual_hessian| scaled(scaled(residual_hessian, spans).transpose(), spans));
             let sum = self.residuals.norm_squared();
             let (mut asked, mut toward) = (0.0, Vec::new());
-            let mut try_with = |bend: Option<DMatrix<f64>>| {
-                let wanted = wanted_step(&jacobian, bend.as_ref(), &self.residuals, &self.unknowns, spans);
+            let mut try_with = |residual_hessian: Option<DMatrix<f64>>| {
+                let wanted = wanted_step(&jacobian, residual_hessian.as_ref(), &self.residuals, &self.unknowns, spans);
                 (asked, toward) = (wanted.amax(), moved(&self.unknowns, &wanted, spans));
                 shortened(of, &self.unknowns, &wanted, spans, sum)
             };
             let straight = if taken < SLOW { try_with(None) } else { None };
-            // Where straight lines lead nowhere better parabolas may. Where these do not either: the end, if hardly anything was asked for.
+            // If Gauss–Newton steps lead nowhere, Newton steps may. If these do not either, the walk ends; it has converged if the wanted step is negligible.
             let tried = straight.or_else(|| try_with(curved()));
             (self.asked, self.toward) = (asked, toward);
             let Some(tried) = tried else { return taken };
-            step = distance(&self.unknowns, &tried.unknowns, spans);
+            step = distance(&self.unknowns, &tried.unknowns, spans.iter().map(|span| span.scale));
             (self.unknowns, self.residuals) = (tried.unknowns, tried.residuals);
             if self.asked <= CONVERGED && step >= last / 2.0 || step == 0.0 {
                 return taken + 1;
@@ -110,38 +118,39 @@ impl Point {
     }
 }
 
-/// A sum of squares that is no larger but for rounding.
+/// Returns the largest sum of squares that equals `sum` to rounding.
 fn limit(sum: f64) -> f64 {
     sum * (1.0 + 1e-12) + f64::MIN_POSITIVE
 }
 
-/// The derivatives of the residuals by the unknowns in their scales; none where one of them has none.
-fn slopes(of: &impl Residuals, unknowns: &[f64], spans: &[Span]) -> Option<DMatrix<f64>> {
+/// Returns the derivatives of the residuals by the scaled unknowns, or `None` if one of them is undefined.
+fn slopes(of: &impl Residuals, unknowns: &[f64], spans: &[ParameterBounds]) -> Option<DMatrix<f64>> {
     let jacobian = scaled(of.jacobian(unknowns), spans);
     jacobian.iter().all(|entry| entry.is_finite()).then_some(jacobian)
 }
 
-fn scaled(mut jacobian: DMatrix<f64>, spans: &[Span]) -> DMatrix<f64> {
+/// Converts derivatives to those by the scaled unknowns.
+pub(crate) fn scaled(mut jacobian: DMatrix<f64>, spans: &[ParameterBounds]) -> DMatrix<f64> {
     for (mut column, span) in jacobian.column_iter_mut().zip(spans) {
         column *= span.scale;
     }
     jacobian
 }
 
-/// The step to where the slope is zero, in scales, of the unknowns that are not pressed against a bound. One that would cross its bound goes to it, and the others take the
-/// step that is best with it there.
+/// Returns the step, in scales, to the point of zero gradient, for the unknowns that are not pressed against a bound. An unknown that would cross its bound
+/// moves to the bound, and the others take the step that is best given that.
 fn wanted_step(
     jacobian: &DMatrix<f64>,
-    bend: Option<&DMatrix<f64>>,
+    residual_hessian: Option<&DMatrix<f64>>,
     residuals: &DVector<f64>,
     unknowns: &[f64],
-    spans: &[Span],
+    spans: &[ParameterBounds],
 ) -> DVector<f64> {
     let slope = jacobian.tr_mul(residuals);
     let mut free: Vec<usize> = (0..unknowns.len()).filter(|&i| !is_pressed(unknowns[i], slope[i], &spans[i])).collect();
     let mut step = DVector::zeros(unknowns.len());
     while !free.is_empty() {
-        let by_curvature = bend.and_then(|bend| newton(jacobian, bend, residuals, &step, &free));
+        let by_curvature = residual_hessian.and_then(|residual_hessian| newton(jacobian, residual_hessian, residuals, &step, &free));
         let Some(of_free) = by_curvature.or_else(|| gauss_newton(jacobian, residuals, &step, &free)) else { break };
         let end = |i: usize, value: f64| unknowns[i] - value * spans[i].scale;
         let crosses = |i: usize, value: f64| !(spans[i].min..=spans[i].max).contains(&end(i, value));
@@ -158,27 +167,35 @@ fn wanted_step(
     step
 }
 
-/// The step of some unknowns to where straight lines have the least sum of squares; the others move by `step`.
+/// Returns the Gauss–Newton step of the free unknowns; the others move by `step`.
 fn gauss_newton(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, step: &DVector<f64>, free: &[usize]) -> Option<DVector<f64>> {
-    /// More rotations than any matrix of this size takes.
-    const ROTATIONS: usize = 10_000;
-    let svd = SVD::try_new(jacobian.select_columns(free), true, true, f64::EPSILON, ROTATIONS)?;
+    let svd = decomposed(jacobian.select_columns(free))?;
     let cutoff = svd.singular_values.max() * NOTHING;
     svd.solve(&(residuals + jacobian * step), cutoff).ok()
 }
 
-/// The same of parabolas; none where these open downward, or hardly upward.
+/// Returns the singular value decomposition, or `None` if an entry is not finite.
+pub(crate) fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
+    /// More rotations than any matrix of this size needs.
+    const ROTATIONS: usize = 10_000;
+    if matrix.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
+    SVD::try_new(matrix, true, true, f64::EPSILON, ROTATIONS)
+}
+
+/// Returns the Newton step of the free unknowns, or `None` if the curvature is not positive or almost zero.
 fn newton(
     jacobian: &DMatrix<f64>,
-    bend: &DMatrix<f64>,
+    residual_hessian: &DMatrix<f64>,
     residuals: &DVector<f64>,
     step: &DVector<f64>,
     free: &[usize],
 ) -> Option<DVector<f64>> {
-    /// The share of the greatest curvature below which one is rounding.
+    /// Share of the greatest curvature below which a curvature is rounding.
     const FLAT: f64 = 1e-12;
-    let slope = jacobian.tr_mul(&(residuals + jacobian * step)) + bend * step;
-    let curvature = (jacobian.tr_mul(jacobian) + bend).select_columns(free).select_rows(free);
+    let slope = jacobian.tr_mul(&(residuals + jacobian * step)) + residual_hessian * step;
+    let curvature = (jacobian.tr_mul(jacobian) + residual_hessian).select_columns(free).select_rows(free);
     if curvature.iter().any(|entry| !entry.is_finite()) {
         return None;
     }
@@ -188,14 +205,14 @@ fn newton(
     (!is_flat).then(|| factor.solve(&slope.select_rows(free)))
 }
 
-/// Whether an unknown is on a bound and the sum of squares falls beyond it.
-fn is_pressed(x: f64, slope: f64, span: &Span) -> bool {
+/// Returns `true` if an unknown is on a bound and the sum of squares decreases beyond it.
+fn is_pressed(x: f64, slope: f64, span: &ParameterBounds) -> bool {
     (x <= span.min && slope > 0.0) || (x >= span.max && slope < 0.0)
 }
 
-/// Whether the sum of squares would be less beyond the bound that an unknown is on, by more than rounding.
+/// Returns `true` if the sum of squares would be smaller beyond the bound that an unknown is on, by more than rounding.
 fn presses(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, unknown: usize, at: Bound) -> bool {
-    /// What rounding makes of a sum of squares.
+    /// Rounding of a sum of squares.
     const ROUNDING: f64 = 1e-10;
     let column = jacobian.column(unknown);
     let slope = column.dot(residuals);
@@ -208,8 +225,8 @@ struct Tried {
     residuals: DVector<f64>,
 }
 
-/// The step, or the largest half, quarter … of it that does not make the sum larger.
-fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Span], sum: f64) -> Option<Tried> {
+/// Returns the step, or the largest half, quarter … of it that does not increase the sum.
+fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[ParameterBounds], sum: f64) -> Option<Tried> {
     let mut share = 1.0;
     for _ in 0..12 {
         let unknowns = moved(from, &(step * share), spans);
@@ -223,16 +240,12 @@ fn shortened(of: &impl Residuals, from: &[f64], step: &DVector<f64>, spans: &[Sp
     None
 }
 
-fn moved(from: &[f64], step: &DVector<f64>, spans: &[Span]) -> Vec<f64> {
+fn moved(from: &[f64], step: &DVector<f64>, spans: &[ParameterBounds]) -> Vec<f64> {
     (0..from.len()).map(|i| (from[i] + step[i] * spans[i].scale).clamp(spans[i].min, spans[i].max)).collect()
 }
 
-fn distance(from: &[f64], to: &[f64], spans: &[Span]) -> f64 {
-    (0..from.len()).map(|i| (to[i] - from[i]).abs() / spans[i].scale).fold(0.0, f64::max)
-}
-
-/// Puts an unknown that is as good as on a bound on it.
-fn settle(x: &mut f64, span: &Span) -> Option<Bound> {
+/// Moves an unknown that is almost on a bound onto it.
+fn settle(x: &mut f64, span: &ParameterBounds) -> Option<Bound> {
     let near = |bound: f64| (*x - bound).abs() <= ON_BOUND * span.scale;
     let (bound, at) = if near(span.min) {
         (span.min, Bound::Min)

@@ -1,13 +1,13 @@
-//! Where the way back is a formula. Each is a check of the search, and the fast way where it applies.
+//! Reconstructions in closed form. Each is a check of the search, and faster if it applies.
 //!
 //! | known | unknown | function |
 //! |---|---|---|
-//! | crush energy, the directions of motion and their proportions: a barrier with a known crab angle | how fast | [`at_crush_energy`] |
+//! | crush energy, the directions of motion and their proportions: a barrier with a known crab angle | the speed | [`at_crush_energy`] |
 //! | crush energy, e, the compliance along the force | the normal closing speed | [`closing_speed`] |
 //! | crush energy, e, the velocities after it, two vehicles on one line through both centers of mass | the velocities before | [`Collinear::before`] |
-//! | crush energy, both motions after it, the impulse ratio or the heading that one vehicle drove along | both motions before, e | [`before_separation`] |
+//! | crush energy, both motions after it, the impulse ratio or the heading along which one vehicle drove | both motions before, e | [`before_separation`] |
 //!
-//! All of them run on any scalar that has roots, so their derivatives come with them.
+//! All of them run on any scalar with square roots, including dual numbers for derivatives.
 
 use crate::body::Body;
 use crate::collision::Collision;
@@ -19,10 +19,10 @@ use crate::moment::Moment;
 use crate::scalar::Real;
 use crate::vehicle::{Party, Vehicle};
 
-/// The collision of the same directions and proportions of all motions whose crush energy is the given one, in J.
+/// Returns the collision with the same directions and proportions of all motions and the given crush energy, in J.
 ///
-/// Works grow with the square of the speeds, so every motion is multiplied by √(E_C/−W_n). With a barrier and a known crab angle this is the reconstruction of the
-/// paper's Table B2. Not for a given moment impulse, which does not grow with the speeds.
+/// Works grow with the square of the speeds, so every motion is multiplied by √(E_C/−W_n). With a barrier and a known crab angle this is the reconstruction
+/// of the paper's Table B2. Not valid for a given moment impulse, which does not grow with the speeds.
 ///
 /// ```
 /// use planar_impact::reconstruct::closed_form::at_crush_energy;
@@ -40,12 +40,12 @@ use crate::vehicle::{Party, Vehicle};
 /// # Ok::<(), Refusals>(())
 /// ```
 pub fn at_crush_energy<T: Real>(collision: &Collision<T>, crush_energy: T) -> Collision<T> {
-    let factor = (crush_energy / -collision.evaluate().work.n).sqrt();
+    let factor = (crush_energy / -collision.evaluate().work.n).square_root();
     let faster = |party: &Party<T>| match party {
         Party::Barrier => Party::Barrier,
         Party::Vehicle(vehicle) => {
             let mut vehicle = vehicle.clone();
-            vehicle.motion.velocity = vehicle.motion.velocity * factor.clone();
+            vehicle.motion.velocity *= factor.clone();
             vehicle.motion.yaw_rate = vehicle.motion.yaw_rate * factor.clone();
             Party::Vehicle(vehicle)
         }
@@ -53,20 +53,21 @@ pub fn at_crush_energy<T: Real>(collision: &Collision<T>, crush_energy: T) -> Co
     Collision { one: faster(&collision.one), two: faster(&collision.two), ..collision.clone() }
 }
 
-/// The normal closing speed |v_n| in m/s at which the normal impulse does the work E_C: v_n² = 2 k E_C/(1 − e²).
+/// Returns the normal closing speed |v_n| in m/s at which the work of the normal impulse is −E_C: v_n² = 2 k E_C/(1 − e²).
 ///
-/// k is the change of normal velocity by a unit of normal impulse, K_nn + μ K_nt (`Compliance::along_ratio`) in 1/kg; of two point masses on one line 1/m₁ + 1/m₂.
+/// k is the change of normal velocity by a unit of normal impulse, K_nn + μ K_nt (`Compliance::along_ratio`) in 1/kg; for two point masses on one line it is
+/// 1/m₁ + 1/m₂.
 pub fn closing_speed<T: Real>(compliance: T, restitution: T, crush_energy: T) -> T {
     let both = (T::int(1) - restitution.clone()) * (T::int(1) + restitution);
-    (T::int(2) * compliance * crush_energy / both).sqrt()
+    (T::int(2) * compliance * crush_energy / both).square_root()
 }
 
 /// Two vehicles that collide on one line through both centers of mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collinear<T = f64> {
-    /// 1/m of vehicle 1 in 1/kg; zero of a barrier.
+    /// 1/m of vehicle 1 in 1/kg; zero for a barrier.
     pub inverse_mass_1: T,
-    /// 1/m of vehicle 2.
+    /// 1/m of vehicle 2 in 1/kg; zero for a barrier.
     pub inverse_mass_2: T,
     /// Coefficient of restitution e.
     pub restitution: T,
@@ -77,21 +78,21 @@ pub struct Collinear<T = f64> {
 /// The velocities of two vehicles along one line, in m/s. Vehicle 1 comes from below, vehicle 2 from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlongLine<T = f64> {
-    /// Of vehicle 1.
+    /// Velocity of vehicle 1.
     pub one: T,
-    /// Of vehicle 2.
+    /// Velocity of vehicle 2.
     pub two: T,
 }
 
 impl<T: Real> Collinear<T> {
-    /// The impulse between them, in N s: P² = 2 E_C (1 + e)/((1 − e) k).
+    /// Returns the impulse between them, in N s: P² = 2 E_C (1 + e)/((1 − e) k).
     pub fn impulse(&self) -> T {
         let compliance = self.inverse_mass_1.clone() + self.inverse_mass_2.clone();
         let (plus, minus) = (T::int(1) + self.restitution.clone(), T::int(1) - self.restitution.clone());
-        (T::int(2) * self.crush_energy.clone() * plus / (minus * compliance)).sqrt()
+        (T::int(2) * self.crush_energy.clone() * plus / (minus * compliance)).square_root()
     }
 
-    /// The velocities before the impact, from that of vehicle 1 after it.
+    /// Returns the velocities before the impact, from that of vehicle 1 after it.
     pub fn before(&self, one_after: T) -> AlongLine<T> {
         let impulse = self.impulse();
         let compliance = self.inverse_mass_1.clone() + self.inverse_mass_2.clone();
@@ -101,7 +102,7 @@ impl<T: Real> Collinear<T> {
     }
 }
 
-/// What fixes the direction of the impulse, where both motions after the impact are known.
+/// The condition on the direction of the impulse if both motions after the impact are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction<T = f64> {
     /// The impulse ratio μ = P_t/P_n.
@@ -110,15 +111,15 @@ pub enum Direction<T = f64> {
     AlongHeading(Side),
 }
 
-/// The collisions that end in the motions that `after` has, with a given crush energy in J. There are two, as there are two roots of
+/// Returns the collisions that end in the motions of `after`, with a given crush energy in J. There are two, the roots of
 ///
 /// ```text
 /// E_C = ½ P_n (2 V_n + (K P)_n)
 /// ```
 ///
-/// along the line of impulses that the direction allows; [`Collision::solve`] tells which of them is possible. At e = 0, with V_n = 0, and a given ratio they are ±√(2 E_C/k).
-/// The restitution e = −V_n/v_n and the ratio follow, and are those of the results. Those of `after` do not matter. None where the direction allows no such energy, or a party that
-/// should drive along its heading is a barrier.
+/// along the line of impulses that the direction allows; [`Collision::solve`] decides which of them is possible. At e = 0, with V_n = 0, and a given ratio
+/// they are ±√(2 E_C/k). The results contain the restitution e = −V_n/v_n and the ratio that follow; those of `after` are not used. Returns `None` if the
+/// direction does not allow this energy, or a party that should drive along its heading is a barrier.
 ///
 /// ```
 /// use planar_impact::reconstruct::closed_form::{Direction, before_separation};
@@ -151,7 +152,7 @@ pub fn before_separation<T: Real<Mask = bool>>(
         Direction::AlongHeading(side) => line_of_heading(after, &contact, side)?,
     };
     let separation = contact.approach.clone();
-    let (k_fixed, k_along) = (contact.compliance.yield_to(fixed.clone()).n, contact.compliance.yield_to(along.clone()).n);
+    let (k_fixed, k_along) = (contact.compliance.velocity_change(fixed.clone()).n, contact.compliance.velocity_change(along.clone()).n);
     let two_v = T::int(2) * separation.n.clone() + k_fixed;
     // ½ (fixed_n + s along_n) (2 V_n + (K fixed)_n + s (K along)_n) − E_C = a s² + b s + c
     let a = (along.n.clone() * k_along.clone()).half();
@@ -161,12 +162,12 @@ pub fn before_separation<T: Real<Mask = bool>>(
     if discriminant.less(&T::int(0)) {
         return None;
     }
-    let (root, twice_a) = (discriminant.sqrt(), T::int(2) * a);
+    let (root, twice_a) = (discriminant.square_root(), T::int(2) * a);
     let of = |s: T| before(after, &contact, fixed.clone() + along.clone() * s);
     Some([of((-b.clone() + root.clone()) / twice_a.clone()), of((-b - root) / twice_a)])
 }
 
-/// The impulses P that leave a vehicle driving along its heading before it, V ∓ P/m, as a point and a direction.
+/// Returns the impulses P after which a vehicle was driving along its heading before the impact, V ∓ P/m, as a point and a direction.
 fn line_of_heading<T: Real>(after: &Collision<T>, contact: &Contact<T>, side: Side) -> Option<(Nt<T>, Nt<T>)> {
     let (party, body, sign) = match side {
         Side::One => (&after.one, &contact.one, T::int(1)),
@@ -179,18 +180,18 @@ fn line_of_heading<T: Real>(after: &Collision<T>, contact: &Contact<T>, side: Si
     Some((fixed, along))
 }
 
-/// The collision before an impulse on vehicle 1.
+/// Returns the collision before an impulse on vehicle 1.
 fn before<T: Real>(after: &Collision<T>, contact: &Contact<T>, impulse: Nt<T>) -> Collision<T> {
     let of = |party: &Party<T>, body: &Body<T>, impulse: Nt<T>| match party {
         Party::Barrier => Party::Barrier,
         Party::Vehicle(vehicle) => {
             let mut vehicle = vehicle.clone();
-            vehicle.motion.velocity = vehicle.motion.velocity - after.crush_plane.to_ground(body.delta_v(impulse.clone()));
+            vehicle.motion.velocity -= after.crush_plane.to_ground(body.delta_v(impulse.clone()));
             vehicle.motion.yaw_rate = vehicle.motion.yaw_rate - body.delta_yaw_rate(impulse);
             Party::Vehicle(vehicle)
         }
     };
-    let approach = contact.approach.clone() + contact.compliance.yield_to(impulse.clone());
+    let approach = contact.approach.clone() + contact.compliance.velocity_change(impulse.clone());
     Collision {
         one: of(&after.one, &contact.one, impulse.clone()),
         two: of(&after.two, &contact.two, -impulse.clone()),

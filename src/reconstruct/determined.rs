@@ -1,46 +1,38 @@
-//! What the evidence determines, by singular values.
+//! Directions determined by the evidence, from singular values.
 
-use nalgebra::{DMatrix, Dyn, SVD};
+use nalgebra::DMatrix;
 
 use super::variable::Variable;
+use crate::least_squares::decomposed;
 
-/// The share of the largest singular value below which a direction changes no piece of evidence.
+/// Share of the largest singular value below which a direction changes no piece of evidence.
 const NOTHING: f64 = 1e-9;
 
-/// What is rounding in a derivative beside what it is the derivative of.
+/// The relative size of rounding in a derivative.
 const ROUNDING: f64 = 1e-11;
 
-/// Singular values and directions; none where there are none, as of what is not a number.
-fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
-    /// More rotations than any matrix of this size takes.
-    const ROTATIONS: usize = 10_000;
-    if matrix.iter().any(|entry| !entry.is_finite()) {
-        return None;
-    }
-    SVD::try_new(matrix, false, true, f64::EPSILON, ROTATIONS)
-}
-
-/// A way in which the unknowns can move together without any piece of evidence noticing, to first order.
+/// A combination of changes of the unknowns that changes no piece of evidence, to first order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
-    /// The unknowns that move, and by how much beside each other, in SI units; the largest in its scale (1 m/s, 1 rad/s, 0.1 of the rest) moves by that.
+    /// The unknowns that change, and their changes relative to each other, in SI units; the largest in its scale (1 m/s, 1 rad/s, 0.1 of other quantities)
+    /// changes by that scale.
     pub parts: Vec<(Variable, f64)>,
 }
 
 impl Direction {
-    /// The unknowns that move.
+    /// Returns the unknowns that change.
     pub fn variables(&self) -> impl Iterator<Item = Variable> {
         self.parts.iter().map(|(variable, _)| *variable)
     }
 }
 
-/// The directions of the unknowns that no evidence notices, from derivatives of the evidence by the unknowns in their scales.
+/// Returns the directions of the unknowns that the evidence does not constrain, from derivatives of the evidence by the scaled unknowns.
 ///
-/// Rows are brought to the same size first: how well a piece of evidence is known says nothing of what it is evidence of. A row that is rounding beside the
-/// `sizes` of what it is the derivative of is none.
+/// Rows are normalized first, because the uncertainty of a piece of evidence does not affect which unknowns it constrains. A row at rounding level relative
+/// to `sizes`, the sizes of the evidence, counts as zero.
 pub(super) fn blind(derivatives: &DMatrix<f64>, sizes: &[f64]) -> Vec<Vec<f64>> {
     let unknowns = derivatives.ncols();
-    // Bounds hold them all.
+    // Active bounds limit all unknowns.
     if unknowns == 0 {
         return Vec::new();
     }
@@ -59,24 +51,24 @@ pub(super) fn blind(derivatives: &DMatrix<f64>, sizes: &[f64]) -> Vec<Vec<f64>> 
     (0..unknowns).filter(is_blind).map(|k| directions.row(k).iter().copied().collect()).collect()
 }
 
-/// The direction that the evidence notices least, of length 1; none without unknowns.
-pub(super) fn weakest(derivatives: &DMatrix<f64>) -> Option<Vec<f64>> {
+/// Returns the direction that the evidence constrains least, of length 1, or `None` without unknowns.
+pub(super) fn weakest(derivatives: DMatrix<f64>) -> Option<Vec<f64>> {
     if derivatives.is_empty() {
         return None;
     }
-    let svd = decomposed(derivatives.clone())?;
+    let svd = decomposed(derivatives)?;
     // Singular values are in descending order.
     let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
     Some(last)
 }
 
-/// Whether a part of a direction is more than rounding beside its largest.
+/// Returns `true` if a part of a direction is above rounding relative to its largest part.
 pub(super) fn is_moved(part: f64, direction: &[f64]) -> bool {
     let largest = direction.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
     part.abs() > 1e-6 * largest
 }
 
-/// A direction in scales, in units, without what is rounding.
+/// Converts a direction from scales to units, without parts at rounding level.
 pub(super) fn named(direction: &[f64], variables: &[Variable], scales: &[f64]) -> Direction {
     let largest = direction.iter().fold(0.0_f64, |largest, part| if part.abs() > largest.abs() { *part } else { largest });
     let part = |i: usize| (variables[i], direction[i] / largest * scales[i]);
@@ -117,6 +109,6 @@ mod tests {
     fn what_is_no_number_has_no_directions() {
         let derivatives = DMatrix::from_row_slice(2, 2, &[1.0, f64::NAN, f64::INFINITY, 1.0]);
         assert!(blind(&derivatives, &[1.0; 2]).len() <= 2);
-        assert_eq!(weakest(&derivatives), None);
+        assert_eq!(weakest(derivatives), None);
     }
 }

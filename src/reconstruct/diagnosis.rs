@@ -1,7 +1,7 @@
-//! What a reconstruction looks like beside what is known of such crashes: one figure, one limit with its source and one sentence for each question.
+//! Comparison of a reconstruction with published crashes: one figure, one limit with its source and one sentence for each question.
 //!
-//! The questions are those that users of EDCRASH are used to from its run-time diagnostics, and the guideline of the paper. A figure outside its limit is no proof that the
-//! reconstruction is wrong; it is what to look at first.
+//! The questions are those of EDCRASH's run-time diagnostics, and of the guideline of the paper. A figure outside its limit does not prove that the
+//! reconstruction is wrong; it indicates what to examine first.
 
 mod coefficients;
 mod force;
@@ -10,28 +10,28 @@ mod motion;
 
 pub use meaning::Meaning;
 
-use super::given::Reconstruction;
+use super::given::ReconstructionProblem;
 use super::solution::Solution;
 use crate::crush::{ForceLine, Profile, StiffnessZones};
-use crate::impact::ForceOrigin;
+use crate::impact::ForceDirection;
 
-/// How far below its bound a figure has to be to be within it, where sitting on the bound is what is asked about.
+/// Margin by which a figure must be below its bound to be within it, if the question is about sitting on the bound.
 const ON_BOUND: f64 = 1e-9;
 
-/// A question that a reconstruction is asked.
+/// A diagnostic question about a reconstruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Question {
     /// Do the crush forces of the two vehicles balance (Newton's third law)?
     ForceBalance,
-    /// Are the principal directions of force that were read off the two vehicles opposite?
+    /// Are the measured principal directions of force on the two vehicles opposite?
     OppositeForces,
-    /// Does each vehicle turn the way the moment of the force turns it?
+    /// Does each vehicle rotate in the direction of the moment of the force?
     Rotation,
-    /// Do the vehicles reach a common velocity where they touch?
+    /// Do the vehicles reach a common velocity at the contact?
     CommonVelocity,
     /// Do the vehicles share the crush energy as their stiffness says?
     CrushShare,
-    /// Is the restitution one that crash tests show at this closing speed?
+    /// Is the restitution consistent with crash tests at this closing speed?
     Restitution,
     /// Is the restitution on its upper bound (the paper's guideline)?
     RestitutionBound,
@@ -44,7 +44,7 @@ pub enum Question {
 pub enum Figure {
     /// A plain number.
     Number(f64),
-    /// A share, to be read in per cent.
+    /// A share, to be displayed in percent.
     Share(f64),
     /// An angle in rad.
     Angle(f64),
@@ -56,23 +56,23 @@ pub enum Figure {
     Force(f64),
 }
 
-/// What is expected of a figure.
+/// The expected range of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     /// At most this.
     AtMost(Figure),
-    /// From the one to the other.
+    /// From the first to the second.
     Between(Figure, Figure),
-    /// The same sign as what it is compared with.
+    /// The same sign as the quantity it is compared with.
     SameSign,
 }
 
-/// How a figure lies to its limit.
+/// Position of a figure relative to its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// Within it.
+    /// Within its limit.
     Within,
-    /// Outside.
+    /// Outside its limit.
     Outside,
     /// There is nothing to compare.
     NotChecked,
@@ -83,15 +83,15 @@ pub enum Reading {
 pub struct Finding {
     /// The question.
     pub question: Question,
-    /// How the figure lies to its limit.
+    /// Position of the figure relative to its limit.
     pub reading: Reading,
-    /// The figure; none where there is nothing to compare.
+    /// The figure; `None` if there is nothing to compare.
     pub figure: Option<Figure>,
-    /// What is expected of it.
+    /// Its expected range.
     pub limit: Limit,
-    /// Where that comes from.
+    /// Source of the limit.
     pub source: &'static str,
-    /// What it means.
+    /// A sentence on the figure.
     pub meaning: Meaning,
 }
 
@@ -100,12 +100,12 @@ pub struct Finding {
 pub struct Damage {
     /// The crush energy, in J.
     pub crush_energy: f64,
-    /// The force that the crush has taken at its end, normal to the surface, in N; none where it is not known.
+    /// The force at the end of the crush, normal to the surface, in N; `None` if unknown.
     pub force: Option<f64>,
-    /// How the force grows with the depth, over the whole width, in N/m; none where it does not grow so.
+    /// Increase of the force with the depth, over the whole width, in N/m; `None` if it does not grow with depth.
     pub stiffness: Option<f64>,
-    /// Where the principal force comes from, as read off the vehicle.
-    pub force_origin: Option<ForceOrigin>,
+    /// Direction the principal force comes from, as observed on the vehicle.
+    pub force_direction: Option<ForceDirection>,
 }
 
 impl Question {
@@ -121,7 +121,7 @@ impl Question {
         Question::ImpulseRatio,
     ];
 
-    /// Its name in reports.
+    /// Returns its name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Question::ForceBalance => "balance of crush forces",
@@ -137,13 +137,26 @@ impl Question {
 }
 
 impl Damage {
-    /// Of a crush profile and the stiffness along it.
+    /// Creates the damage from a crush profile and the stiffness along it.
     pub fn of(profile: &Profile, zones: &StiffnessZones) -> Self {
         let lines = zones.moments(profile).zip(zones.zones()).map(|(moments, zone)| (moments, ForceLine::from(*zone)));
         let (force, stiffness) = lines.fold((0.0, 0.0), |(force, stiffness), (moments, line)| {
             (force + line.onset * moments.width() + line.slope * moments.second, stiffness + line.slope * moments.width())
         });
-        Damage { crush_energy: zones.crush_energy(profile), force: Some(force), stiffness: Some(stiffness), force_origin: None }
+        let damage =
+            Damage { crush_energy: zones.crush_energy(profile), force: Some(force), stiffness: Some(stiffness), force_direction: None };
+        // A profile without depth implies no force, and did not test its stiffness.
+        if profile.depths().iter().all(|depth| *depth <= 0.0) { damage.without_force() } else { damage }
+    }
+
+    /// Returns the damage if the force stops growing at a depth: with another crush energy, and without the force and the stiffness that follow from the
+    /// depth.
+    pub fn saturated(self, crush_energy: f64) -> Self {
+        Damage { crush_energy, ..self.without_force() }
+    }
+
+    fn without_force(self) -> Self {
+        Damage { force: None, stiffness: None, ..self }
     }
 }
 
@@ -159,7 +172,7 @@ impl Finding {
 }
 
 impl Figure {
-    /// The number, whatever its kind, in SI.
+    /// Returns the number, whatever its kind, in SI.
     pub fn value(self) -> f64 {
         match self {
             Figure::Number(value)
@@ -173,9 +186,9 @@ impl Figure {
 }
 
 impl Limit {
-    /// Whether a figure is within it. A figure that is not a number is not.
+    /// Returns `true` if a figure is within the limit; NaN is not.
     pub fn admits(self, figure: Figure) -> bool {
-        /// What rounding may take a figure beyond its limit by.
+        /// Accepted rounding of a figure beyond its limit.
         const ROUNDING: f64 = 1e-12;
         let value = figure.value();
         match self {
@@ -187,11 +200,11 @@ impl Limit {
 }
 
 impl Solution {
-    /// What this solution looks like beside what is known of such crashes: one finding for each [`Question`], and for the rotation one for each vehicle whose
-    /// separation yaw rate is evidence.
+    /// Compares this solution with published crashes: returns one finding for each [`Question`], and for the rotation one for each vehicle whose separation
+    /// yaw rate is evidence.
     ///
-    /// `damage` is the crush of vehicle 1 and of vehicle 2, where it was measured.
-    pub fn diagnose(&self, question: &Reconstruction, damage: &[Option<Damage>; 2]) -> Vec<Finding> {
+    /// `damage` is the crush of vehicle 1 and of vehicle 2, if it was measured.
+    pub fn diagnose(&self, question: &ReconstructionProblem, damage: &[Option<Damage>; 2]) -> Vec<Finding> {
         let mut findings = vec![force::balance(self, damage), force::opposite(self, damage)];
         findings.extend(motion::rotation(self));
         findings.push(motion::common_velocity(self));

@@ -1,59 +1,58 @@
-//! The question: a collision, what of it is unknown, and what is known instead.
+//! The problem: a collision, its unknowns, and the evidence.
 
-use super::measurable::Measurable;
-use super::problem::{Problems, check};
+use super::measurand::Measurand;
 use super::variable::Variable;
 use crate::collision::Collision;
 
-/// How well a piece of evidence is known.
+/// Uncertainty of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Uncertainty {
     /// Its standard deviation, in its unit.
     StandardDeviation(f64),
-    /// The step that it is read or recorded in: anything within half a step is as likely, so its standard deviation is the step over √12.
+    /// The step in which it is read or recorded: anything within half a step is equally likely, so its standard deviation is the step over √12.
     Resolution(f64),
-    /// As good as known: it is held to a millionth of its size, and adds nothing to the uncertainty of the answer.
+    /// Exact: it is met to a millionth of its size, and adds nothing to the uncertainty of the answer.
     Exact,
 }
 
 /// Something known of the crash.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
-    /// What it is of.
-    pub of: Measurable,
+    /// The measurand.
+    pub of: Measurand,
     /// Its value, in SI.
     pub value: f64,
-    /// How well it is known.
+    /// Its uncertainty.
     pub uncertainty: Uncertainty,
 }
 
 /// Something to be solved for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unknown {
-    /// What it is.
+    /// The variable.
     pub of: Variable,
-    /// Where the first search starts, in SI.
+    /// Start of the first search, in SI.
     pub start: f64,
-    /// The least it may be; none where only the mechanics says so.
+    /// The lower bound; `None` if only the mechanics limits it.
     pub min: Option<f64>,
-    /// The most it may be.
+    /// The upper bound; `None` if only the mechanics limits it.
     pub max: Option<f64>,
-    /// How well `start` is known beforehand, as a standard deviation: then it is evidence too.
+    /// Standard deviation of prior knowledge of `start`, which makes it evidence too; `None` without a prior.
     pub prior: Option<f64>,
 }
 
-/// Two pieces of evidence whose errors go together, as those of one vehicle that a path to rest has been traced back from.
+/// Two pieces of evidence with correlated errors, such as two velocities of one vehicle from the same rest position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// One piece.
-    pub one: Measurable,
+    pub one: Measurand,
     /// The other.
-    pub other: Measurable,
+    pub other: Measurand,
     /// Their coefficient of correlation, between −1 and 1.
     pub coefficient: f64,
 }
 
-/// What is asked: the collision, what of it is unknown, and the evidence.
+/// A reconstruction problem: the collision, its unknowns, and the evidence.
 ///
 /// ```
 /// use planar_impact::reconstruct::*;
@@ -68,52 +67,53 @@ pub struct Correlation {
 /// #     impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, moment: Moment::None,
 /// # };
 /// // Vehicle 2 is known to have gone at 12 m/s; how fast was vehicle 1, if the crush took 80 kJ ± 4 kJ?
-/// let question = Reconstruction::of(collision)
+/// let question = ReconstructionProblem::of(collision)
 ///     .unknown(Variable::Speed(Side::One), 10.0)
-///     .evidence(Measurable::CrushEnergy, 80e3, Uncertainty::StandardDeviation(4e3));
+///     .evidence(Measurand::CrushEnergy, 80e3, Uncertainty::StandardDeviation(4e3));
 /// let answer = question.solve(&Search::default())?;
 /// assert_eq!(answer.verdict, Verdict::Agrees);
 /// let speed = &answer.best().unknowns[0];
 /// println!("{:.1} m/s ± {:.1} m/s", speed.value, speed.sd.unwrap_or(f64::NAN));
 /// # assert!((answer.best().impact.work.n + 80e3).abs() < 1e-6);
-/// # Ok::<(), Unsolved>(())
+/// # Ok::<(), SolveError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reconstruction {
-    /// The collision. What it has for the unknowns does not matter.
+pub struct ReconstructionProblem {
+    /// The collision. Its values of the unknowns are not used.
     pub collision: Collision,
-    /// What is solved for.
+    /// The unknowns.
     pub unknowns: Vec<Unknown>,
-    /// What is known of the crash.
+    /// The evidence.
     pub evidence: Vec<Evidence>,
-    /// Evidence whose errors go together.
+    /// Correlations between pieces of evidence.
     pub correlations: Vec<Correlation>,
-    /// Whether vehicle 1 and vehicle 2 drive along their headings: a heading that is unknown then turns the velocity with it. One whose speed is unknown does.
+    /// `true` if vehicle 1 or vehicle 2 drives along its heading: an unknown heading then also rotates the velocity. A vehicle whose speed is unknown always
+    /// does.
     pub drives_along_heading: [bool; 2],
-    /// The share of the crush energy that vehicle 1 has, where it is known.
+    /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
 }
 
-/// How an answer is searched for.
+/// Settings of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
-    /// How many starts there are: the first the given one, the others drawn within the bounds. With more than one, a few searches beside the solutions follow.
+    /// Number of starts: the first is given, the others are drawn within the bounds. With more than one, a few searches near the solutions follow.
     pub starts: usize,
     /// Seed of those draws.
     pub seed: u64,
-    /// The most steps that one search takes.
+    /// Maximum number of steps of one search.
     pub iterations: usize,
 }
 
 impl Default for Search {
-    /// 64 starts of at most 200 steps, always with the same seed.
+    /// Returns 64 starts of at most 200 steps, always with the same seed.
     fn default() -> Self {
         Search { starts: 64, seed: 1, iterations: 200 }
     }
 }
 
 impl Uncertainty {
-    /// The standard deviation; none of what is exact.
+    /// Returns the standard deviation, or `None` if it is exact.
     pub fn standard_deviation(self) -> Option<f64> {
         match self {
             Uncertainty::StandardDeviation(sd) => Some(sd),
@@ -124,27 +124,32 @@ impl Uncertainty {
 }
 
 impl Evidence {
-    /// What a residual is divided by.
+    /// Returns its size, at least the smallest size of its kind, to which relative tolerances refer.
+    pub(super) fn size(&self) -> f64 {
+        self.value.abs().max(self.of.least_size())
+    }
+
+    /// Returns the divisor of a residual.
     pub(super) fn weight_scale(&self) -> f64 {
-        /// The share of its size that something exact is held to.
+        /// Tolerance of exact evidence as a share of its size.
         const EXACT: f64 = 1e-6;
         let sd = self.uncertainty.standard_deviation();
-        sd.unwrap_or_else(|| EXACT * self.value.abs().max(self.of.least_size()))
+        sd.unwrap_or_else(|| EXACT * self.size())
     }
 }
 
 impl Unknown {
-    /// What its prior says, if it has one.
+    /// Returns its prior as evidence, if it has one.
     pub(super) fn as_evidence(&self) -> Option<Evidence> {
         let sd = self.prior?;
-        Some(Evidence { of: Measurable::Variable(self.of), value: self.start, uncertainty: Uncertainty::StandardDeviation(sd) })
+        Some(Evidence { of: Measurand::Variable(self.of), value: self.start, uncertainty: Uncertainty::StandardDeviation(sd) })
     }
 }
 
-impl Reconstruction {
-    /// Of a collision, so far with nothing unknown and no evidence.
+impl ReconstructionProblem {
+    /// Creates a problem from a collision, without unknowns and evidence.
     pub fn of(collision: Collision) -> Self {
-        Reconstruction {
+        ReconstructionProblem {
             collision,
             unknowns: Vec::new(),
             evidence: Vec::new(),
@@ -154,49 +159,40 @@ impl Reconstruction {
         }
     }
 
-    /// With one more unknown, without bounds of its own.
+    /// Adds an unknown without bounds of its own.
     #[must_use]
     pub fn unknown(self, of: Variable, start: f64) -> Self {
         self.with(Unknown { of, start, min: None, max: None, prior: None })
     }
 
-    /// With one more unknown, between two bounds.
+    /// Adds an unknown between two bounds.
     #[must_use]
     pub fn between(self, of: Variable, start: f64, min: f64, max: f64) -> Self {
         self.with(Unknown { of, start, min: Some(min), max: Some(max), prior: None })
     }
 
-    /// With one more unknown that something is known of beforehand: a value and its standard deviation.
+    /// Adds an unknown with prior knowledge: a value and its standard deviation.
     #[must_use]
     pub fn prior(self, of: Variable, value: f64, sd: f64) -> Self {
         self.with(Unknown { of, start: value, min: None, max: None, prior: Some(sd) })
     }
 
-    /// With one more unknown.
+    /// Adds an unknown.
     #[must_use]
     pub fn with(mut self, unknown: Unknown) -> Self {
         self.unknowns.push(unknown);
         self
     }
 
-    /// With one more piece of evidence.
+    /// Adds a piece of evidence.
     #[must_use]
-    pub fn evidence(mut self, of: Measurable, value: f64, uncertainty: Uncertainty) -> Self {
+    pub fn evidence(mut self, of: Measurand, value: f64, uncertainty: Uncertainty) -> Self {
         self.evidence.push(Evidence { of, value, uncertainty });
         self
     }
 
-    /// The evidence, and what the priors say after it.
+    /// Returns the evidence, followed by the priors.
     pub(super) fn all_evidence(&self) -> Vec<Evidence> {
         self.evidence.iter().copied().chain(self.unknowns.iter().filter_map(Unknown::as_evidence)).collect()
-    }
-
-    /// Whether the question can be asked.
-    ///
-    /// # Errors
-    ///
-    /// Every problem with it, from a bound above another to more unknowns than evidence.
-    pub fn check(&self) -> Result<(), Problems> {
-        check(self)
     }
 }

@@ -1,19 +1,21 @@
-//! What the evidence is off by at given unknowns, and how that moves.
+//! Residuals of the evidence at given unknowns, and their derivatives.
 
 use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual64, HyperDual64};
 
-use super::given::{Evidence, Reconstruction};
-use super::scene::{Placed, Scene};
+use super::given::{Evidence, ReconstructionProblem};
+use super::placed::Placed;
+use super::scene::Scene;
+use super::variable::turns;
 use super::weight::Weights;
 use crate::impact::Impact;
 use crate::least_squares::Residuals;
 use crate::refusal::Refusals;
 use crate::scalar::Real;
 
-/// A question ready to be computed with.
+/// A reconstruction problem prepared for computation.
 pub(super) struct Model<'a> {
-    pub(super) question: &'a Reconstruction,
+    pub(super) question: &'a ReconstructionProblem,
     /// The evidence, then the priors.
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
@@ -21,17 +23,17 @@ pub(super) struct Model<'a> {
 }
 
 impl<'a> Model<'a> {
-    pub(super) fn of(question: &'a Reconstruction) -> Self {
+    pub(super) fn of(question: &'a ReconstructionProblem) -> Self {
         let evidence = question.all_evidence();
         Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question }
     }
 
-    /// The same with nothing held to less than a thousandth of its size: an easier way to near the solution. None where that is the same, or where all is held
-    /// so.
+    /// Returns the same model with no tolerance below a thousandth of the size of its evidence, with which a search approaches the solution more easily.
+    /// Returns `None` if that changes nothing, or changes all evidence.
     pub(super) fn softened(&self) -> Option<Self> {
-        /// The share of its size.
+        /// Smallest tolerance as a share of the size.
         const SOFT: f64 = 1e-3;
-        let softest = |evidence: &Evidence| SOFT * evidence.value.abs().max(evidence.of.least_size());
+        let softest = |evidence: &Evidence| SOFT * evidence.size();
         let is_tight = |evidence: &Evidence| evidence.weight_scale() < softest(evidence);
         if !self.evidence.iter().any(is_tight) || self.evidence.iter().all(is_tight) {
             return None;
@@ -43,37 +45,34 @@ impl<'a> Model<'a> {
         Some(soft)
     }
 
-    /// The collision at given unknowns and its impact.
+    /// Returns the collision at given unknowns and its impact.
     pub(super) fn solve(&self, unknowns: &[f64]) -> Result<(Placed<f64>, Impact), Refusals> {
         let placed = self.scene.place(unknowns);
         let impact = placed.collision.solve()?;
         Ok((placed, impact))
     }
 
-    /// What the evidence would be there.
-    pub(super) fn computed(&self, unknowns: &[f64]) -> Result<Vec<f64>, Refusals> {
-        let (placed, impact) = self.solve(unknowns)?;
-        Ok(self.measured(&placed, &impact))
-    }
-
-    fn measured<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
+    /// Returns the computed values of the evidence for a collision and its impact.
+    pub(super) fn measured<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
         let nothing = || T::int(0);
         self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect()
     }
 
-    /// Given less computed, angles by the shorter way.
+    /// Returns given less computed values, with angles the shorter way.
     pub(super) fn residuals(&self, computed: &[f64]) -> Vec<f64> {
         let residual = |(evidence, computed): (&Evidence, &f64)| {
             let difference = evidence.value - computed;
-            match evidence.of.period() {
-                Some(period) => difference - period * (difference / period).round(),
-                None => difference,
-            }
+            difference - turns(difference, evidence.of.period())
         };
         self.evidence.iter().zip(computed).map(residual).collect()
     }
 
-    /// The derivatives of what the evidence would be: a row for each piece, a column for each unknown.
+    fn residuals_at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
+        let (placed, impact) = self.solve(unknowns).ok()?;
+        Some(self.residuals(&self.measured(&placed, &impact)))
+    }
+
+    /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.
     pub(super) fn derivatives(&self, unknowns: &[f64]) -> DMatrix<f64> {
         let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
         let mut matrix = DMatrix::zeros(self.evidence.len(), unknowns.len());
@@ -89,7 +88,7 @@ impl<'a> Model<'a> {
         matrix
     }
 
-    /// The second derivatives of a sum of what the evidence would be, each piece times a factor.
+    /// Returns the second derivatives of a sum of the computed evidence, each piece times a factor.
     pub(super) fn curvature(&self, unknowns: &[f64], factors: &DVector<f64>) -> DMatrix<f64> {
         let n = unknowns.len();
         let mut point: Vec<HyperDual64> = unknowns.iter().copied().map(HyperDual64::from).collect();
@@ -113,9 +112,9 @@ impl<'a> Model<'a> {
 
 impl Residuals for Model<'_> {
     fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
-        let residuals = self.residuals(&self.computed(unknowns).ok()?);
+        let residuals = self.residuals_at(unknowns)?;
         let rows = self.weights.whiten(DMatrix::from_vec(residuals.len(), 1, residuals));
-        // What has no derivative, as the direction of a velocity of zero, stays out as what is impossible does.
+        // Undefined values, such as the direction of a zero velocity, are excluded like impossible collisions.
         rows.iter().all(|residual| residual.is_finite()).then(|| rows.data.into())
     }
 
@@ -123,8 +122,8 @@ impl Residuals for Model<'_> {
         -self.weights.whiten(self.derivatives(unknowns))
     }
 
-    fn bend(&self, unknowns: &[f64]) -> Option<DMatrix<f64>> {
-        let residuals = DVector::from_vec(self.residuals(&self.computed(unknowns).ok()?));
+    fn residual_hessian(&self, unknowns: &[f64]) -> Option<DMatrix<f64>> {
+        let residuals = DVector::from_vec(self.residuals_at(unknowns)?);
         Some(-self.curvature(unknowns, &self.weights.inverse_times(&residuals)))
     }
 }

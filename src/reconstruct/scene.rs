@@ -1,32 +1,24 @@
-//! The collision that given unknowns make, on any scalar, and what the evidence would be of it.
+//! The collision for given unknowns, on any scalar.
 
-use super::given::Reconstruction;
+use super::given::ReconstructionProblem;
+use super::placed::Placed;
 use super::variable::{Variable, party};
 use crate::collision::Collision;
-use crate::frame::{CrushPlane, ForwardLeft, Heading};
-use crate::input::{Input, Side};
+use crate::input::Side;
 use crate::scalar::Real;
-use crate::vehicle::{Party, Vehicle};
+use crate::vehicle::Party;
 
-/// A collision with the unknowns in their places.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Placed<T> {
-    pub(super) collision: Collision<T>,
-    /// The share of the crush energy that vehicle 1 has.
-    pub(super) crush_share: T,
-}
-
-/// Puts unknowns in their places.
+/// Inserts values of the unknowns into the collision.
 pub(super) struct Scene {
     base: Collision,
     variables: Vec<Variable>,
-    /// The speed of a vehicle that drives along its heading, where it is known.
+    /// The speed of a vehicle that drives along its heading, if it is known.
     speeds: [Option<f64>; 2],
     crush_share: f64,
 }
 
 impl Scene {
-    pub(super) fn of(question: &Reconstruction) -> Self {
+    pub(super) fn of(question: &ReconstructionProblem) -> Self {
         let speed = |side| {
             let driven = question.drives_along_heading[side as usize];
             party(&question.collision, side).vehicle().filter(|_| driven).map(super::variable::speed)
@@ -39,7 +31,7 @@ impl Scene {
         }
     }
 
-    /// The collision of given values of the unknowns, in their order.
+    /// Returns the collision for given values of the unknowns, in their order.
     pub(super) fn place<T: Real + Copy + From<f64>>(&self, values: &[T]) -> Placed<T> {
         let mut placed = Placed { collision: self.base.map(T::from), crush_share: T::from(self.crush_share) };
         let mut speeds = self.speeds.map(|speed| speed.map(T::from));
@@ -47,7 +39,8 @@ impl Scene {
             match *variable {
                 Variable::CrushShare => placed.crush_share = value,
                 Variable::Speed(side) => speeds[side as usize] = Some(value),
-                Variable::Input(input) => put(&mut placed.collision, input, value),
+                // An input that the collision does not have is reported by the check of the problem.
+                Variable::Input(input) => drop(placed.collision.set(input, value)),
             }
         }
         drive(&mut placed.collision.one, speeds[0]);
@@ -56,45 +49,9 @@ impl Scene {
     }
 }
 
-/// Lets a vehicle go at a speed along its heading.
-fn drive<T: Real>(party: &mut Party<T>, speed: Option<T>) {
-    if let (Party::Vehicle(vehicle), Some(forward)) = (party, speed) {
-        vehicle.motion.velocity = vehicle.heading.to_ground(ForwardLeft { forward, left: T::int(0) });
+/// Sets the velocity of a vehicle to a speed along its heading.
+fn drive<T: Real + Copy>(party: &mut Party<T>, speed: Option<T>) {
+    if let (Party::Vehicle(vehicle), Some(speed)) = (party, speed) {
+        *vehicle = vehicle.with_speed(speed);
     }
-}
-
-fn put<T: Real>(collision: &mut Collision<T>, input: Input, value: T) {
-    match input {
-        Input::CrushPlane => collision.crush_plane = CrushPlane::from_angle(value),
-        Input::Restitution => collision.restitution = value,
-        Input::ImpulseRatio => collision.impulse_ratio = collision.impulse_ratio.clone().map(|_| value.clone()),
-        Input::Moment => collision.moment = collision.moment.clone().map(|_| value.clone()),
-        _ => {
-            let party = match input.side() {
-                Some(Side::Two) => &mut collision.two,
-                _ => &mut collision.one,
-            };
-            if let Party::Vehicle(vehicle) = party {
-                put_in(vehicle, input, value);
-            }
-        }
-    }
-}
-
-fn put_in<T: Real>(vehicle: &mut Vehicle<T>, input: Input, value: T) {
-    let place = match input {
-        Input::Heading(_) => {
-            vehicle.heading = Heading::from_angle(value);
-            return;
-        }
-        Input::Mass(_) => &mut vehicle.mass,
-        Input::YawInertia(_) => &mut vehicle.yaw_inertia,
-        Input::ImpactCenterForward(_) => &mut vehicle.impact_center.forward,
-        Input::ImpactCenterLeft(_) => &mut vehicle.impact_center.left,
-        Input::VelocityX(_) => &mut vehicle.motion.velocity.x,
-        Input::VelocityY(_) => &mut vehicle.motion.velocity.y,
-        Input::YawRate(_) => &mut vehicle.motion.yaw_rate,
-        Input::CrushPlane | Input::Restitution | Input::ImpulseRatio | Input::Moment => return,
-    };
-    *place = value;
 }

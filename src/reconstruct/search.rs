@@ -1,4 +1,4 @@
-//! From many starts to every solution.
+//! Multistart search for every solution.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -6,56 +6,57 @@ use rand_distr::StandardNormal;
 
 use super::closed_form::at_crush_energy;
 use super::determined::{Direction, named, weakest};
-use super::given::{Reconstruction, Search, Unknown};
-use super::measurable::Measurable;
-use super::problem::{Stop, Unsolved};
+use super::given::{ReconstructionProblem, Search, Unknown};
+use super::measurand::Measurand;
 use super::residuals::Model;
 use super::scene::Scene;
-use super::solution::Solution;
-use super::variable::{Variable, party, speed};
+use super::solution::{Seen, Solution};
+use super::solve_error::{SolveError, Stop};
+use super::variable::{Variable, party, speed, turns};
 use super::verdict::{Answer, Verdict};
 use crate::input::Side;
-use crate::least_squares::{self, Minimum, NoMinimum, Residuals, Span, Stopped};
+use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
 use crate::moment::Moment;
+use crate::refusal::Refusal;
 use crate::vehicle::{Motion, Party};
 
-/// How near, in scales, two ends of a search are the same.
+/// Largest distance, in scales, of two results of a search that are the same.
 const SAME: f64 = 1e-5;
 
-/// How much larger χ² may be for a solution to count beside the best: chance makes it so in one case of a thousand.
+/// Largest excess of χ² over the best at which a solution counts as an alternative: by chance it is exceeded in one case of a thousand.
 const NEARLY_AS_GOOD: f64 = 10.83;
 
-/// How often a start is drawn again where the mechanics refuses it.
+/// Maximum number of draws of a start that the mechanics accepts.
 const DRAWS: usize = 200;
 
-impl Reconstruction {
-    /// Searches for every set of unknowns that the evidence is likeliest with.
+impl ReconstructionProblem {
+    /// Searches for every set of unknowns with maximum likelihood.
     ///
-    /// The same question gets the same answer, bit for bit.
+    /// The same problem has the same answer, bit for bit.
     ///
     /// # Errors
     ///
-    /// [`Unsolved`]: every problem with the question, or why the search came to no end.
-    pub fn solve(&self, search: &Search) -> Result<Answer, Unsolved> {
+    /// [`SolveError`]: every issue of the problem, or the reason why the search did not converge.
+    pub fn solve(&self, search: &Search) -> Result<Answer, SolveError> {
         self.check()?;
         let model = Model::of(self);
-        let spans: Vec<Span> = self.unknowns.iter().map(|unknown| span(self, unknown)).collect();
+        let spans: Vec<ParameterBounds> = self.unknowns.iter().map(|unknown| span(self, unknown)).collect();
         let found = Found::by(&model, &spans, &starts(&model, &spans, search)?, search)?;
         found.answer(&model, &spans, search)
     }
 }
 
-fn span(question: &Reconstruction, unknown: &Unknown) -> Span {
+fn span(question: &ReconstructionProblem, unknown: &Unknown) -> ParameterBounds {
     let (least, most) = unknown.of.domain(&question.collision);
-    Span {
+    ParameterBounds {
         min: unknown.min.unwrap_or(least),
         max: unknown.max.unwrap_or(most),
         scale: unknown.of.scale(&question.collision, unknown.start),
     }
 }
 
-/// Where the searches start: where the question says, and at points drawn at random. The mechanics refuses none of them.
-fn starts(model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Vec<Vec<f64>>, Unsolved> {
+/// Returns the starts of the searches: the given one, and points drawn at random. The mechanics accepts each of them.
+fn starts(model: &Model<'_>, spans: &[ParameterBounds], search: &Search) -> Result<Vec<Vec<f64>>, SolveError> {
     if let Some(speed) = speed_alone(model.question) {
         return Ok(vec![vec![speed.clamp(spans[0].min, spans[0].max)]]);
     }
@@ -70,20 +71,22 @@ fn starts(model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Vec<Vec<
         });
         match drawn {
             Some(point) => starts.push(point),
-            // Where hardly anything is possible, what was found will do.
+            // If hardly anything is possible, use the starts found so far.
             None => break,
         }
     }
-    match (starts.is_empty(), refused) {
-        (true, Some(refusals)) => Err(Unsolved::NoStart { starts: 1 + DRAWS, refusals }),
-        _ => Ok(starts),
+    if starts.is_empty() {
+        // A start that is not refused has residuals beyond the floats.
+        let refusals = refused.unwrap_or_else(|| Refusal::OutOfFloatRange.into());
+        return Err(SolveError::NoStart { starts: 1 + DRAWS, refusals });
     }
+    Ok(starts)
 }
 
-/// The speed that the crush energy alone tells, where nothing else moves: works grow with its square, so there is no other.
-fn speed_alone(question: &Reconstruction) -> Option<f64> {
+/// Returns the speed that the crush energy alone determines if nothing else moves: works grow with its square, so it is unique.
+fn speed_alone(question: &ReconstructionProblem) -> Option<f64> {
     let ([unknown], [evidence], []) = (&question.unknowns[..], &question.evidence[..], &question.correlations[..]) else { return None };
-    let (Variable::Speed(side), Measurable::CrushEnergy, None) = (unknown.of, evidence.of, unknown.prior) else { return None };
+    let (Variable::Speed(side), Measurand::CrushEnergy, None) = (unknown.of, evidence.of, unknown.prior) else { return None };
     let at_rest = |party: &Party| party.vehicle().is_none_or(|vehicle| vehicle.motion == Motion::rest());
     let other = match side {
         Side::One => &question.collision.two,
@@ -99,8 +102,9 @@ fn speed_alone(question: &Reconstruction) -> Option<f64> {
     party(&placed, side).vehicle().map(speed)
 }
 
-/// A value of an unknown: anywhere between its bounds; where one is missing, as far from the start as such unknowns are apart; by its prior where it has one.
-fn draw(question: &Reconstruction, i: usize, span: &Span, random: &mut ChaCha8Rng) -> f64 {
+/// Draws a value of an unknown: uniformly between its bounds; if one is missing, up to the spread of such unknowns from the start; from its prior if it has
+/// one.
+fn draw(question: &ReconstructionProblem, i: usize, span: &ParameterBounds, random: &mut ChaCha8Rng) -> f64 {
     let unknown = &question.unknowns[i];
     if let Some(sd) = unknown.prior {
         let normal: f64 = random.sample(StandardNormal);
@@ -112,65 +116,64 @@ fn draw(question: &Reconstruction, i: usize, span: &Span, random: &mut ChaCha8Rn
     from + (to - from) * random.random::<f64>()
 }
 
-/// An angle, as the turn of it that is nearest to the start, as far as the bounds allow.
-fn nearest_turn(x: f64, unknown: &Unknown, span: &Span) -> f64 {
-    let turned = unknown.of.period().map_or(x, |period| x - period * ((x - unknown.start) / period).round());
+/// Returns an angle in the turn nearest to the start, as far as the bounds allow.
+fn nearest_turn(x: f64, unknown: &Unknown, span: &ParameterBounds) -> f64 {
+    let turned = x - turns(x - unknown.start, unknown.of.period());
     if (span.min..=span.max).contains(&turned) { turned } else { x }
 }
 
-/// Where the searches ended.
+/// Results of the searches.
 struct Found {
-    /// Different least sums of squares with how many searches ended there, the least first.
+    /// Distinct minima with the number of searches that ended in each; the least sum of squares first.
     minima: Vec<(Minimum, usize)>,
-    /// Where the best of those that did not converge stopped.
-    nearest: Option<Stopped>,
+    /// The best of the searches that did not converge.
+    nearest: Option<NotConverged>,
     searches: usize,
 }
 
 impl Found {
-    fn by(model: &Model<'_>, spans: &[Span], starts: &[Vec<f64>], search: &Search) -> Result<Self, Unsolved> {
+    fn by(model: &Model<'_>, spans: &[ParameterBounds], starts: &[Vec<f64>], search: &Search) -> Result<Self, SolveError> {
         let mut found = Found { minima: Vec::new(), nearest: None, searches: 0 };
+        let soft = model.softened();
         for start in starts {
-            found.search_from(start, model, spans, search);
+            found.search_from(start, model, soft.as_ref(), spans, search);
         }
         if starts.len() > 1 {
             for twin in found.twins(model, spans) {
-                found.search_from(&twin, model, spans, search);
+                found.search_from(&twin, model, soft.as_ref(), spans, search);
             }
         }
         found.minima.sort_by(|one, other| one.0.sum_of_squares.total_cmp(&other.0.sum_of_squares));
         if found.minima.is_empty() { Err(found.not_converged(model)) } else { Ok(found) }
     }
 
-    fn search_from(&mut self, start: &[f64], model: &Model<'_>, spans: &[Span], search: &Search) {
+    /// Searches with the model, starting from the result of the softened model if there is one.
+    fn search_from(&mut self, start: &[f64], model: &Model<'_>, soft: Option<&Model<'_>>, spans: &[ParameterBounds], search: &Search) {
         self.searches += 1;
-        let near = model.softened().and_then(|soft| least_squares::minimum(&soft, start, spans, search.iterations).ok());
+        let near = soft.and_then(|soft| least_squares::minimum(soft, start, spans, search.iterations).ok());
         let start = near.as_ref().map_or(start, |near| &near.unknowns);
         match least_squares::minimum(model, start, spans, search.iterations) {
             Ok(minimum) => self.add(model, spans, minimum),
-            Err(NoMinimum::Stopped(stopped)) => {
+            Err(FitError::NotConverged(stopped)) => {
                 if self.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
                     self.nearest = Some(stopped);
                 }
             }
-            Err(NoMinimum::NoStart) => (),
+            Err(FitError::NoStart) => (),
         }
     }
 
-    /// Where a solution close to one that was found may lie: two that the evidence hardly tells apart lie along the direction that it notices least, too near to
-    /// each other for starts from afar to end at both.
-    fn twins(&self, model: &Model<'_>, spans: &[Span]) -> Vec<Vec<f64>> {
-        /// The first minima of so many have their twins looked for.
+    /// Returns starts near each minimum, in case of another solution close to it: two that the evidence barely distinguishes lie along the direction that it
+    /// constrains least, and too close to each other for distant starts to find both.
+    fn twins(&self, model: &Model<'_>, spans: &[ParameterBounds]) -> Vec<Vec<f64>> {
+        /// Number of minima for which this is done.
         const MINIMA: usize = 4;
-        /// How far off, in scales.
+        /// Distances from the minimum, in scales.
         const DISTANCES: [f64; 4] = [1e-3, -1e-3, 3e-2, -3e-2];
         let mut starts = Vec::new();
         for (minimum, _) in self.minima.iter().take(MINIMA) {
-            let mut jacobian = model.jacobian(&minimum.unknowns);
-            for (mut column, span) in jacobian.column_iter_mut().zip(spans) {
-                column *= span.scale;
-            }
-            let Some(direction) = weakest(&jacobian) else { continue };
+            let jacobian = least_squares::scaled(model.jacobian(&minimum.unknowns), spans);
+            let Some(direction) = weakest(jacobian) else { continue };
             for distance in DISTANCES {
                 let step = |i: usize| minimum.unknowns[i] + distance * direction[i] * spans[i].scale;
                 starts.push((0..spans.len()).map(|i| step(i).clamp(spans[i].min, spans[i].max)).collect());
@@ -179,16 +182,15 @@ impl Found {
         starts
     }
 
-    fn add(&mut self, model: &Model<'_>, spans: &[Span], mut minimum: Minimum) {
+    fn add(&mut self, model: &Model<'_>, spans: &[ParameterBounds], mut minimum: Minimum) {
         for ((x, span), unknown) in minimum.unknowns.iter_mut().zip(spans).zip(&model.question.unknowns) {
             *x = nearest_turn(*x, unknown, span);
         }
         let is_same = |other: &Minimum| {
             let far = |i: usize| {
                 let between = minimum.unknowns[i] - other.unknowns[i];
-                let of = model.question.unknowns[i].of;
-                let turns = of.period().map_or(0.0, |period| period * (between / period).round());
-                (between - turns).abs() > SAME * spans[i].scale
+                let period = model.question.unknowns[i].of.period();
+                (between - turns(between, period)).abs() > SAME * spans[i].scale
             };
             !(0..spans.len()).any(far)
         };
@@ -207,18 +209,18 @@ impl Found {
         self.minima.iter().map(|(_, searches)| searches).sum()
     }
 
-    fn not_converged(&self, model: &Model<'_>) -> Unsolved {
-        let best = self.minima.first().map(|(minimum, _)| Stopped {
+    fn not_converged(&self, model: &Model<'_>) -> SolveError {
+        let best = self.minima.first().map(|(minimum, _)| NotConverged {
             unknowns: minimum.unknowns.clone(),
             sum_of_squares: minimum.sum_of_squares,
             step: 0.0,
             iterations: minimum.iterations,
             toward: Vec::new(),
         });
-        let nowhere = Stopped { unknowns: Vec::new(), sum_of_squares: f64::NAN, step: f64::NAN, iterations: 0, toward: Vec::new() };
+        let nowhere = NotConverged { unknowns: Vec::new(), sum_of_squares: f64::NAN, step: f64::NAN, iterations: 0, toward: Vec::new() };
         let stopped = self.nearest.clone().or(best).unwrap_or(nowhere);
         let name = |(unknown, value): (&Unknown, &f64)| (unknown.of, *value);
-        Unsolved::NotConverged {
+        SolveError::NotConverged {
             searches: self.searches,
             converged: self.converged(),
             nearest: Stop {
@@ -231,29 +233,27 @@ impl Found {
         }
     }
 
-    fn answer(self, model: &Model<'_>, spans: &[Span], search: &Search) -> Result<Answer, Unsolved> {
+    fn answer(self, model: &Model<'_>, spans: &[ParameterBounds], search: &Search) -> Result<Answer, SolveError> {
         let converged = self.converged();
-        let solution = |(minimum, searches): &(Minimum, usize)| Solution::of(model, minimum, spans, *searches).ok();
-        let best_minimum = &self.minima[0];
-        let Some(best) = solution(best_minimum) else { return Err(self.not_converged(model)) };
-        let is_nearer = |stopped: &Stopped| stopped.sum_of_squares < best.chi_square;
+        let seen = |(minimum, searches): &(Minimum, usize)| Seen::of(model, minimum, spans, *searches);
+        let Some(Seen { solution: best, blind }) = seen(&self.minima[0]) else { return Err(self.not_converged(model)) };
+        let is_nearer = |stopped: &NotConverged| stopped.sum_of_squares < best.chi_square;
         if !best.is_explained() && self.nearest.as_ref().is_some_and(is_nearer) {
             return Err(self.not_converged(model));
         }
-        let not_determined = directions(model, &best_minimum.0, spans);
         let mut answer = Answer {
             verdict: Verdict::Agrees,
             solutions: Vec::new(),
             worse: Vec::new(),
-            not_determined,
+            not_determined: directions(model, &blind, spans),
             without_bounds: None,
             searches: self.searches,
             converged,
         };
-        // Along a valley floor every search ends elsewhere.
+        // In a flat valley every search ends in a different place.
         if answer.not_determined.is_empty() {
             let limit = best.chi_square + NEARLY_AS_GOOD;
-            let others = self.minima[1..].iter().filter_map(solution);
+            let others = self.minima[1..].iter().filter_map(seen).map(|seen| seen.solution);
             (answer.solutions, answer.worse) = others.partition(|other: &Solution| other.chi_square <= limit && other.is_explained());
         }
         answer.verdict = if !best.is_explained() {
@@ -271,14 +271,14 @@ impl Found {
     }
 }
 
-fn directions(model: &Model<'_>, minimum: &Minimum, spans: &[Span]) -> Vec<Direction> {
+fn directions(model: &Model<'_>, blind: &[Vec<f64>], spans: &[ParameterBounds]) -> Vec<Direction> {
     let variables: Vec<Variable> = model.question.unknowns.iter().map(|unknown| unknown.of).collect();
     let scales: Vec<f64> = spans.iter().map(|span| span.scale).collect();
-    Solution::blind(model, minimum, spans).iter().map(|direction| named(direction, &variables, &scales)).collect()
+    blind.iter().map(|direction| named(direction, &variables, &scales)).collect()
 }
 
-/// The solution without the given bounds, where one of them holds an unknown and the evidence agrees beyond it.
-fn without_bounds(question: &Reconstruction, best: &Solution, search: &Search) -> Option<Solution> {
+/// Returns the solution without the given bounds, if one of them is active and the evidence agrees beyond it.
+fn without_bounds(question: &ReconstructionProblem, best: &Solution, search: &Search) -> Option<Solution> {
     let is_given = |estimate: &super::Estimate| {
         let unknown = question.unknowns.iter().find(|unknown| unknown.of == estimate.of);
         unknown.is_some_and(|unknown| match estimate.at {
@@ -291,7 +291,7 @@ fn without_bounds(question: &Reconstruction, best: &Solution, search: &Search) -
         return None;
     }
     let free = |unknown: &Unknown| Unknown { min: None, max: None, ..*unknown };
-    let question = Reconstruction { unknowns: question.unknowns.iter().map(free).collect(), ..question.clone() };
+    let question = ReconstructionProblem { unknowns: question.unknowns.iter().map(free).collect(), ..question.clone() };
     let answer = question.solve(search).ok()?;
     let solution = answer.solutions.into_iter().next()?;
     (solution.is_explained() && answer.verdict != Verdict::Undetermined).then_some(solution)

@@ -1,44 +1,47 @@
-//! What is known of a least sum of squares: the unknowns, how sure they are, what the evidence is off by.
+//! A least-squares solution: the unknowns, their uncertainty, the residuals of the evidence.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::determined::{blind, is_moved};
-use super::given::Reconstruction;
-use super::measurable::Measurable;
+use super::given::{Evidence, ReconstructionProblem};
+use super::measurand::Measurand;
 use super::residuals::Model;
 use super::variable::Variable;
 use crate::collision::Collision;
 use crate::impact::Impact;
-use crate::least_squares::{Bound, Minimum, Span};
+use crate::least_squares::{Bound, Minimum, ParameterBounds};
 
-/// One unknown, found.
+/// The probability below which the evidence is inconsistent.
+pub(super) const CONTRADICTION: f64 = 1e-3;
+
+/// The estimate of one unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// What it is.
+    /// The variable.
     pub of: Variable,
-    /// Its value, in SI. Where the evidence does not determine it, one of the values that it may have.
+    /// Its value, in SI. If the evidence does not determine it, this is one of its possible values.
     pub value: f64,
-    /// Its standard deviation. None where the evidence does not determine it, where a bound holds it short of what the evidence asks for, and where no piece of evidence has an uncertainty.
+    /// Its standard deviation. `None` if the evidence does not determine it, if an active bound limits it, or if no piece of evidence has an uncertainty.
     pub sd: Option<f64>,
     /// The bound that it sits on.
     pub at: Option<Bound>,
-    /// Whether the evidence, or a bound, determines it.
+    /// `true` if the evidence, or a bound, determines it.
     pub is_determined: bool,
 }
 
-/// One piece of evidence beside what the solution makes of it.
+/// One piece of evidence and its computed value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
-    /// What it is of.
-    pub of: Measurable,
-    /// What was given, in SI.
+    /// The measurand.
+    pub of: Measurand,
+    /// The given value, in SI.
     pub given: f64,
-    /// What follows from the solution.
+    /// The value computed from the solution.
     pub computed: f64,
-    /// Given less computed; an angle by the shorter way.
+    /// Given less computed; for an angle the shorter way.
     pub residual: f64,
-    /// The standard deviation of what was given; none where it was given as exact.
+    /// The given standard deviation; `None` if it was given as exact.
     pub sd: Option<f64>,
 }
 
@@ -49,35 +52,35 @@ pub struct Symmetric {
     entries: Vec<f64>,
 }
 
-/// A set of unknowns that the evidence is likeliest with, of all those near it.
+/// A set of unknowns that maximizes the likelihood locally.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// The unknowns, in the order of the question.
+    /// The unknowns, in the order of the problem.
     pub unknowns: Vec<Estimate>,
-    /// The evidence, in the order of the question.
+    /// The evidence, in the order of the problem.
     pub evidence: Vec<Fitted>,
     /// The priors, in the order of the unknowns that have one.
     pub priors: Vec<Fitted>,
-    /// The covariance of the unknowns that follows from that of the evidence by the influence, in SI; at a fold, where that makes an unknown too sure, by the slopes
-    /// alone. Zero for what a bound holds.
+    /// The covariance of the unknowns, from that of the evidence by the influence, in SI. At a fold, where the influence underestimates an uncertainty, it
+    /// follows from the slopes alone. Zero for an unknown on an active bound.
     pub covariance: Symmetric,
-    /// How the unknowns move per unit of each piece of evidence and then of each prior, in SI: a row for each unknown.
+    /// Derivatives of the unknowns by each piece of evidence and then by each prior, in SI: a row for each unknown.
     pub influence: Vec<Vec<f64>>,
-    /// The sum of the squares of the residuals, each in standard deviations and freed of correlation: χ².
+    /// The sum of the squares of the residuals, in standard deviations and decorrelated: χ².
     pub chi_square: f64,
-    /// Pieces of evidence and priors, less what is solved for and held by no bound.
+    /// Number of pieces of evidence and priors, less the number of directions of the unknowns that they determine.
     pub degrees_of_freedom: usize,
-    /// The probability that chance makes χ² this large or larger.
+    /// The probability of a χ² this large or larger by chance.
     pub probability: f64,
     /// The collision.
     pub collision: Collision,
-    /// What the impact does.
+    /// The impact.
     pub impact: Impact,
-    /// The share of the crush energy that vehicle 1 has.
+    /// The share of vehicle 1 in the crush energy.
     pub crush_share: f64,
-    /// Steps that the search took.
+    /// Number of steps of the search.
     pub iterations: usize,
-    /// How many searches ended here.
+    /// Number of searches that ended here.
     pub searches: usize,
 }
 
@@ -86,26 +89,26 @@ impl Symmetric {
         Symmetric { size: matrix.nrows(), entries: matrix.iter().copied().collect() }
     }
 
-    /// Its number of rows.
+    /// Returns the number of rows.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// The entry of two unknowns, by their places in the question.
+    /// Returns the entry of two unknowns, by their indices in the problem.
     ///
     /// # Panics
     ///
-    /// When there is no such place.
+    /// If an index is out of range.
     pub fn get(&self, one: usize, other: usize) -> f64 {
         assert!(one < self.size && other < self.size, "a matrix of {} unknowns has no entry ({one}, {other})", self.size);
         self.entries[one * self.size + other]
     }
 
-    /// The coefficient of correlation of two unknowns; none where one of them has no variance.
+    /// Returns the coefficient of correlation of two unknowns, or `None` if one of them has no variance.
     ///
     /// # Panics
     ///
-    /// When there is no such place.
+    /// If an index is out of range.
     pub fn correlation(&self, one: usize, other: usize) -> Option<f64> {
         let variances = self.get(one, one) * self.get(other, other);
         (variances > 0.0).then(|| self.get(one, other) / variances.sqrt())
@@ -113,26 +116,26 @@ impl Symmetric {
 }
 
 impl Fitted {
-    /// The residual in standard deviations; none of what was given as exact.
+    /// Returns the residual in standard deviations, or `None` for exact evidence.
     pub fn standardised_residual(&self) -> Option<f64> {
         Some(self.residual / self.sd?)
     }
 }
 
 impl Solution {
-    /// The estimate of an unknown.
+    /// Returns the estimate of an unknown.
     pub fn estimate(&self, of: Variable) -> Option<&Estimate> {
         self.unknowns.iter().find(|estimate| estimate.of == of)
     }
 
-    /// Whether chance explains what the evidence is off by.
+    /// Returns `true` if chance explains the residuals.
     pub fn is_explained(&self) -> bool {
-        self.probability >= super::Answer::CONTRADICTION
+        self.probability >= CONTRADICTION
     }
 
-    /// The unknowns whose standard deviation is larger than all that they may be: than the way between their bounds or, where one is missing, than what such
-    /// numbers differ by at all. The evidence says as good as nothing of them.
-    pub fn hardly_determined(&self, question: &Reconstruction) -> Vec<Variable> {
+    /// Returns the unknowns whose standard deviation exceeds their plausible range: the distance between their bounds or, if one is missing, twice the
+    /// typical spread of such quantities. The evidence barely constrains them.
+    pub fn hardly_determined(&self, question: &ReconstructionProblem) -> Vec<Variable> {
         let is_vague = |estimate: &&Estimate| {
             let unknown = question.unknowns.iter().find(|unknown| unknown.of == estimate.of);
             let width = unknown.map_or(f64::INFINITY, |unknown| match (unknown.min, unknown.max) {
@@ -143,17 +146,30 @@ impl Solution {
         };
         self.unknowns.iter().filter(is_vague).map(|estimate| estimate.of).collect()
     }
+}
 
-    /// What is known of a minimum.
-    pub(super) fn of(model: &Model<'_>, minimum: &Minimum, spans: &[Span], searches: usize) -> Result<Self, NoUncertainty> {
+/// A minimum and its analysis.
+pub(super) struct Seen {
+    /// The solution.
+    pub(super) solution: Solution,
+    /// The directions in which the minimum is flat, in the scales of the unknowns.
+    pub(super) blind: Vec<Vec<f64>>,
+}
+
+impl Seen {
+    /// Analyzes a minimum. Returns `None` if its curvature is lost in rounding, or its covariance exceeds the floats.
+    pub(super) fn of(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], searches: usize) -> Option<Self> {
         let values = &minimum.unknowns;
-        let (placed, impact) = model.solve(values).map_err(|_| NoUncertainty)?;
-        let computed = model.computed(values).map_err(|_| NoUncertainty)?;
+        let (placed, impact) = model.solve(values).ok()?;
+        let computed = model.measured(&placed, &impact);
         let residuals = DVector::from_vec(model.residuals(&computed));
         let slopes = Slopes::of(model, minimum, spans);
-        let Influences { curved: influence, straight } = slopes.influences(model, minimum, spans, &residuals).ok_or(NoUncertainty)?;
+        let Influences { curved: influence, straight } = slopes.influences(model, minimum, spans, &residuals)?;
         let errors = model.weights.covariance(model.question, &model.evidence);
         let covariance = larger(&influence * &errors * influence.transpose(), &straight * &errors * straight.transpose());
+        if !covariance.iter().chain(influence.iter()).all(|entry| entry.is_finite()) {
+            return None;
+        }
         let has_errors = errors.iter().any(|entry| *entry != 0.0);
         let moves = |i: usize| slopes.blind.iter().any(|direction| is_moved(direction[i], direction));
         let estimate = |i: usize| {
@@ -176,7 +192,7 @@ impl Solution {
         };
         let pieces = model.question.evidence.len();
         let degrees_of_freedom = model.evidence.len().saturating_sub(slopes.determined.ncols());
-        Ok(Solution {
+        let solution = Solution {
             unknowns: (0..values.len()).map(estimate).collect(),
             evidence: (0..pieces).map(fitted).collect(),
             priors: (pieces..model.evidence.len()).map(fitted).collect(),
@@ -190,22 +206,14 @@ impl Solution {
             crush_share: placed.crush_share,
             iterations: minimum.iterations,
             searches,
-        })
-    }
-
-    /// The directions in which this minimum is no minimum but a valley floor, in the scales of the unknowns.
-    pub(super) fn blind(model: &Model<'_>, minimum: &Minimum, spans: &[Span]) -> Vec<Vec<f64>> {
-        Slopes::of(model, minimum, spans).blind
+        };
+        Some(Seen { solution, blind: slopes.blind })
     }
 }
 
-/// A minimum of which nothing can be said: its curvature is lost in rounding.
-#[derive(Debug)]
-pub(super) struct NoUncertainty;
-
-/// The probability of a χ² this large or larger. With nothing left over, any that is not nothing is asked as if there were one.
+/// Returns the probability of a χ² this large or larger. Without degrees of freedom, a χ² above rounding is tested as if there were one.
 fn probability(chi_square: f64, degrees_of_freedom: usize) -> f64 {
-    /// What χ² rounding leaves.
+    /// Largest χ² from rounding.
     const ROUNDING: f64 = 1e-9;
     if chi_square <= ROUNDING {
         return 1.0;
@@ -214,25 +222,24 @@ fn probability(chi_square: f64, degrees_of_freedom: usize) -> f64 {
     distribution.map_or(f64::NAN, |distribution| distribution.sf(chi_square))
 }
 
-/// The slopes of the evidence at a minimum.
+/// The derivatives of the evidence at a minimum.
 struct Slopes {
-    /// The derivatives of the evidence by the unknowns in their scales; zero for those that a bound holds.
+    /// The derivatives of the evidence by the scaled unknowns; zero for unknowns on an active bound.
     derivatives: DMatrix<f64>,
-    /// Directions that no evidence notices, in scales.
+    /// Directions that no evidence constrains, in scales.
     blind: Vec<Vec<f64>>,
-    /// An orthonormal basis, column by column, of those that it notices.
+    /// An orthonormal basis, column by column, of those that it constrains.
     determined: DMatrix<f64>,
 }
 
 impl Slopes {
-    fn of(model: &Model<'_>, minimum: &Minimum, spans: &[Span]) -> Self {
+    fn of(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds]) -> Self {
         let mut derivatives = model.derivatives(&minimum.unknowns);
         let free: Vec<usize> = (0..spans.len()).filter(|&i| !minimum.is_held[i]).collect();
         for (i, mut column) in derivatives.column_iter_mut().enumerate() {
             column *= if minimum.is_held[i] { 0.0 } else { spans[i].scale };
         }
-        let size = |evidence: &super::Evidence| evidence.value.abs().max(evidence.of.least_size());
-        let sizes: Vec<f64> = model.evidence.iter().map(size).collect();
+        let sizes: Vec<f64> = model.evidence.iter().map(Evidence::size).collect();
         let of_free = blind(&derivatives.select_columns(&free), &sizes);
         let spread = |direction: &Vec<f64>| {
             let mut all = vec![0.0; spans.len()];
@@ -243,8 +250,9 @@ impl Slopes {
         Slopes { blind: of_free.iter().map(spread).collect(), determined, derivatives }
     }
 
-    /// How the unknowns move with the evidence: the point where the slope of ½χ² is zero moves with what moves the slope.
-    fn influences(&self, model: &Model<'_>, minimum: &Minimum, spans: &[Span], residuals: &DVector<f64>) -> Option<Influences> {
+    /// Computes the derivatives of the unknowns by the evidence, by implicit differentiation of the zero gradient of ½χ². Returns `None` if the curvature is
+    /// not positive definite.
+    fn influences(&self, model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], residuals: &DVector<f64>) -> Option<Influences> {
         if self.determined.ncols() == 0 {
             let none = DMatrix::zeros(spans.len(), model.evidence.len());
             return Some(Influences { curved: none.clone(), straight: none });
@@ -267,7 +275,7 @@ impl Slopes {
         }
     }
 
-    /// The inverse covariance of the evidence times its derivatives.
+    /// Returns the inverse covariance of the evidence times its derivatives.
     fn weighted(&self, model: &Model<'_>) -> DMatrix<f64> {
         let columns: Vec<DVector<f64>> =
             self.derivatives.column_iter().map(|column| model.weights.inverse_times(&column.into_owned())).collect();
@@ -275,24 +283,24 @@ impl Slopes {
     }
 }
 
-/// How the unknowns move with the evidence.
+/// Derivatives of the unknowns by the evidence.
 struct Influences {
-    /// By the slope and the curvature of the evidence: the derivative of the solution.
+    /// From the slope and the curvature of the evidence: the derivative of the solution.
     curved: DMatrix<f64>,
-    /// By the slope alone.
+    /// From the slope alone.
     straight: DMatrix<f64>,
 }
 
-/// The covariance by slope and curvature or, where that by the slope alone makes an unknown much less sure, the latter: at a fold the curvature holds an unknown
-/// where noise has put it, and the slope knows that it could be elsewhere.
+/// Returns the covariance from slope and curvature or, if it is much larger for an unknown, that from the slope alone: at a fold the curvature ties an
+/// unknown to the value where noise has put it, and only the slope shows that it could be elsewhere.
 fn larger(curved: DMatrix<f64>, straight: DMatrix<f64>) -> DMatrix<f64> {
-    /// How many times as large a standard deviation has to be.
+    /// Ratio of standard deviations from which the difference is large.
     const MUCH: f64 = 1.5;
     let is_much_less_sure = |i: usize| straight[(i, i)] > MUCH * MUCH * curved[(i, i)];
     if (0..curved.nrows()).any(is_much_less_sure) { straight } else { curved }
 }
 
-/// An orthonormal basis of the free unknowns across the blind directions.
+/// Returns an orthonormal basis of the free unknowns, orthogonal to the unconstrained directions.
 fn complement(blind: &[Vec<f64>], free: &[usize], unknowns: usize) -> DMatrix<f64> {
     let n = free.len();
     let columns: Vec<DVector<f64>> = blind.iter().map(|direction| DVector::from_column_slice(direction)).collect();

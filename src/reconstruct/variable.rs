@@ -1,4 +1,4 @@
-//! What can be unknown.
+//! Variables: the quantities that can be unknown.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -6,11 +6,12 @@ use crate::collision::Collision;
 use crate::frame::ForwardLeft;
 use crate::input::{Input, Side};
 use crate::law::ImpulseRatio;
+use crate::measure::Measure;
 use crate::moment::Moment;
 use crate::scalar::Real;
 use crate::vehicle::{Party, Vehicle};
 
-/// What can be unknown of a collision, and what it can have a prior of.
+/// A quantity of a collision that can be unknown and can have a prior.
 ///
 /// ```
 /// use planar_impact::reconstruct::Variable;
@@ -20,16 +21,16 @@ use crate::vehicle::{Party, Vehicle};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Variable {
-    /// An input of the collision. [`Input::ImpulseRatio`] is the number that the collision has there: the ratio μ, or the fraction of the critical one.
+    /// An input of the collision. [`Input::ImpulseRatio`] is the number that the collision specifies: the ratio μ, or the fraction of the critical one.
     Input(Input),
     /// The speed of a vehicle along its heading, before the impact. A vehicle whose speed is unknown drives along its heading.
     Speed(Side),
-    /// The share of the crush energy that vehicle 1 has. The mechanics says nothing of it; stiffness does.
+    /// The share of vehicle 1 in the crush energy. Stiffness determines it, not the mechanics.
     CrushShare,
 }
 
 impl Variable {
-    /// Its name, such as `vehicle.1.speed`.
+    /// Returns its name, such as `vehicle.1.speed`.
     pub fn name(self) -> &'static str {
         match self {
             Variable::Input(input) => input.name(),
@@ -39,7 +40,16 @@ impl Variable {
         }
     }
 
-    /// The variable of a name or of the paper's symbol.
+    /// Returns its measure. For a moment that the collision gives as a fraction of the critical one it is also that of the moment.
+    pub fn measure(self) -> Measure {
+        match self {
+            Variable::Input(input) => input.measure(),
+            Variable::Speed(_) => Measure::Speed,
+            Variable::CrushShare => Measure::Ratio,
+        }
+    }
+
+    /// Returns the variable with a name or the paper's symbol.
     pub fn named(name: &str) -> Option<Variable> {
         match name {
             "vehicle.1.speed" | "v1" => Some(Variable::Speed(Side::One)),
@@ -49,7 +59,7 @@ impl Variable {
         }
     }
 
-    /// The vehicle that it is of, if of one.
+    /// Returns its vehicle, or `None` if it does not belong to one.
     pub fn side(self) -> Option<Side> {
         match self {
             Variable::Speed(side) => Some(side),
@@ -58,7 +68,7 @@ impl Variable {
         }
     }
 
-    /// The value in a collision; none where the collision does not have it, as the mass of a barrier.
+    /// Returns the value in a collision, or `None` if absent, such as the mass of a barrier.
     pub fn of<T: Real>(self, collision: &Collision<T>, crush_share: &T) -> Option<T> {
         match self {
             Variable::Input(input) => collision.input(input),
@@ -67,7 +77,7 @@ impl Variable {
         }
     }
 
-    /// The angle after which it is the same again, if it is an angle.
+    /// Returns the period of an angle, or `None` if it is not an angle.
     pub(super) fn period(self) -> Option<f64> {
         match self {
             Variable::Input(Input::CrushPlane) => Some(PI),
@@ -76,7 +86,7 @@ impl Variable {
         }
     }
 
-    /// The least and the most that it can be whatever the case.
+    /// Returns the smallest and the largest value that the mechanics allows.
     pub(super) fn domain(self, collision: &Collision) -> (f64, f64) {
         let of_critical = matches!(collision.impulse_ratio, ImpulseRatio::OfCritical(_));
         match self {
@@ -91,7 +101,7 @@ impl Variable {
         }
     }
 
-    /// A change that matters, in its unit.
+    /// Returns a significant change, in its unit.
     pub(super) fn scale(self, collision: &Collision, value: f64) -> f64 {
         match self {
             Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
@@ -101,7 +111,7 @@ impl Variable {
         }
     }
 
-    /// How far from the start other starts lie, where no bound says so.
+    /// Returns the distance of other starts from the given one if no bound determines it.
     pub(super) fn spread(self, collision: &Collision, value: f64) -> f64 {
         match self {
             Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => 20.0,
@@ -114,7 +124,7 @@ impl Variable {
         }
     }
 
-    /// Whether the collision has it.
+    /// Returns `true` if the collision has it.
     pub(super) fn is_in(self, collision: &Collision) -> bool {
         match self {
             Variable::CrushShare => collision.one.vehicle().is_some() && collision.two.vehicle().is_some(),
@@ -125,7 +135,7 @@ impl Variable {
     }
 }
 
-/// The party of a side.
+/// Returns the party of a side.
 pub(super) fn party<T>(collision: &Collision<T>, side: Side) -> &Party<T> {
     match side {
         Side::One => &collision.one,
@@ -133,8 +143,13 @@ pub(super) fn party<T>(collision: &Collision<T>, side: Side) -> &Party<T> {
     }
 }
 
-/// How fast a vehicle goes along its heading.
+/// Returns the speed of a vehicle along its heading.
 pub(super) fn speed<T: Real>(vehicle: &Vehicle<T>) -> T {
     let ForwardLeft { forward, .. } = vehicle.heading.to_vehicle(vehicle.motion.velocity.clone());
     forward
+}
+
+/// Returns the whole periods in a difference, or 0 without a period.
+pub(super) fn turns(difference: f64, period: Option<f64>) -> f64 {
+    period.map_or(0.0, |period| period * (difference / period).round())
 }

@@ -1,28 +1,28 @@
-//! What the answer is worth, in one word.
+//! The answer and its verdict.
 
 use super::determined::Direction;
-use super::solution::Solution;
+use super::solution::{self, Solution};
 use super::variable::Variable;
 
-/// What the solutions are worth. Only of [`Verdict::Agrees`] can the best be taken as the answer.
+/// Overall verdict on the solutions. Only with [`Verdict::Agrees`] is the best one the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// There is one solution, and the evidence agrees with it. That does not say how well it is known: see the standard deviations, and
+    /// There is one solution, and the evidence agrees with it. It may still be weakly determined: see the standard deviations, and
     /// [`Solution::hardly_determined`].
     Agrees,
     /// There are several solutions that the evidence agrees with.
     SeveralSolutions,
-    /// The evidence leaves some of the unknowns open.
+    /// Underdetermined: the evidence does not constrain some combinations of the unknowns.
     Undetermined,
-    /// The evidence contradicts itself: what it is least off by is more than its uncertainty explains.
+    /// Inconsistent evidence: the minimum chi-square is more than its uncertainty explains.
     Contradicted,
-    /// The evidence agrees, but outside the given bounds; within them it does not.
+    /// The best fit lies outside the given bounds; within them the evidence does not agree.
     BoundsExclude,
 }
 
 impl Verdict {
-    /// Its name in reports.
+    /// Returns its name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Agrees => "agrees",
@@ -34,39 +34,39 @@ impl Verdict {
     }
 }
 
-/// The answer to a [`Reconstruction`](super::Reconstruction).
+/// The answer to a [`ReconstructionProblem`](super::ReconstructionProblem).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// What the solutions are worth.
+    /// Overall verdict on the solutions.
     pub verdict: Verdict,
-    /// Every solution that is as good as the best, or nearly; the best first. Never empty.
+    /// Every solution that fits about as well as the best; the best first. Never empty.
     pub solutions: Vec<Solution>,
-    /// Least sums of squares that the search came upon and that the evidence tells from the best.
+    /// Other local minima that fit significantly worse than the best.
     pub worse: Vec<Solution>,
-    /// The ways in which the unknowns of the best can move without the evidence noticing.
+    /// Combinations of the unknowns that the evidence does not constrain at the best solution.
     pub not_determined: Vec<Direction>,
     /// With [`Verdict::BoundsExclude`], the solution without the given bounds.
     pub without_bounds: Option<Box<Solution>>,
-    /// How many searches there were: from each start, and beside what those had found.
+    /// Number of searches: one from each start, and those near their results.
     pub searches: usize,
-    /// How many of them reached a least sum of squares.
+    /// Number of searches that converged.
     pub converged: usize,
 }
 
 impl Answer {
-    /// The probability below which chance does not explain what the evidence is off by.
-    pub const CONTRADICTION: f64 = 1e-3;
+    /// The probability below which the evidence is inconsistent.
+    pub const CONTRADICTION: f64 = solution::CONTRADICTION;
 
-    /// The best solution.
+    /// Returns the best solution.
     ///
     /// # Panics
     ///
-    /// When all solutions have been taken out of the answer.
+    /// If all solutions have been removed from the answer.
     pub fn best(&self) -> &Solution {
         &self.solutions[0]
     }
 
-    /// Whether the evidence determines an unknown.
+    /// Returns `true` if the evidence determines an unknown.
     pub fn determines(&self, unknown: Variable) -> bool {
         !self.not_determined.iter().any(|direction| direction.variables().any(|variable| variable == unknown))
     }

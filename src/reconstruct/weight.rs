@@ -1,29 +1,29 @@
-//! What each residual counts: divided by its standard deviation, and freed of what it shares with others.
+//! Weights of residuals: division by the standard deviation, and decorrelation.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
-use super::given::{Evidence, Reconstruction};
+use super::given::{Evidence, ReconstructionProblem};
 
-/// The least eigenvalue that a matrix of correlations may have.
+/// Smallest accepted eigenvalue of a matrix of correlations.
 pub(super) const SINGULAR: f64 = 1e-9;
 
-/// The covariance of the evidence, as what residuals are divided by.
+/// Weights from the covariance of the evidence.
 pub(super) struct Weights {
-    /// What each residual is divided by: its standard deviation, or what it is held to.
+    /// The divisor of each residual: its standard deviation, or the tolerance of exact evidence.
     pub(super) scales: Vec<f64>,
-    /// The Cholesky factor of the correlations, where there are any.
+    /// The Cholesky factor of the correlations, if there are any.
     factor: Option<Cholesky<f64, Dyn>>,
 }
 
 impl Weights {
-    /// Of evidence in order, whose correlations have passed the check.
-    pub(super) fn of(question: &Reconstruction, evidence: &[Evidence]) -> Self {
+    /// Creates the weights of evidence in order, whose correlations have passed the check.
+    pub(super) fn of(question: &ReconstructionProblem, evidence: &[Evidence]) -> Self {
         let scales = evidence.iter().map(Evidence::weight_scale).collect();
         let has_any = !question.correlations.is_empty();
         Weights { scales, factor: has_any.then(|| correlations(question, evidence)).and_then(Cholesky::new) }
     }
 
-    /// Residuals or rows of derivatives of them, so that their errors have a standard deviation of 1 each and no correlation.
+    /// Scales and decorrelates residuals, or rows of their derivatives, so that their errors have standard deviations of 1 and no correlation.
     pub(super) fn whiten(&self, mut rows: DMatrix<f64>) -> DMatrix<f64> {
         for (mut row, scale) in rows.row_iter_mut().zip(&self.scales) {
             row /= *scale;
@@ -34,7 +34,7 @@ impl Weights {
         rows
     }
 
-    /// The inverse of the covariance times residuals.
+    /// Returns the inverse of the covariance times residuals.
     pub(super) fn inverse_times(&self, residuals: &DVector<f64>) -> DVector<f64> {
         let mut result = residuals.clone();
         self.divide(&mut result);
@@ -51,16 +51,16 @@ impl Weights {
         }
     }
 
-    /// The covariance of the evidence that has one; what is exact has none.
-    pub(super) fn covariance(&self, question: &Reconstruction, evidence: &[Evidence]) -> DMatrix<f64> {
+    /// Returns the covariance of the evidence, zero for exact evidence.
+    pub(super) fn covariance(&self, question: &ReconstructionProblem, evidence: &[Evidence]) -> DMatrix<f64> {
         let sd: Vec<f64> = evidence.iter().map(|evidence| evidence.uncertainty.standard_deviation().unwrap_or(0.0)).collect();
         let correlations = correlations(question, evidence);
         DMatrix::from_fn(sd.len(), sd.len(), |i, k| sd[i] * correlations[(i, k)] * sd[k])
     }
 }
 
-/// The matrix of correlations of the evidence.
-fn correlations(question: &Reconstruction, evidence: &[Evidence]) -> DMatrix<f64> {
+/// Returns the matrix of correlations of the evidence.
+fn correlations(question: &ReconstructionProblem, evidence: &[Evidence]) -> DMatrix<f64> {
     let mut matrix = DMatrix::identity(evidence.len(), evidence.len());
     let place = |of| question.evidence.iter().position(|evidence| evidence.of == of);
     for correlation in &question.correlations {
@@ -72,8 +72,8 @@ fn correlations(question: &Reconstruction, evidence: &[Evidence]) -> DMatrix<f64
     matrix
 }
 
-/// The least eigenvalue of the correlations; not a number where they have none.
-pub(super) fn least_eigenvalue(question: &Reconstruction) -> f64 {
+/// Returns the least eigenvalue of the correlations, or NaN if they have none.
+pub(super) fn least_eigenvalue(question: &ReconstructionProblem) -> f64 {
     let matrix = correlations(question, &question.evidence);
     if matrix.iter().any(|x| !x.is_finite()) {
         return f64::NAN;

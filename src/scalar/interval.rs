@@ -1,10 +1,10 @@
-//! Intervals that are guaranteed to hold the exact result.
+//! Intervals that are guaranteed to contain the exact result.
 //!
-//! One law: if x ∈ X and y ∈ Y then x ∘ y ∈ X ∘ Y, for each of the four operations, the square root and [`Ordered::select`]. Each bound is computed
-//! in f64, which rounds correctly, and then moved one float outward; so rounding can only widen an interval.
+//! One law: if x ∈ X and y ∈ Y then x ∘ y ∈ X ∘ Y, for each of the four operations, the square root and [`Ordered::select`]. Each bound is computed in f64,
+//! which rounds correctly, and then moved one float outward, so rounding can only widen an interval.
 //!
-//! Enclosures are valid and not always sharp: an argument that stands twice in a formula counts as two. There is no sine of an interval, because no
-//! sine that runs everywhere comes with a proven bound; give an axis by its [half-tangent](crate::CrushPlane::from_half_tangent), which is rigorous.
+//! Enclosures are valid but not always sharp: an argument that occurs twice in a formula counts as two. There is no sine of an interval, because no portable
+//! sine comes with a proven bound; give an axis by its [half-tangent](crate::CrushPlane::from_half_tangent), which is rigorous.
 
 use super::Ordered;
 use core::fmt;
@@ -25,76 +25,73 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// All real numbers: what is known of a result of which nothing is known.
+    /// All real numbers: the enclosure of an unknown result.
     pub const ENTIRE: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 
-    /// From the lower to the upper bound. None if they are not in order, are not numbers, or hold no real number between them.
+    /// Creates an interval from the lower and the upper bound. Returns `None` if they are not in order, are NaN, or contain no real number.
     #[inline]
     pub fn new(lower: f64, upper: f64) -> Option<Self> {
         (lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY).then_some(Interval { lower, upper })
     }
 
-    /// The lower bound.
+    /// Returns the lower bound.
     #[inline]
     pub fn lower(&self) -> f64 {
         self.lower
     }
 
-    /// The upper bound.
+    /// Returns the upper bound.
     #[inline]
     pub fn upper(&self) -> f64 {
         self.upper
     }
 
-    /// Upper less lower bound, rounded.
+    /// Returns upper less lower bound, rounded.
     #[inline]
     pub fn width(&self) -> f64 {
         self.upper - self.lower
     }
 
-    /// Whether the number lies in it.
+    /// Returns `true` if the number lies in the interval.
     #[inline]
     pub fn contains(&self, x: f64) -> bool {
         self.lower <= x && x <= self.upper
     }
 
-    /// Whether the other interval lies in it.
+    /// Returns `true` if the other interval lies in this one.
     #[inline]
     pub fn encloses(&self, other: &Self) -> bool {
         self.lower <= other.lower && other.upper <= self.upper
     }
 
-    /// The least interval that holds both.
+    /// Returns the smallest interval that contains both.
     #[inline]
     pub fn hull(self, other: Self) -> Self {
         Interval { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
-    /// The square roots of its numbers that have one. None if none has.
+    /// Returns the square roots of its numbers that have one, or `None` if none has.
     #[inline]
     pub fn sqrt(self) -> Option<Self> {
         (self.upper >= 0.0)
             .then(|| Interval { lower: libm::sqrt(self.lower.max(0.0)).next_down().max(0.0), upper: libm::sqrt(self.upper).next_up() })
     }
 
-    /// Bounds computed to nearest, moved outward. A bound that is not a number came from infinities and bounds nothing.
+    /// Moves bounds that were rounded to nearest outward.
     #[inline]
     fn outward(lower: f64, upper: f64) -> Self {
-        Interval {
-            lower: if lower.is_nan() { f64::NEG_INFINITY } else { lower.next_down() },
-            upper: if upper.is_nan() { f64::INFINITY } else { upper.next_up() },
-        }
+        Interval { lower: lower.next_down(), upper: upper.next_up() }
     }
 }
 
-/// The product of two bounds, where an infinite bound times zero is zero: the bound is never attained.
+/// Returns the product of two bounds, where an infinite bound times zero is zero: the bound is never attained.
 #[inline]
 fn bound(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
 impl From<f64> for Interval {
-    /// The number alone; all real numbers for what is not a finite number.
+    /// Returns the number alone, or all real numbers if it is not finite.
     #[inline]
     fn from(x: f64) -> Self {
         if x.is_finite() { Interval { lower: x, upper: x } } else { Interval::ENTIRE }
@@ -171,7 +168,7 @@ impl Inv for Interval {
 
 impl Div for Interval {
     type Output = Self;
-    /// All real numbers where the divisor may be zero.
+    /// Returns all real numbers if the divisor may be zero.
     #[inline]
     fn div(self, other: Self) -> Self {
         if other.contains(0.0) {
@@ -189,7 +186,7 @@ impl Div for Interval {
 }
 
 impl Ordered for Interval {
-    /// None where the intervals overlap, so that some pairs are in order and some are not.
+    /// `None` if the intervals overlap, so that some pairs are in order and some are not.
     type Mask = Option<bool>;
 
     #[inline]

@@ -7,9 +7,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
 use wide::f64x4;
 
-/// Four f64 side by side, each an independent number.
+/// Four f64 in parallel, each an independent number.
 ///
-/// Not `PartialOrd`: four numbers compare four ways, so a comparison gives a mask. The four operations and the root are those of f64, to the bit; sine,
+/// Not `PartialOrd`: four numbers compare in four ways, so a comparison gives a mask. The four operations and the root are those of f64, to the bit; sine,
 /// cosine and arctangent agree with those of f64 to two or three units of the last place. All have the same bits on every target.
 ///
 /// ```
@@ -20,27 +20,27 @@ use wide::f64x4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes(f64x4);
 
-/// Which of four lanes a comparison holds in.
+/// The lanes in which a comparison is true.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaneMask(f64x4);
 
 impl Lanes {
-    /// How many numbers stand side by side.
+    /// Number of lanes.
     pub const WIDTH: usize = 4;
 
-    /// One number in each lane.
+    /// Creates a value with one number in each lane.
     #[inline(always)]
     pub fn new(lanes: [f64; Self::WIDTH]) -> Self {
         Lanes(f64x4::new(lanes))
     }
 
-    /// The same number in every lane.
+    /// Creates a value with the same number in every lane.
     #[inline(always)]
     pub fn splat(x: f64) -> Self {
         Lanes(f64x4::splat(x))
     }
 
-    /// The numbers, lane by lane.
+    /// Returns the numbers, lane by lane.
     #[inline(always)]
     pub fn to_array(self) -> [f64; Self::WIDTH] {
         self.0.to_array()
@@ -48,7 +48,7 @@ impl Lanes {
 }
 
 impl LaneMask {
-    /// Whether it holds, lane by lane.
+    /// Returns `true` for each lane in which the comparison is true.
     #[inline(always)]
     pub fn to_array(self) -> [bool; Lanes::WIDTH] {
         self.0.to_array().map(|lane| lane.to_bits() != 0)
@@ -123,18 +123,18 @@ impl Ordered for Lanes {
 
 impl Real for Lanes {
     #[inline(always)]
-    fn sqrt(self) -> Self {
+    fn square_root(self) -> Self {
         Lanes(self.0.sqrt())
     }
 
     #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
+    fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = circular::sin_cos(self.0);
         (Lanes(sin), Lanes(cos))
     }
 
     #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
+    fn arctangent(self, x: Self) -> Self {
         Lanes(circular::atan2(self.0, x.0))
     }
 }

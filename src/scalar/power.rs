@@ -4,10 +4,14 @@ use super::Real;
 
 /// A real number that can be raised to any power.
 ///
-/// Kept apart from [`Real`], which every scalar with angles and magnitudes climbs: only the power law of crush needs it. Floats take the power from `libm`,
+/// Separate from [`Real`], which every scalar with angles and magnitudes implements: only the power law of crush needs it. Floats take the power from `libm`,
 /// so a result has the same bits on every platform; the real part of a dual number is the float.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be raised to any power",
+    note = "only the power law of crush needs it: implement `Power`, or use another law"
+)]
 pub trait Power: Real {
-    /// `self` to the power of `exponent`, for `self` at least 0. 0 to the power of 0 is 1. Where a derivative at 0 is infinite it is left out.
+    /// Returns `self` to the power of `exponent`, for `self` at least 0. 0 to the power of 0 is 1. A derivative that is infinite at 0 is omitted.
     fn power(self, exponent: Self) -> Self;
 }
 
@@ -42,7 +46,7 @@ mod dual {
         T: DualNum + DualStruct<Real = <T as DualNum>::Primitive>,
         <T as DualNum>::Primitive: Portable,
     {
-        /// The power of the real parts, times the exponential of what is left of p ln b, which is zero but for its derivatives.
+        /// Returns the power of the real parts, times the exponential of the remainder of p ln b, which is zero except for its derivatives.
         fn power(self, exponent: Self) -> Self {
             let (base, power) = (self.re(), exponent.re());
             let value = T::from(base.portable_pow(power));

@@ -1,7 +1,7 @@
-//! A scalar that records what is computed with it.
+//! A scalar that records the operations on it.
 //!
-//! The kernel run on symbols computes nothing: it leaves behind every operation that it would have done, in its order. So the expression is the code's by
-//! construction, and evaluated on any scalar it gives what the kernel gives on that scalar, to the bit. [`formula`](crate::formula) makes it readable.
+//! The kernel run on symbols computes nothing: it records every operation that it would have done, in order. The expression is therefore that of the code by
+//! construction, and evaluated on any scalar it gives the result of the kernel on that scalar, to the bit. [`formula`](crate::formula) makes it readable.
 
 use super::{Ordered, Real};
 use alloc::collections::BTreeMap;
@@ -12,7 +12,7 @@ use num_traits::{FromPrimitive, Inv, Signed, ToPrimitive};
 
 /// An expression: a name, a number, or an operation on other expressions.
 ///
-/// A clone is the same expression and not another one like it, so what the code uses twice is recorded and evaluated once.
+/// A clone shares the identity of the expression, so a value that the code uses twice is recorded and evaluated once.
 ///
 /// ```
 /// use planar_impact::energy::work;
@@ -37,7 +37,7 @@ pub struct Less {
     pub(crate) right: Symbol,
 }
 
-/// What is recorded.
+/// A recorded operation.
 #[derive(Debug)]
 pub(crate) enum Operation {
     Number(BigRational),
@@ -56,22 +56,22 @@ pub(crate) enum Operation {
 }
 
 impl Symbol {
-    /// A quantity of which nothing but the name is known. A name has letters, digits and underscores, and begins with a letter, so that it is one in every notation.
+    /// Creates a quantity with only a name. A name has letters, digits and underscores, and begins with a letter, so that it is valid in every notation.
     ///
     /// # Panics
     ///
-    /// If it is not such a name.
+    /// If the name is not valid.
     pub fn variable(name: &str) -> Symbol {
         assert!(is_name(name), "`{name}` is not a name: it must have letters, digits and underscores, and begin with a letter");
         Symbol::record(Operation::Variable(name.into()))
     }
 
-    /// The operation at its root.
+    /// Returns the operation at its root.
     pub(crate) fn operation(&self) -> &Operation {
         &self.0
     }
 
-    /// Its identity, which its clones share, for as long as one of them lives.
+    /// Returns its identity, which it shares with its clones, valid as long as one of them lives.
     pub(crate) fn identity(&self) -> usize {
         Arc::as_ptr(&self.0).addr()
     }
@@ -80,7 +80,7 @@ impl Symbol {
         Symbol(Arc::new(operation))
     }
 
-    /// The expression computed on another scalar, each variable by its name. Every operation is done once, in the order in which it was recorded.
+    /// Evaluates the expression on another scalar, given each variable by its name. Every operation is done once, in the order in which it was recorded.
     pub fn evaluate<T: Real>(&self, mut variable: impl FnMut(&str) -> T) -> T {
         self.computed(&mut variable, &mut BTreeMap::new())
     }
@@ -99,10 +99,10 @@ impl Symbol {
             Operation::Sub(a, b) => of(a) - of(b),
             Operation::Mul(a, b) => of(a) * of(b),
             Operation::Div(a, b) => of(a) / of(b),
-            Operation::Sqrt(a) => of(a).sqrt(),
-            Operation::Sin(a) => of(a).sin_cos().0,
-            Operation::Cos(a) => of(a).sin_cos().1,
-            Operation::Atan2(y, x) => of(y).atan2(of(x)),
+            Operation::Sqrt(a) => of(a).square_root(),
+            Operation::Sin(a) => of(a).sin_and_cos().0,
+            Operation::Cos(a) => of(a).sin_and_cos().1,
+            Operation::Atan2(y, x) => of(y).arctangent(of(x)),
             Operation::Select(less, yes, no) => {
                 let mask = of(&less.left).less(&of(&less.right));
                 T::select(mask, of(yes), of(no))
@@ -113,16 +113,16 @@ impl Symbol {
     }
 }
 
-/// Whether it is a name in every notation.
+/// Returns `true` if it is a valid name in every notation.
 pub(crate) fn is_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// A rational number in any field.
+/// Converts a rational number to any field.
 pub(crate) fn in_field<T: super::Field>(number: &BigRational) -> T {
     let (numerator, denominator) = (number.numer(), number.denom());
     let integer = |negative: bool, digits: alloc::vec::Vec<u32>| {
-        // Two steps of 2¹⁶ a digit, which every field's small integers have.
+        // Two steps of 2¹⁶ per digit, which is a small integer in every field.
         let half = T::int(1 << 16);
         let magnitude = digits.into_iter().rev().fold(T::int(0), |sum, digit| {
             let (high, low) = ((digit >> 16) as i32, (digit & 0xffff) as i32);
@@ -149,7 +149,7 @@ impl FromPrimitive for Symbol {
         BigRational::from_u64(n).map(|number| Symbol::record(Operation::Number(number)))
     }
 
-    /// The rational number that the float is.
+    /// Returns the rational number that equals the float.
     fn from_f64(x: f64) -> Option<Self> {
         BigRational::from_float(x).map(|number| Symbol::record(Operation::Number(number)))
     }
@@ -183,7 +183,7 @@ macro_rules! recorded {
 recorded!(Add add, Sub sub, Mul mul, Div div);
 
 impl Ordered for Symbol {
-    /// The condition itself: both answers are kept.
+    /// The condition itself: both results are kept.
     type Mask = Less;
 
     fn less(&self, other: &Self) -> Less {
@@ -196,15 +196,15 @@ impl Ordered for Symbol {
 }
 
 impl Real for Symbol {
-    fn sqrt(self) -> Self {
+    fn square_root(self) -> Self {
         Symbol::record(Operation::Sqrt(self))
     }
 
-    fn sin_cos(self) -> (Self, Self) {
+    fn sin_and_cos(self) -> (Self, Self) {
         (Symbol::record(Operation::Sin(self.clone())), Symbol::record(Operation::Cos(self)))
     }
 
-    fn atan2(self, x: Self) -> Self {
+    fn arctangent(self, x: Self) -> Self {
         Symbol::record(Operation::Atan2(self, x))
     }
 }

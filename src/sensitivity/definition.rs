@@ -1,4 +1,4 @@
-//! What a derivative is: dual numbers through the one solution.
+//! The definition of a derivative: dual numbers through the one solution.
 
 use super::{Curved, Gradient, Hessian, Sensitive};
 use crate::collision::Collision;
@@ -6,14 +6,13 @@ use crate::input::Input;
 use crate::output::{Output, Outputs};
 use num_dual::{Dual64, HyperDual64};
 
-/// Every output with its derivatives by every input, one evaluation on [`Dual64`] for each input. Nothing is asked of the collision, as with
+/// Computes every output with its derivatives by every input, one evaluation on [`Dual64`] for each input. The collision is not checked, as with
 /// [`Collision::evaluate`].
 pub fn by_definition(collision: &Collision) -> Outputs<Sensitive> {
     let nothing = Gradient([0.0; Input::COUNT]);
     let mut outputs = Outputs::of(collision, &collision.evaluate()).map(|value| Sensitive { value, by: nothing });
     for input in Input::ALL {
-        let seeded = collision.map(Dual64::from).shifted(|other| Dual64::new(0.0, if other == input { 1.0 } else { 0.0 }));
-        let duals = Outputs::of(&seeded, &seeded.evaluate());
+        let duals = along(collision, |other| if other == input { 1.0 } else { 0.0 });
         for output in Output::ALL {
             outputs[output].by[input] = duals[output].eps;
         }
@@ -21,8 +20,14 @@ pub fn by_definition(collision: &Collision) -> Outputs<Sensitive> {
     outputs
 }
 
-/// One output with its first and second derivatives, one evaluation on [`HyperDual64`] for each pair of inputs. Nothing is asked of the collision, as with
-/// [`Collision::evaluate`].
+/// Computes every output with its derivative along a direction of the inputs.
+pub(super) fn along(collision: &Collision, direction: impl Fn(Input) -> f64) -> Outputs<Dual64> {
+    let seeded = collision.map(Dual64::from).shifted(|input| Dual64::new(0.0, direction(input)));
+    Outputs::of(&seeded, &seeded.evaluate())
+}
+
+/// Computes one output with its first and second derivatives, one evaluation on [`HyperDual64`] for each pair of inputs. The collision is not checked, as
+/// with [`Collision::evaluate`].
 pub fn curvature_by_definition(collision: &Collision, of: Output) -> Curved {
     let mut curved = Curved {
         value: of.of(collision, &collision.evaluate()),

@@ -1,10 +1,11 @@
-//! All outputs by all inputs at once: the rows of the impulse and of the velocities at the impact center, and every other row as a mixture of those.
+//! All outputs by all inputs at once: the rows of the impulse and of the velocities at the impact center, and every other row as a linear combination of
+//! those.
 //!
-//! Everything is written where it stays, row by row in one loop: the table has five thousand bytes, and moving it would cost as much as computing it.
+//! Every row is written to its final place in one loop: the table has five thousand bytes, and moving it would cost as much as computing it.
 
-use super::lever::Lever;
-use super::waist::{Slip, Waist, Worth};
-use super::{Gradient, Sensitive, worth};
+use super::body_partials::BodyPartials;
+use super::impulse_adjoint::{Cotangent, ImpulseAdjoint, Slip};
+use super::{Gradient, Sensitive, cotangent};
 use crate::collision::Collision;
 use crate::contact::Contact;
 use crate::frame::Nt;
@@ -14,7 +15,7 @@ use crate::law::Law;
 use crate::output::{Output, Outputs};
 use crate::scalar::{Ordered, Real};
 
-/// The derivatives of what all other outputs are made of.
+/// The derivatives from which those of all other outputs follow.
 pub(super) struct Rows<T> {
     pub(super) impulse: Nt<Gradient<T>>,
     pub(super) approach: Nt<Gradient<T>>,
@@ -22,41 +23,41 @@ pub(super) struct Rows<T> {
 }
 
 impl<T: Real + Copy> Rows<T> {
-    pub(super) fn of(waist: &Waist<T>) -> Self {
-        let impulse = axes().map(|axis| waist.gradient(Worth::of_impulse(axis)));
-        let approach = axes().map(|axis| waist.approach_row(axis));
-        let separation = Nt { n: rebound(waist, &approach.n, waist.approach.n), t: sliding(waist, &impulse, &approach.t) };
+    pub(super) fn of(adjoint: &ImpulseAdjoint<T>) -> Self {
+        let impulse = axes().map(|axis| adjoint.gradient(Cotangent::of_impulse(axis)));
+        let approach = axes().map(|axis| adjoint.approach_row(axis));
+        let separation = Nt { n: rebound(adjoint, &approach.n, adjoint.approach.n), t: sliding(adjoint, &impulse, &approach.t) };
         Rows { impulse, approach, separation }
     }
 }
 
-/// The directions of the two components.
+/// Returns the directions of the two components.
 #[inline(always)]
 fn axes<T: Real>() -> Nt<Nt<T>> {
     Nt { n: Nt { n: T::int(1), t: T::int(0) }, t: Nt { n: T::int(0), t: T::int(1) } }
 }
 
-/// V = −e v: the normal separation velocity whatever the law.
+/// Returns the gradient of V = −e v, the normal separation velocity whatever the law.
 #[inline(always)]
-fn rebound<T: Real + Copy>(waist: &Waist<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
+fn rebound<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
     let mut row = *approach;
-    row.scale(-waist.restitution);
+    row.scale(-adjoint.restitution);
     row.add(Input::Restitution, -v);
     row
 }
 
-/// The tangential separation velocity.
+/// Returns the gradient of the tangential separation velocity.
 #[inline(always)]
-fn sliding<T: Real + Copy>(waist: &Waist<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
-    match (&waist.slip, waist.law) {
+fn sliding<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
+    match (&adjoint.slip, adjoint.law) {
         (Slip::Ends, Law::Brach) => Gradient::zero(),
-        (Slip::Ends, Law::KudlichSlibar) => rebound(waist, approach, waist.approach.t),
+        (Slip::Ends, Law::KudlichSlibar) => rebound(adjoint, approach, adjoint.approach.t),
         // V_t = v_t − (K P)_t
         _ => {
-            let mut row = waist.yielding_row(axes().t);
+            let mut row = adjoint.yielding_row(axes().t);
             row.add_scaled(T::int(1), approach);
-            row.add_scaled(-waist.compliance.nt, &impulse.n);
-            row.add_scaled(-waist.compliance.tt, &impulse.t);
+            row.add_scaled(-adjoint.compliance.nt, &impulse.n);
+            row.add_scaled(-adjoint.compliance.tt, &impulse.t);
             row
         }
     }
@@ -70,21 +71,21 @@ pub(super) fn write<T: Real + Copy + Ordered<Mask = bool>>(
     impact: &Impact<T>,
     to: &mut Outputs<Sensitive<T>>,
 ) {
-    let waist = Waist::of(collision, contact, impact);
-    to.impulse.n.by = waist.gradient(Worth::of_impulse(axes().n));
-    to.impulse.t.by = waist.gradient(Worth::of_impulse(axes().t));
-    to.approach.n.by = waist.approach_row(axes().n);
-    to.approach.t.by = waist.approach_row(axes().t);
-    to.separation.n.by = rebound(&waist, &to.approach.n.by, waist.approach.n);
-    to.separation.t.by = sliding(&waist, &Nt { n: to.impulse.n.by, t: to.impulse.t.by }, &to.approach.t.by);
-    to.kinetic_energy.before.by = worth::energy(collision);
-    mix(collision, impact, &waist, to);
+    let adjoint = ImpulseAdjoint::of(collision, contact, impact);
+    to.impulse.n.by = adjoint.gradient(Cotangent::of_impulse(axes().n));
+    to.impulse.t.by = adjoint.gradient(Cotangent::of_impulse(axes().t));
+    to.approach.n.by = adjoint.approach_row(axes().n);
+    to.approach.t.by = adjoint.approach_row(axes().t);
+    to.separation.n.by = rebound(&adjoint, &to.approach.n.by, adjoint.approach.n);
+    to.separation.t.by = sliding(&adjoint, &Nt { n: to.impulse.n.by, t: to.impulse.t.by }, &to.approach.t.by);
+    to.kinetic_energy.before.by = cotangent::energy(collision);
+    mix(collision, impact, &adjoint, to);
     for none in [&mut to.restitution, &mut to.moment, &mut to.work.m] {
         none.by = Gradient::zero();
     }
-    add_direct(collision, impact, &waist, to);
-    if !matches!((&waist.slip, waist.law), (Slip::Ends, Law::Brach)) {
-        to.critical_impulse_ratio.by = critical(&waist, impact);
+    add_direct(collision, impact, &adjoint, to);
+    if !matches!((&adjoint.slip, adjoint.law), (Slip::Ends, Law::Brach)) {
+        to.critical_impulse_ratio.by = critical(&adjoint, impact);
     }
     let values = Outputs::of(collision, impact);
     macro_rules! value {
@@ -97,26 +98,26 @@ pub(super) fn write<T: Real + Copy + Ordered<Mask = bool>>(
     value!(approach.n, approach.t, separation.n, separation.t, kinetic_energy.before, kinetic_energy.after, loss, work.n, work.t, work.m);
 }
 
-/// The critical ratio where the impulse has another. Rarely needed, and kept out of the way of the rest.
+/// Returns the gradient of the critical ratio if the impulse has another ratio. Rarely needed, and therefore a separate function.
 #[cold]
 #[inline(never)]
-fn critical<T: Real + Copy>(waist: &Waist<T>, impact: &Impact<T>) -> Gradient<T> {
+fn critical<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Gradient<T> {
     let critical = impact.critical_impulse;
-    waist.critical(critical).gradient(Worth::of_ratio(critical))
+    adjoint.critical(critical).gradient(Cotangent::of_ratio(critical))
 }
 
-/// What the impulse and the velocities pass on to each output.
+/// Writes the derivatives of each output through the impulse and the velocities.
 #[inline(always)]
-fn mix<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, to: &mut Outputs<Sensitive<T>>) {
+fn mix<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
     let p = impact.impulse;
     let (cos, sin) = (collision.crush_plane.cos, collision.crush_plane.sin);
     let half = T::int(1).half();
     let sum = (impact.approach + impact.separation) * -half;
     let minus_half_p = p * -half;
-    let ratio = Worth::of_ratio(p).impulse;
+    let ratio = Cotangent::of_ratio(p).impulse;
     let along = p * p.length().inv();
     let across = p.quarter_turn() * p.length_squared().inv();
-    let (one, two) = (Passed::on(waist.levers[0].as_ref()), Passed::on(waist.levers[1].as_ref()));
+    let (one, two) = (Passed::on(adjoint.partials[0].as_ref()), Passed::on(adjoint.partials[1].as_ref()));
     for i in 0..Input::COUNT {
         let (n, t) = (to.impulse.n.by.0[i], to.impulse.t.by.0[i]);
         let (v_n, v_t) = (to.approach.n.by.0[i], to.approach.t.by.0[i]);
@@ -150,25 +151,25 @@ fn mix<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Wai
     }
 }
 
-/// What a vehicle makes of the impulse; nothing of a barrier.
+/// The response of a vehicle to the impulse; zero for a barrier.
 struct Passed<T> {
     inverse_mass: T,
     /// ∓1/m
     push: T,
     /// ∓r⊥/I
     twist: Nt<T>,
-    /// −1: it is measured clockwise.
+    /// −1, because it is measured clockwise.
     direction: T,
 }
 
 impl<T: Real + Copy> Passed<T> {
     #[inline(always)]
-    fn on(lever: Option<&Lever<T>>) -> Self {
-        match lever {
-            Some(lever) => Passed {
-                inverse_mass: lever.inverse_mass,
-                push: -(lever.sign * lever.inverse_mass),
-                twist: lever.arm.quarter_turn() * -(lever.sign * lever.inverse_yaw_inertia),
+    fn on(partials: Option<&BodyPartials<T>>) -> Self {
+        match partials {
+            Some(partials) => Passed {
+                inverse_mass: partials.inverse_mass,
+                push: -(partials.sign * partials.inverse_mass),
+                twist: partials.arm.quarter_turn() * -(partials.sign * partials.inverse_yaw_inertia),
                 direction: T::int(-1),
             },
             None => Passed { inverse_mass: T::int(0), push: T::int(0), twist: Nt::zero(), direction: T::int(0) },
@@ -176,12 +177,12 @@ impl<T: Real + Copy> Passed<T> {
     }
 }
 
-/// What each input does to an output with the impulse held.
+/// Adds the derivatives of each output by its inputs with the impulse held constant.
 #[inline(always)]
-fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, waist: &Waist<T>, to: &mut Outputs<Sensitive<T>>) {
-    // Written out, so that the compiler knows each output; those left out have nothing direct, or have it in the rows that they are made of.
+fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
+    // Written out, so that the compiler knows each output. Those left out have no direct derivatives, or have them in the rows that they are combined from.
     macro_rules! add {
-        ($($output:expr),+) => { $(worth::add_direct(collision, impact, waist, $output, &mut to[$output].by);)+ };
+        ($($output:expr),+) => { $(cotangent::add_direct(collision, impact, adjoint, $output, &mut to[$output].by);)+ };
     }
     use Output::*;
     add!(VelocityX(Side::One), VelocityY(Side::One), YawRate(Side::One), DeltaVX(Side::One), DeltaVY(Side::One));

@@ -1,4 +1,4 @@
-//! The same derivatives as nalgebra's matrices, for those who go on with linear algebra.
+//! The same derivatives as nalgebra matrices, for further linear algebra.
 
 use super::{Gradient, Hessian, Sensitive};
 use crate::input::Input;
@@ -6,14 +6,14 @@ use crate::output::{Output, Outputs};
 use nalgebra::{DMatrix, SMatrix, SVector, Scalar};
 
 impl<T: Scalar> From<Gradient<T>> for SVector<T, { Input::COUNT }> {
-    /// A column in the order of [`Input::ALL`].
+    /// Returns a column in the order of [`Input::ALL`].
     fn from(gradient: Gradient<T>) -> Self {
         SVector::from(gradient.0)
     }
 }
 
 impl<T: Scalar> From<Hessian<T>> for SMatrix<T, { Input::COUNT }, { Input::COUNT }> {
-    /// Rows and columns in the order of [`Input::ALL`].
+    /// Returns rows and columns in the order of [`Input::ALL`].
     fn from(hessian: Hessian<T>) -> Self {
         // Symmetric: its rows are its columns.
         SMatrix::from(hessian.0)
@@ -21,7 +21,7 @@ impl<T: Scalar> From<Hessian<T>> for SMatrix<T, { Input::COUNT }, { Input::COUNT
 }
 
 impl<T: Scalar> Outputs<Sensitive<T>> {
-    /// The Jacobian: a row for each of [`Output::ALL`], a column for each of [`Input::ALL`].
+    /// Returns the Jacobian: a row for each of [`Output::ALL`], a column for each of [`Input::ALL`].
     ///
     /// ```
     /// # use planar_impact::*;
@@ -42,7 +42,7 @@ impl<T: Scalar> Outputs<Sensitive<T>> {
         SMatrix::from_fn(|row, column| self[Output::ALL[row]].by.0[column].clone())
     }
 
-    /// The part of the Jacobian that belongs to some outputs, its rows, and some inputs, its columns.
+    /// Returns the part of the Jacobian for some outputs, its rows, and some inputs, its columns.
     pub fn jacobian_of(&self, of: &[Output], by: &[Input]) -> DMatrix<T> {
         DMatrix::from_fn(of.len(), by.len(), |row, column| self[of[row]].by[by[column]].clone())
     }

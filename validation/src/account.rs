@@ -1,4 +1,4 @@
-//! One cell and its verdict.
+//! A cell of a table and its verdict.
 
 use crate::ledger::{Bound, Ledger, Misprint};
 use crate::sheet::Printed;
@@ -8,62 +8,74 @@ use crate::sheet::Printed;
 pub struct Cell {
     /// The table, such as `Table 1`.
     pub table: &'static str,
-    /// The row's label: the inputs that single it out.
+    /// The row's label: the inputs that identify it.
     pub row: String,
     /// The column.
     pub column: &'static str,
     /// Its unit; `1` for a ratio.
     pub unit: &'static str,
-    /// What the paper prints.
+    /// The value printed in the paper.
     pub printed: Printed,
-    /// What the library computes.
+    /// The value that the library computes.
     pub computed: f64,
-    /// How the two compare.
+    /// Result of the comparison.
     pub verdict: Verdict,
 }
 
-/// How a computed value compares with the printed one.
+/// Result of comparing a computed value with the printed one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// It rounds to it.
+    /// The computed value rounds to the printed one.
     Agrees,
-    /// It does not round to it, for a stated reason, and is no farther from it than a stated bound.
+    /// The computed value does not round to the printed one, for a stated reason, but differs from it by no more than a stated bound.
     WithinBound {
         /// The bound, in the unit of the cell.
         bound: f64,
         /// The reason.
         reason: String,
     },
-    /// The print is wrong: the computed value agrees with another one.
+    /// The printed value is wrong: the computed value agrees with another one.
     Misprint {
-        /// What should stand there.
+        /// The correct value.
         holds: Printed,
-        /// How that shows.
+        /// Evidence for the misprint.
         why: String,
     },
-    /// It is farther off than is allowed: a failure.
+    /// The difference exceeds the allowed one: a failure.
     Disagrees {
-        /// How far it may be off, in the unit of the cell.
+        /// The allowed difference, in the unit of the cell.
         allowed: f64,
     },
-    /// The cell is listed as a misprint, and yet agrees: a failure.
+    /// The cell is listed as a misprint but agrees: a failure.
     MisprintAgrees,
-    /// The cell is listed as a misprint, but the computed value does not agree with the correction either: a failure.
+    /// The cell is listed as a misprint, but the computed value does not agree with the correction: a failure.
     CorrectionDisagrees {
         /// The correction.
         holds: Printed,
-        /// How far it may be off, in the unit of the cell.
+        /// The allowed difference, in the unit of the cell.
         allowed: f64,
     },
 }
 
+impl Cell {
+    /// Returns the fraction of its bound that the cell needs, or `None` if it does not need the bound.
+    pub(crate) fn need_of(&self, bound: &Bound) -> Option<f64> {
+        let difference = match &self.verdict {
+            Verdict::WithinBound { .. } => self.difference(),
+            Verdict::Misprint { holds, .. } if !holds.agrees_with(self.computed) => self.computed - holds.value(),
+            _ => return None,
+        };
+        Some(difference.abs() / bound.around(self.computed))
+    }
+}
+
 impl Verdict {
-    /// Whether the cell is accounted for.
+    /// Returns `true` if the cell is accounted for.
     pub fn is_accounted_for(&self) -> bool {
         matches!(self, Verdict::Agrees | Verdict::WithinBound { .. } | Verdict::Misprint { .. })
     }
 
-    /// The verdict in a word or two.
+    /// Returns the verdict in one or two words.
     pub fn name(&self) -> &'static str {
         match self {
             Verdict::Agrees => "agrees",
@@ -77,7 +89,7 @@ impl Verdict {
 }
 
 impl Cell {
-    /// Computed less printed.
+    /// Returns computed minus printed.
     pub fn difference(&self) -> f64 {
         self.computed - self.printed.value()
     }
@@ -93,7 +105,7 @@ impl Cell {
     }
 }
 
-/// A cell before it is judged.
+/// A cell before its comparison.
 #[derive(Clone, Debug)]
 pub(crate) struct Computed {
     pub(crate) table: &'static str,
@@ -104,17 +116,17 @@ pub(crate) struct Computed {
     pub(crate) value: f64,
 }
 
-/// What is computed for a cell; NaN, which agrees with nothing, if there is no such cell.
+/// Returns the computed value of a cell; NaN, which agrees with nothing, if there is no such cell.
 pub(crate) fn value(cells: &[Computed], row: &str, column: &str) -> f64 {
     find(cells, row, column).map_or(f64::NAN, |cell| cell.value)
 }
 
-/// What is printed in a cell; NaN if there is no such cell.
+/// Returns the printed value of a cell; NaN if there is no such cell.
 pub(crate) fn printed(cells: &[Computed], row: &str, column: &str) -> f64 {
     find(cells, row, column).map_or(f64::NAN, |cell| cell.printed.value())
 }
 
-/// A cell by row and column.
+/// Returns the cell in a row and column.
 pub(crate) fn find<'a>(cells: &'a [Computed], row: &str, column: &str) -> Option<&'a Computed> {
     cells.iter().find(|cell| cell.row == row && cell.column == column)
 }
@@ -124,11 +136,11 @@ fn judge(printed: &Printed, value: f64, bound: Option<&Bound>) -> Verdict {
         return Verdict::Agrees;
     }
     match bound {
-        // A percentage of infinity is no bound.
+        // A percentage of infinity is not a bound.
         Some(bound) if value.is_finite() && (value - printed.value()).abs() <= bound.around(value) => {
             Verdict::WithinBound { bound: bound.around(value), reason: bound.reason.clone() }
         }
-        // Not "greater than": a NaN must disagree, too.
+        // Not "greater than", because a NaN must disagree, too.
         _ => Verdict::Disagrees { allowed: allowed(printed, value, bound) },
     }
 }
@@ -156,7 +168,7 @@ mod tests {
     const BOUNDS: &str = "table,rows,column,bound,kind,reason\nT,B,w,1.1,absolute,rounded weights\nT,C,w,1,percent,a hundredth\n";
     const MISPRINTS: &str = "table,row,column,printed,holds,why\nT,A 1,w,49.2,43.2,the sum\nT,B 1,w,49.2,43.2,the sum\n";
 
-    /// Made-up cells of a made-up table.
+    /// Judges a cell of an invented table.
     fn verdict(row: &str, printed: &str, value: f64) -> Verdict {
         let ledger = Ledger::read(BOUNDS, MISPRINTS).expect("well formed");
         let printed = Printed::parse(printed).expect("digits");
@@ -185,7 +197,7 @@ mod tests {
         assert_eq!(verdict("A 1", "49.2", 49.21), Verdict::MisprintAgrees);
         assert!(matches!(verdict("A 1", "49.2", 44.0), Verdict::CorrectionDisagrees { allowed: 0.05, .. }));
         assert!(matches!(verdict("A 1", "49.2", f64::NAN), Verdict::CorrectionDisagrees { .. }));
-        // With a bound of 1.1 the correction may be that far off, and so may what is printed.
+        // With a bound of 1.1 both the correction and the printed value may differ by that much.
         assert!(matches!(verdict("B 1", "49.2", 44.0), Verdict::Misprint { .. }));
         assert_eq!(verdict("B 1", "49.2", 48.5), Verdict::MisprintAgrees);
     }

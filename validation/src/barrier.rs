@@ -1,4 +1,4 @@
-//! Table B1: a car crabbed by 30° against a barrier, three times over.
+//! Table B1: a car crabbed by 30° against a barrier, in three tests.
 
 use crate::account::Computed;
 use crate::data::DataError;
@@ -10,10 +10,10 @@ use planar_impact::{Collision, Impact, Party};
 
 pub(crate) const TABLE_B1: &str = "Table B1";
 
-/// Miles an hour in a foot a second.
+/// Miles per hour in one foot per second.
 pub(crate) const MPH: f64 = 15.0 / 22.0;
 
-/// Table B1: 6 rows of eleven cells.
+/// Computes Table B1: 6 rows of eleven cells.
 pub(crate) fn table_b1(geometry: &Geometry, text: &str, wall: Wall) -> Result<Vec<Computed>, DataError> {
     let mut cells = Vec::new();
     for row in Sheet::read("tableB1.csv", text)?.rows() {
@@ -28,11 +28,11 @@ pub(crate) fn table_b1(geometry: &Geometry, text: &str, wall: Wall) -> Result<Ve
         cell("v_n", "ft/s", row.number("vn")?, velocity.x);
         cell("v_t", "ft/s", row.number("vt")?, velocity.y);
         cell("T_i", "ft lb", row.number("Ti")?, impact.kinetic_energy.before);
-        // All eighteen energy losses end in a zero: the second decimal is filler.
+        // All eighteen energy losses end in zero, so the second decimal is filler.
         cell("T_Ln", "ft lb", row.number("TLn")?.without_filler(), -impact.work.n);
         cell("T_Lt", "ft lb", row.number("TLt")?.without_filler(), -impact.work.t);
         cell("T_L", "ft lb", row.number("TL")?.without_filler(), impact.loss());
-        // Printed as magnitudes.
+        // Printed as a magnitude.
         cell("mu", "1", row.number("mu")?, impact.critical_impulse_ratio().abs());
         cell("omega", "deg/s", row.number("omega")?, yaw_rate(&impact));
         let delta_v = impact.one.delta_v_magnitude();
@@ -43,7 +43,7 @@ pub(crate) fn table_b1(geometry: &Geometry, text: &str, wall: Wall) -> Result<Ve
     Ok(cells)
 }
 
-/// All cells of Table B1: those above, those that Tables 3 and 4 hold as well, and those that nothing computes.
+/// Collects all cells of Table B1: those above, those repeated from Tables 3 and 4, and those that are not computed.
 pub(crate) fn entries(computed: &[Computed], measurements: &Measurements<'_>, text: &str) -> Result<Entries, DataError> {
     const GIVEN: [GivenColumn; 3] = [
         GivenColumn { header: "vi", column: "v_i", unit: "ft/s", nature: Nature::Measured },
@@ -66,7 +66,7 @@ fn yaw_rate(impact: &Impact) -> f64 {
     impact.one.after.yaw_rate.to_degrees().abs()
 }
 
-/// How many vehicle masses a party has, if it is a vehicle.
+/// Returns the ratio of a party's mass to that of the vehicle, if it is a vehicle.
 pub(crate) fn vehicle_masses(collision: &Collision) -> Option<f64> {
     let mass = |party: &Party| party.vehicle().map(|vehicle| vehicle.mass);
     Some(mass(&collision.two)? / mass(&collision.one)?)
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn a_heavy_body_is_almost_a_barrier() {
-        // 1/9813 of the normal loss, and less of everything else.
+        // The normal loss differs by 1/9813, everything else by less.
         for (fixed, heavy) in cells(Wall::Fixed).iter().zip(cells(Wall::Papers)) {
             assert!((fixed.value / heavy.value - 1.0).abs() < 1.1e-4, "{} {}", fixed.row, fixed.column);
         }
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn with_the_papers_wall_the_cells_agree_to_the_last_digit() {
-        // But for the two columns that the paper computes from its rounded cells (T_L, dv_mph) and the misprint.
+        // Except for the two columns that the paper computes from its rounded cells (T_L, dv_mph), and with the misprint corrected.
         let mut agreeing = 0;
         for cell in cells(Wall::Papers).into_iter().filter(|cell| cell.column != "T_L" && cell.column != "dv_mph") {
             let misprinted = cell.row == "2 0.13" && cell.column == "T_Ln";

@@ -1,27 +1,27 @@
-//! The chain of misprints: a digit of Table B2's sum is wrong in Table 5, and Table 6 converts the wrong number.
+//! The chain of misprints: Table 5 misprints a digit of a sum in Table B2, and Table 6 converts the wrong number.
 
 use crate::account::{Computed, find, printed, value};
 use crate::sheet::Printed;
 
-/// One link: a printed number, and how it follows from the one before.
+/// One link: a printed number, and its derivation from the preceding one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
-    /// Where it stands.
+    /// Its place in the paper.
     pub place: &'static str,
-    /// What is printed there.
+    /// The printed value.
     pub printed: String,
-    /// What should be printed there.
+    /// The correct value.
     pub holds: String,
-    /// How it follows, in numbers.
+    /// The derivation, in numbers.
     pub how: String,
-    /// Whether those numbers bear it out.
+    /// `true` if those numbers confirm it.
     pub follows: bool,
 }
 
 const TEST: &str = "2";
 const ENERGY: &str = "planar_energy";
 
-/// The three links, from Table B2 to Table 6.
+/// Returns the three links, from Table B2 to Table 6.
 pub(crate) fn links(table_b2: &[Computed], table_5: &[Computed], table_6: &[Computed]) -> Vec<Link> {
     vec![sum(table_b2), digit(table_b2, table_5), conversion(table_b2, table_5, table_6)]
 }
@@ -30,7 +30,7 @@ fn text(cells: &[Computed], row: &str, column: &str) -> String {
     find(cells, row, column).map_or_else(String::new, |cell| cell.printed.text().to_owned())
 }
 
-/// The rows of Table B2 whose restitution is measured, as Table 5 takes them.
+/// Returns the loss in the rows of Table B2 with the measured restitution, which Table 5 repeats.
 fn loss_of(table_b2: &[Computed], test: &str) -> f64 {
     let row = table_b2.iter().find(|cell| cell.column == "planar_T_L" && cell.row.starts_with(test) && !cell.row.ends_with(" 0.00"));
     row.map_or(f64::NAN, |cell| cell.printed.value())
@@ -44,7 +44,7 @@ fn sum(table_b2: &[Computed]) -> Link {
         printed: text(table_b2, ROW, "planar_T_L"),
         holds: text(table_b2, ROW, "planar_T_L"),
         how: format!("{normal} + {tangential} of its row, rounded before; computed {:.1}", value(table_b2, ROW, "planar_T_L")),
-        // Two parts and a sum, each rounded.
+        // Two terms and their sum, each rounded.
         follows: (normal + tangential - loss).abs() <= 1.5,
     }
 }
@@ -66,7 +66,7 @@ fn digit(table_b2: &[Computed], table_5: &[Computed]) -> Link {
 }
 
 fn conversion(table_b2: &[Computed], table_5: &[Computed], table_6: &[Computed]) -> Link {
-    // The kJ in a ft lb that the other two tests of the column allow, as rounded.
+    // The range of kJ per ft lb that the rounded values of the other two tests in the column allow.
     let factors = ["1", "3"].map(|test| {
         let half = find(table_6, test, ENERGY).map_or(f64::NAN, |cell| cell.printed.half_unit());
         let (metric, us) = (printed(table_6, test, ENERGY), printed(table_5, test, ENERGY));

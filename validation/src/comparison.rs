@@ -1,4 +1,4 @@
-//! Tables 5 and 6: test, CRASH3 and planar impact mechanics side by side, in two systems of units.
+//! Tables 5 and 6: tests, CRASH3 and planar impact mechanics side by side, in two systems of units.
 
 use crate::barrier::MPH;
 use crate::data::DataError;
@@ -10,32 +10,32 @@ use crate::sheet::Sheet;
 pub(crate) const TABLE_5: &str = "Table 5";
 pub(crate) const TABLE_6: &str = "Table 6";
 
-/// Joules in a foot pound: 0.3048 m times 4.4482216152605 N.
+/// Joules in one foot-pound: 0.3048 m times 4.4482216152605 N.
 pub(crate) const JOULES: f64 = 0.3048 * 4.448_221_615_260_5;
-/// Kilometers an hour in a foot a second.
+/// Kilometers per hour in one foot per second.
 pub(crate) const KPH: f64 = 0.3048 * 3.6;
 
-/// What both tables print of a test, in feet and pounds.
+/// The values that both tables print for a test, in feet and pounds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Comparison {
-    /// Crush energy of the tests up to this one, normal to the wall.
+    /// Total crush energy of the tests up to this one, normal to the wall.
     test_energy: f64,
     test_speed: f64,
     /// Crush energy with CRASH3's correction, T_L of Table B2.
     crash3_energy: f64,
     crash3_delta_v: f64,
-    /// The whole loss, T_L of Table B2.
+    /// The total loss, T_L of Table B2.
     planar_energy: f64,
     planar_delta_v: f64,
 }
 
-/// How a table writes them.
+/// Units and headers of a table.
 struct Style {
     table: &'static str,
     file: &'static str,
     energy: (&'static str, f64),
     speed: (&'static str, f64),
-    /// The headers of energy and speed of test, CRASH3 and planar impact mechanics.
+    /// The headers of energy and speed for the test, CRASH3 and planar impact mechanics.
     headers: [(&'static str, &'static str); 3],
 }
 
@@ -56,7 +56,7 @@ const METRIC: Style = Style {
 };
 
 impl Comparison {
-    /// With the measured restitution, but for CRASH3, which has none.
+    /// Computes the values of a test with the measured restitution; CRASH3 has none.
     fn of(reconstructions: &Reconstructions, which: usize) -> Self {
         let found = reconstructions.get(which, Restitution::Measured);
         Comparison {
@@ -69,7 +69,7 @@ impl Comparison {
         }
     }
 
-    /// Energy and speed of test, CRASH3 and planar impact mechanics, with the names of their columns.
+    /// Returns energy and speed of the test, CRASH3 and planar impact mechanics, with their column names.
     fn columns(&self) -> [[(&'static str, f64); 2]; 3] {
         [
             [("test_energy", self.test_energy), ("test_EES", self.test_speed)],
@@ -79,12 +79,12 @@ impl Comparison {
     }
 }
 
-/// Table 5: 3 rows of six cells, in ft lb and mph.
+/// Computes Table 5: 3 rows of six cells, in ft lb and mph.
 pub(crate) fn table_5(series: &Series, reconstructions: &Reconstructions, text: &str) -> Result<Entries, DataError> {
     table(series, reconstructions, text, &US)
 }
 
-/// Table 6: the same in kJ and km/h.
+/// Computes Table 6: the same in kJ and km/h.
 pub(crate) fn table_6(series: &Series, reconstructions: &Reconstructions, text: &str) -> Result<Entries, DataError> {
     table(series, reconstructions, text, &METRIC)
 }

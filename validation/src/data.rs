@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The texts of a run, in CSV; lines that begin with `#` are remarks.
+/// The texts of a run, in CSV; lines that begin with `#` are comments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texts<'a> {
     /// Table 1 as printed.
@@ -23,9 +23,9 @@ pub struct Texts<'a> {
     pub table_b2: &'a str,
     /// Masses, inertias and arms.
     pub geometry: &'a str,
-    /// Cells known to be wrong in print.
+    /// Cells known to be misprinted.
     pub misprints: &'a str,
-    /// How far cells may be off, and why.
+    /// Bounds on the differences of cells, with reasons.
     pub bounds: &'a str,
     /// Measured small-overlap barrier tests.
     pub iihs: &'a str,
@@ -34,7 +34,7 @@ pub struct Texts<'a> {
 }
 
 impl Texts<'static> {
-    /// Those that come with the crate.
+    /// Returns the texts embedded in the crate.
     pub fn embedded() -> Self {
         Texts {
             table_1: include_str!("../data/table1.csv"),
@@ -54,15 +54,15 @@ impl Texts<'static> {
     }
 }
 
-/// Why nothing could be computed from the texts.
+/// Error that prevents computing anything from the texts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DataError {
-    /// A text is not CSV with a header and rows of its length.
+    /// A text is not CSV with a header and rows of equal length.
     Malformed {
         /// The text.
         file: &'static str,
-        /// What the reader says.
+        /// The reader's message.
         message: String,
     },
     /// A text has no rows.
@@ -77,7 +77,7 @@ pub enum DataError {
         /// The column.
         column: &'static str,
     },
-    /// A field is not a decimal number, or not in its range.
+    /// A field is not a decimal number, or not within its range.
     NotANumber {
         /// The text.
         file: &'static str,
@@ -86,7 +86,7 @@ pub enum DataError {
         /// The field.
         field: String,
     },
-    /// A field is none of the words that may stand there.
+    /// A field is not one of the allowed words.
     UnknownWord {
         /// The text.
         file: &'static str,
@@ -95,7 +95,7 @@ pub enum DataError {
         /// The field.
         field: String,
     },
-    /// A text lacks an entry, or has it twice.
+    /// An entry is missing from a text, or occurs twice.
     NotOnce {
         /// The text.
         file: &'static str,
@@ -104,7 +104,7 @@ pub enum DataError {
     },
     /// The library refuses a collision.
     Refused {
-        /// Which one.
+        /// The collision.
         collision: String,
         /// Its reasons.
         reasons: String,

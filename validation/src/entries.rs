@@ -1,10 +1,10 @@
-//! The cells of one table before they are judged: those that are computed, and those that nothing computes.
+//! The cells of one table before their comparison: those that are computed, and those that are not.
 
 use crate::account::Computed;
 use crate::data::DataError;
 use crate::sheet::{Printed, Row, Sheet};
 
-/// A printed cell that nothing computes.
+/// A printed cell that is not computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given {
     /// The table.
@@ -15,13 +15,13 @@ pub struct Given {
     pub column: &'static str,
     /// Its unit; `1` for a ratio.
     pub unit: &'static str,
-    /// What the paper prints.
+    /// The value printed in the paper.
     pub printed: Printed,
-    /// Why nothing computes it.
+    /// Reason why it is not computed.
     pub nature: Nature,
 }
 
-/// Why nothing computes a cell.
+/// Reason why a cell is not computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Nature {
     /// The paper chose it.
@@ -31,7 +31,7 @@ pub enum Nature {
 }
 
 impl Nature {
-    /// The reason in a word.
+    /// Returns the reason in one word.
     pub fn name(self) -> &'static str {
         match self {
             Nature::Chosen => "given",
@@ -40,7 +40,7 @@ impl Nature {
     }
 }
 
-/// A column that nothing computes: its header in the text, its name in reports, its unit.
+/// A column that is not computed: its header in the text, its name in reports, its unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GivenColumn {
     pub(crate) header: &'static str,
@@ -49,18 +49,18 @@ pub(crate) struct GivenColumn {
     pub(crate) nature: Nature,
 }
 
-/// Both kinds of cells of a table, and how many its text holds.
+/// Both kinds of cells of a table, and the number of cells in its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Entries {
     pub(crate) table: &'static str,
     pub(crate) computed: Vec<Computed>,
     pub(crate) given: Vec<Given>,
-    /// Fields of the text that are not empty, labels aside: no cell may be left out.
+    /// Number of nonempty fields in the text, without labels; used to check that no cell is left out.
     pub(crate) printed: usize,
 }
 
 impl Entries {
-    /// None yet, of a text some of whose columns are no cells but labels of the rows.
+    /// Creates an empty collection for a table; the columns `labels` are row labels, not cells.
     pub(crate) fn of(table: &'static str, sheet: &Sheet, labels: &[&str]) -> Self {
         Entries { table, computed: Vec::new(), given: Vec::new(), printed: sheet.filled(labels) }
     }
@@ -69,7 +69,7 @@ impl Entries {
         self.computed.push(Computed { table: self.table, row: row.to_owned(), column, unit, printed, value });
     }
 
-    /// Adds the cells of a row that nothing computes. Where a column is empty in print there is none.
+    /// Adds the cells of a row that are not computed, except for columns that are empty in print.
     pub(crate) fn give(&mut self, row: &Row<'_>, label: &str, columns: &[GivenColumn]) -> Result<(), DataError> {
         for &GivenColumn { header, column, unit, nature } in columns {
             if let Some(printed) = row.number_if_any(header)? {

@@ -1,4 +1,4 @@
-//! Figures 6 and 7 as data: the crush of the crabbed tests beside the linear model.
+//! Data of Figures 6 and 7: the crush of the crabbed tests compared with the linear model.
 
 use crate::geometry::Geometry;
 use crate::reconstruction::Reconstructions;
@@ -11,46 +11,46 @@ use planar_impact::crush::{CrushStiffness, ProfileMoments};
 pub struct Figure {
     /// Its number in the paper.
     pub number: u8,
-    /// What it shows.
+    /// Its title.
     pub title: &'static str,
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// What is drawn, in this order.
+    /// Its curves, in drawing order.
     pub curves: Vec<Curve>,
 }
 
 /// An axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
-    /// What it measures.
+    /// The quantity.
     pub name: &'static str,
-    /// In which unit.
+    /// Its unit.
     pub unit: &'static str,
 }
 
-/// Points that belong together.
+/// A set of related points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What they are.
+    /// Its name.
     pub name: String,
-    /// How they are drawn.
+    /// Its drawing style.
     pub style: Style,
     /// The points, from left to right.
     pub points: Vec<Point>,
 }
 
-/// How points are drawn.
+/// Drawing style of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
-    /// Joined by a line.
+    /// Connected by a line.
     Line,
-    /// Each by a mark: a measurement.
+    /// A separate mark for each: measurements.
     Marks,
 }
 
-/// A point of a figure, in the units of its axes.
+/// A point of a figure, in the units of the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Along the horizontal axis.
@@ -59,23 +59,24 @@ pub struct Point {
     pub y: f64,
 }
 
-/// Depths in ft at which a line is drawn: a little beyond the deepest crush of the tests.
+/// Greatest depth of the lines, in ft: slightly more than the deepest crush of the tests.
 const DEEPEST: f64 = 1.2;
 const STEPS: u32 = 48;
 
-/// Figures 6 and 7.
+/// Computes Figures 6 and 7.
 pub(crate) fn all(geometry: &Geometry, series: &Series, reconstructions: &Reconstructions) -> Vec<Figure> {
     let fitted = fitted_line(&intensities(series, reconstructions, Restitution::Measured));
     vec![energies(geometry, series, reconstructions, &fitted), lines(geometry, series, reconstructions, &fitted)]
 }
 
-/// E* of the tests against the depth of their crush.
+/// Returns E* of the tests against the depth of crush.
 pub(crate) fn intensities(series: &Series, reconstructions: &Reconstructions, restitution: Restitution) -> Vec<Point> {
     let tests = series.tests.iter().enumerate();
     tests.map(|(which, test)| Point { x: test.depth, y: reconstructions.get(which, restitution).cumulative.intensity }).collect()
 }
 
-/// The line E* = d₀ + d₁ C of least squares through points of depth and E*, all of one weight. Not a number where the points make no line.
+/// Fits the line E* = d₀ + d₁ C through points of depth and E* by least squares with equal weights. Returns NaN if
+/// the points determine no line.
 pub(crate) fn fitted_line(points: &[Point]) -> CrushStiffness {
     let observed = |point: &Point| {
         let crush = ProfileMoments::of(1.0, &[point.x, point.x]).expect("two depths are a profile");
@@ -90,7 +91,7 @@ fn curve(of: impl Fn(f64) -> f64) -> Vec<Point> {
     (0..=STEPS).map(|step| DEEPEST * f64::from(step) / f64::from(STEPS)).map(|x| Point { x, y: of(x) }).collect()
 }
 
-/// Figure 6: the crush energy of a test is that of all tests up to it, and the linear model makes a parabola of it.
+/// Computes Figure 6: the crush energy after a test is the sum over all tests up to it, and the linear model is a parabola.
 fn energies(geometry: &Geometry, series: &Series, reconstructions: &Reconstructions, fitted: &CrushStiffness) -> Figure {
     let model = |line: &CrushStiffness| {
         curve(|depth| {
@@ -116,7 +117,7 @@ fn energies(geometry: &Geometry, series: &Series, reconstructions: &Reconstructi
     }
 }
 
-/// Figure 7: E* = √(2 E_C/w) of the tests beside the straight line.
+/// Computes Figure 7: E* = √(2 E_C/w) of the tests, compared with the straight line.
 fn lines(geometry: &Geometry, series: &Series, reconstructions: &Reconstructions, fitted: &CrushStiffness) -> Figure {
     let line = |line: &CrushStiffness| format!("{:.2} + {:.1} C", line.onset, line.slope);
     Figure {
@@ -154,7 +155,7 @@ mod tests {
         let points = [(0.0, 3.0), (0.5, 5.0), (2.0, 11.0)].map(|(x, y)| Point { x, y });
         let line = fitted_line(&points);
         assert!((line.onset - 3.0).abs() < 1e-12 && (line.slope - 4.0).abs() < 1e-12, "{line:?}");
-        // Moving the middle one up moves the mean up.
+        // Raising the middle point raises the mean.
         let line = fitted_line(&[points[0], Point { x: 0.5, y: 5.6 }, points[2]]);
         assert!((line.crush_intensity(2.5 / 3.0) - (19.6 / 3.0)).abs() < 1e-12);
     }

@@ -1,4 +1,4 @@
-//! The collisions behind the tables, in feet, slugs and seconds: the library takes any coherent units.
+//! The collisions of the tables, in feet, slugs and seconds: the library accepts any coherent units.
 
 use crate::data::DataError;
 use crate::sheet::Sheet;
@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 const FILE: &str = "geometry.csv";
 
-/// Where vehicle 1 hits vehicle 2 (Fig 3).
+/// Position of the impact on vehicle 2 (Fig 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Position {
     A,
@@ -44,12 +44,12 @@ pub(crate) struct Perpendicular {
     pub(crate) restitution: f64,
 }
 
-/// What the crabbed car of Table B1 runs into.
+/// The barrier of the crabbed car in Table B1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wall {
-    /// A barrier that does not move.
+    /// A fixed barrier.
     Fixed,
-    /// The very heavy body at rest that the paper computes with.
+    /// The very heavy body at rest that the paper uses.
     Papers,
 }
 
@@ -59,7 +59,7 @@ pub(crate) struct Geometry {
     gravity: f64,
     weights: [f64; 2],
     yaw_inertias: [f64; 2],
-    /// From each center of mass to the impact center, in ground axes, for positions A, B, C.
+    /// Vectors from each center of mass to the impact center, in ground axes, for positions A, B, C.
     arms: [[Xy; 2]; 3],
     pub(crate) barrier_mass: f64,
     crab_angle: f64,
@@ -109,7 +109,7 @@ impl Geometry {
         }
     }
 
-    /// The collision of the example, at the critical ratio.
+    /// Returns the collision of the example, at the critical ratio.
     pub(crate) fn perpendicular(&self, case: Perpendicular) -> Collision {
         let headings = [Heading { cos: -1.0, sin: 0.0 }, Heading { cos: 0.0, sin: 1.0 }];
         let velocities = [Xy { x: case.v_1x, y: 0.0 }, Xy { x: 0.0, y: case.v_2y }];
@@ -126,7 +126,7 @@ impl Geometry {
         collision(one, two, CrushPlane::from_angle(case.gamma_degrees.to_radians()), case.restitution)
     }
 
-    /// The same example with other weights, in lbf.
+    /// Returns the same example with other weights, in lbf.
     #[cfg(test)]
     pub(crate) fn with_weights(&self, weights: [f64; 2]) -> Self {
         Geometry { weights, ..self.clone() }
@@ -136,13 +136,13 @@ impl Geometry {
         self.weights
     }
 
-    /// Forward and lateral components of a crabbed car's speed.
+    /// Returns forward and lateral components of a crabbed car's velocity.
     pub(crate) fn crabbed_velocity(&self, speed: f64) -> Xy {
         let (sin, cos) = self.crab_angle.to_radians().sin_cos();
         Xy { x: speed * cos, y: speed * sin }
     }
 
-    /// The crabbed car: its front lies along the wall, its velocity does not point along its heading.
+    /// Returns the collision of the crabbed car: its front is parallel to the wall, its velocity is not along its heading.
     pub(crate) fn crabbed(&self, speed: f64, restitution: f64, wall: Wall) -> Collision {
         let ahead = Heading { cos: 1.0, sin: 0.0 };
         let one = Vehicle {
@@ -154,7 +154,7 @@ impl Geometry {
         };
         let two = match wall {
             Wall::Fixed => Party::Barrier,
-            // Hit at its center of mass, so that its inertia does not matter.
+            // Struck at its center of mass, so that its inertia does not matter.
             Wall::Papers => Party::Vehicle(Vehicle {
                 mass: self.papers_barrier_mass,
                 yaw_inertia: self.papers_barrier_mass,
@@ -171,7 +171,7 @@ fn collision(one: Party, two: Party, crush_plane: CrushPlane, restitution: f64) 
     Collision { one, two, crush_plane, restitution, impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, moment: Moment::None }
 }
 
-/// The impact, or an error that names the collision.
+/// Solves the impact, or returns an error that names the collision.
 pub(crate) fn solve(collision: &Collision, name: &str) -> Result<Impact, DataError> {
     collision.solve().map_err(|reasons| DataError::Refused { collision: name.to_owned(), reasons: reasons.to_string() })
 }
@@ -189,7 +189,7 @@ mod tests {
         // geometry.csv, A.one and A.two; at Γ = 0 n is x and t is y.
         assert_eq!((contact.one.arm.n, contact.one.arm.t), (-6.34990, 0.0));
         assert_eq!((contact.two.arm.n, contact.two.arm.t), (3.23560, 7.96804));
-        // Both at 40 along their headings: the approach is v_2 − v_1.
+        // Both at 40 along their headings: the approach velocity is v_2 − v_1.
         assert_eq!((contact.approach.n, contact.approach.t), (40.0, 40.0));
     }
 

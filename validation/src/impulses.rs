@@ -1,11 +1,11 @@
-//! Tables 3 and 4: what was measured in the crabbed tests, and the ratios and means computed from it.
+//! Tables 3 and 4: measurements of the crabbed tests, and ratios and means computed from them.
 
 use crate::account::{Computed, value};
 use crate::data::DataError;
 use crate::entries::{Entries, GivenColumn, Nature};
 use crate::sheet::{Row, Sheet};
 use planar_impact::Nt;
-use planar_impact::barrier::{Problems, impulse_ratio};
+use planar_impact::barrier::{TestIssues, impulse_ratio};
 
 pub(crate) const TABLE_3: &str = "Table 3";
 pub(crate) const TABLE_4: &str = "Table 4";
@@ -19,7 +19,8 @@ const IMPULSES: [GivenColumn; 3] =
 
 const RESTITUTIONS: [GivenColumn; 2] = [measured("rigid_body_kinematics", "kinematics", "1"), measured("film_analysis", "film", "1")];
 
-/// Table 3: the impulses on the load cells of main barrier and wing. The normal one is that of both halves; the ratio is the wing's to it.
+/// Computes Table 3: the impulses on the load cells of main barrier and wing. The normal impulse is that of both
+/// halves; the ratio is that of the wing to it.
 pub(crate) fn table_3(text: &str) -> Result<Entries, DataError> {
     let sheet = Sheet::read("table3.csv", text)?;
     let mut entries = Entries::of(TABLE_3, &sheet, &["test"]);
@@ -29,14 +30,14 @@ pub(crate) fn table_3(text: &str) -> Result<Entries, DataError> {
         let [left, right, wing] = [row.number("left_Ns")?, row.number("right_Ns")?, row.number("wing_Ns")?].map(|impulse| impulse.value());
         entries.compute(label, "normal", "N s", row.number("normal_Ns")?, left + right);
         let refused =
-            |reasons: Problems| DataError::Refused { collision: format!("{TABLE_3}, test {label}"), reasons: reasons.to_string() };
+            |reasons: TestIssues| DataError::Refused { collision: format!("{TABLE_3}, test {label}"), reasons: reasons.to_string() };
         let ratio = impulse_ratio(Nt { n: left + right, t: wing }).map_err(refused)?;
         entries.compute(label, "ratio", "1", row.number("impulse_ratio")?, ratio);
     }
     Ok(entries)
 }
 
-/// Table 4: restitution by two methods, and their mean.
+/// Computes Table 4: restitution by two methods, and their mean.
 pub(crate) fn table_4(text: &str) -> Result<Entries, DataError> {
     let sheet = Sheet::read("table4.csv", text)?;
     let mut entries = Entries::of(TABLE_4, &sheet, &["test"]);
@@ -49,7 +50,7 @@ pub(crate) fn table_4(text: &str) -> Result<Entries, DataError> {
     Ok(entries)
 }
 
-/// What other tables take over from these two.
+/// Values that other tables take from these two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Measurements<'a> {
     pub(crate) table_3: &'a [Computed],
@@ -57,7 +58,7 @@ pub(crate) struct Measurements<'a> {
 }
 
 impl Measurements<'_> {
-    /// Adds the cells of a row that come from here: the measured ratio, and the restitution where it is a measured one. e = 0 is a choice.
+    /// Adds the cells of a row that come from these tables: the measured ratio, and the restitution if it is measured; e = 0 is chosen.
     pub(crate) fn carry(&self, entries: &mut Entries, row: &Row<'_>, label: &str, test: &str) -> Result<(), DataError> {
         const CHOSEN: GivenColumn = GivenColumn { header: "e", column: "e", unit: "1", nature: Nature::Chosen };
         let e = row.number("e")?;
@@ -81,7 +82,7 @@ mod tests {
     #[test]
     fn the_normal_impulse_is_that_of_both_halves() {
         let table = table_3(Texts::embedded().table_3).expect("embedded");
-        // Table 3, test 2: 3301 + 6788, and 2857 of the wing.
+        // Table 3, test 2: 3301 + 6788, and 2857 for the wing.
         assert_eq!(value(&table.computed, "2", "normal"), 10089.0);
         assert_eq!(value(&table.computed, "2", "ratio"), 2857.0 / 10089.0);
         assert_eq!((table.computed.len(), table.given.len(), table.printed), (6, 9, 15));

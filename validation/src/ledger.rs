@@ -1,10 +1,9 @@
-//! What is known to be off: bounds with their reasons, and misprints.
+//! Known deviations: bounds with their reasons, and misprints.
 
-use crate::account::{Cell, Verdict};
 use crate::data::DataError;
 use crate::sheet::{Printed, Sheet};
 
-/// How far some cells may be from what is printed.
+/// A bound on the difference of some cells from the printed values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
     /// The table.
@@ -15,13 +14,13 @@ pub struct Bound {
     pub column: String,
     /// The bound.
     pub size: f64,
-    /// Whether the size is in percent of the cell; otherwise it is in the cell's unit.
+    /// `true` if the size is a percentage of the cell; otherwise it is in the cell's unit.
     pub is_percent: bool,
-    /// Why the cells are off.
+    /// Reason for the difference.
     pub reason: String,
 }
 
-/// A cell that is wrong in print.
+/// A misprinted cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misprint {
     /// The table.
@@ -30,37 +29,27 @@ pub struct Misprint {
     pub row: String,
     /// The column.
     pub column: String,
-    /// What is printed.
+    /// The printed value.
     pub printed: Printed,
-    /// What should be.
+    /// The correct value.
     pub holds: Printed,
-    /// How that shows.
+    /// Evidence for the misprint.
     pub why: String,
 }
 
-/// A bound may be this many times the largest difference that it covers.
+/// Maximum ratio of a bound to the largest difference that it covers.
 pub const LARGEST_SLACK: f64 = 1.5;
 
 impl Bound {
-    /// The bound in the unit of a cell with this value.
+    /// Returns the bound in the unit of a cell with this value.
     pub fn around(&self, value: f64) -> f64 {
         if self.is_percent { value.abs() * self.size / 100.0 } else { self.size }
     }
 
-    /// Whether the bound is for a cell.
+    /// Returns `true` if the bound applies to a cell.
     pub fn covers(&self, table: &str, row: &str, column: &str) -> bool {
         let rows = self.rows == "*" || self.rows == row || row.split(' ').next() == Some(self.rows.as_str());
         self.table == table && self.column == column && rows
-    }
-
-    /// How much of this bound, its own, a cell needs, as a fraction; None if it does not need it.
-    pub(crate) fn need_of(&self, cell: &Cell) -> Option<f64> {
-        let difference = match &cell.verdict {
-            Verdict::WithinBound { .. } => cell.difference(),
-            Verdict::Misprint { holds, .. } if !holds.agrees_with(cell.computed) => cell.computed - holds.value(),
-            _ => return None,
-        };
-        Some(difference.abs() / self.around(cell.computed))
     }
 }
 
@@ -109,19 +98,19 @@ impl Ledger {
         Ok(Ledger { bounds, misprints: misprints.collect::<Result<_, _>>()? })
     }
 
-    /// The first bound for a cell. A second one would cover nothing, and be reported for that.
+    /// Returns the first bound for a cell. A second bound would cover nothing, and be reported as unused.
     pub(crate) fn bound_of(&self, table: &str, row: &str, column: &str) -> Option<&Bound> {
         first(&self.bounds, table, row, column).map(|(_, bound)| bound)
     }
 
-    /// The misprint of a cell, if the cell holds what the misprint says is printed.
+    /// Returns the misprint of a cell, if the cell has the printed value of the misprint.
     pub(crate) fn misprint_of(&self, table: &str, row: &str, column: &str, printed: &Printed) -> Option<&Misprint> {
         let listed = |m: &&Misprint| m.table == table && m.row == row && m.column == column;
         self.misprints.iter().filter(listed).find(|misprint| misprint.printed.text() == printed.text())
     }
 }
 
-/// The first bound for a cell, with its index.
+/// Returns the first bound for a cell, with its index.
 pub(crate) fn first<'a>(bounds: &'a [Bound], table: &str, row: &str, column: &str) -> Option<(usize, &'a Bound)> {
     bounds.iter().enumerate().find(|(_, bound)| bound.covers(table, row, column))
 }

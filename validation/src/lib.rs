@@ -32,20 +32,20 @@ pub use report::{Counts, Report, TableReport};
 pub use sheet::Printed;
 pub use statement::{Standing, Statement};
 
-/// Computes every cell of the tables that come with the crate, and holds it against the print; then the measured tests.
+/// Computes every cell of the embedded tables and compares it with the printed value; then computes the measured tests.
 ///
 /// # Errors
 ///
-/// [`DataError`]: a text is malformed. Disagreement is not an error but a [`Problem`] of the report.
+/// Returns a [`DataError`] if a text is malformed. A disagreement is not an error but a [`Problem`] of the report.
 pub fn run() -> Result<Report, DataError> {
     run_on(&Texts::embedded())
 }
 
-/// The same for other texts.
+/// Runs the validation on other texts.
 ///
 /// # Errors
 ///
-/// [`DataError`]: a text is malformed, or the library refuses a collision.
+/// Returns a [`DataError`] if a text is malformed, or if the library refuses a collision.
 pub fn run_on(texts: &Texts<'_>) -> Result<Report, DataError> {
     let geometry = geometry::Geometry::read(texts.geometry)?;
     let ledger = ledger::Ledger::read(texts.bounds, texts.misprints)?;

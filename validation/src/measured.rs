@@ -1,7 +1,8 @@
-//! The second stage: tests that the paper does not have, computed and held against what was measured.
+//! The second stage: tests not in the paper, computed and compared with measurements.
 //!
-//! Nothing here says how well the paper is reproduced, and nothing is fitted here: an error is reported as it is. A run fails where nothing can be computed,
-//! where a vehicle turns the wrong way, where a published coefficient is not found, and where an error is not the recorded one any more, better or worse.
+//! This stage does not judge how well the paper is reproduced, and fits nothing: errors are reported as they are. A
+//! run fails if nothing can be computed, if a vehicle turns the wrong way, if a published coefficient is not
+//! reproduced, or if an error differs from the recorded one, for better or worse.
 
 mod frontal;
 mod small_overlap;
@@ -18,35 +19,35 @@ pub use small_overlap::SmallOverlap;
 pub struct Measured {
     /// Small-overlap barrier tests: ΔV and yaw rate.
     pub small_overlap: Vec<SmallOverlap>,
-    /// Full-frontal barrier tests: stiffness, and energy of the crush.
+    /// Full-frontal barrier tests: stiffness and crush energy.
     pub frontal: Vec<Frontal>,
 }
 
-/// A measured number beside the computed one.
+/// A measured number compared with the computed one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// What was measured.
+    /// The measured quantity.
     pub quantity: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// As published.
+    /// The published value.
     pub measured: Printed,
-    /// What the library computes, with the tangential law of the paper where there is one.
+    /// The computed value, by the tangential law of the paper if a law applies.
     pub computed: f64,
-    /// The error in percent when the test was added, if one is recorded.
+    /// The error in percent when the test was added, if it was recorded.
     pub recorded: Option<Printed>,
 }
 
-/// Root mean squares of errors over the tests.
+/// Root mean square error over the tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RootMeanSquare {
     /// In the unit of the quantity.
     pub error: f64,
-    /// In percent of what was measured.
+    /// In percent of the measured value.
     pub percent: f64,
 }
 
-/// Why the measured tests do not hold.
+/// Reason why the measured tests do not hold.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeasuredProblem {
@@ -55,26 +56,26 @@ pub enum MeasuredProblem {
         /// The test.
         test: String,
     },
-    /// An error is not the recorded one, larger or smaller.
+    /// An error is not the recorded one; it is larger or smaller.
     NotAsRecorded {
         /// The test.
         test: String,
         /// The reading, with its error.
         reading: Reading,
     },
-    /// A published coefficient is another one.
+    /// A published coefficient is not reproduced.
     Coefficient {
         /// The test.
         test: String,
         /// The coefficient.
         coefficient: Coefficient,
     },
-    /// There are no tests of a kind.
+    /// There are no tests of one kind.
     None {
-        /// Which kind.
+        /// The kind.
         kind: &'static str,
     },
-    /// A test stands there twice.
+    /// A test occurs twice.
     Repeated {
         /// The test.
         test: String,
@@ -82,39 +83,39 @@ pub enum MeasuredProblem {
 }
 
 impl Reading {
-    /// Computed less measured.
+    /// Returns computed minus measured.
     pub fn error(&self) -> f64 {
         self.error_of(self.computed)
     }
 
-    /// The error in percent of what was measured.
+    /// Returns the error in percent of the measured value.
     pub fn percent(&self) -> f64 {
         self.percent_of(self.computed)
     }
 
-    /// The error of another computed number.
+    /// Returns the error of another computed number.
     pub fn error_of(&self, computed: f64) -> f64 {
         computed - self.measured.value()
     }
 
-    /// The error of another computed number, in percent of what was measured.
+    /// Returns the error of another computed number, in percent of the measured value.
     pub fn percent_of(&self, computed: f64) -> f64 {
         100.0 * self.error_of(computed) / self.measured.value()
     }
 
-    /// Whether the computed number rounds to the published digits: the tests state no uncertainty but those.
+    /// Returns `true` if the computed number rounds to the published digits, the only uncertainty that the tests state.
     pub fn is_within_digits(&self) -> bool {
         self.measured.agrees_with(self.computed)
     }
 
-    /// Whether the error rounds to the recorded one, its sign included. A better one does not either: it is to be recorded.
+    /// Returns `true` if the error rounds to the recorded one, including its sign. A smaller error does not count: it must be recorded.
     pub fn is_as_recorded(&self) -> bool {
         self.recorded.as_ref().is_none_or(|recorded| recorded.agrees_with(self.percent()))
     }
 }
 
 impl RootMeanSquare {
-    /// Of readings, each with a computed number.
+    /// Computes the root mean square of readings, each with a computed number.
     pub(crate) fn of<'a>(readings: impl IntoIterator<Item = (&'a Reading, f64)>) -> Self {
         let (mut errors, mut percents, mut count) = (0.0, 0.0, 0.0);
         for (reading, computed) in readings {
@@ -131,14 +132,14 @@ impl Measured {
         Ok(Measured { small_overlap: small_overlap::read(iihs)?, frontal: frontal::read(nhtsa)? })
     }
 
-    /// Every reading with the name of its test.
+    /// Returns every reading with the name of its test.
     pub fn readings(&self) -> impl Iterator<Item = (&str, &Reading)> {
         let overlap =
             self.small_overlap.iter().flat_map(|test| [&test.delta_v, &test.yaw_rate].map(|reading| (test.test.as_str(), reading)));
         overlap.chain(self.frontal.iter().map(|test| (test.test.as_str(), &test.energy)))
     }
 
-    /// What does not hold; empty if all does.
+    /// Returns the failures; empty if everything holds.
     pub fn problems(&self) -> Vec<MeasuredProblem> {
         let name = |test: &str| test.to_owned();
         let kinds = [("small-overlap", self.small_overlap.len()), ("full-frontal", self.frontal.len())];
@@ -164,7 +165,7 @@ impl Measured {
     }
 }
 
-/// The error that a row records, and why it is what it is: one needs the other.
+/// Returns the error recorded in a row, which requires a reason.
 fn recorded(file: &'static str, row: &Row<'_>, column: &'static str) -> Result<Option<Printed>, DataError> {
     let recorded = row.number_if_any(column)?;
     if recorded.is_some() && row.text("reason")?.is_empty() {

@@ -8,7 +8,7 @@ use crate::sheet::{Row, Sheet};
 pub(crate) const TABLE_1: &str = "Table 1";
 pub(crate) const TABLE_2: &str = "Table 2";
 
-/// Table 1: 27 rows of μ₀, W_n and W_t at Γ = 0.
+/// Computes Table 1: 27 rows of μ₀, W_n and W_t at Γ = 0.
 pub(crate) fn table_1(geometry: &Geometry, text: &str) -> Result<Entries, DataError> {
     const FILE: &str = "table1.csv";
     const GIVEN: [GivenColumn; 3] = [chosen("v1x", "v_1x", "ft/s"), chosen("v2y", "v_2y", "ft/s"), chosen("e", "e", "1")];
@@ -31,7 +31,7 @@ const fn chosen(header: &'static str, column: &'static str, unit: &'static str) 
     GivenColumn { header, column, unit, nature: Nature::Chosen }
 }
 
-/// Table 2: 13 crush planes in position A, at ∓40 and e = 0.
+/// Computes Table 2: 13 crush planes in position A, at ∓40 and e = 0.
 pub(crate) fn table_2(geometry: &Geometry, text: &str) -> Result<Entries, DataError> {
     let sheet = Sheet::read("table2.csv", text)?;
     let mut entries = Entries::of(TABLE_2, &sheet, &[]);
@@ -44,7 +44,7 @@ pub(crate) fn table_2(geometry: &Geometry, text: &str) -> Result<Entries, DataEr
     Ok(entries)
 }
 
-/// The collision of Table 2 at a crush plane and a restitution.
+/// Returns the collision of Table 2 at a crush plane and a restitution.
 pub(crate) fn turned(gamma_degrees: f64, restitution: f64) -> Perpendicular {
     Perpendicular { position: Position::A, v_1x: -40.0, v_2y: 40.0, gamma_degrees, restitution }
 }
@@ -81,7 +81,7 @@ mod tests {
         let texts = Texts::embedded();
         let geometry = Geometry::read(texts.geometry).expect("embedded");
         let cells = table_1(&geometry, texts.table_1).expect("embedded").computed;
-        // Both impact centers on the line of motion of vehicle 1: W_n = −½ m̄ v² (1 − e²), with the printed weights and 40 ft/s.
+        // Both impact centers are on the line of motion of vehicle 1: W_n = −½ m̄ v² (1 − e²), with the printed weights and 40 ft/s.
         let reduced = 2564.0 * 6345.0 / (2564.0 + 6345.0) / 32.2;
         let work = |row: &str| value(&cells, row, "W_n");
         for (row, e) in [("B -40 40 0.00", 0.0), ("B -40 20 0.30", 0.3)] {

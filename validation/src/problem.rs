@@ -1,4 +1,4 @@
-//! Why a report does not hold.
+//! Problems of a report that does not hold.
 
 use crate::account::Cell;
 use crate::chain::Link;
@@ -7,11 +7,11 @@ use crate::measured::MeasuredProblem;
 use crate::statement::Statement;
 use std::fmt;
 
-/// Why a report does not hold.
+/// Reason why a report does not hold.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Problem {
-    /// A table is missing, or stands there twice.
+    /// A table is missing, or occurs twice.
     Table {
         /// Its name.
         name: &'static str,
@@ -20,30 +20,30 @@ pub enum Problem {
     CellCount {
         /// The table.
         table: &'static str,
-        /// How many it should have.
+        /// Expected number.
         expected: usize,
-        /// How many it has.
+        /// Actual number.
         found: usize,
     },
-    /// A table has more or fewer cells that nothing computes than the paper.
+    /// A table has more or fewer cells that are not computed than the paper.
     GivenCount {
         /// The table.
         table: &'static str,
-        /// How many it should have.
+        /// Expected number.
         expected: usize,
-        /// How many it has.
+        /// Actual number.
         found: usize,
     },
     /// Cells of a table's text are neither computed nor given.
     LeftOut {
         /// The table.
         table: &'static str,
-        /// How many cells its text has.
+        /// Number of cells in its text.
         printed: usize,
-        /// How many of them are in the report.
+        /// Number of those in the report.
         accounted: usize,
     },
-    /// A cell stands there twice.
+    /// A cell occurs twice.
     Repeated {
         /// The table.
         table: &'static str,
@@ -56,31 +56,31 @@ pub enum Problem {
     Cell(Cell),
     /// A bound covers no cell that needs it.
     UnusedBound(Bound),
-    /// A bound is wider than [`LARGEST_SLACK`](crate::LARGEST_SLACK) times what it covers.
+    /// A bound is wider than [`LARGEST_SLACK`](crate::LARGEST_SLACK) times the largest difference that it covers.
     LooseBound {
         /// The bound.
         bound: Bound,
-        /// The largest difference that it covers, as a fraction of it.
+        /// The largest difference that it covers, as a fraction of the bound.
         used: f64,
     },
-    /// A listed misprint is no misprint of any cell.
+    /// A listed misprint matches no cell.
     StaleMisprint(Misprint),
-    /// Fewer statements were checked than there are.
+    /// The number of statements checked is not the expected one.
     StatementCount {
-        /// How many there should be.
+        /// Expected number.
         expected: usize,
-        /// How many there are.
+        /// Actual number.
         found: usize,
     },
-    /// A statement does not stand as expected.
+    /// A statement does not have the expected standing.
     Statement(Statement),
     /// A link of the chain of misprints does not follow from the one before.
     Chain(Link),
     /// The chain of misprints is missing.
     NoChain,
-    /// A figure is missing, or stands there twice.
+    /// A figure is missing, or occurs twice.
     Figures,
-    /// A measured test is farther off than it was, or cannot be right.
+    /// A measured test differs from its record, or cannot be right.
     Measured(MeasuredProblem),
 }
 

@@ -13,33 +13,33 @@ use planar_impact::crush::{ProfileMoments, speed_of_energy};
 
 pub(crate) const TABLE_B2: &str = "Table B2";
 
-/// What CRASH3 makes of the crush: no restitution, and a point mass.
+/// The CRASH3 result from the crush: no restitution, and a point mass.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crash3 {
     /// Crush energy, normal to the car's front.
     pub(crate) normal: f64,
-    /// The same with the correction 1 + tan² α, α the direction of the impulse at e = 0.
+    /// Crush energy with the correction 1 + tan² α, where α is the direction of the impulse at e = 0.
     pub(crate) total: f64,
-    /// ΔV of the crush energy without correction, for the whole mass: what the paper prints.
+    /// ΔV from the uncorrected crush energy and the whole mass, as printed in the paper.
     pub(crate) delta_v: f64,
-    /// ΔV of the corrected energy for the effective mass: CRASH3's algorithm.
+    /// ΔV from the corrected energy and the effective mass, as in CRASH3's algorithm.
     pub(crate) algorithm_delta_v: f64,
-    /// γ = k²/(k² + h²), the effective mass as a share.
+    /// γ = k²/(k² + h²), the ratio of effective mass to mass.
     pub(crate) effective_mass_factor: f64,
 }
 
-/// One row: a test's crush, with one restitution.
+/// One row: the crush of a test, with one restitution.
 #[derive(Clone, Debug)]
 pub(crate) struct Reconstruction {
     pub(crate) cumulative: Cumulative,
     /// E* = d₀ + d₁ C_avg.
     pub(crate) intensity_of_crush: f64,
     pub(crate) crash3: Crash3,
-    /// The same crabbed impact at the speed at which the work of its normal impulse is the crush energy.
+    /// The same crabbed impact at the speed at which the normal work equals the crush energy.
     pub(crate) planar: Impact,
 }
 
-/// The crabbed impact whose normal work is a crush energy. Works grow with the square of the speed.
+/// Returns the crabbed impact whose normal work is a crush energy. Works are proportional to the square of the speed.
 fn planar(geometry: &Geometry, test: &CrabbedTest, restitution: Restitution, wall: Wall, crush_energy: f64) -> Result<Impact, DataError> {
     let name = format!("{TABLE_B2}, {}", test.label(restitution));
     let at = |speed: f64| solve(&geometry.crabbed(speed, test.restitution_in(restitution), wall), &name);
@@ -48,10 +48,10 @@ fn planar(geometry: &Geometry, test: &CrabbedTest, restitution: Restitution, wal
     at(speed * share.sqrt())
 }
 
-/// CRASH3's estimate of a crabbed car, the force that of the impulse at e = 0.
+/// Returns CRASH3's estimate for a crabbed car, with the direction of force of the impulse at e = 0.
 fn crash3(geometry: &Geometry, test: &CrabbedTest, wall: Wall, crush_energy: f64) -> Result<VehicleEstimate, DataError> {
     let collision = geometry.crabbed(test.speed.value(), 0.0, wall);
-    // The wall has no crush; the paper's stand-in for it is so heavy that its effective mass does not matter.
+    // The wall has no crush; the body that the paper uses instead is so heavy that its effective mass does not matter.
     let car = DamagedPair { two: None, ..DamagedPair::of_collision(&collision, [crush_energy, 0.0]) };
     let refused = |reasons: String| DataError::Refused { collision: format!("{TABLE_B2}, CRASH3, test {}", test.name), reasons };
     let estimate = car.solve().map_err(|reasons| refused(reasons.to_string()))?;
@@ -79,7 +79,7 @@ impl Reconstruction {
     }
 }
 
-/// Every test without and with restitution: `[test][restitution]`, in the order of [`Restitution::BOTH`].
+/// Every test with and without restitution: `[test][restitution]`, in the order of [`Restitution::BOTH`].
 #[derive(Clone, Debug)]
 pub(crate) struct Reconstructions(Vec<[Reconstruction; 2]>);
 
@@ -97,7 +97,7 @@ impl Reconstructions {
     }
 }
 
-/// Table B2: 6 rows of up to twenty-two cells; a row leaves out what an earlier one of its test holds.
+/// Computes Table B2: 6 rows of up to twenty-two cells; a row omits values printed in an earlier row of its test.
 pub(crate) fn table_b2(
     geometry: &Geometry,
     series: &Series,
@@ -200,7 +200,8 @@ mod tests {
         let (_, found) = found(2, Restitution::None);
         let point_mass = found.crash3.algorithm_delta_v / found.crash3.effective_mass_factor.sqrt();
         assert!((point_mass / found.planar.one.delta_v_magnitude() - 1.0).abs() < 1e-12);
-        // But not its energy: it leaves out that the car turns. The effective mass has that in it: γ = k²/(k² + h²), with geometry.csv's arm of 4.5 ft.
+        // Its energy differs, because it ignores the rotation of the car. The effective mass includes it: γ = k²/(k²
+        // + h²), with geometry.csv's arm of 4.5 ft.
         assert!(found.planar.loss() / found.crash3.total > 1.07);
         let arm = 4.5 * found.planar.critical_impulse_ratio().atan().sin();
         assert!((found.crash3.effective_mass_factor - 1866.2 / (1866.2 + 101.91 * arm * arm)).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! What a run found, and whether it holds.
+//! The findings of a run, and whether they all hold.
 
 use crate::account::{Cell, Verdict};
 use crate::chain::Link;
@@ -16,17 +16,17 @@ use std::collections::HashSet;
 pub struct Report {
     /// The tables, in the order of the paper.
     pub tables: Vec<TableReport>,
-    /// What the paper says in words, and checks across cells.
+    /// Statements of the paper in words, and checks across cells.
     pub statements: Vec<Statement>,
     /// The bounds of this run.
     pub bounds: Vec<Bound>,
     /// The misprints of this run.
     pub misprints: Vec<Misprint>,
-    /// How one misprint led to another.
+    /// The chain by which one misprint caused another.
     pub chain: Vec<Link>,
-    /// Figures 6 and 7, from the same numbers.
+    /// Figures 6 and 7, computed from the same numbers.
     pub figures: Vec<Figure>,
-    /// The second stage: measured tests that are not the paper's.
+    /// The second stage: measured tests not in the paper.
     pub measured: Measured,
 }
 
@@ -37,28 +37,30 @@ pub struct TableReport {
     pub name: &'static str,
     /// Its computed cells.
     pub cells: Vec<Cell>,
-    /// Its cells that nothing computes.
+    /// Its cells that are not computed.
     pub given: Vec<Given>,
-    /// How many cells its text has, computed or not.
+    /// Number of computed cells that follow from other cells: copies, sums, unit conversions and the like.
+    pub derived: usize,
+    /// Number of cells in its text, computed or not.
     pub printed_cells: usize,
-    /// How many computed cells there should be.
+    /// Expected number of computed cells.
     pub expected_cells: usize,
-    /// How many given and measured cells there should be.
+    /// Expected number of given and measured cells.
     pub expected_given: usize,
-    /// Which cells are given, measured, or taken over from another table.
+    /// The cells that are given, measured, or taken from another table.
     pub remark: &'static str,
 }
 
-/// How many cells have which verdict.
+/// Number of cells with each verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Cells that agree to the last printed digit.
     pub agree: usize,
     /// Cells that agree within a stated bound.
     pub within_bound: usize,
-    /// Cells that are wrong in print.
+    /// Cells that are misprinted.
     pub misprints: usize,
-    /// Cells that are given or measured: nothing computes them.
+    /// Cells that are given or measured, and not computed.
     pub given: usize,
     /// Cells that are not accounted for.
     pub unaccounted: usize,
@@ -68,6 +70,7 @@ impl TableReport {
     pub(crate) fn judged(expected: &Expected, entries: Entries, ledger: &Ledger) -> Self {
         TableReport {
             name: expected.name,
+            derived: entries.computed.iter().filter(|cell| (expected.derived)(&cell.row, cell.column)).count(),
             cells: entries.computed.into_iter().map(|computed| Cell::judged(computed, ledger)).collect(),
             given: entries.given,
             printed_cells: entries.printed,
@@ -77,7 +80,7 @@ impl TableReport {
         }
     }
 
-    /// Its cells by verdict.
+    /// Counts its cells by verdict.
     pub fn counts(&self) -> Counts {
         let mut counts = Counts { given: self.given.len(), ..Counts::default() };
         for cell in &self.cells {
@@ -91,7 +94,7 @@ impl TableReport {
         counts
     }
 
-    /// What is wrong with the number of its cells.
+    /// Returns the problems with the number of its cells.
     fn miscounts(&self) -> Vec<Problem> {
         let (table, computed, given) = (self.name, self.cells.len(), self.given.len());
         let mut problems = Vec::new();
@@ -107,31 +110,31 @@ impl TableReport {
         problems
     }
 
-    /// A computed cell by row and column.
+    /// Returns a computed cell by row and column.
     pub fn cell(&self, row: &str, column: &str) -> Option<&Cell> {
         self.cells.iter().find(|cell| cell.row == row && cell.column == column)
     }
 }
 
 impl Counts {
-    /// All of them: every cell in print.
+    /// Returns the total number of printed cells.
     pub fn total(&self) -> usize {
         self.agree + self.within_bound + self.misprints + self.given + self.unaccounted
     }
 }
 
 impl Report {
-    /// A table by name.
+    /// Returns a table by name.
     pub fn table(&self, name: &str) -> Option<&TableReport> {
         self.tables.iter().find(|table| table.name == name)
     }
 
-    /// Every computed cell of every table.
+    /// Returns every computed cell of every table.
     pub fn cells(&self) -> impl Iterator<Item = &Cell> {
         self.tables.iter().flat_map(|table| &table.cells)
     }
 
-    /// The cells of all tables by verdict.
+    /// Counts the cells of all tables by verdict.
     pub fn counts(&self) -> Counts {
         self.tables.iter().map(TableReport::counts).fold(Counts::default(), |sum, table| Counts {
             agree: sum.agree + table.agree,
@@ -142,12 +145,17 @@ impl Report {
         })
     }
 
-    /// Whether every cell and statement is there and accounted for, and every bound and misprint is needed.
+    /// Returns the number of computed cells that follow from other cells, in all tables.
+    pub fn derived(&self) -> usize {
+        self.tables.iter().map(|table| table.derived).sum()
+    }
+
+    /// Returns `true` if every cell and statement is present and accounted for, and every bound and misprint is needed.
     pub fn holds(&self) -> bool {
         self.problems().is_empty()
     }
 
-    /// Why it does not hold; empty if it does.
+    /// Returns the reasons why it does not hold; empty if it does.
     pub fn problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
         for Expected { name, .. } in TABLES {
@@ -193,12 +201,13 @@ impl Report {
         problems
     }
 
-    /// For each bound, the largest difference among the cells that need it, as a fraction of the bound; None if no cell needs it.
+    /// Returns for each bound the largest difference among the cells that need it, as a fraction of the bound, or
+    /// `None` if no cell needs it.
     pub fn bounds_used(&self) -> Vec<Option<f64>> {
         let mut used = vec![None; self.bounds.len()];
         for cell in self.cells() {
             if let Some((which, bound)) = first(&self.bounds, cell.table, &cell.row, cell.column) {
-                used[which] = bound.need_of(cell).into_iter().chain(used[which]).reduce(f64::max);
+                used[which] = cell.need_of(bound).into_iter().chain(used[which]).reduce(f64::max);
             }
         }
         used
@@ -212,13 +221,15 @@ impl Report {
         })
     }
 
-    /// The outcome in one line.
+    /// Returns the outcome in one line.
     pub fn summary(&self) -> String {
         let Counts { agree, within_bound, misprints, given, unaccounted } = self.counts();
         let total = self.counts().total();
+        let derived = self.derived();
+        let mechanics = self.cells().count() - derived;
         let outcome = if self.holds() { "all accounted for" } else { "NOT all accounted for" };
         format!(
-            "{total} cells: {agree} agree to the last digit, {within_bound} within a stated bound, {misprints} misprinted, {given} given or measured, {unaccounted} unaccounted for; {} statements; {outcome}",
+            "{total} cells: {agree} agree to the last digit, {within_bound} within a stated bound, {misprints} misprinted, {given} given or measured, {unaccounted} unaccounted for; the mechanics computes {mechanics} of them, {derived} follow from other cells; {} statements; {outcome}",
             self.statements.len()
         )
     }

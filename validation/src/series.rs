@@ -1,32 +1,32 @@
-//! The three crabbed tests of one car: what was measured, and what adds up from test to test.
+//! The three crabbed tests of one car: measurements, and sums from test to test.
 
 use crate::data::DataError;
 use crate::geometry::Geometry;
 use crate::sheet::{Printed, Sheet};
 use planar_impact::crush::{crush_intensity, equivalent_energy_speed};
 
-/// One crabbed test, from the rows of Tables B1 and B2 that hold it.
+/// One crabbed test, from its rows in Tables B1 and B2.
 #[derive(Clone, Debug)]
 pub(crate) struct CrabbedTest {
     pub(crate) name: String,
-    /// Speed in ft/s, as Table B1 prints it: Table B2 rounds it.
+    /// Speed in ft/s as printed in Table B1; Table B2 rounds it.
     pub(crate) speed: Printed,
-    /// The measured restitution that the paper computes with.
+    /// The measured restitution that the paper uses.
     pub(crate) restitution: Printed,
     /// Measured ΔV in mph.
     pub(crate) delta_v_mph: f64,
     /// Measured yaw rate in deg/s.
     pub(crate) yaw_rate: f64,
-    /// Mean residual crush C_avg in ft, all tests up to this one.
+    /// Mean residual crush C_avg in ft, accumulated over the tests up to this one.
     pub(crate) depth: f64,
 }
 
-/// With which restitution a row is computed.
+/// The restitution with which a row is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Restitution {
     /// e = 0.
     None,
-    /// That of Table 4.
+    /// The mean from Table 4.
     Measured,
 }
 
@@ -34,7 +34,7 @@ impl Restitution {
     pub(crate) const BOTH: [Restitution; 2] = [Restitution::None, Restitution::Measured];
 }
 
-/// What the tests up to one of them did together, in feet and pounds.
+/// Cumulative results of the tests up to one of them, in feet and pounds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cumulative {
     /// Σ ½ m (1 − e²) v_n², in ft lb.
@@ -45,7 +45,7 @@ pub(crate) struct Cumulative {
     pub(crate) intensity: f64,
 }
 
-/// The tests, in their order.
+/// The tests, in order.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) tests: Vec<CrabbedTest>,
@@ -80,12 +80,12 @@ impl Series {
         Ok(Series { tests })
     }
 
-    /// The place of a test.
+    /// Returns the index of a test.
     pub(crate) fn place(&self, name: &str) -> Option<usize> {
         self.tests.iter().position(|test| test.name == name)
     }
 
-    /// The energies of all tests up to one, each of them normal to the wall.
+    /// Sums the energies of all tests up to one, each normal to the wall.
     pub(crate) fn cumulative(&self, geometry: &Geometry, which: usize, restitution: Restitution) -> Cumulative {
         let tests = self.tests.iter().take(which + 1);
         let tests = tests.map(|test| (geometry.crabbed_velocity(test.speed.value()).x, test.restitution_in(restitution)));
@@ -103,7 +103,7 @@ impl CrabbedTest {
         }
     }
 
-    /// The label of its rows in Tables B1 and B2.
+    /// Returns the label of its rows in Tables B1 and B2.
     pub(crate) fn label(&self, restitution: Restitution) -> String {
         match restitution {
             Restitution::None => format!("{} 0.00", self.name),

@@ -1,8 +1,8 @@
-//! Numbers as printed, and the rows that hold them.
+//! Numbers as printed, and the rows that contain them.
 
 use crate::data::DataError;
 
-/// A number as printed: its digits count, not its value alone.
+/// A number as printed: its digits matter, not only its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printed {
     text: String,
@@ -11,7 +11,7 @@ pub struct Printed {
 }
 
 impl Printed {
-    /// From digits with at most a sign and a point; None for anything else, exponents and infinities included.
+    /// Parses digits with at most a sign and a point; returns `None` for anything else, including exponents and infinities.
     pub fn parse(text: &str) -> Option<Self> {
         let digits = text.strip_prefix('-').unwrap_or(text);
         let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
@@ -23,7 +23,7 @@ impl Printed {
         Some(Printed { text: text.to_owned(), value: text.parse().ok()?, decimals })
     }
 
-    /// The same number where a zero as last digit is filler and not a digit.
+    /// Returns the same number, treating a final zero as filler instead of a significant digit.
     pub fn without_filler(mut self) -> Self {
         if self.decimals > 0 && self.text.ends_with('0') {
             self.decimals -= 1;
@@ -31,35 +31,36 @@ impl Printed {
         self
     }
 
-    /// As it stands in print.
+    /// Returns the printed text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Its value.
+    /// Returns the value.
     pub fn value(&self) -> f64 {
         self.value
     }
 
-    /// Half a unit of its last digit.
+    /// Returns half a unit of the last digit.
     pub fn half_unit(&self) -> f64 {
         0.5 * 10_f64.powi(-self.decimals)
     }
 
-    /// Whether `computed` rounds to it. A tie may round either way, whatever its last bit in binary: hence the millionth of a unit.
+    /// Returns `true` if `computed` rounds to it. A tie may round either way regardless of its last binary digit,
+    /// hence the tolerance of a millionth.
     pub fn agrees_with(&self, computed: f64) -> bool {
         (computed - self.value).abs() <= self.half_unit() * (1.0 + 1e-6)
     }
 }
 
-/// The rows of one text.
+/// The rows of a text.
 pub(crate) struct Sheet {
     file: &'static str,
     header: csv::StringRecord,
     rows: Vec<csv::StringRecord>,
 }
 
-/// One row of a text.
+/// A row of a text.
 pub(crate) struct Row<'a> {
     sheet: &'a Sheet,
     record: &'a csv::StringRecord,
@@ -74,7 +75,7 @@ impl Sheet {
         if rows.is_empty() { Err(DataError::Empty { file }) } else { Ok(Sheet { file, header, rows }) }
     }
 
-    /// How many fields are not empty, but for some columns.
+    /// Returns the number of nonempty fields outside the columns `but`.
     pub(crate) fn filled(&self, but: &[&str]) -> usize {
         let counts = |(name, field): &(&str, &str)| !but.contains(name) && !field.is_empty();
         self.rows.iter().map(|record| self.header.iter().zip(record).filter(counts).count()).sum()
@@ -96,7 +97,7 @@ impl<'a> Row<'a> {
         Printed::parse(field).ok_or_else(|| DataError::NotANumber { file: self.sheet.file, column, field: field.to_owned() })
     }
 
-    /// None where nothing is printed.
+    /// Returns the number in a column, or `None` if nothing is printed.
     pub(crate) fn number_if_any(&self, column: &'static str) -> Result<Option<Printed>, DataError> {
         if self.text(column)?.is_empty() { Ok(None) } else { self.number(column).map(Some) }
     }
@@ -119,7 +120,7 @@ mod tests {
 
     #[test]
     fn filler_is_no_digit() {
-        // Table B1, test 1: T_Ln has filler, T_i of test 2 has none.
+        // In Table B1, T_Ln of test 1 has filler, T_i of test 2 has none.
         assert_eq!(Printed::parse("14130.70").map(|p| p.without_filler().half_unit()), Some(0.05));
         assert_eq!(Printed::parse("58592.55").map(|p| p.without_filler().half_unit()), Some(0.005));
         assert_eq!(Printed::parse("10").map(|p| p.without_filler().half_unit()), Some(0.5));

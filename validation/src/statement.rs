@@ -1,4 +1,4 @@
-//! What the paper says in words, and checks that join cells.
+//! Statements of the paper in words, and checks across cells.
 
 mod crabbed;
 mod crush_plane;
@@ -16,57 +16,57 @@ use crate::reconstruction::Reconstructions;
 use crate::series::Series;
 use crate::sheet::Printed;
 
-/// A statement, with what is found when it is computed.
+/// A statement, with the computed result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// Its name, one that does not change.
+    /// Its permanent name.
     pub name: &'static str,
-    /// Where it stands in the paper; `this crate` if it is a check of this crate's own.
+    /// Its place in the paper; `this crate` for a check added by this crate.
     pub place: &'static str,
-    /// What it says.
+    /// The statement.
     pub says: &'static str,
-    /// What is computed.
+    /// The computed result.
     pub found: String,
-    /// Whether it holds, as found by this run.
+    /// The standing found by this run.
     pub standing: Standing,
-    /// Whether it is known to hold. A run in which the two differ does not hold.
+    /// The known standing. A run in which the two differ does not hold.
     pub expected: Standing,
 }
 
-/// Whether a statement holds.
+/// Standing of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
-    /// As it is worded.
+    /// Holds as worded.
     Holds,
-    /// Under a condition that it lacks, which is said in what is found.
+    /// Holds under a condition that is missing from the statement and given in the result.
     HoldsConditionally,
-    /// Not as it is worded.
+    /// Does not hold as worded.
     Fails,
 }
 
-/// How many statements a run checks.
+/// Number of statements that a run checks.
 pub(crate) const COUNT: usize = 37;
 
-/// The cells of the tables, before they are judged.
+/// The cells of the tables, before their comparison.
 pub(crate) struct Cells<'a> {
     pub(crate) table_1: &'a [Computed],
     pub(crate) table_2: &'a [Computed],
     pub(crate) table_3: &'a Entries,
     pub(crate) table_5: &'a [Computed],
     pub(crate) table_6: &'a [Computed],
-    /// What Table B1 computes by planar impact mechanics.
+    /// The cells of Table B1 computed by planar impact mechanics.
     pub(crate) table_b1: &'a [Computed],
     pub(crate) table_b2: &'a [Computed],
 }
 
-/// The crabbed tests and what is made of their crush.
+/// The crabbed tests and the results from their crush.
 pub(crate) struct Crabbed<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) series: &'a Series,
     pub(crate) found: &'a Reconstructions,
 }
 
-/// Every statement, checked.
+/// Checks every statement.
 pub(crate) fn all(cells: &Cells<'_>, crabbed: &Crabbed<'_>, table_b1: &str) -> Result<Vec<Statement>, DataError> {
     let geometry = crabbed.geometry;
     let mut statements = restitution::statements(cells.table_1);
@@ -80,14 +80,14 @@ pub(crate) fn all(cells: &Cells<'_>, crabbed: &Crabbed<'_>, table_b1: &str) -> R
 }
 
 impl Statement {
-    /// Whether it stands as it is known to.
+    /// Returns `true` if its standing is the known one.
     pub fn is_as_expected(&self) -> bool {
         self.standing == self.expected
     }
 }
 
 impl Standing {
-    /// The standing in words.
+    /// Returns the standing in words.
     pub fn name(self) -> &'static str {
         match self {
             Standing::Holds => "holds",
@@ -100,7 +100,7 @@ impl Standing {
         if holds { Standing::Holds } else { Standing::Fails }
     }
 
-    /// Of a statement that holds where its condition is met, and does not elsewhere.
+    /// Returns the standing of a statement from its truth where its condition is met, and elsewhere.
     fn conditional(where_met: bool, elsewhere: bool) -> Self {
         match (where_met, elsewhere) {
             (true, true) => Standing::Holds,
@@ -110,12 +110,12 @@ impl Standing {
     }
 }
 
-/// Whether a computed number rounds to digits of the paper's text.
+/// Returns `true` if a computed number rounds to digits of the paper's text.
 fn rounds_to(computed: f64, digits: &str) -> bool {
     Printed::parse(digits).is_some_and(|printed| printed.agrees_with(computed))
 }
 
-/// The largest of some numbers; NaN if one of them is NaN, or if there are none.
+/// Returns the largest of some numbers; NaN if one of them is NaN, or if there are none.
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let bigger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     numbers.into_iter().reduce(bigger).unwrap_or(f64::NAN)

@@ -1,4 +1,4 @@
-//! The run on the data that come with the crate, and on data that were tampered with.
+//! Tests of the run on the embedded data, and on altered data.
 
 mod measured;
 mod tables;
@@ -48,13 +48,13 @@ struct Owned {
     nhtsa: String,
 }
 
-/// Replaces what must be there once.
+/// Replaces a text that must occur exactly once.
 fn swap(text: &mut String, from: &str, to: &str) {
     assert_eq!(text.matches(from).count(), 1, "{from}");
     *text = text.replace(from, to);
 }
 
-/// Drops the only line that contains a piece of text.
+/// Removes the only line that contains a piece of text.
 fn drop_line(text: &mut String, piece: &str) {
     let kept = text.lines().filter(|line| !line.contains(piece)).collect::<Vec<_>>();
     assert_eq!(kept.len() + 1, text.lines().count(), "{piece}");
@@ -85,6 +85,10 @@ fn everything_is_accounted_for() {
     assert_eq!(counts[6], ("Table B1", expected(51, 20, 1, 15)));
     assert_eq!(counts[7], ("Table B2", expected(74, 24, 0, 6)));
     assert_eq!(report.counts().total(), 465);
+    // README.md, "What the mechanics computes".
+    let derived = report.tables.iter().map(|table| (table.cells.len() - table.derived, table.derived)).collect::<Vec<_>>();
+    assert_eq!(derived, [(81, 0), (36, 3), (0, 6), (0, 3), (0, 18), (0, 18), (30, 42), (20, 78)]);
+    assert_eq!((report.cells().count() - report.derived(), report.derived()), (167, 168));
     assert!(report.summary().ends_with("all accounted for") && !report.summary().contains("NOT"));
 }
 
@@ -114,7 +118,7 @@ fn a_corrected_misprint_is_stale() {
 
 #[test]
 fn a_misprint_that_agrees_is_found() {
-    // Table 1, first row, μ₀ = 0.661, said to be a misprint.
+    // Table 1, first row, μ₀ = 0.661, listed as a misprint.
     let line = "Table 1,A -40 40 0.00,mu_0,0.661,0.666,made up\n";
     let problems = problems(|texts| texts.misprints.push_str(line));
     assert!(problems.iter().any(|p| matches!(p, Problem::Cell(Cell { verdict: Verdict::MisprintAgrees, .. }))), "{problems:?}");

@@ -1,37 +1,37 @@
-//! The call of `formula`.
+//! Arguments of `formula`.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use planar_impact::{Input, Output};
+use planar_impact::{Input, Output, Side};
+use planar_impact_app::formula::{self, Kind, MomentGiven};
+use planar_impact_app::solve;
 
-use crate::formula;
-
-/// The call of `formula`.
+/// Arguments of `formula`.
 #[derive(Debug, Args)]
 pub struct Formula {
-    /// The output, by its name or its symbol.
+    /// The output, by name or symbol.
     #[arg(value_name = "NAME", value_parser = formula::output, required_unless_present = "list")]
     pub output: Option<Output>,
-    /// The input to differentiate by, by its name or its symbol.
+    /// The input to differentiate with respect to, by name or symbol.
     #[arg(long, value_name = "NAME", value_parser = formula::input)]
     pub wrt: Option<Input>,
-    /// How to print the formula.
+    /// Notation of the formula.
     #[arg(long, value_enum, default_value_t = Notation::Text)]
     pub format: Notation,
-    /// A case file that has the kind of collision, and the numbers; - reads standard input.
+    /// A case file that gives the kind of collision and the numbers; - reads standard input.
     #[arg(long, value_name = "CASE", conflicts_with_all = ["ratio", "law", "barrier", "moment"])]
     pub case: Option<PathBuf>,
-    /// What the impulse ratio is given by.
+    /// Form in which the impulse ratio is given.
     #[arg(long, value_enum, default_value_t = Ratio::Critical)]
     pub ratio: Ratio,
     /// The law of the tangential impulse.
     #[arg(long, value_enum, default_value_t = TangentialLaw::Brach)]
     pub law: TangentialLaw,
-    /// Which of the two, 1 or 2, is a fixed barrier.
+    /// The vehicle, 1 or 2, that is a fixed barrier.
     #[arg(long, value_name = "VEHICLE", value_parser = clap::value_parser!(u8).range(1..=2))]
     pub barrier: Option<u8>,
-    /// What the moment impulse is given by.
+    /// Form in which the moment impulse is given.
     #[arg(long, value_enum, default_value_t = MomentImpulse::None)]
     pub moment: MomentImpulse,
     /// List the outputs and the inputs instead.
@@ -39,7 +39,7 @@ pub struct Formula {
     pub list: bool,
 }
 
-/// How to print a formula.
+/// Notation of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Notation {
     /// For a terminal.
@@ -48,18 +48,20 @@ pub enum Notation {
     Latex,
     /// For a program: a function of f64.
     Rust,
+    /// Everything, as JSON.
+    Json,
 }
 
-/// What the impulse ratio is given by.
+/// Form in which the impulse ratio is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Ratio {
-    /// By the law alone: at the critical ratio sliding just ends.
+    /// Not given: the critical ratio, at which sliding just ends.
     Critical,
-    /// By a number.
+    /// As a number.
     Given,
-    /// By a fraction of the critical ratio.
+    /// As a fraction of the critical ratio.
     OfCritical,
-    /// By a friction that limits the critical ratio.
+    /// As a coefficient of friction that limits the critical ratio.
     Friction,
 }
 
@@ -72,13 +74,37 @@ pub enum TangentialLaw {
     KudlichSlibar,
 }
 
-/// What the moment impulse is given by.
+/// Form in which the moment impulse is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MomentImpulse {
     /// There is none.
     None,
-    /// By a number.
+    /// As a number.
     Given,
-    /// By a fraction of the moment that ends relative rotation.
+    /// As a fraction of the moment impulse that ends relative rotation.
     OfCritical,
+}
+
+impl Formula {
+    /// Returns the kind of collision that the options select.
+    pub fn kind(&self) -> Kind {
+        Kind {
+            ratio: match self.ratio {
+                Ratio::Critical => solve::ImpulseRatioGiven::Critical,
+                Ratio::Given => solve::ImpulseRatioGiven::Number,
+                Ratio::OfCritical => solve::ImpulseRatioGiven::OfCritical,
+                Ratio::Friction => solve::ImpulseRatioGiven::Friction,
+            },
+            law: match self.law {
+                TangentialLaw::Brach => solve::TangentialLaw::Brach,
+                TangentialLaw::KudlichSlibar => solve::TangentialLaw::KudlichSlibar,
+            },
+            barrier: self.barrier.map(|number| if number == 1 { Side::One } else { Side::Two }),
+            moment: match self.moment {
+                MomentImpulse::None => MomentGiven::None,
+                MomentImpulse::Given => MomentGiven::Number,
+                MomentImpulse::OfCritical => MomentGiven::OfCritical,
+            },
+        }
+    }
 }

@@ -1,9 +1,9 @@
-//! What the help of each verb says below its options.
+//! Help texts printed below the options of each verb.
 
 pub(super) const STATUS: &str = "\
 Exit status:
    0  done
-   1  done, and a check did not hold or a reconstruction has no one answer
+   1  done, and a check did not hold or a reconstruction has no unique solution
    2  the input or the call is wrong, or a file cannot be read
    3  the physics refuses the input, or a search does not converge
   70  a defect of the program
@@ -37,10 +37,10 @@ Examples:
 
 pub(super) const SWEEP: &str = "\
 The last value is among the points when it is a whole number of steps away. Values are written as in
-a case file; the table and the chart show them in the unit of the first one. A ratio that the case
-leaves critical is given when it is varied: contact.impulse_ratio, contact.friction or
-contact.impulse_ratio.of_critical; so is a moment. A point that the physics refuses is left empty,
-with the reason. Names are those of `planar-impact gradient --help`.
+a case file; the table and the chart show them in the unit of the first one. A case at the critical
+ratio takes a given one when contact.impulse_ratio, contact.friction or
+contact.impulse_ratio.of_critical is varied; likewise a moment. A point that the physics refuses is
+empty, with the reason. Names are those of `planar-impact gradient --help`.
 
 The paper's Table 2 and its Figure 4:
   planar-impact sweep cli/examples/position-a.toml --vary \"contact.crush_plane=-10deg:10deg:1deg\"
@@ -62,8 +62,8 @@ Names are those of the case file and of the JSON of `solve`, vehicles counted fr
             vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...;
             vehicle.1.crash3.delta_v_magnitude, .corrected_energy, .effective_mass_factor, ...
   all       every one
-A derivative by one input holds the other keys of the file as they are given. At the critical
-impulse ratio it is that of the critical solution, so the ratio moves with the inputs.
+A derivative with respect to one input keeps the other keys of the file as they are given. At the
+critical impulse ratio it is that of the critical solution, so the ratio changes with the inputs.
 
 Examples:
   planar-impact gradient cli/examples/position-a.toml
@@ -95,8 +95,8 @@ pub(super) const CHECK: &str = r#"A file of records, in any of three forms:
     "reported": { "energy_loss": 186168, "work_normal": -183017, "delta_v": [19.745, null] },
     "resolution": { "v": 0.0005, "yaw_rate": 0.005, "energy": 0.5, "impulse_ratio": 0.00005 } } ]
 }
-What is not known is left out, and rules that need it are not checked. Everything is said in the
-documentation: planar_impact::guide::checking.
+Leave out unknown values; rules that need them are not checked. The documentation has the details:
+planar_impact::guide::checking.
 
 Examples:
   planar-impact check cli/examples/check/collision.json
@@ -112,11 +112,11 @@ pub(super) const CRUSH: &str = r#"Under a [[vehicle]] of the case file:
   #         = { b0 = "2 m/s", b1 = "30 1/s", test_mass = "1500 kg", test_width = "1.6 m" }
   #         = { ..., saturation = "0.5 m" }: the force grows no more beyond that depth
   #         = [ { to = "0.4 m", d0 = ..., d1 = ... }, { d0 = ..., d1 = ... } ]: zones
-  measured = { offset = "0.2 m", angle = "10 deg" }   # read off from a line outside the surface
+  measured = { offset = "0.2 m", angle = "10 deg" }   # read from a line outside the surface
   surface = "front"                  # for crash3: right, rear, left; else from the crush plane
   pdof = "-10 deg"                   # for crash3: else that of the common-velocity impulse
-The depth is taken straight between two stations. `gradient` and `sweep` know these numbers by
-names such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
+Between two stations the depth is linear. `gradient` and `sweep` accept these numbers by names such as
+ vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
 
 Examples:
   planar-impact crush cli/examples/cavalier-crush.toml
@@ -131,15 +131,15 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   speed = "15.6 m/s"                 # normal to the barrier
   restitution = 0.1                  # the crush keeps 1 - e^2 of the energy
   width = "1.5 m"                    # or stations
-  depths = ["0.3 m", "0.5 m"]        # all the crush that is there after the test
-  speed_sd = "0.1 m/s"               # standard deviations, each may be left out
+  depths = ["0.3 m", "0.5 m"]        # total crush after the test
+  speed_sd = "0.1 m/s"               # standard deviations, each optional
   restitution_sd = 0.03
-  scatter = "10 N^0.5"               # of E* by all that is not speed or restitution
-  [fit]                              # may be left out
+  scatter = "10 N^0.5"               # of E* from causes other than speed or restitution
+  [fit]                              # optional
   onset = "2 m/s"                    # b0, assumed: the stiffness from each first test alone
-  depth = "0.4 m"                    # where to say how uncertain E_C is
+  depth = "0.4 m"                    # of a profile, for the uncertainty of its E_C
   width = "1.5 m"
-Without any standard deviation the tests weigh alike, and the residuals tell the scatter.
+Without standard deviations all tests have equal weight, and the scatter is that of the residuals.
 The energy of a test is 1/2 m (1 - e^2) v^2: the normal through the impact center has to meet
 the center of mass. With an offset, part of the energy goes into yaw.
 
@@ -150,11 +150,11 @@ Examples:
 pub(super) const CRASH3: &str = "\
 The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
 the crushed surface to the principal force; the effective mass from the moment arm of the force
-through the impact center; delta-V at common velocity; then back along the force from the separation
-velocities, those of the case unless the file has others:
+through the impact center; delta-V at common velocity; then approach velocities from the separation
+velocities, those of planar mechanics unless the file has others:
   [evidence]
   vehicle.1.separation_velocity = [\"-3 m/s\", \"4 m/s\"]    # x, y
-`crush --help` has the keys of the crush; `gradient` knows what is found by names such as
+`crush --help` has the keys of the crush; `gradient` accepts the results by names such as
 vehicle.1.crash3.delta_v_magnitude.
 
 Examples:
@@ -162,8 +162,8 @@ Examples:
   planar-impact crash3 cli/examples/stiff-corner.toml --format json";
 
 pub(super) const FORMULA: &str = r#"Without a case file the formula is that of two vehicles at the critical impulse
-ratio under the law of Brach; --ratio, --law, --barrier and --moment say otherwise.
-With one it is that of the case, and text has the value of every line, in SI.
+ratio under the law of Brach; --ratio, --law, --barrier and --moment change that.
+With one it is the formula of the case, and text has the value of every line, in SI.
 
 Examples:
   planar-impact formula W_n
@@ -174,27 +174,27 @@ Examples:
   planar-impact formula energy.loss --wrt vehicle.1.mass --format rust > loss_by_mass.rs
   planar-impact formula --list"#;
 
-pub(super) const RECONSTRUCT: &str = r#"A case file in which some numbers are unknown, and what is known instead:
+pub(super) const RECONSTRUCT: &str = r#"A case file with unknowns, and the evidence for them:
   [evidence]                         # a value, "12 m/s ± 1 m/s" (or +/-), { value = ..., sd = ... }
-                                     # or { value = ..., resolution = ... }; without any it is exact
+                                     # or { value = ..., resolution = ... }; a bare value is exact
   crush_energy = "from crush"        # or a value, or { value = "from crush", relative = 0.1 }
   vehicle.1.separation_velocity = ["-3 m/s ± 0.5 m/s", "4 m/s ± 0.5 m/s"]
   vehicle.1.separation_yaw_rate = "80 deg/s ± 10 deg/s"
   vehicle.2.speed = "30 mph ± 1 mph"
   vehicle.2.delta_v_magnitude = { value = "24 km/h", resolution = "1 km/h" }
-  [unknown]                          # a start, bounds, and what is known beforehand, each may be left out
+  [unknown]                          # start, bounds and prior sd, each optional
   vehicle.1.speed = { start = "30 mph", min = "0 mph" }
   contact.restitution = { start = 0.1, min = 0, max = 0.3 }
   contact.crush_plane = { start = "22 deg", sd = "5 deg" }
 Evidence of a vehicle: separation_velocity, separation_speed, separation_direction, separation_yaw_rate,
 delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left, pdof, crush_energy,
 approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
-What the evidence knows of an input with an uncertainty is solved for too. Where vehicles came to rest
-is evidence of how they separated: [rest], as in cli/examples/reconstruct/two-cars.toml.
+An input in the evidence with an uncertainty is solved for too. Rest positions are evidence of the
+separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
-Exit status: 0 when the evidence agrees with one solution; 1 when it agrees with several, leaves an
-unknown open, contradicts itself or asks for what the bounds exclude, each with its numbers; 2 when
-the input is wrong, as more unknowns than evidence; 3 when no search converges.
+Exit status: 0 if the evidence agrees with one solution; 1 if there are several, an underdetermined
+unknown, inconsistent evidence or a best fit outside the bounds, each with its numbers; 2 if the
+input is wrong, such as more unknowns than evidence; 3 if no search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml

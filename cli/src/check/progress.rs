@@ -1,24 +1,23 @@
-//! How far a long run is, on a terminal.
+//! Shows the progress of a long run on a terminal.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
+use planar_impact_app::check::Summary;
 
-use super::report::Summary;
+use crate::progress::{SILENCE, styled};
 
-/// How long a run may last without a word.
-const SILENCE: Duration = Duration::from_secs(1);
-/// Records between two looks at the clock.
+/// Number of records between two readings of the clock.
 const STRIDE: u64 = 1024;
 
 const OF_FILES: &str = "{wide_bar} {percent:>3} %, {msg}, {elapsed}";
 const OF_A_PIPE: &str = "{spinner} {msg}, {elapsed}";
 
-/// A bar on standard error once a run has lasted a second; nothing where that is no terminal.
+/// A progress bar on standard error, shown after one second; not shown if standard error is not a terminal.
 pub struct Progress {
-    /// How many bytes there are to be read, if that is known, and how many have been.
+    /// Total number of bytes to read, if it is known, and number of bytes read so far.
     size: Option<u64>,
     bytes: Arc<AtomicU64>,
     started: Instant,
@@ -26,12 +25,12 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Of as many bytes as there are to be read, if that is known.
+    /// Starts a bar for `size` bytes, if the size is known.
     pub fn new(size: Option<u64>, bytes: Arc<AtomicU64>) -> Progress {
         Progress { size, bytes, started: Instant::now(), bar: None }
     }
 
-    /// After each record.
+    /// Updates the bar; called after each record.
     pub fn update(&mut self, summary: &Summary) {
         if !summary.records.is_multiple_of(STRIDE) {
             return;
@@ -45,7 +44,7 @@ impl Progress {
         }
     }
 
-    /// Does something that may write to the same terminal.
+    /// Runs a function that may write to the same terminal.
     pub fn aside<T>(&self, write: impl FnOnce() -> T) -> T {
         match &self.bar {
             Some(bar) => bar.suspend(write),
@@ -53,7 +52,7 @@ impl Progress {
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn clear(&mut self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
@@ -69,15 +68,13 @@ impl Drop for Progress {
 
 fn bar(size: Option<u64>) -> ProgressBar {
     let template = if size.is_some() { OF_FILES } else { OF_A_PIPE };
-    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    // On standard error, and only if that is a terminal.
-    let bar = size.map_or_else(ProgressBar::new_spinner, ProgressBar::new);
-    bar.with_style(style)
+    styled(size.map_or_else(ProgressBar::new_spinner, ProgressBar::new), template)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use indicatif::ProgressStyle;
 
     #[test]
     fn the_templates_are_sound() {

@@ -1,65 +1,32 @@
-//! The forms in which what was found is told.
-//!
-//! Each writes record by record and keeps nothing but counts.
+//! Formats of the findings. Each one writes record by record and keeps only counts.
 
 mod json;
 mod junit;
 mod sarif;
 mod text;
 
-use std::collections::BTreeMap;
 use std::io;
 
-use planar_impact::check::Verdict;
-use serde::Serialize;
+use planar_impact_app::check::{Entry, Summary};
+use planar_impact_app::plain_text::is_active;
 
-use super::entry::Entry;
 use crate::arguments::{CheckFormat, FailOn};
 
-/// How many records there are of each verdict.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
-pub struct Summary {
-    pub records: u64,
-    pub pass: u64,
-    pub warn: u64,
-    pub fail: u64,
-    pub undecidable: u64,
-    /// How many findings there are of each rule and severity.
-    #[serde(skip)]
-    pub findings: BTreeMap<(&'static str, &'static str), u64>,
-}
-
-impl Summary {
-    /// Counts a record in.
-    pub fn add(&mut self, entry: &Entry) {
-        self.records += 1;
-        *match entry.verdict {
-            Verdict::Pass => &mut self.pass,
-            Verdict::Warn => &mut self.warn,
-            Verdict::Fail => &mut self.fail,
-            Verdict::Undecidable => &mut self.undecidable,
-        } += 1;
-        for found in &entry.findings {
-            *self.findings.entry((found.severity.name(), found.rule)).or_default() += 1;
-        }
-    }
-}
-
-/// A form of report. What is written is one document if all of its functions are called in order.
+/// A report format. Calling all functions in order writes one document.
 pub trait Report {
-    /// In front of the first file.
+    /// Writes the text before the first file.
     fn begin(&mut self, to: &mut Vec<u8>) -> io::Result<()>;
-    /// In front of a file's first record.
+    /// Writes the text before a file's first record.
     fn begin_file(&mut self, to: &mut Vec<u8>, file: &str) -> io::Result<()>;
-    /// A record.
+    /// Writes a record.
     fn record(&mut self, to: &mut Vec<u8>, file: &str, entry: &Entry) -> io::Result<()>;
-    /// Behind a file's last record.
+    /// Writes the text after a file's last record.
     fn end_file(&mut self, to: &mut Vec<u8>) -> io::Result<()>;
-    /// Behind the last file.
-    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary) -> io::Result<()>;
+    /// Writes the text after the last file, or after an interruption by the user.
+    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary, interrupted: bool) -> io::Result<()>;
 }
 
-/// A report in a format; what fails is for JUnit to know.
+/// Creates a report; only JUnit needs `fail_on`.
 pub fn of(format: CheckFormat, fail_on: FailOn) -> Box<dyn Report> {
     match format {
         CheckFormat::Text => Box::new(text::Text::default()),
@@ -69,7 +36,8 @@ pub fn of(format: CheckFormat, fail_on: FailOn) -> Box<dyn Report> {
     }
 }
 
-/// Text without control characters, which could reach into a terminal and have no place in XML.
+/// Removes characters that a terminal or a document would interpret, or that XML does not allow.
 fn clean(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { '\u{fffd}' } else { c }).collect()
+    let is_bad = |c: char| is_active(c) || matches!(c, '\u{fffe}' | '\u{ffff}');
+    text.chars().map(|c| if is_bad(c) { '\u{fffd}' } else { c }).collect()
 }

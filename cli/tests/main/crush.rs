@@ -1,13 +1,13 @@
-//! The verbs `crush` and `crash3`, and what they share with `solve`, `gradient` and `sweep`.
+//! The verbs `crush` and `crash3`, and their results within `solve`, `gradient` and `sweep`.
 
 use std::f64::consts::TAU;
 use std::path::Path;
 
 use serde_json::Value;
 
-use crate::process::{Run, run_with_input, workspace};
+use crate::process::{Run, run, run_with_input, workspace};
 
-/// How far a number may be off, relative to itself, or to 1 for angles, lengths and velocities below it.
+/// Relative tolerance of a number; absolute for angles, lengths and velocities below 1.
 const TOLERANCE: f64 = 1e-12;
 
 fn json(run: &Run) -> Value {
@@ -19,7 +19,7 @@ fn example(name: &str) -> String {
     std::fs::read_to_string(workspace().join("cli/examples").join(name)).expect("the example can be read")
 }
 
-/// What differs of everything that is wanted. What is got beside it does not matter here.
+/// Collects the differences from the expected values. Extra values in `got` are ignored.
 fn compare(got: &Value, want: &Value, path: &str, faults: &mut Vec<String>) {
     match want {
         Value::Object(entries) => entries.iter().for_each(|(key, want)| compare(&got[key], want, &format!("{path}.{key}"), faults)),
@@ -29,7 +29,7 @@ fn compare(got: &Value, want: &Value, path: &str, faults: &mut Vec<String>) {
             }
             items.iter().enumerate().for_each(|(i, want)| compare(&got[i], want, &format!("{path}.{i}"), faults));
         }
-        // A barrier, or a vehicle without crush: the other tests look at them.
+        // A barrier, or a vehicle without crush, which other tests check.
         Value::Null => (),
         Value::String(text) => match text.parse::<f64>() {
             Err(_) if got == want => (),
@@ -50,7 +50,7 @@ fn difference(path: &str, got: f64, want: f64) -> f64 {
     if path.ends_with(".pdof") {
         difference.min((difference - TAU).abs())
     } else if path.contains("delta_v.") || path.contains("velocity") || path.ends_with("moment_arm") {
-        // Components of what is some tens of meters a second, or of an arm of a meter.
+        // Components of velocities of some tens of meters per second, or of a moment arm of about a meter.
         difference / want.abs().max(if path.ends_with("moment_arm") { 1.0 } else { 30.0 })
     } else if difference == 0.0 {
         0.0
@@ -104,11 +104,12 @@ fn the_second_crabbed_test_of_table_b2() {
     let crash3 = json(&run_with_input(&["crash3", "-", "--format", "json"], &example("cavalier-crush.toml")));
     let car = &crash3["vehicles"][0];
     let number = |value: &Value| value.as_f64().expect("a number");
-    // Printed: T_Ln 44215, T_L 47524 ft lb and 51334 of planar mechanics, from a mean depth of four digits: 9 and 10 ft lb are its rounding.
+    // Printed: T_Ln 44215 and T_L 47524 ft lb, and 51334 for planar mechanics, from a mean depth of four digits,
+    // whose rounding causes 9 and 10 ft lb.
     assert!((number(&car["crush_energy"]) / FOOT_POUND - 44_215.0).abs() < 10.0);
     assert!((number(&car["corrected_energy"]) / FOOT_POUND - 47_524.0).abs() < 10.0);
     assert!((number(&crash3["planar"]["planar"]["loss"]) / FOOT_POUND - 51_334.0).abs() < 12.0);
-    // Printed: 34.5 ft/s of planar mechanics.
+    // Printed: 34.5 ft/s for planar mechanics.
     assert!((number(&crash3["planar"]["planar"]["delta_v_magnitude"][0]) / 0.3048 - 34.5).abs() < 0.05);
     let barrier = &crash3["vehicles"][1];
     for key in ["crush_energy", "pdof", "correction", "corrected_energy", "effective_mass_factor", "delta_v_magnitude"] {
@@ -155,7 +156,7 @@ fn what_crash3_says_has_derivatives_by_name() {
     let wrt = by.join(",");
     let gradient = json(&run_with_input(&["gradient", "-", "--format", "json", "--of", of, "--wrt", &wrt], &case));
     for name in by {
-        // A sweep of three points around the value, as the difference quotient.
+        // A difference quotient from a sweep of three points around the value.
         let value = gradient["wrt"][name].as_f64().expect("a value");
         let step = 1e-4 * value.abs().max(0.1);
         let unit = if name.ends_with("d1") { " N^0.5/m" } else { "" };
@@ -181,8 +182,8 @@ fn a_sweep_says_where_there_is_no_crush() {
     let sweep =
         |vary: &str| json(&run_with_input(&["sweep", "-", "--vary", vary, "--of", "vehicle.1.crush_energy", "--format", "json"], &case));
     for (vary, words) in [
-        ("vehicle.1.crush.stations.2=-0.5 m:0.7 m:0.4 m", "does not lie beyond station 2"),
-        ("vehicle.1.crush.measured.offset=0 m:0.2 m:0.05 m", "must not be below zero"),
+        ("vehicle.1.crush.stations.2=-0.5 m:0.7 m:0.4 m", "station 3 is 0.2 m after"),
+        ("vehicle.1.crush.measured.offset=0 m:0.2 m:0.05 m", "it must be at least 0 m"),
     ] {
         let document = sweep(vary);
         let energies = document["of"]["vehicle.1.crush_energy"].as_array().expect("energies");
@@ -284,10 +285,23 @@ fn a_case_that_does_not_collide_has_crush_and_no_direction_of_force() {
     assert_eq!(run_with_input(&["crush", "-"], &case).status, 0);
     let refused = run_with_input(&["crash3", "-"], &case);
     assert_eq!((refused.status, refused.out.as_str()), (3, ""));
-    // With the direction given there is nothing to ask of the mechanics but the comparison.
+    // If the direction is given, the mechanics is needed only for the comparison.
     let given = case.replace("width = \"5 ft\"", "pdof = \"10 deg\"\nwidth = \"5 ft\"");
     let crash3 = json(&run_with_input(&["crash3", "-", "--format", "json"], &given));
     assert_eq!(crash3["planar"], Value::Null);
     assert_eq!(crash3["vehicles"][0]["reconstruction"], Value::Null);
     assert!(crash3["notes"][0].as_str().is_some_and(|note| note.contains("nothing to compare with")), "{}", crash3["notes"]);
+}
+
+#[test]
+fn inertias_that_rounding_decides_are_refused() {
+    for (verb, case) in [("solve", "tiny_inertia"), ("gradient", "tiny_inertia"), ("solve", "crash3_nan"), ("crash3", "crash3_nan")] {
+        let refused = run(&workspace(), &[verb, &format!("cli/tests/reproducers/{case}.toml")]);
+        assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{verb} {case}");
+        assert!(
+            refused.err.contains("the inputs are ill-conditioned") && refused.err.contains("check each mass, yaw inertia"),
+            "{}",
+            refused.err
+        );
+    }
 }

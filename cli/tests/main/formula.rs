@@ -1,4 +1,4 @@
-//! The verb `formula`: what it prints is what `solve` computes.
+//! The verb `formula`: its formulas evaluate to the results of `solve`.
 
 use std::collections::HashMap;
 use std::fs;
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::process::{Folder, Run, examples, run, workspace};
 
-/// The outputs or the inputs of the list, each by its symbol and its name.
+/// Returns the outputs or the inputs of the list, each by symbol and name.
 fn listed(title: &str) -> Vec<[String; 2]> {
     let list = formula(&["--list"]).out;
     let lines = list.lines().skip_while(|line| !line.trim_start().starts_with(title)).skip(2).take_while(|line| !line.is_empty());
@@ -26,13 +26,13 @@ fn formula(arguments: &[&str]) -> Run {
     run
 }
 
-/// The outputs in the JSON of `solve`.
+/// Returns the JSON answer of `solve`.
 fn solved(path: &str) -> Value {
     let run = run(&workspace(), &["solve", path, "--format", "json"]);
     serde_json::from_str(&run.out).expect("JSON")
 }
 
-/// The value of an output by its name; None of one that `solve` does not print.
+/// Returns the value of an output by its name, or `None` if `solve` does not print it.
 fn value(solution: &Value, name: &str) -> Option<f64> {
     let path = match name.split('.').collect::<Vec<_>>()[..] {
         ["vehicle", number, ref rest @ ..] => {
@@ -56,14 +56,14 @@ fn value(solution: &Value, name: &str) -> Option<f64> {
     solution.pointer(&path).and_then(Value::as_f64)
 }
 
-/// The inputs that the text lists, by their letters.
+/// Returns the inputs that the text lists, by symbol.
 fn inputs(text: &str) -> HashMap<String, f64> {
     let lines = text.lines().skip_while(|line| *line != "inputs").skip(1);
     let words = lines.map(|line| line.split_whitespace().collect::<Vec<_>>());
     words.map(|words| (words[0].to_owned(), words[words.len() - 1].replace('−', "-").parse().expect("a number"))).collect()
 }
 
-/// The letters of a name in the source.
+/// Converts a name in the source to its symbol.
 fn letters(name: &str) -> String {
     [("theta", "θ"), ("omega", "ω"), ("Gamma", "Γ"), ("mu", "μ")]
         .iter()
@@ -108,7 +108,7 @@ fn the_value_of_the_formula_is_that_of_solve() {
     }
 }
 
-/// Functions printed as Rust, called with the inputs that text lists, print what `solve` prints.
+/// The functions printed as Rust, called with the inputs listed in the text, compute what `solve` prints.
 #[test]
 fn the_source_computes_what_solve_computes() {
     let folder = Folder::new();
@@ -139,7 +139,7 @@ fn the_source_computes_what_solve_computes() {
     assert_eq!(printed.lines().count(), expected.len());
     for (line, (what, expected)) in printed.lines().zip(expected) {
         let computed: f64 = line.parse().expect("a number");
-        // The inputs are printed to six digits.
+        // The inputs are printed with six digits.
         assert!((computed - expected).abs() <= 1e-3 * expected.abs() + 1e-9, "{what}: {computed} for {expected}");
     }
 }

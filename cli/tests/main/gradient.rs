@@ -1,4 +1,4 @@
-//! The verb `gradient`: against an independent solver, against `solve`, and against wrong calls.
+//! The verb `gradient`: compared with an independent solver and with `solve`, and invalid calls.
 
 use std::path::Path;
 
@@ -47,7 +47,7 @@ fn derivative(document: &Value, of: &str, by: &str) -> f64 {
     document["of"][of]["d"][by].as_f64().unwrap_or_else(|| panic!("{of} by {by}"))
 }
 
-/// What is measured, as far as the size of its numbers goes.
+/// Returns the kind of quantity, which determines the scale of its numbers.
 fn sort(name: &str) -> &'static str {
     let last = name.rsplit('.').next().expect("a name has a last part");
     match last {
@@ -59,12 +59,12 @@ fn sort(name: &str) -> &'static str {
         "moment" | "normal" | "tangential" | "x" | "y" if name.starts_with("contact.impulse.") || last == "moment" => "impulse",
         "normal" | "tangential" | "x" | "y" | "speed" | "delta_v_magnitude" => "speed",
         _ if name.starts_with("energy.") => "energy",
-        // Masses, inertias and crush: each its own.
+        // Masses, inertias and crush have their own scales.
         _ => "own",
     }
 }
 
-/// The size that a quantity has in this collision.
+/// The scale of each kind of quantity in this collision.
 struct Sizes<'a>(&'a Value);
 
 impl Sizes<'_> {
@@ -78,7 +78,7 @@ impl Sizes<'_> {
         let value = value.as_f64().unwrap_or(0.0).abs();
         match sort(name) {
             "one" => value.max(1.0),
-            // At a meter from the center of mass.
+            // At one meter from the center of mass.
             "yaw rate" => self.largest("yaw rate").max(self.largest("speed")),
             "own" if value == 0.0 => 1.0,
             "own" => value,
@@ -95,7 +95,7 @@ impl Sizes<'_> {
     }
 }
 
-/// Whether two derivatives agree to 10⁻¹⁰, or to 10⁻¹² of the size that such a derivative has where it is small.
+/// Returns `true` if two derivatives agree to 10⁻¹⁰, or to 10⁻¹² of the scale of such a derivative if it is small.
 fn agree(got: f64, want: f64, size: f64) -> bool {
     (got - want).abs() <= 1e-10 * want.abs() + 1e-12 * size
 }
@@ -111,7 +111,7 @@ fn every_derivative_of_the_independent_solver() {
         let (sizes, of) = (Sizes(&got), reference["of"].as_array().expect("names"));
         let mut names: Vec<&str> = of.iter().filter_map(Value::as_str).collect();
         names.sort_unstable();
-        // What CRASH3 says has its own references.
+        // The CRASH3 results have their own references.
         let of_planar = |name: &&str| !name.contains(".crash3.");
         assert_eq!(keys(&got["of"]).into_iter().filter(of_planar).collect::<Vec<_>>(), names, "line {}", i + 1);
         assert_eq!(keys(&got["wrt"]), keys(&reference["d"]), "line {}", i + 1);
@@ -172,19 +172,19 @@ fn the_other_keys_of_the_file_are_held() {
     let document = json(&[], MIXED);
     let at = |name: &str| document["of"][name]["value"].as_f64().expect("a value");
     let close = |got: f64, want: f64| assert!((got - want).abs() < 1e-9 * want.abs().max(1.0), "{got} {want}");
-    // 12 m/s at 30 deg: the speed turns with the heading, so the kinetic energy stays and the approach does not.
+    // 12 m/s at 30 deg: the speed turns with the heading, so the kinetic energy is unchanged and the approach velocity changes.
     close(derivative(&document, "energy.before", "vehicle.1.heading"), 0.0);
     close(derivative(&document, "energy.before", "vehicle.1.speed"), 1200.0 * 12.0);
     close(derivative(&document, "energy.before", "vehicle.1.velocity.y"), 1200.0 * 6.0);
-    // A velocity given by components keeps it when the vehicle is turned: only the impact center moves.
+    // A velocity given by components does not turn with the vehicle: only the impact center moves.
     assert!(derivative(&document, "contact.approach.normal", "vehicle.1.heading").abs() > 1.0);
     close(derivative(&document, "contact.approach.normal", "vehicle.2.heading"), 0.0);
     close(derivative(&document, "energy.before", "vehicle.2.velocity.x"), 1500.0 * -8.0);
-    // Along 200 deg; its value is the velocity's component along the heading.
+    // Heading 200 deg; the value is the velocity component along the heading.
     let (sin, cos) = 200_f64.to_radians().sin_cos();
     close(document["wrt"]["vehicle.2.speed"].as_f64().expect("a value"), -8.0 * cos - 3.0 * sin);
     close(derivative(&document, "energy.before", "vehicle.2.speed"), 1500.0 * (-8.0 * cos - 3.0 * sin));
-    // I = m k²: of vehicle 1 the inertia follows the mass, of vehicle 2 it stays.
+    // I = m k²: the inertia of vehicle 1 follows its mass, that of vehicle 2 is fixed.
     close(document["wrt"]["vehicle.1.yaw_inertia"].as_f64().expect("a value"), 1200.0 * 1.69);
     let by_mass = derivative(&document, "vehicle.1.yaw_rate", "vehicle.1.mass");
     let with_inertia = derivative(&document, "vehicle.1.yaw_rate", "vehicle.1.yaw_inertia");
@@ -192,7 +192,7 @@ fn the_other_keys_of_the_file_are_held() {
     close(radius, with_inertia * 2.0 * 1200.0 * 1.3);
     let fixed = json(&["--of", "Omega1", "--wrt", "m1"], &MIXED.replace("radius_of_gyration = \"1.3 m\"", "yaw_inertia = 2028"));
     close(by_mass, derivative(&fixed, "vehicle.1.yaw_rate", "vehicle.1.mass") + with_inertia * 1.69);
-    // EES = √(2 E/m), and the crush has no part in the impact.
+    // EES = √(2 E/m), and the crush does not affect the impact.
     close(derivative(&document, "vehicle.2.equivalent_energy_speed", "vehicle.2.mass"), -at("vehicle.2.equivalent_energy_speed") / 3000.0);
     close(derivative(&document, "vehicle.2.mean_depth", "vehicle.2.crush.depths.2"), 0.5);
     close(derivative(&document, "energy.loss", "vehicle.2.crush.width"), 0.0);
@@ -250,12 +250,12 @@ fn second_derivatives_are_symmetric() {
             row.as_object().expect("a row").iter().for_each(|(two, value)| assert_eq!(*value, entry["d2"][two][one], "{name} {one} {two}"));
         }
     }
-    // E_before = ½ m v²: by the speed twice it is m, by mass and speed v.
+    // E_before = ½ m v²: the second derivative by the speed is m, the mixed one by mass and speed is v.
     let before = &document["of"]["energy.before"]["d2"];
     let close = |value: &Value, want: f64| assert!((value.as_f64().expect("a number") - want).abs() < 1e-12 * want, "{value} {want}");
     close(&before["vehicle.1.speed"]["vehicle.1.speed"], 1200.0);
     close(&before["vehicle.1.mass"]["vehicle.1.speed"], 12.0);
-    // Of crush energy by its own stiffness twice: 2 K₁ = w.
+    // The second derivative of the crush energy with respect to its own d0: 2 K₁ = w.
     close(&document["of"]["vehicle.2.crush_energy"]["d2"]["vehicle.2.crush.d0"]["vehicle.2.crush.d0"], 1.5);
 }
 
@@ -273,7 +273,7 @@ fn the_text_fits_and_is_sorted() {
     }
     let case = workspace().join("cli/examples/position-a.toml");
     let run = run(&workspace(), &["gradient", case.to_str().expect("a plain path"), "--of", "W_n"]);
-    // By central differences of `solve`: 1 deg, 1 mph, 0.05, 1 in, 1 %; the largest comes first.
+    // From central differences of `solve`: 1 deg, 1 mph, 0.05, 1 in, 1 %; the largest comes first.
     let cells: Vec<Vec<&str>> = run.out.lines().map(|line| line.split_whitespace().collect()).collect();
     let row = |name: &str| cells.iter().position(|row| row.first() == Some(&name)).unwrap_or_else(|| panic!("{name}\n{}", run.out));
     assert_eq!(cells[row("contact.crush_plane")], ["contact.crush_plane", "0", "deg", "-872.3", "-872", "1", "deg"]);

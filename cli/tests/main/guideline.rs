@@ -1,4 +1,4 @@
-//! The crush plane from the two surfaces that meet: the paper's guideline, its bracket, and what it refuses.
+//! The crush plane from the two surfaces in contact: the paper's guideline, its bracket, and refused cases.
 
 use serde_json::Value;
 
@@ -8,7 +8,7 @@ fn oblique() -> String {
     std::fs::read_to_string(workspace().join("cli/examples/oblique-surfaces.toml")).expect("the example is there")
 }
 
-/// The example with other surfaces.
+/// Returns the example with other surfaces.
 fn with(surfaces: &str) -> String {
     let case = oblique();
     assert!(case.contains("surfaces = [\"0 deg\", \"225 deg\"]"));
@@ -34,7 +34,7 @@ fn figure_5_has_22_5_deg_between_0_and_45() {
     assert!((bracket["upper"]["crush_plane"].as_f64().expect("an angle").to_degrees() - 45.0).abs() < 1e-12); // 225 deg is the same plane
     let text = run_with_input(&["solve", "-"], &oblique()).out;
     assert!(text.contains("Crush plane Gamma = 22.5 deg"), "{text}");
-    // The three columns of the table are three runs of `solve`.
+    // The three columns of the table equal three runs of `solve`.
     for (crush_plane, at) in [("0 deg", &bracket["lower"]["outputs"]), ("45 deg", &bracket["upper"]["outputs"])] {
         let end = solved(&with(&format!("crush_plane = \"{crush_plane}\"")));
         assert!(end.get("crush_plane_bracket").is_none(), "a crush plane that is given has no bracket");
@@ -106,12 +106,12 @@ fn an_end_that_is_refused_says_why() {
     let solution = solved(&case);
     let bracket = &solution["crush_plane_bracket"];
     assert!(bracket["lower"].get("outputs").is_none() && bracket["upper"].get("refused").is_none());
-    assert!(bracket["lower"]["refused"].as_str().is_some_and(|why| why.contains("separate")), "{bracket}");
+    assert!(bracket["lower"]["refused"].as_str().is_some_and(|why| why.contains("vehicles are separating")), "{bracket}");
     let text = run_with_input(&["solve", "-"], &case);
     assert_eq!(text.status, 0);
-    assert!(text.out.contains("refused") && text.out.contains("Refused at -60.0 deg: the vehicles separate"), "{}", text.out);
+    assert!(text.out.contains("refused") && text.out.contains("Refused at -60.0 deg: vehicles are separating"), "{}", text.out);
     assert!(text.out.lines().all(|line| line.chars().count() <= 80), "{}", text.out);
-    // Refused between the ends, the case is refused.
+    // If the nominal plane between the ends is refused, the case is refused.
     assert_eq!(run_with_input(&["solve", "-"], &with("surfaces = [\"-65 deg\", \"-55 deg\"]")).status, 3);
 }
 

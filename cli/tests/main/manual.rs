@@ -1,4 +1,4 @@
-//! What the help, the manual page and the completions promise, and the verbs `validate` and `prove`.
+//! The help, the manual page, the completions, and the verbs `validate` and `prove`.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ fn help(arguments: &[&str]) -> String {
     run.out
 }
 
-/// The verbs that `--help` lists, but for `help`.
+/// Returns the verbs that `--help` lists, except `help`.
 fn verbs() -> Vec<String> {
     let listed = help(&["--help"]);
     let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
@@ -24,7 +24,7 @@ fn verbs() -> Vec<String> {
     verbs
 }
 
-/// The words of a line as a shell splits it, without what is redirected or piped.
+/// Splits a line into words as a shell does, without redirections and pipes.
 fn words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
     for letter in line.chars() {
@@ -42,7 +42,7 @@ fn words(line: &str) -> Vec<String> {
 
 #[test]
 fn every_example_of_the_help_runs_as_printed() {
-    // The workspace's root as far as examples know it, with the `case.toml` that a reader has.
+    // A copy of the workspace's root as the examples see it, with a `case.toml` as a reader would have.
     let folder = Folder::new();
     for path in examples() {
         let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
@@ -108,7 +108,7 @@ fn the_manual_page_has_every_verb_and_flag() {
     }
 }
 
-/// The cells that the paper misprints: as printed, and as they must be.
+/// The cells misprinted in the paper: the printed value and the correct one.
 const MISPRINTS: [(&str, &str); 5] =
     [("-21631.2", "-21639.2"), ("15.6", "15.7"), ("49197.30", "43197.30"), ("61334", "51334"), ("83.3", "69.6")];
 
@@ -118,13 +118,13 @@ fn validate_names_the_misprints() {
     assert_eq!((run.status, run.err.as_str()), (0, ""));
     for (printed, holds) in MISPRINTS {
         let told = format!("printed {printed}; {holds} holds: ");
-        // The reason may break over lines.
+        // The reason may span several lines.
         let flat = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
         let at = flat.find(&told).unwrap_or_else(|| panic!("{told}\n{}", run.out));
         assert!(flat[at + told.len()..].split_whitespace().take(4).count() == 4, "a reason follows");
     }
     assert!(run.out.contains("5 misprinted"), "{}", run.out);
-    assert!(!run.out.contains("PROBLEM"), "{}", run.out);
+    assert!(!run.out.contains("Problem: "), "{}", run.out);
     assert!(run.out.lines().all(|line| line.chars().count() <= 80));
 }
 
@@ -135,7 +135,7 @@ fn validate_counts_every_cell_in_json() {
     let report: Value = serde_json::from_str(&run.out).expect("JSON");
     assert_eq!((&report["schema"], &report["holds"]), (&Value::from(1), &Value::from(true)));
     let cells = report["cells"].as_array().expect("cells");
-    // Every number that the tables print, but for the numbers of the tests.
+    // Every number printed in the tables, except the test numbers.
     assert_eq!((cells.len(), report["given"].as_array().map(Vec::len)), (335, Some(130)));
     let tables = ["Table 1", "Table 2", "Table 3", "Table 4", "Table 5", "Table 6", "Table B1", "Table B2"];
     assert!(tables.iter().all(|table| cells.iter().any(|cell| cell["table"] == *table)));
@@ -157,7 +157,7 @@ fn validate_reports_the_error_of_measured_tests() {
     let run = run(&workspace(), &["validate", "--format", "json"]);
     let report: Value = serde_json::from_str(&run.out).expect("JSON");
     let tests = report["measured"]["small_overlap"].as_array().expect("tests");
-    // ΔV in ft/s and clockwise yaw rate in deg/s as measured, from the workbook of pycrash.
+    // Measured ΔV in ft/s and clockwise yaw rate in deg/s, from the workbook of pycrash.
     for (name, delta_v, yaw_rate) in [("CF10023", 48.7, 196.3), ("CF10020", 49.9, 192.5), ("CEN1212", 53.0, 206.0)] {
         let test = tests.iter().find(|test| test["test"] == name).expect(name);
         for (reading, measured) in [(&test["delta_v"], delta_v), (&test["yaw_rate"], yaw_rate)] {

@@ -1,4 +1,4 @@
-//! Running the program, and folders that vanish.
+//! Runs the program, and creates temporary folders.
 
 use std::fs;
 use std::io::Write;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How a run of the program ended.
+/// The result of a run of the program.
 pub struct Run {
     /// The exit status.
     pub status: i32,
@@ -17,7 +17,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Of a finished process.
+    /// Collects the output of a finished process.
     pub fn of(output: Output) -> Run {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
         let status = output.status.code().expect("the program ends by itself");
@@ -25,7 +25,7 @@ impl Run {
     }
 }
 
-/// The program in a folder, without the variables that change what it prints.
+/// Returns the command of the program in a folder, without the environment variables that change its output.
 pub fn planar_impact(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_planar-impact"));
     command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env_remove("CLICOLOR_FORCE");
@@ -42,18 +42,18 @@ pub fn run_with_input(arguments: &[&str], input: &str) -> Run {
     let mut command = planar_impact(&std::env::temp_dir());
     command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
-    // Closed when it goes out of scope: the program reads to the end.
+    // Dropping the pipe closes it, so that the program reads to the end.
     let sent = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
     sent.expect("the program reads all of its input");
     Run::of(child.wait_with_output().expect("the program ends"))
 }
 
-/// The root of the workspace, where the manual's examples are meant to be run.
+/// Returns the root of the workspace, where the manual's examples are run.
 pub fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is a folder of the workspace").to_owned()
 }
 
-/// The case files that come with the program.
+/// Returns the case files shipped with the program.
 pub fn examples() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let mut paths: Vec<PathBuf> = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
@@ -63,11 +63,11 @@ pub fn examples() -> Vec<PathBuf> {
     paths
 }
 
-/// A folder of its own, removed when dropped.
+/// A temporary folder, removed when dropped.
 pub struct Folder(PathBuf);
 
 impl Folder {
-    /// A new and empty one.
+    /// Creates an empty folder.
     pub fn new() -> Folder {
         static MADE: AtomicUsize = AtomicUsize::new(0);
         let name = format!("planar-impact-test-{}-{}", std::process::id(), MADE.fetch_add(1, Ordering::Relaxed));
@@ -76,7 +76,7 @@ impl Folder {
         Folder(path)
     }
 
-    /// Where it is.
+    /// Returns its path.
     pub fn path(&self) -> &Path {
         &self.0
     }
@@ -92,7 +92,7 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // A folder that stays behind in the temporary one is no reason to fail.
+        // Failure to remove a temporary folder does not fail the test.
         let _ = fs::remove_dir_all(&self.0);
     }
 }

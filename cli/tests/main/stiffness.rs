@@ -30,7 +30,7 @@ fn the_published_coefficients_of_one_test() {
     for (key, published, digit) in [("b1", 29.8375, 0.000_05), ("A", 79_010.7, 0.05), ("B", 1_071_581.0, 0.5)] {
         assert!((number(&test["on_mean_depth"][key]) - published).abs() <= digit, "{key}");
     }
-    // The profile as measured keeps the energy of the test with a lower slope: ½ 1779 kg (15.6 m/s)².
+    // The energy of the test is ½ 1779 kg (15.6 m/s)²; the measured profile gives a lower slope than the mean depth.
     assert!((number(&test["crush_energy"]) - 0.5 * 1779.0 * 15.6 * 15.6).abs() < 1e-6);
     assert!(number(&test["on_profile"]["d1"]) < number(&test["on_mean_depth"]["d1"]));
     assert_eq!(document["fits"], serde_json::json!([]));
@@ -41,12 +41,12 @@ fn three_tests_of_one_car() {
     let document = json(&example("struble-welsh.toml"));
     let energies: Vec<f64> =
         document["tests"].as_array().expect("tests").iter().map(|test| (number(&test["crush_energy"]) / FOOT_POUND).round()).collect();
-    // Table B2, the energies of the tests with restitution.
+    // The crush energies of Table B2 for tests with restitution.
     assert_eq!(energies, [13_674.0, 56_876.0, 125_102.0]);
     let fit = &document["fits"][0];
     assert_eq!((fit["model"].as_str(), fit["degrees_of_freedom"].as_u64()), (Some("mean depth"), Some(1)));
     assert!((number(&fit["d0"]) / ROOT_POUND - 62.65).abs() < 0.005, "{fit}");
-    // Flat profiles: both fits are the same.
+    // Both fits are the same for flat profiles.
     let other = &document["fits"][1];
     for key in ["d0", "d1", "chi_square"] {
         assert!((number(&fit[key]) / number(&other[key]) - 1.0).abs() < 1e-9, "{key}");
@@ -66,7 +66,7 @@ fn without_deviations_the_residuals_tell_the_scatter() {
     let fit = &document["fits"][0];
     assert_eq!(fit["covariance"]["basis"], "residuals");
     assert_eq!(fit["residuals"][0]["standardised"], Value::Null);
-    // The line of the figure that is fitted to the three points, and by hand the scatter of one degree of freedom.
+    // The regression line through the three points, with the scatter of one degree of freedom computed by hand.
     let (x, y): (Vec<f64>, Vec<f64>) = [(0.1062, 73.9587), (0.5203, 150.8325), (1.0768, 223.6984)].into_iter().unzip();
     let mean = |values: &[f64]| values.iter().sum::<f64>() / 3.0;
     let sxx: f64 = x.iter().map(|x_i| (x_i - mean(&x)).powi(2)).sum();
@@ -75,7 +75,7 @@ fn without_deviations_the_residuals_tell_the_scatter() {
     let scatter: f64 = x.iter().zip(&y).map(|(x_i, y_i)| (y_i - onset - slope * x_i).powi(2)).sum();
     assert!((number(&fit["d0"]) / ROOT_POUND - onset).abs() < 0.01);
     assert!((number(&fit["covariance"]["d1_sd"]) / ROOT_POUND * 0.3048 - (scatter / sxx).sqrt()).abs() < 0.01);
-    // Two tests leave nothing to tell it from.
+    // Two tests leave no residual from which to compute it.
     let two = bare.split("[[vehicle.test]]").enumerate().filter(|(i, _)| *i != 2).map(|(_, part)| part).collect::<Vec<_>>();
     let document = json(&two.join("[[vehicle.test]]"));
     assert_eq!((&document["fits"][0]["covariance"], &document["fits"][0]["prediction"]["sd"]), (&Value::Null, &Value::Null));
@@ -120,7 +120,7 @@ fn each_mistake_is_named_where_it_is() {
     refused("depth = \"1 ft\"\n", "", &["fit.depth: missing"]);
     refused("[fit]", "[fit]\nonset = \"60 ft/s\"", &["fit.onset", "60"]);
     refused("name = \"Cavalier\"", "name = 3", &["vehicle.1.name"]);
-    // Of another vehicle, the place is that of its own test.
+    // For a test of another vehicle, the path names that test.
     let second =
         "\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = 15\nrestitution = 0.1\nwidth = 1.5\ndepths = [0.4, 0.4]\nscatter = 10\n";
     let at_second = |from: &str, to: &str, says: &[&str]| {
@@ -130,7 +130,7 @@ fn each_mistake_is_named_where_it_is() {
     at_second("mass = 1500", "mass = 0", &["vehicle.2.test.1.mass", "above zero"]);
     at_second("scatter = 10", "scatter = 0", &["vehicle.2.test.1: variance is 0", "above zero", "scatter above zero"]);
     at_second("[0.4, 0.4]", "[0, 0]", &["vehicle.2.test.1.depths: mean depth is 0", "above zero"]);
-    at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 2"]);
+    at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 6.56 ft/s"]);
     at_second("scatter = 10\n", "", &["vehicle.2.test.1: no standard deviation here, though other tests have one", "scatter"]);
     let many = "[[vehicle.test]]\nmass = 1\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n".repeat(501);
     let many = run_with_input(&["stiffness", "-"], &format!("schema = 1\n[[vehicle]]\n{many}"));
@@ -143,7 +143,7 @@ fn each_mistake_is_named_where_it_is() {
     assert!(alone.err.contains("onset"), "{}", alone.err);
 }
 
-/// Two vehicles whose mean depths are the same, and an onset if wanted.
+/// Returns two vehicles with equal mean depths, and an onset if given.
 fn one_depth(onset: &str) -> String {
     let test = |speed: i32| {
         format!("[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [0.4, 0.4]\n")
@@ -156,7 +156,7 @@ fn one_depth_has_no_line_but_a_stiffness_with_an_onset() {
     let refused = run_with_input(&["stiffness", "-"], &one_depth(""));
     assert!(refused.status == 2 && refused.out.is_empty(), "{}", refused.out);
     assert!(
-        refused.err.contains("vehicle: every test has the mean depth 0.4") && refused.err.contains("assume an onset"),
+        refused.err.contains("vehicle: all tests have the mean depth 0.4") && refused.err.contains("assume an onset"),
         "{}",
         refused.err
     );

@@ -1,10 +1,10 @@
-//! One collision of two boxes in Rapier, and the record of it.
+//! Simulates one collision of two boxes in Rapier, and records it.
 
 use planar_impact::Xy;
 use planar_impact::check::{Model, Profile, Record, State, Subject};
 use rapier2d_f64::prelude::*;
 
-/// Two boxes on their way to each other.
+/// Two boxes on a collision course.
 pub struct Pair {
     seed: u64,
     sides: [Side; 2],
@@ -22,11 +22,11 @@ struct Side {
 }
 
 const STEP: f64 = 1.0 / 960.0;
-/// As many steps as the slowest pair needs to touch and part.
+/// Number of steps that the slowest pair needs to touch and separate.
 const STEPS: usize = 2000;
 
 impl Pair {
-    /// A pair by its number: the same number is the same pair.
+    /// Draws a pair from a seed; the same seed gives the same pair.
     pub fn draw(seed: u64, restitution: f64, friction: f64) -> Pair {
         let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5851_f42d_4c95_7f2d;
         let mut between = |low: f64, high: f64| {
@@ -45,7 +45,7 @@ impl Pair {
     }
 }
 
-/// The state of a body, as a record has it.
+/// Returns the state of a body for a record.
 fn state(body: &RigidBody) -> State {
     State { velocity: Some(Xy { x: body.linvel().x, y: body.linvel().y }), yaw_rate: Some(body.angvel()) }
 }
@@ -54,7 +54,8 @@ fn center(body: &RigidBody) -> Xy {
     Xy { x: body.center_of_mass().x, y: body.center_of_mass().y }
 }
 
-/// Steps until the pair has touched and parted. None if they miss each other, or touch at more than one point, which a record of one contact cannot say.
+/// Steps until the pair has touched and separated. Returns `None` if they miss each other, or touch at more than one
+/// point, which a record of one contact cannot represent.
 pub fn collide(pair: &Pair) -> Option<Record> {
     let mut world = PhysicsWorld { gravity: Vector::ZERO, ..PhysicsWorld::default() };
     world.integration_parameters.dt = STEP;
@@ -67,7 +68,7 @@ pub fn collide(pair: &Pair) -> Option<Record> {
             .friction(pair.friction);
         world.insert(body.can_sleep(false), collider)
     });
-    // Rapier knows the masses after its first step.
+    // Rapier computes the masses in its first step.
     world.step();
 
     let mut touched: Option<Record> = None;

@@ -1,4 +1,4 @@
-//! Boxes of the size of cars that collide in Rapier, each collision made a record and held against the laws of planar impact: a report of what Rapier conserves.
+//! Simulates collisions of car-sized boxes in Rapier and checks each against the laws of planar impact, to report what Rapier conserves.
 //!
 //! ```sh
 //! cargo run --manifest-path examples/rapier/Cargo.toml

@@ -1,8 +1,8 @@
-//! How many of the collisions keep each law.
+//! Counts the collisions that satisfy each law.
 
 use planar_impact::check::{Outcome, Rule, Severity, Verdict};
 
-/// The rules that are counted, and their columns.
+/// The counted rules, and their columns.
 const RULES: [(Rule, &str); 6] = [
     (Rule::LinearMomentum, "linear"),
     (Rule::AngularMomentum, "angular"),
@@ -24,9 +24,9 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// The line above the counts.
+    /// The header above the counts.
     pub const HEADER: &str = "  e   mu  pairs  pass   linear angular    line  energy parting restit.   other";
-    /// What the columns mean.
+    /// Legend of the columns.
     pub const LEGEND: &str = "\
 pairs    that touched; pass: without a broken law; then how many broke which law
 linear   linear momentum, to 1e-6       angular  angular momentum, to 2e-2
@@ -46,7 +46,7 @@ other    another rule is broken, such as a tangential impulse beyond the critica
         self.other += usize::from(outcome.findings.iter().any(|found| found.severity == Severity::Fail && !counted(found.rule)));
     }
 
-    /// The counts in a line.
+    /// Formats the counts as a line.
     pub fn line(&self, restitution: f64, friction: f64) -> String {
         let mut line = format!("{restitution:3.1}  {friction:3.1}  {:5} {:5}  ", self.collisions, self.passed);
         for (broken, (_, name)) in self.broken.iter().zip(RULES) {

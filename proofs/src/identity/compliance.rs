@@ -1,4 +1,4 @@
-//! The contact of two bodies: relative velocities, and the compliance K that an impulse meets.
+//! The contact of two bodies: relative velocities, and the compliance K.
 
 use planar_impact::{Body, Collision, Compliance, Contact, CrushPlane, Field, Motion, Nt, Party, Vehicle, Xy};
 
@@ -10,7 +10,7 @@ use crate::free::Free;
 pub(super) fn all() -> Vec<Identity> {
     vec![
         identity!(approach, "the approach velocity is that of the motions", "v = v_2C − v_1C with v_C = v + ω × r, in n-t", "A11, A13"),
-        identity!(separation, "so is the separation velocity", "V = v − K P (− k M) = V_2C − V_1C with V_C = V + Ω × r", "A12"),
+        identity!(separation, "separation velocity at the impact center", "V = v − K P (− k M) = V_2C − V_1C with V_C = V + Ω × r", "A12"),
         identity!(relative_yaw, "and the relative yaw rate", "Ω_r = ω_r − k·P − K_mm M = Ω_2 − Ω_1"),
         identity!(offset, "r₁ − r₂ joins the centers of mass", "r₁ − r₂ = x₂ − x₁ with x + r = C"),
         identity!(entries, "K by its entries", "K_nn = Σ 1/m + r_t²/I, K_nt = −Σ r_n r_t/I, K_tt = Σ 1/m + r_n²/I", "A28–A30"),
@@ -20,15 +20,15 @@ pub(super) fn all() -> Vec<Identity> {
         identity!(inverse, "K and its inverse cancel", "K⁻¹ K P = P = K K⁻¹ P"),
         identity!(along_ratio, "K along a ratio", "(K (1, μ))_n = K_nn + μ K_nt", "A14"),
         identity!(squares, "P·K P is a sum of squares", "P·K P = w |P|² + (r₁ × P)²/I₁ + (r₂ × P)²/I₂"),
-        identity!(moment_squares, "so it is with a moment", "(P, M)·K₃ (P, M) = w |P|² + Σ (r × P + M)²/I"),
+        identity!(moment_squares, "(P, M)·K₃ (P, M) is a sum of squares", "(P, M)·K₃ (P, M) = w |P|² + Σ (r × P + M)²/I"),
         identity!(turned, "K turns with the crush plane", "trace and determinant are free of Γ; K′ = R K Rᵀ"),
     ]
 }
 
-/// Velocity of the impact center on a vehicle, in ground axes.
+/// Returns the velocity of the impact center on a vehicle, in ground axes.
 fn at_center<T: Field>(vehicle: &Vehicle<T>, motion: &Motion<T>) -> Xy<T> {
     let arm = vehicle.heading.to_ground(vehicle.impact_center.clone());
-    // ω × r with ω upwards.
+    // ω × r with ω pointing up.
     let around = Xy { x: -(motion.yaw_rate.clone() * arm.y), y: motion.yaw_rate.clone() * arm.x };
     motion.velocity.clone() + around
 }
@@ -86,7 +86,7 @@ fn entries<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let collision = free.collision();
     let contact = collision.contact();
     let [mut nn, mut nt, mut tt] = [T::int(0), T::int(0), T::int(0)];
-    for party in [&collision.one, &collision.two] {
+    for party in collision.parties() {
         let vehicle = party.vehicle().expect("a vehicle");
         let Nt { n, t } = collision.crush_plane.to_contact(vehicle.heading.to_ground(vehicle.impact_center.clone()));
         let (mass, inertia) = (vehicle.mass.clone(), vehicle.yaw_inertia.clone());
@@ -124,7 +124,7 @@ fn yields<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
         must.equal(body.delta_yaw_rate(p.clone()), spun.clone());
         sum = sum + moved + Nt { n: -(spun.clone() * body.arm.t), t: spun * body.arm.n };
     }
-    must.equal(compliance.yield_to(p), sum);
+    must.equal(compliance.velocity_change(p), sum);
     must
 }
 
@@ -144,8 +144,8 @@ fn inverse<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, p) = (free.contact(), free.nt());
     let k = contact.compliance;
     let mut must = Equations::new();
-    must.equal(k.impulse_for(k.yield_to(p.clone())), p.clone());
-    must.equal(k.yield_to(k.impulse_for(p.clone())), p);
+    must.equal(k.impulse_for(k.velocity_change(p.clone())), p.clone());
+    must.equal(k.velocity_change(k.impulse_for(p.clone())), p);
     must
 }
 
@@ -153,7 +153,7 @@ fn along_ratio<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, ratio) = (free.contact(), free.variable());
     let k = contact.compliance;
     let mut must = Equations::new();
-    must.equal(k.along_ratio(ratio.clone()), k.yield_to(Nt { n: T::int(1), t: ratio.clone() }).n);
+    must.equal(k.along_ratio(ratio.clone()), k.velocity_change(Nt { n: T::int(1), t: ratio.clone() }).n);
     must.equal(k.along_ratio(ratio.clone()), k.nn().clone() + ratio * k.nt().clone());
     must
 }
@@ -163,7 +163,7 @@ fn squares<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     let straight = (one.inverse_mass.clone() + two.inverse_mass.clone()) * p.clone().length_squared();
     let around = |body: Body<T>| body.inverse_yaw_inertia * body.arm.cross(p.clone()).squared();
-    must.equal(p.clone().dot(compliance.yield_to(p.clone())), straight + around(one) + around(two));
+    must.equal(p.clone().dot(compliance.velocity_change(p.clone())), straight + around(one) + around(two));
     must
 }
 
@@ -171,7 +171,7 @@ fn moment_squares<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, p, m) = (free.contact(), free.nt(), free.variable());
     let row = contact.moment_compliance();
     let mixed = T::int(2) * m.clone() * row.force.dot(p.clone());
-    let form = p.clone().dot(contact.compliance.yield_to(p.clone())) + mixed + row.moment * m.clone().squared();
+    let form = p.clone().dot(contact.compliance.velocity_change(p.clone())) + mixed + row.moment * m.clone().squared();
     let straight = (contact.one.inverse_mass.clone() + contact.two.inverse_mass.clone()) * p.clone().length_squared();
     let around = |body: Body<T>| body.inverse_yaw_inertia * (body.arm.cross(p.clone()) + m.clone()).squared();
     let mut must = Equations::new();
@@ -186,7 +186,7 @@ fn turned<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let here = collision.contact().compliance;
     let there = Collision { crush_plane: other.clone(), ..collision.clone() }.contact().compliance;
     let trace = |k: &Compliance<T>| k.nn().clone() + k.tt().clone();
-    let on_ground = |k: &Compliance<T>, plane: &CrushPlane<T>| plane.to_ground(k.yield_to(plane.to_contact(p.clone())));
+    let on_ground = |k: &Compliance<T>, plane: &CrushPlane<T>| plane.to_ground(k.velocity_change(plane.to_contact(p.clone())));
     let mut must = Equations::new();
     must.equal(trace(&here), trace(&there));
     must.equal(here.determinant().clone(), there.determinant().clone());

@@ -1,4 +1,4 @@
-//! What CRASH3 assumes, and when it holds.
+//! The assumptions of CRASH3, and the conditions under which they hold.
 
 use planar_impact::crash3::{Damaged, DamagedPair, Surface};
 use planar_impact::{Field, ForwardLeft, Vehicle};
@@ -20,12 +20,12 @@ pub(super) fn all() -> Vec<Identity> {
     ]
 }
 
-/// The vehicles of a scene with the force that each of them has, and no crush to speak of.
+/// Returns the vehicles of a scene with the direction of force on each, and no crush.
 fn damaged<T: Field>(scene: &Scene<T>) -> DamagedPair<T> {
     let mut sides = scene.sides().into_iter();
     let mut next = || {
         let side = sides.next()?;
-        Some(Damaged::of(side.vehicle, Surface::Front, side.response.force_origin(), T::int(0)))
+        Some(Damaged::of(side.vehicle, Surface::Front, side.response.force_direction(), T::int(0)))
     };
     DamagedPair { one: next(), two: next() }
 }
@@ -35,7 +35,7 @@ fn equivalent_mass<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     for collision in free.collisions() {
         let scene = Scene::by_any_impulse(free, collision);
         let impulse = scene.impact.impulse.clone();
-        let yielding = scene.contact.compliance.yield_to(impulse.clone()).dot(impulse.clone());
+        let yielding = scene.contact.compliance.velocity_change(impulse.clone()).dot(impulse.clone());
         must.equal(damaged(&scene).inverse_effective_mass() * impulse.length_squared(), yielding);
     }
     must

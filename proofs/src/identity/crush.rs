@@ -1,4 +1,4 @@
-//! The energy that residual crush stands for.
+//! Crush energy from residual crush.
 
 use planar_impact::crush::{CrushStiffness, Profile, ProfileMoments, equivalent_energy_speed_squared};
 use planar_impact::{Body, Contact, Field, Nt, Work};
@@ -17,7 +17,7 @@ pub(super) fn all() -> Vec<Identity> {
     ]
 }
 
-/// The measuring protocol's number of depths.
+/// Number of depths of the measuring protocol.
 const DEPTHS: usize = 6;
 
 fn stiffness<T: Field>(free: &mut Free<'_, T>) -> CrushStiffness<T> {
@@ -66,7 +66,7 @@ fn split<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let stiffness = stiffness(free);
     let [stations, depths]: [[T; DEPTHS]; 2] = core::array::from_fn(|_| core::array::from_fn(|_| free.variable()));
     let energy = |range: core::ops::Range<usize>| {
-        let profile = Profile::at_stations(stations[range.clone()].to_vec(), depths[range].to_vec());
+        let profile = Profile::at_stations_unchecked(stations[range.clone()].to_vec(), depths[range].to_vec());
         profile.ok().map_or(T::int(0), |profile| stiffness.crush_energy(profile.moments()))
     };
     let mut must = Equations::new();
@@ -76,7 +76,7 @@ fn split<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn series<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let car = free.body();
-    // C straight ahead along n, and no spin: the normal impact is central, as Eq 9 takes it to be.
+    // C straight ahead along n, and no yaw rate: the normal impulse is central, as Eq 9 assumes.
     let central =
         |speed: Nt<T>| Body { arm: Nt { n: car.arm.n.clone(), t: T::int(0) }, velocity: speed, yaw_rate: T::int(0), ..car.clone() };
     let tests: [(Nt<T>, T); 3] = core::array::from_fn(|_| (free.nt(), free.variable()));

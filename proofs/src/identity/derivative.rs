@@ -1,7 +1,7 @@
-//! Derivatives in closed form, against those of the code by dual numbers over the field.
+//! Derivatives in closed form, compared with those of the code by dual numbers over the field.
 
 use planar_impact::law::impulse_at_ratio;
-use planar_impact::paper::Letters;
+use planar_impact::paper::PaperNotation;
 use planar_impact::{Collision, Contact, CrushPlane, Field, Nt, Work};
 
 use super::scene::{Scene, inelastic};
@@ -12,7 +12,7 @@ use crate::scalar::Dual;
 
 pub(super) fn all() -> Vec<Identity> {
     vec![
-        identity!(by_impulse, "the loss by the impulse", "dT_L/dP = V, so it is stationary where V = 0"),
+        identity!(by_impulse, "derivative of the loss by the impulse", "dT_L/dP = V: the loss is stationary at V = 0"),
         identity!(by_ratio, "the loss by μ", "dT_L/dμ = V·dP/dμ; 0 at e = 0, μ = μ0", "Eq 1"),
         identity!(loss_by_restitution, "the loss by e at μ = μ0", "det K dT_L/de = −e K_tt v_n²", "Eq 1"),
         identity!(tangential_by_restitution, "W_t by e at μ = μ0", "2 det K dW_t/de = K_nt v_n v_t", "Eq 8"),
@@ -35,12 +35,12 @@ fn constant<T: Field>(value: T) -> D<T> {
     Dual::constant(value)
 }
 
-/// A contact of which nothing varies.
+/// Returns a contact in which nothing varies.
 fn constant_contact<T: Field>(contact: &Contact<T>) -> Contact<D<T>> {
     Contact::between(contact.one.clone().map(constant), contact.two.clone().map(constant))
 }
 
-/// The sticking impulse of a contact, with what it does, at a restitution that varies.
+/// Returns the sticking impulse of a contact and its work, for a varying restitution.
 fn by_restitution<T: Field>(contact: &Contact<T>, e: T) -> (Nt<D<T>>, Work<D<T>>) {
     let dual = constant_contact(contact);
     let v = dual.approach.clone();
@@ -48,7 +48,7 @@ fn by_restitution<T: Field>(contact: &Contact<T>, e: T) -> (Nt<D<T>>, Work<D<T>>
     (impulse.clone(), Work::of(impulse.clone(), v, dual.separation(impulse)))
 }
 
-/// A collision whose crush plane turns: the derivative of (cos Γ, sin Γ) is (−sin Γ, cos Γ).
+/// Returns a collision with a turning crush plane: the derivative of (cos Γ, sin Γ) is (−sin Γ, cos Γ).
 fn turning<T: Field>(collision: Collision<T>) -> Collision<D<T>> {
     let CrushPlane { cos, sin } = collision.crush_plane.clone();
     let crush_plane = CrushPlane { cos: Dual { re: cos.clone(), eps: -sin.clone() }, sin: Dual { re: sin, eps: cos } };
@@ -105,7 +105,7 @@ struct Critical<T> {
 }
 
 impl<T: Field> Critical<T> {
-    fn of(letters: &Letters<T>) -> Self {
+    fn of(letters: &PaperNotation<T>) -> Self {
         let (a, b, c) = (letters.a28(), letters.a29(), letters.a30());
         let one = T::int(1);
         Critical {
@@ -118,7 +118,7 @@ impl<T: Field> Critical<T> {
 fn ratio_by_restitution<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, e) = (free.contact(), free.variable());
     let (impulse, _) = by_restitution(&contact, e.clone());
-    let letters = Letters::of(&contact.one, &contact.two, e, T::int(0));
+    let letters = PaperNotation::of(&contact.one, &contact.two, e, T::int(0));
     let Critical { minor, denominator } = Critical::of(&letters);
     let mut must = Equations::new();
     must.equal((impulse.t / impulse.n).eps * denominator.squared(), -(letters.a21() * minor));
@@ -127,7 +127,7 @@ fn ratio_by_restitution<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn ratio_by_velocities<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, e) = (free.contact(), free.variable());
-    let letters = Letters::of(&contact.one, &contact.two, e, T::int(0));
+    let letters = PaperNotation::of(&contact.one, &contact.two, e, T::int(0));
     let Critical { minor, denominator } = Critical::of(&letters);
     // v_2t varies, and r with it: dr/dv_2t = 1/v_m.
     let mut two = contact.two.clone().map(constant);
@@ -144,7 +144,7 @@ fn ratio_by_velocities<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn letters_are_positive<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let contact = free.contact();
-    let letters = Letters::of(&contact.one, &contact.two, T::int(0), T::int(0));
+    let letters = PaperNotation::of(&contact.one, &contact.two, T::int(0), T::int(0));
     let mut must = Equations::new();
     must.equal(Critical::of(&letters).minor, letters.m_bar().squared() * contact.compliance.determinant().clone());
     must

@@ -1,4 +1,4 @@
-//! The energy account, its peak, and where energy would be gained.
+//! The energy balance, the peak of the energy loss, and the conditions for a gain of energy.
 
 use planar_impact::energy::work;
 use planar_impact::law::impulse_at_ratio;
@@ -133,7 +133,7 @@ fn loss<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     for collision in free.collisions() {
         let Scene { contact, impact, .. } = Scene::by_any_impulse(free, collision);
         let p = impact.impulse.clone();
-        let quadratic = p.clone().dot(contact.approach.clone()) - p.clone().dot(contact.compliance.yield_to(p.clone())).half();
+        let quadratic = p.clone().dot(contact.approach.clone()) - p.clone().dot(contact.compliance.velocity_change(p.clone())).half();
         must.equal(contact.loss(p), quadratic.clone());
         must.equal(impact.loss(), quadratic);
     }
@@ -144,7 +144,7 @@ fn peak<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (contact, p) = (free.contact(), free.nt());
     let at_peak = contact.common_velocity_impulse();
     let from_peak = p.clone() - at_peak.clone();
-    let square = from_peak.clone().dot(contact.compliance.yield_to(from_peak)).half();
+    let square = from_peak.clone().dot(contact.compliance.velocity_change(from_peak)).half();
     let mut must = Equations::new();
     must.equal(contact.loss(p.clone()), contact.greatest_loss() - square.clone());
     must.equal(contact.loss(p), contact.loss(at_peak) - square);
@@ -157,11 +157,11 @@ fn at_peak<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
         let Scene { contact, impact, .. } = Scene::sticking(collision);
         let at_peak = contact.common_velocity_impulse();
         must.equal(impact.impulse.clone(), at_peak.clone());
-        must.equal(contact.compliance.yield_to(at_peak.clone()), contact.approach.clone());
+        must.equal(contact.compliance.velocity_change(at_peak.clone()), contact.approach.clone());
         must.equal(impact.separation.clone(), Nt::zero());
         must.equal(impact.loss(), contact.greatest_loss());
         must.equal(contact.greatest_loss(), contact.approach.clone().dot(at_peak.clone()).half());
-        must.equal(contact.greatest_loss(), at_peak.clone().dot(contact.compliance.yield_to(at_peak)).half());
+        must.equal(contact.greatest_loss(), at_peak.clone().dot(contact.compliance.velocity_change(at_peak)).half());
     }
     must
 }
@@ -175,7 +175,7 @@ fn moment_peak<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
         let m = any.impact.moment.clone() - peak.impact.moment.clone();
         let row = peak.contact.moment_compliance();
         let mixed = T::int(2) * m.clone() * row.force.dot(p.clone());
-        let square = p.clone().dot(peak.contact.compliance.yield_to(p)) + mixed + row.moment * m.squared();
+        let square = p.clone().dot(peak.contact.compliance.velocity_change(p)) + mixed + row.moment * m.squared();
         must.equal(any.impact.loss(), peak.impact.loss() - square.half());
     }
     must

@@ -1,4 +1,4 @@
-//! Frames and the turns between them, with angles by the tangent of half of them.
+//! Frames and rotations between them, with angles given by half-angle tangents.
 
 use planar_impact::{CrushPlane, Field, ForwardLeft, Heading, Nt, Xy};
 

@@ -1,4 +1,4 @@
-//! What the laws of impact say of the impulse that they choose.
+//! The impulse according to each law of impact.
 
 use planar_impact::law::{impulse_at_fraction, impulse_at_ratio};
 use planar_impact::{Field, Moment, Nt};
@@ -93,7 +93,7 @@ fn fraction<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let whole = k.impulse_for(change.clone());
     let part = impulse_at_fraction(k, change.clone(), fraction.clone());
     must.equal(part.t.clone() * whole.n.clone(), fraction * whole.t.clone() * part.n.clone());
-    must.equal(k.yield_to(part).n, change.n.clone());
+    must.equal(k.velocity_change(part).n, change.n.clone());
     must.equal(impulse_at_fraction(k, change.clone(), T::int(1)), whole);
     must.equal(impulse_at_fraction(k, change.clone(), T::int(0)), impulse_at_ratio(k, change.n, T::int(0)));
     must
@@ -105,7 +105,7 @@ fn laws_meet<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
         let brach = Scene::sticking(collision.clone());
         let other = Scene::sticking(kudlich_slibar(collision));
         must.equal(brach.impact.impulse.clone(), other.impact.impulse);
-        must.equal(brach.contact.compliance.yield_to(brach.impact.impulse), brach.contact.approach);
+        must.equal(brach.contact.compliance.velocity_change(brach.impact.impulse), brach.contact.approach);
     }
     must
 }

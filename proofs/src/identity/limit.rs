@@ -1,4 +1,4 @@
-//! Where the planar impact becomes a simpler one.
+//! Special cases in which the planar impact becomes a simpler one.
 
 use planar_impact::{Body, Collision, Contact, Field, ForwardLeft, Motion, Nt, Vehicle, Work};
 
@@ -33,7 +33,7 @@ pub(super) fn all() -> Vec<Identity> {
 fn point_masses<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let collision = each_vehicle(free.collision(), |vehicle| Vehicle { impact_center: ForwardLeft::zero(), ..vehicle });
     let Scene { collision, contact, impact } = Scene::sticking(collision);
-    let [m1, m2] = [&collision.one, &collision.two].map(|party| party.vehicle().expect("a vehicle").mass.clone());
+    let [m1, m2] = collision.parties().map(|party| party.vehicle().expect("a vehicle").mass.clone());
     let m_bar = m1.clone() * m2.clone() / (m1 + m2);
     let (e, v) = (collision.restitution, contact.approach);
     let mut must = Equations::new();
@@ -68,7 +68,7 @@ fn barrier_body<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (here, there) = (Contact::between(one.clone(), Body::fixed()), Contact::between(one, heavy));
     let mut must = Equations::new();
     must.equal(here.approach.clone(), there.approach.clone());
-    must.equal(here.compliance.yield_to(p.clone()), there.compliance.yield_to(p.clone()));
+    must.equal(here.compliance.velocity_change(p.clone()), there.compliance.velocity_change(p.clone()));
     must.equal(here.compliance.determinant().clone(), there.compliance.determinant().clone());
     must.equal(here.loss(p.clone()), there.loss(p));
     must.equal(here.offset(), here.one.arm.clone());
@@ -102,7 +102,7 @@ fn moving_barrier<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
 
 fn no_coupling<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let (one, mut two, e) = (free.body(), free.body(), free.variable());
-    // The arm of body two that makes K_nt vanish.
+    // The arm of body two for which K_nt is zero.
     let product = one.inverse_yaw_inertia.clone() * one.arm.n.clone() * one.arm.t.clone();
     two.arm.t = -(product / (two.inverse_yaw_inertia.clone() * two.arm.n.clone()));
     let contact = Contact::between(one, two);

@@ -1,4 +1,4 @@
-//! Momentum, for any impulse and any moment impulse, whichever law chose them.
+//! Momentum, for any impulse and any moment impulse, regardless of the law that determines them.
 
 use planar_impact::{CrushPlane, Field, ForwardLeft, Motion, Nt, Response, Xy};
 
@@ -24,8 +24,8 @@ pub(super) fn all() -> Vec<Identity> {
             "ΔV = V − v, turned into the vehicle's axes; P_x, P_y from P_n, P_t"
         ),
         identity!(
-            force_origin,
-            "the force comes from where ΔV does not go",
+            force_direction,
+            "principal direction of force is opposite to ΔV",
             "its ahead is −ΔV·(cos θ, sin θ), its right ΔV·(−sin θ, cos θ)"
         ),
         identity!(two_impulses, "impulses in succession add up", "P then Q is P + Q: the same motions, and losses that add up"),
@@ -68,7 +68,7 @@ fn about_any_point<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     let collision = free.collision();
     for scene in [Scene::by_any_impulse(free, collision.clone()), Scene::by_any_moment(free, collision)] {
-        // The impact center as seen from the point.
+        // The position of the impact center relative to the point.
         let center = free.xy();
         let sum = |motion: fn(&Side<'_, T>) -> Motion<T>| {
             scene.sides().iter().fold(T::int(0), |sum, side| {
@@ -97,14 +97,14 @@ fn delta_v<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     must
 }
 
-fn force_origin<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
+fn force_direction<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     let mut must = Equations::new();
     for scene in Scene::by_anything(free) {
         for side in scene.sides() {
             let ahead = Xy { x: side.vehicle.heading.cos.clone(), y: side.vehicle.heading.sin.clone() };
-            let origin = side.response.force_origin();
+            let origin = side.response.force_direction();
             must.equal(origin.ahead, -ahead.clone().dot(side.response.delta_v.clone()));
-            // What pushes to the left comes from the right.
+            // A force to the left comes from the right.
             must.equal(origin.right, ahead.quarter_turn().dot(side.response.delta_v.clone()));
         }
     }

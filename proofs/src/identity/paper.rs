@@ -1,7 +1,7 @@
-//! The paper's equations, as corrected, against the matrix form.
+//! The paper's equations, as corrected, compared with the matrix form.
 
 use planar_impact::energy::work;
-use planar_impact::paper::{self, Letters};
+use planar_impact::paper::{self, PaperNotation};
 use planar_impact::{Body, Collision, Contact, CrushPlane, Field, ForwardLeft, Heading, Impact, Motion, Nt, Party, Response, Vehicle, Xy};
 
 use super::scene::Scene;
@@ -47,27 +47,27 @@ pub(super) fn all() -> Vec<Identity> {
     ]
 }
 
-/// A collision of two vehicles at any ratio, and its letters.
+/// A collision of two vehicles at any ratio, and the paper's symbols for it.
 struct Lettered<T> {
     scene: Scene<T>,
-    letters: Letters<T>,
+    letters: PaperNotation<T>,
 }
 
 fn lettered<T: Field>(free: &mut Free<'_, T>) -> Lettered<T> {
     let (collision, ratio) = (free.collision(), free.variable());
     let scene = Scene::at_ratio(collision, ratio.clone());
-    let letters = Letters::of(&scene.contact.one, &scene.contact.two, scene.collision.restitution.clone(), ratio);
+    let letters = PaperNotation::of(&scene.contact.one, &scene.contact.two, scene.collision.restitution.clone(), ratio);
     Lettered { scene, letters }
 }
 
 impl<T: Field> Lettered<T> {
-    /// V − v of a vehicle, in n-t.
+    /// Returns V − v of a vehicle, in n-t axes.
     fn gained(&self, response: fn(&Impact<T>) -> &Response<T>) -> Nt<T> {
         self.scene.collision.crush_plane.to_contact(response(&self.scene.impact).delta_v.clone())
     }
 }
 
-/// One equation: what a collision has on the left, and the letters on the right.
+/// Returns one equation: a quantity of a collision on the left, the paper's symbols on the right.
 fn one<T: Field>(free: &mut Free<'_, T>, sides: fn(&Lettered<T>) -> (T, T)) -> Equations<T> {
     let (left, right) = sides(&lettered(free));
     let mut must = Equations::new();
@@ -187,21 +187,21 @@ fn a14<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     })
 }
 
-/// The direction of one angle more than another.
+/// Returns the direction of the sum of two angles.
 fn plus<T: Field>(a: &Heading<T>, b: &Heading<T>) -> Heading<T> {
     let sum = a.to_ground(ForwardLeft { forward: b.cos.clone(), left: b.sin.clone() });
     Heading { cos: sum.x, sin: sum.y }
 }
 
-/// Where C lies on a vehicle as the paper has it: a distance d, and the direction θ + φ − Γ.
+/// Position of C on a vehicle in the paper's form: a distance d, and the direction θ + φ − Γ.
 struct Bearing<T> {
     distance: T,
     direction: Heading<T>,
 }
 
-/// A collision whose impact centers are given by bearings, in the paper's letters.
+/// A collision whose impact centers are given by bearings, in the paper's symbols.
 struct Located<T> {
-    letters: Letters<T>,
+    letters: PaperNotation<T>,
     one: Bearing<T>,
     two: Bearing<T>,
 }
@@ -221,7 +221,7 @@ fn located<T: Field>(free: &mut Free<'_, T>) -> Located<T> {
     let (one, bearing_of_one) = place(&collision.one, -1);
     let (two, bearing_of_two) = place(&collision.two, 1);
     let Contact { one, two, .. } = Collision { one, two, ..collision }.contact();
-    Located { letters: Letters::of(&one, &two, T::int(0), T::int(0)), one: bearing_of_one, two: bearing_of_two }
+    Located { letters: PaperNotation::of(&one, &two, T::int(0), T::int(0)), one: bearing_of_one, two: bearing_of_two }
 }
 
 fn arm<T: Field>(free: &mut Free<'_, T>, sides: fn(Located<T>) -> (T, T)) -> Equations<T> {
@@ -247,7 +247,7 @@ fn a18<T: Field>(free: &mut Free<'_, T>) -> Equations<T> {
     arm(free, |it| (it.letters.d_d, it.one.distance * it.one.direction.cos))
 }
 
-/// r × (1, μ), the moment of an impulse at the ratio μ.
+/// Returns r × (1, μ), the moment of an impulse at the ratio μ.
 fn moment_of_ratio<T: Field>(body: &Body<T>, ratio: T) -> T {
     body.arm.n.clone() * ratio - body.arm.t.clone()
 }

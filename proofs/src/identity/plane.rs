@@ -1,4 +1,4 @@
-//! What the crush plane decides, and what it does not.
+//! Quantities that depend on the crush plane, and quantities that do not.
 
 use planar_impact::{Collision, CrushPlane, Field, Moment};
 
@@ -17,7 +17,7 @@ pub(super) fn all() -> Vec<Identity> {
     ]
 }
 
-/// What is the same in two scenes whose crush planes differ.
+/// Requires the quantities that are equal in two scenes with different crush planes.
 fn same_on_ground<T: Field>(must: &mut Equations<T>, here: Scene<T>, there: Scene<T>) {
     must.equal(here.impact.loss(), there.impact.loss());
     must.equal(here.impact.kinetic_energy, there.impact.kinetic_energy);

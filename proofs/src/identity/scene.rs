@@ -1,46 +1,46 @@
-//! Collisions with what happens in them, for the identities to speak about.
+//! Collisions and their impacts, for use in identities.
 
 use planar_impact::law::impulse_at_ratio;
 use planar_impact::{Body, Collision, Contact, Field, Impact, Law, Moment, Motion, Nt, Party, Response, Vehicle, Xy};
 
 use crate::free::Free;
 
-/// A collision, its contact, and what an impulse does there.
+/// A collision, its contact, and the result of an impact.
 pub(crate) struct Scene<T> {
     pub(crate) collision: Collision<T>,
     pub(crate) contact: Contact<T>,
     pub(crate) impact: Impact<T>,
 }
 
-/// A vehicle of a scene, before and after.
+/// A vehicle of a scene, before and after the impact.
 pub(crate) struct Side<'a, T> {
     pub(crate) vehicle: &'a Vehicle<T>,
     pub(crate) response: &'a Response<T>,
-    /// 1 for vehicle 1, −1 for vehicle 2: the share of impulse and moment.
+    /// 1 for vehicle 1, −1 for vehicle 2: the sign of impulse and moment impulse.
     pub(crate) sign: T,
 }
 
 impl<T: Field> Scene<T> {
-    /// What a given impulse and moment do.
+    /// Creates the scene of a given impulse and moment impulse.
     pub(crate) fn by(collision: Collision<T>, impulse: Nt<T>, moment: Option<T>) -> Self {
         let contact = collision.contact();
         let impact = collision.impact_of(&contact, impulse, moment);
         Scene { collision, contact, impact }
     }
 
-    /// What any impulse does, whichever law may have chosen it.
+    /// Creates a scene with any impulse, regardless of the law.
     pub(crate) fn by_any_impulse(free: &mut Free<'_, T>, collision: Collision<T>) -> Self {
         let impulse = free.nt();
         Scene::by(collision, impulse, None)
     }
 
-    /// What any impulse and any moment do.
+    /// Creates a scene with any impulse and any moment impulse.
     pub(crate) fn by_any_moment(free: &mut Free<'_, T>, collision: Collision<T>) -> Self {
         let (impulse, moment) = (free.nt(), free.variable());
         Scene::by(collision, impulse, Some(moment))
     }
 
-    /// What any impulse does to two vehicles and to one against a barrier, without a moment and with any.
+    /// Creates scenes of two vehicles and of one against a barrier, with any impulse, without a moment impulse and with any.
     pub(crate) fn by_anything(free: &mut Free<'_, T>) -> [Self; 4] {
         let [pair, barrier] = free.collisions();
         [
@@ -51,7 +51,7 @@ impl<T: Field> Scene<T> {
         ]
     }
 
-    /// The sticking impulse of the collision's law, with the collision's moment.
+    /// Creates the scene of the sticking impulse under the collision's law, with the collision's moment impulse.
     pub(crate) fn sticking(collision: Collision<T>) -> Self {
         let contact = collision.contact();
         let moment = collision.moment_impulse(&contact);
@@ -60,7 +60,7 @@ impl<T: Field> Scene<T> {
         Scene::by(collision, impulse, moment)
     }
 
-    /// The impulse at a given ratio, with the collision's moment.
+    /// Creates the scene of the impulse at a given ratio, with the collision's moment impulse.
     pub(crate) fn at_ratio(collision: Collision<T>, ratio: T) -> Self {
         let contact = collision.contact();
         let moment = collision.moment_impulse(&contact);
@@ -69,14 +69,14 @@ impl<T: Field> Scene<T> {
         Scene::by(collision, impulse, moment)
     }
 
-    /// Its vehicles; a barrier is none.
+    /// Returns its vehicles; a barrier is not one.
     pub(crate) fn sides(&self) -> Vec<Side<'_, T>> {
         let sides = [(&self.collision.one, &self.impact.one, T::int(1)), (&self.collision.two, &self.impact.two, T::int(-1))];
         let vehicles = sides.into_iter().filter_map(|(party, response, sign)| Some(Side { vehicle: party.vehicle()?, response, sign }));
         vehicles.collect()
     }
 
-    /// The collision that begins as this one has ended, each motion put through a function.
+    /// Returns the collision that starts with the motions at the end of this one, each transformed by a function.
     pub(crate) fn continued(&self, motion: impl Fn(Motion<T>) -> Motion<T>) -> Collision<T> {
         let party = |party: &Party<T>, response: &Response<T>| match party {
             Party::Vehicle(vehicle) => Vehicle { motion: motion(response.after.clone()), ..vehicle.clone() }.into(),
@@ -86,7 +86,7 @@ impl<T: Field> Scene<T> {
         Collision { one, two, ..self.collision.clone() }
     }
 
-    /// The bodies as they move after the impact, in the axes of the contact.
+    /// Returns the bodies after the impact, in n-t axes.
     pub(crate) fn bodies_after(&self) -> [Body<T>; 2] {
         let moved = |body: &Body<T>, response: &Response<T>| Body {
             velocity: self.collision.crush_plane.to_contact(response.after.velocity.clone()),
@@ -98,43 +98,43 @@ impl<T: Field> Scene<T> {
 }
 
 impl<T: Field> Side<'_, T> {
-    /// The impact center from the center of mass, in ground axes.
+    /// Returns the vector from the center of mass to the impact center, in ground axes.
     pub(crate) fn arm(&self) -> Xy<T> {
         self.vehicle.heading.to_ground(self.vehicle.impact_center.clone())
     }
 
-    /// The change of its linear momentum.
+    /// Returns the change of its linear momentum.
     pub(crate) fn momentum_gained(&self) -> Xy<T> {
         (self.response.after.velocity.clone() - self.vehicle.motion.velocity.clone()) * self.vehicle.mass.clone()
     }
 
-    /// The change of its spin, I (Ω − ω).
+    /// Returns the change of its spin, I (Ω − ω).
     pub(crate) fn spin_gained(&self) -> T {
         self.vehicle.yaw_inertia.clone() * (self.response.after.yaw_rate.clone() - self.vehicle.motion.yaw_rate.clone())
     }
 
-    /// The change of its angular momentum about the impact center, from where its center of mass lies at −r.
+    /// Returns the change of its angular momentum about the impact center, relative to which its center of mass is at −r.
     pub(crate) fn angular_momentum_gained(&self) -> T {
         self.spin_gained() - self.arm().cross(self.momentum_gained())
     }
 }
 
-/// e = 0: the common velocity, if the impulse is a sticking one.
+/// Sets e = 0, which is the common velocity if the impulse is a sticking one.
 pub(crate) fn inelastic<T: Field>(collision: Collision<T>) -> Collision<T> {
     Collision { restitution: T::int(0), ..collision }
 }
 
-/// The same under the law of Kudlich and Slibar.
+/// Selects the law of Kudlich and Slibar.
 pub(crate) fn kudlich_slibar<T>(collision: Collision<T>) -> Collision<T> {
     Collision { law: Law::KudlichSlibar, ..collision }
 }
 
-/// The same with a moment impulse.
+/// Sets a moment impulse.
 pub(crate) fn with_moment<T>(collision: Collision<T>, moment: Moment<T>) -> Collision<T> {
     Collision { moment, ..collision }
 }
 
-/// Each vehicle of a collision put through a function.
+/// Transforms each vehicle of a collision by a function.
 pub(crate) fn each_vehicle<T: Field>(collision: Collision<T>, f: impl Fn(Vehicle<T>) -> Vehicle<T>) -> Collision<T> {
     let party = |party| match party {
         Party::Vehicle(vehicle) => Party::Vehicle(f(vehicle)),

@@ -1,4 +1,4 @@
-//! What must not matter: who is called vehicle 1, which way the axes point, who watches, in which units, and which way time runs.
+//! Symmetries: exchange of the vehicles, direction of the axes, observer, units, and direction of time.
 
 use planar_impact::{Collision, CrushPlane, Field, ForwardLeft, Heading, Motion, Nt, Vehicle, Xy};
 
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Identity> {
     ]
 }
 
-/// The impacts of a collision at its critical and at a given ratio, and those of the same collision put through a change.
+/// Returns the impacts of a collision at its critical ratio and at a given ratio.
 fn impacts<T: Field>(collision: &Collision<T>, ratio: &T) -> [Scene<T>; 2] {
     [Scene::sticking(collision.clone()), Scene::at_ratio(collision.clone(), ratio.clone())]
 }

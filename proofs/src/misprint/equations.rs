@@ -1,8 +1,8 @@
-//! The equations that are wrong as printed, with the printed form of each.
+//! Equations that are wrong as printed, with the printed form of each.
 
 use planar_impact::Field;
 use planar_impact::crush::equivalent_energy_speed_squared;
-use planar_impact::paper::Letters;
+use planar_impact::paper::PaperNotation;
 
 use super::motions::{Changes, Motions, Q, inputs, int, letters, ratio};
 use super::{Finding, Input, Misprint};
@@ -11,17 +11,17 @@ pub(super) fn all() -> Vec<Misprint> {
     vec![eqs_7_8(), eq_9(), a11(), a16(), a17(), a15_to_a18(), a21()]
 }
 
-/// Each form that is printed, in the paper's letters.
+/// The printed forms, in the paper's symbols.
 mod printed {
-    use super::{Field, Letters, Q, int};
+    use super::{Field, PaperNotation, Q, int};
 
     /// v_m = (v_2n − d_a ω_2) − (v_1n − d_c ω_1)
-    pub(super) fn a11(l: &Letters<Q>) -> Q {
+    pub(super) fn a11(l: &PaperNotation<Q>) -> Q {
         (&l.v_2n - &l.d_a * &l.omega_2) - (&l.v_1n - &l.d_c * &l.omega_1)
     }
 
     /// r = [(v_2t − d_b ω_2) − (v_1t + d_d ω_1)]/[(v_2n − d_a ω_2) − (v_1n + d_c ω_1)]
-    pub(super) fn a21(l: &Letters<Q>) -> Q {
+    pub(super) fn a21(l: &PaperNotation<Q>) -> Q {
         let above = (&l.v_2t - &l.d_b * &l.omega_2) - (&l.v_1t + &l.d_d * &l.omega_1);
         let below = (&l.v_2n - &l.d_a * &l.omega_2) - (&l.v_1n + &l.d_c * &l.omega_1);
         above / below
@@ -33,8 +33,8 @@ mod printed {
     }
 }
 
-/// T_L by Eq 1, with v_m and r by either form.
-fn eq_1(l: &Letters<Q>, v_m: &Q, r: &Q) -> Q {
+/// Computes T_L by Eq 1, with v_m and r in either form.
+fn eq_1(l: &PaperNotation<Q>, v_m: &Q, r: &Q) -> Q {
     let (one, q) = (int(1), l.a14());
     let over_inertias = l.a19().squared() / &l.i_1 + l.a20().squared() / &l.i_2;
     let sum = &one + l.mu.clone().squared() + l.m_bar() * over_inertias;
@@ -42,8 +42,8 @@ fn eq_1(l: &Letters<Q>, v_m: &Q, r: &Q) -> Q {
     (l.m_bar() * q * v_m * v_m * (one + &l.e) * bracket).half()
 }
 
-/// μ0 by A27, with r by either form.
-fn a27(l: &Letters<Q>, r: &Q) -> Q {
+/// Computes μ0 by A27, with r in either form.
+fn a27(l: &PaperNotation<Q>, r: &Q) -> Q {
     let both = int(1) + &l.e;
     (r * l.a28() + &both * l.a29()) / (&both * (int(1) + l.a30()) + r * l.a29())
 }
@@ -53,7 +53,7 @@ fn a11() -> Misprint {
     let (printed, right) = (printed::a11(&l), l.a11());
     let by_printed = Motions::after(&l, Changes::with_v_m(&l, &printed));
     let by_right = Motions::after(&l, Changes::of(&l));
-    // Eq 1 against the energy that the motions of A1–A6 lose, with the same v_m in both.
+    // The difference of Eq 1 from the energy loss of the motions of A1–A6, with the same v_m in both.
     let surplus = |v_m: &Q, motions: &Motions| eq_1(&l, v_m, &l.a21()) - motions.energy_lost();
     Misprint {
         place: "A11",
@@ -69,8 +69,8 @@ fn a11() -> Misprint {
     }
 }
 
-/// The inputs with those of A15–A18 in place of what they give.
-fn inputs_by_bearings(l: &Letters<Q>) -> Vec<Input> {
+/// Returns the inputs, with those of A15–A18 instead of the quantities computed from them.
+fn inputs_by_bearings(l: &PaperNotation<Q>) -> Vec<Input> {
     let bearings = [
         ("d_1", int(5)),
         ("cos(θ_1 + φ_1 − Γ)", ratio(4, 5)),
@@ -88,7 +88,7 @@ fn inputs_by_bearings(l: &Letters<Q>) -> Vec<Input> {
 fn a16() -> Misprint {
     let l = letters();
     let (printed, right) = (int(5) * ratio(-3, 5), int(13) * ratio(5, 13));
-    let at = |d_b: &Q| Motions::after(&l, Changes::of(&Letters { d_b: d_b.clone(), ..l.clone() }));
+    let at = |d_b: &Q| Motions::after(&l, Changes::of(&PaperNotation { d_b: d_b.clone(), ..l.clone() }));
     Misprint {
         place: "A16",
         stated: "d_b = d_1 sin(θ_1 + φ_1 − Γ)",
@@ -110,7 +110,7 @@ fn a16() -> Misprint {
 fn a17() -> Misprint {
     let l = letters();
     let (printed, right) = (int(5) * ratio(4, 5), int(5) * ratio(-3, 5));
-    let at = |d_c: &Q| Motions::after(&l, Changes::of(&Letters { d_c: d_c.clone(), ..l.clone() }));
+    let at = |d_c: &Q| Motions::after(&l, Changes::of(&PaperNotation { d_c: d_c.clone(), ..l.clone() }));
     Misprint {
         place: "A17",
         stated: "d_c = d_1 cos(θ_1 + φ_1 − Γ), the same as A18",
@@ -131,10 +131,10 @@ fn a17() -> Misprint {
 
 fn a15_to_a18() -> Misprint {
     let l = letters();
-    // Read alike, φ_1 turns by 180° and the arm of vehicle 1 changes sign.
-    let read_alike = Letters { d_c: -&l.d_c, d_d: -&l.d_d, ..l.clone() };
-    let turn = |l: &Letters<Q>| l.a5() / l.a1();
-    let at = |by: &Letters<Q>| Motions::after(&l, Changes::of(by));
+    // If both are read the same way, φ_1 turns by 180° and the arm of vehicle 1 changes sign.
+    let read_alike = PaperNotation { d_c: -&l.d_c, d_d: -&l.d_d, ..l.clone() };
+    let turn = |l: &PaperNotation<Q>| l.a5() / l.a1();
+    let at = |by: &PaperNotation<Q>| Motions::after(&l, Changes::of(by));
     // (r × P)/I over P_n/m, from the arm r_1 = −(d_d, d_c).
     let demanded = (-&l.d_d * &l.mu + &l.d_c) / &l.i_1 * &l.m_1;
     Misprint {
@@ -162,7 +162,7 @@ fn a21() -> Misprint {
     let demanded = motions.approach().t / motions.approach().n;
     let loss = |r: &Q| eq_1(&l, &l.a11(), r);
     let sliding = |r: &Q| {
-        let critical = Letters { mu: a27(&l, r), ..l.clone() };
+        let critical = PaperNotation { mu: a27(&l, r), ..l.clone() };
         Motions::after(&critical, Changes::of(&critical)).separation().t
     };
     Misprint {
@@ -182,7 +182,8 @@ fn a21() -> Misprint {
 fn eqs_7_8() -> Misprint {
     let l = letters();
     let motions = Motions::after(&l, Changes::of(&l));
-    // The impulse on vehicle 1 takes energy at the rate of the approach: its share is ½ P (v + V), with v of 2 less that of 1.
+    // The impulse on vehicle 1 absorbs energy at the rate of the approach: its part is ½ P (v + V), with v of vehicle
+    // 2 minus v of vehicle 1.
     let taken = |impulse: Q, before: Q, after: Q| (impulse * (before + after)).half();
     let p_n = l.a1() * &l.m_1;
     let p_t = l.a2() * &l.m_1;

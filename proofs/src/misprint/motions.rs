@@ -1,7 +1,7 @@
-//! Two bodies before and after an impact, and what their motions alone say.
+//! Two bodies before and after an impact, and quantities computed from their motions alone.
 
 use num_rational::BigRational;
-use planar_impact::paper::Letters;
+use planar_impact::paper::PaperNotation;
 use planar_impact::{Body, Field, Nt};
 
 use super::Input;
@@ -16,7 +16,7 @@ pub(super) fn ratio(n: i32, d: i32) -> Q {
     int(n) / int(d)
 }
 
-/// The changes of motion that the paper's A1–A6 give.
+/// The changes of motion given by the paper's A1–A6.
 pub(super) struct Changes {
     one: Nt<Q>,
     two: Nt<Q>,
@@ -25,8 +25,8 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    /// By the equations used.
-    pub(super) fn of(letters: &Letters<Q>) -> Self {
+    /// Computes them from the equations used.
+    pub(super) fn of(letters: &PaperNotation<Q>) -> Self {
         Changes {
             one: Nt { n: letters.a1(), t: letters.a2() },
             two: Nt { n: letters.a3(), t: letters.a4() },
@@ -35,8 +35,8 @@ impl Changes {
         }
     }
 
-    /// By the same equations with another v_m, which all of them are proportional to.
-    pub(super) fn with_v_m(letters: &Letters<Q>, v_m: &Q) -> Self {
+    /// Computes them from the same equations with another v_m, to which all of them are proportional.
+    pub(super) fn with_v_m(letters: &PaperNotation<Q>, v_m: &Q) -> Self {
         let scale = v_m / letters.a11();
         let Changes { one, two, yaw_rate_of_one, yaw_rate_of_two } = Changes::of(letters);
         Changes {
@@ -48,15 +48,15 @@ impl Changes {
     }
 }
 
-/// Two bodies, before and after.
+/// Two bodies, before and after the impact.
 pub(super) struct Motions {
     before: [Body<Q>; 2],
     after: [Body<Q>; 2],
 }
 
 impl Motions {
-    /// After the changes that an equation says. The bodies are those that the letters are of.
-    pub(super) fn after(letters: &Letters<Q>, changes: Changes) -> Self {
+    /// Applies the changes given by an equation to the bodies of these symbols.
+    pub(super) fn after(letters: &PaperNotation<Q>, changes: Changes) -> Self {
         let before = bodies(letters);
         let [one, two] = before.clone();
         let moved = |body: Body<Q>, velocity: Nt<Q>, yaw_rate: Q| Body {
@@ -68,33 +68,33 @@ impl Motions {
         Motions { before, after }
     }
 
-    /// The kinetic energy before less that after.
+    /// Returns the kinetic energy before minus the kinetic energy after.
     pub(super) fn energy_lost(&self) -> Q {
         let energy = |[one, two]: &[Body<Q>; 2]| kinetic_energy(one) + kinetic_energy(two);
         energy(&self.before) - energy(&self.after)
     }
 
-    /// The relative velocity at C before, of body 2 less that of body 1.
+    /// Returns the relative velocity at C before the impact, body 2 minus body 1.
     pub(super) fn approach(&self) -> Nt<Q> {
         relative(&self.before)
     }
 
-    /// The relative velocity at C after.
+    /// Returns the relative velocity at C after the impact.
     pub(super) fn separation(&self) -> Nt<Q> {
         relative(&self.after)
     }
 
-    /// e, by its definition.
+    /// Returns e by its definition.
     pub(super) fn restitution(&self) -> Q {
         -(self.separation().n / self.approach().n)
     }
 
-    /// The angular momentum about C that body 1 gains, which must be zero.
+    /// Returns the change of body 1's angular momentum about C, which must be zero.
     pub(super) fn angular_momentum_gained_by_one(&self) -> Q {
         angular_momentum(&self.after[0]) - angular_momentum(&self.before[0])
     }
 
-    /// The same of body 2.
+    /// Returns the change of body 2's angular momentum about C, which must be zero.
     pub(super) fn angular_momentum_gained_by_two(&self) -> Q {
         angular_momentum(&self.after[1]) - angular_momentum(&self.before[1])
     }
@@ -112,8 +112,8 @@ fn angular_momentum(body: &Body<Q>) -> Q {
     &body.yaw_rate / &body.inverse_yaw_inertia - body.arm.clone().cross(body.velocity.clone()) / &body.inverse_mass
 }
 
-/// The bodies of some letters: (d_d, d_c) = −r₁, (d_b, d_a) = r₂.
-fn bodies(letters: &Letters<Q>) -> [Body<Q>; 2] {
+/// Returns the bodies of some symbols: (d_d, d_c) = −r₁, (d_b, d_a) = r₂.
+fn bodies(letters: &PaperNotation<Q>) -> [Body<Q>; 2] {
     let l = letters.clone();
     [
         Body {
@@ -133,11 +133,11 @@ fn bodies(letters: &Letters<Q>) -> [Body<Q>; 2] {
     ]
 }
 
-/// Two spinning vehicles that close, in n-t axes, with e = 1/4 and μ = 1/2.
+/// Returns two approaching vehicles with yaw rates, in n-t axes, with e = 1/4 and μ = 1/2.
 ///
 /// d₁ = 5 with (cos, sin) of θ₁ + φ₁ − Γ = (4/5, −3/5), and d₂ = 13 with (cos, sin) of θ₂ + φ₂ − Γ = (5/13, 12/13).
-pub(super) fn letters() -> Letters<Q> {
-    Letters {
+pub(super) fn letters() -> PaperNotation<Q> {
+    PaperNotation {
         m_1: int(2),
         m_2: int(4),
         i_1: int(3),
@@ -157,8 +157,8 @@ pub(super) fn letters() -> Letters<Q> {
     }
 }
 
-/// Letters by their names.
-pub(super) fn inputs(l: &Letters<Q>) -> Vec<Input> {
+/// Returns the numbers of a `PaperNotation` with their names.
+pub(super) fn inputs(l: &PaperNotation<Q>) -> Vec<Input> {
     [
         ("m_1", &l.m_1),
         ("I_1", &l.i_1),

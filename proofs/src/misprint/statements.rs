@@ -1,4 +1,4 @@
-//! Statements in words that lack their condition, each by a collision that the kernel computes.
+//! Statements in words that lack their condition, each demonstrated by a collision that the kernel computes.
 
 use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
 
@@ -9,12 +9,12 @@ pub(super) fn all() -> Vec<Misprint> {
     vec![independent_of_plane(), loss_below_one()]
 }
 
-/// Vehicle 1 heads along x; a crush plane across it has Γ = 0.
+/// Returns a heading along x, and the crush plane across it, which has Γ = 0.
 fn along_x() -> (Heading<Q>, CrushPlane<Q>) {
     (Heading { cos: int(1), sin: int(0) }, CrushPlane { cos: int(1), sin: int(0) })
 }
 
-/// The impact at the critical ratio.
+/// Computes the impact at the critical ratio.
 fn impact(one: &Vehicle<Q>, two: Party<Q>, crush_plane: CrushPlane<Q>, restitution: Q) -> Impact<Q> {
     let one = Party::from(one.clone());
     let (impulse_ratio, law, moment) = (ImpulseRatio::Critical, Law::Brach, Moment::None);
@@ -35,7 +35,7 @@ fn independent_of_plane() -> Misprint {
         impact_center: ForwardLeft { forward: int(2), left: int(1) },
         motion: Motion { velocity: Xy { x: int(10), y: int(0) }, yaw_rate: int(0) },
     };
-    // The energy lost is that of vehicle 1, by its motions before and after; what it has before cancels.
+    // The energy lost is that of vehicle 1, from its motions before and after; its energy before cancels.
     let after = |plane: &CrushPlane<Q>, e: Q| car.kinetic_energy(impact(&car, Party::Barrier, plane.clone(), e).one.after);
     let difference = |e: Q| after(&straight, e.clone()) - after(&oblique, e);
     let (with_rebound, without) = (difference(ratio(1, 4)), difference(int(0)));

@@ -5,9 +5,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
 use planar_impact::Field;
 
-/// a + a′ε with ε² = 0: a value and its derivative by one variable. The rules of the derivative are the rules of reckoning with ε.
+/// a + a′ε with ε² = 0: a value and its derivative with respect to one variable. The rules of differentiation are the
+/// rules of calculating with ε.
 ///
-/// num-dual's numbers want an ordered field below them; this one takes any.
+/// num-dual requires an ordered field; this type accepts any field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T> {
     /// The value.
@@ -17,12 +18,12 @@ pub struct Dual<T> {
 }
 
 impl<T: Field> Dual<T> {
-    /// What does not depend on the variable.
+    /// Creates a value that does not depend on the variable.
     pub fn constant(value: T) -> Self {
         Dual { re: value, eps: T::int(0) }
     }
 
-    /// The variable itself.
+    /// Creates the variable itself.
     pub fn variable(value: T) -> Self {
         Dual { re: value, eps: T::int(1) }
     }

@@ -1,13 +1,13 @@
-//! Numbers that remember a division by zero.
+//! Numbers that record a division by zero.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, Inv, Zero};
 
-/// What can be added and multiplied, and sometimes inverted.
+/// A type that can be added and multiplied, and in part inverted.
 pub trait Ring: Clone + FromPrimitive + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// Its inverse, unless there is none.
+    /// Returns its inverse, if it has one.
     fn inverse(self) -> Option<Self>;
 }
 
@@ -17,17 +17,17 @@ impl Ring for BigRational {
     }
 }
 
-/// A number, or undefined: what is left of one after a division by zero. Nothing leads back from there.
+/// A number, or undefined after a division by zero. Every operation on an undefined number is undefined.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Partial<T>(Option<T>);
 
 impl<T> Partial<T> {
-    /// A number.
+    /// Creates a defined number.
     pub const fn defined(value: T) -> Self {
         Partial(Some(value))
     }
 
-    /// The number, unless it is undefined.
+    /// Returns the number, unless it is undefined.
     pub const fn value(&self) -> Option<&T> {
         self.0.as_ref()
     }

@@ -1,4 +1,4 @@
-//! Six prime fields side by side.
+//! Arithmetic in six prime fields at once.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -9,12 +9,13 @@ use super::partial::{Partial, Ring};
 
 const LANES: usize = 6;
 
-/// 2⁶¹ less the primes.
+/// 2⁶¹ minus each of the primes.
 const BELOW: [u64; LANES] = [1, 31, 45, 229, 259, 283];
 
 /// 2⁶¹ − 1 and the five primes before it.
 ///
-/// Their product has 366 bits. An integer that is smaller, and a multiple of all six, is zero: this is how residues speak about the rationals.
+/// Their product has 366 bits. A smaller integer that is a multiple of all six is zero, so residues determine
+/// equalities of rational numbers.
 pub const PRIMES: [u64; LANES] = {
     let mut primes = BELOW;
     let mut lane = 0;
@@ -25,9 +26,9 @@ pub const PRIMES: [u64; LANES] = {
     primes
 };
 
-/// The value of one expression modulo each of [`PRIMES`], or undefined as soon as one of them divides by zero.
+/// The value of one expression modulo each of [`PRIMES`], or undefined once any of them divides by zero.
 ///
-/// Each prime has its own point: the four computations share their steps and nothing else.
+/// Each prime has its own point: the six computations share only their steps.
 pub type Residues = Partial<Lanes>;
 
 /// One residue modulo each of [`PRIMES`].
@@ -35,11 +36,11 @@ pub type Residues = Partial<Lanes>;
 pub struct Lanes([u64; LANES]);
 
 impl Lanes {
-    /// Residues that are uniform and independent, as far as the generator's numbers are.
+    /// Draws residues that are uniform and independent, to the extent that the generator's numbers are.
     pub fn draw(rng: &mut impl Rng) -> Self {
         Lanes(PRIMES.map(|prime| {
             loop {
-                // 61 bits. What is not below the prime is drawn again, so that every residue is as likely as any other.
+                // 61 bits. A number not below the prime is drawn again, so that all residues are equally likely.
                 let residue = rng.next_u64() >> 3;
                 if residue < prime {
                     return residue;
@@ -53,7 +54,7 @@ impl Lanes {
     }
 }
 
-/// A product modulo 2⁶¹ − c: the bits from 2⁶¹ on count c times.
+/// Computes a product modulo 2⁶¹ − c: each multiple of 2⁶¹ is replaced by c.
 fn product(a: u64, b: u64, lane: usize) -> u64 {
     let fold = |x: u128| (x & ((1 << 61) - 1)) + (x >> 61) * u128::from(BELOW[lane]);
     // Below 2¹²², then below 2⁷⁰, then below 2⁶¹ + 2¹⁸.
@@ -61,7 +62,7 @@ fn product(a: u64, b: u64, lane: usize) -> u64 {
     if folded < PRIMES[lane] { folded } else { folded - PRIMES[lane] }
 }
 
-/// The inverse by Fermat's little theorem: aᵖ⁻² a = 1.
+/// Computes the inverse by Fermat's little theorem: aᵖ⁻² a = 1.
 fn inverse(a: u64, lane: usize) -> Option<u64> {
     let (mut power, mut square, mut exponent) = (1, a, PRIMES[lane] - 2);
     while exponent > 0 {
@@ -131,7 +132,7 @@ mod tests {
     use rand::SeedableRng;
     use rand::rngs::ChaCha20Rng;
 
-    /// By Lucas: a has order p − 1 if aᵖ⁻¹ = 1 and no a^((p − 1)/q) is, q the prime factors of p − 1.
+    /// Tests primality by Lucas's theorem: a has order p − 1 if aᵖ⁻¹ = 1 and no a^((p − 1)/q) is 1, where q are the prime factors of p − 1.
     fn is_prime(p: u64) -> bool {
         let factors = {
             let (mut rest, mut factors, mut q) = (p - 1, Vec::new(), 2);

@@ -1,4 +1,4 @@
-//! How large the polynomials behind a value can be.
+//! Bounds on the polynomials behind a value.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
@@ -9,13 +9,14 @@ use num_traits::{FromPrimitive, Inv, One, Zero};
 /// A bound on a polynomial with integer coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extent {
-    /// Not less than its degree in all variables together.
+    /// An upper bound on its total degree in all variables.
     pub degree: u64,
-    /// Not less than the sum of the absolute values of its coefficients; zero only for the polynomial zero.
+    /// An upper bound on the sum of the absolute values of its coefficients; zero only for the zero polynomial.
     pub norm: BigUint,
 }
 
-/// Bounds on a rational function of the variables, found by computing it: its numerator, and each factor of its denominator with its power.
+/// Bounds on a rational function of the variables, found by evaluating it: its numerator, and each factor of its
+/// denominator with its power.
 ///
 /// ```text
 /// variable        degree 1, norm 1
@@ -25,11 +26,11 @@ pub struct Extent {
 /// inverse         the numerator becomes a factor of the denominator
 /// ```
 ///
-/// Nothing is ever canceled, so the numerator is that of the very steps that the code takes, and the factors of the denominator are all that was
-/// divided by on the way: the value is zero exactly where the numerator is, wherever it is defined.
+/// Nothing is ever canceled, so the numerator is that of the exact steps of the code, and the factors of the
+/// denominator are all divisors used: where the value is defined, it is zero exactly where the numerator is zero.
 ///
-/// A factor is known by its place in memory. Two divisors that are computed apart count as two, even if they are equal; that can only make a bound
-/// larger.
+/// A factor is identified by its address in memory. Two divisors computed separately count as two, even if they are
+/// equal; that can only increase a bound.
 #[derive(Clone, Debug)]
 pub struct Size {
     numerator: Extent,
@@ -62,7 +63,7 @@ impl Extent {
         Extent { degree: self.degree.max(other.degree), norm: &self.norm + &other.norm }
     }
 
-    /// What holds of both of two polynomials.
+    /// Returns a bound that holds for both of two polynomials.
     pub(crate) fn or(self, other: Extent) -> Self {
         Extent { degree: self.degree.max(other.degree), norm: self.norm.max(other.norm) }
     }
@@ -79,12 +80,12 @@ impl Factor {
 }
 
 impl Size {
-    /// A free variable.
+    /// Creates a free variable.
     pub fn variable() -> Self {
         Size { numerator: Extent { degree: 1, norm: BigUint::one() }, denominator: Vec::new() }
     }
 
-    /// The bound on its numerator.
+    /// Returns the bound on its numerator.
     pub fn numerator(&self) -> &Extent {
         &self.numerator
     }
@@ -93,14 +94,14 @@ impl Size {
         self.denominator.iter().find(|known| known.is(factor)).map_or(0, |known| known.power)
     }
 
-    /// Both denominators' factors, each at the power that `power` makes of its two.
+    /// Combines the factors of both denominators, each with the power that `power` computes from its two powers.
     fn joint(&self, other: &Size, power: fn(u32, u32) -> u32) -> Vec<Factor> {
         let only_other = other.denominator.iter().filter(|factor| self.power_of(factor) == 0);
         let factors = self.denominator.iter().chain(only_other);
         factors.map(|factor| Factor { power: power(self.power_of(factor), other.power_of(factor)), ..factor.clone() }).collect()
     }
 
-    /// Its numerator over a denominator that its own divides.
+    /// Returns its numerator over a multiple of its denominator.
     fn numerator_over(&self, denominator: &[Factor]) -> Extent {
         denominator.iter().fold(self.numerator.clone(), |numerator, factor| factor.times(factor.power - self.power_of(factor), &numerator))
     }
@@ -150,7 +151,7 @@ impl Inv for Size {
     type Output = Self;
     fn inv(self) -> Self {
         let numerator = self.denominator.iter().fold(Extent::one(), |product, factor| factor.times(factor.power, &product));
-        // A numerator of 1 or −1 is nothing to divide by.
+        // Dividing by a numerator of 1 or −1 adds no factor.
         let divides = self.numerator != Extent::one();
         let denominator = divides.then(|| Factor { polynomial: Rc::new(self.numerator), power: 1 }).into_iter().collect();
         Size { numerator, denominator }
@@ -191,7 +192,7 @@ mod tests {
         let (over_x, over_y) = (one.clone() / x.clone(), one / y);
         let sum = over_x.clone() + over_y.clone();
         assert_eq!((bounds(&sum), sum.denominator.len()), ((1, 2), 2));
-        // 1/x² + 1/(x y) = (y + x)/(x² y): the power of x is the larger one.
+        // 1/x² + 1/(x y) = (y + x)/(x² y): the larger power of x is kept.
         let sum = over_x.clone().squared() + over_x.clone() * over_y;
         assert_eq!(bounds(&sum), (1, 2));
         // x/(x + 1) − 1 = (x − (x + 1))/(x + 1): nothing is canceled.

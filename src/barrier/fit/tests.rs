@@ -1,5 +1,6 @@
-use super::super::{CrushEnergy, Observation, Problem};
+use super::super::{CrushEnergy, Observation, TestIssue};
 use super::*;
+use crate::issue::{InputIssue, Place};
 use approx::assert_relative_eq;
 
 fn flat(depth: f64, intensity: f64, deviation: f64) -> Observation {
@@ -86,17 +87,17 @@ fn a_line_needs_two_different_depths() {
         let observations = Observations::independent(observations).expect("good numbers");
         let line = StiffnessFit::on_mean_depth(&observations).expect_err("no line");
         assert_eq!(line, StiffnessFit::on_profiles(&observations).expect_err("no line"));
-        line.all().to_vec()
+        line.as_slice().to_vec()
     };
-    assert_eq!(refused(&[]), [Problem::TooFew { name: "tests", count: 0, least: 2 }]);
-    assert_eq!(refused(&[flat(0.1, 1.0, 1.0)]), [Problem::TooFew { name: "tests", count: 1, least: 2 }]);
-    assert_eq!(refused(&[flat(0.5, 1.0, 1.0), flat(0.5, 2.0, 1.0)]), [Problem::OneDepth { depth: 0.5 }]);
+    assert_eq!(refused(&[]), [InputIssue::too_few(Place::plain("tests"), 0, 2).into()]);
+    assert_eq!(refused(&[flat(0.1, 1.0, 1.0)]), [InputIssue::too_few(Place::plain("tests"), 1, 2).into()]);
+    assert_eq!(refused(&[flat(0.5, 1.0, 1.0), flat(0.5, 2.0, 1.0)]), [TestIssue::OneDepth { depth: 0.5 }]);
     // Different by rounding is not different.
     let same = refused(&[flat(0.3, 1.0, 1.0), flat(0.1 + 0.2, 2.0, 1.0)]);
-    assert!(matches!(same[..], [Problem::OneDepth { .. }]), "{same:?}");
-    assert_eq!(refused(&[flat(0.0, 1.0, 1.0), flat(0.0, 2.0, 1.0)]), [Problem::OneDepth { depth: 0.0 }]);
+    assert!(matches!(same[..], [TestIssue::OneDepth { .. }]), "{same:?}");
+    assert_eq!(refused(&[flat(0.0, 1.0, 1.0), flat(0.0, 2.0, 1.0)]), [TestIssue::OneDepth { depth: 0.0 }]);
     let bad = Observations::independent(&[flat(0.1, -1.0, 0.0), flat(f64::NAN, 1.0, f64::INFINITY)]).expect_err("bad numbers");
-    assert_eq!(bad.all().len(), 5);
+    assert_eq!(bad.len(), 5);
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn the_baseline_is_the_mean_before_the_event() {
 
 #[test]
 fn where_baseline_and_window_overlap_the_weights_are_one() {
-    // Over the whole record with the whole record as baseline, the mean is what is left: the ends count half.
+    // Over the whole record with the whole record as baseline, the mean remains: the ends have half weight.
     let record = Record::uniform(0.0, 1.0, alloc::vec![1.0, 2.0, 6.0]).expect("a good record");
     let all = Window { from: 0.0, to: 2.0 };
     let impulse = record.impulse(&all, &all).expect("inside");
@@ -37,13 +37,13 @@ fn where_baseline_and_window_overlap_the_weights_are_one() {
 
 #[test]
 fn every_bad_number_of_a_record_is_named() {
-    let problems = Record::uniform(f64::NAN, 0.0, alloc::vec![f64::INFINITY]).expect_err("four problems");
-    assert_eq!(problems.all().len(), 4);
-    let problems = Record::at_times(alloc::vec![0.0, 1.0, 1.0, 0.5], alloc::vec![0.0; 3]).expect_err("three problems");
-    assert_eq!(problems.all().len(), 3);
-    assert_eq!(problems.all()[1], Problem::OutOfOrder { place: Place::of("time").at(2), value: 1.0, before: 1.0 });
+    let issues = Record::uniform(f64::NAN, 0.0, alloc::vec![f64::INFINITY]).expect_err("four issues");
+    assert_eq!(issues.len(), 4);
+    let issues = Record::at_times(alloc::vec![0.0, 1.0, 1.0, 0.5], alloc::vec![0.0; 3]).expect_err("three issues");
+    assert_eq!(issues.len(), 3);
+    assert_eq!(issues.as_slice()[1], InputIssue::out_of_order(Place::of("time", Measure::Time).at(2), 1.0, 1.0).into());
     let nan = Record::at_times(alloc::vec![0.0, f64::NAN], alloc::vec![0.0; 2]).expect_err("one problem");
-    assert_eq!(nan.all().len(), 1);
+    assert_eq!(nan.len(), 1);
     let record = Record::uniform(0.0, 1.0, alloc::vec![0.0; 3]).expect("a good record");
     for (from, to) in [(-1.0, 1.0), (0.0, 3.0), (1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0)] {
         assert!(record.impulse_over(&Window { from, to }).is_err(), "{from} to {to}");

@@ -1,15 +1,15 @@
-//! The two coefficients of the impact beside what is known of them.
+//! Comparison of the two coefficients of the impact with published values.
 
 use super::{Figure, Finding, Limit, Meaning, Question};
 use crate::input::Input;
 use crate::least_squares::Bound;
-use crate::reconstruct::{Reconstruction, Solution, Variable};
+use crate::reconstruct::{ReconstructionProblem, Solution, Variable};
 
-/// The closing speed along the normal, in m/s, up to which bumpers spring back. A velocity change of up to 5 mph of the vehicle that is struck, of the same mass, is a closing speed
-/// 2 ΔV/(1 + e) of up to 3.4 m/s at e = 0.3.
+/// The closing speed along the normal, in m/s, up to which bumpers spring back. A velocity change of up to 5 mph of the struck vehicle, of the same mass,
+/// corresponds to a closing speed 2 ΔV/(1 + e) of up to 3.4 m/s at e = 0.3.
 const LOW_SPEED: f64 = 3.5;
 
-/// The restitution is one that tests show at this closing speed.
+/// Checks that the restitution is consistent with tests at this closing speed.
 pub(super) fn restitution(solution: &Solution) -> Finding {
     let closing = solution.impact.approach.n.abs();
     let e = solution.collision.restitution;
@@ -28,8 +28,8 @@ pub(super) fn restitution(solution: &Solution) -> Finding {
     Finding::new(Question::Restitution, Figure::Number(e), Limit::Between(Figure::Number(least), Figure::Number(most)), source, meaning)
 }
 
-/// The paper's guideline: a restitution that the fit drives to its upper bound points at something else.
-pub(super) fn restitution_bound(solution: &Solution, question: &Reconstruction) -> Finding {
+/// Checks the paper's guideline: a restitution that the fit drives to its upper bound indicates another problem.
+pub(super) fn restitution_bound(solution: &Solution, question: &ReconstructionProblem) -> Finding {
     let source = "the paper, on choosing e: a value at the upper extreme without a reason";
     let unknown = Variable::Input(Input::Restitution);
     let upper = question.unknowns.iter().find(|other| other.of == unknown).map(|other| other.max.unwrap_or(1.0));
@@ -46,12 +46,12 @@ pub(super) fn restitution_bound(solution: &Solution, question: &Reconstruction) 
     } else {
         format!("e is below its upper bound of {upper}")
     };
-    // What sits on the bound is beyond what the guideline takes for granted.
+    // A value on the bound is beyond the assumption of the guideline.
     let limit = Limit::AtMost(Figure::Number(if is_at_top { upper - super::ON_BOUND } else { upper }));
     Finding::new(Question::RestitutionBound, Figure::Number(estimate.value), limit, source, Meaning::of(meaning))
 }
 
-/// The impulse ratio is the critical one.
+/// Checks that the impulse ratio is the critical one.
 pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
     let limit = Limit::Between(Figure::Share(0.9), Figure::Share(1.0));
     let source = "the paper, on choosing mu: sliding ends in most collisions of light vehicles, mu = mu0; within 10 %";

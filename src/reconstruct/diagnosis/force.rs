@@ -1,30 +1,30 @@
-//! The forces that the crush of the two vehicles speaks of.
+//! Forces implied by the crush of the two vehicles.
 
 use super::{Damage, Figure, Finding, Limit, Meaning, Question};
-use crate::frame::{ForwardLeft, Xy};
-use crate::impact::ForceOrigin;
+use crate::frame::Xy;
+use crate::impact::ForceDirection;
 use crate::reconstruct::Solution;
 use crate::scalar::Real;
 use crate::vehicle::Party;
 
-/// What both need that compare two vehicles.
+/// Message for missing input of the comparisons of two vehicles.
 const NEEDS_BOTH: &str = "not checked: it needs the crush of two vehicles, with their stiffness";
 
-/// Newton's third law: the force that each crush has taken at its end is the same.
+/// Checks Newton's third law: the forces at the end of both crushes are the same.
 pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
     let limit = Limit::AtMost(Figure::Share(1.0));
     let source = "EDCRASH's run-time diagnostics: 100 %, here of the smaller force";
     let forces = damage.map(|damage| damage.and_then(|damage| Some((damage, damage.force?))));
     let [Some(one), Some(two)] = forces else { return Finding::not_checked(Question::ForceBalance, limit, source, NEEDS_BOTH) };
     let principal = [(one, &solution.collision.one), (two, &solution.collision.two)].map(|((damage, normal), party)| {
-        // What lies along the surface comes on top of what is normal to it.
+        // The force along the surface adds to the force normal to it.
         normal * slant(solution, party, &damage)
     });
     let (less, more) = (principal[0].min(principal[1]), principal[0].max(principal[1]));
     let stiffer = if principal[0] > principal[1] { 1 } else { 2 };
-    let meaning = Meaning::of("the crush of vehicle 1 speaks of ")
+    let meaning = Meaning::of("the crush of vehicle 1 implies ")
         .figure(Figure::Force(principal[0]))
-        .words(", that of vehicle 2 of ")
+        .words(", that of vehicle 2 implies ")
         .figure(Figure::Force(principal[1]))
         .words(format!(
             "; the forces are one and the same, so where they differ much, stiffness or depths are wrong: those of vehicle {stiffer} are too large or those of the other \
@@ -33,31 +33,32 @@ pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Find
     Finding::new(Question::ForceBalance, Figure::Share((more - less) / less), limit, source, meaning)
 }
 
-/// 1/cos α of the force on a vehicle against the normal of the surface that it crushes: of the crush plane, as the forces of both are compared on it.
+/// Returns 1/cos α of the force on a vehicle, α from the normal of the crushed surface, for which the crush plane is used because the forces of both are
+/// compared on it.
 fn slant(solution: &Solution, party: &Party, damage: &Damage) -> f64 {
     let along = |force: Xy| {
         let contact = solution.collision.crush_plane.to_contact(force);
         contact.length() / contact.n.abs()
     };
-    let read_off = damage.force_origin.and_then(|origin| push(party, origin));
+    let read_off = damage.force_direction.and_then(|origin| push(party, origin));
     let slant = along(read_off.unwrap_or(solution.impact.impulse_on_ground));
     if slant.is_finite() { slant } else { 1.0 }
 }
 
-/// Where a force that comes from somewhere pushes, on the ground.
-fn push(party: &Party, origin: ForceOrigin) -> Option<Xy> {
-    Some(party.vehicle()?.heading.to_ground(ForwardLeft { forward: -origin.ahead, left: origin.right }))
+/// Returns the direction of the push on the ground of a force from a given direction.
+fn push(party: &Party, origin: ForceDirection) -> Option<Xy> {
+    Some(party.vehicle()?.heading.to_ground(origin.push()))
 }
 
-/// The directions of force that were read off the two vehicles are opposite.
+/// Checks that the measured directions of force on the two vehicles are opposite.
 pub(super) fn opposite(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
     // Two directions, each with a standard deviation of 12.6°, and two standard deviations of their difference.
     let limit = Limit::AtMost(Figure::Angle((2.0 * 12.6 * 2.0_f64.sqrt()).to_radians()));
     let source = "Johnson and Gabler, side crashes: PDOFs read off vehicles are 12.6 deg off (one standard deviation); two standard deviations of two of them";
-    let read_off = |i: usize, party| damage[i].and_then(|damage| push(party, damage.force_origin?));
+    let read_off = |i: usize, party| damage[i].and_then(|damage| push(party, damage.force_direction?));
     match (read_off(0, &solution.collision.one), read_off(1, &solution.collision.two)) {
         (Some(one), Some(two)) => {
-            let angle = Real::atan2(one.cross(two), -one.dot(two)).abs();
+            let angle = Real::arctangent(one.cross(two), -one.dot(two)).abs();
             let meaning = "the force on one vehicle is opposite to that on the other on the ground; where the PDOFs read off them are not, one of them or a \
                            heading is wrong";
             Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, Meaning::of(meaning))
@@ -65,7 +66,7 @@ pub(super) fn opposite(solution: &Solution, damage: &[Option<Damage>; 2]) -> Fin
         (one, two) => match one.or(two.map(|force| -force)) {
             Some(force) => {
                 let impulse = solution.impact.impulse_on_ground;
-                let angle = Real::atan2(force.cross(impulse), force.dot(impulse)).abs();
+                let angle = Real::arctangent(force.cross(impulse), force.dot(impulse)).abs();
                 let meaning = "only one PDOF was read off; this is how far it is from the direction of the reconstructed impulse";
                 Finding::new(Question::OppositeForces, Figure::Angle(angle), limit, source, Meaning::of(meaning))
             }
@@ -79,7 +80,7 @@ pub(super) fn opposite(solution: &Solution, damage: &[Option<Damage>; 2]) -> Fin
     }
 }
 
-/// The crush energies are shared as the stiffness says: E = F²/(2 B w) of a linear structure at the same force.
+/// Checks that the crush energies are shared in accordance with the stiffness: E = F²/(2 B w) for a linear structure at the same force.
 pub(super) fn share(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
     let limit = Limit::Between(Figure::Number(0.25), Figure::Number(4.0));
     let source = "E = F^2/(2 B w) with forces 100 % apart, EDCRASH's limit of their balance";

@@ -1,4 +1,4 @@
-//! Sentences with figures in them, which whoever prints them puts in the reader's units.
+//! Sentences with figures, which the program that prints them converts to the reader's units.
 
 use std::fmt;
 
@@ -23,26 +23,26 @@ enum Phrase {
 }
 
 impl Meaning {
-    /// Of its first words.
+    /// Creates a sentence from its first words.
     pub fn of(words: impl Into<String>) -> Self {
         Meaning(vec![Phrase::Words(words.into())])
     }
 
-    /// With more words.
+    /// Appends words.
     #[must_use]
     pub fn words(mut self, words: impl Into<String>) -> Self {
         self.0.push(Phrase::Words(words.into()));
         self
     }
 
-    /// With a figure.
+    /// Appends a figure.
     #[must_use]
     pub fn figure(mut self, figure: Figure) -> Self {
         self.0.push(Phrase::Figure(figure));
         self
     }
 
-    /// The sentence, each figure as it is to be printed.
+    /// Returns the sentence, with each figure printed by `print`.
     pub fn with(&self, print: impl Fn(Figure) -> String) -> String {
         let phrase = |phrase: &Phrase| match phrase {
             Phrase::Words(words) => words.clone(),
@@ -59,7 +59,7 @@ impl fmt::Display for Meaning {
 }
 
 impl fmt::Display for Figure {
-    /// In SI, an angle in degrees and a share in per cent, with as many digits as a reader looks at.
+    /// Formats in SI, an angle in degrees and a share in percent, with as many digits as are significant to a reader.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Figure::Number(value) => write!(f, "{}", rounded(*value, 3)),
@@ -72,7 +72,7 @@ impl fmt::Display for Figure {
     }
 }
 
-/// A number to so many decimals, without those that are zero and without a negative zero.
+/// Rounds a number to a number of decimals, without trailing zeros and without a negative zero.
 fn rounded(value: f64, decimals: i32) -> f64 {
     let unit = 10_f64.powi(decimals);
     (value * unit).round() / unit + 0.0

@@ -1,13 +1,13 @@
-//! How the vehicles move after it.
+//! Motions of the vehicles after the impact.
 
 use super::{Figure, Finding, Limit, Meaning, Question};
 use crate::input::Side;
 use crate::output::Output;
-use crate::reconstruct::{Measurable, Solution};
+use crate::reconstruct::{Measurand, Solution};
 
 const LEVER: &str = "angular momentum: the moment of the impulse about the center of mass is the change of yaw";
 
-/// Each vehicle turns the way the moment of the force turns it.
+/// Checks that each vehicle rotates in the direction of the moment of the force.
 pub(super) fn rotation(solution: &Solution) -> Vec<Finding> {
     let found: Vec<Finding> = [Side::One, Side::Two].into_iter().filter_map(|side| of_vehicle(solution, side)).collect();
     if !found.is_empty() {
@@ -18,14 +18,14 @@ pub(super) fn rotation(solution: &Solution) -> Vec<Finding> {
 }
 
 fn of_vehicle(solution: &Solution, side: Side) -> Option<Finding> {
-    let observed = solution.evidence.iter().find(|evidence| evidence.of == Measurable::Output(Output::YawRate(side)))?;
+    let observed = solution.evidence.iter().find(|evidence| evidence.of == Measurand::Output(Output::YawRate(side)))?;
     let (party, response) = match side {
         Side::One => (&solution.collision.one, &solution.impact.one),
         Side::Two => (&solution.collision.two, &solution.impact.two),
     };
     let before = party.vehicle()?.motion.yaw_rate;
     let (seen, computed) = (observed.given - before, response.after.yaw_rate - before);
-    // A rotation that is nothing beside how well it is known has no direction.
+    // A rotation that is small compared with its uncertainty has no direction.
     let is_seen = observed.sd.is_none_or(|sd| seen.abs() > 2.0 * sd);
     let number = side as usize + 1;
     let turns = |rate: f64| if rate >= 0.0 { "counter-clockwise" } else { "clockwise" };
@@ -44,7 +44,7 @@ fn of_vehicle(solution: &Solution, side: Side) -> Option<Finding> {
     Some(Finding::new(Question::Rotation, Figure::Number(agreement), Limit::SameSign, LEVER, meaning))
 }
 
-/// The vehicles reach a common velocity where they touch.
+/// Checks that the vehicles reach a common velocity at the contact.
 pub(super) fn common_velocity(solution: &Solution) -> Finding {
     let limit = Limit::AtMost(Figure::Share(0.1));
     let source = "EDCRASH's run-time diagnostics: 10 %";

@@ -1,9 +1,9 @@
 //! Sine, cosine and arctangent of four numbers at once.
 //!
-//! `wide` has them, but on the instructions that every x86-64 has its integer steps are taken lane by lane, and a collision from angles gains nothing from
-//! lanes. These use additions, multiplications, one division, and masks; no fused multiplication, so that every target gives the same bits.
+//! `wide` has these functions, but on the baseline x86-64 instructions it takes their integer steps lane by lane, and a collision from angles gains nothing
+//! from lanes. The functions here use additions, multiplications, one division, and masks; no fused multiplication, so that every target gives the same bits.
 //!
-//! The polynomials are those of FDLIBM (Sun Microsystems, 1993: `k_sin.c`, `k_cos.c`, `s_atan.c`), good to less than one unit of the last place on their
+//! The polynomials are those of FDLIBM (Sun Microsystems, 1993: `k_sin.c`, `k_cos.c`, `s_atan.c`), accurate to less than one unit of the last place on their
 //! intervals; the rounding of the steps around them adds about one more.
 
 // The constants have the digits of their source, one or two more than an f64 keeps.
@@ -14,10 +14,10 @@ use wide::{f64x4, i64x4};
 /// π/2 in three parts; the first two have 33 bits, so that a multiple of up to 2²⁰ of them is exact.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_614_17, 6.077_100_506_303_965_976_60e-11, 2.022_266_248_795_950_631_54e-21];
 
-/// Angles up to here are reduced exactly.
+/// Largest angle that is reduced exactly.
 const LARGEST_ANGLE: f64 = 1e5;
 
-/// 1.5 × 2⁵²: a number to which this is added is rounded to an integer, which stands in the last bits.
+/// 1.5 × 2⁵²: adding it rounds a number to an integer, in the last bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 const SIN: [f64; 6] = [
@@ -52,10 +52,10 @@ const ATAN: [f64; 11] = [
     1.628_582_011_536_578_236_23e-2,
 ];
 
-/// tan(π/8), where the arctangent changes its center from 0 to π/4.
+/// tan(π/8), where the expansion point of the arctangent changes from 0 to π/4.
 const TAN_EIGHTH_PI: f64 = 0.414_213_562_373_095_03;
 
-// Both polynomials are summed in pairs, pairs of pairs and so on: term after term, each would wait for the one before.
+// Both polynomials are summed in pairs, pairs of pairs and so on: term by term, each would wait for the previous one.
 
 #[inline(always)]
 fn six_terms(x: f64x4, c: &[f64; 6]) -> f64x4 {
@@ -82,7 +82,7 @@ fn as_mask(x: i64x4) -> f64x4 {
     wide::bytemuck::cast(x)
 }
 
-/// Angles that are too large to reduce here, or are not finite, one by one.
+/// Computes angles that are too large to reduce here, or are not finite, one by one.
 #[cold]
 #[inline(never)]
 fn sin_cos_one_by_one(x: f64x4) -> (f64x4, f64x4) {
@@ -92,7 +92,7 @@ fn sin_cos_one_by_one(x: f64x4) -> (f64x4, f64x4) {
 
 #[inline(always)]
 pub(super) fn sin_cos(x: f64x4) -> (f64x4, f64x4) {
-    // One branch for all lanes: `all` would have one for each half.
+    // One branch for all lanes: `all` would need one for each half.
     if x.abs().simd_le(f64x4::splat(LARGEST_ANGLE)).to_bitmask() != 0b1111 {
         return sin_cos_one_by_one(x);
     }
@@ -107,7 +107,7 @@ pub(super) fn sin_cos(x: f64x4) -> (f64x4, f64x4) {
     let odd = as_mask(i64x4::splat(0) - (quadrant & i64x4::splat(1)));
     let sin_sign = as_mask((quadrant & i64x4::splat(2)) << 62);
     let cos_sign = as_mask(((quadrant + i64x4::splat(1)) & i64x4::splat(2)) << 62);
-    // Exchanged in odd quadrants: an exclusive or that is applied to both.
+    // Exchanged in odd quadrants: an exclusive or applied to both.
     let exchange = (sin ^ cos) & odd;
     (sin ^ exchange ^ sin_sign, cos ^ exchange ^ cos_sign)
 }
@@ -117,7 +117,7 @@ pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
     let (across, along) = (y.abs(), x.abs());
     let steep = across.simd_gt(along);
     let (greater, lesser) = (across.fast_max(along), across.fast_min(along));
-    // About 0 up to an eighth of a half turn, about π/4 from there on. The smallest float in place of zero makes 0/0 the direction of x.
+    // About 0 up to an eighth of a half turn, about π/4 beyond it. The smallest float in place of zero makes 0/0 the direction of x.
     let middle = lesser.simd_gt(greater * f64x4::splat(TAN_EIGHTH_PI));
     let numerator = lesser - (greater & middle);
     let denominator = (greater + (lesser & middle)).fast_max(f64x4::splat(f64::from_bits(1)));
@@ -135,7 +135,7 @@ pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
 mod tests {
     use super::*;
 
-    /// Distance in units of the last place of the larger.
+    /// Returns the distance in units of the last place of the larger.
     fn ulps(a: f64, b: f64) -> f64 {
         if a == b {
             return 0.0;

@@ -1,14 +1,14 @@
-//! Full-frontal barrier tests: from one test the stiffness of a car's front, and from its crush profile the energy again.
+//! Full-frontal barrier tests: the stiffness of a car's front computed from one test, and the energy computed back from its crush profile.
 
 use super::{Reading, recorded};
 use crate::data::DataError;
 use crate::sheet::{Printed, Row, Sheet};
-use planar_impact::barrier::{BarrierTest, Problems};
+use planar_impact::barrier::{BarrierTest, TestIssues};
 use planar_impact::crush::{CrushStiffness, ProfileMoments, speed_of_energy};
 
 const FILE: &str = "nhtsa.csv";
 
-/// One record, in SI.
+/// One test, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frontal {
     /// Its number.
@@ -17,37 +17,38 @@ pub struct Frontal {
     pub vehicle: String,
     /// Mean depth over the width, in m.
     pub mean_depth: f64,
-    /// b₁, A, B, and d₀, d₁ of the line through the test.
+    /// b₁, A, B, and d₀, d₁ of the crush line through the test.
     pub coefficients: Vec<Coefficient>,
-    /// Energy of the crush profile beside the kinetic energy ½ m v², in J.
+    /// Energy of the crush profile, compared with the kinetic energy ½ m v², in J.
     pub energy: Reading,
-    /// The same with the stiffness that is made of the profile and not of its mean depth, in J: the energy of the test, whatever the profile.
+    /// Energy with the stiffness obtained from the profile instead of its mean depth, in J: equal to the energy of
+    /// the test, whatever the profile.
     pub energy_by_profile: f64,
-    /// What the profile has more than a flat one of the same mean depth, ½ B ∫ (C − C̄)² dw, in J.
+    /// Excess of the energy of the profile over that of a flat one with the same mean depth, ½ B ∫ (C − C̄)² dw, in J.
     pub unevenness: f64,
-    /// Speed of the energy of the profile, in m/s.
+    /// Speed equivalent to the energy of the profile, in m/s.
     pub speed_of_crush: f64,
     /// Speed of the test, in m/s.
     pub speed: Printed,
-    /// Why the error is what it is.
+    /// Reason for the error.
     pub reason: String,
 }
 
 /// A coefficient of the crush line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coefficient {
-    /// Its letter.
+    /// Its symbol.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// As computed.
+    /// The computed value.
     pub computed: f64,
-    /// As published with the record, if it was.
+    /// The value published with the test, if any.
     pub published: Option<Printed>,
 }
 
 impl Coefficient {
-    /// Whether it rounds to what was published, if anything was.
+    /// Returns `true` if it rounds to the published value, or if none was published.
     pub fn is_as_published(&self) -> bool {
         self.published.as_ref().is_none_or(|published| published.agrees_with(self.computed))
     }
@@ -62,9 +63,9 @@ fn one(row: &Row<'_>) -> Result<Frontal, DataError> {
     let (mass, width, onset, speed) = (number("mass_kg")?, number("width_m")?, number("b0_mps")?, row.number("speed_mps")?);
     let profile = ProfileMoments::of(width, &depths(row)?).ok_or_else(|| no_depths(row))?;
     let mean_depth = profile.mean_depth();
-    // The line goes through the test: v = b₀ + b₁ C̄.
+    // The line passes through the test: v = b₀ + b₁ C̄.
     let test = BarrierTest { mass, speed: speed.value(), restitution: 0.0, crush: profile };
-    let refused = |reasons: Problems| refused(row, reasons.to_string());
+    let refused = |reasons: TestIssues| refused(row, reasons.to_string());
     let line = test.speed_line(onset).map_err(refused)?;
     let stiffness = CrushStiffness::from(line);
     let coefficient = |name, unit, computed, column: Option<&'static str>| {
@@ -98,7 +99,7 @@ fn one(row: &Row<'_>) -> Result<Frontal, DataError> {
     })
 }
 
-/// The kinetic energy to a tenth of a joule: it is computed from what was measured, so its digits say nothing.
+/// Rounds the kinetic energy to a tenth of a joule: it is computed from measurements, so its digits have no meaning of their own.
 fn whole(kinetic: f64, row: &Row<'_>) -> Result<Printed, DataError> {
     Printed::parse(&format!("{kinetic:.1}")).filter(|energy| energy.value() > 0.0).ok_or_else(|| refused(row, "no energy".to_owned()))
 }
@@ -126,10 +127,10 @@ mod tests {
     fn the_profile_has_the_energy_of_its_mean_and_of_its_unevenness() {
         let tests = read(Texts::embedded().nhtsa).expect("embedded");
         for test in &tests {
-            // ½ (d₀ + d₁ C̄)² w is ½ m v², as the line goes through the test.
+            // ½ (d₀ + d₁ C̄)² w is ½ m v², because the line passes through the test.
             assert!((test.energy.error() - test.unevenness).abs() < 0.1, "{} {}", test.energy.error(), test.unevenness);
             assert!(test.unevenness > 0.0);
-            // The profile's own stiffness has the energy of the test, which is shown to a tenth of a joule.
+            // The stiffness from the profile reproduces the energy of the test, which is shown to a tenth of a joule.
             assert!(test.energy.error_of(test.energy_by_profile).abs() <= 0.05, "{}", test.energy_by_profile);
         }
         // Test 6268: depths 0.265 and 0.310 count by half, over five gaps.
@@ -142,7 +143,7 @@ mod tests {
         let published = |text: &str| read(text).expect("digits")[0].coefficients.iter().filter(|c| !c.is_as_published()).count();
         assert_eq!(published(text), 0);
         assert_eq!(published(&text.replace("79010.7", "79011.7")), 1);
-        // Another mass is another A and B, but the same b1.
+        // Another mass changes A and B, but not b1.
         assert_eq!(published(&text.replace(",1779,", ",1780,")), 2);
     }
 

@@ -1,4 +1,4 @@
-//! Small-overlap barrier tests: a car meets the edge of a fixed barrier with one corner of its front, and is turned by it.
+//! Small-overlap barrier tests: one front corner of a car strikes the edge of a fixed barrier, which makes the car rotate.
 
 use super::{Reading, RootMeanSquare, recorded};
 use crate::data::DataError;
@@ -19,22 +19,22 @@ pub struct SmallOverlap {
     pub delta_v: Reading,
     /// Clockwise yaw rate in deg/s, by the paper's tangential law.
     pub yaw_rate: Reading,
-    /// ΔV in ft/s by the law of Kudlich and Slibar, with the same share of its own critical ratio.
+    /// ΔV in ft/s by the law of Kudlich and Slibar, with the same fraction of its own critical ratio.
     pub kudlich_slibar_delta_v: f64,
     /// Clockwise yaw rate in deg/s by that law.
     pub kudlich_slibar_yaw_rate: f64,
-    /// Why the errors are what they are.
+    /// Reason for the errors.
     pub reason: String,
 }
 
 impl SmallOverlap {
-    /// Whether the computed yaw rate, by either law, has the direction of the measured one.
+    /// Returns `true` if the computed yaw rates by both laws have the direction of the measured one.
     pub fn turns_as_measured(&self) -> bool {
         let measured = self.yaw_rate.measured.value();
         [self.yaw_rate.computed, self.kudlich_slibar_yaw_rate].iter().all(|computed| computed * measured > 0.0)
     }
 
-    /// Root mean square errors of ΔV and of the yaw rate over tests, by the paper's law.
+    /// Computes root mean square errors of ΔV and of the yaw rate over tests, by the paper's law.
     pub fn root_mean_squares(tests: &[SmallOverlap]) -> [RootMeanSquare; 2] {
         [
             RootMeanSquare::of(tests.iter().map(|test| (&test.delta_v, test.delta_v.computed))),
@@ -42,7 +42,7 @@ impl SmallOverlap {
         ]
     }
 
-    /// The same by the law of Kudlich and Slibar.
+    /// Computes the same errors by the law of Kudlich and Slibar.
     pub fn kudlich_slibar_root_mean_squares(tests: &[SmallOverlap]) -> [RootMeanSquare; 2] {
         [
             RootMeanSquare::of(tests.iter().map(|test| (&test.delta_v, test.kudlich_slibar_delta_v))),
@@ -76,7 +76,7 @@ fn clockwise(impact: &Impact) -> f64 {
     -impact.one.after.yaw_rate.to_degrees()
 }
 
-/// In feet, slugs and seconds, the car driving in +x.
+/// Returns the collision in feet, slugs and seconds, with the car driving in +x.
 fn collision(row: &Row<'_>, law: Law) -> Result<Collision, DataError> {
     let number = |column| row.number(column).map(|number| number.value());
     let (distance, bearing) = (number("d_ft")?, -number("phi_deg")?.to_radians());
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn the_impulse_goes_through_the_impact_center() {
-        // I Ω = r × P: from the row of CF10020, with P = m ΔV.
+        // I Ω = r × P: computed from the row of CF10020, with P = m ΔV.
         let sheet = Sheet::read(FILE, Texts::embedded().iihs).expect("embedded");
         let row = sheet.rows().nth(1).expect("three rows");
         let impact = solve(&collision(&row, Law::Brach).expect("digits"), "CF10020").expect("possible");
@@ -127,7 +127,7 @@ mod tests {
         let impulse = impact.one.delta_v;
         let yaw_rate = 3574.2 / GRAVITY * (x * impulse.y - y * impulse.x) / 2336.3;
         assert!((yaw_rate / impact.one.after.yaw_rate - 1.0).abs() < 1e-12);
-        // It stops the car, and pushes its front to the left, away from the barrier at its right.
+        // It decelerates the car, and pushes its front to the left, away from the barrier on its right.
         assert!(impulse.x < 0.0 && impulse.y > 0.0 && yaw_rate < 0.0);
     }
 

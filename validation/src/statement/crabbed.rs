@@ -1,4 +1,4 @@
-//! What Table B1 shows of the tests, and of how the paper computed it.
+//! Statements about the tests in Table B1, and about the paper's computation of them.
 
 use super::{Crabbed, Standing, Statement, joined, largest, rounds_to};
 use crate::account::{Computed, find, value};
@@ -24,7 +24,7 @@ fn label(cell: &Computed) -> String {
 }
 
 fn the_papers_wall_is_a_heavy_body(geometry: &Geometry, heavy: &[Computed]) -> Statement {
-    // Two columns follow from other cells as rounded: `rounded_cells_are_computed_with`.
+    // Two columns are computed from other rounded cells: `rounded_cells_are_computed_with`.
     let direct = heavy.iter().filter(|cell| cell.column != "T_L" && cell.column != "dv_mph");
     let off = direct.clone().filter(|cell| !cell.printed.agrees_with(cell.value)).map(label).collect::<Vec<_>>();
     let multiple = vehicle_masses(&geometry.crabbed(1.0, 0.0, Wall::Papers)).unwrap_or(f64::NAN);
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn only_the_papers_mass_fits() {
         let texts = Texts::embedded();
-        // 0.9962 to 1.0003 million slug fit.
+        // Values from 0.9962 to 1.0003 million slug fit.
         for (mass, fits) in [("980000", false), ("998000", true), ("1000000", true), ("1010000", false), ("1000000000", false)] {
             let geometry = texts.geometry.replace("papers_mass,1000000", &format!("papers_mass,{mass}"));
             assert_eq!(standings(&geometry, texts.table_b1)[0] == Standing::Holds, fits, "{mass}");
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn a_measured_cell_is_read() {
         let texts = Texts::embedded();
-        // ΔV of test 2, 24.0 mph: at 25 the computed 23.3 is off by 7 %.
+        // ΔV of test 2, 24.0 mph: at 25, the computed 23.3 differs by 7 %.
         assert_eq!(standings(texts.geometry, &texts.table_b1.replace(",24.0,", ",25.0,"))[2], Standing::Fails);
         // Ω of test 1, 37.7 deg/s: above 64.3 the computed one is no longer higher.
         assert_eq!(standings(texts.geometry, &texts.table_b1.replace(",37.7,", ",64.4,"))[3], Standing::Fails);

@@ -1,4 +1,4 @@
-//! What Table 2 and its text say of the crush plane Γ.
+//! Statements of Table 2 and its text about the crush plane Γ.
 
 use super::{Standing, Statement, largest};
 use crate::account::{Computed, find, value};
@@ -29,7 +29,7 @@ fn rows_add_up(cells: &[Computed]) -> Statement {
         (cell.row.as_str(), total(|c| c.value), total(|c| c.printed.value()))
     });
     let rows = rows.collect::<Vec<_>>();
-    // Two roundings of half a tenth, and what the recovered geometry is off by.
+    // Two roundings of half a tenth, plus the error of the recovered geometry.
     let off = rows.iter().filter(|(_, computed, printed)| (printed - computed).abs() >= 0.25 || printed.is_nan());
     let off = off.map(|(row, computed, printed)| (*row, printed - computed)).collect::<Vec<_>>();
     let most = largest(rows.iter().map(|row| row.1));
@@ -48,10 +48,10 @@ fn rows_add_up(cells: &[Computed]) -> Statement {
     }
 }
 
-/// Greatest less least loss over all Γ that the library does not refuse, of the loss at Γ = 0, and how many those are.
+/// Returns the range of the loss over all Γ that the library accepts, relative to the loss at Γ = 0, and the number of those Γ.
 fn spread(geometry: &Geometry, restitution: f64) -> Result<(f64, usize), DataError> {
     let nominal = at(geometry, 0.0, restitution)?.loss();
-    // The plane must face both vehicles: beyond some angle there is no such collision.
+    // The plane must face both vehicles: beyond some angle the collision is impossible.
     let losses = (0..180).filter_map(|degrees| Some(at(geometry, f64::from(degrees), restitution).ok()?.loss())).collect::<Vec<_>>();
     let most = largest(losses.iter().copied());
     let least = -largest(losses.iter().map(|loss| -loss));
@@ -100,7 +100,7 @@ fn velocities_do_not_depend_on_the_crush_plane(geometry: &Geometry) -> Result<St
 }
 
 fn works_are_almost_linear(cells: &[Computed]) -> Statement {
-    // How far the value at Γ = 0 is from the mean of those at ±5°, of the difference of those.
+    // Deviation of the value at Γ = 0 from the mean of those at ±5°, relative to their difference.
     let bend = |column| {
         let [low, middle, high] = ["-5", "0", "5"].map(|row| value(cells, row, column));
         ((middle - (low + high) / 2.0) / (high - low)).abs()
@@ -125,7 +125,7 @@ fn works_change_by_ten_to_twenty_percent(cells: &[Computed]) -> Statement {
         place: PLACE,
         says: "changes in Γ of 5° or more give rise to changes in W_n and W_t on the order of 10 % to 20 %",
         found: format!("up to {n_5:.1} % of W_n and {t_5:.1} % of W_t at 5°, up to {n_10:.1} % and {t_10:.1} % at 10°"),
-        // On the order of 20 % is taken to end at 25 %.
+        // "On the order of 20 %" is interpreted as less than 25 %.
         standing: Standing::conditional(largest([n_5, t_5]) < 25.0, largest([n_10, t_10]) < 25.0),
         expected: Standing::HoldsConditionally,
     }
@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(standing(texts.table_2), Standing::HoldsConditionally);
         // The misprint of Γ = −2°, corrected.
         assert_eq!(standing(&texts.table_2.replace("-21631.2", "-21639.2")), Standing::Holds);
-        // Another one.
+        // Another misprint.
         assert_eq!(standing(&texts.table_2.replace("-20758.8", "-20758.3")), Standing::Fails);
     }
 

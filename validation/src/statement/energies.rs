@@ -1,4 +1,4 @@
-//! What Table B2, Tables 5 and 6 and Figures 6 and 7 say of crush energy.
+//! Statements of Table B2, Tables 5 and 6 and Figures 6 and 7 about crush energy.
 
 use super::{Cells, Crabbed, Standing, Statement, joined, largest};
 use crate::account::{Computed, find, printed, value};
@@ -54,7 +54,7 @@ fn equation_9(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement {
 
 fn energies_add_up(cells: &Cells<'_>) -> Statement {
     let rows = [("1 0.18", None), ("2 0.13", Some("1 0.18")), ("3 0.12", Some("2 0.13"))];
-    // Printed energies of Table B2 less those before, beside the computed T_Ln of Table B1.
+    // Differences of printed energies in successive tests of Table B2, compared with the computed T_Ln of Table B1.
     let off = rows.map(|(row, before)| {
         let energy = |row| printed(cells.table_b2, row, "test_E_C");
         let own = energy(row) - before.map_or(0.0, energy);
@@ -69,7 +69,7 @@ fn energies_add_up(cells: &Cells<'_>) -> Statement {
             "each test adds its T_Ln of Table B1 to the printed E_C of Table B2, to {} ft lb; the T_Ln that is misprinted there would be off by {misprint:.0}",
             joined(off, 1)
         ),
-        // Two energies rounded to a foot pound.
+        // Two energies, each rounded to one foot-pound.
         standing: Standing::of(largest(off.map(f64::abs)) <= 1.0),
         expected: Standing::Holds,
     }
@@ -94,13 +94,13 @@ fn crush_lies_on_the_line(crabbed: &Crabbed<'_>) -> Statement {
             line.slope,
             joined(residuals, 1)
         ),
-        // To match is taken to be within a twentieth.
+        // "To match" is interpreted as within five percent.
         standing: Standing::conditional(off.last().is_some_and(|off| off.abs() < 5.0), largest(off.iter().map(|off| off.abs())) < 5.0),
         expected: Standing::HoldsConditionally,
     }
 }
 
-/// A slope and depths that round to those of the data, and from which every energy of Table B2 follows to its last digit.
+/// A slope and depths that round to those of the data and reproduce every energy of Table B2 to its last digit.
 const UNROUNDED_SLOPE: f64 = 162.815;
 const UNROUNDED_DEPTHS: [f64; 3] = [0.10621, 0.520_335, 1.076_774];
 
@@ -118,7 +118,7 @@ fn rounding_explains_the_bounds(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Res
     for (which, restitution) in (0..series.tests.len()).flat_map(|which| Restitution::BOTH.map(|restitution| (which, restitution))) {
         let row = series.tests[which].label(restitution);
         for (_, column, _, value) in columns(&geometry, &series.tests[which], found.get(which, restitution)) {
-            // The correction of CRASH3 takes a rounded angle.
+            // CRASH3's correction uses a rounded angle.
             let of_crush = column == "E*" || column == "crash3_T_Ln" || column.starts_with("planar_T");
             match find(cells.table_b2, &row, column).filter(|_| of_crush) {
                 Some(cell) if cell.printed.agrees_with(value) => agreeing += 1,
@@ -193,7 +193,7 @@ fn crash3_velocity_change(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement
     }
 }
 
-/// By how much CRASH3 and planar impact mechanics are off a number of Table 5, in its unit, as computed.
+/// Returns the computed errors of CRASH3 and planar impact mechanics for a number of Table 5, in its unit.
 fn off(cells: &Cells<'_>, test: &str, measured: f64, quantity: &str) -> [f64; 2] {
     ["crash3", "planar"].map(|model| value(cells.table_5, test, &format!("{model}_{quantity}")) - measured)
 }
@@ -220,7 +220,7 @@ fn planar_is_closer(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement {
              both models have the same crush energy, off by {} %",
             joined(normal, 1)
         ),
-        // The condition: that a loss with its tangential part is held against an energy without.
+        // The condition: a loss including its tangential part is compared with an energy without it.
         standing: Standing::conditional(holds, false),
         expected: Standing::HoldsConditionally,
     }

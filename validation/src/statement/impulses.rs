@@ -1,4 +1,4 @@
-//! What the paper says of the impulses on the load cells, and what Table 3 says of the momentum.
+//! Statements of the paper about the impulses on the load cells, and of Table 3 about momentum.
 
 use super::{Cells, Crabbed, Standing, Statement, joined, rounds_to};
 use crate::account::value;
@@ -25,7 +25,7 @@ fn speeds_of_the_tests(crabbed: &Crabbed<'_>) -> Statement {
     }
 }
 
-/// Measured and computed ratio of each test.
+/// Returns measured and computed ratio of each test.
 fn ratios(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Vec<(f64, f64)> {
     let both = |test: &CrabbedTest| {
         (value(&cells.table_3.computed, &test.name, "ratio"), value(cells.table_b1, &test.label(Restitution::Measured), "mu"))
@@ -59,14 +59,14 @@ fn good_agreement(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement {
         place: "after Table 3",
         says: "the impulse ratios of tests 1 and 2 show good agreement, that of test 3 is dramatically higher than the computed one",
         found: format!("computed ratios are off by {} %", joined(off.iter().copied(), 1)),
-        // Good is taken to be better than a tenth.
+        // "Good" is interpreted as better than ten percent.
         standing: Standing::conditional(off.len() == 3 && off[0].abs() < 10.0 && off[2] < -50.0, within(10.0)),
         expected: Standing::HoldsConditionally,
     }
 }
 
 fn momentum(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement {
-    // A pound second in N s is a foot pound in J per foot in m.
+    // A pound-second in N s equals a foot-pound in J divided by a foot in m.
     let newton_seconds = JOULES / 0.3048;
     let shares = crabbed.series.tests.iter().map(|test| {
         let normal = value(&cells.table_3.computed, &test.name, "normal");

@@ -1,4 +1,4 @@
-//! What Table 1 shows as restitution grows.
+//! Statements of Table 1 about increasing restitution.
 
 use super::{Standing, Statement, largest, rounds_to};
 use crate::account::Computed;
@@ -14,7 +14,7 @@ struct Series<'a> {
 }
 
 impl Series<'_> {
-    /// All nine of Table 1; fewer if rows are missing.
+    /// Returns all nine series of Table 1; fewer if rows are missing.
     fn all(cells: &[Computed]) -> Vec<Series<'_>> {
         let one = |label: &str, column: &str| {
             let at = |e: &str| cells.iter().find(|cell| cell.row == format!("{label} {e}") && cell.column == column);
@@ -36,7 +36,7 @@ fn printed(cells: &[&Computed; 3]) -> [f64; 3] {
     cells.map(|cell| cell.printed.value())
 }
 
-/// Change from the first to the last, in percent of the first.
+/// Returns the change from the first to the last value, in percent of the first.
 fn percent([first, _, last]: [f64; 3]) -> f64 {
     ((last - first) / first).abs() * 100.0
 }
@@ -50,12 +50,12 @@ fn falls([a, b, c]: [f64; 3]) -> bool {
     rises([c, b, a])
 }
 
-/// Equal but for rounding in binary.
+/// Returns `true` if the values are equal except for binary rounding.
 fn is_constant([a, b, c]: [f64; 3]) -> bool {
     (b / a - 1.0).abs() < 1e-12 && (c / a - 1.0).abs() < 1e-12
 }
 
-/// The series in which something is largest.
+/// Returns the series with the largest value of `size`.
 fn where_largest<'a, 'b>(series: &'b [Series<'a>], size: impl Fn(&Series<'a>) -> f64) -> Option<&'b Series<'a>> {
     series.iter().max_by(|a, b| size(a).total_cmp(&size(b)))
 }
@@ -168,7 +168,7 @@ fn tangential_rarely_moves_more(series: &[Series<'_>]) -> Statement {
     }
 }
 
-/// In percent of the value at e = 0.15.
+/// Returns the change of the critical ratio from e = 0.15 to 0.30, in percent of the value at e = 0.15.
 fn ratio_change(series: &Series<'_>) -> f64 {
     let [_, half, whole] = values(&series.mu_0);
     percent([half, half, whole])
@@ -193,7 +193,7 @@ fn critical_ratio_in_general(series: &[Series<'_>]) -> Statement {
     let (label, size) = most.map_or(("", f64::NAN), |s| (s.label.as_str(), ratio_change(s)));
     let whole = largest(series.iter().map(|s| percent(values(&s.mu_0))));
     let shown = series.iter().find(|s| s.label == "A -40 40").map_or(f64::NAN, ratio_change);
-    // "Large" is taken to be more than the 9 % of the paper's own example, rounded.
+    // "Large" is interpreted as more than the 9 % of the paper's own example, rounded.
     Statement {
         name: "critical ratio moves little everywhere",
         place: PLACE,

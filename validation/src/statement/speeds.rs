@@ -1,4 +1,4 @@
-//! What Table 1 and its text say of speeds, units and losses.
+//! Statements of Table 1 and its text about speeds, units and losses.
 
 use super::{Standing, Statement, largest};
 use crate::account::Computed;
@@ -79,7 +79,7 @@ fn each_speed_has_its_work(geometry: &Geometry) -> Result<Statement, DataError> 
             least * 100.0,
             most * 100.0
         ),
-        // "Little" is taken to be less than a tenth of the smallest increase.
+        // "Little" is interpreted as less than a tenth of the smallest increase.
         standing: Standing::of(least > 0.0 && most < 0.1 * least),
         expected: Standing::Holds,
     })
@@ -113,7 +113,7 @@ fn loss_is_greatest_at_common_velocity(geometry: &Geometry) -> Statement {
             let peak = common.evaluate().loss();
             let critical = common.evaluate().critical_impulse_ratio();
             let contact = common.contact();
-            // Every restitution and every ratio up to twice the critical one of e = 0, possible or not.
+            // Every restitution, and every ratio up to twice the critical one at e = 0, possible or not.
             for (restitution, ratio) in (0..=20).flat_map(|e| (-40..=40).map(move |share| (f64::from(e) / 20.0, f64::from(share) / 20.0))) {
                 if restitution == 0.0 && ratio == 1.0 {
                     continue;
@@ -148,7 +148,7 @@ mod tests {
         let work = |geometry: &Geometry| impact(geometry, Position::B, (-40.0, 40.0), 0.0).expect("possible").work.n;
         let shift = (work(&heavier) - work(&geometry)).abs();
         let found = weights_are_rounded(&geometry).expect("possible").found;
-        // Half a pound of 2564 lb and of 6345 lb, weighed by the share of each in the reduced mass: 1.6e-4 of 45 370 ft lb.
+        // Half a pound of 2564 lb and of 6345 lb, weighted by the effect of each on the reduced mass: 1.6e-4 of 45 370 ft lb.
         assert!((shift - 7.3).abs() < 0.1, "{shift}");
         assert!(found.contains(&format!("{shift:.1}")), "{found}");
     }
@@ -161,7 +161,7 @@ mod tests {
         let statement = speeds_are_in_feet(&geometry, &cells).expect("possible");
         // (22/15)² = 2.1511
         assert!(statement.found.contains("2.151"), "{}", statement.found);
-        // Were the works printed for mph, the statement would hold: 45369.6 × 2.15111 = 97595.1.
+        // If the works were printed for mph, the statement would hold: 45369.6 × 2.15111 = 97595.1.
         let cells = crate::perpendicular::table_1(&geometry, &texts.table_1.replace("-45369.6", "-97595.1")).expect("digits").computed;
         assert_eq!(speeds_are_in_feet(&geometry, &cells).map(|statement| statement.standing), Ok(Standing::Holds));
     }

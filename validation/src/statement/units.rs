@@ -1,4 +1,4 @@
-//! What the text and Tables 5 and 6 say in other units.
+//! Statements of the text and of Tables 5 and 6 in other units.
 
 use super::{Cells, Standing, Statement, joined, rounds_to};
 use crate::account::{Computed, find, printed};
@@ -28,7 +28,7 @@ fn first_test_in_the_text(cells: &Cells<'_>) -> Statement {
 const ENERGIES: [&str; 3] = ["test_energy", "crash3_energy", "planar_energy"];
 const SPEEDS: [(&str, &str); 3] = [("test_EES", "test_EES"), ("crash3_dv", "crash3_dv_ftps"), ("planar_dv", "planar_dv_ftps")];
 
-/// The factors from a printed number that give another one as rounded.
+/// Returns the range of factors from one printed number to another, given its rounding.
 fn factors(from: f64, to: &Computed) -> [f64; 2] {
     [(to.printed.value() - to.printed.half_unit()) / from, (to.printed.value() + to.printed.half_unit()) / from]
 }
@@ -66,7 +66,7 @@ fn metric_speeds(cells: &Cells<'_>) -> Statement {
     let mut factors_of = Vec::new();
     for (test, row) in [("1", "1 0.18"), ("2", "2 0.13"), ("3", "3 0.12")] {
         for (column, column_b2) in SPEEDS {
-            // CRASH3 has one row for each test.
+            // CRASH3 has one row per test.
             let without = format!("{test} 0.00");
             let row = if column == "crash3_dv" { without.as_str() } else { row };
             if let Some(cell) = find(cells.table_6, test, column) {

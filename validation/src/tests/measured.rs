@@ -1,4 +1,4 @@
-//! The measured tests, tampered with.
+//! The measured tests with altered data.
 
 use super::*;
 
@@ -12,7 +12,7 @@ fn the_tests_are_there_with_their_errors() {
     let names: Vec<_> = measured.small_overlap.iter().map(|test| test.test.as_str()).collect();
     assert!(["CF10023", "CF10020", "CEN1212"].iter().all(|test| names.contains(test)), "{names:?}");
     assert!(measured.frontal.iter().any(|test| test.test == "6268"));
-    // No error is hidden: none of the tests is met to its digits, and every recorded error is the one there is.
+    // No error is hidden: no test agrees to its digits, and every recorded error is the actual one.
     for (test, reading) in measured.readings() {
         assert!(!reading.is_within_digits(), "{test}");
         let recorded = reading.recorded.as_ref().expect("recorded");
@@ -22,51 +22,51 @@ fn the_tests_are_there_with_their_errors() {
 
 #[test]
 fn an_error_that_is_not_the_recorded_one_is_found() {
-    // The measured ΔV of CF10020, farther from the computed one.
+    // The measured ΔV of CF10020, altered to be farther from the computed one.
     let found = problems(|texts| swap(&mut texts.iihs, ",49.9,", ",50.9,"));
     assert!(
         matches!(of(&found)[..], [MeasuredProblem::NotAsRecorded { test, reading }] if test == "CF10020" && reading.quantity == "delta-V"),
         "{found:?}"
     );
-    // Another mass, another yaw rate.
+    // Another mass causes another yaw rate.
     let found = problems(|texts| texts.iihs = texts.iihs.replace("CEN1212,3574.2,", "CEN1212,3674.2,"));
     assert!(
         of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::NotAsRecorded { test, .. } if test == "CEN1212")),
         "{found:?}"
     );
-    // Of the other sign, and as large.
+    // The opposite sign, with the same magnitude.
     assert_eq!(of(&problems(|texts| swap(&mut texts.iihs, ",-5.84,", ",5.84,"))).len(), 1);
-    // An energy that is better than recorded is to be recorded.
+    // An energy that is better than recorded must be recorded.
     let said = |recorded: &str| {
         let found = problems(|texts| swap(&mut texts.nhtsa, ",1.60,", recorded));
         assert!(matches!(of(&found)[..], [MeasuredProblem::NotAsRecorded { test, .. }] if test == "6268"), "{found:?}");
         of(&found)[0].to_string()
     };
     assert!(said(",1.70,").contains("record the new error") && !said(",1.50,").contains("record the new error"));
-    // To the recorded digit: 1.6 is 1.60, half a unit off.
+    // To the digits recorded: 1.6 is 1.60 to within half a unit.
     assert!(report(|texts| swap(&mut texts.nhtsa, ",1.60,", ",1.6,")).holds());
 }
 
 #[test]
 fn the_wrong_direction_of_rotation_is_found() {
-    // The impact center and the plane of CF10020 on the other side.
+    // The impact center and the crush plane of CF10020 on the other side.
     let found = problems(|texts| swap(&mut texts.iihs, ",37.5,77.6,", ",-37.5,-77.6,"));
     assert!(of(&found).iter().any(|problem| matches!(problem, MeasuredProblem::Turn { test } if test == "CF10020")), "{found:?}");
-    // A plane turned the wrong way does not meet the car so, or turns it by another yaw rate.
+    // With the plane turned the wrong way, the car does not meet it, or gets another yaw rate.
     let found = run_owned(|texts| swap(&mut texts.iihs, ",37.5,77.6,", ",37.5,-77.6,"));
     assert!(found.is_err() || !found.expect("computed").holds());
 }
 
 #[test]
 fn a_test_is_one_line() {
-    // Made up: CF10020 at another speed. ΔV and yaw rate grow with it; no error is recorded yet.
+    // Invented: CF10020 at another speed. ΔV and yaw rate are proportional to it; no error is recorded yet.
     let report = report(|texts| texts.iihs.push_str("MADE-UP,3574.2,2336.3,0,0.959,3.8,37.5,77.6,29.30,24.9,96.2,,,\n"));
     assert!(report.holds(), "{:?}", report.problems());
     let test = report.measured.small_overlap.last().expect("four");
     assert!((test.delta_v.computed - 46.986 / 2.0).abs() < 1e-3 && test.delta_v.recorded.is_none());
     let more = "1,made up,1500,15,1.5,0.4 0.4,2,,,,,\n";
     assert!(super::report(|texts| texts.nhtsa.push_str(more)).holds());
-    // The same test twice is not.
+    // The same test twice is an error.
     let twice = problems(|texts| texts.nhtsa.push_str(&more.replacen('1', "6268", 1)));
     assert!(matches!(of(&twice)[..], [MeasuredProblem::Repeated { test }] if test == "6268"), "{twice:?}");
 }

@@ -1,4 +1,4 @@
-//! Tables 3 to 6 and B2, and the chain of misprints, tampered with.
+//! Tables 3 to 6 and B2, and the chain of misprints, with altered data.
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn disagrees(problems: &[Problem], table: &str, row: &str, column: &str) -> bool
 #[test]
 fn a_nudged_cell_of_every_table_is_found() {
     type Text = fn(&mut Owned) -> &mut String;
-    // By one unit of the last digit, but for energies: by more than their bound.
+    // Altered by one unit of the last digit; energies by more than their bound.
     let cases: [(Text, &str, &str, &str, &str, &str); 10] = [
         (|t| &mut t.table_3, ",7208,", ",7209,", "Table 3", "1", "normal"),
         (|t| &mut t.table_3, ",0.283", ",0.284", "Table 3", "2", "ratio"),
@@ -53,14 +53,14 @@ fn a_cell_that_is_left_out_is_missed() {
 
 #[test]
 fn a_given_cell_that_is_left_out_is_missed() {
-    // A row of Table 1 less: its given cells are missed beside its computed ones.
+    // One row of Table 1 less: both its given and its computed cells are missing.
     let problems = problems(|texts| drop_line(&mut texts.table_1, "-40,20,0.30,0.142,-41286.4"));
     assert!(problems.contains(&Problem::GivenCount { table: "Table 1", expected: 81, found: 78 }), "{problems:?}");
 }
 
 #[test]
 fn a_cell_that_nothing_looks_at_is_missed() {
-    // A column more, in Table 4.
+    // One more column in Table 4.
     let problems = problems(|texts| {
         swap(&mut texts.table_4, ",average", ",average,guess");
         for mean in ["0.18", "0.13", "0.12"] {
@@ -83,7 +83,7 @@ fn rows_that_fit_no_test_are_refused() {
 
 #[test]
 fn other_crush_coefficients_do_not_hold() {
-    // geometry.csv's width, onset and slope, each by half a per cent.
+    // geometry.csv's width, onset and slope, each altered by half a percent.
     for (from, to) in [("width,5,", "width,5.025,"), ("onset,48.27,", "onset,48.51,"), ("slope,162.8,", "slope,163.6,")] {
         let problems = problems(|texts| swap(&mut texts.geometry, from, to));
         assert!(disagrees(&problems, "Table B2", "3 0.00", "crash3_T_Ln") || disagrees(&problems, "Table B2", "1 0.00", "test_E*"), "{to}");
@@ -106,7 +106,7 @@ fn a_number_that_does_not_follow_breaks_the_chain() {
         ["Table B2, test 2, planar T_L, ft lb", "Table 5, test 2, planar crush energy, ft lb", "Table 6, test 2, planar crush energy, kJ"];
     assert_eq!(broken(|t| swap(&mut t.table_b2, ",7120,", ",7140,")), [sum]);
     assert_eq!(broken(|t| swap(&mut t.table_5, "61334", "51334")), [digit, conversion]);
-    // Where the other tests do not repeat Table B2 the difference of this one says nothing.
+    // If the other tests do not repeat Table B2, the difference for this one proves nothing.
     assert_eq!(broken(|t| swap(&mut t.table_5, ",12504,", ",12514,")), [digit]);
     assert_eq!(broken(|t| swap(&mut t.table_5, ",145048,", ",145049,")), [digit]);
     assert_eq!(broken(|t| swap(&mut t.table_6, "83.3", "84.3")), [conversion]);
@@ -122,7 +122,7 @@ fn a_corrected_misprint_of_the_chain_is_stale() {
     );
 }
 
-/// The names of statements that no longer stand as they are known to.
+/// Returns the names of statements whose standing is no longer the known one.
 fn fallen(alter: impl FnOnce(&mut Owned)) -> Vec<&'static str> {
     problems(alter)
         .iter()
@@ -130,19 +130,19 @@ fn fallen(alter: impl FnOnce(&mut Owned)) -> Vec<&'static str> {
         .collect()
 }
 
-/// A change of the texts.
+/// An alteration of the texts.
 type Altered = fn(&mut Owned);
 
 #[test]
 fn statements_about_energies_and_units_can_fall() {
     let cases: [(Altered, &str); 7] = [
-        // The speeds and the energies of test 1 in Table 5, each alone.
+        // The speeds and the energies of test 1 in Table 5, altered separately.
         (|t| swap(&mut t.table_5, "11550,9.9,", "11550,9.8,"), "test 1 in the text"),
         (|t| swap(&mut t.table_5, ",11550,", ",11450,"), "test 1 in the text"),
         (|t| swap(&mut t.table_6, ",63.1", ",62.9"), "Table 6 converts rounded speeds"),
-        // E_C of test 2 in Table B2 misprinted as T_Ln of Table B1 is.
+        // E_C of test 2 in Table B2, misprinted as T_Ln is in Table B1.
         (|t| swap(&mut t.table_b2, ",56876,", ",62876,"), "crush energies add up from test to test"),
-        // T_Lt of CRASH3, one foot pound more.
+        // T_Lt of CRASH3, increased by one foot-pound.
         (|t| swap(&mut t.table_b2, ",3309,", ",3310,"), "CRASH3's correction takes a rounded angle"),
         (|t| swap(&mut t.table_b2, ",144759,", ",144760,"), "rounding explains the bounds of Table B2"),
         (

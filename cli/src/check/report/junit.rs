@@ -1,16 +1,15 @@
-//! JUnit XML: a suite for each file, a case for each record. Counts in the suite's head are left out, since they are known only behind it.
+//! JUnit XML: a suite for each file, a case for each record. Suites have no counts, because these are known only after the last record.
 
 use std::io;
 
-use planar_impact::check::Severity;
+use planar_impact_app::check::{Entry, Found, Severity, Summary};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
-use super::{Report, Summary, clean};
+use super::{Report, clean};
 use crate::arguments::FailOn;
-use crate::check::entry::{Entry, Found};
 
-/// The report.
+/// A report in JUnit XML.
 pub struct JUnit {
     pub fail_on: FailOn,
 }
@@ -47,7 +46,7 @@ impl Report for JUnit {
         for found in &failures {
             element(to, "failure", found)?;
         }
-        // A case is skipped as a whole, once, and not if it fails.
+        // A case as a whole is skipped, once, unless it fails.
         let undecidable = rest.iter().find(|found| found.severity == Severity::Undecidable && failures.is_empty());
         if let Some(found) = undecidable {
             element(to, "skipped", found)?;
@@ -64,7 +63,11 @@ impl Report for JUnit {
         event(to, Event::End(BytesEnd::new("testsuite")))
     }
 
-    fn end(&mut self, to: &mut Vec<u8>, _: &Summary) -> io::Result<()> {
+    fn end(&mut self, to: &mut Vec<u8>, _: &Summary, interrupted: bool) -> io::Result<()> {
+        if interrupted {
+            Writer::new(&mut *to).create_element("system-err").write_text_content(BytesText::new("interrupted before the last record"))?;
+            to.push(b'\n');
+        }
         event(to, Event::End(BytesEnd::new("testsuites")))
     }
 }

@@ -4,16 +4,16 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
-use planar_impact::check::{Rule, Severity};
-use serde_json::json;
+use planar_impact::check::Rule;
+use planar_impact_app::check::{Entry, Found, MALFORMED, MALFORMED_HELP, Severity, Summary};
+use serde_json::json as value;
 
-use super::{Report, Summary, clean};
-use crate::check::entry::{Entry, Found, MALFORMED, MALFORMED_HELP};
+use super::{Report, clean, json};
 
-/// What a path may have in a URI as it is.
+/// Characters to escape in the path of a URI: all but letters, digits and `/-._~`.
 const PATH: &AsciiSet = &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.').remove(b'_').remove(b'~');
 
-/// The report.
+/// A report in SARIF.
 #[derive(Default)]
 pub struct Sarif {
     is_behind: bool,
@@ -27,7 +27,7 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-/// A path as a URI, relative to where the program runs unless it is absolute.
+/// Converts a path to a URI, relative to the working directory unless the path is absolute.
 fn uri(file: &str) -> String {
     let slashed = file.replace(std::path::MAIN_SEPARATOR, "/");
     let encoded = utf8_percent_encode(&slashed, PATH).to_string();
@@ -39,7 +39,7 @@ fn rules() -> serde_json::Value {
     let all = of_library.chain([(MALFORMED, MALFORMED_HELP, "no law of mechanics", Severity::Fail)]);
     all.map(|(id, help, law, severity)| {
         let first = help.split_inclusive(". ").next().unwrap_or(help).trim();
-        json!({
+        value!({
             "id": id,
             "name": id,
             "shortDescription": { "text": first },
@@ -53,7 +53,7 @@ fn rules() -> serde_json::Value {
 
 impl Report for Sarif {
     fn begin(&mut self, to: &mut Vec<u8>) -> io::Result<()> {
-        let driver = json!({
+        let driver = value!({
             "name": "planar-impact check",
             "version": env!("CARGO_PKG_VERSION"),
             "semanticVersion": env!("CARGO_PKG_VERSION"),
@@ -74,7 +74,7 @@ impl Report for Sarif {
         for (i, found) in entry.findings.iter().enumerate() {
             writeln!(to, "{}", if self.is_behind { "," } else { "" })?;
             self.is_behind = true;
-            serde_json::to_writer(&mut *to, &result(file, entry, i, found))?;
+            json::write(to, &result(file, entry, i, found))?;
         }
         Ok(())
     }
@@ -83,15 +83,16 @@ impl Report for Sarif {
         Ok(())
     }
 
-    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary) -> io::Result<()> {
+    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary, interrupted: bool) -> io::Result<()> {
         let summary = serde_json::to_string(summary)?;
-        writeln!(to, "\n],\n\"properties\": {{ \"summary\": {summary} }} }} ] }}")
+        let invocations = if interrupted { "\"invocations\": [ { \"executionSuccessful\": false } ],\n" } else { "" };
+        writeln!(to, "\n],\n{invocations}\"properties\": {{ \"summary\": {summary} }} }} ] }}")
     }
 }
 
 fn result(file: &str, entry: &Entry, place: usize, found: &Found) -> serde_json::Value {
     let name = clean(&entry.title());
-    json!({
+    value!({
         "ruleId": found.rule,
         "level": level(found.severity),
         "message": { "text": format!("{name}: {}", clean(&found.what)) },

@@ -1,14 +1,14 @@
-//! Text for a terminal: the records that do not simply pass, and a summary.
+//! Text for a terminal: the records that do not pass without findings, and a summary.
 
 use std::io::{self, Write};
 
-use planar_impact::check::Verdict;
+use planar_impact_app::check::{Entry, Summary, Verdict};
+use planar_impact_app::plain_text::clean;
+use planar_impact_report::text::wrap;
 
-use super::{Report, Summary, clean};
-use crate::check::entry::Entry;
-use crate::table::wrap;
+use super::Report;
 
-/// The report.
+/// A report as text.
 #[derive(Default)]
 pub struct Text {
     files: u64,
@@ -35,7 +35,7 @@ impl Report for Text {
             let severity = if found.severity.name() == entry.verdict.name() { String::new() } else { format!(" ({})", found.severity) };
             to.write_all(wrap(&clean(&found.what), &format!("  {}{severity}: ", found.rule)).as_bytes())?;
         }
-        // Of a record that cannot be read, or whose numbers are none, nothing is checked, which goes without saying.
+        // If a record cannot be read, or has non-finite numbers, nothing is checked; listing all rules would add nothing.
         if !entry.not_checked.is_empty() && !entry.not_checked.contains(&"plausible-units") {
             to.write_all(wrap(&entry.not_checked.join(", "), "  not checked: ").as_bytes())?;
         }
@@ -46,7 +46,10 @@ impl Report for Text {
         Ok(())
     }
 
-    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary) -> io::Result<()> {
+    fn end(&mut self, to: &mut Vec<u8>, summary: &Summary, interrupted: bool) -> io::Result<()> {
+        if interrupted {
+            writeln!(to, "Interrupted before the last record.")?;
+        }
         let Summary { records, pass, warn, fail, undecidable, findings } = summary;
         let plural = |count: u64| if count == 1 { "" } else { "s" };
         let files = if self.files == 1 { String::new() } else { format!(" in {} files", self.files) };

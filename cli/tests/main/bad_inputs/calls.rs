@@ -1,4 +1,4 @@
-//! Calls that are wrong, and output that cannot be written.
+//! Invalid calls, and output that cannot be written.
 
 use super::COLLISION;
 use crate::process::{Folder, run};
@@ -27,7 +27,7 @@ fn wrong_calls() {
         let run = run(folder.path(), arguments);
         assert_eq!((run.status, run.out.as_str()), (2, ""), "{arguments:?}: {}", run.err);
         assert!(run.err.contains(says), "{arguments:?}: {}", run.err);
-        // Without a verb the whole help is shown, and that tells of status 70.
+        // Without a verb the whole help is shown, and it mentions status 70.
         let never: &[&str] = if arguments.is_empty() { &["panicked", "\u{1b}"] } else { &["panicked", "\u{1b}", "defect"] };
         assert!(never.iter().all(|words| !run.err.contains(words)), "{arguments:?}: {}", run.err);
     }
@@ -100,7 +100,7 @@ fn a_reader_that_has_seen_enough() {
         .stderr(std::process::Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // As `head` does, only sooner.
+    // As `head` does, but earlier.
     drop(child.stdout.take());
     let run = crate::process::Run::of(child.wait_with_output().expect("the program ends"));
     assert_eq!((run.status, run.err.as_str()), (0, ""));

@@ -2,7 +2,7 @@
 
 use super::{Bad, check, wrong};
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     wrong("restitution above one", &[("= 0.1\n", "= 1.01\n")], 23, &["contact.restitution", "from 0 to 1"]),
     wrong("restitution a hair above one", &[("= 0.1\n", "= 1.0000000000000002\n")], 23, &["contact.restitution", "from 0 to 1"]),

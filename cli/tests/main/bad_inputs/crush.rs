@@ -1,4 +1,4 @@
-//! Crush that is none, and where each mistake is said to be.
+//! Invalid crush, and the place that each message names.
 
 use super::{Bad, CRUSHED, check, faults_of, wrong};
 use crate::process::{Folder, Run, planar_impact};
@@ -8,7 +8,7 @@ const D0_D1: &str = "{ d0 = \"48.27 lbf^0.5\", d1 = \"162.8 lbf^0.5/ft\" }";
 const WIDTH: &str = "width = \"5 ft\"\n";
 const STATIONS: &str = "stations = [\"0 ft\", \"1 ft\", \"3 ft\", \"5 ft\"]\n";
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     // Depths.
     wrong("crush without depths", &[(DEPTHS, "depths = []")], 17, &["vehicle.2.crush.depths", "at least 2", "found 0 values"]).of(CRUSHED),
@@ -28,7 +28,7 @@ pub const BAD: &[Bad] = &[
         .of(CRUSHED),
     wrong("a station twice", &[(WIDTH, "stations = [0, 1, 1, 3]\n")], 16, &["vehicle.2.crush.stations.3", "not beyond"]).of(CRUSHED),
     wrong("a station in degrees", &[(WIDTH, "stations = [0, \"1 deg\", 2, 3]\n")], 16, &["vehicle.2.crush.stations.2"]).of(CRUSHED),
-    // The line that depths are measured from.
+    // The measuring line.
     wrong("measured from nowhere", &[(DEPTHS, "depths = [1, 2]\nmeasured = {}")], 18, &["crush.measured", "`offset` or `angle`"])
         .of(CRUSHED),
     wrong(
@@ -42,7 +42,7 @@ pub const BAD: &[Bad] = &[
         "measured from inside the crush",
         &[(DEPTHS, "depths = [\"3 in\", \"4.1 in\"]\nmeasured = { offset = \"4 in\" }")],
         17,
-        &["vehicle.2.crush.depths.1", "below zero"],
+        &["vehicle.2.crush.depths.1", "at least 0 m"],
     )
     .of(CRUSHED),
     wrong(
@@ -103,7 +103,7 @@ fn crush() {
     check(BAD);
 }
 
-/// Both verbs that are about the crush end as `solve` does, and their text too.
+/// Both crush verbs end as `solve` does, and so does their text output.
 #[test]
 fn its_own_verbs_refuse_the_same() {
     let folder = Folder::new();

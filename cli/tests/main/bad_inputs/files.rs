@@ -1,4 +1,4 @@
-//! Files that are no text, no TOML, no JSON, or no files.
+//! Inputs that are not text, not TOML, not JSON, or not files.
 
 use std::fs::{self, File};
 use std::time::{Duration, Instant};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::{Bad, COLLISION, JSON, check, faults_of, solve, wrong};
 use crate::process::{Folder, run_with_input};
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     wrong("nothing", &[], 0, &["is empty"]).of(""),
     wrong("only spaces", &[], 0, &["is empty"]).of("  \n\n \t\r\n"),
@@ -32,7 +32,7 @@ fn texts() {
     check(BAD);
 }
 
-/// Writes bytes, solves them, and holds the run to a status and words.
+/// Writes bytes to a file, solves it, and checks the status and the message.
 fn bytes(file: &str, bytes: &[u8], status: i32, says: &[&str]) {
     let folder = Folder::new();
     folder.write(file, bytes);
@@ -53,7 +53,7 @@ fn encodings() {
     bytes("case.json", &marked(JSON), 0, &[]);
     bytes("case.toml", COLLISION.replace('\n', "\r\n").as_bytes(), 0, &[]);
     bytes("case.json", JSON.replace('\n', "\r\n").as_bytes(), 0, &[]);
-    // The mark is no part of the first line, and a carriage return none of any.
+    // The byte order mark is not part of the first line, and carriage returns are not part of any line.
     let wrong = marked(&COLLISION.replace("2564 lb", "2564 ft").replace('\n', "\r\n"));
     bytes("case.toml", &wrong, 2, &["case.toml:6:8\n", "vehicle.1.mass"]);
     let little: Vec<u8> = COLLISION.encode_utf16().flat_map(u16::to_le_bytes).collect();
@@ -71,7 +71,7 @@ fn names_of_files() {
     bytes("a b é 車.toml", COLLISION.as_bytes(), 0, &[]);
     bytes("a b é 車.toml", b"x = 1\n", 2, &["x: unknown key"]);
     bytes("CASE.JSON", JSON.as_bytes(), 0, &[]);
-    // Of another ending, the text tells.
+    // For any other extension, the text determines the format.
     bytes("case.txt", JSON.as_bytes(), 0, &[]);
     bytes("case", COLLISION.as_bytes(), 0, &[]);
     bytes("case.json", COLLISION.as_bytes(), 2, &["not JSON", "case.json:1:1"]);
@@ -106,7 +106,7 @@ fn devices() {
 fn a_huge_file_is_refused_unread() {
     let folder = Folder::new();
     for name in ["huge.toml", "huge.json"] {
-        // Of a gibibyte, none of which is on the disk.
+        // A sparse file of one gibibyte, which takes no space on the disk.
         File::create(folder.path().join(name)).and_then(|file| file.set_len(1 << 30)).expect("a sparse file");
         let begin = Instant::now();
         holds(&folder, name, 2, &["is larger than"]);

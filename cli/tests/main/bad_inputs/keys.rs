@@ -4,7 +4,7 @@ use super::{Bad, CRUSHED, JSON, WALL, check, wrong};
 
 const D0_D1: &str = "{ d0 = \"48.27 lbf^0.5\", d1 = \"162.8 lbf^0.5/ft\" }";
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     // Missing.
     wrong("no schema", &[("schema = 1\n", "")], 0, &["schema: missing"]),
@@ -68,7 +68,7 @@ pub const BAD: &[Bad] = &[
         .of(WALL),
     wrong("a wall with crush", &[("barrier = true", "barrier = true\ncrush = {}")], 15, &["vehicle.2.crush: unknown key"]).of(WALL),
     wrong("unknown in JSON", &[("\"mass\": \"2564", "\"color\": 3, \"mass\": \"2564")], 5, &["vehicle.1.color: unknown key"]).of(JSON),
-    // Two that exclude each other.
+    // Two keys that exclude each other.
     wrong("speed and velocity", &[("yaw_rate", "velocity = [1, 2]\nyaw_rate")], 10, &["vehicle.1.velocity", "exclude each other"]),
     wrong("inertia and radius", &[("heading", "radius_of_gyration = 1\nheading")], 8, &["radius_of_gyration", "exclude each other"]),
     wrong("friction and impulse ratio", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.1\nfriction = 0.4\n")], 25, &["exclude each other"]),

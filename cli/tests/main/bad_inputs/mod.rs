@@ -1,7 +1,7 @@
-//! Inputs that must be refused, and a few that look as if they should be and must not.
+//! Inputs that must be refused, and a few that look invalid but must be accepted.
 //!
-//! Each is a case file with a few words replaced. The run must end with the exact status, print nothing on standard output, and
-//! name the file, the line and the key on standard error.
+//! Each is a case file with a few words replaced. The run must end with the exact status, print nothing on standard
+//! output, and name the file, the line and the key on standard error.
 
 mod calls;
 mod contact;
@@ -19,7 +19,7 @@ mod vehicles;
 
 use crate::process::{Folder, Run, planar_impact};
 
-/// A sound case: two vehicles.
+/// A valid case: two vehicles.
 const COLLISION: &str = r#"schema = 1
 title = "a case"
 
@@ -45,7 +45,7 @@ crush_plane = "0 deg"
 restitution = 0.1
 "#;
 
-/// A sound case: a vehicle and a wall.
+/// A valid case: a vehicle and a wall.
 const WALL: &str = r#"schema = 1
 title = "a wall"
 
@@ -66,7 +66,7 @@ crush_plane = "0 deg"
 restitution = 0
 "#;
 
-/// A sound case: a vehicle with crush, and a wall.
+/// A valid case: a vehicle with crush, and a wall.
 const CRUSHED: &str = r#"schema = 1
 
 [[vehicle]]
@@ -91,7 +91,7 @@ crush_plane = "0 deg"
 restitution = 0.2
 "#;
 
-/// A sound case: a vehicle that runs into a wall and comes to rest.
+/// A valid case: a vehicle that hits a wall and comes to rest.
 const RESTED: &str = r#"schema = 1
 
 [[vehicle]]
@@ -126,7 +126,7 @@ track = "1.5 m"
 wheels = { front_left = "locked", front_right = { braking = 0.3, steer = "5 deg" }, rear_left = "rolling", rear_right = { braking = 1 } }
 "#;
 
-/// A sound case: two vehicles, as JSON.
+/// A valid case: two vehicles, as JSON.
 const JSON: &str = r#"{
   "schema": 1,
   "title": "a case",
@@ -140,32 +140,32 @@ const JSON: &str = r#"{
 }
 "#;
 
-/// One input and what must come of it.
+/// One input and its expected result.
 struct Bad {
     name: &'static str,
     base: &'static str,
-    /// What to replace in the base, each found exactly once or in the first place.
+    /// Replacements in the base file; each text occurs exactly once, or its first occurrence is replaced.
     edits: &'static [(&'static str, &'static str)],
     status: i32,
-    /// The line that must be named; 0 for none.
+    /// The line that the message must name; 0 for none.
     line: usize,
-    /// What else standard error must contain.
+    /// Other texts that standard error must contain.
     says: &'static [&'static str],
 }
 
-/// A mistake in the file of two vehicles.
+/// Creates a mistake in the file of two vehicles.
 const fn wrong(name: &'static str, edits: &'static [(&'static str, &'static str)], line: usize, says: &'static [&'static str]) -> Bad {
     Bad { name, base: COLLISION, edits, status: 2, line, says }
 }
 
 impl Bad {
-    /// The same mistake in another file.
+    /// Applies the mistake to another file.
     const fn of(mut self, base: &'static str) -> Bad {
         self.base = base;
         self
     }
 
-    /// The same with another status.
+    /// Expects another status.
     const fn ends(mut self, status: i32) -> Bad {
         self.status = status;
         self
@@ -185,12 +185,12 @@ impl Bad {
     }
 }
 
-/// Runs every input of a table and reports all that do not end as they should.
+/// Runs every input of a table and reports all unexpected results.
 fn check(table: &[Bad]) {
     check_with(table, &["solve", "--format", "json"]);
 }
 
-/// The same with another verb and its options.
+/// Runs a table with another verb and its options.
 fn check_with(table: &[Bad], words: &[&str]) {
     let folder = Folder::new();
     let mut faults = String::new();
@@ -213,7 +213,7 @@ fn solve(folder: &Folder, file: &str) -> Run {
     Run::of(planar_impact(folder.path()).args(["solve", "--format", "json", file]).output().expect("the program starts"))
 }
 
-/// What is wrong with how a run ended.
+/// Returns everything wrong with the result of a run.
 fn faults_of(run: &Run, status: i32, file: &str, wanted: &[String]) -> Vec<String> {
     let mut faults = Vec::new();
     let mut hold = |holds: bool, fault: String| {
@@ -258,4 +258,25 @@ fn the_tables_are_large() {
     assert!(names.len() >= 180, "{}", names.len());
     let unique: std::collections::HashSet<&str> = names.iter().copied().collect();
     assert_eq!(unique.len(), names.len(), "each name tells one input");
+}
+
+/// A schema checks keys and types, but no units, order or relations between keys.
+#[test]
+fn the_schema_of_case_files_accepts_what_the_reader_does_and_refuses_keys_and_types_that_it_does() {
+    let validator = crate::schema::validator(&crate::schema::schema("case"));
+    let of_keys_and_types = [keys::BAD, types::BAD, vehicles::BAD].map(|table| (table, true));
+    let of_values = [numbers::BAD, units::BAD, contact::BAD, crush::BAD, rest::BAD, physics::BAD].map(|table| (table, false));
+    let of_reconstruct = [reconstruct::UNREADABLE, reconstruct::UNANSWERABLE].map(|table| (table, false));
+    for (table, must_be_seen) in of_keys_and_types.into_iter().chain(of_values).chain(of_reconstruct) {
+        for bad in table {
+            let text = bad.text();
+            let value: Option<serde_json::Value> =
+                if bad.file().ends_with("json") { serde_json::from_str(&text).ok() } else { toml::from_str(&text).ok() };
+            // A parsed file no longer shows JSON keys given twice, or 1.0 instead of 1.
+            let Some(value) = value.filter(|_| !bad.name.starts_with("twice") && bad.name != "schema 1.0") else { continue };
+            let errors = crate::schema::errors(&validator, &value);
+            assert!(bad.status == 2 || errors.is_empty(), "{}: {errors:?}", bad.name);
+            assert!(bad.status != 2 || !must_be_seen || !errors.is_empty(), "{}", bad.name);
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! Numbers that are none, that no float holds, or that nothing can have.
+//! Invalid numbers, numbers beyond the range of a float, and impossible values.
 
 use super::{Bad, CRUSHED, JSON, check, wrong};
 
@@ -12,13 +12,13 @@ const PLANE: &str = "crush_plane = \"0 deg\"";
 const RESTITUTION: &str = "restitution = 0.1";
 const LAST: &str = "restitution = 0.1\n";
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
-    // Crush that nothing can have.
+    // Impossible crush.
     wrong("no width of crush", &[("\"5 ft\"", "\"0 ft\"")], 16, &["vehicle.2.crush.width", "above zero"]).of(CRUSHED),
     wrong("crush outwards", &[("4.1 in", "-4.1 in")], 17, &["vehicle.2.crush.depths.2", "below zero"]).of(CRUSHED),
     wrong("negative d0", &[("48.27", "-48.27")], 18, &["vehicle.2.crush.stiffness.d0", "below zero"]).of(CRUSHED),
-    // Not finite, or not in the range of a float.
+    // Not finite, or outside the range of a float.
     wrong("mass nan", &[(MASS, "mass = nan")], 6, &["vehicle.1.mass", "`nan` is not a finite number"]),
     wrong("mass -inf", &[(MASS, "mass = -inf")], 6, &["vehicle.1.mass", "not a finite number"]),
     wrong("mass nan kg", &[(MASS, "mass = \"nan kg\"")], 6, &["vehicle.1.mass", "`nan kg`"]),
@@ -49,7 +49,7 @@ pub const BAD: &[Bad] = &[
     wrong("JSON Infinity", &[("0.1}", "-Infinity}")], 10, &["not JSON"]).of(JSON),
     wrong("JSON 1e999", &[("\"2564 lb\"", "1e999")], 5, &["vehicle.1.mass", "too large"]).of(JSON),
     wrong("JSON 1e-400", &[("\"2564 lb\"", "1e-400")], 5, &["vehicle.1.mass", "too small"]).of(JSON),
-    // What must be above zero.
+    // Quantities that must be above zero.
     wrong("mass zero", &[(MASS, "mass = 0")], 6, &["vehicle.1.mass", "above zero", "barrier = true"]),
     wrong("mass minus zero", &[(MASS, "mass = -0.0")], 6, &["vehicle.1.mass", "above zero"]),
     wrong("mass negative", &[(MASS, "mass = \"-2564 lb\"")], 6, &["vehicle.1.mass", "above zero"]),
@@ -57,7 +57,7 @@ pub const BAD: &[Bad] = &[
     wrong("inertia negative", &[(INERTIA, "yaw_inertia = \"-1 kg m^2\"")], 7, &["vehicle.1.yaw_inertia", "above zero"]),
     wrong("radius zero", &[(INERTIA, "radius_of_gyration = \"0 m\"")], 7, &["vehicle.1.radius_of_gyration", "above zero"]),
     wrong("radius negative", &[(INERTIA, "radius_of_gyration = \"-1.3 m\"")], 7, &["vehicle.1.radius_of_gyration", "above zero"]),
-    // Plausible in another unit only.
+    // Plausible only in another unit.
     wrong("heading in degrees, bare", &[(HEADING, "heading = 180")], 8, &["vehicle.1.heading", "180 rad", "\"180 deg\""]),
     wrong("crush plane in degrees, bare", &[(PLANE, "crush_plane = 45")], 22, &["contact.crush_plane", "\"45 deg\""]),
     wrong("yaw rate in degrees, bare", &[(YAW_RATE, "yaw_rate = 90")], 10, &["vehicle.1.yaw_rate", "\"90 deg/s\""]),
@@ -68,7 +68,7 @@ pub const BAD: &[Bad] = &[
     wrong("inertia of 1e10, bare", &[(INERTIA, "yaw_inertia = 1e10")], 7, &["vehicle.1.yaw_inertia", "not a plausible yaw inertia"]),
     wrong("mass of 1e300 kg", &[(MASS, "mass = \"1e300 kg\"")], 6, &["vehicle.1.mass", "too large"]),
     wrong("angle of a million turns", &[(PLANE, "crush_plane = \"3.6e8 deg\"")], 22, &["contact.crush_plane", "too large"]),
-    // Texts that are no number.
+    // Texts that are not numbers.
     wrong("decimal comma", &[(MASS, "mass = \"1163,1 kg\"")], 6, &["vehicle.1.mass", "write 1163.1"]),
     wrong("thousands comma", &[(MASS, "mass = \"2,564 lb\"")], 6, &["vehicle.1.mass", "write 2564 or 2.564"]),
     wrong("underscore", &[(MASS, "mass = \"1_163 kg\"")], 6, &["vehicle.1.mass", "write 1163"]),

@@ -1,20 +1,20 @@
-//! Collisions that cannot be: these end with status 3.
+//! Impossible collisions, which end with status 3.
 
 use super::{Bad, COLLISION, WALL, check, wrong};
 
-const CLOSE: &[&str] = &["contact: the vehicles do not close"];
-const SEPARATE: &[&str] = &["contact: the vehicles separate"];
-const BEYOND: &[&str] = &["contact.impulse_ratio", "beyond the critical one", "must lie between 0 and"];
+const CLOSE: &[&str] = &["contact: vehicles are not approaching each other"];
+const SEPARATE: &[&str] = &["contact: vehicles are separating"];
+const BEYOND: &[&str] = &["contact.impulse_ratio", "beyond the critical one", "must be from 0 to"];
 const GAIN: &[&str] = &["would gain energy"];
 
-/// Refused by the mechanics in the file of two vehicles; the line is that of `[contact]` or of the ratio.
+/// Creates a mistake that the mechanics refuses in the file of two vehicles; the line is that of `[contact]` or of the ratio.
 const fn refused(name: &'static str, edits: &'static [(&'static str, &'static str)], line: usize, says: &'static [&'static str]) -> Bad {
     wrong(name, edits, line, says).ends(3)
 }
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
-    // Not closing. A right angle in degrees has no exact cosine in floats: what is left of it is no approach.
+    // Not closing. The cosine of a right angle in degrees is not exactly zero in floats; the remainder does not count as an approach.
     refused("driving apart", &[("speed = \"40 ft/s\"", "velocity = [\"80 ft/s\", 0]")], 21, SEPARATE),
     refused("reversing out of it", &[("40 ft/s", "-40 ft/s")], 21, SEPARATE),
     refused("crush plane that turns it into driving apart", &[("crush_plane = \"0 deg\"", "crush_plane = \"-48 deg\"")], 21, SEPARATE),
@@ -51,10 +51,15 @@ pub const BAD: &[Bad] = &[
     .of(WALL),
     refused("a wall in the center of mass", &[("[2, 0.5]", "[0, 0]")], 16, CLOSE).of(WALL),
     refused("a wall at rest", &[("[10, 2]", "[0, 0]")], 16, CLOSE).of(WALL),
-    // The impulse would have to pull.
-    refused("sliding that does not end by pushing", &[("[10, 2]", "[5, -25]"), ("0.5]", "0.8]")], 16, &["contact", "would have to pull"])
-        .of(WALL),
-    // More energy after than before: unit mass and inertia at an arm of (-1, 1).
+    // The normal impulse is tensile.
+    refused(
+        "sliding that does not end by pushing",
+        &[("[10, 2]", "[5, -25]"), ("0.5]", "0.8]")],
+        16,
+        &["contact", "normal impulse is tensile"],
+    )
+    .of(WALL),
+    // More energy after the impact than before: unit mass and inertia at an arm of (-1, 1).
     refused(
         "elastic at an oblique arm",
         &[("1200", "1"), ("2000", "1"), ("[10, 2]", "[-3, -2]"), ("[2, 0.5]", "[-1, 1]"), ("restitution = 0", "restitution = 1")],
@@ -77,7 +82,7 @@ pub const BAD: &[Bad] = &[
     refused("beyond the sticking ratio", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.9\ntangential_law = \"kudlich-slibar\"\n")], 24, BEYOND),
     refused("more than all of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = 1.2 }\n")], 24, BEYOND),
     refused("less than none of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = -0.2 }\n")], 24, BEYOND),
-    // Accepted: just within the limits, and the cure of what would have to pull.
+    // Accepted: just within the limits, and a remedy for a tensile impulse.
     wrong("a hair within critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.6259\n")], 0, &[]).ends(0),
     wrong("sliding limited by friction", &[("[10, 2]", "[5, -25]"), ("0.5]", "0.8]"), ("= 0\n", "= 0\nfriction = 0.4\n")], 0, &[])
         .of(WALL)

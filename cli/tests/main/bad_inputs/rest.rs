@@ -1,9 +1,9 @@
-//! A rest that is none, and where each mistake is said to be.
+//! Invalid `[rest]` tables, and the place that each message names.
 
 use super::{Bad, RESTED, check, faults_of, wrong};
 use crate::process::{Folder, run};
 
-/// The table. The base has [rest] in line 22, its vehicle in line 26.
+/// Inputs and expected messages. In the base file `[rest]` is at line 22, its vehicle at line 26.
 pub const BAD: &[Bad] = &[
     wrong("a rest without friction", &[("friction = \"0.7 ± 0.05\"\n", "")], 22, &["rest.friction", "missing"]).of(RESTED),
     wrong("a rest on no friction", &[("0.7 ± 0.05", "0")], 23, &["rest.friction", "above 0"]).of(RESTED),
@@ -46,7 +46,7 @@ fn each_is_refused() {
     check(BAD);
 }
 
-/// Also where the vehicle itself cannot be read.
+/// All issues are reported together, even if the vehicle itself is invalid.
 #[test]
 fn everything_is_said_at_once() {
     let folder = Folder::new();

@@ -1,14 +1,14 @@
-//! Several problems in one file: all of them, in the order of the file.
+//! Several issues in one file: all are reported, in file order.
 
 use super::{COLLISION, CRUSHED, JSON, WALL, solve, wrong};
 use crate::process::Folder;
 
-/// The errors of a wrong input, each by its first line.
+/// Returns the errors of an invalid input, each by its first line.
 fn errors(file: &str, text: &str) -> Vec<String> {
     errors_at(2, file, text)
 }
 
-/// The errors of a file that ends with a status.
+/// Returns the errors of a file that ends with a given status.
 fn errors_at(status: i32, file: &str, text: &str) -> Vec<String> {
     let folder = Folder::new();
     folder.write(file, text.as_bytes());
@@ -17,7 +17,7 @@ fn errors_at(status: i32, file: &str, text: &str) -> Vec<String> {
     run.err.lines().filter(|line| line.starts_with("error: ")).map(str::to_owned).collect()
 }
 
-/// That there are these errors, no more and no fewer, in this order.
+/// Asserts that exactly these errors are found, in this order.
 fn are(found: &[String], keys: &[&str]) {
     assert_eq!(found.len(), keys.len(), "{found:#?}");
     for (error, key) in found.iter().zip(keys) {
@@ -76,7 +76,7 @@ fn a_hundred_thousand_do_not_flood_the_terminal() {
     let unknown: String = (0..100_000).map(|i| format!("k{i} = 1\n")).collect();
     let found = errors("case.toml", &format!("{COLLISION}{unknown}"));
     assert_eq!(found.len(), 101);
-    assert_eq!(found[100], "error: there are more problems in this file");
+    assert_eq!(found[100], "error: there are more issues in this file");
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn of_the_physics_too() {
 
 #[test]
 fn the_input_before_the_physics() {
-    // What is read wrongly cannot be judged: of a file that has both, only the former is told.
+    // The physics is checked only if the input is valid, so only the input issue is reported if a file has both.
     let edits = &[("40 ft/s", "-40 ft/s"), ("= 0.1\n", "= 7\n")];
     are(&errors("case.toml", &wrong("", edits, 0, &[]).text()), &["contact.restitution"]);
 }

@@ -2,7 +2,7 @@
 
 use super::{Bad, CRUSHED, JSON, WALL, check, wrong};
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     wrong("schema 2", &[("schema = 1", "schema = 2")], 1, &["schema: expected", "`2`"]),
     wrong("schema 0", &[("schema = 1", "schema = 0")], 1, &["schema: expected"]),

@@ -1,10 +1,10 @@
-//! Units of the wrong dimension, unknown ones, and none.
+//! Units of the wrong dimension, unknown units, and missing units.
 
 use super::{Bad, CRUSHED, check, wrong};
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
-    // One wrong dimension for each kind.
+    // One wrong dimension for each kind of quantity.
     wrong("mass in ft", &[("2564 lb", "2564 ft")], 6, &["vehicle.1.mass", "`2564 ft` is a length; a mass is expected"]),
     wrong("mass in lbf", &[("2564 lb", "2564 lbf")], 6, &["vehicle.1.mass", "is a force"]),
     wrong("inertia in lb ft", &[("1434.9 lbf s^2 ft", "1434.9 lb ft")], 7, &["vehicle.1.yaw_inertia", "yaw inertia is expected"]),

@@ -1,10 +1,10 @@
-//! How many vehicles there are, and how many of them are walls.
+//! The number of vehicles, and of walls among them.
 
 use super::{Bad, WALL, check, wrong};
 
 const SECOND: &str = "[[vehicle]]\nname = \"wall\"\nbarrier = true\n";
 
-/// The table.
+/// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
     wrong("one vehicle", &[(SECOND, "")], 4, &["exactly two vehicles; found 1 table", "barrier = true"]).of(WALL),
     wrong("three vehicles", &[("[contact]", "[[vehicle]]\nbarrier = true\n[contact]")], 4, &["exactly two vehicles; found 3 tables"]),
@@ -14,7 +14,7 @@ pub const BAD: &[Bad] = &[
         "two walls",
         &[("mass = 1200\nyaw_inertia = 2000\nheading = \"0 deg\"\nvelocity = [10, 2]\nimpact_center = [2, 0.5]\n", "barrier = true\n")],
         4,
-        &["vehicle", "both are fixed barriers"],
+        &["vehicle", "both parties are fixed barriers"],
     )
     .of(WALL),
     wrong("a wall that is none", &[("barrier = true", "barrier = false")], 12, &["vehicle.2.mass: missing"]).of(WALL),

@@ -1,4 +1,4 @@
-//! Each record in each form of file: a document, lines, a table.
+//! Every record in each file format: JSON document, JSON Lines and CSV.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{HEADER, check, check_file, document, lines, records, rules, sound};
 use crate::process::{planar_impact, run_with_input, workspace};
 
-/// The records of an independent solver, and of each the rule that must be found broken, if one must.
+/// Returns the records of an independent solver, each with the rule that must be found broken, if any.
 fn reference() -> Vec<(Option<String>, Value)> {
     let text = fs::read_to_string(workspace().join("cli/tests/reference/records.jsonl")).expect("the records are there");
     let read = |line: &str| {
@@ -17,7 +17,7 @@ fn reference() -> Vec<(Option<String>, Value)> {
     text.lines().map(read).collect()
 }
 
-/// The cells of a record, with the names of their columns and their units.
+/// Returns the cells of a record, with the names of their columns and their units.
 fn cells(record: &Value) -> Vec<(String, &'static str, String)> {
     let mut found = Vec::new();
     let mut add = |name: String, unit: &'static str, value: &Value| match value {
@@ -76,7 +76,7 @@ fn cells(record: &Value) -> Vec<(String, &'static str, String)> {
     found
 }
 
-/// A table of records.
+/// Formats records as CSV.
 fn table(all: &[Value]) -> String {
     let rows: Vec<_> = all.iter().map(cells).collect();
     let mut columns: Vec<(String, &'static str)> = Vec::new();
@@ -116,7 +116,7 @@ fn an_independent_solver_s_results_pass_and_each_corruption_is_found_by_name() {
                 Some(rule) => assert!(failed.contains(&rule), "{form}: {rule} is not in {record}"),
             }
         }
-        // But for where it stands, each form has the same to tell.
+        // Apart from the positions of records, every format has the same findings.
         let mut told = records(&report).clone();
         told.iter_mut().for_each(|record| record["line"] = Value::Null);
         reports.push(told);
@@ -135,7 +135,7 @@ fn the_form_is_told_by_the_text_where_the_name_does_not() {
             let run = check_file(name, text.as_bytes(), &[]);
             assert_eq!((run.status, run.err.as_str()), (0, ""), "{name}: {text}");
         }
-        // A byte order mark, blank lines in front, and the line ends of Windows.
+        // A byte order mark, leading blank lines, and Windows line ends.
         let windows = format!("\u{feff}\r\n\r\n{}", text.replace('\n', "\r\n"));
         assert_eq!(run_with_input(&["check", "-"], &windows).status, 0, "{windows:?}");
     }
@@ -165,7 +165,7 @@ fn lines_are_told_in_every_form() {
 #[test]
 fn a_pipe_that_is_no_file_can_be_read() {
     use std::io::Write;
-    // A document cannot be looked at twice then.
+    // A document from a pipe cannot be read twice.
     let many: Vec<String> = (0..2000).map(|id| sound(&id.to_string(), ("", ""))).collect();
     for text in [lines(&many), document(&many)] {
         let mut child = planar_impact(&std::env::temp_dir())
@@ -182,7 +182,7 @@ fn a_pipe_that_is_no_file_can_be_read() {
 
 #[test]
 fn a_reader_that_has_seen_enough_is_no_error() {
-    // More than any pipe holds.
+    // Larger than the buffer of any pipe.
     let many: Vec<String> = (0..3000).map(|id| sound(&id.to_string(), ("{\"v\": [1, 0]}", "{\"v\": [2, 0]}"))).collect();
     let folder = crate::process::Folder::new();
     folder.write("many.jsonl", lines(&many).as_bytes());

@@ -1,4 +1,4 @@
-//! What is found, and what is not.
+//! The findings of `check`, and cases without findings.
 
 use std::fs;
 use std::path::PathBuf;
@@ -32,7 +32,7 @@ fn the_paper_s_tables_as_printed_have_their_misprints_and_no_others() {
     }
 }
 
-/// The rows of a table, without comments, by the names of its columns.
+/// Returns the rows of a CSV file without comments, by column name.
 fn table(path: PathBuf) -> Vec<Vec<(String, String)>> {
     let text = fs::read_to_string(path).expect("the table is there");
     let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
@@ -49,7 +49,7 @@ fn the_paper_s_tables_are_the_printed_digits() {
     let data = workspace().join("validation/data");
     let same = |file: &str, records: &str, columns: &[(&str, &str, &str)]| {
         let (printed, told) = (table(data.join(file)), table(example(records)));
-        // The first row of the records is that of the units.
+        // The first row of the records holds the units.
         assert_eq!(printed.len() + 1, told.len(), "{file}");
         for (printed, told) in printed.iter().zip(&told[1..]) {
             for (column, sign, name) in columns {
@@ -89,14 +89,14 @@ fn the_records_of_the_guide_and_of_the_help_pass() {
     let guide = fs::read_to_string(workspace().join("src/guide/checking.md")).expect("the guide is there");
     let fenced = guide.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a record");
     let help = run(&workspace(), &["check", "--help"]).out;
-    let shown: String = help.lines().skip_while(|line| *line != "{").take_while(|line| !line.starts_with("What is not")).collect();
+    let shown: String = help.lines().skip_while(|line| *line != "{").take_while(|line| *line != "}").chain(["}"]).collect();
     for text in [fenced, &shown] {
         let (status, report) = check(text, &["--fail-on", "warn"]);
         assert_eq!((status, &report["summary"]["pass"]), (0, &Value::from(1)), "{text}");
     }
 }
 
-/// A digit of an example changed.
+/// One changed digit in an example must be found.
 #[test]
 fn the_examples_are_not_passed_unread() {
     for (name, from, to) in
@@ -149,7 +149,7 @@ fn masses_in_pounds_need_the_units_of_what_hangs_on_them() {
 
 #[test]
 fn the_tolerance_can_be_set() {
-    // 1 kg m/s in 4000.
+    // An error of 1 kg m/s in 4000.
     let off = lines(&[sound("a", ("{\"v\": [1, 0]}", "{\"v\": [1.0005, 0]}"))]);
     for (arguments, status) in [(&[][..], 1), (&["--tolerance", "1e-3"], 0), (&["--tolerance", "1e-4"], 1)] {
         assert_eq!(check(&off, arguments).0, status, "{arguments:?}");
@@ -194,7 +194,7 @@ fn a_group_is_held_together() {
     let (_, report) = check(&lines(&[member("a", "\"g\"", 5.0), member("b", "\"g\"", 6.0)]), &[]);
     for record in records(&report) {
         assert_eq!(rules(record, "fail"), ["group"]);
-        assert!(record["findings"][0]["what"].as_str().expect("a text").contains("cannot be told"));
+        assert!(record["findings"][0]["what"].as_str().expect("a text").contains("cannot be determined"));
     }
     let (status, report) = check(&lines(&[member("a", "\"g\"", 5.0), member("b", "\"h\"", 6.0), member("c", "\"g\"", 5.0)]), &[]);
     assert_eq!((status, rules(&records(&report)[2], "warn")), (0, vec!["group"]));

@@ -1,4 +1,4 @@
-//! The forms of report.
+//! The report formats.
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{check, check_file, lines, sound};
 use crate::process::{run, run_with_input, workspace};
 
-/// A record that breaks a rule, one that is warned of, one that cannot be decided, one that cannot be read, and one that passes; the names are hostile.
+/// Returns records that fail, warn, are undecidable, unreadable and pass; the names are hostile.
 fn mixed() -> String {
     lines(&[
         sound("f <&>\\\"'", ("{\"v\": [1, 0]}", "{\"v\": [2, 0]}")),
@@ -35,7 +35,7 @@ fn json_has_the_documented_keys() {
         }
     }
     let first = &report["records"][0]["findings"][0];
-    // 1000 × 4 of momentum in excess, of 8000 + 12000 exchanged... of the velocities that stand in the record: 2000 × 3 − 1000 × 4.
+    // Excess momentum relative to the velocities in the record: 2000 × 3 − 1000 × 4.
     assert_eq!((&first["rule"], first["size"].as_f64()), (&Value::from("linear-momentum"), Some(2000.0)));
 }
 
@@ -66,10 +66,10 @@ fn many_records_that_pass_are_one_line() {
     assert_eq!(run.out, "20000 records: 20000 pass, 0 warn, 0 fail, 0 undecidable\n");
 }
 
-/// The attributes of an element, by their names.
+/// The attributes of an element, by name.
 type Attributes = Vec<(String, String)>;
 
-/// The depth, the name and the attributes of each element, in order.
+/// Returns the depth, the name and the attributes of each element, in order.
 fn elements(xml: &str) -> Vec<(usize, String, Attributes)> {
     let mut reader = Reader::from_str(xml);
     let (mut depth, mut found) = (0, Vec::new());
@@ -166,7 +166,7 @@ fn the_rules_are_told() {
     assert!(text.out.lines().all(|line| line.chars().count() <= 80));
     let json = run(&workspace(), &["check", "--rules", "--format", "json"]);
     let list: Value = serde_json::from_str(&json.out).expect("JSON");
-    // The names are fixed: other programs rely on them.
+    // The names are fixed, because other programs rely on them.
     let names = [
         "finite",
         "plausible-units",

@@ -5,7 +5,7 @@ use std::fs;
 use super::{HEADER, check, check_file, document, lines, records, rules, sound};
 use crate::process::{Folder, run, run_with_input, workspace};
 
-/// The run is refused: status 2, nothing on standard output, and the words on standard error.
+/// Checks that a run is refused: status 2, nothing on standard output, and the words on standard error.
 #[track_caller]
 fn refused(name: &str, text: &[u8], words: &[&str]) {
     let run = check_file(name, text, &[]);
@@ -80,7 +80,7 @@ fn documents() {
     let record = sound("a", ("", ""));
     let whole = document(std::slice::from_ref(&record));
     refused("a.json", whole.trim_end().trim_end_matches('}').as_bytes(), &["not a JSON document"]);
-    // Late: behind records that can be used.
+    // An error after many valid records.
     let many: Vec<String> = (0..500).map(|id| sound(&id.to_string(), ("[3, 0]", "[4, 0]"))).collect();
     refused("a.json", document(&many).replace("]\n}\n", ",]\n}\n").as_bytes(), &["line 50", "no comma behind the last"]);
     refused("a.json", format!("{whole}x").as_bytes(), &["trailing characters"]);
@@ -117,7 +117,7 @@ fn tables() {
     refused("a.txt", b"schema = 1\n[[vehicle]]\nmass = 1\n", &["unknown column `schema = 1`"]);
 }
 
-/// A record that cannot be read fails with its line and its reason, and the others go on.
+/// Checks that an unreadable record fails with its line and its reason, and that the other records are checked.
 #[track_caller]
 fn malformed(text: &str, line: u64, words: &[&str]) {
     let (status, report) = check(text, &[]);
@@ -235,10 +235,13 @@ fn calls() {
     for (arguments, words) in [
         (&["check"][..], "<FILES>"),
         (&["check", "-", "-"], "twice"),
-        (&["check", "-", "--tolerance", "0"], "between 0 and 1"),
+        (&["check", "-", "--tolerance", "0"], "tolerance is 0; it must be above zero"),
         (&["check", "-", "--tolerance", "nan"], "finite"),
-        (&["check", "-", "--tolerance=-1"], "between 0 and 1"),
-        (&["check", "-", "--tolerance", "2"], "between 0 and 1"),
+        (&["check", "-", "--tolerance=-1"], "above zero"),
+        (&["check", "-", "--tolerance", "1e-400"], "too small"),
+        (&["check", "-", "--tolerance", "inf"], "finite"),
+        (&["check", "-", "--tolerance", "1e3"], "from 0 to 0.5"),
+        (&["check", "-", "--tolerance", "2"], "from 0 to 0.5"),
         (&["check", "-", "--format", "xml"], "junit"),
         (&["check", "-", "--fail-on", "error"], "possible values"),
         (&["check", "-", "--rules"], "cannot be used with"),

@@ -20,7 +20,7 @@ fn the_crush_of_each_vehicle_tells_how_they_share_it() {
     let share = &found["unknown"]["contact.crush_share"];
     assert!((number(&share["value"]) - one / (one + two)).abs() < 0.05, "{share}");
     assert!(found["notes"].to_string().contains("contact.crush_share is solved for too"));
-    // Known, it is no unknown.
+    // A known quantity is not an unknown.
     let known = replaced(&case, &[("[evidence]\n", "[evidence]\ncontact.crush_share = 0.5\n")]);
     let (found, _) = answer(&known);
     assert_eq!(
@@ -69,7 +69,7 @@ fn the_number_of_the_ratio_is_that_which_the_case_has() {
     let contact = &given["solution"]["contact"];
     let computed = number(&contact["impulse_ratio"]) / number(&contact["critical_impulse_ratio"]);
     assert!((computed - fraction).abs() < 1e-9 && fraction < 1.0, "{fraction}");
-    // Left out of the contact it is a plain ratio.
+    // If the contact does not give it, it is a plain ratio.
     let (plain, _) = answer(&with("", "contact.impulse_ratio = { start = 0.1, min = 0, max = 0.2 }"));
     let difference = number(&plain["unknown"][ratio]["value"]) - number(&contact["impulse_ratio"]);
     assert!(difference.abs() < 1e-9, "{plain}");

@@ -1,4 +1,4 @@
-//! The verb `reconstruct`: the paper's barrier tests, forward and back, every verdict with its numbers.
+//! The verb `reconstruct`: the paper's barrier tests in both directions, and every verdict with its numbers.
 
 mod forms;
 mod report;
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::process::{Run, run_with_input, workspace};
 
-/// A car against a wall, which it comes at from either side for all that the evidence says.
+/// A car against a wall; the evidence does not determine the side from which it approaches.
 const WALL: &str = r#"schema = 1
 title = "a wall"
 
@@ -42,7 +42,7 @@ fn example(name: &str) -> String {
     std::fs::read_to_string(workspace().join("cli/examples/reconstruct").join(name)).expect("the example can be read")
 }
 
-/// The two cars, with how they separated in place of where they came to rest.
+/// Returns the case of the two cars with separation velocities in place of rest positions.
 fn two_cars() -> String {
     let case = example("two-cars.toml");
     let (before, rest) = case.split_once("[rest]").expect("it has one");
@@ -58,7 +58,7 @@ fn text(case: &str, arguments: &[&str]) -> Run {
     run_with_input(&[&["reconstruct", "-"], arguments].concat(), case)
 }
 
-/// The document and the exit status, which must be one of an answer.
+/// Returns the document and the exit status, which must be that of an answer.
 fn answer(case: &str) -> (Value, i32) {
     let run = text(case, &["--format", "json"]);
     assert!(run.err.is_empty() && (0..=1).contains(&run.status), "{}", run.err);

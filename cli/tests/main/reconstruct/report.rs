@@ -1,4 +1,4 @@
-//! What is printed: the document key by key, the text line by line.
+//! The output of `reconstruct`: the document by key, the text by line.
 
 use serde_json::Value;
 
@@ -36,14 +36,14 @@ fn the_document_has_every_key_and_they_fit_together() {
         let z = number(&piece["standardised_residual"]);
         assert!((z * number(&piece["sd"]) - number(&piece["given"]) + number(&piece["computed"])).abs() < 1e-6, "{name}");
         chi_square += z * z;
-        // The variance of an unknown is made of those of the evidence.
+        // The variance of an unknown combines those of the evidence.
         assert!(found["influence"]["vehicle.1.speed"][name].is_number());
     }
     assert!((chi_square - number(&found["chi_square"])).abs() < 1e-9);
-    // 1 km/h of a recorder: a step over the root of 12.
+    // A recorder with steps of 1 km/h: a step divided by √12.
     let step = number(&found["evidence"]["vehicle.2.speed"]["sd"]);
     assert!((step - 1.0 / 3.6 / 12_f64.sqrt()).abs() < 1e-15);
-    // The sum of both crushes, and a tenth of it.
+    // The sum of both crush energies, and a tenth of it.
     let energies: f64 = (0..2).map(|i| number(&found["solution"]["vehicles"][i]["crush_energy"])).sum();
     assert!((number(&found["evidence"]["crush_energy"]["given"]) / energies - 1.0).abs() < 1e-12);
     assert!((number(&found["evidence"]["crush_energy"]["sd"]) / energies - 0.1).abs() < 1e-12);
@@ -77,7 +77,8 @@ fn the_text_fits_a_terminal_in_either_units() {
         }
     }
     let said = text(&two_cars(), &[]).out;
-    for words in ["THE EVIDENCE AGREES WITH ONE SOLUTION", "95 % from", "Off by", "Correlated: vehicle.1.speed", "seed 1", "CRASH3", "PDOF"]
+    for words in
+        ["The evidence agrees with one solution", "95 % from", "Residual: ", "Correlated: vehicle.1.speed", "seed 1", "CRASH3", "PDOF"]
     {
         assert!(said.contains(words), "{words}: {said}");
     }
@@ -88,7 +89,7 @@ fn the_same_seed_gives_the_same_answer() {
     let with = |arguments: &[&str]| text(WALL, &[&["--format", "json"], arguments].concat()).out;
     assert_eq!(with(&[]), with(&["--starts", "64", "--seed", "1"]));
     let found: Value = serde_json::from_str(&with(&["--starts", "9", "--seed", "7"])).expect("JSON");
-    // Nine from the starts, and four beside each of the two solutions.
+    // Nine searches from the starts, and four near each of the two solutions.
     assert_eq!((&found["searches"], &found["seed"]), (&Value::from(9 + 2 * 4), &Value::from(7)));
     let said = text(WALL, &["--starts", "9", "--seed", "7"]).out;
     assert!(said.contains("17 searches from 9 starts (--starts), drawn with seed 7 (--seed)"), "{said}");

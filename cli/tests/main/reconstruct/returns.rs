@@ -1,4 +1,4 @@
-//! What was run forward comes back.
+//! Reconstructing a collision that was computed forward recovers it.
 
 use serde_json::Value;
 
@@ -10,7 +10,7 @@ fn position_a_returns_from_its_own_results() {
     let (found, status) = answer(&example("position-a.toml"));
     assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")));
     for name in ["vehicle.1.speed", "vehicle.2.speed"] {
-        // 40 ft/s, as the example goes forward.
+        // 40 ft/s, the speed of the forward example.
         assert!((number(&found["unknown"][name]["value"]) - 12.192).abs() < 1e-9, "{found}");
     }
     assert!(number(&found["chi_square"]) < 1e-15 && found["degrees_of_freedom"] == 3);
@@ -26,7 +26,7 @@ fn position_a_returns_from_its_own_results() {
 fn rest_tells_how_the_vehicles_separated_and_how_sure_that_is() {
     let (found, status) = answer(&example("two-cars.toml"));
     assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")));
-    // What the example was made from, and the motions that lead from there to rest.
+    // The values that the example was computed from, and the separation velocities that lead to its rest positions.
     for (name, truth) in [
         ("vehicle.1.speed", 52.0 / 3.6),
         ("vehicle.2.speed", 41.0 / 3.6),
@@ -48,12 +48,12 @@ fn rest_tells_how_the_vehicles_separated_and_how_sure_that_is() {
         let (given, sd) = (number(&evidence[name]["given"]), number(&evidence[name]["sd"]));
         assert!((given - truth).abs() < 2.0 * sd, "{name}: {given} ± {sd} for {truth}");
     }
-    // Their errors go together, by the friction above all, so their squares do not simply add up.
+    // Their errors are correlated, mainly by the friction, so their squares do not simply add up.
     let squares: f64 = evidence.as_object().expect("a table").values().map(|piece| number(&piece["standardised_residual"]).powi(2)).sum();
     assert!((squares - number(&found["chi_square"])).abs() > 1e-3, "{squares}");
-    // As the README of the project has it.
+    // As stated in the README of the project.
     let said = text(&example("two-cars.toml"), &[]).out;
-    for words in ["52.4     1.4", "41.00    0.28", "vehicle.1: its separation velocity and yaw rate are those from which it"] {
+    for words in ["52.4     1.4", "41.00    0.28", "vehicle.1: its separation velocity and yaw rate are"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     let twice = replaced(&example("two-cars.toml"), &[("[rest]", "vehicle.2.separation_yaw_rate = \"-214 deg/s ± 15 deg/s\"\n[rest]")]);
@@ -61,8 +61,8 @@ fn rest_tells_how_the_vehicles_separated_and_how_sure_that_is() {
     assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("separation_yaw_rate twice"), "{}", refused.err);
 }
 
-/// Six motions from six, so that no weight counts: the variance of each is that on a friction without doubt, and the square of what a deviation of the friction moves
-/// it by, through both vehicles at once.
+/// Six velocities from six, so that no weight matters: the variance of each is that with an exact friction plus the
+/// square of the change caused by one standard deviation of the friction, which acts on both vehicles at once.
 #[test]
 fn the_friction_moves_both_vehicles_at_once() {
     let case = example("two-cars.toml");

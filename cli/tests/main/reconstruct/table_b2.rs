@@ -1,4 +1,4 @@
-//! Table B2 of the paper out of the case files of its barrier tests, cell by cell.
+//! Reproduces Table B2 of the paper from the case files of its barrier tests, cell by cell.
 
 use serde_json::Value;
 
@@ -15,7 +15,7 @@ struct Planar {
     cells: [&'static str; 6],
 }
 
-/// Table B2 of the paper, its planar columns. Test 2 prints none at e = 0 but ΔV.
+/// The planar columns of Table B2. For test 2 at e = 0, only ΔV is printed.
 const PLANAR: [Planar; 6] = [
     Planar { test: 1, restitution: "0", cells: ["10746", "1701", "12447", "0.274", "15.1", "10.3"] },
     Planar { test: 1, restitution: "0.18", cells: ["10746", "1758", "12504", "0.232", "17.9", "12.2"] },
@@ -25,11 +25,11 @@ const PLANAR: [Planar; 6] = [
     Planar { test: 3, restitution: "0.12", cells: ["124976", "20073", "145048", "0.245", "57.5", "39.2"] },
 ];
 
-/// Table B2 of the paper, its CRASH3 columns: T_Ln, T_Lt, T_L in ft lb, ΔV in ft/s and mph.
+/// The CRASH3 columns of Table B2: T_Ln, T_Lt, T_L in ft lb, ΔV in ft/s and mph.
 const CRASH3: [[&str; 5]; 3] =
     [["10746", "804", "11550", "14.5", "9.9"], ["44215", "3309", "47524", "29.5", "20.1"], ["124976", "9353", "134329", "49.5", "33.8"]];
 
-/// Whether a number prints as a cell.
+/// Returns `true` if a number prints as a cell.
 fn prints(cell: &str, value: f64) -> bool {
     let decimals = cell.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     cell.is_empty() || format!("{value:.decimals$}") == cell
@@ -52,18 +52,18 @@ fn crabbed(test: usize, restitution: &str) -> String {
     replaced(&case, &[(&line, &format!("restitution = {restitution}"))])
 }
 
-/// The same before a barrier that does not move, in place of the paper's heavy body.
+/// Replaces the paper's heavy body with a fixed barrier.
 fn before_a_fixed_barrier(case: &str) -> String {
     let (before, barrier) = case.split_once("mass = \"1e6 slug\"").expect("the barrier has a mass");
     let (_, after) = barrier.split_once("[contact]").expect("it has one");
     format!("{before}barrier = true\n\n[contact]{after}")
 }
 
-/// What planar mechanics makes of a crabbed test, in the order of the table's columns.
+/// Returns the planar results of a crabbed test, in the order of the table's columns.
 fn planar(case: &str) -> [f64; 6] {
     let (found, status) = answer(case);
     assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")));
-    // The speed is known to have been 30° off: Table B2 keeps the crab angle.
+    // The approach direction is known to be 30° off: Table B2 keeps the crab angle.
     let [x, y] = ["x", "y"].map(|axis| number(&found["unknown"][format!("vehicle.1.velocity.{axis}")]["value"]));
     assert!((y / x + 30_f64.to_radians().tan()).abs() < 1e-12);
     let (contact, energy) = (&found["solution"]["contact"], &found["solution"]["energy"]);
@@ -87,7 +87,7 @@ fn the_planar_columns_of_table_b2_come_out_of_the_crush() {
         for (cell, (fixed, heavy)) in row.cells.into_iter().zip(fixed.into_iter().zip(heavy)) {
             let what = format!("test {} at e = {}: {heavy} for {cell}", row.test, row.restitution);
             assert!(prints(cell, heavy), "{what}");
-            // A barrier that does not move is one of infinite mass: it differs by the ratio of the masses, 1.02e-4.
+            // A fixed barrier has infinite mass; the results differ by the ratio of the masses, 1.02e-4.
             assert!((fixed / heavy - 1.0).abs() < 1.03e-4, "{what}, and {fixed} of a fixed one");
             cells += usize::from(!cell.is_empty());
         }
@@ -98,7 +98,7 @@ fn the_planar_columns_of_table_b2_come_out_of_the_crush() {
 #[test]
 fn the_crash3_columns_of_table_b2_come_out_of_the_crush() {
     for (test, row) in CRASH3.iter().enumerate() {
-        // As the file is: nothing of CRASH3 hangs on the restitution.
+        // With the file unchanged: no CRASH3 result depends on the restitution.
         let (found, _) = answer(&example(&format!("crabbed-{}.toml", test + 1)));
         let car = &found["crash3"]["vehicles"][0];
         let diagnostics = found["diagnostics"].as_array().expect("a list");
@@ -107,7 +107,7 @@ fn the_crash3_columns_of_table_b2_come_out_of_the_crush() {
             assert_eq!(reading, Some(&Value::from("not checked")), "{name}: what was not crushed speaks of no force");
         }
         let (normal, total) = (number(&car["crush_energy"]), number(&car["corrected_energy"]));
-        // The paper's ΔV of CRASH3 is that of the crush energy alone, without correction and for the whole mass: the equivalent energy speed.
+        // The paper's ΔV of CRASH3 uses the crush energy alone, uncorrected, and the whole mass: it is the equivalent energy speed.
         let delta_v = number(&found["solution"]["vehicles"][0]["equivalent_energy_speed"]);
         let values = [normal / FOOT_POUND, (total - normal) / FOOT_POUND, total / FOOT_POUND, delta_v / FOOT, delta_v / MPH];
         for (cell, value) in row.iter().zip(values) {

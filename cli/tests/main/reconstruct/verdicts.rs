@@ -1,4 +1,4 @@
-//! Every verdict but agreement, each with its numbers and its status.
+//! Every verdict except agreement, each with its numbers and its exit status.
 
 use serde_json::Value;
 
@@ -16,8 +16,8 @@ fn several_solutions_are_all_reported_and_none_is_the_answer() {
     let along = (2.0 * 50e3 / 1200.0 / 0.99_f64).sqrt();
     assert!(solutions.iter().all(|solution| (number(&solution["unknown"]["vehicle.1.velocity.x"]) - along).abs() < 1e-9));
     let said = text(WALL, &[]).out;
-    assert!(said.contains("AGREES WITH 2 SOLUTIONS") && said.contains("-5.52"), "{said}");
-    // A reason for one of them leaves it.
+    assert!(said.contains("agrees with 2 solutions") && said.contains("-5.52"), "{said}");
+    // A bound that excludes one of the two solutions leaves the other.
     let (one, status) = answer(&replaced(WALL, &[("start = \"1 m/s\"", "start = \"1 m/s\", min = 0")]));
     assert_eq!((status, &one["verdict"], one["solutions"].as_array().map(Vec::len)), (0, &Value::from("agrees"), Some(1)));
 }
@@ -37,7 +37,9 @@ fn what_is_open_has_no_value() {
     assert_eq!(found["covariance"]["vehicle.1.velocity.y"]["vehicle.1.velocity.x"], Value::Null);
     let said = text(&case, &["--units", "us"]).out;
     assert!(
-        said.contains("LEAVES UNKNOWNS OPEN") && said.contains("vehicle.1.velocity.y by 3.28084 ft/s") && said.contains("open"),
+        said.contains("Underdetermined: these combinations")
+            && said.contains("vehicle.1.velocity.y by 3.28084 ft/s")
+            && said.contains("open"),
         "{said}"
     );
     assert!(!said.contains("The collision"), "{said}");
@@ -54,7 +56,7 @@ fn contradictions_are_no_answers() {
     let said = text(&case, &[]).out;
     let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
-        "CONTRADICTS ITSELF",
+        "Inconsistent evidence",
         "Furthest off is vehicle.1.separation_speed: given 0.50 m/s",
         "not an answer",
         "impact center and crush plane",
@@ -73,7 +75,10 @@ fn bounds_that_exclude_say_what_they_exclude() {
     let free = number(&found["without_bounds"]["unknown"]["vehicle.1.velocity.x"]);
     assert!((free - (2.0 * 50e3 / 1200.0 / 0.99_f64).sqrt()).abs() < 1e-6);
     let said = text(&case, &[]).out;
-    assert!(said.contains("THE BOUNDS EXCLUDE") && said.contains("is held at its max, 8.00 m/s") && said.contains("upper bound"), "{said}");
+    assert!(
+        said.contains("Best fit lies outside the bounds") && said.contains("is held at its max, 8.00 m/s") && said.contains("upper bound"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -92,15 +97,15 @@ fn what_is_hardly_determined_stands_in_the_headline() {
     let said = text(&case, &[]).out;
     let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(flat.contains("0.5 3.0 m/s"), "the bounds, with digits of their own: {said}");
-    assert!(flat.contains("AGREES WITH ONE SOLUTION, BUT SAYS NEXT TO NOTHING OF vehicle.1.velocity.y: chi-square"), "{said}");
-    // Where it is determined there is no such thing to say.
+    assert!(flat.contains("agrees with one solution, but evidence barely constrains vehicle.1.velocity.y: chi-square"), "{said}");
+    // If it is determined, nothing is reported.
     let (found, _) = answer(&replaced(&case, &[("± 900 deg/s", "± 1 deg/s")]));
     assert_eq!(found["hardly_determined"], serde_json::json!([]));
 }
 
 #[test]
 fn a_bound_says_whether_it_holds_what_sits_on_it() {
-    // Head on into the wall at 10 m/s, and off it at e times that.
+    // Head-on into the wall at 10 m/s, separating at e times that speed.
     let at = |after: &str, least: &str| {
         let unknown = format!("contact.restitution = {{ start = 0.2, min = {least}, max = 0.3 }}\n#");
         let case = replaced(
@@ -117,16 +122,16 @@ fn a_bound_says_whether_it_holds_what_sits_on_it() {
     };
     for (after, least, meaning) in [
         ("0.1", "0", "a common velocity along the normal"),
-        ("-1.2", "0.12", "the evidence is content with it there"),
-        ("-0.9", "0.12", "it would go further"),
+        ("-1.2", "0.12", "the best fit without the bound lies there too"),
+        ("-0.9", "0.12", "the best fit without the bound lies beyond it"),
     ] {
         let said = at(after, least);
-        assert!(said.contains(&format!("contact.restitution sits on its lower bound: {meaning}")), "{said}");
+        assert!(said.contains(&format!("contact.restitution lies on its lower bound: {meaning}")), "{said}");
         assert!(!said.contains("No piece of evidence has an uncertainty"), "{said}");
     }
 }
 
-/// Where what the evidence asks for is no sliding at all, more starts lead nowhere.
+/// If the evidence requires an impulse that sliding cannot produce, more starts do not help.
 #[test]
 fn more_tangential_impulse_than_sliding_gives_is_named() {
     let with = |yaw_rate: &str| {
@@ -139,7 +144,7 @@ fn more_tangential_impulse_than_sliding_gives_is_named() {
             ],
         )
     };
-    // To the wall on its left: friction holds its front back, and it turns clockwise.
+    // Heading for a wall on its left: friction retards its front, and it turns clockwise.
     let snagged = text(&with("-400 deg/s ± 5 deg/s"), &[]);
     assert!(snagged.status == 3 && snagged.out.is_empty(), "{}", snagged.out);
     for words in

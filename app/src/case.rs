@@ -1,0 +1,192 @@
+//! From a case file to the collision it describes.
+
+mod crush;
+mod domain;
+mod inputs;
+mod knowledge;
+mod outputs;
+mod parameter;
+mod reader;
+mod rest;
+mod setup;
+mod vehicle;
+
+use planar_impact::reconstruct::Variable;
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
+
+pub use crush::Crush;
+pub use crush::{CrushInputs, CrushKey};
+pub use inputs::{ContactInputs, Inputs};
+pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of};
+pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
+pub use parameter::{Parameter, number as vehicle_number};
+pub(crate) use reader::CaseReader;
+pub use rest::RestInputs;
+pub use setup::Setup;
+pub use vehicle::{Inertia, VehicleInputs, Velocity};
+
+use crate::answer::Answer;
+use crate::document::Document;
+use crate::issue::{Cause, Issue, Issues};
+use crate::message::Message;
+use crate::notice::{Notice, Notices};
+use crate::source::Source;
+use crate::units::{Measure, Units};
+
+/// A case file, read and checked.
+#[derive(Clone)]
+pub struct Case {
+    document: Document,
+    /// Its title; empty if it has none.
+    pub title: String,
+    /// The names of the two vehicles.
+    pub names: [String; 2],
+    /// The numbers that it gives, in SI.
+    pub inputs: Inputs,
+    /// The collision and the crush that they make.
+    pub setup: Setup,
+    /// The collision alone.
+    pub collision: Collision,
+    /// The bracket of the crush plane, where the file gives the surfaces that meet.
+    pub bracket: Option<CrushPlaneBracket>,
+    /// Evidence and unknowns.
+    pub knowledge: Knowledge,
+    /// The path of each vehicle to rest; `None` if the file does not give it.
+    pub rest: Option<RestInputs>,
+    /// The units that most of its quantities are in.
+    pub units: Units,
+    /// Assumptions, such as the unit of a number without one.
+    pub notices: Notices,
+}
+
+impl Case {
+    /// Reads the text of a case file. What the file lists under `[unknown]` stands at the start of its search.
+    ///
+    /// # Errors
+    ///
+    /// Everything wrong with it.
+    pub fn parse(source: Source) -> Result<Case, Issues> {
+        let document = Document::parse(source)?;
+        let given = CaseReader::default();
+        let read = document.read(|root| given.case(root))?;
+        let units = given.units();
+        let setup = read.inputs.as_given();
+        Ok(Case {
+            document,
+            title: read.title,
+            names: read.names,
+            inputs: read.inputs,
+            collision: setup.collision,
+            setup,
+            bracket: read.bracket,
+            knowledge: read.knowledge,
+            rest: read.rest,
+            units,
+            notices: Notices(given.notices.into_inner()),
+        })
+    }
+
+    /// Refuses a case that lists numbers under `[unknown]` which a verb needs.
+    ///
+    /// # Errors
+    ///
+    /// Each number that is needed and unknown.
+    pub fn needs(&self, is_needed: impl Fn(Variable) -> bool) -> Result<(), Issues> {
+        let missing: Vec<Issue> = self
+            .knowledge
+            .left_out
+            .iter()
+            .filter(|left_out| is_needed(left_out.of))
+            .map(|left_out| {
+                let at = Issue::at("unknown", left_out.key.clone(), "missing: listed under `[unknown]`, so this verb needs a value")
+                    .with_help("`planar-impact reconstruct` solves for it");
+                Issue { path: left_out.of.name().to_owned(), ..self.document.place(at) }
+            })
+            .collect();
+        if missing.is_empty() { Ok(()) } else { Err(self.document.refuse(Cause::Input, missing)) }
+    }
+
+    /// The same for a verb that needs every number.
+    ///
+    /// # Errors
+    ///
+    /// Each number that is unknown.
+    pub fn needs_everything(&self) -> Result<(), Issues> {
+        self.needs(|_| true)
+    }
+
+    /// Solves its collision.
+    ///
+    /// # Errors
+    ///
+    /// Numbers that the case lists as unknown, or every reason why the physics refuses the collision.
+    pub fn impact(&self) -> Result<Impact, Issues> {
+        self.needs_everything()?;
+        self.collision.solve().map_err(|refusals| self.refuse(&refusals))
+    }
+
+    /// Wraps the facts of a verb into an answer, with the notices of the case and further ones.
+    pub fn answer<T>(&self, facts: T, further: impl IntoIterator<Item = Notice>) -> Answer<T> {
+        Answer::new(&self.title, facts, Notices(self.notices.0.iter().cloned().chain(further).collect()))
+    }
+
+    /// The same case with other values of some parameters, each of which [can be set](Inputs::can_set).
+    pub fn with(&self, values: &[(Parameter, f64)]) -> Case {
+        let inputs = self.inputs.set_all(values);
+        let setup = inputs.as_given();
+        Case { inputs, collision: setup.collision, setup, ..self.clone() }
+    }
+
+    /// The same case with another collision, which its inputs make to the last rounding.
+    pub fn with_collision(&self, values: &[(Parameter, f64)], collision: Collision) -> Case {
+        let case = self.with(values);
+        Case { setup: Setup { collision, crush: case.setup.crush.clone() }, collision, ..case }
+    }
+
+    /// Warnings about a result that is possible and deserves a second look.
+    pub fn warnings(&self, impact: &Impact) -> Vec<Notice> {
+        let mut warnings = Vec::new();
+        for (i, party) in self.collision.parties().into_iter().enumerate() {
+            if let Some(vehicle) = party.vehicle() {
+                let radius = vehicle.radius_of_gyration();
+                // Cars to trucks have 0.9 to 2.5 m.
+                if !(0.5..=5.0).contains(&radius) {
+                    let path = format!("vehicle.{}", i + 1);
+                    let message = Message::from(format!("{path}: a radius of gyration of "))
+                        .figure(Measure::Length, radius)
+                        .text(" is unusual; check mass and yaw inertia");
+                    warnings.push(Notice::warning("unusual-radius-of-gyration", path, message));
+                }
+            }
+        }
+        if let Some(admissible) = self.collision.admissible()
+            && self.collision.restitution > admissible.restitution_for_any_approach
+        {
+            let message = Message::from("the restitution is above ")
+                .figure(Measure::Ratio, admissible.restitution_for_any_approach)
+                .text(", beyond which some approach velocities gain energy in this contact");
+            warnings.push(Notice::warning("restitution-can-gain-energy", "contact.restitution", message));
+        }
+        if impact.work.t > 0.0 && impact.work.t > 1e-9 * impact.loss() {
+            let message = "the tangential impulse returns energy: W_t is positive";
+            warnings.push(Notice::warning("tangential-work-positive", "contact", message));
+        }
+        warnings
+    }
+
+    /// Returns the refusals of the library as issues of the input or of the physics, each at its place in the file.
+    pub fn refuse(&self, refusals: &Refusals) -> Issues {
+        let cause = if refusals.iter().all(Refusal::is_physical) { Cause::Physics } else { Cause::Input };
+        self.document.refuse_at(cause, refusals.iter().map(crate::wording::refusal))
+    }
+
+    /// Returns the issues that keep a verb from using the file, each at its place in it.
+    pub fn unfit(&self, issues: impl IntoIterator<Item = Issue>) -> Issues {
+        self.document.refuse_at(Cause::Input, issues)
+    }
+
+    /// The same where the physics refuses what is asked.
+    pub fn refuse_physics(&self, issues: impl IntoIterator<Item = Issue>) -> Issues {
+        self.document.refuse_at(Cause::Physics, issues)
+    }
+}

@@ -1,0 +1,139 @@
+//! Evidence and unknowns of a case file.
+
+use planar_impact::reconstruct::{Measurand, Uncertainty, Variable};
+use planar_impact::{Input, Output, Side, Xy};
+
+use super::parameter::Parameter;
+
+/// Evidence and unknowns of a case file, in SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Knowledge {
+    /// The evidence, in the order of the file.
+    pub evidence: Vec<Known>,
+    /// The unknowns, in the order of the file.
+    pub unknowns: Vec<RequestedUnknown>,
+    /// Keys left out of the vehicles and the contact because they are unknown.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// A piece of evidence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// The measured quantity.
+    pub of: Measurand,
+    /// Its path in the file, such as `evidence.vehicle.1.separation_velocity.1`.
+    pub key: String,
+    /// Its value.
+    pub value: f64,
+    /// Its uncertainty.
+    pub uncertainty: Uncertainty,
+}
+
+/// An unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RequestedUnknown {
+    /// The quantity.
+    pub of: Variable,
+    /// Its path in the file.
+    pub key: String,
+    /// Starting value of the search, if the file gives one.
+    pub start: Option<f64>,
+    /// Lower bound.
+    pub min: Option<f64>,
+    /// Upper bound.
+    pub max: Option<f64>,
+    /// Prior standard deviation of the start.
+    pub prior: Option<f64>,
+    /// The parameter that names it in the file; the impulse ratio has several.
+    pub called: Option<Parameter>,
+}
+
+/// A key left out of the file because it is unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftOut {
+    /// The quantity left out.
+    pub of: Variable,
+    /// Path of the entry that declares it unknown.
+    pub key: String,
+}
+
+impl Known {
+    /// Returns the input variable that this evidence measures, if it measures one.
+    pub fn variable(&self) -> Option<Variable> {
+        match self.of {
+            Measurand::Variable(variable) => Some(variable),
+            _ => None,
+        }
+    }
+}
+
+impl Knowledge {
+    /// Returns the evidence of a measurand.
+    pub fn of(&self, of: Measurand) -> Option<&Known> {
+        self.evidence.iter().find(|known| known.of == of)
+    }
+
+    /// Returns `true` if the file requests this variable as an unknown.
+    pub fn seeks(&self, variable: Variable) -> bool {
+        self.unknowns.iter().any(|requested| requested.of == variable)
+    }
+
+    /// Returns the separation velocity of each vehicle, or `None` if the evidence lacks a component.
+    pub fn separation(&self) -> [Option<Xy>; 2] {
+        [Side::One, Side::Two].map(|side| {
+            let component = |output| self.of(Measurand::Output(output)).map(|known| known.value);
+            Some(Xy { x: component(Output::VelocityX(side))?, y: component(Output::VelocityY(side))? })
+        })
+    }
+}
+
+/// Returns the case-file parameter of an unknown, or `None` if only `reconstruct` has it.
+pub fn parameter_of(variable: Variable) -> Option<Parameter> {
+    match variable {
+        Variable::Input(input) => Some(Parameter::Input(input)),
+        Variable::Speed(side) => Some(Parameter::Speed(side)),
+        Variable::CrushShare => None,
+    }
+}
+
+/// Returns every name that evidence may have, to suggest the nearest one for a misspelled name.
+pub fn names_of_evidence() -> impl Iterator<Item = String> {
+    Measurand::all().map(|of| of.name().to_owned()).chain(PAIRS.into_iter().flat_map(|pair| [1, 2].map(|i| format!("vehicle.{i}.{pair}"))))
+}
+
+/// Quantities given as an array of two, in ground axes or in vehicle axes.
+const PAIRS: [&str; 4] = ["separation_velocity", "delta_v", "velocity", "impact_center"];
+
+/// Returns every name that an unknown may have.
+pub fn names_of_unknowns() -> impl Iterator<Item = &'static str> {
+    let inputs = Input::ALL.into_iter().map(Variable::Input);
+    inputs.chain([Variable::Speed(Side::One), Variable::Speed(Side::Two), Variable::CrushShare]).map(Variable::name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_piece_of_evidence_can_be_written_in_its_unit() {
+        for of in Measurand::all() {
+            assert_eq!(Measurand::named(of.name()), Some(of), "{}", of.name());
+            let measure = of.measure();
+            for units in [crate::units::Units::Us, crate::units::Units::Si] {
+                let text = format!("1 {}", units.unit(measure));
+                assert!(crate::quantity::parse(&text, measure.into()).is_ok(), "{}: {text}", of.name());
+            }
+        }
+    }
+
+    #[test]
+    fn every_unknown_is_called_by_its_name() {
+        for name in names_of_unknowns() {
+            assert_eq!(Variable::named(name).map(Variable::name), Some(name));
+        }
+        for pair in names_of_evidence().filter(|name| Measurand::named(name).is_none()) {
+            let is_half = |end: &str| Measurand::named(&format!("{pair}.{end}")).is_some();
+            assert!(is_half("x") && is_half("y") || is_half("forward") && is_half("left"), "{pair}");
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! Reads a case file key by key.
+
+mod contact;
+mod crush;
+mod evidence;
+mod implied;
+mod measured;
+mod rest;
+mod unknown;
+
+use std::cell::{Cell, RefCell};
+
+use planar_impact::reconstruct::Variable;
+use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
+
+use self::implied::ImpliedValues;
+use super::inputs::Inputs;
+use super::knowledge::Knowledge;
+use super::rest::RestInputs;
+use super::vehicle::{Inertia, VehicleInputs, Velocity};
+use crate::document::{Field, Table};
+use crate::notice::Notice;
+use crate::quantity::{Kind, Quantity};
+use crate::units::Units;
+use crate::wording::{barrier_instead, percent_meant};
+
+/// Contents of a case file.
+pub(super) struct Read {
+    pub(super) title: String,
+    pub(super) names: [String; 2],
+    pub(super) inputs: Inputs,
+    pub(super) bracket: Option<CrushPlaneBracket>,
+    pub(super) knowledge: Knowledge,
+    pub(super) rest: Option<RestInputs>,
+}
+
+/// Reads the keys of a case file, collecting notices and counting the units used.
+#[derive(Default)]
+pub(crate) struct CaseReader {
+    pub(crate) notices: RefCell<Vec<Notice>>,
+    us: Cell<usize>,
+    si: Cell<usize>,
+}
+
+impl CaseReader {
+    /// Returns the system of units that most quantities use.
+    pub(crate) fn units(&self) -> Units {
+        if self.us.get() > self.si.get() { Units::Us } else { Units::Si }
+    }
+
+    /// Returns the value in SI and records its unit.
+    fn take(&self, path: &str, quantity: Quantity) -> f64 {
+        let Quantity { si, unit, bare, .. } = quantity;
+        if bare && !unit.is_empty() {
+            self.notices.borrow_mut().push(Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")));
+        }
+        match Units::of(&unit) {
+            Some(Units::Us) => self.us.update(|count| count + 1),
+            Some(Units::Si) => self.si.update(|count| count + 1),
+            None => (),
+        }
+        si
+    }
+
+    pub(crate) fn quantity(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let path = field.path().to_owned();
+        field.quantity(kind).map(|quantity| self.take(&path, quantity))
+    }
+
+    /// Reads a quantity that must be above zero. The library checks this too; checking here reports it together with
+    /// all other issues in the file.
+    pub(crate) fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, kind)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        place.report(format!("it is {value} {}; it must be above zero", kind.si), barrier_instead(place.path()));
+        None
+    }
+
+    /// Reads a quantity that must not be negative.
+    pub(crate) fn not_negative(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, kind)?;
+        if value >= 0.0 {
+            return Some(value);
+        }
+        place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        None
+    }
+
+    /// Reads a pure number between 0 and `greatest`.
+    pub(crate) fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, Kind::PURE)?;
+        if (0.0..=greatest).contains(&value) {
+            return Some(value);
+        }
+        let range = if greatest.is_finite() { format!("from 0 to {greatest}") } else { "at least 0".to_owned() };
+        place.report(format!("it is {value}; it must be {range}"), percent_meant(value));
+        None
+    }
+
+    fn pair(&self, field: Field<'_>, kind: Kind) -> Option<[f64; 2]> {
+        let path = field.path().to_owned();
+        let [a, b] = field.pair(kind)?;
+        Some([self.take(&format!("{path}.1"), a), self.take(&format!("{path}.2"), b)])
+    }
+
+    /// Reads the whole case from the root of the file.
+    pub(super) fn case(&self, root: &Table<'_>) -> Option<Read> {
+        let schema = root.required("schema").integer(1..=1);
+        let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let evidence = self.part(root, "evidence", CaseReader::evidence);
+        let unknowns = self.part(root, "unknown", CaseReader::unknowns);
+        // If evidence or unknowns are invalid, a key that they may replace is not reported missing.
+        let whole = evidence.is_some() && unknowns.is_some();
+        let (evidence, unknowns) = (evidence.unwrap_or_default(), unknowns.unwrap_or_default());
+        // Keep notices in file order: these usually come last.
+        let notices = self.notices.take();
+        let implied = ImpliedValues::of(&evidence, &unknowns, whole);
+        let vehicles = self.vehicles(root, &implied);
+        let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &implied));
+        self.notices.borrow_mut().extend(notices);
+        let rest = root.has("rest").then(|| {
+            let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
+            self.rest(root, vehicles)
+        });
+        schema?;
+        let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
+        let evidence = self.settle(&evidence, [&one, &two]);
+        let inputs = Inputs { vehicles: [one, two], contact };
+        let agrees = implied.agree_with(&inputs);
+        let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
+        let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: implied.left_out() };
+        let rest = match rest {
+            Some(rest) => Some(rest?),
+            None => None,
+        };
+        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge, rest })
+    }
+
+    /// Reads an optional table as a list.
+    fn part<'a, T>(&self, root: &Table<'a>, key: &'static str, read: impl Fn(&Self, &Table<'a>) -> Option<Vec<T>>) -> Option<Vec<T>> {
+        if root.has(key) { root.optional(key).table().and_then(|table| read(self, &table)) } else { Some(Vec::new()) }
+    }
+
+    fn vehicles(&self, root: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {
+        let field = root.required("vehicle");
+        let place = root.optional("vehicle");
+        let tables = field.array_of_tables()?;
+        if tables.len() != 2 {
+            let plural = if tables.len() == 1 { "" } else { "s" };
+            place.report(
+                format!("expected exactly two vehicles; found {} table{plural}", tables.len()),
+                Some("a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned()),
+            );
+        }
+        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1, implied)).collect();
+        let both: Option<Vec<_>> = read.into_iter().collect();
+        both?.try_into().ok()
+    }
+
+    fn party(&self, table: &Table<'_>, number: usize, implied: &ImpliedValues<'_>) -> Option<(String, Option<VehicleInputs>)> {
+        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        if table.has("barrier") {
+            // If `barrier` is neither true nor false, the other keys cannot be judged.
+            if table.optional("barrier").boolean()? {
+                table.finish_because("a barrier has nothing but a name");
+                return Some((name, None));
+            }
+        }
+        let side = if number == 2 { Side::Two } else { Side::One };
+        let vehicle = self.vehicle(table, side, implied);
+        table.finish();
+        vehicle.map(|vehicle| (name, Some(vehicle)))
+    }
+
+    fn vehicle(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<VehicleInputs> {
+        let or = |key, input: fn(Side) -> Input, read: &dyn Fn(Field<'_>) -> Option<f64>| match implied.of_key(table, key, input(side)) {
+            Some(value) => value,
+            None => read(table.required(key)),
+        };
+        let mass = or("mass", Input::Mass, &|field| self.positive(field, Kind::MASS));
+        let heading = or("heading", Input::Heading, &|field| self.quantity(field, Kind::ANGLE));
+        let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| Variable::Input(input(side)));
+        let impact_center = match implied.of_pair(table, "impact_center", center) {
+            Some(pair) => pair,
+            None => self.pair(table.required("impact_center"), Kind::LENGTH),
+        };
+        let yaw_rate = match implied.of_optional(table, "yaw_rate", Input::YawRate(side), 0.0) {
+            Some(value) => Some(value),
+            None => self.quantity(table.required("yaw_rate"), Kind::YAW_RATE),
+        };
+        let inertia = self.inertia(table, side, implied);
+        let velocity = self.velocity(table, side, implied);
+        let crush = table.has("crush").then(|| self.crush(table.optional("crush")));
+        let [forward, left] = impact_center?;
+        Some(VehicleInputs {
+            mass: mass?,
+            inertia: inertia?,
+            heading: heading?,
+            velocity: velocity?,
+            yaw_rate: yaw_rate?,
+            impact_center: ForwardLeft { forward, left },
+            crush: match crush {
+                Some(crush) => Some(crush?),
+                None => None,
+            },
+        })
+    }
+
+    fn inertia(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<Inertia> {
+        if !table.has("radius_of_gyration")
+            && let Some(value) = implied.of_key(table, "yaw_inertia", Input::YawInertia(side))
+        {
+            return value.map(Inertia::Yaw);
+        }
+        match one_of(table, "yaw_inertia", "radius_of_gyration")? {
+            "yaw_inertia" => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA).map(Inertia::Yaw),
+            // The square would lose the sign.
+            _ => self.positive(table.required("radius_of_gyration"), Kind::LENGTH).map(Inertia::Radius),
+        }
+    }
+
+    fn velocity(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<Velocity> {
+        if !table.has("speed") && !table.has("velocity") {
+            if let Some(speed) = implied.of_key(table, "speed", Variable::Speed(side)) {
+                return speed.map(Velocity::Speed);
+            }
+            let components = [Input::VelocityX(side), Input::VelocityY(side)].map(Variable::Input);
+            if let Some(pair) = implied.of_pair(table, "velocity", components) {
+                return pair.map(|[x, y]| Velocity::Components(Xy { x, y }));
+            }
+        }
+        match one_of(table, "speed", "velocity")? {
+            "speed" => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
+            _ => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
+        }
+    }
+}
+
+/// Returns which of two keys the table has; it must have exactly one.
+fn one_of(table: &Table<'_>, first: &'static str, second: &'static str) -> Option<&'static str> {
+    match (table.has(first), table.has(second)) {
+        (true, true) => {
+            table.optional(second).report(format!("`{first}` and `{second}` exclude each other"), Some("give one of them".to_owned()));
+            Some(first)
+        }
+        (_, true) => Some(second),
+        (true, _) => Some(first),
+        (false, false) => {
+            table.issue(format!("missing `{first}` or `{second}`"), None);
+            None
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The keys of the contact.
+
+use planar_impact::{CrushPlaneBracket, ImpulseRatio, Input, Law, Moment, SurfaceIssue};
+
+use super::implied::ImpliedValues;
+use super::{CaseReader, one_of};
+use crate::case::inputs::ContactInputs;
+use crate::case::parameter::Parameter;
+use crate::document::{Field, Table, Value};
+use crate::quantity::Kind;
+use crate::units::trim;
+use crate::units::{Measure, Units};
+
+impl CaseReader {
+    /// Reads the contact, and the crush-plane bracket if the plane is derived from two surfaces.
+    pub(super) fn contact(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+        let crush_plane = self.crush_plane(table, implied);
+        let restitution = match implied.of_key(table, "restitution", Input::Restitution) {
+            Some(value) => value,
+            None => self.coefficient(table.required("restitution"), 1.0),
+        };
+        let impulse_ratio = self.impulse_ratio(table, implied);
+        let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
+            Some("kudlich-slibar") => Law::KudlichSlibar,
+            _ => Law::Brach,
+        };
+        let moment = self.moment(table, implied);
+        table.finish();
+        let (crush_plane, bracket) = crush_plane?;
+        let contact = ContactInputs { crush_plane, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? };
+        Some((contact, bracket))
+    }
+
+    /// Reads the angle of the crush plane, and its bracket if the angle is derived from the surfaces in contact.
+    fn crush_plane(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<(f64, Option<CrushPlaneBracket>)> {
+        if !table.has("surfaces")
+            && let Some(value) = implied.of_key(table, "crush_plane", Input::CrushPlane)
+        {
+            return value.map(|angle| (angle, None));
+        }
+        if one_of(table, "crush_plane", "surfaces")? == "crush_plane" {
+            return self.quantity(table.required("crush_plane"), Kind::ANGLE).map(|angle| (angle, None));
+        }
+        let field = table.required("surfaces");
+        let place = field.clone();
+        let [one, two] = self.pair(field, Kind::ANGLE)?;
+        match CrushPlaneBracket::of_surfaces(one, two) {
+            Ok(bracket) => Some((bracket.nominal, Some(bracket))),
+            Err(issues) => {
+                let degrees = |angle: f64| trim(Units::Si.convert(Measure::Angle, angle));
+                for issue in issues {
+                    match issue {
+                        SurfaceIssue::Perpendicular { one, other } => {
+                            let help = format!("give crush_plane = \"{} deg\" or crush_plane = \"{} deg\"", degrees(one), degrees(other));
+                            place.report("the surfaces stand at a right angle, and two planes are half way between them", Some(help));
+                        }
+                        issue => place.report(issue.to_string(), None),
+                    }
+                }
+                None
+            }
+        }
+    }
+
+    fn impulse_ratio(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<ImpulseRatio> {
+        if !table.has("friction")
+            && let Some(value) = implied.of_key(table, "impulse_ratio", Input::ImpulseRatio)
+        {
+            return value.map(|value| match implied.called(Input::ImpulseRatio) {
+                Some(Parameter::RatioOfCritical) => ImpulseRatio::OfCritical(value),
+                Some(Parameter::Friction) => ImpulseRatio::LimitedByFriction(value),
+                _ => ImpulseRatio::Given(value),
+            });
+        }
+        if table.has("friction") {
+            if table.has("impulse_ratio") {
+                let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
+                table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
+            }
+            let friction = self.coefficient(table.required("friction"), f64::INFINITY);
+            return friction.map(ImpulseRatio::LimitedByFriction);
+        }
+        let field = table.optional("impulse_ratio");
+        match field.value() {
+            None => Some(ImpulseRatio::Critical),
+            Some(Value::Table(_)) => self.of_critical(field).map(ImpulseRatio::OfCritical),
+            Some(Value::Number(_)) => self.quantity(field, Kind::PURE).map(ImpulseRatio::Given),
+            Some(Value::String(text)) if text == "critical" => Some(ImpulseRatio::Critical),
+            Some(_) => {
+                field.report("expected \"critical\", a number, or { of_critical = 0.975 }", None);
+                None
+            }
+        }
+    }
+
+    fn moment(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<Moment> {
+        if let Some(value) = implied.of_key(table, "moment", Input::Moment) {
+            return value.map(|value| match implied.called(Input::Moment) {
+                Some(Parameter::MomentOfCritical) => Moment::OfCritical(value),
+                _ => Moment::Given(value),
+            });
+        }
+        let field = table.optional("moment");
+        match field.value() {
+            None => Some(Moment::None),
+            Some(Value::Table(_)) => self.of_critical(field).map(Moment::OfCritical),
+            Some(_) => self.quantity(field, Kind::MOMENT_IMPULSE).map(Moment::Given),
+        }
+    }
+
+    fn of_critical(&self, field: Field<'_>) -> Option<f64> {
+        let table = field.table()?;
+        let fraction = self.quantity(table.required("of_critical"), Kind::PURE);
+        table.finish();
+        fraction
+    }
+}

@@ -1,0 +1,237 @@
+//! The keys of a crush.
+
+use planar_impact::crash3::Surface;
+use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, MeasuringLine, ProfileError};
+
+use super::{CaseReader, one_of};
+use crate::case::crush::{CrushInputs, Places, ProfileInputs, sentence};
+use crate::document::{Field, Table, Value};
+use crate::notice::Notice;
+use crate::quantity::Kind;
+
+/// A greater depth deserves a warning: the front of a car is about a meter long.
+const DEEP: f64 = 2.0;
+/// A greater width deserves a warning: the side of a bus is twelve meters long.
+const WIDE: f64 = 15.0;
+const NARROW: f64 = 0.01;
+/// Maximum number of zones: measured stiffnesses have few zones, and each zone is evaluated for every depth.
+const MOST_ZONES: usize = 32;
+
+impl CaseReader {
+    pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
+        let crush = field.table()?;
+        let profile = self.profile(&crush);
+        let stiffness = self.zones(crush.required("stiffness"));
+        let surface = match crush.optional("surface").choice(&["front", "right", "rear", "left"]) {
+            Some("front") => Some(Surface::Front),
+            Some("right") => Some(Surface::Right),
+            Some("rear") => Some(Surface::Rear),
+            Some(_) => Some(Surface::Left),
+            None => None,
+        };
+        let pdof = crush.has("pdof").then(|| self.quantity(crush.optional("pdof"), Kind::ANGLE));
+        crush.finish();
+        let (profile, Zones { stiffness, borders, saturation }) = (profile?, stiffness?);
+        let pdof = match pdof {
+            Some(pdof) => Some(pdof?),
+            None => None,
+        };
+        let inputs = CrushInputs { profile, stiffness, borders, saturation, surface, pdof };
+        self.note_unusual(&crush, &inputs);
+        Some(inputs)
+    }
+
+    /// Reads the depths, their positions and the measuring line; reports an issue if no crush can have this profile.
+    pub(crate) fn profile(&self, crush: &Table<'_>) -> Option<ProfileInputs> {
+        let places = if crush.has("stations") {
+            // Reports an issue if both are given.
+            one_of(crush, "width", "stations");
+            self.stations(crush).map(Places::Stations)
+        } else {
+            self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width)
+        };
+        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
+        let depths = self.lengths(crush.required("depths"), line.is_none());
+        let line = match line {
+            Some(line) => Some(line?),
+            None => None,
+        };
+        let (places, depths) = (places?, depths?);
+        if let Places::Stations(stations) = &places
+            && stations.len() != depths.len()
+        {
+            crush.optional("stations").report(format!("{} stations for {} depths", stations.len(), depths.len()), None);
+            return None;
+        }
+        let profile = ProfileInputs { places, depths, line };
+        self.check_profile(crush, &profile).then_some(profile)
+    }
+
+    /// Returns `true` if a crush can have the measured profile; reports the issues otherwise.
+    fn check_profile(&self, table: &Table<'_>, inputs: &ProfileInputs) -> bool {
+        match inputs.on_scalar(|_| 0.0).checked() {
+            Ok(_) => true,
+            Err(errors) => {
+                // Issues without a measuring line were reported at their own keys.
+                let depths = table.optional("depths").items("", 0..=usize::MAX).unwrap_or_default();
+                for error in errors {
+                    let place = match error {
+                        ProfileError::Input(ref issue) if issue.at.name == "depths" => {
+                            issue.at.index.and_then(|index| depths.get(index)).cloned()
+                        }
+                        _ => None,
+                    };
+                    let help = "the readings less the offset, along the angle, as `measured` has it";
+                    place.unwrap_or_else(|| table.optional("measured")).report(sentence(&error), Some(help.to_owned()));
+                }
+                false
+            }
+        }
+    }
+
+    fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
+        let profile = inputs.on_scalar(|_| 0.0).profile;
+        let path = table.path();
+        let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
+        if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
+            if deepest > DEEP {
+                warn(
+                    "unusual-depth",
+                    format!("{path}.depths"),
+                    format!("{path}.depths: {deepest} m is deeper than the structure of a car; check the unit"),
+                );
+            }
+            let width = profile.width();
+            if !(NARROW..=WIDE).contains(&width) {
+                warn("unusual-width", path.to_owned(), format!("{path}: a width of {width:.3e} m is not that of a crush; check the unit"));
+            }
+            if deepest == 0.0 {
+                warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
+            }
+        }
+        let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
+        for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {
+            let at = format!("{path}.stiffness.{}.to", i + 1);
+            let message = format!("{at} = {border} m lies outside the crush, which is from {first} m to {last} m");
+            warn("zone-outside-crush", at, message);
+        }
+    }
+
+    fn lengths(&self, field: Field<'_>, not_negative: bool) -> Option<Vec<f64>> {
+        let items = field.items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX)?;
+        let length = |item| if not_negative { self.not_negative(item, Kind::LENGTH) } else { self.quantity(item, Kind::LENGTH) };
+        items.into_iter().map(length).collect::<Vec<_>>().into_iter().collect()
+    }
+
+    fn stations(&self, crush: &Table<'_>) -> Option<Vec<f64>> {
+        let stations = self.lengths(crush.required("stations"), false)?;
+        let items = crush.required("stations").items("", 2..=usize::MAX)?;
+        let mut increase = true;
+        for (i, item) in items.into_iter().enumerate().skip(1).filter(|(i, _)| stations[*i] <= stations[*i - 1]) {
+            increase = false;
+            item.report(format!("it is at {} m, not beyond the station before, at {} m", stations[i], stations[i - 1]), None);
+        }
+        increase.then_some(stations)
+    }
+
+    fn measuring_line(&self, field: Field<'_>) -> Option<MeasuringLine> {
+        let table = field.table()?;
+        let offset = table.has("offset").then(|| self.quantity(table.optional("offset"), Kind::LENGTH));
+        let angle = table.has("angle").then(|| self.quantity(table.optional("angle"), Kind::ANGLE));
+        table.finish();
+        if offset.is_none() && angle.is_none() {
+            table.issue("missing `offset` or `angle`", None);
+            return None;
+        }
+        let (offset, angle) = (offset.unwrap_or(Some(0.0))?, angle.unwrap_or(Some(0.0))?);
+        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+            table.optional("angle").report("readings along the surface measure no depth", Some("0 deg is straight in".to_owned()));
+            return None;
+        }
+        Some(MeasuringLine { offset, angle })
+    }
+
+    /// Reads one stiffness, or one for each zone.
+    fn zones(&self, field: Field<'_>) -> Option<Zones> {
+        if !matches!(field.value(), Some(Value::Array(_))) {
+            let table = field.table()?;
+            let saturation = table.has("saturation").then(|| self.not_negative(table.optional("saturation"), Kind::LENGTH));
+            let stiffness = self.stiffness(&table);
+            let saturation = match saturation {
+                Some(depth) => Some(depth?),
+                None => None,
+            };
+            return Some(Zones { stiffness: vec![stiffness?], borders: Vec::new(), saturation });
+        }
+        let place = field.clone();
+        let tables = field.array_of_tables()?;
+        if tables.is_empty() {
+            place.report("no zone: a stiffness, or one for each zone", None);
+            return None;
+        }
+        if tables.len() > MOST_ZONES {
+            place.report(format!("{} zones are more than the {MOST_ZONES} that are taken", tables.len()), None);
+            return None;
+        }
+        let last = tables.len() - 1;
+        let mut zones = Zones { stiffness: Vec::new(), borders: Vec::new(), saturation: None };
+        let mut whole = true;
+        for (i, table) in tables.iter().enumerate() {
+            let border = if i < last {
+                self.quantity(table.required("to"), Kind::LENGTH).map(Some)
+            } else if table.has("to") {
+                table.optional("to").report("the last zone reaches to the end of the crush", Some("leave `to` out".to_owned()));
+                None
+            } else {
+                Some(None)
+            };
+            let stiffness = self.stiffness(table);
+            let (Some(border), Some(stiffness)) = (border, stiffness) else {
+                whole = false;
+                continue;
+            };
+            if let (Some(border), Some(before)) = (border, zones.borders.last())
+                && border <= *before
+            {
+                table.optional("to").report(format!("it ends at {border} m, not beyond the zone before, at {before} m"), None);
+                whole = false;
+            }
+            zones.stiffness.push(stiffness);
+            zones.borders.extend(border);
+        }
+        whole.then_some(zones)
+    }
+
+    fn stiffness(&self, table: &Table<'_>) -> Option<CrushStiffness> {
+        let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
+        let value = |key, kind| self.not_negative(table.required(key), kind);
+        let above = |key, kind| self.positive(table.required(key), kind);
+        let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
+            let (onset, slope) = (value("d0", Kind::ROOT_FORCE), value("d1", Kind::ROOT_FORCE_PER_LENGTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness { onset, slope })
+        } else if has(&["A", "B"]) {
+            let (onset, slope) = (value("A", Kind::STIFFNESS), above("B", Kind::STIFFNESS_PER_WIDTH));
+            onset.zip(slope).map(|(onset, slope)| CrushStiffness::from(ForceLine { onset, slope }))
+        } else {
+            let (onset, slope) = (value("b0", Kind::SPEED), value("b1", Kind::SPEED_PER_LENGTH));
+            let (mass, width) = (above("test_mass", Kind::MASS), above("test_width", Kind::LENGTH));
+            let speeds = onset.zip(slope).zip(mass.zip(width));
+            speeds.map(|((onset, slope), (test_mass, test_width))| BarrierSpeedLine { onset, slope, test_mass, test_width }.into())
+        };
+        table.finish();
+        let stiffness = stiffness?;
+        if !Kind::ROOT_FORCE.domain.holds(stiffness.onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(stiffness.slope) {
+            let CrushStiffness { onset, slope } = stiffness;
+            table.issue(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
+            return None;
+        }
+        Some(stiffness)
+    }
+}
+
+/// Contents of the key `stiffness`.
+struct Zones {
+    stiffness: Vec<CrushStiffness>,
+    borders: Vec<f64>,
+    saturation: Option<f64>,
+}

@@ -1,0 +1,248 @@
+//! The keys of `[rest]`, the rest positions.
+
+use planar_impact::Xy;
+use planar_impact::post_impact::{
+    Area, Ground, MOST_FRICTION, Method, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel, Wheels,
+};
+
+use super::measured::{Amount, Measured};
+use super::{CaseReader, one_of};
+use crate::case::rest::{RestInputs, RestOfVehicle};
+use crate::case::vehicle::VehicleInputs;
+use crate::document::{Field, Table, Value};
+use crate::quantity::Kind;
+use crate::units::Measure;
+
+/// Maximum number of regions, and of corners of a region: each one is evaluated in every step.
+const MOST_REGIONS: usize = 32;
+const MOST_CORNERS: usize = 256;
+
+/// A value and its standard deviation, if the file gives one.
+struct Estimate {
+    value: f64,
+    deviation: Option<f64>,
+}
+
+/// The ground under both vehicles, and the relative uncertainty of its friction.
+struct GivenGround {
+    ground: Ground,
+    friction_deviation: f64,
+}
+
+impl CaseReader {
+    /// Reads `[rest]`. Reads it even if the vehicles are invalid, to report its own issues.
+    pub(super) fn rest(&self, root: &Table<'_>, vehicles: Option<[Option<&VehicleInputs>; 2]>) -> Option<RestInputs> {
+        let rest = root.optional("rest").table()?;
+        let ground = self.ground(&rest);
+        let tables = rest.required("vehicle").table();
+        rest.finish();
+        let tables = tables?;
+        let read = [("1", 0), ("2", 1)].map(|(number, i)| {
+            if !tables.has(number) {
+                return Some(None);
+            }
+            let field = tables.optional(number);
+            if vehicles.is_some_and(|vehicles| vehicles[i].is_none()) {
+                field.report(format!("vehicle {number} is a fixed barrier, which stays where it is"), None);
+                return None;
+            }
+            self.rest_of(&field.table()?, vehicles.and_then(|vehicles| vehicles[i]), ground.as_ref()).map(Some)
+        });
+        tables.finish();
+        if !tables.has("1") && !tables.has("2") {
+            tables.issue("no vehicle", Some("begin with [rest.vehicle.1] or [rest.vehicle.2]".to_owned()));
+            return None;
+        }
+        let [one, two] = read;
+        Some(RestInputs { vehicles: [one?, two?] })
+    }
+
+    fn ground(&self, rest: &Table<'_>) -> Option<GivenGround> {
+        let friction = self.estimate(rest.required("friction"), Measure::Ratio);
+        let friction = friction.filter(|friction| {
+            let field = rest.optional("friction");
+            let holds = friction.value > 0.0 && friction.value <= MOST_FRICTION;
+            if !holds {
+                field.report(format!("it is {}; it must be above 0 and at most {MOST_FRICTION}", friction.value), None);
+            } else if friction.deviation.is_some_and(|deviation| deviation > friction.value) {
+                field.report("its standard deviation is larger than itself", None);
+                return false;
+            }
+            holds
+        });
+        let gravity = rest.has("gravity").then(|| self.positive(rest.optional("gravity"), Kind::ACCELERATION));
+        let regions = if rest.has("regions") { self.regions(rest.optional("regions")) } else { Some(Vec::new()) };
+        let friction = friction?;
+        let mut ground = Ground { regions: regions?, ..Ground::uniform(friction.value) };
+        if let Some(gravity) = gravity {
+            ground.gravity = gravity?;
+        }
+        Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })
+    }
+
+    fn regions(&self, field: Field<'_>) -> Option<Vec<Region>> {
+        let place = field.clone();
+        let tables = field.array_of_tables()?;
+        if tables.len() > MOST_REGIONS {
+            place.report(format!("{} regions are more than the {MOST_REGIONS} that are taken", tables.len()), None);
+            return None;
+        }
+        let read: Vec<Option<Region>> = tables.iter().map(|table| self.region(table)).collect();
+        read.into_iter().collect()
+    }
+
+    fn region(&self, table: &Table<'_>) -> Option<Region> {
+        let friction = self.coefficient(table.required("friction"), MOST_FRICTION);
+        let area = match one_of(table, "polygon", "half_plane") {
+            Some("polygon") => self.polygon(table.required("polygon")),
+            Some(_) => self.half_plane(table.required("half_plane")),
+            None => None,
+        };
+        table.finish();
+        Some(Region { friction: friction?, area: area? })
+    }
+
+    fn polygon(&self, field: Field<'_>) -> Option<Area> {
+        let place = field.clone();
+        let items = field.items("an array of 3 to 256 corners, each such as [\"10 m\", \"-5 m\"]", 3..=MOST_CORNERS)?;
+        let corners: Vec<Option<Xy>> = items.into_iter().map(|corner| self.pair(corner, Kind::LENGTH).map(|[x, y]| Xy { x, y })).collect();
+        let area = Area::Polygon(corners.into_iter().collect::<Option<_>>()?);
+        if !area.has_inside() {
+            place.report("all its corners lie on a line", None);
+            return None;
+        }
+        Some(area)
+    }
+
+    fn half_plane(&self, field: Field<'_>) -> Option<Area> {
+        let table = field.table()?;
+        let from = self.pair(table.required("from"), Kind::LENGTH);
+        let toward = self.quantity(table.required("toward"), Kind::ANGLE);
+        table.finish();
+        let ([x, y], toward) = (from?, toward?);
+        Some(Area::HalfPlane { from: Xy { x, y }, toward: Xy { x: toward.cos(), y: toward.sin() } })
+    }
+
+    fn rest_of(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>, ground: Option<&GivenGround>) -> Option<RestOfVehicle> {
+        let separation = self.separation_pose(table, inputs);
+        let position = self.position_at_rest(table.required("position"));
+        let heading = self.uncertain(table.required("heading"), Measure::Angle, "135 deg ± 5 deg");
+        let vehicle = self.sliding_vehicle(table, inputs);
+        let method = match table.optional("method").choice(&["slide", "closed-form"]) {
+            Some("closed-form") => Method::ClosedForm,
+            _ => Method::Slide,
+        };
+        table.finish();
+        let ([(x, x_deviation), (y, y_deviation)], (heading, heading_deviation)) = (position?, heading?);
+        let GivenGround { ground, friction_deviation } = ground?;
+        let evidence = RestEvidence {
+            separation: separation?,
+            rest: Pose { position: Xy { x, y }, heading },
+            position_deviation: Xy { x: x_deviation, y: y_deviation },
+            heading_deviation,
+            friction_deviation: *friction_deviation,
+        };
+        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, evidence, method })
+    }
+
+    /// Reads the separation pose; the default is the origin with the heading of the case.
+    fn separation_pose(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<Pose> {
+        let mut pose = Pose { position: Xy::zero(), heading: inputs.map_or(0.0, |inputs| inputs.heading) };
+        if !table.has("separation") {
+            return Some(pose);
+        }
+        let separation = table.optional("separation").table()?;
+        let position = separation.has("position").then(|| self.pair(separation.optional("position"), Kind::LENGTH));
+        let heading = separation.has("heading").then(|| self.quantity(separation.optional("heading"), Kind::ANGLE));
+        separation.finish();
+        if let Some(position) = position {
+            let [x, y] = position?;
+            pose.position = Xy { x, y };
+        }
+        if let Some(heading) = heading {
+            pose.heading = heading?;
+        }
+        Some(pose)
+    }
+
+    fn position_at_rest(&self, field: Field<'_>) -> Option<[(f64, f64); 2]> {
+        let items = field.items("an array of two values, each a length with its deviation, such as \"12.3 m ± 0.3 m\"", 2..=2)?;
+        let read: Vec<_> = items.into_iter().map(|item| self.uncertain(item, Measure::Length, "12.3 m ± 0.3 m")).collect();
+        read.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
+    }
+
+    fn sliding_vehicle(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<SlidingVehicle> {
+        let length = |key| self.positive(table.required(key), Kind::LENGTH);
+        let (front_axle, rear_axle, track) = (length("front_axle"), length("rear_axle"), length("track"));
+        let steer = if table.has("steer") { self.quantity(table.optional("steer"), Kind::ANGLE) } else { Some(0.0) };
+        let wheels = self.wheels(table, steer.unwrap_or(0.0));
+        let rolling_resistance =
+            table.has("rolling_resistance").then(|| self.coefficient(table.optional("rolling_resistance"), MOST_FRICTION));
+        let slip_angle = table.has("slip_angle").then(|| self.positive(table.optional("slip_angle"), Kind::ANGLE));
+        steer?;
+        let mut tires = Tires::ORDINARY;
+        if let Some(resistance) = rolling_resistance {
+            tires.rolling_resistance = resistance?;
+        }
+        if let Some(angle) = slip_angle {
+            tires.slip_angle = angle?.tan();
+        }
+        let (mass, yaw_inertia) = (inputs?.mass, inputs?.yaw_inertia());
+        Some(SlidingVehicle { mass, yaw_inertia, front_axle: front_axle?, rear_axle: rear_axle?, track: track?, wheels: wheels?, tires })
+    }
+
+    /// Reads the wheels, all of which are required, because none can be assumed to roll freely after a collision. The
+    /// front wheels take the steering angle.
+    fn wheels(&self, table: &Table<'_>, steer: f64) -> Option<Wheels<Wheel>> {
+        let wheels = table.required("wheels").table()?;
+        let front_left = self.wheel(wheels.required("front_left"), steer);
+        let front_right = self.wheel(wheels.required("front_right"), steer);
+        let rear_left = self.wheel(wheels.required("rear_left"), 0.0);
+        let rear_right = self.wheel(wheels.required("rear_right"), 0.0);
+        wheels.finish();
+        Some(Wheels { front_left: front_left?, front_right: front_right?, rear_left: rear_left?, rear_right: rear_right? })
+    }
+
+    fn wheel(&self, field: Field<'_>, steer: f64) -> Option<Wheel> {
+        if !matches!(field.value(), Some(Value::Table(_))) {
+            let restraint = match field.choice(&["locked", "rolling"])? {
+                "locked" => Restraint::Locked,
+                _ => Restraint::Rolling,
+            };
+            return Some(Wheel { restraint, steer });
+        }
+        let table = field.table()?;
+        let restraint = match one_of(&table, "braking", "state") {
+            Some("braking") => self.coefficient(table.required("braking"), 1.0).map(Restraint::Braked),
+            Some(_) => match table.required("state").choice(&["locked", "rolling"]) {
+                Some("locked") => Some(Restraint::Locked),
+                Some(_) => Some(Restraint::Rolling),
+                None => None,
+            },
+            None => None,
+        };
+        let own = if table.has("steer") { self.quantity(table.optional("steer"), Kind::ANGLE) } else { Some(steer) };
+        table.finish();
+        Some(Wheel { restraint: restraint?, steer: own? })
+    }
+
+    /// Reads a value whose standard deviation is required.
+    fn uncertain(&self, field: Field<'_>, measure: Measure, example: &str) -> Option<(f64, f64)> {
+        let place = field.clone();
+        let Estimate { value, deviation } = self.estimate(field, measure)?;
+        match deviation {
+            Some(deviation) => Some((value, deviation)),
+            None => {
+                place.report("it has no standard deviation", Some(format!("write how well it is known, as \"{example}\"")));
+                None
+            }
+        }
+    }
+
+    /// Reads a value and its standard deviation, if the file gives one.
+    fn estimate(&self, field: Field<'_>, measure: Measure) -> Option<Estimate> {
+        let Measured { amount, spread } = self.measured(field, measure)?;
+        let Amount::Number(value) = amount else { return None };
+        Some(Estimate { value, deviation: spread.of(value).standard_deviation() })
+    }
+}

@@ -1,0 +1,115 @@
+//! The keys of `[unknown]`.
+
+use planar_impact::Input;
+use planar_impact::reconstruct::{Measurand, Variable};
+
+use super::CaseReader;
+use super::measured::{Amount, Spread, is_folder};
+use crate::case::knowledge::{RequestedUnknown, names_of_unknowns};
+use crate::case::parameter::Parameter;
+use crate::document::{Field, Table, Value};
+use crate::quantity::Kind;
+use crate::quantity::nearest;
+
+/// An unknown and the place of its table, for issues found later.
+pub(super) struct Asked<'a> {
+    pub(super) requested: RequestedUnknown,
+    pub(super) place: Field<'a>,
+}
+
+impl CaseReader {
+    /// Reads every unknown in the table, by dotted name or symbol.
+    pub(super) fn unknowns<'a>(&self, table: &Table<'a>) -> Option<Vec<Asked<'a>>> {
+        let mut found = Vec::new();
+        let sound = self.walk_unknowns(table, "", &mut found);
+        sound.then_some(found)
+    }
+
+    fn walk_unknowns<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Asked<'a>>) -> bool {
+        let mut sound = true;
+        for (key, field) in table.fields() {
+            let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
+            let read = match named(&name) {
+                Some((of, called)) if !is_of_ratio(&field) => self.requested(of, called, field).map(|asked| found.push(asked)),
+                _ if is_folder(&field, &["start", "min", "max", "sd"]) => {
+                    field.table().filter(|table| self.walk_unknowns(table, &name, found)).map(|_| ())
+                }
+                _ => {
+                    let (message, help) = unknown_name(&name);
+                    field.report(message, help);
+                    None
+                }
+            };
+            sound &= read.is_some();
+        }
+        sound
+    }
+
+    fn requested<'a>(&self, of: Variable, called: Option<Parameter>, field: Field<'a>) -> Option<Asked<'a>> {
+        let (place, key) = (field.clone(), field.path().to_owned());
+        let measure = of.measure();
+        let kind = Kind::from(measure);
+        let bare = RequestedUnknown { of, key, start: None, min: None, max: None, prior: None, called };
+        if !matches!(field.value(), Some(Value::Table(_))) {
+            let measured = self.measured(field, measure)?;
+            let Amount::Number(value) = measured.amount else { return None };
+            let prior = if let Spread::StandardDeviation(sd) = measured.spread { Some(sd) } else { None };
+            return Some(Asked { requested: RequestedUnknown { start: Some(value), prior, ..bare }, place });
+        }
+        let table = field.table()?;
+        let number = |key| table.has(key).then(|| self.quantity(table.optional(key), kind));
+        let (start, min, max) = (number("start"), number("min"), number("max"));
+        let prior = table.has("sd").then(|| self.not_negative(table.optional("sd"), kind.difference()));
+        table.finish();
+        let all = |value: Option<Option<f64>>| value.map_or(Some(None), |value| value.map(Some));
+        let requested = RequestedUnknown { start: all(start)?, min: all(min)?, max: all(max)?, prior: all(prior)?, ..bare };
+        Some(Asked { requested, place })
+    }
+}
+
+/// Returns the unknown with this name; the impulse ratio and the moment impulse may also be named as the contact gives them.
+fn named(name: &str) -> Option<(Variable, Option<Parameter>)> {
+    if let Some(variable) = Variable::named(name) {
+        return Some((variable, None));
+    }
+    let parameter = Parameter::named(name)?;
+    let input = match parameter {
+        Parameter::Friction | Parameter::RatioOfCritical => Input::ImpulseRatio,
+        Parameter::MomentOfCritical => Input::Moment,
+        _ => return None,
+    };
+    Some((Variable::Input(input), Some(parameter)))
+}
+
+/// Returns `true` for the table of `contact.impulse_ratio.of_critical`, `false` for that of `contact.impulse_ratio`.
+fn is_of_ratio(field: &Field<'_>) -> bool {
+    match field.value() {
+        Some(Value::Table(entries)) => entries.len() == 1 && entries[0].key == "of_critical",
+        _ => false,
+    }
+}
+
+fn unknown_name(name: &str) -> (&'static str, Option<String>) {
+    if name.ends_with(".radius_of_gyration") || name == "k1" || name == "k2" {
+        let help = "make the yaw inertia unknown instead: give yaw_inertia in the vehicle, and leave radius_of_gyration out";
+        return ("a radius of gyration cannot be solved for", Some(help.to_owned()));
+    }
+    if Measurand::named(name).is_some() {
+        return (
+            "it is what comes of a collision, and cannot be solved for by itself",
+            Some("what is known of it belongs in [evidence]".to_owned()),
+        );
+    }
+    if Parameter::named(name).is_some() {
+        return ("it cannot be solved for", Some(known_names()));
+    }
+    let names: Vec<&str> = names_of_unknowns().collect();
+    let help = nearest(name, names.iter().copied()).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
+    ("nothing has this name", Some(help))
+}
+
+fn known_names() -> String {
+    "unknown can be speed, velocity.x, velocity.y, yaw_rate, heading, mass, yaw_inertia and impact_center of a vehicle; crush_plane, restitution, \
+     impulse_ratio, moment and crush_share of the contact"
+        .to_owned()
+}

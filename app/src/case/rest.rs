@@ -1,0 +1,67 @@
+//! Rest positions of a case file, and the separation velocities computed from them.
+
+use planar_impact::post_impact::{Method, NoSeparation, RestEvidence, Separation, Slide};
+
+use super::Case;
+use crate::issue::{Issue, Issues};
+
+/// Rest positions of a case file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RestInputs {
+    /// Vehicle 1 and vehicle 2; `None` if absent from the file.
+    pub vehicles: [Option<RestOfVehicle>; 2],
+}
+
+/// The rest position of one vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RestOfVehicle {
+    /// The vehicle and the ground it slides on.
+    pub slide: Slide,
+    /// Separation pose and rest pose.
+    pub evidence: RestEvidence,
+    /// Method that computes its separation.
+    pub method: Method,
+}
+
+impl RestOfVehicle {
+    /// Computes its separation from its rest position.
+    ///
+    /// # Errors
+    ///
+    /// Returns the reason if the separation cannot be determined.
+    pub fn separation(&self) -> Result<Separation, NoSeparation> {
+        self.slide.separation(&self.evidence, self.method)
+    }
+}
+
+impl Case {
+    /// Computes the separation of each vehicle that has a rest position in the file.
+    ///
+    /// # Errors
+    ///
+    /// Returns an issue, at its place in the file, for each vehicle whose separation cannot be determined.
+    pub fn separations_from_rest(&self) -> Result<[Option<Separation>; 2], Issues> {
+        let Some(rest) = &self.rest else { return Ok([None, None]) };
+        let mut issues = Vec::new();
+        let separations = [0, 1].map(|i| {
+            let separation = rest.vehicles[i].as_ref()?.separation();
+            let issue = |why: NoSeparation| {
+                let issue = Issue::at("no-separation", format!("rest.vehicle.{}", i + 1), why.to_string());
+                issues.push(help(&why).map_or(issue.clone(), |help| issue.with_help(help)));
+            };
+            separation.map_err(issue).ok()
+        });
+        if issues.is_empty() { Ok(separations) } else { Err(self.unfit(issues)) }
+    }
+}
+
+fn help(why: &NoSeparation) -> Option<&'static str> {
+    Some(match why {
+        NoSeparation::NoRest(_) => "give it brakes or a rolling resistance",
+        NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
+        NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
+        NoSeparation::Driven | NoSeparation::Turned { .. } => "method = \"slide\" follows what each wheel does",
+        NoSeparation::TooShort { .. } => "a vehicle that hardly moved says little of its speed",
+        _ => return None,
+    })
+}

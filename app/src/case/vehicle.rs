@@ -1,0 +1,118 @@
+//! The numbers of a vehicle in a case file.
+
+use planar_impact::{ForwardLeft, Heading, Input, Xy};
+
+use super::crush::CrushInputs;
+use super::parameter::Parameter;
+
+/// A vehicle of a case file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VehicleInputs {
+    /// The mass.
+    pub mass: f64,
+    /// The yaw inertia, or the radius of gyration.
+    pub inertia: Inertia,
+    /// The angle of the heading.
+    pub heading: f64,
+    /// The velocity, as a speed or as components.
+    pub velocity: Velocity,
+    /// The yaw rate.
+    pub yaw_rate: f64,
+    /// The impact center.
+    pub impact_center: ForwardLeft,
+    /// The crush, if the file has it.
+    pub crush: Option<CrushInputs>,
+}
+
+/// Form in which a file gives a yaw inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inertia {
+    /// The yaw inertia itself.
+    Yaw(f64),
+    /// The radius of gyration.
+    Radius(f64),
+}
+
+/// Form in which a file gives a velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocity {
+    /// A speed along the heading.
+    Speed(f64),
+    /// Components in ground axes.
+    Components(Xy),
+}
+
+impl VehicleInputs {
+    fn velocity(&self) -> Xy {
+        match self.velocity {
+            Velocity::Speed(speed) => Heading::from_angle(self.heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
+            Velocity::Components(velocity) => velocity,
+        }
+    }
+
+    pub(super) fn yaw_inertia(&self) -> f64 {
+        match self.inertia {
+            Inertia::Yaw(inertia) => inertia,
+            Inertia::Radius(radius) => self.mass * radius * radius,
+        }
+    }
+
+    fn ahead(&self) -> f64 {
+        match self.velocity {
+            Velocity::Speed(speed) => speed,
+            Velocity::Components(velocity) => Heading::from_angle(self.heading).to_vehicle(velocity).forward,
+        }
+    }
+
+    /// Returns the value of a parameter.
+    ///
+    /// # Errors
+    ///
+    /// Returns a message if this vehicle does not have the parameter.
+    pub fn value(&self, parameter: Parameter) -> Result<f64, String> {
+        let crush = || self.crush.as_ref().ok_or_else(|| "the vehicle has no crush in this case".to_owned());
+        Ok(match parameter {
+            Parameter::Input(Input::Mass(_)) => self.mass,
+            Parameter::Input(Input::YawInertia(_)) => self.yaw_inertia(),
+            Parameter::Input(Input::Heading(_)) => self.heading,
+            Parameter::Input(Input::ImpactCenterForward(_)) => self.impact_center.forward,
+            Parameter::Input(Input::ImpactCenterLeft(_)) => self.impact_center.left,
+            Parameter::Input(Input::VelocityX(_)) => self.velocity().x,
+            Parameter::Input(Input::VelocityY(_)) => self.velocity().y,
+            Parameter::Input(Input::YawRate(_)) => self.yaw_rate,
+            Parameter::Speed(_) => self.ahead(),
+            Parameter::RadiusOfGyration(_) => match self.inertia {
+                Inertia::Radius(radius) => radius,
+                Inertia::Yaw(_) => return Err("the case gives `yaw_inertia` instead".to_owned()),
+            },
+            Parameter::Crush(_, key) => crush()?.value(key)?,
+            _ => return Err("it belongs to the contact".to_owned()),
+        })
+    }
+
+    /// Sets a parameter, which the vehicle must have.
+    pub fn set(&mut self, parameter: Parameter, value: f64) {
+        match (parameter, &mut self.crush) {
+            (Parameter::Input(Input::Mass(_)), _) => self.mass = value,
+            (Parameter::Input(Input::YawInertia(_)), _) => self.inertia = Inertia::Yaw(value),
+            (Parameter::RadiusOfGyration(_), _) => self.inertia = Inertia::Radius(value),
+            (Parameter::Input(Input::Heading(_)), _) => self.heading = value,
+            (Parameter::Input(Input::ImpactCenterForward(_)), _) => self.impact_center.forward = value,
+            (Parameter::Input(Input::ImpactCenterLeft(_)), _) => self.impact_center.left = value,
+            (Parameter::Input(Input::VelocityX(_)), _) => self.velocity = Velocity::Components(Xy { x: value, ..self.velocity() }),
+            (Parameter::Input(Input::VelocityY(_)), _) => self.velocity = Velocity::Components(Xy { y: value, ..self.velocity() }),
+            (Parameter::Input(Input::YawRate(_)), _) => self.yaw_rate = value,
+            (Parameter::Speed(_), _) => {
+                self.velocity = match self.velocity {
+                    Velocity::Speed(_) => Velocity::Speed(value),
+                    Velocity::Components(velocity) => {
+                        let more = ForwardLeft { forward: value - self.ahead(), left: 0.0 };
+                        Velocity::Components(velocity + Heading::from_angle(self.heading).to_ground(more))
+                    }
+                }
+            }
+            (Parameter::Crush(_, key), Some(crush)) => crush.set(key, value),
+            _ => unreachable!("a value can be set"),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Progress and cancellation of long computations, controlled by the caller.
+
+use crate::issue::Issues;
+
+/// Receives the progress of a verb and can stop it.
+pub trait Control {
+    /// Called before each step, when `done` of `total` steps are complete. Returning `false` stops the verb.
+    fn goes_on(&self, done: usize, total: usize) -> bool;
+}
+
+impl dyn Control + '_ {
+    /// Reports progress before a step.
+    pub(crate) fn proceed(&self, done: usize, total: usize) -> Result<(), Issues> {
+        if self.goes_on(done, total) { Ok(()) } else { Err(Issues::interrupted()) }
+    }
+}
+
+/// Reports no progress and never stops the verb.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Uncontrolled;
+
+impl Control for Uncontrolled {
+    fn goes_on(&self, _: usize, _: usize) -> bool {
+        true
+    }
+}

@@ -1,0 +1,164 @@
+//! The verb `crush`: computes crush energy and equivalent speed from residual crush.
+
+use planar_impact::Input;
+use planar_impact::crush::{CrushStiffness, ForceLine, ProfileMoments};
+use planar_impact::reconstruct::Variable;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::answer::Answer;
+use crate::case::{Case, Crush, CrushOutputs};
+use crate::control::Control;
+use crate::issue::{Issue, Issues};
+use crate::named::positive_zero;
+
+/// The crush of both vehicles, in SI and radians.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CrushAnswer {
+    /// The names of the vehicles.
+    pub names: [String; 2],
+    /// The crush of each vehicle; `null` for a vehicle without crush, zeros for a barrier.
+    pub vehicles: [Option<VehicleCrush>; 2],
+}
+
+/// The crush of a vehicle.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
+pub struct VehicleCrush {
+    /// The name of the vehicle.
+    pub name: String,
+    /// `true` if it is a fixed barrier.
+    pub barrier: bool,
+    /// Width w of the crush in m.
+    pub width: f64,
+    /// Number of measured depths.
+    pub depths: usize,
+    /// Mean depth in m.
+    pub mean_depth: f64,
+    /// Moments K1, K2, K3 of the profile, in m, m², m³.
+    #[serde(rename = "K")]
+    pub moments: [f64; 3],
+    /// Stiffness; `null` if each zone has its own.
+    #[serde(flatten)]
+    pub stiffness: Stiffness,
+    /// Crush energy E_C in J.
+    pub crush_energy: f64,
+    /// Speed at which the crush energy is the vehicle's kinetic energy, in m/s.
+    pub equivalent_energy_speed: f64,
+    /// Depth beyond which the force is constant, in m, if the file gives one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub saturation: Option<f64>,
+    /// The zones along the width, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub zones: Vec<Zone>,
+}
+
+/// A stiffness in its equivalent forms.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Stiffness {
+    /// d0 in √N.
+    pub d0: Option<f64>,
+    /// d1 in √N/m.
+    pub d1: Option<f64>,
+    /// A = d0 d1 in N/m.
+    #[serde(rename = "A")]
+    pub force: Option<f64>,
+    /// B = d1² in N/m².
+    #[serde(rename = "B")]
+    pub force_per_depth: Option<f64>,
+    /// G = d0²/2 in N.
+    #[serde(rename = "G")]
+    pub without_crush: Option<f64>,
+}
+
+/// A zone of a crush.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Zone {
+    /// Its end, in m from the first station; `null` for the last zone.
+    pub to: Option<f64>,
+    /// Its width in m.
+    pub width: f64,
+    /// Moments K1, K2, K3 of its part of the profile.
+    #[serde(rename = "K")]
+    pub moments: [f64; 3],
+    /// Its stiffness.
+    #[serde(flatten)]
+    pub stiffness: Stiffness,
+    /// Its crush energy in J.
+    pub crush_energy: f64,
+}
+
+impl Default for Stiffness {
+    fn default() -> Self {
+        Stiffness { d0: Some(0.0), d1: Some(0.0), force: Some(0.0), force_per_depth: Some(0.0), without_crush: Some(0.0) }
+    }
+}
+
+/// Computes the crush energy and the equivalent speed of each vehicle that has a crush. The vehicles need not collide.
+///
+/// # Errors
+///
+/// A mass that the case lists as unknown, or that no vehicle has a crush.
+pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>, Issues> {
+    case.needs(|of| matches!(of, Variable::Input(Input::Mass(_))))?;
+    if case.setup.crush.iter().all(Option::is_none) {
+        let help = "give a [vehicle.crush] with width, depths and stiffness under a [[vehicle]]";
+        return Err(case.unfit([Issue::at("no-crush", "vehicle", "no vehicle has a crush").with_help(help)]));
+    }
+    let outputs = case.setup.crush_outputs();
+    let parties = case.collision.parties();
+    let vehicle = |i: usize| match (parties[i].vehicle(), &case.setup.crush[i], &outputs[i]) {
+        (None, ..) => Some(VehicleCrush { name: case.names[i].clone(), barrier: true, ..VehicleCrush::default() }),
+        (Some(_), Some(crush), Some(outputs)) => Some(VehicleCrush::of(&case.names[i], crush, outputs)),
+        _ => None,
+    };
+    Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles: [vehicle(0), vehicle(1)] }, []))
+}
+
+impl VehicleCrush {
+    fn of(name: &str, crush: &Crush, outputs: &CrushOutputs) -> Self {
+        let zones = crush.zones.zones();
+        let zone = |(i, moments): (usize, ProfileMoments)| Zone {
+            to: crush.zones.borders().get(i).copied(),
+            width: moments.width(),
+            moments: of_moments(moments),
+            stiffness: Stiffness::of(&zones[i]),
+            crush_energy: positive_zero(zones[i].crush_energy(moments)),
+        };
+        let one = zones.len() == 1;
+        VehicleCrush {
+            name: name.to_owned(),
+            barrier: false,
+            width: crush.profile.width(),
+            depths: crush.profile.depths().len(),
+            mean_depth: positive_zero(outputs.mean_depth),
+            moments: of_moments(outputs.moments),
+            stiffness: if one { Stiffness::of(&zones[0]) } else { Stiffness::none() },
+            crush_energy: positive_zero(outputs.energy),
+            equivalent_energy_speed: positive_zero(outputs.equivalent_speed),
+            saturation: crush.saturation,
+            zones: if one { Vec::new() } else { crush.zones.moments(&crush.profile).enumerate().map(zone).collect() },
+        }
+    }
+}
+
+impl Stiffness {
+    fn of(stiffness: &CrushStiffness) -> Self {
+        let force = ForceLine::from(*stiffness);
+        Stiffness {
+            d0: Some(positive_zero(stiffness.onset)),
+            d1: Some(positive_zero(stiffness.slope)),
+            force: Some(positive_zero(force.onset)),
+            force_per_depth: Some(positive_zero(force.slope)),
+            without_crush: Some(positive_zero(stiffness.energy_without_crush())),
+        }
+    }
+
+    fn none() -> Self {
+        Stiffness { d0: None, d1: None, force: None, force_per_depth: None, without_crush: None }
+    }
+}
+
+fn of_moments(moments: ProfileMoments) -> [f64; 3] {
+    [moments.first, moments.second, moments.third].map(positive_zero)
+}

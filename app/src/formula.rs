@@ -1,0 +1,289 @@
+//! The verb `formula`: the formula that the code computes for an output, or for its derivative.
+
+use planar_impact::formula::{self, Formulas};
+use planar_impact::{
+    Collision, CrushPlane, ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Motion, Output, Party, Side, Vehicle, Xy,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::answer::SCHEMA;
+use crate::case::Case;
+use crate::control::Control;
+use crate::issue::Issues;
+use crate::quantity::nearest;
+use crate::solve::{ImpulseRatioGiven, TangentialLaw};
+
+/// Width of source lines, in columns.
+const SOURCE: usize = 100;
+
+/// Options of the verb `formula`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// The output.
+    pub output: Output,
+    /// The input to differentiate with respect to.
+    pub wrt: Option<Input>,
+    /// The kind of collision, used when no case is given.
+    pub kind: Kind,
+}
+
+/// A kind of collision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kind {
+    /// Form in which the impulse ratio is given.
+    pub ratio: ImpulseRatioGiven,
+    /// The law of the tangential impulse.
+    pub law: TangentialLaw,
+    /// The fixed barrier, if one of the two is.
+    pub barrier: Option<Side>,
+    /// Form in which the moment impulse is given.
+    pub moment: MomentGiven,
+}
+
+impl Default for Kind {
+    fn default() -> Self {
+        Kind { ratio: ImpulseRatioGiven::Critical, law: TangentialLaw::Brach, barrier: None, moment: MomentGiven::None }
+    }
+}
+
+/// Form in which a moment impulse is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MomentGiven {
+    /// There is none.
+    None,
+    /// As a number.
+    Number,
+    /// As a fraction of the moment impulse that ends relative rotation.
+    OfCritical,
+}
+
+/// The answer of `formula`.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Formula {
+    /// The version of this document.
+    pub schema: u32,
+    /// The name of the output.
+    pub output: &'static str,
+    /// The name of the input of the derivative.
+    pub wrt: Option<&'static str>,
+    /// The subject of the formula, as a sentence.
+    pub subject: String,
+    /// The quantity, then the intermediate quantities that it is expressed in.
+    pub definitions: Vec<Definition>,
+    /// The inputs in it.
+    pub inputs: Vec<FormulaInput>,
+    /// The formula for a document, as LaTeX.
+    pub latex: String,
+    /// The formula for a program, as a Rust function of `f64`.
+    pub rust: String,
+    /// `true` if a case gives the numbers.
+    #[serde(skip)]
+    pub has_case: bool,
+    /// The formula itself.
+    #[serde(skip)]
+    pub formula: formula::Formula,
+}
+
+/// A quantity of a formula.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Definition {
+    /// Its symbol.
+    pub symbol: String,
+    /// Its definition on one line.
+    pub text: String,
+    /// Its value in SI in the case; `null` without a case, or if it is not a number.
+    pub value: Option<f64>,
+}
+
+/// An input in a formula.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct FormulaInput {
+    /// Its symbol.
+    pub symbol: String,
+    /// Its dotted name.
+    pub name: &'static str,
+    /// Form in which its number is given, if not plainly: `.of_critical` or ` (friction)`.
+    pub meaning: &'static str,
+    /// Its value in SI in the case.
+    pub value: Option<f64>,
+}
+
+/// Derives the formula of an output, or of its derivative, for a kind of collision or for a case.
+///
+/// # Errors
+///
+/// Returns an error if the case lists required numbers as unknown, or if the physics refuses it.
+pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Result<Formula, Issues> {
+    if let Some(case) = case {
+        case.impact()?;
+    }
+    let collision = case.map(|case| &case.collision);
+    let kind = collision.map_or_else(|| options.kind.collision(), |collision| collision.map(|_| ()));
+    let formulas = Formulas::of(&kind);
+    let of_output = formulas.output(options.output);
+    let formula = options.wrt.map_or_else(|| of_output.clone(), |input| of_output.derivative(input.symbol()));
+    let subject = subject(options.output, options.wrt, &kind);
+    let value = |name: &str| Input::named(name).zip(collision).and_then(|(input, collision)| collision.input(input));
+    let definition = |definition: formula::Definition| Definition {
+        symbol: definition.name(),
+        text: definition.text(usize::MAX),
+        value: collision.map(|_| definition.evaluate(|name: &str| value(name).unwrap_or(f64::NAN))).filter(|value| value.is_finite()),
+    };
+    let input = |name: &str| {
+        let input = Input::named(name)?;
+        Some(FormulaInput {
+            symbol: formula::written(input.symbol()),
+            name: input.name(),
+            meaning: meaning(input, &kind),
+            value: value(name),
+        })
+    };
+    Ok(Formula {
+        schema: SCHEMA,
+        output: options.output.name(),
+        wrt: options.wrt.map(Input::name),
+        definitions: formula.definitions().into_iter().map(definition).collect(),
+        inputs: formula.variables().iter().filter_map(|name| input(name)).collect(),
+        latex: format!("{}\\[\n{}\n\\]\n", comment(&subject, "% "), formula.latex()),
+        rust: format!(
+            "{}{}\n",
+            comment(&format!("{subject} Any coherent units do, SI for one; angles are in radians."), "/// "),
+            formula.rust()
+        ),
+        subject,
+        has_case: case.is_some(),
+        formula,
+    })
+}
+
+/// Returns the output with this name or symbol.
+///
+/// # Errors
+///
+/// Returns a message for an unknown name, with the nearest known one.
+pub fn output(name: &str) -> Result<Output, String> {
+    let written = |output: &Output| formula::written(output.symbol()) == name;
+    Output::named(name).or_else(|| Output::ALL.into_iter().find(written)).ok_or_else(|| {
+        if Input::named(name).is_some() {
+            return format!("it is an input; give it as --wrt {name}");
+        }
+        unknown(name, "output", Output::ALL.iter().flat_map(|output| [output.name(), output.symbol()]))
+    })
+}
+
+/// Returns the input with this name or symbol.
+///
+/// # Errors
+///
+/// Returns a message for an unknown name, with the nearest known one.
+pub fn input(name: &str) -> Result<Input, String> {
+    let written = |input: &Input| formula::written(input.symbol()) == name;
+    Input::named(name).or_else(|| Input::ALL.into_iter().find(written)).ok_or_else(|| {
+        if Output::named(name).is_some() {
+            return "it is an output; only inputs can be differentiated by".to_owned();
+        }
+        unknown(name, "input", Input::ALL.iter().flat_map(|input| [input.name(), input.symbol()]))
+    })
+}
+
+fn unknown(name: &str, what: &str, known: impl Iterator<Item = &'static str>) -> String {
+    let meant = nearest(name, known).map_or_else(String::new, |nearest| format!(" did you mean `{nearest}`?"));
+    format!("no {what} has this name;{meant} see `planar-impact formula --list`")
+}
+
+impl Kind {
+    fn collision(&self) -> Collision<()> {
+        let vehicle = Party::Vehicle(Vehicle {
+            mass: (),
+            yaw_inertia: (),
+            heading: Heading { cos: (), sin: () },
+            impact_center: ForwardLeft { forward: (), left: () },
+            motion: Motion { velocity: Xy { x: (), y: () }, yaw_rate: () },
+        });
+        let party = |side| if self.barrier == Some(side) { Party::Barrier } else { vehicle };
+        Collision {
+            one: party(Side::One),
+            two: party(Side::Two),
+            crush_plane: CrushPlane { cos: (), sin: () },
+            restitution: (),
+            impulse_ratio: match self.ratio {
+                ImpulseRatioGiven::Critical => ImpulseRatio::Critical,
+                ImpulseRatioGiven::Number => ImpulseRatio::Given(()),
+                ImpulseRatioGiven::OfCritical => ImpulseRatio::OfCritical(()),
+                ImpulseRatioGiven::Friction => ImpulseRatio::LimitedByFriction(()),
+            },
+            law: match self.law {
+                TangentialLaw::Brach => Law::Brach,
+                TangentialLaw::KudlichSlibar => Law::KudlichSlibar,
+            },
+            moment: match self.moment {
+                MomentGiven::None => Moment::None,
+                MomentGiven::Number => Moment::Given(()),
+                MomentGiven::OfCritical => Moment::OfCritical(()),
+            },
+        }
+    }
+}
+
+/// Describes the subject of a formula in a sentence.
+fn subject(output: Output, by: Option<Input>, kind: &Collision<()>) -> String {
+    let derivative = by.map_or_else(String::new, |input| format!("The derivative by {input} of "));
+    let parties = match (kind.one.vehicle(), kind.two.vehicle()) {
+        (Some(_), Some(_)) => "two vehicles",
+        (None, Some(_)) => "a barrier and a vehicle",
+        (Some(_), None) => "a vehicle and a barrier",
+        (None, None) => "two barriers",
+    };
+    let ratio = match kind.impulse_ratio {
+        ImpulseRatio::Critical => "critical impulse ratio",
+        ImpulseRatio::Given(()) => "given impulse ratio",
+        ImpulseRatio::OfCritical(()) => "a fraction of the critical impulse ratio",
+        ImpulseRatio::LimitedByFriction(()) => "impulse ratio limited by friction",
+    };
+    let law = match kind.law {
+        Law::Brach => "Brach",
+        Law::KudlichSlibar => "Kudlich and Slibar",
+    };
+    let moment = match kind.moment {
+        Moment::None => "",
+        Moment::Given(()) => ", given moment impulse",
+        Moment::OfCritical(()) => ", a fraction of the critical moment impulse",
+    };
+    format!("{derivative}{output}: {parties}, {ratio}{moment}, law of {law}.")
+}
+
+/// Describes the form in which the number of an impulse ratio or a moment impulse is given, if not plainly.
+fn meaning(input: Input, kind: &Collision<()>) -> &'static str {
+    match (input, kind.impulse_ratio, kind.moment) {
+        (Input::ImpulseRatio, ImpulseRatio::OfCritical(()), _) | (Input::Moment, _, Moment::OfCritical(())) => ".of_critical",
+        (Input::ImpulseRatio, ImpulseRatio::LimitedByFriction(()), _) => " (friction)",
+        _ => "",
+    }
+}
+
+/// Formats a text as comment lines.
+fn comment(text: &str, mark: &str) -> String {
+    let mut lines = vec![mark.to_owned()];
+    for word in text.split(' ') {
+        let line = lines.last_mut().filter(|line| line.chars().count() + word.chars().count() <= SOURCE);
+        match line {
+            Some(line) => line.push_str(&format!("{word} ")),
+            None => lines.push(format!("{mark}{word} ")),
+        }
+    }
+    lines.iter().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comment_is_no_wider_than_its_source() {
+        let text = comment(&"four ".repeat(60), "// ");
+        assert!(text.lines().all(|line| line.starts_with("// four") && line.len() <= SOURCE), "{text}");
+        assert_eq!(text.matches("four").count(), 60);
+        assert_eq!(comment("a b", "% "), "% a b\n");
+    }
+}

@@ -1,0 +1,148 @@
+//! Issues of an input, collected together, each with a code, a path and a remedy.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::message::Message;
+use crate::source::Source;
+use crate::units::Units;
+
+/// Maximum number of issues collected, so that a hostile file cannot exhaust the memory.
+pub(crate) const MOST_KEPT: usize = 1000;
+
+/// One thing wrong with an input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Issue {
+    /// A stable code in kebab case, such as `unknown-key` or `tensile`.
+    pub code: &'static str,
+    /// The bytes of the source that it refers to; `None` if it refers to the whole file or to the call.
+    pub span: Option<Range<usize>>,
+    /// Its dotted path, vehicles counted from 1, such as `vehicle.1.mass`, or the option of a call; may be empty.
+    pub path: String,
+    /// The message, with the value and the values that are accepted.
+    pub message: Message,
+    /// A remedy.
+    pub help: Option<Message>,
+}
+
+impl Issue {
+    /// Creates an issue with the file as a whole.
+    pub fn of_file(code: &'static str, message: impl Into<Message>) -> Issue {
+        Issue { code, span: None, path: String::new(), message: message.into(), help: None }
+    }
+
+    /// Creates an issue with an option of the call.
+    pub fn of_call(option: &str, message: impl Into<Message>, help: Option<String>) -> Issue {
+        Issue { code: "call", span: None, path: option.trim_end().to_owned(), message: message.into(), help: help.map(Message::from) }
+    }
+
+    /// Creates an issue with a path, to be located in a document.
+    pub fn at(code: &'static str, path: impl Into<String>, message: impl Into<Message>) -> Issue {
+        Issue { code, span: None, path: path.into(), message: message.into(), help: None }
+    }
+
+    /// Adds a remedy.
+    pub fn with_help(self, help: impl Into<Message>) -> Issue {
+        Issue { help: Some(help.into()), ..self }
+    }
+}
+
+/// The cause of a failed verb.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The input or the call is wrong.
+    Input,
+    /// The physics refuses the input, or a search did not converge.
+    Physics,
+    /// The caller has requested a stop.
+    Interrupted,
+    /// A defect of the program.
+    Defect,
+}
+
+/// All issues of a failed verb, in file order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Issues {
+    cause: Cause,
+    source: Arc<Source>,
+    list: Vec<Issue>,
+}
+
+impl Issues {
+    /// Sorts issues into file order; issues with the whole file come first.
+    pub fn new(cause: Cause, source: Arc<Source>, mut list: Vec<Issue>) -> Issues {
+        list.sort_by_key(|issue| issue.span.as_ref().map(|span| (span.start, span.end)));
+        Issues { cause, source, list }
+    }
+
+    /// Creates issues with a call, or with files whose text is not available.
+    pub fn without_source(cause: Cause, list: Vec<Issue>) -> Issues {
+        Issues::new(cause, Arc::default(), list)
+    }
+
+    /// Creates issues with a call.
+    pub fn of_call(list: Vec<Issue>) -> Issues {
+        Issues::without_source(Cause::Input, list)
+    }
+
+    /// Creates the error of a verb that the caller has stopped.
+    pub fn interrupted() -> Issues {
+        Issues::without_source(Cause::Interrupted, Vec::new())
+    }
+
+    /// Creates the error of an internal contradiction in the program.
+    pub fn defect(what: impl fmt::Display) -> Issues {
+        Issues::without_source(Cause::Defect, vec![Issue::of_file("defect", what.to_string())])
+    }
+
+    /// Returns the cause.
+    pub fn cause(&self) -> Cause {
+        self.cause
+    }
+
+    /// Returns the text that the spans refer to; empty if there is none.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Returns every issue, in file order; empty only if the caller has requested a stop.
+    pub fn list(&self) -> &[Issue] {
+        &self.list
+    }
+
+    /// Returns the line of an issue, counted from 1, or `None` if it has no place in a text.
+    pub fn line(&self, issue: &Issue) -> Option<usize> {
+        let start = issue.span.as_ref()?.start.min(self.source.text.len());
+        Some(1 + self.source.text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count())
+    }
+}
+
+impl fmt::Display for Issues {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, issue) in self.list.iter().enumerate() {
+            let separator = if i > 0 { "\n" } else { "" };
+            let colon = if issue.path.is_empty() { "" } else { ": " };
+            write!(f, "{separator}{}{colon}{}", issue.path, Units::Si.sentence(&issue.message))?;
+            issue.help.iter().try_for_each(|help| write!(f, " ({})", Units::Si.sentence(help)))?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Issues {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn issues_are_in_file_order_and_know_their_lines() {
+        let source = Source { name: "case.toml".to_owned(), text: "a = 1\nb = 2\n".to_owned() };
+        let issue = |span, path: &str| Issue { span, ..Issue::at("invalid", path, "it is wrong").with_help("mend it") };
+        let issues = Issues::new(Cause::Input, source.into(), vec![issue(Some(6..7), "b"), issue(Some(0..1), "a"), issue(None, "")]);
+        let lines: Vec<_> = issues.list().iter().map(|issue| issues.line(issue)).collect();
+        assert_eq!(lines, [None, Some(1), Some(2)]);
+        assert_eq!(issues.to_string(), "it is wrong (mend it)\na: it is wrong (mend it)\nb: it is wrong (mend it)");
+    }
+}

@@ -1,0 +1,57 @@
+//! Removes characters that a terminal or a document would interpret from text of a file or a call, and limits its length.
+
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
+/// Replaces control characters (C0, C1), line and paragraph separators, and directional formatting characters with spaces.
+pub fn clean(text: &str) -> String {
+    text.chars().map(inactive).collect()
+}
+
+fn inactive(c: char) -> char {
+    if is_active(c) { ' ' } else { c }
+}
+
+/// Returns `true` if a terminal or a document interprets a character instead of showing it.
+pub fn is_active(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Cleans a name and shortens it to at most `most` columns.
+pub fn shorten(name: &str, most: usize) -> String {
+    // A sequence of combining characters has no width, so limit its length as well.
+    let clean: String = name.chars().take(8 * most).map(inactive).collect();
+    if clean.width() <= most && name.chars().nth(8 * most).is_none() {
+        return clean;
+    }
+    let mut short = String::new();
+    for c in clean.chars() {
+        if short.width() + c.width().unwrap_or(0) >= most {
+            break;
+        }
+        short.push(c);
+    }
+    short + "…"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_fit_their_column() {
+        assert_eq!(shorten("sedan", 18), "sedan");
+        assert_eq!(shorten("a sedan of a very long name", 18), "a sedan of a very…");
+        assert_eq!(shorten("\u{1b}[31mred", 18), " [31mred");
+        assert_eq!(shorten("a\u{202e}b\u{2028}c", 18), "a b c");
+        assert!(shorten(&"漢".repeat(20), 18).width() <= 18);
+        assert!(shorten(&format!("a{}", "\u{301}".repeat(1000)), 18).chars().count() < 200);
+    }
+
+    #[test]
+    fn what_a_terminal_acts_on_becomes_a_space() {
+        for c in ['\u{0}', '\u{1b}', '\u{7f}', '\u{85}', '\u{9b}', '\u{61c}', '\u{200f}', '\u{2028}', '\u{202e}', '\u{2067}'] {
+            assert_eq!(clean(&format!("a{c}b")), "a b", "{c:?}");
+        }
+        assert_eq!(clean("é 漢 −"), "é 漢 −");
+    }
+}

@@ -1,0 +1,222 @@
+//! A number with its unit, checked for its dimension and for a plausible size.
+//!
+//! A string includes its unit: `"2564 lb"`, `"-10deg"`, `"1434.9 lbf s^2 ft"`. A bare number is in SI. The grammar of
+//! units is in `quantity/unit.rs`.
+
+mod kind;
+mod number;
+mod unit;
+mod wide;
+mod wording;
+
+pub use kind::{Kind, Reach};
+pub use number::finite;
+pub use wording::{excerpt, nearest};
+
+use unit::Unit;
+use wide::Wide;
+
+/// A value in SI, and as the file wrote it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// The value in SI units, angles in radians.
+    pub si: f64,
+    /// The number as the file wrote it.
+    pub value: f64,
+    /// The unit as the file wrote it, or the SI unit of a bare number.
+    pub unit: String,
+    /// `true` if the file gave no unit.
+    pub bare: bool,
+}
+
+/// The error of a text that is not a quantity of the required kind.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct QuantityError {
+    /// The mistake, with the text that has it.
+    pub message: String,
+    /// A correct form, if one is known.
+    pub help: Option<String>,
+}
+
+impl QuantityError {
+    fn new(message: String) -> QuantityError {
+        QuantityError { message, help: None }
+    }
+
+    fn with_help(message: String, help: String) -> QuantityError {
+        QuantityError { message, help: Some(help) }
+    }
+}
+
+impl std::fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)?;
+        self.help.iter().try_for_each(|help| write!(f, " ({help})"))
+    }
+}
+
+/// Reads a number with its unit. A pure number needs none, and may be in `%`.
+///
+/// # Errors
+///
+/// Returns an error if the number or the unit cannot be read, the unit measures something else, or the value is outside the kind's domain.
+pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(QuantityError::new(format!("the string is empty; expected {}", kind.wanted())));
+    }
+    let (value, written) = number::split(text)?;
+    let si = if !written.is_empty() {
+        unit_for(text, written, kind)?.to_si(value)
+    } else if kind.dimension == Kind::PURE.dimension {
+        value
+    } else {
+        return Err(without_unit(text, kind));
+    };
+    if (si == 0.0 && value != 0.0) || !kind.domain.holds(si) {
+        return Err(beyond(text, si, kind));
+    }
+    Ok(Quantity { si, value, unit: written.to_owned(), bare: false })
+}
+
+/// Reads a value and its uncertainty, each with its unit; a unit that follows only one of them applies to both, as in `12 ± 1 ft/s`.
+///
+/// # Errors
+///
+/// As [`parse`], for either of them.
+pub fn parse_pair(value: &str, deviation: &str, kind: Kind) -> Result<[Quantity; 2], QuantityError> {
+    let unit = |text: &str| number::split(text.trim()).map(|(_, unit)| unit.to_owned());
+    let (of_value, of_deviation) = (unit(value)?, unit(deviation)?);
+    let has_unit = kind.dimension != Kind::PURE.dimension;
+    let with = |text: &str, own: &str, other: &str| match own {
+        // A percent sign after one of two pure numbers applies to that number only.
+        "" if has_unit => format!("{} {other}", text.trim()),
+        _ => text.to_owned(),
+    };
+    let value = parse(&with(value, &of_value, &of_deviation), kind)?;
+    let deviation = parse(&with(deviation, &of_deviation, &of_value), kind.difference())?;
+    Ok([value, deviation])
+}
+
+/// Accepts a number without a unit in SI; `text` is how the file wrote it.
+///
+/// # Errors
+///
+/// Returns an error if the value is so implausible that it was probably meant in another unit.
+pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityError> {
+    if kind.bare.holds(value) {
+        return Ok(Quantity { si: value, value, unit: kind.si.to_owned(), bare: true });
+    }
+    let digits: String = text.chars().filter(|c| *c != '_').take(40).collect();
+    if kind.si.is_empty() {
+        return Err(beyond(&digits, value, kind));
+    }
+    let taken = format!("a number without a unit is taken in {0}, and {digits} {0}", kind.si);
+    let message = if kind.dimension == Kind::ANGLE.dimension {
+        format!("{taken} is {} turns", significant(value.abs() / std::f64::consts::TAU))
+    } else {
+        format!("{taken} is not a plausible {}", noun(kind.name))
+    };
+    let help = match kind.likely {
+        Some(unit) => format!("did you mean \"{digits} {unit}\"? If not, write \"{digits} {}\"", kind.si),
+        None => format!("write the unit, as in \"{}\"", kind.example),
+    };
+    Err(QuantityError::with_help(message, help))
+}
+
+/// Reads a number with its unit, or a number without one in SI, as given on the command line.
+///
+/// # Errors
+///
+/// As [`parse`], or as [`bare`] if there is no unit.
+pub fn parse_word(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
+    match number::split(text.trim()) {
+        Ok((value, "")) if kind.dimension != Kind::PURE.dimension => bare(text.trim(), value, kind),
+        _ => parse(text, kind),
+    }
+}
+
+/// A unit parsed once to convert many values.
+#[derive(Debug, Clone, Copy)]
+pub struct Conversion(Option<Wide>);
+
+impl Conversion {
+    /// Creates the conversion of a unit. `ft lb` means a mass times a length here; the energy is `ft lbf`.
+    pub fn to(unit: &str) -> Conversion {
+        Conversion(Unit::parse(unit).ok().map(|unit| unit.size()))
+    }
+
+    /// Creates the conversion of a unit that a quantity of this kind was read with.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the unit measures something else.
+    pub fn of(unit: &str, kind: Kind) -> Result<Conversion, QuantityError> {
+        if unit.is_empty() { Ok(Conversion::none()) } else { unit_for(unit, unit, kind).map(|unit| Conversion(Some(unit.size()))) }
+    }
+
+    /// Creates the conversion of a number without a unit.
+    pub fn none() -> Conversion {
+        Conversion(Some(Wide::new(1.0)))
+    }
+
+    /// Converts a value in this unit to SI, with exactly the result of reading the same text in a file; NaN if the unit was invalid.
+    pub fn to_si(self, value: f64) -> f64 {
+        self.0.map_or(f64::NAN, |size| Wide::new(value).times(size).value())
+    }
+
+    /// Converts a value in SI to this unit; NaN if the unit was invalid.
+    pub fn of_si(self, si: f64) -> f64 {
+        self.0.map_or(f64::NAN, |size| Wide::new(si).over(size).value())
+    }
+}
+
+/// Parses the unit `written` at the end of `text`, and checks that it measures what `kind` requires.
+fn unit_for(text: &str, written: &str, kind: Kind) -> Result<Unit, QuantityError> {
+    let unit = Unit::parse(written)?;
+    if unit.dimension() == kind.dimension {
+        return Ok(unit);
+    }
+    let forced = unit.with_pound_force();
+    if kind.dimension == Kind::ENERGY.dimension && unit.is_foot_pound() {
+        return Ok(forced);
+    }
+    let found = Kind::ALL.iter().find(|other| other.dimension == unit.dimension());
+    let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
+    let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
+    if forced.dimension() == kind.dimension {
+        let help = "`lb` is a mass; the force is `lbf`".to_owned();
+        return Err(QuantityError::with_help(message, help));
+    }
+    Err(QuantityError::new(message))
+}
+
+fn without_unit(text: &str, kind: Kind) -> QuantityError {
+    QuantityError::with_help(
+        format!("\"{}\" has no unit; expected {}", excerpt(text).trim_matches('`'), kind.wanted()),
+        format!("a string needs a unit; a number without quotes is in {}", kind.si),
+    )
+}
+
+fn beyond(text: &str, si: f64, kind: Kind) -> QuantityError {
+    let size = if si.abs() < 1.0 { "too small" } else { "too large" };
+    QuantityError::new(format!("{} is {size} for {}", excerpt(text), kind.name))
+}
+
+/// Removes the article of a name.
+fn noun(name: &str) -> &str {
+    name.split_once(' ').map_or(name, |(_, noun)| noun)
+}
+
+/// Formats a number with three significant digits, or as a power of ten instead of a row of zeros.
+fn significant(value: f64) -> String {
+    match value {
+        v if v < 10.0 => format!("{v:.2}"),
+        v if v < 100.0 => format!("{v:.1}"),
+        v if v < 1e6 => format!("{v:.0}"),
+        v => format!("{v:.0e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,131 @@
+//! Parses the number before a unit, and checks its range.
+
+use super::{QuantityError, excerpt};
+
+/// Reads a decimal number that an `f64` can hold: finite, and not rounded to zero.
+///
+/// # Errors
+///
+/// Returns an error if `text` is not a number, is not finite or too large, or is so small that it would become zero.
+pub fn finite(text: &str) -> Result<f64, QuantityError> {
+    let Ok(value) = text.parse::<f64>() else {
+        return Err(QuantityError::new(format!("{} is not a number", excerpt(text))));
+    };
+    let problem = if value.is_finite() {
+        let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+        let vanished = value == 0.0 && mantissa.contains(|c: char| ('1'..='9').contains(&c));
+        if !vanished {
+            return Ok(value);
+        }
+        "is too small: a 64-bit floating-point number would make it zero"
+    } else if text.contains(|c: char| c.is_ascii_digit()) {
+        "is too large for a 64-bit floating-point number"
+    } else {
+        "is not a finite number"
+    };
+    Err(QuantityError::new(format!("{} {problem}", excerpt(text))))
+}
+
+/// Splits `text` into its number and the rest, without the space between them.
+///
+/// # Errors
+///
+/// Returns an error if `text` does not begin with a number, with a hint for common ways of writing numbers.
+pub(super) fn split(text: &str) -> Result<(f64, &str), QuantityError> {
+    let length = number_length(text);
+    let (digits, rest) = text.split_at(length);
+    if !digits.contains(|c: char| c.is_ascii_digit()) {
+        return Err(no_number(text));
+    }
+    if let Some(error) = separated(digits, rest) {
+        return Err(error);
+    }
+    Ok((finite(digits)?, rest.trim_start()))
+}
+
+/// Returns the number of bytes of `text` taken by sign, digits, point and exponent. An `e` counts only if digits
+/// follow it, so that a unit could begin with it.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let sign = |at: usize| usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    let mut end = sign(0);
+    end += digits(end);
+    if bytes.get(end) == Some(&b'.') {
+        end += 1;
+        end += digits(end);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let start = end + 1 + sign(end + 1);
+        let exponent = digits(start);
+        if exponent > 0 {
+            end = start + exponent;
+        }
+    }
+    end
+}
+
+/// Returns an error for a decimal comma or a thousands separator immediately after the digits.
+fn separated(digits: &str, rest: &str) -> Option<QuantityError> {
+    let separator = rest.chars().next().filter(|c| matches!(c, ',' | '_' | '\''))?;
+    let tail: String = rest[1..].chars().take_while(char::is_ascii_digit).take(20).collect();
+    let message = format!("`{separator}` has no place in the number of {}", excerpt(&format!("{digits}{rest}")));
+    let joined = format!("{digits}{tail}");
+    let help = match (separator, tail.len()) {
+        (',', 3) => format!("write {joined} or {digits}.{tail}"),
+        (',', 1..) => format!("write {digits}.{tail}"),
+        _ => format!("write {joined}"),
+    };
+    Some(QuantityError::with_help(message, help))
+}
+
+fn no_number(text: &str) -> QuantityError {
+    let word = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    if ["nan", "inf"].iter().any(|name| word.starts_with(name)) {
+        return QuantityError::new(format!("{} is not a finite number", excerpt(text)));
+    }
+    let message = format!("{} does not begin with a number", excerpt(text));
+    if text.starts_with(['−', '–']) {
+        return QuantityError::with_help(message, "write an ordinary minus sign, `-`".to_owned());
+    }
+    QuantityError::new(message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(text: &str) -> String {
+        match split(text) {
+            Ok(read) => format!("read {read:?}"),
+            Err(error) => error.to_string(),
+        }
+    }
+
+    #[test]
+    fn numbers_and_rests() {
+        assert_eq!(split("40ft/s"), Ok((40.0, "ft/s")));
+        assert_eq!(split("-1.5e3 kg"), Ok((-1500.0, "kg")));
+        assert_eq!(split("+.5m"), Ok((0.5, "m")));
+        assert_eq!(split("5.e-1 m"), Ok((0.5, "m")));
+        assert_eq!(split("0e-999 m"), Ok((0.0, "m"))); // zero stays zero
+        assert_eq!(split("7 e"), Ok((7.0, "e")));
+        assert_eq!(split("7e"), Ok((7.0, "e")));
+        assert_eq!(split("1e-320"), Ok((1e-320, ""))); // subnormal, not zero
+    }
+
+    #[test]
+    fn bad_numbers() {
+        assert_eq!(message("nan m"), "`nan m` is not a finite number");
+        assert_eq!(message("-inf"), "`-inf` is not a finite number");
+        assert_eq!(message("1e999 m"), "`1e999` is too large for a 64-bit floating-point number");
+        assert_eq!(message("1e-400 m"), "`1e-400` is too small: a 64-bit floating-point number would make it zero");
+        assert_eq!(message("1,5 m"), "`,` has no place in the number of `1,5 m` (write 1.5)");
+        assert_eq!(message("1,500 lb"), "`,` has no place in the number of `1,500 lb` (write 1500 or 1.500)");
+        assert_eq!(message("1_500 lb"), "`_` has no place in the number of `1_500 lb` (write 1500)");
+        assert_eq!(message("ten ft"), "`ten ft` does not begin with a number");
+        assert_eq!(message("−5 deg"), "`−5 deg` does not begin with a number (write an ordinary minus sign, `-`)");
+        assert_eq!(message("."), "`.` does not begin with a number");
+        assert_eq!(message(""), "`` does not begin with a number");
+    }
+}

@@ -1,0 +1,330 @@
+//! Units: their dimensions, sizes and notation.
+//!
+//! A unit is a product of named factors, then any number of quotients:
+//!
+//! ```text
+//! unit    = [ "1" "/" ] factor { (space | "*" | "·" | "-") factor } { "/" factor }
+//! factor  = name [ "^" exponent | superscript ]
+//! ```
+//!
+//! `/` divides by the one factor after it. A product after a `/` is refused, because some people read `J/kg m` as
+//! J/(kg m) and others as (J/kg) m. Exponents are whole or half.
+
+use super::wide::Wide;
+use super::{QuantityError, excerpt, nearest};
+
+/// Exponents of mass, length, time and angle, counted in halves so that N^0.5 has a dimension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Dimension([i16; 4]);
+
+impl Dimension {
+    /// Creates a dimension from whole exponents of mass, length, time and angle.
+    pub const fn new(mass: i16, length: i16, time: i16, angle: i16) -> Dimension {
+        Dimension([2 * mass, 2 * length, 2 * time, 2 * angle])
+    }
+
+    /// Creates a dimension from exponents of mass, length, time and angle counted in halves.
+    pub const fn halves(mass: i16, length: i16, time: i16, angle: i16) -> Dimension {
+        Dimension([mass, length, time, angle])
+    }
+
+    /// Multiplies this dimension by a power of `other`, whose exponents are whole.
+    fn times_power(self, other: Dimension, halves: i16) -> Dimension {
+        let mut product = self.0;
+        for (exponent, factor) in product.iter_mut().zip(other.0) {
+            *exponent += factor * halves / 2;
+        }
+        Dimension(product)
+    }
+}
+
+/// Writes the dimension in SI base units, such as `kg m^2 s^-1`.
+impl std::fmt::Display for Dimension {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut space = "";
+        for (name, halves) in ["kg", "m", "s", "rad"].into_iter().zip(self.0) {
+            match halves {
+                0 => continue,
+                2 => write!(f, "{space}{name}")?,
+                _ => write!(f, "{space}{name}^{}", f64::from(halves) / 2.0)?,
+            }
+            space = " ";
+        }
+        Ok(())
+    }
+}
+
+/// A named unit of `numerator / denominator` SI units, both exact, times π if `pi` is set.
+#[derive(Debug)]
+struct Named {
+    name: &'static str,
+    dimension: Dimension,
+    numerator: f64,
+    denominator: f64,
+    pi: bool,
+}
+
+const fn named(dimension: Dimension, name: &'static str, numerator: f64, denominator: f64) -> Named {
+    Named { name, dimension, numerator, denominator, pi: false }
+}
+
+/// Creates a unit of `numerator / denominator` times π.
+const fn of_pi(dimension: Dimension, name: &'static str, numerator: f64, denominator: f64) -> Named {
+    Named { name, dimension, numerator, denominator, pi: true }
+}
+
+const PURE: Dimension = Dimension::new(0, 0, 0, 0);
+const MASS: Dimension = Dimension::new(1, 0, 0, 0);
+const LENGTH: Dimension = Dimension::new(0, 1, 0, 0);
+const TIME: Dimension = Dimension::new(0, 0, 1, 0);
+const ANGLE: Dimension = Dimension::new(0, 0, 0, 1);
+const SPEED: Dimension = Dimension::new(0, 1, -1, 0);
+const YAW_RATE: Dimension = Dimension::new(0, 0, -1, 1);
+const ACCELERATION: Dimension = Dimension::new(0, 1, -2, 0);
+const FORCE: Dimension = Dimension::new(1, 1, -2, 0);
+const ENERGY: Dimension = Dimension::new(1, 2, -2, 0);
+const PRESSURE: Dimension = Dimension::new(1, -1, -2, 0);
+
+/// The pound-force in units of 1e-13 N: 0.453 592 37 kg × 9.806 65 m/s², exactly.
+const POUND_FORCE: f64 = 45_359_237.0 * 980_665.0;
+
+/// All unit names. The factors of the international yard and pound (1959), the standard gravity (1901) and the
+/// international knot are exact by definition.
+const NAMED: &[Named] = &[
+    named(MASS, "kg", 1.0, 1.0),
+    named(MASS, "g", 1.0, 1e3),
+    named(MASS, "mg", 1.0, 1e6),
+    named(MASS, "t", 1e3, 1.0),
+    named(MASS, "lb", 45_359_237.0, 1e8),
+    named(MASS, "lbs", 45_359_237.0, 1e8),
+    named(MASS, "lbm", 45_359_237.0, 1e8),
+    named(MASS, "slug", POUND_FORCE, 3048e9), // lbf s²/ft
+    named(LENGTH, "m", 1.0, 1.0),
+    named(LENGTH, "cm", 1.0, 1e2),
+    named(LENGTH, "mm", 1.0, 1e3),
+    named(LENGTH, "km", 1e3, 1.0),
+    named(LENGTH, "in", 254.0, 1e4),
+    named(LENGTH, "ft", 3048.0, 1e4),
+    named(LENGTH, "yd", 9144.0, 1e4),
+    named(LENGTH, "mi", 1_609_344.0, 1e3),
+    named(TIME, "s", 1.0, 1.0),
+    named(TIME, "sec", 1.0, 1.0),
+    named(TIME, "ms", 1.0, 1e3),
+    named(TIME, "min", 60.0, 1.0),
+    named(TIME, "h", 3600.0, 1.0),
+    named(SPEED, "kph", 1e3, 3600.0),
+    named(SPEED, "mph", 1_609_344.0, 36e5),
+    named(SPEED, "fps", 3048.0, 1e4),
+    named(SPEED, "kn", 1852.0, 3600.0),
+    named(ANGLE, "rad", 1.0, 1.0),
+    of_pi(ANGLE, "deg", 1.0, 180.0),
+    of_pi(ANGLE, "°", 1.0, 180.0),
+    of_pi(ANGLE, "rev", 2.0, 1.0),
+    of_pi(YAW_RATE, "rpm", 2.0, 60.0),
+    named(ACCELERATION, "g0", 980_665.0, 1e5),
+    named(FORCE, "N", 1.0, 1.0),
+    named(FORCE, "kN", 1e3, 1.0),
+    named(FORCE, "lbf", POUND_FORCE, 1e13),
+    named(ENERGY, "J", 1.0, 1.0),
+    named(ENERGY, "kJ", 1e3, 1.0),
+    named(PRESSURE, "Pa", 1.0, 1.0),
+    named(PRESSURE, "kPa", 1e3, 1.0),
+    named(PRESSURE, "MPa", 1e6, 1.0),
+    named(PRESSURE, "psi", POUND_FORCE, 1e5 * 254.0 * 254.0), // lbf/in²
+    named(PURE, "%", 1.0, 1e2),
+];
+
+fn find(name: &str) -> Option<&'static Named> {
+    NAMED.iter().find(|named| named.name == name)
+}
+
+/// A unit as written: named units with their exponents in halves.
+#[derive(Debug)]
+pub(super) struct Unit(Vec<(&'static Named, i16)>);
+
+impl Unit {
+    /// Returns the dimension of the unit.
+    pub(super) fn dimension(&self) -> Dimension {
+        self.0.iter().fold(PURE, |product, (named, halves)| product.times_power(named.dimension, *halves))
+    }
+
+    /// Converts `value` in this unit to SI.
+    pub(super) fn to_si(&self, value: f64) -> f64 {
+        Wide::new(value).times(self.size()).value()
+    }
+
+    /// Returns the size of this unit in SI.
+    pub(super) fn size(&self) -> Wide {
+        let one = Wide::new(1.0);
+        self.0.iter().fold(one, |product, (named, halves)| {
+            let ratio = Wide::new(named.numerator).over(Wide::new(named.denominator));
+            let size = if named.pi { ratio.times(Wide::PI) } else { ratio };
+            product.times(size.power(*halves))
+        })
+    }
+
+    /// Returns `true` for `ft lb`, which practitioners write for the energy ft lbf.
+    pub(super) fn is_foot_pound(&self) -> bool {
+        matches!(&self.0[..], [(foot, 2), (pound, 2)] if foot.name == "ft" && pound.name == "lb")
+    }
+
+    /// Returns this unit with each pound-mass replaced by a pound-force.
+    pub(super) fn with_pound_force(&self) -> Unit {
+        let forced = |named: &'static Named| match named.name {
+            "lb" | "lbs" => find("lbf").unwrap_or(named),
+            _ => named,
+        };
+        Unit(self.0.iter().map(|(named, halves)| (forced(named), *halves)).collect())
+    }
+
+    /// Parses a unit; the documentation of this module has the grammar.
+    pub(super) fn parse(text: &str) -> Result<Unit, QuantityError> {
+        let mut factors = Vec::new();
+        let mut rest = text.trim();
+        // 1/s has an empty numerator.
+        let below = rest.strip_prefix('1').and_then(|tail| tail.trim_start().strip_prefix('/'));
+        let mut divided = below.is_some();
+        rest = below.map_or(rest, str::trim_start);
+        loop {
+            let end = rest.find(ends_name).unwrap_or(rest.len());
+            let (name, tail) = rest.split_at(end);
+            let named = find(name).ok_or_else(|| unknown(name, text))?;
+            let (halves, tail) = exponent(tail)?;
+            factors.push((named, if divided { -halves } else { halves }));
+            if factors.len() > MOST_FACTORS {
+                return Err(QuantityError::new(format!("the unit {} is too long", excerpt(text))));
+            }
+            rest = tail.trim_start();
+            if rest.is_empty() {
+                return Ok(Unit(factors));
+            }
+            let quotient = rest.strip_prefix('/');
+            if divided && quotient.is_none() {
+                return Err(ambiguous(text));
+            }
+            divided = quotient.is_some();
+            rest = quotient.or_else(|| rest.strip_prefix(PRODUCT)).unwrap_or(rest).trim_start();
+        }
+    }
+}
+
+/// Maximum number of factors, which keeps the sums of exponents far within their type.
+const MOST_FACTORS: usize = 8;
+const PRODUCT: [char; 4] = ['*', '·', '⋅', '-'];
+const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+fn ends_name(c: char) -> bool {
+    c.is_whitespace() || c == '/' || c == '^' || PRODUCT.contains(&c) || superscript(c).is_some()
+}
+
+/// Returns the ordinary character of a superscript.
+fn superscript(c: char) -> Option<char> {
+    match c {
+        '⁻' => Some('-'),
+        _ => SUPERSCRIPTS.chars().zip('0'..='9').find(|(raised, _)| *raised == c).map(|(_, digit)| digit),
+    }
+}
+
+/// Reads the exponent at the start of `text`, in halves (one if absent), and returns the text after it.
+fn exponent(text: &str) -> Result<(i16, &str), QuantityError> {
+    let (digits, rest) = if let Some(tail) = text.strip_prefix('^') {
+        let end = tail.find(|c: char| !matches!(c, '+' | '-' | '.' | '0'..='9')).unwrap_or(tail.len());
+        (tail[..end].to_owned(), &tail[end..])
+    } else {
+        let end = text.find(|c| superscript(c).is_none()).unwrap_or(text.len());
+        (text[..end].chars().filter_map(superscript).collect(), &text[end..])
+    };
+    if digits.is_empty() && !text.starts_with('^') {
+        return Ok((2, rest));
+    }
+    let halves = digits.parse::<f64>().unwrap_or(0.0) * 2.0;
+    if halves == 0.0 || halves.fract() != 0.0 || halves.abs() > 12.0 {
+        return Err(QuantityError::with_help(
+            format!("{} is not the exponent of a unit", excerpt(&format!("^{digits}"))),
+            "write a whole or half power, such as ^2, ^0.5 or ^-1".to_owned(),
+        ));
+    }
+    // The check above ensures a whole number of at most 12.
+    Ok((halves as i16, rest))
+}
+
+fn unknown(name: &str, unit: &str) -> QuantityError {
+    if name.is_empty() {
+        return QuantityError::new(format!("the name of a unit is missing in {}", excerpt(unit)));
+    }
+    let message = format!("unknown unit {}", excerpt(name));
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    if let Some(named) = find(stem).filter(|_| stem != name) {
+        let meant = format!("did you mean `{}^{}`?", named.name, &name[stem.len()..]);
+        return QuantityError::with_help(message, meant);
+    }
+    match nearest(name, NAMED.iter().map(|named| named.name)) {
+        Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
+        None => QuantityError::new(message),
+    }
+}
+
+fn ambiguous(unit: &str) -> QuantityError {
+    QuantityError::with_help(
+        format!("{} has a product behind `/`, which can be read in two ways", excerpt(unit)),
+        "put the products first and a `/` before each divisor, as in `lbf s/ft/in`".to_owned(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dimension(text: &str) -> Dimension {
+        Unit::parse(text).unwrap().dimension()
+    }
+
+    fn message(text: &str) -> String {
+        Unit::parse(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn dimensions() {
+        assert_eq!(dimension("lbf s^2 ft"), Dimension::new(1, 2, 0, 0));
+        assert_eq!(dimension("slug·ft²"), Dimension::new(1, 2, 0, 0));
+        assert_eq!(dimension("N / m^2"), PRESSURE);
+        assert_eq!(dimension("lbf^0.5/ft"), Dimension::halves(1, -1, -2, 0));
+        assert_eq!(dimension("rad s⁻¹"), YAW_RATE);
+        assert_eq!(dimension("°/s"), YAW_RATE);
+        assert_eq!(dimension("m/s/s"), ACCELERATION);
+        assert_eq!(dimension("kg*m^-1*s^-2"), PRESSURE);
+        assert_eq!(dimension("ft-lbf"), ENERGY);
+        assert_eq!(dimension("1/s"), Dimension::new(0, 0, -1, 0));
+        assert_eq!(dimension("1 / s/m"), Dimension::new(0, -1, -1, 0));
+        assert_eq!(Dimension::halves(1, -1, -2, 0).to_string(), "kg^0.5 m^-0.5 s^-1");
+    }
+
+    #[test]
+    fn bad_units() {
+        assert_eq!(message("mhp"), "unknown unit `mhp` (did you mean `mph`?)");
+        assert_eq!(message("KG"), "unknown unit `KG` (did you mean `kg`?)");
+        assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
+        assert_eq!(message("furlong"), "unknown unit `furlong`");
+        assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");
+        assert_eq!(message("ft/"), "the name of a unit is missing in `ft/`");
+        assert_eq!(message("1"), "unknown unit `1`");
+        assert_eq!(message("1/"), "the name of a unit is missing in `1/`");
+        assert_eq!(message("s 1/m"), "unknown unit `1`");
+        assert_eq!(
+            message("J/kg m"),
+            "`J/kg m` has a product behind `/`, which can be read in two ways \
+             (put the products first and a `/` before each divisor, as in `lbf s/ft/in`)"
+        );
+        for exponent in ["m^", "m^0", "m^0.3", "m^99", "m^--1", "m^1e2", "m⁻"] {
+            assert!(Unit::parse(exponent).is_err(), "{exponent}");
+        }
+        assert_eq!(message(&"m ".repeat(9)), "the unit `m m m m m m m m m ` is too long");
+    }
+
+    #[test]
+    fn names_are_unique() {
+        for (i, named) in NAMED.iter().enumerate() {
+            assert!(NAMED[..i].iter().all(|other| other.name != named.name), "{}", named.name);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The verb `reconstruct`: determines the collision from evidence, with the uncertainty of the answer.
+
+mod answer;
+pub mod diagnostics;
+mod from_rest;
+mod question;
+mod solve_error;
+
+use planar_impact::reconstruct::{Estimate, Measurand, Search, Solution, Verdict};
+
+use crate::answer::Answer;
+use crate::case::{Case, Parameter};
+use crate::control::Control;
+use crate::crash3::Comparison;
+use crate::issue::Issues;
+use crate::notice::Notice;
+use answer::Solved;
+use question::{Question, key_of};
+
+pub use answer::{Alternative, Evidence, FurthestOff, Influence, Reconstruction, Unknown};
+
+/// Options of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Number of starts: the first is given, the others are drawn within the bounds.
+    pub starts: usize,
+    /// The seed of those draws.
+    pub seed: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { starts: 64, seed: 1 }
+    }
+}
+
+/// Searches for the unknowns of a case.
+///
+/// # Errors
+///
+/// Everything wrong with the question, or why no search converges.
+pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
+    control.proceed(0, 1)?;
+    let question = Question::of(case)?;
+    let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
+    let answer = question.asked.solve(&search).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
+    let solved = solved(&question.case, answer.best());
+    let mut notices = question.notices.clone();
+    let (mut diagnostics, mut crash3) = (Vec::new(), None);
+    // If an unknown is not determined, the best solution is one of many.
+    if answer.verdict != Verdict::Undetermined {
+        diagnostics = diagnostics::of(&question, &solved, answer.best());
+        crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
+        notices.0.extend(solved.warnings(&answer.best().impact));
+    }
+    let solved = Solved { question: &question, answer: &answer, search, case: &solved, diagnostics, crash3 };
+    Ok(Answer::new(&case.title, solved.reconstruction(), notices))
+}
+
+/// Returns the case with the values of a solution.
+fn solved(case: &Case, solution: &Solution) -> Case {
+    let value = |estimate: &Estimate| Some((key_of(estimate.of, case)?, estimate.value));
+    let values: Vec<(Parameter, f64)> = solution.unknowns.iter().filter_map(value).collect();
+    case.with_collision(&values, solution.collision)
+}
+
+/// Runs CRASH3 with the crush of every vehicle, or else with the crush energy of the evidence or of the solution.
+fn through_crash3(solved: &Case, best: &Solution, notices: &mut Vec<Notice>) -> Option<Comparison> {
+    let parties = solved.collision.parties();
+    let has_crush = (0..2).all(|i| parties[i].vehicle().is_none() || solved.setup.crush[i].is_some());
+    let mut of_crash3 = Vec::new();
+    let comparison = if has_crush {
+        Comparison::of(solved, &mut of_crash3).ok()
+    } else {
+        let given = best.evidence.iter().find(|fitted| fitted.of == Measurand::CrushEnergy);
+        let energy = given.map_or(-best.impact.work.n, |fitted| fitted.given);
+        if given.is_none() {
+            let message = "CRASH3 starts from a crush energy, and the evidence has none: that of the solution is used";
+            notices.push(Notice::note("crash3-energy-of-solution", "", message));
+        }
+        Some(Comparison::of_energy(solved, energy, &mut of_crash3))
+    };
+    match &comparison {
+        None => {
+            let message = "CRASH3 has no answer: no push brings the vehicles to a common velocity";
+            notices.push(Notice::warning("crash3-no-answer", "", message));
+        }
+        Some(_) => notices.extend(of_crash3.into_iter().map(|notice| notice.prefixed("CRASH3: "))),
+    }
+    comparison.filter(|comparison| !comparison.is_empty())
+}

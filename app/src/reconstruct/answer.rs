@@ -1,0 +1,374 @@
+//! The answer of `reconstruct`.
+
+use planar_impact::reconstruct::{Bound, Direction, Estimate, Fitted, Measurand, Search, Solution, Variable, Verdict};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::diagnostics::Diagnostic;
+use super::question::{Question, measure_in};
+use crate::answer::Answer;
+use crate::case::Case;
+use crate::crash3::Comparison;
+use crate::named::{Named, positive_zero};
+use crate::notice::Notices;
+use crate::solve;
+use crate::units::Measure;
+use crate::units::trim;
+
+/// A collision found from evidence, in SI and radians.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Reconstruction {
+    /// `agrees`, `several solutions`, `undetermined`, `contradicted` or `bounds exclude`.
+    pub verdict: &'static str,
+    /// `true` if several separations lead to the same rest position, of which one is used.
+    pub other_separations: bool,
+    /// `true` if a search converged; otherwise there is no answer.
+    pub converged: bool,
+    /// Number of steps of the search that found the best solution.
+    pub iterations: usize,
+    /// The unknowns.
+    pub unknown: Named<Unknown>,
+    /// Covariance of the unknowns; `null` where an unknown has no standard deviation.
+    pub covariance: Named<Named<Option<f64>>>,
+    /// Correlation of the unknowns.
+    pub correlation: Named<Named<Option<f64>>>,
+    /// The evidence, compared with the best solution.
+    pub evidence: Named<Evidence>,
+    /// Prior values of unknowns, compared with the best solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub priors: Option<Named<Evidence>>,
+    /// The piece of evidence, or the prior, with the largest standardised residual in the best solution; `null` if all are exact.
+    pub furthest_off: Option<FurthestOff>,
+    /// Change of each unknown per unit of each piece of evidence; `null` if the unknown is not determined.
+    #[schemars(with = "Named<Named<Option<f64>>>")]
+    pub influence: Named<Named<f64>>,
+    /// Sum of the squares of the standardised residuals.
+    pub chi_square: f64,
+    /// Number of pieces of evidence minus number of unknowns.
+    pub degrees_of_freedom: usize,
+    /// Probability that chi-square is larger by chance.
+    pub probability: f64,
+    /// Unknowns that the evidence barely constrains.
+    pub weakly_determined: Vec<&'static str>,
+    /// Deprecated name of `weakly_determined`.
+    #[deprecated]
+    pub hardly_determined: Vec<&'static str>,
+    /// Combinations of unknowns that the evidence does not constrain, in words.
+    pub not_determined: Vec<String>,
+    /// The same as numbers: the change of each unknown along the combination.
+    pub open_directions: Vec<Named<f64>>,
+    /// Every solution that fits the evidence; several only if the evidence cannot distinguish them.
+    pub solutions: Vec<Alternative>,
+    /// Other minima of chi-square, which the evidence distinguishes from the best one.
+    pub other_minima: Vec<Alternative>,
+    /// Deprecated name of `other_minima`.
+    #[deprecated]
+    pub worse: Vec<Alternative>,
+    /// The best fit without bounds, if it lies outside the bounds.
+    pub without_bounds: Option<Alternative>,
+    /// Maximum number of starts.
+    pub starts: usize,
+    /// Number of searches.
+    pub searches: usize,
+    /// Number of searches that converged.
+    pub searches_converged: usize,
+    /// Number of searches that ended at each solution, the best first.
+    pub searches_at_solutions: Vec<usize>,
+    /// The seed of the starts.
+    pub seed: u64,
+    /// Diagnostics of the best solution: what users of crash programs ask next.
+    pub diagnostics: Vec<Diagnostic>,
+    /// CRASH3 results from the same evidence.
+    pub crash3: Option<Comparison>,
+    /// The collision of the best solution; `null` where the evidence leaves an unknown open.
+    pub solution: Option<Answer<solve::Solution>>,
+    /// `true` if `contact.impulse_ratio` is the fraction of the critical ratio, as the case gives it.
+    pub impulse_ratio_is_fraction: bool,
+    /// The verdict of the library.
+    #[serde(skip)]
+    pub status: Verdict,
+}
+
+/// An unknown in the best solution.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Unknown {
+    /// Its value; `null` if the evidence does not determine it.
+    pub value: Option<f64>,
+    /// Its standard deviation; `null` if there is none, as with exact evidence or at a bound.
+    pub sd: Option<f64>,
+    /// `min` or `max` if it lies on a bound.
+    pub at_bound: Option<&'static str>,
+    /// Its 95 % interval, limited to its bounds; `null` without a standard deviation.
+    pub interval_95: Option<[f64; 2]>,
+    /// Its lower bound in the file.
+    pub min: Option<f64>,
+    /// Its upper bound in the file.
+    pub max: Option<f64>,
+    /// Its measure.
+    #[serde(skip)]
+    pub measure: Measure,
+}
+
+/// A piece of evidence compared with a solution.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Evidence {
+    /// Its value in the file.
+    pub given: f64,
+    /// Its value in the solution.
+    pub computed: f64,
+    /// Its standard deviation; `null` if it is exact.
+    pub sd: Option<f64>,
+    /// Given minus computed, in standard deviations.
+    pub standardised_residual: Option<f64>,
+    /// Its measure.
+    #[serde(skip)]
+    pub measure: Measure,
+}
+
+/// The piece of evidence, or the prior, with the largest standardised residual.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct FurthestOff {
+    /// Its name.
+    pub name: &'static str,
+    /// The piece itself.
+    #[serde(flatten)]
+    pub evidence: Evidence,
+}
+
+/// One of several solutions.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Alternative {
+    /// The unknowns.
+    pub unknown: Named<f64>,
+    /// Their standard deviations.
+    pub sd: Named<Option<f64>>,
+    /// Its chi-square.
+    pub chi_square: f64,
+    /// Number of pieces of evidence minus number of unknowns.
+    pub degrees_of_freedom: usize,
+    /// Probability that chi-square is larger by chance.
+    pub probability: f64,
+    /// Number of searches that ended there.
+    pub searches: usize,
+}
+
+/// Effect of a piece of evidence on an unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Influence<'a> {
+    /// The piece of evidence, or `prior of` an unknown.
+    pub piece: &'a str,
+    /// The measure of the piece.
+    pub measure: Measure,
+    /// The standard deviation of the piece.
+    pub sd: f64,
+    /// The change of the unknown if the piece increases by its standard deviation.
+    pub change: f64,
+}
+
+/// Half-width, in standard deviations, of the central interval that contains 95 % of a normal distribution.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
+
+/// A solved question with results derived from its best solution.
+pub(super) struct Solved<'a> {
+    pub(super) question: &'a Question,
+    pub(super) answer: &'a planar_impact::reconstruct::Answer,
+    pub(super) search: Search,
+    /// The case with the values of the best solution.
+    pub(super) case: &'a Case,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(super) crash3: Option<Comparison>,
+}
+
+impl Solved<'_> {
+    /// Returns the overall verdict. If vehicles could have separated in other ways, the solution is one of several.
+    fn verdict(&self) -> Verdict {
+        match self.answer.verdict {
+            Verdict::Agrees if self.question.has_other_separations => Verdict::SeveralSolutions,
+            verdict => verdict,
+        }
+    }
+
+    #[allow(deprecated)]
+    pub(super) fn reconstruction(self) -> Reconstruction {
+        let (answer, best) = (self.answer, self.answer.best());
+        let names: Vec<&'static str> = best.unknowns.iter().map(|estimate| estimate.of.name()).collect();
+        let has_spread = |i: usize| best.unknowns[i].sd.is_some() || best.unknowns[i].at.is_some();
+        let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| {
+            let row = |i: usize| (0..names.len()).map(|k| (names[k], entry(i, k).filter(|_| has_spread(i) && has_spread(k)))).collect();
+            (0..names.len()).map(|i| (names[i], row(i))).collect()
+        };
+        let is_agreed = matches!(answer.verdict, Verdict::Agrees | Verdict::SeveralSolutions);
+        let weakly_determined: Vec<_> = best.hardly_determined(&self.question.asked).into_iter().map(Variable::name).collect();
+        let other_minima: Vec<Alternative> = answer.worse.iter().map(Alternative::of).collect();
+        Reconstruction {
+            verdict: self.verdict().name(),
+            status: self.verdict(),
+            other_separations: self.question.has_other_separations,
+            converged: true,
+            iterations: best.iterations,
+            unknown: best.unknowns.iter().map(|estimate| (estimate.of.name(), self.unknown(estimate))).collect(),
+            covariance: matrix(&|i, k| Some(positive_zero(best.covariance.get(i, k)))),
+            correlation: matrix(&|i, k| best.covariance.correlation(i, k)),
+            evidence: self.evidence(),
+            priors: (!best.priors.is_empty()).then(|| best.priors.iter().map(|prior| self.named(prior)).collect()),
+            furthest_off: self.furthest_off(),
+            influence: influence(best),
+            chi_square: best.chi_square,
+            degrees_of_freedom: best.degrees_of_freedom,
+            probability: best.probability,
+            hardly_determined: weakly_determined.clone(),
+            weakly_determined,
+            not_determined: answer.not_determined.iter().map(|direction| in_words(direction, self.case)).collect(),
+            open_directions: answer
+                .not_determined
+                .iter()
+                .map(|direction| direction.parts.iter().map(|(of, by)| (of.name(), *by)).collect())
+                .collect(),
+            solutions: if is_agreed { answer.solutions.iter().map(Alternative::of).collect() } else { Vec::new() },
+            worse: other_minima.clone(),
+            other_minima,
+            without_bounds: answer.without_bounds.as_deref().map(Alternative::of),
+            starts: self.search.starts,
+            searches: answer.searches,
+            searches_converged: answer.converged,
+            searches_at_solutions: answer.solutions.iter().map(|solution| solution.searches).collect(),
+            seed: self.search.seed,
+            diagnostics: self.diagnostics.clone(),
+            crash3: self.crash3.clone(),
+            solution: (answer.verdict != Verdict::Undetermined)
+                .then(|| Answer::new(&self.case.title, solve::Solution::of(self.case, &best.impact), Notices::default())),
+            impulse_ratio_is_fraction: matches!(self.case.collision.impulse_ratio, planar_impact::ImpulseRatio::OfCritical(_)),
+        }
+    }
+
+    fn unknown(&self, estimate: &Estimate) -> Unknown {
+        let asked = self.question.asked.unknowns.iter().find(|unknown| unknown.of == estimate.of);
+        let (min, max) = asked.map_or((None, None), |unknown| (unknown.min, unknown.max));
+        // A NaN standard deviation stays NaN: comparisons with a bound keep it.
+        let within = |value: f64| match (min, max) {
+            (Some(min), _) if value < min => min,
+            (_, Some(max)) if value > max => max,
+            _ => value,
+        };
+        let interval = |sd: f64| [estimate.value - NORMAL_95 * sd, estimate.value + NORMAL_95 * sd].map(within);
+        Unknown {
+            value: estimate.is_determined.then_some(positive_zero(estimate.value)),
+            sd: estimate.sd,
+            at_bound: estimate.at.map(|bound| match bound {
+                Bound::Min => "min",
+                Bound::Max => "max",
+            }),
+            interval_95: estimate.sd.filter(|_| estimate.is_determined).map(interval),
+            min,
+            max,
+            measure: measure_in(estimate.of, self.case),
+        }
+    }
+
+    fn measure_of(&self, of: Measurand) -> Measure {
+        match of {
+            Measurand::Variable(variable) => measure_in(variable, self.case),
+            _ => of.measure(),
+        }
+    }
+
+    fn named(&self, fitted: &Fitted) -> (&'static str, Evidence) {
+        let evidence = Evidence {
+            given: positive_zero(fitted.given),
+            computed: positive_zero(fitted.computed),
+            sd: fitted.sd,
+            standardised_residual: fitted.standardised_residual().map(positive_zero),
+            measure: self.measure_of(fitted.of),
+        };
+        (fitted.of.name(), evidence)
+    }
+
+    /// Returns the evidence of the fit, and the exact evidence whose values are set in the case.
+    fn evidence(&self) -> Named<Evidence> {
+        let certain = self.question.certain.iter().map(|evidence| {
+            let value = positive_zero(evidence.value);
+            let measure = self.measure_of(evidence.of);
+            (evidence.of.name(), Evidence { given: value, computed: value, sd: None, standardised_residual: None, measure })
+        });
+        self.answer.best().evidence.iter().map(|fitted| self.named(fitted)).chain(certain).collect()
+    }
+
+    fn furthest_off(&self) -> Option<FurthestOff> {
+        let best = self.answer.best();
+        let off = |fitted: &&Fitted| fitted.standardised_residual().map(f64::abs);
+        let all = best.evidence.iter().chain(&best.priors).filter(|fitted| off(fitted).is_some());
+        let furthest = all.max_by(|one, other| off(one).unwrap_or(0.0).total_cmp(&off(other).unwrap_or(0.0)))?;
+        let (name, evidence) = self.named(furthest);
+        Some(FurthestOff { name, evidence })
+    }
+}
+
+/// Describes how unknowns can change together without contradicting the evidence: `vehicle.1.speed by 1 m/s with
+/// vehicle.2.speed by -1 m/s`.
+fn in_words(direction: &Direction, case: &Case) -> String {
+    let part =
+        |(of, by): &(Variable, f64)| format!("{} by {} {}", of.name(), trim(*by), measure_in(*of, case).si_unit()).trim_end().to_owned();
+    direction.parts.iter().map(part).collect::<Vec<_>>().join(" with ")
+}
+
+/// Returns the influence of the pieces of evidence, then of the priors, on each unknown.
+fn influence(best: &Solution) -> Named<Named<f64>> {
+    let names = || {
+        let priors = best.priors.iter().map(|prior| format!("prior of {}", prior.of.name()));
+        best.evidence.iter().map(|fitted| fitted.of.name().to_owned()).chain(priors)
+    };
+    let row = |(estimate, row): (&Estimate, &Vec<f64>)| {
+        let moves = if estimate.is_determined { row.iter().copied().map(positive_zero).collect() } else { vec![f64::NAN; row.len()] };
+        (estimate.of.name(), names().zip(moves).collect())
+    };
+    best.unknowns.iter().zip(&best.influence).map(row).collect()
+}
+
+impl Alternative {
+    fn of(solution: &Solution) -> Self {
+        Alternative {
+            unknown: solution.unknowns.iter().map(|estimate| (estimate.of.name(), positive_zero(estimate.value))).collect(),
+            sd: solution.unknowns.iter().map(|estimate| (estimate.of.name(), estimate.sd)).collect(),
+            chi_square: solution.chi_square,
+            degrees_of_freedom: solution.degrees_of_freedom,
+            probability: solution.probability,
+            searches: solution.searches,
+        }
+    }
+}
+
+impl Reconstruction {
+    /// Returns `true` if the best solution is an answer or the best fit to inconsistent evidence, not one of many.
+    pub fn has_solution(&self) -> bool {
+        self.solution.is_some()
+    }
+
+    /// Returns `true` if any evidence is uncertain, so that the uncertainty of unknowns is known.
+    pub fn has_uncertainty(&self) -> bool {
+        let all = self.evidence.iter().chain(self.priors.iter().flat_map(Named::iter));
+        all.into_iter().any(|(_, evidence)| evidence.sd.is_some_and(|sd| sd > 0.0))
+    }
+
+    /// Returns the pieces of evidence that an unknown depends on most, the largest change first, without those below a thousandth of it.
+    pub fn influences(&self, unknown: &str) -> Vec<Influence<'_>> {
+        let pieces = self.evidence.iter().filter(|(name, _)| self.is_weighed(name));
+        let all = pieces.chain(self.priors.iter().flat_map(Named::iter));
+        let Some(row) = self.influence.get(unknown) else { return Vec::new() };
+        let mut found: Vec<Influence<'_>> = row
+            .iter()
+            .zip(all)
+            .filter_map(|((piece, by), (_, evidence))| {
+                evidence.sd.map(|sd| Influence { piece, measure: evidence.measure, sd, change: by * sd })
+            })
+            .collect();
+        found.sort_by(|one, other| other.change.abs().total_cmp(&one.change.abs()));
+        let greatest = found.first().map_or(0.0, |first| first.change.abs());
+        found.retain(|influence| influence.change.abs() > 1e-3 * greatest);
+        found
+    }
+
+    /// Returns `true` if a piece of evidence takes part in the fit; the value of any other is set in the case.
+    pub fn is_weighed(&self, name: &str) -> bool {
+        self.influence.iter().next().is_some_and(|(_, row)| row.get(name).is_some())
+    }
+}

@@ -1,0 +1,275 @@
+//! Converts a case into the problem that the library solves.
+
+use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Uncertainty, Unknown, Variable, crush_share};
+use planar_impact::{ImpulseRatio, Input, Moment, Side};
+
+use super::from_rest::FromRest;
+use crate::case::{Case, Known, Parameter, RequestedUnknown, Velocity, parameter_of};
+use crate::issue::{Issue, Issues};
+use crate::message::Message;
+use crate::notice::{Notice, Notices};
+use crate::units::Measure;
+
+/// Maximum sideways velocity, as a fraction of its speed, of a vehicle that counts as driving along its heading.
+const ALONG: f64 = 1e-6;
+
+/// The question, with the assumptions made to set it up.
+pub struct Question {
+    /// The case, with the values of exact evidence set.
+    pub case: Case,
+    /// The problem that the library solves.
+    pub asked: ReconstructionProblem,
+    /// Exact evidence whose values are set in the case, so that it takes no part in the fit.
+    pub certain: Vec<Evidence>,
+    /// Paths of the unknowns and the evidence in the file.
+    pub places: Places,
+    /// Assumptions.
+    pub notices: Notices,
+    /// `true` if a vehicle could have separated in other ways and come to the same rest position; only one of them is used.
+    pub has_other_separations: bool,
+}
+
+/// Paths in the file of the parts of the question.
+#[derive(Default)]
+pub struct Places {
+    unknowns: Vec<(Variable, String)>,
+    evidence: Vec<(Measurand, String)>,
+}
+
+impl Places {
+    /// Returns the key of an unknown, the last one if there are several; for an unknown that only the evidence names,
+    /// the key of the evidence.
+    pub fn of_unknown(&self, of: Variable) -> String {
+        let found = self.unknowns.iter().rfind(|(variable, _)| *variable == of);
+        found.map_or_else(|| "unknown".to_owned(), |(_, key)| key.clone())
+    }
+
+    /// Returns the key of a piece of evidence, the last one if there are several.
+    pub fn of_evidence(&self, of: Measurand) -> String {
+        let found = self.evidence.iter().rfind(|(measurable, _)| *measurable == of);
+        found.map_or_else(|| "evidence".to_owned(), |(_, key)| key.clone())
+    }
+}
+
+impl Question {
+    /// Sets up the question of a case.
+    ///
+    /// # Errors
+    ///
+    /// Returns the contradictions in the case.
+    pub fn of(case: &Case) -> Result<Self, Issues> {
+        let FromRest { case, correlations, has_others } = &FromRest::of(case)?;
+        let knowledge = &case.knowledge;
+        let mut draft =
+            Draft { case, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notices: case.notices.clone() };
+        let (mut set, mut certain, mut crush_share) = (Vec::new(), Vec::new(), None);
+        let mut issues: Vec<Issue> = knowledge.unknowns.iter().filter_map(|requested| misnamed(case, requested)).collect();
+        for requested in &knowledge.unknowns {
+            let start = draft.start(requested);
+            // An unknown without uncertainty is known.
+            if requested.prior == Some(0.0) {
+                let message = format!("{} has a standard deviation of 0: it is taken as known", requested.of.name());
+                draft.notices.0.push(Notice::note("unknown-is-known", requested.key.clone(), message));
+                match key_of(requested.of, case) {
+                    Some(key) => set.push((key, start)),
+                    None => crush_share = Some(start),
+                }
+                continue;
+            }
+            draft.places.unknowns.push((requested.of, requested.key.clone()));
+            draft.unknowns.push(Unknown { of: requested.of, start, min: requested.min, max: requested.max, prior: requested.prior });
+        }
+        for known in &knowledge.evidence {
+            draft.places.evidence.push((known.of, known.key.clone()));
+            let evidence = Evidence { of: known.of, value: known.value, uncertainty: known.uncertainty };
+            match known.variable() {
+                Some(variable) if draft.is_set(variable, known) => {
+                    certain.push(evidence);
+                    if variable == Variable::CrushShare {
+                        crush_share = Some(known.value);
+                    }
+                }
+                Some(variable) => {
+                    draft.add_if_doubtful(variable, known);
+                    draft.evidence.push(evidence);
+                }
+                None => draft.evidence.push(evidence),
+            }
+        }
+        if crush_share.is_none() {
+            draft.share_the_crush();
+        }
+        let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut issues));
+        if !issues.is_empty() {
+            return Err(case.unfit(issues));
+        }
+        let settled = case.with(&set);
+        let asked = ReconstructionProblem {
+            unknowns: draft.unknowns,
+            evidence: draft.evidence,
+            correlations: correlations.clone(),
+            drives_along_heading,
+            crush_share,
+            ..ReconstructionProblem::of(settled.collision)
+        };
+        Ok(Question { case: settled, asked, certain, places: draft.places, notices: draft.notices, has_other_separations: *has_others })
+    }
+}
+
+/// Returns an issue if the name of an unknown does not match the form in which the contact gives it.
+fn misnamed(case: &Case, requested: &RequestedUnknown) -> Option<Issue> {
+    let contact = &case.inputs.contact;
+    let is_there = match requested.called? {
+        Parameter::RatioOfCritical => matches!(contact.impulse_ratio, ImpulseRatio::OfCritical(_)),
+        Parameter::Friction => matches!(contact.impulse_ratio, ImpulseRatio::LimitedByFriction(_)),
+        _ => matches!(contact.moment, Moment::OfCritical(_)),
+    };
+    let given = match requested.of {
+        Variable::Input(Input::Moment) => "moment",
+        _ => "impulse ratio",
+    };
+    let help = "leave it out of [contact], or name the unknown as the contact gives it";
+    (!is_there)
+        .then(|| Issue::at("conflict", requested.key.clone(), format!("the contact gives the {given} in another way")).with_help(help))
+}
+
+/// The question under construction.
+struct Draft<'a> {
+    case: &'a Case,
+    unknowns: Vec<Unknown>,
+    evidence: Vec<Evidence>,
+    places: Places,
+    notices: Notices,
+}
+
+impl Draft<'_> {
+    fn seeks(&self, variable: Variable) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.of == variable)
+    }
+
+    /// Returns the value of an unknown in the case.
+    fn of_case(&self, variable: Variable) -> Option<f64> {
+        match key_of(variable, self.case) {
+            None => self.share_of_crush(),
+            Some(key) => self.case.inputs.value(key).ok(),
+        }
+    }
+
+    /// Returns the start of the search for an unknown: from the file if given, else from the evidence, else from the case.
+    fn start(&mut self, requested: &RequestedUnknown) -> f64 {
+        let of = requested.of;
+        if let Some(start) = requested.start {
+            return start;
+        }
+        if let Some(known) = self.case.knowledge.of(Measurand::Variable(of)) {
+            return known.value;
+        }
+        let start = self.of_case(of);
+        if let Some(start) = start {
+            let whose = if of == Variable::CrushShare { ", that of the crush" } else { ", that of the case" };
+            let message =
+                Message::from(format!("the search for {} starts at ", of.name())).figure(measure_in(of, self.case), start).text(whose);
+            self.notices.0.push(Notice::note("start-of-case", requested.key.clone(), message));
+        }
+        // The library refuses an unknown that the collision does not have.
+        start.unwrap_or(0.5)
+    }
+
+    /// Returns `true` if evidence of an input sets its value in the case: it is exact, and the input is not an unknown.
+    fn is_set(&self, variable: Variable, known: &Known) -> bool {
+        let is_there = variable == Variable::CrushShare || self.of_case(variable).is_some();
+        known.uncertainty == Uncertainty::Exact && is_there && !self.case.knowledge.seeks(variable)
+    }
+
+    /// Adds an input to the unknowns if the evidence gives it with an uncertainty.
+    fn add_if_doubtful(&mut self, variable: Variable, known: &Known) {
+        if self.seeks(variable) || self.is_known_by_others(variable) || known.uncertainty == Uncertainty::Exact {
+            return;
+        }
+        self.places.unknowns.push((variable, known.key.clone()));
+        self.unknowns.push(Unknown { of: variable, start: known.value, min: None, max: None, prior: None });
+        let message = format!("{} is solved for too: the evidence gives it with an uncertainty", variable.name());
+        self.notices.0.push(Notice::note("evidence-is-unknown", known.key.clone(), message));
+    }
+
+    /// Returns `true` for a speed whose components are unknowns, or a component whose speed is an unknown.
+    fn is_known_by_others(&self, variable: Variable) -> bool {
+        match variable {
+            Variable::Speed(side) => self.seeks_component(side),
+            Variable::Input(Input::VelocityX(side) | Input::VelocityY(side)) => self.seeks(Variable::Speed(side)),
+            _ => false,
+        }
+    }
+
+    fn seeks_component(&self, side: Side) -> bool {
+        [Input::VelocityX(side), Input::VelocityY(side)].into_iter().any(|input| self.seeks(Variable::Input(input)))
+    }
+
+    /// Returns vehicle 1's share of the total crush energy.
+    fn share_of_crush(&self) -> Option<f64> {
+        let [one, two] = [Side::One, Side::Two].map(|side| self.crush_energy(side));
+        crush_share(one?, two?)
+    }
+
+    /// Returns the crush energy of a vehicle from the evidence, or else from its crush.
+    fn crush_energy(&self, side: Side) -> Option<f64> {
+        let known = self.case.knowledge.of(Measurand::CrushEnergyOf(side)).map(|known| known.value);
+        known.or_else(|| self.case.setup.crush_outputs()[side as usize].as_ref().map(|crush| crush.energy))
+    }
+
+    /// Makes the crush share an unknown if the evidence gives the crush energy of each vehicle: the share follows
+    /// from them, not from mechanics.
+    fn share_the_crush(&mut self) {
+        let has = |side| self.case.knowledge.of(Measurand::CrushEnergyOf(side));
+        let (Some(one), Some(_)) = (has(Side::One), has(Side::Two)) else { return };
+        if self.seeks(Variable::CrushShare) || self.case.collision.one.vehicle().is_none() || self.case.collision.two.vehicle().is_none() {
+            return;
+        }
+        let Some(start) = self.share_of_crush() else { return };
+        self.places.unknowns.push((Variable::CrushShare, one.key.clone()));
+        self.unknowns.push(Unknown { of: Variable::CrushShare, start, min: None, max: None, prior: None });
+        let message = "contact.crush_share is solved for too: the evidence has the crush energy of each vehicle";
+        let notice = Notice::note("crush-share-is-unknown", one.key.clone(), message);
+        self.notices.0.push(notice);
+    }
+
+    /// Returns `true` if a vehicle drives along its heading; reports an issue if its speed is an unknown and it does not.
+    fn drives_along_heading(&self, side: Side, issues: &mut Vec<Issue>) -> bool {
+        let Some(vehicle) = &self.case.inputs.vehicles[side as usize] else { return false };
+        if let Velocity::Speed(_) = vehicle.velocity {
+            return !self.seeks_component(side);
+        }
+        let party = match side {
+            Side::One => &self.case.collision.one,
+            Side::Two => &self.case.collision.two,
+        };
+        let is_along = party.vehicle().is_none_or(|vehicle| vehicle.drives_along_heading(ALONG));
+        if self.seeks(Variable::Speed(side)) && !is_along {
+            let direction = Measurand::ApproachDirection(side).name();
+            let help = format!("make velocity.x and velocity.y unknown, and give {direction} in [evidence] if it is known");
+            let message = "the vehicle gives a velocity that is not along its heading, and a speed is along it";
+            issues.push(Issue::at("conflict", self.places.of_unknown(Variable::Speed(side)), message).with_help(help));
+        }
+        false
+    }
+}
+
+/// Returns the case parameter of an unknown: for the impulse ratio and the moment impulse, the form that the case
+/// gives; `None` for the crush share.
+pub fn key_of(variable: Variable, case: &Case) -> Option<Parameter> {
+    let contact = &case.inputs.contact;
+    match (variable, contact.impulse_ratio, contact.moment) {
+        (Variable::Input(Input::ImpulseRatio), ImpulseRatio::OfCritical(_), _) => Some(Parameter::RatioOfCritical),
+        (Variable::Input(Input::ImpulseRatio), ImpulseRatio::LimitedByFriction(_), _) => Some(Parameter::Friction),
+        (Variable::Input(Input::Moment), _, Moment::OfCritical(_)) => Some(Parameter::MomentOfCritical),
+        _ => parameter_of(variable),
+    }
+}
+
+/// Returns the measure of an unknown in a case: a fraction of the critical moment is a ratio.
+pub fn measure_in(of: Variable, case: &Case) -> Measure {
+    match (of, case.inputs.contact.moment) {
+        (Variable::Input(Input::Moment), Moment::OfCritical(_)) => Measure::Ratio,
+        _ => of.measure(),
+    }
+}

@@ -1,0 +1,108 @@
+//! The schemas of quantities: each kind on its own, as a measurement, and as an unknown.
+
+use serde_json::{Map, Value, json};
+
+use crate::quantity::{Kind, Reach};
+
+/// A number followed by anything that may be a unit.
+const WITH_UNIT: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*([^\s\d.,_']|1\s*/)";
+/// A number, perhaps in percent.
+const PURE: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)";
+
+/// The definition of a kind of quantity, from the kind and its name.
+type Define = fn(&Kind, &str) -> Value;
+
+/// Creates the definitions that a schema refers to, by name: `mass`, `measured_mass`, `unknown_mass` and so on.
+pub(super) fn definitions(schema: &str) -> Map<String, Value> {
+    // Quantities come last, because the others refer to them.
+    let families: [(&str, Define); 3] = [("measured_", measured), ("unknown_", unknown), ("", quantity)];
+    let mut text = schema.to_owned();
+    let mut definitions = Map::new();
+    for (family, define) in families {
+        for kind in &Kind::ALL {
+            let name = name(kind);
+            let key = format!("{family}{name}");
+            if text.contains(&format!("\"#/$defs/{key}\"")) {
+                let definition = define(kind, &name);
+                text += &definition.to_string();
+                definitions.insert(key, definition);
+            }
+        }
+    }
+    definitions
+}
+
+/// Returns `yaw_inertia` for "a yaw inertia".
+fn name(kind: &Kind) -> String {
+    let name = kind.name.split(" (").next().unwrap_or_default();
+    name.split_once(' ').map_or(name, |(_, noun)| noun).replace(' ', "_")
+}
+
+fn pattern(kind: &Kind) -> &'static str {
+    if kind.si.is_empty() { PURE } else { WITH_UNIT }
+}
+
+fn quantity(kind: &Kind, _: &str) -> Value {
+    let unit = if kind.si.is_empty() { "may be in %".to_owned() } else { format!("needs its unit; a bare number is in {}", kind.si) };
+    let (Reach::Magnitude(most) | Reach::Positive(_, most)) = kind.bare;
+    json!({
+        "description": format!("{}, such as \"{}\". A string {unit}.", capitalized(kind.name), kind.example),
+        "type": ["number", "string"],
+        "pattern": pattern(kind),
+        "minimum": -most,
+        "maximum": most,
+        "examples": [kind.example],
+    })
+}
+
+fn measured(kind: &Kind, name: &str) -> Value {
+    let of_kind = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text });
+    let size = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text, "minimum": 0 });
+    let mut properties = json!({
+        "value": of_kind("The value that was measured."),
+        "sd": size("Its standard deviation."),
+        "resolution": size("The step of the record that it was read from; instead of `sd`."),
+    });
+    let mut spreads = vec!["sd", "resolution"];
+    if kind.name == Kind::ENERGY.name {
+        properties["value"] = json!({ "anyOf": [{ "const": "from crush" }, of_kind("The value that was measured.")] });
+        properties["relative"] = json!({
+            "$ref": "#/$defs/pure_number", "description": "Its standard deviation as a share of the value; instead of `sd`.", "minimum": 0,
+        });
+        spreads.push("relative");
+    }
+    let one: Vec<Value> = spreads.iter().map(|spread| json!({ "type": "object", "required": [spread] })).collect();
+    json!({
+        "description": format!("{} as it was measured: a value, \"value ± standard deviation\", or a table.", capitalized(kind.name)),
+        "type": ["number", "string", "object"],
+        "pattern": pattern(kind),
+        "properties": properties,
+        "required": ["value"],
+        "additionalProperties": false,
+        "if": { "anyOf": one },
+        "then": { "oneOf": one },
+        "examples": [kind.example],
+    })
+}
+
+fn unknown(kind: &Kind, name: &str) -> Value {
+    let of_kind = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text });
+    json!({
+        "description": format!("{} to solve for: its start, \"start ± standard deviation\", or a table.", capitalized(kind.name)),
+        "type": ["number", "string", "object"],
+        "pattern": pattern(kind),
+        "properties": {
+            "start": of_kind("Where the search starts. Default: the value that the case or the evidence gives."),
+            "min": of_kind("Lower bound."),
+            "max": of_kind("Upper bound."),
+            "sd": { "$ref": format!("#/$defs/{name}"), "description": "Standard deviation of the start, if it is known beforehand.", "minimum": 0 },
+        },
+        "additionalProperties": false,
+        "examples": [{ "start": kind.example }],
+    })
+}
+
+fn capitalized(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

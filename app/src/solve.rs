@@ -1,0 +1,336 @@
+//! The verb `solve`: how two vehicles leave a collision, and the energy it takes.
+
+use planar_impact::{Admissible, Impact, Law, Nt, Party, Response, Xy};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::answer::Answer;
+use crate::case::{Case, Crash3Outputs, CrushOutputs};
+use crate::control::Control;
+use crate::crush_plane_bracket::Bracket;
+use crate::issue::Issues;
+use crate::named::positive_zero;
+use crate::units::Measure;
+
+/// A solved collision, in SI and radians.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Solution {
+    /// Vehicle 1 and vehicle 2.
+    pub vehicles: [Vehicle; 2],
+    /// The contact.
+    pub contact: Contact,
+    /// The energies.
+    pub energy: Energy,
+    /// Outputs at both ends of the crush plane's bracket, where the case gives the surfaces that meet.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crush_plane_bracket: Option<Bracket>,
+}
+
+/// A vehicle before and after the impact; zeros for a barrier.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Vehicle {
+    /// Its name.
+    pub name: String,
+    /// `true` for a fixed barrier.
+    pub barrier: bool,
+    /// Its motion before the impact.
+    pub before: Motion,
+    /// Velocity after the impact along x and y, in m/s.
+    pub velocity: [f64; 2],
+    /// Yaw rate after the impact, in rad/s.
+    pub yaw_rate: f64,
+    /// Change of velocity along x and y, in m/s.
+    pub delta_v: [f64; 2],
+    /// Magnitude of the change of velocity, in m/s.
+    pub delta_v_magnitude: f64,
+    /// Principal direction of force, clockwise from straight ahead, in rad.
+    pub pdof: f64,
+    /// Crush energy in J, where the case has the crush of this vehicle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crush_energy: Option<f64>,
+    /// Speed at which the crush energy is the vehicle's kinetic energy, in m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equivalent_energy_speed: Option<f64>,
+    /// Mean depth of the crush in m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_depth: Option<f64>,
+    /// Results of CRASH3, where every vehicle has its crush.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crash3: Option<Crash3>,
+}
+
+/// A motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Motion {
+    /// Velocity along x and y, in m/s.
+    pub velocity: [f64; 2],
+    /// Yaw rate in rad/s.
+    pub yaw_rate: f64,
+}
+
+/// Results of CRASH3 for a vehicle.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Crash3 {
+    /// Principal direction of force that it takes, in rad.
+    pub pdof: f64,
+    /// Energy correction factor 1 + tan² α.
+    pub correction: f64,
+    /// Corrected crush energy in J.
+    pub corrected_energy: f64,
+    /// Effective mass factor γ.
+    pub effective_mass_factor: f64,
+    /// ΔV in m/s.
+    pub delta_v_magnitude: f64,
+}
+
+/// The contact of the two vehicles.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Contact {
+    /// Angle Γ of the crush plane in rad, as the case gives it.
+    pub crush_plane: f64,
+    /// Coefficient of restitution e.
+    pub restitution: f64,
+    /// Impulse ratio μ.
+    pub impulse_ratio: f64,
+    /// The form in which the case gives the impulse ratio.
+    pub impulse_ratio_given: ImpulseRatioGiven,
+    /// The number that it is given by; `null` at the critical ratio.
+    pub impulse_ratio_parameter: Option<f64>,
+    /// Critical impulse ratio μ₀; `null` where the impulse that ends sliding has no normal part.
+    #[schemars(with = "Option<f64>")]
+    pub critical_impulse_ratio: f64,
+    /// The law of the tangential impulse.
+    pub tangential_law: TangentialLaw,
+    /// The impulse on vehicle 1 in N s.
+    pub impulse: Impulse,
+    /// Relative velocity at the impact center before, in m/s.
+    pub approach: Components,
+    /// Relative velocity at the impact center after, in m/s.
+    pub separation: Components,
+    /// Limits of restitution and impulse ratio without a gain of energy; `null` with a moment impulse.
+    pub no_energy_gain: Option<EnergyBounds>,
+}
+
+/// The form in which a case gives its impulse ratio.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ImpulseRatioGiven {
+    /// It is the critical ratio.
+    Critical,
+    /// As a number.
+    Number,
+    /// As a fraction of the critical ratio.
+    OfCritical,
+    /// The critical ratio limited by a coefficient of friction.
+    Friction,
+}
+
+/// The law of the tangential impulse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TangentialLaw {
+    /// Sliding has ended at separation.
+    Brach,
+    /// Restitution holds for both components.
+    KudlichSlibar,
+}
+
+impl From<Law> for TangentialLaw {
+    fn from(law: Law) -> Self {
+        match law {
+            Law::Brach => TangentialLaw::Brach,
+            Law::KudlichSlibar => TangentialLaw::KudlichSlibar,
+        }
+    }
+}
+
+/// The impulse on vehicle 1.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Impulse {
+    /// Along the normal, in N s.
+    pub normal: f64,
+    /// Along the tangent, in N s.
+    pub tangential: f64,
+    /// Along x, in N s.
+    pub x: f64,
+    /// Along y, in N s.
+    pub y: f64,
+    /// The moment impulse in N m s, where the case has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+}
+
+/// A velocity in the axes of the contact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Components {
+    /// Along the normal, in m/s.
+    pub normal: f64,
+    /// Along the tangent, in m/s.
+    pub tangential: f64,
+}
+
+/// Up to where no energy is gained.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EnergyBounds {
+    /// The greatest restitution for this approach velocity.
+    pub restitution: f64,
+    /// The greatest restitution for any approach velocity of this contact.
+    pub restitution_for_any_approach: f64,
+    /// The least impulse ratio at this restitution; `null` if any.
+    pub least_impulse_ratio: Option<f64>,
+    /// The greatest impulse ratio at this restitution; `null` if any.
+    pub greatest_impulse_ratio: Option<f64>,
+}
+
+/// Energies of both vehicles in J.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Energy {
+    /// Kinetic energy before the impact.
+    pub before: f64,
+    /// Kinetic energy after the impact.
+    pub after: f64,
+    /// Energy loss T_L.
+    pub loss: f64,
+    /// The loss as a share of the energy before; `null` if there was none.
+    pub loss_share: Option<f64>,
+    /// Work W_n of the normal impulse; negative where energy is lost.
+    pub normal_work: f64,
+    /// Work W_t of the tangential impulse; negative where energy is lost.
+    pub tangential_work: f64,
+    /// Work W_m of the moment impulse, where the case has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment_work: Option<f64>,
+}
+
+/// Solves a case.
+///
+/// # Errors
+///
+/// Numbers that the case lists as unknown, or every reason why the physics refuses the collision.
+pub fn solve(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<Solution>, Issues> {
+    let impact = case.impact()?;
+    let crush_plane_bracket = case.bracket.as_ref().map(|bracket| Bracket::of(case, bracket));
+    let solution = Solution { crush_plane_bracket, ..Solution::of(case, &impact) };
+    Ok(case.answer(solution, case.warnings(&impact)))
+}
+
+impl Solution {
+    /// Of a case and its impact, without bracket.
+    pub fn of(case: &Case, impact: &Impact) -> Self {
+        let impact = impact.map(positive_zero);
+        let crush = case.setup.crush_outputs();
+        let crash3 = case.setup.crash3_outputs(&crush);
+        let parties = [(&case.collision.one, &impact.one), (&case.collision.two, &impact.two)];
+        let vehicle = |i: usize| Vehicle::of(&case.names[i], parties[i].0, parties[i].1, crush[i].as_ref(), crash3[i].as_ref());
+        let has_moment = case.collision.moment != planar_impact::Moment::None;
+        Solution {
+            vehicles: [vehicle(0), vehicle(1)],
+            contact: Contact::of(case, &impact),
+            energy: Energy {
+                before: impact.kinetic_energy.before,
+                after: impact.kinetic_energy.after,
+                loss: positive_zero(impact.loss()),
+                loss_share: Some(impact.loss() / impact.kinetic_energy.before).filter(|share| share.is_finite()),
+                normal_work: impact.work.n,
+                tangential_work: impact.work.t,
+                moment_work: has_moment.then_some(impact.work.m),
+            },
+            crush_plane_bracket: None,
+        }
+    }
+
+    /// The size that numbers of a measure have in this collision: 10⁻¹² of it is rounding.
+    pub fn scale(&self, measure: Measure) -> f64 {
+        let length = |v: [f64; 2]| v[0].hypot(v[1]);
+        let approach = self.contact.approach.normal.hypot(self.contact.approach.tangential);
+        let impulse = self.contact.impulse.normal.hypot(self.contact.impulse.tangential);
+        match measure {
+            Measure::Speed | Measure::RoadSpeed => {
+                let velocities = self.vehicles.iter().flat_map(|vehicle| [vehicle.before.velocity, vehicle.velocity]);
+                velocities.map(length).fold(approach, f64::max)
+            }
+            Measure::Energy => self.energy.before.max(self.energy.after).max(impulse * approach),
+            Measure::Impulse => impulse,
+            _ => 1.0,
+        }
+    }
+}
+
+impl Vehicle {
+    fn of(name: &str, party: &Party, response: &Response, crush: Option<&CrushOutputs>, crash3: Option<&Crash3Outputs>) -> Self {
+        let before = party.motion();
+        let components = |v: Xy| [v.x, v.y].map(positive_zero);
+        Vehicle {
+            name: name.to_owned(),
+            barrier: party.vehicle().is_none(),
+            before: Motion { velocity: components(before.velocity), yaw_rate: positive_zero(before.yaw_rate) },
+            velocity: components(response.after.velocity),
+            yaw_rate: response.after.yaw_rate,
+            delta_v: components(response.delta_v),
+            delta_v_magnitude: response.delta_v_magnitude(),
+            pdof: response.principal_direction_of_force(),
+            crush_energy: crush.map(|crush| crush.energy),
+            equivalent_energy_speed: crush.map(|crush| crush.equivalent_speed),
+            mean_depth: crush.map(|crush| crush.mean_depth),
+            crash3: crash3.map(Crash3::of),
+        }
+    }
+}
+
+impl Crash3 {
+    fn of(outputs: &Crash3Outputs) -> Self {
+        let Crash3Outputs { pdof, correction, corrected_energy, effective_mass_factor, delta_v_magnitude } = *outputs;
+        Crash3 {
+            pdof: positive_zero(pdof),
+            correction: positive_zero(correction),
+            corrected_energy: positive_zero(corrected_energy),
+            effective_mass_factor: positive_zero(effective_mass_factor),
+            delta_v_magnitude: positive_zero(delta_v_magnitude),
+        }
+    }
+}
+
+impl Contact {
+    fn of(case: &Case, impact: &Impact) -> Self {
+        use planar_impact::ImpulseRatio;
+        let collision = &case.collision;
+        let components = |v: Nt| Components { normal: v.n, tangential: v.t };
+        let (impulse_ratio_given, impulse_ratio_parameter) = match collision.impulse_ratio {
+            ImpulseRatio::Critical => (ImpulseRatioGiven::Critical, None),
+            ImpulseRatio::Given(ratio) => (ImpulseRatioGiven::Number, Some(ratio)),
+            ImpulseRatio::OfCritical(fraction) => (ImpulseRatioGiven::OfCritical, Some(fraction)),
+            ImpulseRatio::LimitedByFriction(friction) => (ImpulseRatioGiven::Friction, Some(friction)),
+        };
+        let has_moment = collision.moment != planar_impact::Moment::None;
+        Contact {
+            crush_plane: case.inputs.contact.crush_plane,
+            restitution: collision.restitution,
+            impulse_ratio: positive_zero(impact.impulse_ratio()),
+            impulse_ratio_given,
+            impulse_ratio_parameter,
+            critical_impulse_ratio: positive_zero(impact.critical_impulse_ratio()),
+            tangential_law: collision.law.into(),
+            impulse: Impulse {
+                normal: impact.impulse.n,
+                tangential: impact.impulse.t,
+                x: impact.impulse_on_ground.x,
+                y: impact.impulse_on_ground.y,
+                moment: has_moment.then_some(impact.moment),
+            },
+            approach: components(impact.approach),
+            separation: components(impact.separation),
+            no_energy_gain: collision.admissible().as_ref().map(EnergyBounds::of),
+        }
+    }
+}
+
+impl EnergyBounds {
+    fn of(admissible: &Admissible) -> Self {
+        EnergyBounds {
+            restitution: admissible.restitution,
+            restitution_for_any_approach: admissible.restitution_for_any_approach,
+            least_impulse_ratio: admissible.least_impulse_ratio,
+            greatest_impulse_ratio: admissible.greatest_impulse_ratio,
+        }
+    }
+}

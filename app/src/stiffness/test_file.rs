@@ -1,0 +1,207 @@
+//! The file of barrier tests.
+
+use planar_impact::barrier::{BarrierTest, MeasuredTest};
+
+use crate::case::CaseReader;
+use crate::document::{Document, Table};
+use crate::issue::{Cause, Issue, Issues};
+use crate::notice::Notices;
+use crate::quantity::Kind;
+use crate::source::Source;
+use crate::units::Units;
+
+/// Maximum number of tests: inverting their covariance takes about a second for this number.
+const MOST_TESTS: usize = 500;
+
+/// A file of barrier tests.
+pub struct TestFile {
+    document: Document,
+    /// Its title; empty if it has none.
+    pub title: String,
+    /// The vehicles in file order, each with one or more tests.
+    pub vehicles: Vec<Tested>,
+    /// The speed assumed to leave no crush.
+    pub onset: Option<f64>,
+    /// The flat crush whose energy the fit predicts, if given.
+    pub prediction: Option<Prediction>,
+    /// `true` if the file gives any standard deviation.
+    pub has_deviations: bool,
+    /// The units that most of its quantities use.
+    pub units: Units,
+    /// Assumptions.
+    pub notices: Notices,
+}
+
+/// A vehicle with its tests.
+pub struct Tested {
+    /// Its name.
+    pub name: String,
+    /// Its tests.
+    pub tests: Vec<MeasuredTest>,
+}
+
+/// A flat crush whose energy is to be predicted.
+pub struct Prediction {
+    /// Its depth in m.
+    pub depth: f64,
+    /// Its width in m.
+    pub width: f64,
+}
+
+/// The tests of a file with and without standard deviations; either all or none must have them.
+#[derive(Default)]
+struct Deviations<'a> {
+    bare: Vec<Table<'a>>,
+    is_any: bool,
+}
+
+/// A test and the scatter that the file gives for it.
+struct Read {
+    test: BarrierTest,
+    speed_sd: Option<f64>,
+    restitution_sd: Option<f64>,
+    scatter: Option<f64>,
+}
+
+impl TestFile {
+    /// Parses a file of barrier tests.
+    ///
+    /// # Errors
+    ///
+    /// Returns everything wrong with it.
+    pub fn parse(source: Source) -> Result<TestFile, Issues> {
+        let document = Document::parse(source)?;
+        let reader = CaseReader::default();
+        let read = document.read(|root| reader.tests(root))?;
+        let ReadFile { title, vehicles, onset, prediction, has_deviations } = read;
+        let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
+        Ok(TestFile { document, title, vehicles, onset, prediction, has_deviations, units, notices })
+    }
+
+    /// Returns the number of tests.
+    pub fn count(&self) -> usize {
+        self.vehicles.iter().map(|vehicle| vehicle.tests.len()).sum()
+    }
+
+    /// Locates in the file the issues of tests that do not determine a stiffness.
+    pub fn unfit(&self, issues: impl IntoIterator<Item = Issue>) -> Issues {
+        self.document.refuse_at(Cause::Input, issues)
+    }
+}
+
+/// The keys of a file of barrier tests.
+struct ReadFile {
+    title: String,
+    vehicles: Vec<Tested>,
+    onset: Option<f64>,
+    prediction: Option<Prediction>,
+    has_deviations: bool,
+}
+
+impl CaseReader {
+    fn tests(&self, root: &Table<'_>) -> Option<ReadFile> {
+        let schema = root.required("schema").integer(1..=1);
+        let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let vehicles = root.required("vehicle").array_of_tables();
+        let mut deviations = Deviations::default();
+        let vehicles = vehicles
+            .map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1, &mut deviations)).collect::<Vec<_>>());
+        let fit = root.has("fit").then(|| root.optional("fit").table().and_then(|table| self.fit(&table)));
+        let has_deviations = deviations.finish();
+        schema?;
+        let (onset, prediction) = match fit {
+            Some(fit) => fit?,
+            None => (None, None),
+        };
+        let vehicles: Vec<(String, Vec<Read>)> = vehicles?.into_iter().collect::<Option<_>>()?;
+        let count: usize = vehicles.iter().map(|(_, tests)| tests.len()).sum();
+        if count > MOST_TESTS {
+            root.optional("vehicle").report(format!("{count} tests exceed the limit of {MOST_TESTS}"), None);
+            return None;
+        }
+        let measured = |read: Read| MeasuredTest {
+            test: read.test,
+            speed_deviation: read.speed_sd.unwrap_or(0.0),
+            restitution_deviation: read.restitution_sd.unwrap_or(0.0),
+            // If the file gives none, any equal scatter for all tests will do.
+            scatter: read.scatter.unwrap_or(if has_deviations { 0.0 } else { 1.0 }),
+        };
+        let vehicles = vehicles.into_iter().map(|(name, tests)| Tested { name, tests: tests.into_iter().map(measured).collect() });
+        let vehicles = vehicles.collect();
+        Some(ReadFile { title, vehicles, onset, prediction, has_deviations })
+    }
+
+    fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Vec<Read>)> {
+        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        let field = table.required("test");
+        let place = field.clone();
+        let tests = field.array_of_tables();
+        table.finish();
+        let tests = tests?;
+        if tests.is_empty() {
+            place.report("no test", None);
+            return None;
+        }
+        let read: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
+        tests.into_iter().for_each(|test| deviations.add(test));
+        Some((name, read.into_iter().collect::<Option<_>>()?))
+    }
+
+    fn test(&self, table: &Table<'_>) -> Option<Read> {
+        let mass = self.positive(table.required("mass"), Kind::MASS);
+        let speed = self.positive(table.required("speed"), Kind::SPEED);
+        let restitution = self.coefficient(table.required("restitution"), 1.0);
+        let profile = self.profile(table);
+        let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
+        let speed_sd = deviation("speed_sd", Kind::SPEED);
+        let restitution_sd = deviation("restitution_sd", Kind::PURE);
+        let scatter = deviation("scatter", Kind::ROOT_FORCE);
+        table.finish();
+        let crush = profile?.on_scalar(|_| 0.0).moments();
+        let test = BarrierTest { mass: mass?, speed: speed?, restitution: restitution?, crush };
+        let known = |deviation: Option<Option<f64>>| match deviation {
+            Some(value) => value.map(Some),
+            None => Some(None),
+        };
+        Some(Read { test, speed_sd: known(speed_sd)?, restitution_sd: known(restitution_sd)?, scatter: known(scatter)? })
+    }
+
+    fn fit(&self, table: &Table<'_>) -> Option<(Option<f64>, Option<Prediction>)> {
+        let onset = table.has("onset").then(|| self.not_negative(table.optional("onset"), Kind::SPEED));
+        let asked = table.has("depth") || table.has("width");
+        let prediction = asked.then(|| {
+            let (depth, width) =
+                (self.not_negative(table.required("depth"), Kind::LENGTH), self.positive(table.required("width"), Kind::LENGTH));
+            Some(Prediction { depth: depth?, width: width? })
+        });
+        table.finish();
+        let onset = match onset {
+            Some(onset) => Some(onset?),
+            None => None,
+        };
+        let prediction = match prediction {
+            Some(prediction) => Some(prediction?),
+            None => None,
+        };
+        Some((onset, prediction))
+    }
+}
+
+impl<'a> Deviations<'a> {
+    fn add(&mut self, test: Table<'a>) {
+        if ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
+            self.is_any = true;
+        } else {
+            self.bare.push(test);
+        }
+    }
+
+    /// Returns `true` if the file gives any; if so, reports each test that has none.
+    fn finish(self) -> bool {
+        for test in self.bare.iter().filter(|_| self.is_any) {
+            let help = "give a speed_sd, a restitution_sd or a scatter, or leave them out everywhere: then all tests weigh alike";
+            test.issue("no standard deviation here, though other tests have one", Some(help.to_owned()));
+        }
+        self.is_any
+    }
+}

@@ -1,0 +1,219 @@
+//! The units in which results are printed.
+
+use planar_impact::{Message, Part};
+
+use crate::quantity::{Conversion, Kind};
+
+pub use planar_impact::Measure;
+
+/// A system of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Feet, pounds, seconds; ΔV also in miles per hour.
+    Us,
+    /// Meters, kilograms, seconds; ΔV also in kilometers per hour.
+    Si,
+}
+
+/// Returns the kind of quantity in which values of a measure are written.
+impl From<Measure> for Kind {
+    fn from(measure: Measure) -> Kind {
+        match measure {
+            Measure::Mass => Kind::MASS,
+            Measure::YawInertia => Kind::YAW_INERTIA,
+            Measure::Angle => Kind::ANGLE,
+            Measure::Length => Kind::LENGTH,
+            Measure::Speed | Measure::RoadSpeed => Kind::SPEED,
+            Measure::YawRate => Kind::YAW_RATE,
+            Measure::RootForce => Kind::ROOT_FORCE,
+            Measure::RootForcePerLength => Kind::ROOT_FORCE_PER_LENGTH,
+            Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
+            Measure::Impulse => Kind::IMPULSE,
+            Measure::Energy => Kind::ENERGY,
+            Measure::ForcePerWidth => Kind::STIFFNESS,
+            Measure::ForcePerArea => Kind::STIFFNESS_PER_WIDTH,
+            Measure::Force => Kind::FORCE,
+            Measure::Time => Kind::DURATION,
+            Measure::Acceleration => Kind::ACCELERATION,
+            // No key of a file has one of these measures.
+            Measure::Ratio | Measure::Area | Measure::InverseMass => Kind::PURE,
+        }
+    }
+}
+
+impl Units {
+    /// Returns the system that a unit belongs to, if only one uses it.
+    pub fn of(unit: &str) -> Option<Units> {
+        const US: [&str; 14] = ["ft", "in", "yd", "mi", "lb", "lbs", "lbm", "lbf", "slug", "slugs", "mph", "fps", "psi", "kip"];
+        const SI: [&str; 17] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph", "kmh"];
+        let mut symbols = unit.split(|c: char| !c.is_alphabetic()).filter(|symbol| !symbol.is_empty());
+        symbols.find_map(|symbol| match symbol {
+            us if US.contains(&us) => Some(Units::Us),
+            si if SI.contains(&si) => Some(Units::Si),
+            _ => None,
+        })
+    }
+
+    /// Returns the unit in which a measure is printed; empty for a pure number.
+    pub fn unit(self, measure: Measure) -> &'static str {
+        match (measure, self) {
+            (Measure::Speed, Units::Us) => "ft/s",
+            (Measure::Speed, Units::Si) => "m/s",
+            (Measure::RoadSpeed, Units::Us) => "mph",
+            (Measure::RoadSpeed, Units::Si) => "km/h",
+            (Measure::YawRate, _) => "deg/s",
+            (Measure::Angle, _) => "deg",
+            (Measure::Length, Units::Us) => "ft",
+            (Measure::Length, Units::Si) => "m",
+            (Measure::Impulse, Units::Us) => "lbf s",
+            (Measure::Impulse, Units::Si) => "N s",
+            (Measure::MomentImpulse, Units::Us) => "lbf s ft",
+            (Measure::MomentImpulse, Units::Si) => "N m s",
+            (Measure::Energy, Units::Us) => "ft lb",
+            (Measure::Energy, Units::Si) => "J",
+            (Measure::Mass, Units::Us) => "lb",
+            (Measure::Mass, Units::Si) => "kg",
+            (Measure::YawInertia, Units::Us) => "lbf s^2 ft",
+            (Measure::YawInertia, Units::Si) => "kg m^2",
+            (Measure::RootForce, Units::Us) => "lbf^0.5",
+            (Measure::RootForce, Units::Si) => "N^0.5",
+            (Measure::RootForcePerLength, Units::Us) => "lbf^0.5/ft",
+            (Measure::RootForcePerLength, Units::Si) => "N^0.5/m",
+            (Measure::ForcePerWidth, Units::Us) => "lbf/in",
+            (Measure::ForcePerWidth, Units::Si) => "N/m",
+            (Measure::ForcePerArea, Units::Us) => "lbf/in^2",
+            (Measure::ForcePerArea, Units::Si) => "N/m^2",
+            (Measure::Force, Units::Us) => "lbf",
+            (Measure::Force, Units::Si) => "N",
+            (Measure::Area, Units::Us) => "ft^2",
+            (Measure::Acceleration, Units::Us) => "ft/s^2",
+            (Measure::InverseMass, Units::Us) => "1/lb",
+            (Measure::Time | Measure::Area | Measure::Acceleration | Measure::InverseMass | Measure::Ratio, _) => measure.si_unit(),
+        }
+    }
+
+    /// Converts a value in SI to a number in this system.
+    pub fn convert(self, measure: Measure, si: f64) -> f64 {
+        self.conversion(measure).of_si(si)
+    }
+
+    /// Returns the conversion from SI to the unit in which a measure is printed.
+    pub fn conversion(self, measure: Measure) -> Conversion {
+        match self.unit(measure) {
+            "" => Conversion::none(),
+            // A foot-pound of energy, which would otherwise be read as a length times a mass.
+            "ft lb" => Conversion::to("ft lbf"),
+            unit => Conversion::to(unit),
+        }
+    }
+
+    /// Formats a value in SI without its unit, with as many decimals as suit the measure: more for a value that would
+    /// round to zero, and `0` for one that is within rounding of `scale`.
+    pub fn number(self, measure: Measure, si: f64, scale: f64) -> String {
+        if si.abs() <= 1e-12 * scale {
+            return "0".to_owned();
+        }
+        let value = self.convert(measure, si);
+        let usual: usize = match measure {
+            Measure::Ratio | Measure::Time | Measure::InverseMass => 3,
+            Measure::Speed | Measure::Length | Measure::Area | Measure::Acceleration | Measure::RootForce | Measure::RootForcePerLength => {
+                2
+            }
+            Measure::RoadSpeed | Measure::YawRate | Measure::Angle | Measure::YawInertia => 1,
+            Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force if self == Units::Us => 1,
+            Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force => 0,
+            Measure::Mass | Measure::Impulse | Measure::MomentImpulse | Measure::Energy => 0,
+        };
+        if !(1e-9..1e12).contains(&value.abs()) {
+            return format!("{value:.3e}");
+        }
+        // At least two significant digits.
+        let leading = value.abs().log10().floor();
+        let needed = if leading < 1.0 { (1.0 - leading) as usize } else { 0 };
+        format!("{value:.0$}", usual.max(needed))
+    }
+
+    /// Formats a message in this system. A pure number has up to six significant digits.
+    pub fn sentence(self, message: &Message) -> String {
+        let part = |part: &Part| match part {
+            Part::Text(text) => text.to_string(),
+            Part::Figure { measure: Measure::Ratio, value } => trim(*value),
+            Part::Figure { measure, value } => self.quantity(*measure, *value),
+            _ => String::new(),
+        };
+        message.parts().iter().map(part).collect()
+    }
+
+    /// Formats a value in SI with its unit.
+    pub fn quantity(self, measure: Measure, si: f64) -> String {
+        let number = self.number(measure, si, 0.0);
+        let unit = self.unit(measure);
+        if unit.is_empty() { number } else { format!("{number} {unit}") }
+    }
+}
+
+/// Formats a number with six significant digits and no trailing zeros.
+pub fn trim(value: f64) -> String {
+    if !(1e-9..1e12).contains(&value.abs()) && value != 0.0 {
+        return value.to_string();
+    }
+    let digits = (5.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn six_digits() {
+        assert_eq!(trim(0.660_644_48), "0.660644");
+        assert_eq!(trim(-0.5), "-0.5");
+        assert_eq!(trim(1200.0), "1200");
+        assert_eq!(trim(0.0), "0");
+        assert_eq!([trim(f64::NAN), trim(1e300), trim(1e-20)], ["NaN".to_owned(), 1e300.to_string(), 1e-20.to_string()]);
+    }
+
+    #[test]
+    fn a_sentence_is_in_the_units_asked_for() {
+        let message =
+            Message::new().text("gain ").figure(Measure::Energy, 135.581_794_833_140_04).text(", e ").figure(Measure::Ratio, 0.15);
+        assert_eq!(Units::Us.sentence(&message), "gain 100 ft lb, e 0.15");
+        assert_eq!(Units::Si.sentence(&message), "gain 136 J, e 0.15");
+    }
+
+    #[test]
+    fn symbols_tell_the_system() {
+        assert_eq!(Units::of("lbf s^2 ft"), Some(Units::Us));
+        assert_eq!(Units::of("km/h"), Some(Units::Si));
+        assert_eq!(Units::of("kg m^2"), Some(Units::Si));
+        assert_eq!(Units::of("deg/s"), None);
+        assert_eq!(Units::of(""), None);
+    }
+
+    #[test]
+    fn digits_are_those_a_person_reads() {
+        assert_eq!(Units::Us.quantity(Measure::Energy, -40_806.33), "-30097 ft lb"); // 1 ft lbf = 1.3558179483314004 J
+        assert_eq!(Units::Si.quantity(Measure::Energy, -40_806.33), "-40806 J");
+        assert_eq!(Units::Us.quantity(Measure::Ratio, 0.660_6), "0.661");
+        assert_eq!(Units::Us.quantity(Measure::Ratio, 0.000_123_4), "0.00012");
+        assert_eq!(Units::Si.quantity(Measure::Energy, 0.25), "0.25 J");
+        assert_eq!(Units::Si.quantity(Measure::Speed, 12.345_6), "12.35 m/s");
+        assert_eq!(Units::Si.quantity(Measure::RoadSpeed, 10.0), "36.0 km/h");
+        assert_eq!(Units::Si.number(Measure::Speed, -3e-15, 12.0), "0");
+        assert_eq!(Units::Si.number(Measure::Speed, 0.0, 0.0), "0");
+        assert_eq!(Units::Si.quantity(Measure::Energy, 1.5e15), "1.500e15 J");
+        assert_eq!(Units::Si.quantity(Measure::Angle, std::f64::consts::PI), "180.0 deg");
+    }
+
+    #[test]
+    fn every_unit_converts() {
+        for measure in Measure::ALL {
+            for units in [Units::Us, Units::Si] {
+                assert!(units.convert(measure, 1.0).is_finite(), "{measure:?}");
+            }
+        }
+        assert_eq!(Units::Us.convert(Measure::Speed, 0.3048), 1.0); // the international foot
+    }
+}

@@ -1,0 +1,54 @@
+//! Reports refusals of the library at the keys of a file.
+
+use planar_impact::{Issue as _, Measure, Message, Part, Refusal, Refusals};
+
+use crate::issue::Issue;
+
+/// Converts an issue of the library.
+pub fn library_issue(issue: &impl planar_impact::Issue<Number = f64>) -> Issue {
+    let path = issue.path().unwrap_or_default().into_owned();
+    Issue { help: issue.help(), ..Issue::at(issue.code(), path, issue.message()) }
+}
+
+/// Reports a refusal at the key that can fix it.
+pub fn refusal(refusal: &Refusal) -> Issue {
+    let issue = library_issue(refusal);
+    if refusal.is_physical() { Issue { message: without_rounding(&issue.message), ..issue } } else { issue }
+}
+
+/// Joins all reasons of a refusal in one sentence.
+pub fn reasons(refusals: &Refusals) -> Message {
+    let mut all = Message::new();
+    for (i, reason) in refusals.iter().enumerate() {
+        all = if i > 0 { all.text("; ") } else { all };
+        all = all.join(refusal(reason).message);
+    }
+    all
+}
+
+/// Joins the codes of a refusal, each once, with `;`.
+pub fn codes(refusals: &Refusals) -> String {
+    let mut codes: Vec<&str> = refusals.iter().map(|reason| reason.code()).collect();
+    codes.dedup();
+    codes.join(";")
+}
+
+/// Replaces rounding errors with zero: negligible next to one meter or one meter per second.
+fn without_rounding(message: &Message) -> Message {
+    message.parts().iter().fold(Message::new(), |all, part| match part {
+        Part::Text(text) => all.text(text.clone()),
+        Part::Figure { measure: Measure::Ratio, value } => all.figure(Measure::Ratio, *value),
+        Part::Figure { measure, value } => all.figure(*measure, if value.abs() <= 1e-12 { 0.0 } else { *value }),
+        _ => all,
+    })
+}
+
+/// Returns a hint for a missing mass: a barrier may be meant.
+pub fn barrier_instead(key: &str) -> Option<String> {
+    key.ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
+}
+
+/// Returns a hint for a coefficient above 1: a percentage may be meant.
+pub fn percent_meant(value: f64) -> Option<String> {
+    (value > 1.0 && value <= 100.0).then(|| format!("did you mean \"{value} %\"?"))
+}

@@ -1,0 +1,118 @@
+//! Reads files and standard input, up to a maximum size.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use planar_impact_app::check::{Entries, Open, Options, Origin, Reader, reason, unusable};
+use planar_impact_app::{Issues, Source, decode};
+
+const BUFFER: usize = 1 << 16;
+
+/// Reads the text of the file at `path`, or of standard input for `-`.
+///
+/// # Errors
+///
+/// Returns one issue, which names the file, if it cannot be read, is too large, is not UTF-8 or is empty.
+pub fn source(path: &Path) -> Result<Source, Issues> {
+    if path.as_os_str() == "-" {
+        return from_reader("<stdin>", io::stdin().lock());
+    }
+    let name = path.display().to_string();
+    let unreadable = |error: &io::Error| decode::unreadable(&name, &format!("cannot be read: {}", reason(error)));
+    let file = File::open(path).map_err(|error| unreadable(&error))?;
+    let metadata = file.metadata().map_err(|error| unreadable(&error))?;
+    if metadata.is_dir() {
+        return Err(decode::unreadable(&name, "is a directory, not a case file"));
+    }
+    if metadata.len() > Source::LARGEST {
+        return Err(decode::too_large(&name));
+    }
+    from_reader(&name, file)
+}
+
+/// Reads up to the maximum size, because the length of a pipe or a device is not known in advance.
+fn from_reader(name: &str, reader: impl Read) -> Result<Source, Issues> {
+    let mut bytes = Vec::new();
+    let read = reader.take(Source::LARGEST + 1).read_to_end(&mut bytes);
+    read.map_err(|error| decode::unreadable(name, &format!("cannot be read: {}", reason(&error))))?;
+    decode::source(name, bytes)
+}
+
+/// Opens a file of records, or standard input for `-`; also returns its size in bytes, if known. Counts the bytes read in `bytes`.
+///
+/// # Errors
+///
+/// Returns every issue that makes the file unusable.
+pub fn records(path: &Path, options: Options, bytes: &Arc<AtomicU64>) -> Result<(Entries, Option<u64>), Issues> {
+    if path.as_os_str() == "-" {
+        let reader = Box::new(BufReader::with_capacity(BUFFER, io::stdin()));
+        return Ok((Entries::open("<stdin>", None, Origin::Pipe(reader), options)?, None));
+    }
+    let name = path.display().to_string();
+    let unreadable = |error: &io::Error| unusable(&name, &format!("it cannot be read: {}", reason(error)));
+    let file = File::open(path).map_err(|error| unreadable(&error))?;
+    let metadata = file.metadata().map_err(|error| unreadable(&error))?;
+    if metadata.is_dir() {
+        return Err(unusable(&name, "it is a directory, not a file of records"));
+    }
+    let extension = path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase);
+    let (origin, size) = if metadata.is_file() {
+        (Origin::File(opener(path.to_owned(), bytes.clone())), Some(metadata.len()))
+    } else {
+        (Origin::Pipe(Box::new(BufReader::with_capacity(BUFFER, file))), None)
+    };
+    Ok((Entries::open(&name, extension.as_deref(), origin, options)?, size))
+}
+
+/// Returns a function that opens the file each time it is called: first to validate it, then to read it.
+fn opener(path: PathBuf, bytes: Arc<AtomicU64>) -> Open {
+    Box::new(move || -> io::Result<Reader> {
+        bytes.store(0, Ordering::Relaxed);
+        let counted = Counted { file: File::open(&path)?, bytes: bytes.clone() };
+        Ok(Box::new(BufReader::with_capacity(BUFFER, counted)))
+    })
+}
+
+/// Counts the bytes that have been read.
+struct Counted {
+    file: File,
+    bytes: Arc<AtomicU64>,
+}
+
+impl Read for Counted {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        let read = self.file.read(to)?;
+        self.bytes.fetch_add(read as u64, Ordering::Relaxed);
+        Ok(read)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_that_cannot_be_read() {
+        let read = |path: &str| source(Path::new(path)).unwrap_err().to_string();
+        assert_eq!(read("/no/such"), "`/no/such` cannot be read: there is no such file");
+        assert_eq!(read("/"), "`/` is a directory, not a case file");
+    }
+
+    #[test]
+    fn endless_input_is_refused_after_the_largest_size() {
+        let refused = from_reader("<stdin>", io::repeat(b'a')).unwrap_err().to_string();
+        assert_eq!(refused, "`<stdin>` is larger than 4 MiB, which no case file is");
+    }
+
+    #[test]
+    fn a_large_file_is_refused_unread() {
+        let path = std::env::temp_dir().join(format!("planar-impact-large-{}", std::process::id()));
+        File::create(&path).and_then(|file| file.set_len(1 << 30)).unwrap(); // sparse
+        let refused = source(&path).unwrap_err().to_string();
+        std::fs::remove_file(&path).unwrap();
+        assert!(refused.ends_with("is larger than 4 MiB, which no case file is"), "{refused}");
+    }
+}

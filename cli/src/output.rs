@@ -1,0 +1,96 @@
+//! Standard output: all output of the program passes through here.
+
+use std::io::{self, Write};
+
+use planar_impact_app::json::{self, Layout};
+use planar_impact_report::{Block, text};
+use serde::Serialize;
+
+use crate::exit::{Failure, Status};
+use crate::interrupt;
+
+/// The text that a verb prints, and its status.
+pub struct CommandOutput {
+    text: String,
+    status: Status,
+}
+
+impl CommandOutput {
+    /// Creates the output of a text.
+    pub fn text(text: String) -> CommandOutput {
+        CommandOutput { text, status: Status::Done }
+    }
+
+    /// Creates the output of a page for people.
+    pub fn page(blocks: &[Block]) -> CommandOutput {
+        CommandOutput::text(text::render(blocks))
+    }
+
+    /// Creates the output of an answer for programs.
+    ///
+    /// # Errors
+    ///
+    /// Fails only because of a defect, because an answer is plain data.
+    pub fn json(answer: &impl Serialize, layout: Layout) -> Result<CommandOutput, Failure> {
+        Ok(CommandOutput::text(json::text(answer, layout)?))
+    }
+
+    /// Sets the status according to whether everything checked holds.
+    pub fn holds(self, holds: bool) -> CommandOutput {
+        self.with(if holds { Status::Done } else { Status::DoesNotHold })
+    }
+
+    /// Sets the status.
+    pub fn with(self, status: Status) -> CommandOutput {
+        CommandOutput { status, ..self }
+    }
+
+    /// Prints the whole text, which is complete at this point.
+    ///
+    /// # Errors
+    ///
+    /// Fails if standard output cannot be written.
+    pub fn print(self) -> Result<Status, Failure> {
+        interrupt::note();
+        if !self.text.is_empty() {
+            write(self.text.as_bytes()).map_err(Failure::Output)?;
+        }
+        Ok(self.status)
+    }
+}
+
+/// Writes to standard output. A reader that stops early, such as `head`, is not a failure.
+///
+/// # Errors
+///
+/// Fails if standard output cannot be written.
+pub fn write(text: &[u8]) -> io::Result<()> {
+    if closed::at_start() {
+        return Err(io::Error::other("standard output is closed"));
+    }
+    let mut output = io::stdout().lock();
+    match output.write_all(text).and_then(|()| output.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// Detects whether standard output was closed when the program started. Rust's runtime opens /dev/null in its place
+/// before `main`, and writing there succeeds, so the check runs before the runtime starts.
+mod closed {
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    static CLOSED: AtomicBool = AtomicBool::new(false);
+
+    #[cfg(target_os = "linux")]
+    #[ctor::ctor(unsafe)]
+    fn look() {
+        // The link exists if and only if the descriptor is open; without /proc the state is unknown.
+        let is_closed = std::fs::symlink_metadata("/proc/self/fd").is_ok() && std::fs::symlink_metadata("/proc/self/fd/1").is_err();
+        CLOSED.store(is_closed, Ordering::Relaxed);
+    }
+
+    pub fn at_start() -> bool {
+        CLOSED.load(Ordering::Relaxed)
+    }
+}

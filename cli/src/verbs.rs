@@ -1,0 +1,167 @@
+//! Runs each verb: reads its files, calls the application layer and renders its page.
+
+use std::path::Path;
+
+use clap::CommandFactory;
+use planar_impact_app::gradient::Selection;
+use planar_impact_app::json::Layout;
+use planar_impact_app::stiffness::TestFile;
+use planar_impact_app::{
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, solve, stiffness, sweep, validate,
+};
+use planar_impact_report::chart;
+use planar_impact_report::page::{self, Facts};
+use serde::Serialize;
+
+use crate::arguments::{self, Arguments, Format, Notation, OfCase, SweepFormat, UnitSystem, Verb};
+use crate::exit::Failure;
+use crate::output::CommandOutput;
+use crate::progress::Progress;
+use crate::{check, files};
+
+/// Maximum number of rows of a table for people.
+const MOST_ROWS: usize = 20_000;
+
+/// Runs a verb.
+///
+/// # Errors
+///
+/// Returns everything wrong with the call or the files, or why there is no answer.
+pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
+    match verb {
+        Verb::Solve(call) => of_case(&call, solve::solve),
+        Verb::Crush(call) => of_case(&call, crush::crush),
+        Verb::Crash3(call) => of_case(&call, crash3::crash3),
+        Verb::Gradient(call) => differentiate(&call),
+        Verb::Sweep(call) => vary(&call),
+        Verb::Reconstruct(call) => look_back(&call),
+        Verb::Stiffness(call) => fit(&call),
+        Verb::Formula(call) => express(&call),
+        Verb::Check(call) => check::run(&call),
+        Verb::Validate(call) => compare(&call),
+        Verb::Prove(call) => establish(&call),
+        Verb::Schema { of } => schema::of(&of).map_or(Err(Failure::Defect), |schema| CommandOutput::json(&schema, Layout::Pretty)),
+        Verb::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "planar-impact", &mut script);
+            Ok(CommandOutput::text(String::from_utf8_lossy(&script).into_owned()))
+        }
+        Verb::Man => {
+            let mut manual = Vec::new();
+            arguments::manual(&mut manual).map_err(Failure::Output)?;
+            Ok(CommandOutput::text(String::from_utf8_lossy(&manual).into_owned()))
+        }
+    }
+}
+
+/// Reads a case file, and returns it with the units for its reader: those requested, or those that most of the file uses.
+fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Failure> {
+    let case = Case::parse(files::source(path)?)?;
+    let units = units.map_or(case.units, Units::from);
+    Ok((case, units))
+}
+
+/// Attaches the reader's units to issues.
+fn in_units<T>(answer: Result<T, Issues>, units: Units) -> Result<T, Failure> {
+    answer.map_err(|issues| Failure::Issues(issues, units))
+}
+
+/// An answer as a page or as JSON.
+fn print<T: Facts + Serialize>(answer: &Answer<T>, format: Format, units: Units) -> Result<CommandOutput, Failure> {
+    match format {
+        Format::Text => Ok(CommandOutput::page(&page::page(answer, units))),
+        Format::Json => CommandOutput::json(answer, Layout::Pretty),
+    }
+}
+
+/// A verb of the application layer that takes a case alone.
+type VerbOfCase<T> = fn(&Case, &(), &dyn Control) -> Result<Answer<T>, Issues>;
+
+fn of_case<T: Facts + Serialize>(call: &OfCase, verb: VerbOfCase<T>) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let answer = in_units(verb(&case, &(), &Progress::new()), units)?;
+    print(&answer, call.format, units)
+}
+
+fn differentiate(call: &arguments::Gradient) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    // Text shows the principal selection unless names are given.
+    let selection = |names: &[String]| match (names, call.format) {
+        ([], Format::Text) => Selection::Principal,
+        ([], Format::Json) => Selection::All,
+        (names, _) => Selection::Named(names.to_vec()),
+    };
+    let options = gradient::Options { of: selection(&call.of), wrt: selection(&call.wrt), second: call.second };
+    let answer = in_units(gradient::gradient(&case, &options, &Progress::new()), units)?;
+    print(&answer, call.format, units)
+}
+
+fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let most_points = (call.format == SweepFormat::Text).then_some(MOST_ROWS);
+    let options = sweep::Options { vary: call.vary.clone(), of: call.of.clone(), most_points };
+    let answer = in_units(sweep::sweep(&case, &options, &Progress::new()), units)?;
+    match call.format {
+        SweepFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
+        SweepFormat::Csv => csv(page::sweep_csv::records(&answer, units)).map(CommandOutput::text),
+        SweepFormat::Json => CommandOutput::json(&answer, Layout::Compact),
+        SweepFormat::Svg => Ok(CommandOutput::text(chart::sweep(&answer, units)?)),
+    }
+}
+
+fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        writer.write_record(record).map_err(Issues::defect)?;
+    }
+    let bytes = writer.into_inner().map_err(Issues::defect)?;
+    Ok(String::from_utf8(bytes).map_err(Issues::defect)?)
+}
+
+fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let options = reconstruct::Options { starts: usize::try_from(call.starts).unwrap_or(usize::MAX), seed: call.seed };
+    // A search cannot check for interrupts, so an interrupt ends the program at once.
+    let answer = in_units(reconstruct::reconstruct(&case, &options, &planar_impact_app::Uncontrolled), units)?;
+    Ok(print(&answer, call.format, units)?.holds(answer.verdict == "agrees"))
+}
+
+fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {
+    let file = TestFile::parse(files::source(&call.tests)?)?;
+    let units = call.units.map_or(file.units, Units::from);
+    let answer = in_units(stiffness::stiffness(&file, &(), &Progress::new()), units)?;
+    print(&answer, call.format, units)
+}
+
+fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {
+    let Some(output) = call.output else { return Ok(CommandOutput::page(&page::formula::names())) };
+    let case = call.case.as_deref().map(|path| read(path, None)).transpose()?;
+    let units = case.as_ref().map_or(Units::Si, |(_, units)| *units);
+    let options = formula::Options { output, wrt: call.wrt, kind: call.kind() };
+    let answer = in_units(formula::formula(case.as_ref().map(|(case, _)| case), &options, &Progress::new()), units)?;
+    match call.format {
+        Notation::Text => Ok(CommandOutput::page(&page::formula::page(&answer))),
+        Notation::Latex => Ok(CommandOutput::text(answer.latex)),
+        Notation::Rust => Ok(CommandOutput::text(answer.rust)),
+        Notation::Json => CommandOutput::json(&answer, Layout::Pretty),
+    }
+}
+
+fn compare(call: &arguments::Validate) -> Result<CommandOutput, Failure> {
+    let answer = validate::validate(&(), &Progress::new())?;
+    let output = match (call.figure, call.format) {
+        (Some(figure), _) => CommandOutput::text(chart::paper::figure(&answer.report, figure.number())?),
+        (None, Format::Text) => CommandOutput::page(&page::validate::page(&answer)),
+        (None, Format::Json) => CommandOutput::json(&answer, Layout::Pretty)?,
+    };
+    Ok(output.holds(answer.report.holds()))
+}
+
+fn establish(call: &arguments::Prove) -> Result<CommandOutput, Failure> {
+    let answer = prove::prove(&(), &planar_impact_app::Uncontrolled)?;
+    let output = match call.format {
+        Format::Text => CommandOutput::page(&page::prove::page(&answer)),
+        Format::Json => CommandOutput::json(&answer, Layout::Pretty)?,
+    };
+    Ok(output.holds(answer.report.holds()))
+}

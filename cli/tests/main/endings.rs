@@ -1,0 +1,99 @@
+//! Exit of the program if its output is closed, its input is endless, or the user interrupts it.
+
+#![cfg(target_os = "linux")]
+
+use std::fs::File;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::process::{Folder, planar_impact, run, workspace};
+
+const SOLVE: &str = "solve cli/examples/position-a.toml";
+
+/// Returns the exit status of a call in a shell, with its redirections.
+fn in_shell(call: &str) -> Option<i32> {
+    let line = format!("\"$0\" {call}");
+    let mut shell = Command::new("sh");
+    shell.current_dir(workspace()).args(["-c", &line, env!("CARGO_BIN_EXE_planar-impact")]).stdin(Stdio::null()).stderr(Stdio::null());
+    shell.status().expect("there is a shell").code()
+}
+
+#[test]
+fn a_closed_output_is_an_error_and_a_discarded_one_is_not() {
+    let check = "check cli/examples/check/collision.json";
+    for call in [SOLVE, &format!("{SOLVE} --format json"), check, "schema case", "--help"] {
+        assert_eq!(in_shell(&format!("{call} >&-")), Some(74), "{call}");
+        for redirected in [">/dev/null", "1<>/dev/null", ">/dev/null 2>&-", ">/dev/null <&-"] {
+            assert_eq!(in_shell(&format!("{call} {redirected}")), Some(0), "{call} {redirected}");
+        }
+    }
+    assert_eq!(in_shell("solve no-such-file.toml >&-"), Some(2), "there is nothing to write");
+}
+
+#[test]
+fn an_endless_file_is_refused_soon() {
+    let begin = Instant::now();
+    for verb in ["check", "solve", "stiffness"] {
+        let run = run(&workspace(), &[verb, "/dev/zero"]);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{verb}");
+        assert!(run.err.contains("/dev/zero"), "{verb}: {}", run.err);
+    }
+    assert!(begin.elapsed() < Duration::from_secs(10), "{:?}", begin.elapsed());
+}
+
+/// Interrupts a run after each of several times, including times too early and too late, until one run ends with some
+/// output or with none, as required; returns the output.
+fn interrupted(words: &[&str], has_output: bool) -> String {
+    let folder = Folder::new();
+    for after in [300, 100, 1000, 50, 3000] {
+        let printed = folder.path().join("printed");
+        let output = File::create(&printed).expect("a file");
+        let mut child = planar_impact(&workspace()).args(words).stdout(output).stderr(Stdio::null()).spawn().expect("the program starts");
+        std::thread::sleep(Duration::from_millis(after));
+        Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("there is a kill");
+        let status = child.wait().expect("the program ends").code();
+        let out = std::fs::read_to_string(&printed).expect("the program writes UTF-8");
+        if status == Some(130) && out.is_empty() != has_output {
+            return out;
+        }
+    }
+    panic!("{words:?}: no interrupt hit");
+}
+
+/// Writes a long file of records, some of which break a law.
+fn records(folder: &Folder) -> String {
+    let header = r#"{"schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "deg"}}"#;
+    let mut text = format!("{header}\n");
+    for i in 0..600_000 {
+        let after = if i % 7 == 0 { 2 } else { 1 };
+        text += &format!(
+            "{{\"id\": \"{i}\", \"bodies\": [{{\"mass\": 1000, \"before\": {{\"v\": [3, 0]}}, \"after\": {{\"v\": [-1, 0]}}}}, \
+             {{\"mass\": 2000, \"before\": {{\"v\": [-1, 0]}}, \"after\": {{\"v\": [{after}, 0]}}}}]}}\n"
+        );
+    }
+    folder.write("records.jsonl", text.as_bytes()).to_str().expect("a plain path").to_owned()
+}
+
+#[test]
+fn an_interrupted_check_leaves_a_whole_document() {
+    let folder = Folder::new();
+    let path = records(&folder);
+    let printed = |format: &str| interrupted(&["check", &path, "--format", format], true);
+    let json: Value = serde_json::from_str(&printed("json")).expect("a whole document");
+    assert_eq!(json["interrupted"], true);
+    let sarif: Value = serde_json::from_str(&printed("sarif")).expect("a whole document");
+    assert_eq!(sarif["runs"][0]["invocations"][0]["executionSuccessful"], false);
+    let junit = printed("junit");
+    let mut events = quick_xml::Reader::from_str(&junit);
+    while events.read_event().expect("sound XML") != quick_xml::events::Event::Eof {}
+    assert!(junit.trim_end().ends_with("</testsuites>"));
+    let text = printed("text");
+    assert!(text.contains("Interrupted before the last record.") && text.ends_with('\n'));
+}
+
+#[test]
+fn an_interrupted_search_prints_nothing() {
+    interrupted(&["reconstruct", "cli/examples/reconstruct/two-cars.toml", "--starts", "10000"], false);
+}

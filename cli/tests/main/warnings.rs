@@ -1,0 +1,66 @@
+//! Warnings of `solve` about the physics, over a grid of collisions with a barrier: each is given where it holds, and nowhere else.
+
+use serde_json::Value;
+
+use crate::process::run_with_input;
+
+const MASS: f64 = 1000.0;
+const YAW_INERTIA: f64 = 900.0;
+const IMPACT_CENTER: [f64; 2] = [1.9, 0.9];
+
+fn solved(plane: f64, restitution: f64, across: f64) -> Option<Value> {
+    let [x, y] = IMPACT_CENTER;
+    let case = format!(
+        "schema = 1\n[[vehicle]]\nmass = \"{MASS} kg\"\nyaw_inertia = \"{YAW_INERTIA} kg m^2\"\nheading = \"0 deg\"\n\
+         impact_center = [\"{x} m\", \"{y} m\"]\nvelocity = [\"12 m/s\", \"{across} m/s\"]\n[[vehicle]]\nbarrier = true\n\
+         [contact]\ncrush_plane = \"{plane} rad\"\nrestitution = {restitution}\n"
+    );
+    let run = run_with_input(&["solve", "-", "--format", "json"], &case);
+    // Some of the grid separates, or would gain energy.
+    (run.status == 0).then(|| serde_json::from_str(&run.out).expect("JSON"))
+}
+
+/// The message of a code, with its path and its figure.
+fn warning<'a>(solution: &'a Value, code: &str) -> Option<&'a Value> {
+    let found = solution["messages"].as_array()?.iter().find(|message| message["code"] == code)?;
+    assert_eq!(found["severity"], "warning");
+    Some(found)
+}
+
+/// The greatest restitution that gains no energy for any approach velocity, e² = 1 − K_nt²/(K_nn K_tt), from the numbers of the file.
+fn restitution_for_any_approach(plane: f64) -> f64 {
+    let ([x, y], (sin, cos)) = (IMPACT_CENTER, plane.sin_cos());
+    let (along, across) = (x * cos + y * sin, y * cos - x * sin);
+    let compliance = |arm: f64, other: f64| 1.0 / MASS + arm * other / YAW_INERTIA;
+    let coupling = along * across / YAW_INERTIA;
+    (1.0 - coupling * coupling / (compliance(along, along) * compliance(across, across))).sqrt()
+}
+
+#[test]
+fn each_is_given_where_it_holds_and_nowhere_else() {
+    let mut counts = [[0; 2]; 2];
+    for plane in [-0.5, -0.3, 0.0, 0.4, 0.8] {
+        for restitution in [0.0, 0.3, 0.6, 0.8, 0.9, 0.99] {
+            for across in [-9.0, -3.0, 0.5, 4.0, 10.0] {
+                let Some(solution) = solved(plane, restitution, across) else { continue };
+                let (work, loss) = (&solution["energy"]["tangential_work"], &solution["energy"]["loss"]);
+                let returns_energy = work.as_f64() > Some(0.0) && loss.as_f64() > Some(0.0);
+                let found = warning(&solution, "tangential-work-positive");
+                assert_eq!(found.is_some(), returns_energy, "W_t = {work} at {plane}, {restitution}, {across}");
+                assert!(found.is_none_or(|message| message["path"] == "contact"));
+                let bound = restitution_for_any_approach(plane);
+                let gains = restitution > bound;
+                let found = warning(&solution, "restitution-can-gain-energy");
+                assert_eq!(found.is_some(), gains, "e = {restitution}, beyond {bound}, at {plane}, {across}");
+                if let Some(message) = found {
+                    assert_eq!(message["path"], "contact.restitution");
+                    let figure = message["figures"][0]["value"].as_f64().expect("the bound");
+                    assert!((figure - bound).abs() < 1e-12, "{figure} in the message, {bound} by hand");
+                }
+                counts[0][usize::from(returns_energy)] += 1;
+                counts[1][usize::from(gains)] += 1;
+            }
+        }
+    }
+    assert!(counts.iter().flatten().all(|&count| count >= 15), "both sides of each are tried: {counts:?}");
+}

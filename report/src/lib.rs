@@ -1,0 +1,11 @@
+//! Renders answers of planar-impact as pages.
+//!
+//! A page is a list of [blocks](Block), made from one answer in a system of units: `page::page(&answer, units)`. [`text::render`] prints it on a
+//! terminal. A page computes nothing but units and digits; every fact stands in the answer.
+
+pub mod block;
+pub mod chart;
+pub mod page;
+pub mod text;
+
+pub use block::{Align, Block, Table};

@@ -1,0 +1,40 @@
+//! One page for each answer.
+
+pub mod crash3;
+pub mod crush;
+pub mod crush_plane_bracket;
+pub mod formula;
+pub mod gradient;
+pub mod prove;
+pub mod reconstruct;
+pub mod rules;
+pub mod solve;
+pub mod stiffness;
+pub mod sweep;
+pub mod sweep_csv;
+pub mod validate;
+
+use planar_impact_app::plain_text::shorten;
+use planar_impact_app::{Answer, Units};
+
+use crate::block::Block;
+
+/// The facts of a verb, as blocks.
+pub trait Facts {
+    /// Blocks in a system of units, without title and notices.
+    fn blocks(&self, units: Units) -> Vec<Block>;
+}
+
+/// The page of an answer: its title, its facts, its notices.
+pub fn page(answer: &Answer<impl Facts>, units: Units) -> Vec<Block> {
+    let title = Block::title(&answer.title).into_iter();
+    title.chain(answer.facts.blocks(units)).chain(Block::notices(&answer.notices, units)).collect()
+}
+
+/// The widest name of a vehicle in the head of a column.
+const NAME_WIDTH: usize = 18;
+
+/// The names of two vehicles as heads of columns.
+fn heads(names: [&str; 2]) -> [String; 2] {
+    names.map(|name| shorten(name, NAME_WIDTH))
+}

@@ -1,0 +1,150 @@
+//! The verdict and the next step, at the top of the page.
+
+use planar_impact_app::named::Named;
+use planar_impact_app::reconstruct::{FurthestOff, Reconstruction};
+use planar_impact_app::units::trim;
+use planar_impact_app::units::{Measure, Units};
+
+use super::rounding::{digits, probability, rounded, with_spread};
+use crate::block::Block;
+
+/// Renders the verdict.
+pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    match answer.verdict {
+        "agrees" => agrees(answer),
+        "several solutions" if answer.other_separations => other_separations(answer),
+        "several solutions" => several(answer),
+        "undetermined" => undetermined(answer, units),
+        "contradicted" => contradicted(answer, units),
+        "bounds exclude" => bounds_exclude(answer, units),
+        other => vec![headline(format!("{other}: {}.", chi_square(answer)))],
+    }
+}
+
+fn headline(text: impl Into<String>) -> Block {
+    Block::Heading { level: 2, text: text.into() }
+}
+
+/// Formats χ², its degrees of freedom and its probability.
+fn chi_square(answer: &Reconstruction) -> String {
+    let count = answer.degrees_of_freedom;
+    let degrees = if count == 1 { "1 degree of freedom".to_owned() } else { format!("{count} degrees of freedom") };
+    if count == 0 && answer.chi_square < 1e-9 {
+        return format!("chi-square 0 with {degrees}");
+    }
+    format!("chi-square {} with {degrees}, probability {}", digits(answer.chi_square), probability(answer.probability))
+}
+
+fn agrees(answer: &Reconstruction) -> Vec<Block> {
+    let weak = &answer.weakly_determined;
+    let but = if weak.is_empty() { String::new() } else { format!(", but evidence barely constrains {}", weak.join(", ")) };
+    let mut blocks = vec![headline(format!("The evidence agrees with one solution{but}: {}.", chi_square(answer)))];
+    if answer.degrees_of_freedom == 0 {
+        blocks.push(Block::paragraph("The evidence is just enough: no piece checks another. One more would."));
+    } else if let Some((name, residual)) = off(&answer.furthest_off).filter(|(_, residual)| residual.abs() > 1e-3) {
+        blocks.push(Block::paragraph(format!("Furthest off is {name}, by {:.1} standard deviations.", residual.abs())));
+    }
+    blocks
+}
+
+fn off(furthest: &Option<FurthestOff>) -> Option<(&'static str, f64)> {
+    let furthest = furthest.as_ref()?;
+    Some((furthest.name, furthest.evidence.standardised_residual?))
+}
+
+fn several(answer: &Reconstruction) -> Vec<Block> {
+    let count = answer.solutions.len();
+    vec![
+        headline(format!("The evidence agrees with {count} solutions and cannot distinguish them; none of them alone is the answer.")),
+        Block::paragraph(
+            "Next: find evidence in which they differ, or a reason for a bound that leaves one. All are listed below; the rest of this page is \
+             about the first, which has the least chi-square.",
+        ),
+    ]
+}
+
+/// Explains that several separations lead to the same rest position, of which only one was used.
+fn other_separations(answer: &Reconstruction) -> Vec<Block> {
+    vec![
+        headline(format!(
+            "Several separations lead to the same rest position: this page is about one of them, and is not the only answer. {}.",
+            chi_square(answer)
+        )),
+        Block::paragraph(
+            "Next: look which way the tire marks turn, and give the separation velocity or yaw rate as evidence in place of that vehicle's rest.",
+        ),
+    ]
+}
+
+fn undetermined(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let mut blocks = vec![headline("Underdetermined: these combinations are not constrained by the evidence.")];
+    blocks.extend(answer.open_directions.iter().map(|direction| Block::item("- ", format!("{}.", in_words(direction, answer, units)))));
+    blocks.push(Block::paragraph(
+        "Next: add evidence that depends on one of them, or take one as known. An open unknown has no value below.",
+    ));
+    blocks
+}
+
+/// Describes how unknowns can change together without contradicting the evidence: `vehicle.1.speed by 1 m/s with
+/// vehicle.2.speed by -1 m/s`.
+fn in_words(direction: &Named<f64>, answer: &Reconstruction, units: Units) -> String {
+    let part = |(of, by): (&str, &f64)| {
+        let measure = measure(answer, of);
+        format!("{of} by {} {}", trim(units.convert(measure, *by)), units.unit(measure)).trim_end().to_owned()
+    };
+    direction.iter().map(part).collect::<Vec<_>>().join(" with ")
+}
+
+fn measure(answer: &Reconstruction, of: &str) -> Measure {
+    answer.unknown.get(of).map_or(Measure::Ratio, |unknown| unknown.measure)
+}
+
+fn contradicted(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let furthest = match &answer.furthest_off {
+        Some(furthest) => furthest_off(furthest, units),
+        None => "All of it was given as exact, and no unknowns fit it.".to_owned(),
+    };
+    let reached = if answer.degrees_of_freedom == 0 { " The mechanics reaches no better fit." } else { "" };
+    vec![
+        headline(format!("Inconsistent evidence: at the best fit, {}.", chi_square(answer))),
+        Block::paragraph(furthest),
+        Block::paragraph(format!(
+            "Next: re-examine that piece and its standard deviation first, then the geometry: impact center and crush plane.{reached} The numbers \
+             below are the best fit, and not an answer."
+        )),
+    ]
+}
+
+/// Describes the residual of a piece of evidence, in its unit and in standard deviations.
+fn furthest_off(furthest: &FurthestOff, units: Units) -> String {
+    let FurthestOff { name, evidence } = furthest;
+    let quantity = |value| {
+        let number = rounded(evidence.measure, value, evidence.sd, units);
+        format!("{number} {}", units.unit(evidence.measure)).trim_end().to_owned()
+    };
+    format!(
+        "Furthest off is {name}: given {}, computed {}, {:.1} standard deviations apart.",
+        quantity(evidence.given),
+        quantity(evidence.computed),
+        evidence.standardised_residual.unwrap_or(f64::NAN).abs()
+    )
+}
+
+fn bounds_exclude(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let mut blocks = vec![headline(format!("Best fit lies outside the bounds: within them, {}.", chi_square(answer)))];
+    if let Some(free) = &answer.without_bounds {
+        for (name, within) in answer.unknown.iter() {
+            let Some((bound, value)) = within.at_bound.zip(within.value) else { continue };
+            let without = free.unknown.get(name).copied().unwrap_or(f64::NAN);
+            let sd = free.sd.get(name).copied().flatten();
+            let held = with_spread(within.measure, value, None, units);
+            let fitted = with_spread(within.measure, without, sd, units);
+            blocks.push(Block::item("- ", format!("{name} is held at its {bound}, {held}; without bounds the best fit is {fitted}.")));
+        }
+        blocks.push(Block::paragraph(format!("Without bounds chi-square is {}.", digits(free.chi_square))));
+    }
+    blocks.push(Block::paragraph(
+        "Next: re-examine the reason for that bound, then the evidence. The numbers below are the best within the bounds, and not an answer.",
+    ));
+    blocks
+}

@@ -1,0 +1,138 @@
+//! The page of `solve`.
+
+use planar_impact_app::solve::{EnergyBounds, ImpulseRatioGiven, Solution, TangentialLaw, Vehicle};
+use planar_impact_app::units::{Measure, Units};
+
+use super::{Facts, crush_plane_bracket, heads};
+use crate::block::{Block, Table};
+
+impl Facts for Solution {
+    fn blocks(&self, units: Units) -> Vec<Block> {
+        let mut blocks = Vec::from(tables(self, units));
+        blocks.extend(self.crush_plane_bracket.iter().flat_map(|bracket| crush_plane_bracket::blocks(bracket, self, units)));
+        blocks.extend(remarks(self, units));
+        blocks
+    }
+}
+
+fn tables(solution: &Solution, units: Units) -> [Block; 3] {
+    [vehicles(solution, units), contact(solution, units), energies(solution, units)].map(Block::from)
+}
+
+fn vehicles(solution: &Solution, units: Units) -> Table {
+    let row = |what: &str, measure: Measure, scale: f64, value: fn(&Vehicle) -> f64| {
+        let cell = |vehicle: &Vehicle| match vehicle.barrier {
+            true => "fixed".to_owned(),
+            false => units.number(measure, value(vehicle), scale),
+        };
+        let [one, two] = solution.vehicles.each_ref().map(cell);
+        vec![what.to_owned(), units.unit(measure).to_owned(), one, two]
+    };
+    let speed = solution.scale(Measure::Speed);
+    let mut rows = vec![
+        row("before: velocity x", Measure::Speed, speed, |v| v.before.velocity[0]),
+        row("        velocity y", Measure::Speed, speed, |v| v.before.velocity[1]),
+        row("        yaw rate", Measure::YawRate, 1.0, |v| v.before.yaw_rate),
+        row("after:  velocity x", Measure::Speed, speed, |v| v.velocity[0]),
+        row("        velocity y", Measure::Speed, speed, |v| v.velocity[1]),
+        row("        yaw rate", Measure::YawRate, 1.0, |v| v.yaw_rate),
+        row("delta-V", Measure::Speed, speed, |v| v.delta_v_magnitude),
+        row("", Measure::RoadSpeed, speed, |v| v.delta_v_magnitude),
+        row("PDOF, clockwise from ahead", Measure::Angle, 1.0, |v| v.pdof),
+    ];
+    rows.extend(crush(solution, units));
+    let [one, two] = heads(solution.vehicles.each_ref().map(|vehicle| vehicle.name.as_str()));
+    Table::new(["".to_owned(), "unit".to_owned(), one, two], "llrr", rows)
+}
+
+/// Renders crush energy and equivalent speed; nothing if no vehicle has a crush.
+fn crush(solution: &Solution, units: Units) -> Vec<Vec<String>> {
+    if solution.vehicles.iter().all(|vehicle| vehicle.crush_energy.is_none()) {
+        return Vec::new();
+    }
+    let row = |what: &str, measure: Measure, value: fn(&Vehicle) -> Option<f64>| {
+        let cell = |vehicle: &Vehicle| value(vehicle).map_or("-".to_owned(), |value| units.number(measure, value, 0.0));
+        let [one, two] = solution.vehicles.each_ref().map(cell);
+        vec![what.to_owned(), units.unit(measure).to_owned(), one, two]
+    };
+    vec![
+        row("crush: mean depth", Measure::Length, |v| v.mean_depth),
+        row("       crush energy", Measure::Energy, |v| v.crush_energy),
+        row("       equivalent speed", Measure::Speed, |v| v.equivalent_energy_speed),
+    ]
+}
+
+fn contact(solution: &Solution, units: Units) -> Table {
+    let contact = &solution.contact;
+    let row = |what: &str, measure: Measure, normal: f64, tangential: Option<f64>| {
+        let number = |value| units.number(measure, value, solution.scale(measure));
+        vec![what.to_owned(), units.unit(measure).to_owned(), number(normal), tangential.map(number).unwrap_or_default()]
+    };
+    let (v, s, p, energy) = (&contact.approach, &contact.separation, &contact.impulse, &solution.energy);
+    let mut rows = vec![
+        row("approach velocity at the impact center", Measure::Speed, v.normal, Some(v.tangential)),
+        row("separation velocity", Measure::Speed, s.normal, Some(s.tangential)),
+        row("impulse on vehicle 1", Measure::Impulse, p.normal, Some(p.tangential)),
+        row("work of the impulse, W_n and W_t", Measure::Energy, energy.normal_work, Some(energy.tangential_work)),
+    ];
+    if let Some((moment, work)) = p.moment.zip(energy.moment_work) {
+        let moment = units.number(Measure::MomentImpulse, moment, 0.0);
+        let unit = units.unit(Measure::MomentImpulse).to_owned();
+        rows.push(vec!["moment impulse on vehicle 1".to_owned(), unit, moment, String::new()]);
+        rows.push(row("work of the moment impulse, W_m", Measure::Energy, work, None));
+    }
+    Table::new(["contact", "unit", "normal", "tangential"], "llrr", rows)
+}
+
+fn energies(solution: &Solution, units: Units) -> Table {
+    let energy = &solution.energy;
+    let row = |what: &str, value: f64| {
+        let number = units.number(Measure::Energy, value, solution.scale(Measure::Energy));
+        vec![what.to_owned(), units.unit(Measure::Energy).to_owned(), number]
+    };
+    let share = energy.loss_share.map_or_else(String::new, |share| format!(" ({:.1} %)", 100.0 * share));
+    let rows = vec![
+        row("kinetic energy before", energy.before),
+        row("kinetic energy after", energy.after),
+        row(&format!("energy loss T_L{share}"), energy.loss),
+    ];
+    Table::new(["energy", "unit", ""], "llr", rows)
+}
+
+/// Describes the coefficients, the tangential law, and the limits of the coefficients.
+fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
+    let ratio = |value: f64| units.number(Measure::Ratio, value, 1.0);
+    let contact = &solution.contact;
+    let given = |what: &str| format!("{what} {}", contact.impulse_ratio_parameter.map(ratio).unwrap_or_default());
+    let kind = match contact.impulse_ratio_given {
+        ImpulseRatioGiven::Critical => "critical".to_owned(),
+        ImpulseRatioGiven::Number => "given".to_owned(),
+        ImpulseRatioGiven::OfCritical => format!("{} of critical", given("").trim()),
+        ImpulseRatioGiven::Friction => given("limited by friction"),
+    };
+    let law = match contact.tangential_law {
+        TangentialLaw::Brach => "Brach",
+        TangentialLaw::KudlichSlibar => "Kudlich-Slibar",
+    };
+    let plane = units.quantity(Measure::Angle, contact.crush_plane);
+    let coefficients = format!(
+        "Crush plane Gamma = {plane}, restitution e = {}, law of {law}.\nImpulse ratio mu = {} ({kind}), critical mu0 = {}.",
+        ratio(contact.restitution),
+        ratio(contact.impulse_ratio),
+        ratio(contact.critical_impulse_ratio),
+    );
+    let bounds = contact.no_energy_gain.as_ref().map(|bounds| energy_bounds(bounds, &ratio));
+    vec![Block::Verbatim(coefficients + &bounds.unwrap_or_default())]
+}
+
+fn energy_bounds(bounds: &EnergyBounds, ratio: &dyn Fn(f64) -> String) -> String {
+    let end = |bound: Option<f64>| bound.map_or_else(|| "any".to_owned(), ratio);
+    let up_to = |bound: f64| if bound >= 1.0 { "1".to_owned() } else { ratio(bound) };
+    format!(
+        "\nNo energy is gained up to e = {} here (up to {} for any approach),\nnor, at this e, for mu from {} to {}.",
+        up_to(bounds.restitution),
+        up_to(bounds.restitution_for_any_approach),
+        end(bounds.least_impulse_ratio),
+        end(bounds.greatest_impulse_ratio),
+    )
+}

@@ -1,0 +1,155 @@
+//! The page of `stiffness`.
+
+use planar_impact_app::plain_text::shorten;
+use planar_impact_app::stiffness::{Fit, Forms, StiffnessAnswer, Test};
+use planar_impact_app::units::{Measure, Units};
+
+use super::Facts;
+use crate::block::{Block, Table};
+
+impl Facts for StiffnessAnswer {
+    /// The tests, the stiffness from each alone and from all, with its uncertainty.
+    fn blocks(&self, units: Units) -> Vec<Block> {
+        let page = Page { answer: self, units };
+        let mut blocks = vec![page.tests().into()];
+        blocks.extend(page.alone().map(Block::from));
+        blocks.extend(page.fits());
+        blocks
+    }
+}
+
+struct Page<'a> {
+    answer: &'a StiffnessAnswer,
+    units: Units,
+}
+
+impl Page<'_> {
+    fn number(&self, measure: Measure, value: f64) -> String {
+        self.units.number(measure, value, 0.0)
+    }
+
+    fn head(&self, what: &str, measure: Measure) -> String {
+        format!("{what} {}", self.units.unit(measure))
+    }
+
+    fn tests(&self) -> Table {
+        let row = |(i, test): (usize, &Test)| {
+            vec![
+                format!("{} {}", i + 1, shorten(&test.vehicle, 12)),
+                self.number(Measure::Speed, test.speed),
+                self.number(Measure::Ratio, test.restitution),
+                self.number(Measure::Length, test.mean_depth),
+                self.number(Measure::Energy, test.crush_energy),
+                self.number(Measure::Speed, test.equivalent_energy_speed),
+                self.number(Measure::RootForce, test.crush_intensity),
+            ]
+        };
+        let header = [
+            "test".to_owned(),
+            self.head("v_n", Measure::Speed),
+            "e".to_owned(),
+            self.head("C", Measure::Length),
+            self.head("E_C", Measure::Energy),
+            self.head("EES", Measure::Speed),
+            self.head("E*", Measure::RootForce),
+        ];
+        Table::new(header, "lrrrrrr", self.answer.tests.iter().enumerate().map(row).collect())
+    }
+
+    /// Renders the stiffness from the first test of each vehicle and the assumed onset.
+    fn alone(&self) -> Option<Table> {
+        let mut rows = Vec::new();
+        for (i, test) in self.answer.tests.iter().enumerate() {
+            let forms = [("mean depth", &test.on_mean_depth), ("profile", &test.on_profile)];
+            rows.extend(forms.iter().filter_map(|(on, forms)| Some(self.forms(&format!("{}: {on}", i + 1), forms.as_ref()?))));
+        }
+        (!rows.is_empty()).then(|| self.table_of_forms("from one test", rows))
+    }
+
+    fn forms(&self, what: &str, forms: &Forms) -> Vec<String> {
+        vec![
+            what.to_owned(),
+            self.number(Measure::RootForce, forms.d0),
+            self.number(Measure::RootForcePerLength, forms.d1),
+            self.number(Measure::ForcePerWidth, forms.force),
+            self.number(Measure::ForcePerArea, forms.force_per_depth),
+            self.number(Measure::Force, forms.without_crush),
+        ]
+    }
+
+    fn table_of_forms(&self, what: &str, rows: Vec<Vec<String>>) -> Table {
+        let header = [
+            what.to_owned(),
+            self.head("d0", Measure::RootForce),
+            self.head("d1", Measure::RootForcePerLength),
+            self.head("A", Measure::ForcePerWidth),
+            self.head("B", Measure::ForcePerArea),
+            self.head("G", Measure::Force),
+        ];
+        Table::new(header, "lrrrrr", rows).narrow()
+    }
+
+    fn fits(&self) -> Vec<Block> {
+        let fits = &self.answer.fits;
+        let Some(first) = fits.first() else { return Vec::new() };
+        let forms = fits.iter().map(|fit| self.forms(fit.model, &fit.forms)).collect();
+        let header = std::iter::once("fit").chain(fits.iter().map(|fit| fit.model));
+        let uncertainty = match &first.covariance {
+            Some(covariance) => format!("; ± is one standard deviation, by the {}", covariance.basis),
+            None => "; two tests without standard deviations do not give their scatter".to_owned(),
+        };
+        let mut blocks = vec![
+            self.table_of_forms("fitted on", forms).into(),
+            Table::new(header, "lrr", self.estimates(first)).into(),
+            Block::paragraph(format!("Weighted least squares of E* = sqrt(2 E_C/w) against the crush{uncertainty}.")),
+        ];
+        for fit in fits {
+            let item = |text: String| Block::item("! ", format!("fitted on {}: {text}.", fit.model));
+            blocks.extend(fit.findings.iter().map(|finding| item(self.units.sentence(&finding.0))));
+        }
+        blocks
+    }
+
+    fn estimates(&self, first: &Fit) -> Vec<Vec<String>> {
+        let row = |what: String, value: &dyn Fn(&Fit) -> String| -> Vec<String> {
+            std::iter::once(what).chain(self.answer.fits.iter().map(value)).collect()
+        };
+        let with_sd = |measure, value, sd: Option<f64>| {
+            let value = self.number(measure, value);
+            sd.map_or(value.clone(), |sd| format!("{value} ± {}", self.number(measure, sd)))
+        };
+        let named = |what: &str, measure| format!("{what}, {}", self.units.unit(measure));
+        let mut rows = vec![
+            row(named("d0", Measure::RootForce), &|fit| {
+                with_sd(Measure::RootForce, fit.forms.d0, fit.covariance.as_ref().map(|covariance| covariance.d0_sd))
+            }),
+            row(named("d1", Measure::RootForcePerLength), &|fit| {
+                with_sd(Measure::RootForcePerLength, fit.forms.d1, fit.covariance.as_ref().map(|covariance| covariance.d1_sd))
+            }),
+        ];
+        if first.covariance.is_some() {
+            rows.push(row("correlation of d0 and d1".to_owned(), &|fit| {
+                fit.covariance.as_ref().map(|covariance| self.number(Measure::Ratio, covariance.correlation)).unwrap_or_default()
+            }));
+        }
+        if let Some(prediction) = &first.prediction {
+            let quantity = |value| self.units.quantity(Measure::Length, value);
+            let what = format!("E_C at {} over {}", quantity(prediction.depth), quantity(prediction.width));
+            rows.push(row(named(&what, Measure::Energy), &|fit| {
+                fit.prediction.as_ref().map(|energy| with_sd(Measure::Energy, energy.crush_energy, energy.sd)).unwrap_or_default()
+            }));
+        }
+        for i in 0..first.residuals.len() {
+            rows.push(row(named(&format!("E* of test {}, less fitted", i + 1), Measure::RootForce), &|fit| {
+                let residual = &fit.residuals[i];
+                let difference = self.units.number(Measure::RootForce, residual.difference, residual.observed);
+                residual.standardised.map_or(difference.clone(), |off| format!("{difference} ({off:+.1} sd)"))
+            }));
+        }
+        if self.answer.has_deviations {
+            let what = format!("chi square, {} degrees of freedom", first.degrees_of_freedom);
+            rows.push(row(what, &|fit| format!("{:.2}", fit.chi_square)));
+        }
+        rows
+    }
+}

@@ -1,0 +1,129 @@
+//! Consistency of reported results with each other: the second half of `reported`. It needs no motions, and even with motions it may detect more, because a
+//! sum of printed numbers is often more precise than the numbers it was computed from.
+
+use super::claims::norm;
+use super::format::Digits;
+use super::judge::{Judge, Residual};
+use super::key::Key;
+use super::known::Known;
+use super::rule::Rule;
+use super::uncertain::{Uncertain, sharper_known};
+use crate::frame::{Nt, Xy};
+use crate::input::Side;
+use crate::scalar::Field;
+use alloc::format;
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    energies(known, judge);
+    impulses(known, judge);
+    equivalent_energy_speeds(known, judge);
+}
+
+/// Returns the reported loss, or the loss that follows from the reported works.
+pub(super) fn claimed_loss<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    known.number(Key::EnergyLoss).or_else(|| claimed_works(known))
+}
+
+/// Returns −(W_n + W_t + W_m).
+fn claimed_works<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    Some(-(known.number(Key::NormalWork)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?))
+}
+
+/// Returns the reported work of the moment impulse, or the work that follows from the motions; zero without a moment.
+pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    let implied = || match known.moment {
+        None => Some(Uncertain::exact(0.0)),
+        Some(_) => Some(known.touch?.work?.m),
+    };
+    known.number(Key::MomentWork).or_else(implied)
+}
+
+fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let equal = |judge: &mut Judge, (words, a): (&str, Uncertain<N>), (other, b): (&str, Uncertain<N>), scale: f64| {
+        judge.zero(Rule::Reported, Residual::new(a - b, scale), |size, bound| {
+            let (a, b, size, bound) = (Digits(a.value), Digits(b.value), Digits(size), Digits(bound));
+            format!("the {words} is said to be {a} J, and the {other} {b} J: {size} off, {bound} may be")
+        });
+    };
+    let (loss, works) = (known.number(Key::EnergyLoss), claimed_works(known));
+    if let (Some(loss), Some(works)) = (loss, works) {
+        equal(judge, ("energy loss", loss), ("sum of the works makes it", works), loss.value.abs().max(works.size));
+    }
+    if let (Some(before), Some(after), Some(loss)) = (known.number(Key::EnergyBefore), known.number(Key::EnergyAfter), loss.or(works)) {
+        equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), loss.value.abs().max(before.value.abs()));
+    }
+}
+
+fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let number = |key| known.number(key);
+    let nt = number(Key::NormalImpulse).zip(number(Key::TangentialImpulse)).map(|(n, t)| Nt { n, t });
+    let xy = number(Key::ImpulseX).zip(number(Key::ImpulseY)).map(|(x, y)| Xy { x, y });
+    let magnitude = number(Key::ImpulseMagnitude);
+    let equal = |judge: &mut Judge, words: &str, a: Uncertain<N>, b: Uncertain<N>, scale: f64| {
+        judge.zero(Rule::Reported, Residual::new(a - b, scale), |size, bound| {
+            let (a, b, size, bound) = (Digits(a.value), Digits(b.value), Digits(size), Digits(bound));
+            format!("{words} of what is reported are {a} N s and {b} N s: {size} off, {bound} may be")
+        });
+    };
+    let of_nt = nt.map(|p| norm(Xy { x: p.n, y: p.t }));
+    let of_xy = xy.map(norm);
+    for (words, of) in [
+        ("the impulse and the length of its components along n and t", of_nt),
+        ("the impulse and the length of its components along x and y", of_xy),
+    ] {
+        if let (Some(magnitude), Some(of)) = (magnitude, of) {
+            equal(judge, words, magnitude, of, magnitude.value.abs().max(of.value));
+        }
+    }
+    if let (Some(nt), Some(xy), Some(plane)) = (nt, xy, &known.plane) {
+        let turned = plane.to_contact(xy);
+        let scale = norm(xy).value;
+        equal(judge, "the impulse along n and its components along x and y", nt.n, turned.n, scale);
+        equal(judge, "the impulse along t and its components along x and y", nt.t, turned.t, scale);
+    }
+    let impulse = sharper_known(sharper_known(magnitude, of_nt, Uncertain::radius), of_xy, Uncertain::radius);
+    let passed = |side| Some(number(Key::DeltaV(side))? * known.subject(side).mass?);
+    let (on_one, on_two) = (passed(Side::One), passed(Side::Two));
+    if let (Some(a), Some(b)) = (on_one, on_two) {
+        equal(judge, "mass times delta-V of body 1 and of body 2", a, b, a.value.abs().max(b.value.abs()));
+    }
+    if let (Some(impulse), Some(passed)) = (impulse, sharper_known(on_one, on_two, Uncertain::radius)) {
+        equal(judge, "the impulse and mass times delta-V", impulse, passed, impulse.value.abs().max(passed.value.abs()));
+    }
+}
+
+/// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss.
+fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let energy = |side| {
+        let speed = known.number(Key::EquivalentEnergySpeed(side))?;
+        Some(known.subject(side).mass? * speed.squared().half())
+    };
+    let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
+    let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
+    let normal = sharper_known(known.number(Key::NormalWork).map(|work| -work), of_motion, Uncertain::radius);
+    let told = |size: f64, bound: f64, kept: f64, lost: f64, how: &str| {
+        let (kept, lost, size, bound) = (Digits(kept), Digits(lost), Digits(size), Digits(bound));
+        format!("the equivalent energy speeds give {kept} J, {how} {lost} J: {size} off, {bound} may be")
+    };
+    let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));
+    match (all(Side::One), all(Side::Two)) {
+        (Some(a), Some(b)) if known.record.reported.ees != [None, None] => {
+            let kept = a + b;
+            let candidates = [normal, loss].into_iter().flatten();
+            let residuals = candidates.map(|lost| (lost, Residual::new(kept - lost, kept.value.max(lost.value.abs()))));
+            let excess = |residual: &Residual<N>| residual.value.value.abs() / judge.bound(Rule::Reported, residual).total;
+            if let Some((lost, residual)) = residuals.min_by(|a, b| excess(&a.1).total_cmp(&excess(&b.1))) {
+                let how = "and neither the work of the normal impulse nor the loss is that, but";
+                judge.zero(Rule::Reported, residual, |size, bound| told(size, bound, kept.value, lost.value, how));
+            }
+        }
+        _ => {
+            let one_of_them = energy(Side::One).or_else(|| energy(Side::Two));
+            if let (Some(kept), Some(lost)) = (one_of_them, loss) {
+                let residual = Residual::new(kept - lost, kept.value.max(lost.value.abs()));
+                let how = "for one body alone, and the loss of both is";
+                judge.not_above(Rule::Reported, residual, |size, bound| told(size, bound, kept.value, lost.value, how));
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Checks of the input of a slide.
+
+use super::ground::{Area, Region};
+use super::issue::SlideIssue;
+use super::slide::Slide;
+use super::tire::Restraint;
+use super::vehicle::Pose;
+use crate::issue::{IssueCollector, Place};
+use crate::measure::Measure;
+
+/// Largest accepted coefficient of friction: no tire transmits more than this many times its load.
+pub const MOST_FRICTION: f64 = 10.0;
+
+impl Slide {
+    /// Returns the issues of the vehicle and of the ground.
+    pub(super) fn issues(&self) -> IssueCollector<SlideIssue> {
+        let mut issues = IssueCollector::<SlideIssue>::new();
+        let (vehicle, ground) = (&self.vehicle, &self.ground);
+        issues.positive(Place::of("mass", Measure::Mass), &vehicle.mass);
+        issues.positive(Place::of("yaw_inertia", Measure::YawInertia), &vehicle.yaw_inertia);
+        issues.positive(Place::of("front_axle", Measure::Length), &vehicle.front_axle);
+        issues.positive(Place::of("rear_axle", Measure::Length), &vehicle.rear_axle);
+        issues.positive(Place::of("track", Measure::Length), &vehicle.track);
+        let wheels = &vehicle.wheels;
+        for (index, wheel) in [&wheels.front_left, &wheels.front_right, &wheels.rear_left, &wheels.rear_right].into_iter().enumerate() {
+            issues.finite(Place::of("wheel.steer", Measure::Angle).at(index), &wheel.steer);
+            if let Restraint::Braked(fraction) = wheel.restraint {
+                issues.within(Place::plain("wheel.braking").at(index), &fraction, 0.0, Some(1.0));
+            }
+        }
+        issues.within(Place::plain("rolling_resistance"), &vehicle.tires.rolling_resistance, 0.0, Some(MOST_FRICTION));
+        issues.positive(Place::plain("slip_angle"), &vehicle.tires.slip_angle);
+        issues.positive(Place::of("regularization", Measure::Speed), &vehicle.tires.regularization);
+        issues.within(Place::plain("friction"), &ground.friction, 0.0, Some(MOST_FRICTION));
+        issues.positive(Place::of("gravity", Measure::Acceleration), &ground.gravity);
+        issues.positive(Place::of("contact_length", Measure::Length), &ground.contact_length);
+        for (index, region) in ground.regions.iter().enumerate() {
+            check_region(&mut issues, index, region);
+        }
+        issues
+    }
+}
+
+/// Checks a pose, given the names of its position and heading.
+pub(super) fn check_pose(issues: &mut IssueCollector<SlideIssue>, [x, y, heading]: [&'static str; 3], pose: &Pose) {
+    issues.finite(Place::of(x, Measure::Length), &pose.position.x);
+    issues.finite(Place::of(y, Measure::Length), &pose.position.y);
+    issues.finite(Place::of(heading, Measure::Angle), &pose.heading);
+}
+
+fn check_region(issues: &mut IssueCollector<SlideIssue>, index: usize, region: &Region) {
+    issues.within(Place::plain("region.friction").at(index), &region.friction, 0.0, Some(MOST_FRICTION));
+    let corners: &[_] = match &region.area {
+        Area::HalfPlane { from, toward } => &[*from, *toward],
+        Area::Polygon(corners) => corners,
+    };
+    // One issue for all corners of a region.
+    let corner = Place::of("region.corner", Measure::Length).at(index);
+    let finite = corners.iter().flat_map(|corner| [corner.x, corner.y]).all(|value| value.is_finite() || issues.finite(corner, &value));
+    if finite && !region.area.has_inside() {
+        issues.push(SlideIssue::NoArea { region: index });
+    }
+}

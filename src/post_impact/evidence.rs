@@ -1,0 +1,321 @@
+//! Evidence from a vehicle's rest position, and the separation it implies.
+
+use alloc::borrow::Cow;
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::check::check_pose;
+use super::issue::{NoRest, SlideIssues};
+use super::slide::Slide;
+use super::trajectory_state::TrajectoryState;
+use super::vehicle::Pose;
+use crate::frame::Xy;
+use crate::input::Side;
+use crate::issue::{Issue, Place};
+use crate::measure::Measure;
+use crate::message::Message;
+use crate::output::Output;
+use crate::reconstruct::{Correlation, Evidence, Measurand, Uncertainty};
+use crate::vehicle::Motion;
+
+/// Poses of a vehicle at separation and at rest, with their uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestEvidence {
+    /// Pose at separation, taken as exact.
+    pub separation: Pose,
+    /// Pose at rest; whole turns between the two headings count.
+    pub rest: Pose,
+    /// The standard deviations of the position at rest, in m.
+    pub position_deviation: Xy,
+    /// The standard deviation of the heading at rest, in rad.
+    pub heading_deviation: f64,
+    /// The standard deviation of a factor common to all frictions, dimensionless: 0.1 for a friction of 0.7 ± 0.07.
+    pub friction_deviation: f64,
+}
+
+/// Method of computing the separation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// From the slide that ends in the pose at rest.
+    Slide,
+    /// From the work of the tires along a straight path.
+    ClosedForm,
+}
+
+/// Motion of a vehicle at separation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Separation {
+    /// Its velocity on the ground and its yaw rate.
+    pub motion: Motion,
+    /// Their covariance.
+    pub covariance: MotionCovariance,
+    /// The part of their error that is due to the friction: their change if every friction is larger by its standard deviation, in m/s and rad/s. The
+    /// covariance includes it. For two vehicles on the same ground these errors are correlated: their covariance is the product of the two parts.
+    pub by_friction: Motion,
+    /// Fit of the slide to the pose at rest; `None` for the closed form.
+    pub fit: Option<SlideFit>,
+}
+
+/// The covariance of V_x, V_y and Ω, in this order, in m/s and rad/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionCovariance(pub [[f64; 3]; 3]);
+
+/// Fit of a slide to a pose at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlideFit {
+    /// Number of steps of the search that found it.
+    pub iterations: usize,
+    /// Number of starts that were tried.
+    pub starts: usize,
+    /// Number of starts that led to a solution.
+    pub converged: usize,
+    /// Distance of the end of its slide from the pose at rest.
+    pub miss: Miss,
+    /// Other separations that end in the same pose at rest.
+    pub others: Vec<OtherSeparation>,
+}
+
+/// A computed pose at rest less the given one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Miss {
+    /// Difference in position, in m.
+    pub position: Xy,
+    /// Difference in heading, in rad.
+    pub heading: f64,
+}
+
+/// Another separation whose slide ends in the same pose at rest, or equally near to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherSeparation {
+    /// Its velocity on the ground and its yaw rate.
+    pub motion: Motion,
+    /// Distance of the end of its slide from the pose at rest.
+    pub miss: Miss,
+}
+
+/// Reason for the absence of a separation.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NoSeparation {
+    /// The input is refused.
+    Refused(SlideIssues),
+    /// No motion that was tried comes to rest: the reason for the first, which is that of the closed form.
+    NoRest(NoRest),
+    /// No search reached a solution; this is the best result.
+    NotConverged {
+        /// The motion whose slide ends nearest to the pose, in standard deviations.
+        motion: Motion,
+        /// Distance of the end of its slide from the pose at rest.
+        miss: Miss,
+    },
+    /// The pose at rest does not determine the motion: a change of the motion along this direction has no significant effect on the pose.
+    NotDetermined {
+        /// The direction, of length 1 in m/s and rad/s; zero if the derivatives are not finite.
+        along: Motion,
+    },
+    /// The closed form has no solution: on a straight path the tires would drive the vehicle.
+    Driven,
+    /// The closed form cannot determine the yaw rate: the tires alone would rotate the vehicle, for instance because one side drags more, and its rotation is
+    /// within a few deviations of zero, or of the values at which they would drive it.
+    Turned {
+        /// The change of its heading, in rad.
+        turn: f64,
+        /// The deviation of its heading, in rad.
+        deviation: f64,
+    },
+    /// The closed form cannot determine its uncertainty: the vehicle moved no further than the deviation of its position at rest.
+    TooShort {
+        /// Distance that it moved, in m.
+        distance: f64,
+        /// The larger of the deviations of its position, in m.
+        deviation: f64,
+    },
+}
+
+impl Separation {
+    /// Returns `true` if every standard deviation is finite and above zero, so that the separation can be weighted as evidence.
+    pub fn has_deviations(&self) -> bool {
+        self.covariance.deviations().iter().all(|sd| sd.is_finite() && *sd > 0.0)
+    }
+
+    /// Returns the miss of the nearest slide if it exceeds the deviations of the pose, or `None` if the slide reaches the pose or for the closed form.
+    pub fn miss_beyond(&self, rest: &RestEvidence) -> Option<Miss> {
+        let miss = self.fit.as_ref()?.miss;
+        let within = miss.position.x.abs() <= rest.position_deviation.x
+            && miss.position.y.abs() <= rest.position_deviation.y
+            && miss.heading.abs() <= rest.heading_deviation;
+        (!miss.is_nothing() && !within).then_some(miss)
+    }
+
+    /// Returns the correlation of V_x, V_y or Ω of one vehicle with one of them of another that slid on the same ground, which is due to the friction.
+    pub fn correlation_by_friction(&self, i: usize, other: &Separation, k: usize) -> f64 {
+        let part = |of: &Separation| [of.by_friction.velocity.x, of.by_friction.velocity.y, of.by_friction.yaw_rate];
+        let scale = self.covariance.deviations()[i] * other.covariance.deviations()[k];
+        if scale > 0.0 { part(self)[i] * part(other)[k] / scale } else { 0.0 }
+    }
+}
+
+/// Separations of two vehicles as evidence of a collision.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SeparationEvidence {
+    /// V_x, V_y and Ω of each vehicle, each with its standard deviation.
+    pub evidence: Vec<Evidence>,
+    /// Correlations of their errors: for one vehicle from its covariance, for two from the friction of the common ground.
+    pub correlations: Vec<Correlation>,
+}
+
+impl SeparationEvidence {
+    /// Converts the separations of vehicle 1 and of vehicle 2, as far as they are known.
+    pub fn of(separations: [Option<&Separation>; 2]) -> Self {
+        let outputs = |side| [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output);
+        let mut all = SeparationEvidence::default();
+        let mut correlate = |one, other, coefficient: f64| {
+            // NaN is kept, because the reconstruction refuses it.
+            if coefficient != 0.0 {
+                all.correlations.push(Correlation { one, other, coefficient });
+            }
+        };
+        for (side, separation) in [Side::One, Side::Two].into_iter().zip(separations) {
+            let Some(Separation { motion, covariance, .. }) = separation else { continue };
+            let of = outputs(side);
+            let values = [motion.velocity.x, motion.velocity.y, motion.yaw_rate];
+            for ((of, value), sd) in of.into_iter().zip(values).zip(covariance.deviations()) {
+                all.evidence.push(Evidence { of, value, uncertainty: Uncertainty::StandardDeviation(sd) });
+            }
+            for (i, k) in [(0, 1), (0, 2), (1, 2)] {
+                correlate(of[i], of[k], covariance.correlation(i, k));
+            }
+        }
+        if let [Some(one), Some(two)] = separations {
+            let (of_one, of_two) = (outputs(Side::One), outputs(Side::Two));
+            for (i, of_one) in of_one.into_iter().enumerate() {
+                for (k, of_two) in of_two.into_iter().enumerate() {
+                    correlate(of_one, of_two, one.correlation_by_friction(i, two, k));
+                }
+            }
+        }
+        all
+    }
+}
+
+impl MotionCovariance {
+    /// Returns the standard deviations of V_x and V_y, in m/s, and of Ω, in rad/s.
+    pub fn deviations(&self) -> [f64; 3] {
+        core::array::from_fn(|i| self.0[i][i].sqrt())
+    }
+
+    /// Returns the correlation of two of them, from −1 to 1, or 0 if one has no variance.
+    pub fn correlation(&self, i: usize, k: usize) -> f64 {
+        let scale = (self.0[i][i] * self.0[k][k]).sqrt();
+        if scale > 0.0 { self.0[i][k] / scale } else { 0.0 }
+    }
+}
+
+impl Miss {
+    pub(super) fn of(computed: &Pose, given: &Pose) -> Miss {
+        Miss { position: computed.position - given.position, heading: computed.heading - given.heading }
+    }
+
+    /// Returns `true` if the pose is reached, to a tenth of a millimeter and a hundredth of a degree.
+    pub fn is_nothing(&self) -> bool {
+        self.position.length() <= 1e-4 && self.heading.abs() <= 1.75e-4
+    }
+}
+
+impl Slide {
+    /// Computes the motion at separation of a vehicle that came to rest in a pose.
+    ///
+    /// # Errors
+    ///
+    /// [`NoSeparation`]: every issue of the input, or the reason why the pose at rest does not determine the motion.
+    pub fn separation(&self, evidence: &RestEvidence, method: Method) -> Result<Separation, NoSeparation> {
+        self.check_evidence(evidence).map_err(NoSeparation::Refused)?;
+        match method {
+            Method::ClosedForm => self.separation_in_closed_form(evidence),
+            Method::Slide => self.separation_by_slide(evidence),
+        }
+    }
+
+    fn check_evidence(&self, evidence: &RestEvidence) -> Result<(), SlideIssues> {
+        let mut issues = self.issues();
+        check_pose(&mut issues, ["separation.position.x", "separation.position.y", "separation.heading"], &evidence.separation);
+        check_pose(&mut issues, ["rest.position.x", "rest.position.y", "rest.heading"], &evidence.rest);
+        issues.positive(Place::of("rest.position.x.sd", Measure::Length), &evidence.position_deviation.x);
+        issues.positive(Place::of("rest.position.y.sd", Measure::Length), &evidence.position_deviation.y);
+        issues.positive(Place::of("rest.heading.sd", Measure::Angle), &evidence.heading_deviation);
+        issues.within(Place::plain("friction.sd"), &evidence.friction_deviation, 0.0, Some(1.0));
+        issues.finish()
+    }
+}
+
+impl Issue for NoSeparation {
+    type Number = f64;
+
+    /// Returns the code of the first issue if the input is refused.
+    fn code(&self) -> &'static str {
+        match self {
+            NoSeparation::Refused(issues) => issues.first().code(),
+            NoSeparation::NoRest(why) => why.code(),
+            NoSeparation::NotConverged { .. } => "not-converged",
+            NoSeparation::NotDetermined { .. } => "underdetermined",
+            NoSeparation::Driven => "driven",
+            NoSeparation::Turned { .. } => "turned",
+            NoSeparation::TooShort { .. } => "too-short",
+        }
+    }
+
+    fn path(&self) -> Option<Cow<'static, str>> {
+        match self {
+            NoSeparation::Refused(issues) => issues.first().path(),
+            NoSeparation::NoRest(why) => why.path(),
+            _ => None,
+        }
+    }
+
+    fn message(&self) -> Message {
+        let message = Message::new();
+        match self {
+            NoSeparation::Refused(issues) => message.text(alloc::format!("{issues}")),
+            NoSeparation::NoRest(NoRest::Moves(TrajectoryState { time, .. })) => message
+                .text("the vehicle does not come to rest: from every motion that was tried it still moves after ")
+                .figure(Measure::Time, *time),
+            NoSeparation::NoRest(why) => why.message(),
+            NoSeparation::NotConverged { miss, .. } => message
+                .text("no slide was found that ends in the pose at rest: the best misses it by ")
+                .figure(Measure::Length, miss.position.length())
+                .text(" and ")
+                .figure(Measure::Angle, miss.heading),
+            NoSeparation::NotDetermined { along } if *along == Motion::rest() => {
+                "the derivatives of the pose at rest by the separation are not finite".into()
+            }
+            NoSeparation::NotDetermined { along } => message
+                .text("the pose at rest does not determine the separation: motions that differ along (")
+                .figure(Measure::Speed, along.velocity.x)
+                .text(", ")
+                .figure(Measure::Speed, along.velocity.y)
+                .text(", ")
+                .figure(Measure::YawRate, along.yaw_rate)
+                .text(") end in the same pose"),
+            NoSeparation::Driven => "on a straight path to the pose at rest the tires would drive the vehicle".into(),
+            NoSeparation::Turned { turn, deviation } => message
+                .text("the drag of the tires differs between the sides and would turn the vehicle, which turned ")
+                .figure(Measure::Angle, *turn)
+                .text(" ± ")
+                .figure(Measure::Angle, *deviation)
+                .text(": the closed form does not apply"),
+            NoSeparation::TooShort { distance, deviation } => message
+                .text("the vehicle moved ")
+                .figure(Measure::Length, *distance)
+                .text(", no further than the position at rest is uncertain, ")
+                .figure(Measure::Length, *deviation),
+        }
+    }
+}
+
+impl fmt::Display for NoSeparation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.3}", self.message())
+    }
+}
+
+impl core::error::Error for NoSeparation {}

@@ -1,0 +1,157 @@
+//! Checks of a reconstruction problem, before any search.
+
+use super::given::{ReconstructionProblem, Uncertainty, Unknown};
+use super::issue::{ReconstructionIssue, ReconstructionIssues};
+use super::measurand::Measurand;
+use super::variable::Variable;
+use super::weight;
+use crate::input::{Input, Side};
+use crate::issue::{InputIssue, InputIssueKind, IssueCollector, Place};
+
+/// The greatest number, and the inverse of the least deviation, whose square and whose products with squares of others are finite.
+const GREATEST: f64 = 1e50;
+
+/// Checks a standard deviation or a resolution.
+fn deviation(numbers: &mut IssueCollector<InputIssue>, at: Place, value: f64) {
+    if numbers.positive(at, &value) {
+        numbers.within(at, &value, GREATEST.recip(), Some(GREATEST));
+    }
+}
+
+impl ReconstructionProblem {
+    /// Checks that the problem is well posed.
+    ///
+    /// # Errors
+    ///
+    /// Every issue of the problem, such as crossed bounds or more unknowns than evidence.
+    pub fn check(&self) -> Result<(), ReconstructionIssues> {
+        let mut found = IssueCollector::new();
+        unknowns(self, &mut found);
+        evidence(self, &mut found);
+        correlations(self, &mut found);
+        if self.unknowns.is_empty() {
+            found.push(ReconstructionIssue::NothingUnknown);
+        }
+        let evidence = self.all_evidence().len();
+        if self.unknowns.len() > evidence {
+            found.push(ReconstructionIssue::TooLittleEvidence {
+                unknowns: self.unknowns.iter().map(|unknown| unknown.of).collect(),
+                evidence,
+            });
+        }
+        found.finish()
+    }
+}
+
+fn unknowns(question: &ReconstructionProblem, found: &mut IssueCollector<ReconstructionIssue>) {
+    for (i, unknown) in question.unknowns.iter().enumerate() {
+        let of = unknown.of;
+        if question.unknowns[..i].iter().any(|other| other.of == of) {
+            found.push(ReconstructionIssue::UnknownTwice(of));
+        }
+        if !of.is_in(&question.collision) {
+            found.push(ReconstructionIssue::NotInCase(of));
+        }
+        if let Variable::Speed(side) = of
+            && question.unknowns.iter().any(|other| is_component(other.of, side))
+        {
+            found.push(ReconstructionIssue::SpeedAndVelocity(side));
+        }
+        numbers(question, unknown, found);
+    }
+    if let Some(share) = question.crush_share
+        && !(0.0..=1.0).contains(&share)
+    {
+        let kind = InputIssueKind::OutOfRange { value: share, least: 0.0, greatest: Some(1.0) };
+        let issue = InputIssue { at: Place::plain(Variable::CrushShare.name()), kind };
+        found.push(ReconstructionIssue::Unknown { of: Variable::CrushShare, issue });
+    }
+}
+
+fn is_component(variable: Variable, of: Side) -> bool {
+    matches!(variable, Variable::Input(Input::VelocityX(side) | Input::VelocityY(side)) if side == of)
+}
+
+fn numbers(question: &ReconstructionProblem, unknown: &Unknown, found: &mut IssueCollector<ReconstructionIssue>) {
+    let of = unknown.of;
+    let at = Place::of(of.name(), of.measure());
+    let before = found.count();
+    for (what, value) in [("start", Some(unknown.start)), ("min", unknown.min), ("max", unknown.max), ("standard deviation", unknown.prior)]
+    {
+        if let Some(value) = value.filter(|value| !value.is_finite()) {
+            let issue = InputIssue { at: at.part(what), kind: InputIssueKind::NotFinite { value } };
+            found.push(ReconstructionIssue::Unknown { of, issue });
+        }
+    }
+    let mut issues = IssueCollector::<InputIssue>::new();
+    if let Some(sd) = unknown.prior.filter(|sd| sd.is_finite()) {
+        deviation(&mut issues, at.part("standard deviation"), sd);
+    }
+    for issue in issues.finish().err().into_iter().flatten() {
+        found.push(ReconstructionIssue::Unknown { of, issue });
+    }
+    if found.count() > before {
+        return;
+    }
+    let (least, most) = of.domain(&question.collision);
+    for bound in [unknown.min, unknown.max].into_iter().flatten() {
+        if !(least..=most).contains(&bound) {
+            found.push(ReconstructionIssue::BoundOutside { of, bound, least, most });
+        }
+    }
+    if let (Some(min), Some(max)) = (unknown.min, unknown.max)
+        && min >= max
+    {
+        found.push(ReconstructionIssue::BoundsCrossed { of, min, max });
+        return;
+    }
+    let (min, max) = (unknown.min.unwrap_or(least), unknown.max.unwrap_or(most));
+    if !(min..=max).contains(&unknown.start) {
+        found.push(ReconstructionIssue::StartOutside { of, start: unknown.start, min, max });
+    }
+}
+
+fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<ReconstructionIssue>) {
+    for (i, evidence) in question.evidence.iter().enumerate() {
+        let of = evidence.of;
+        if question.evidence[..i].iter().any(|other| other.of == of) {
+            found.push(ReconstructionIssue::EvidenceTwice(of));
+        }
+        if !of.is_in(&question.collision) {
+            found.push(ReconstructionIssue::NothingToMeasure(of));
+        }
+        let share_is_unknown = question.unknowns.iter().any(|unknown| unknown.of == Variable::CrushShare);
+        if of.needs_share(&question.collision) && question.crush_share.is_none() && !share_is_unknown {
+            found.push(ReconstructionIssue::ShareUnknown(of));
+        }
+        let mut numbers = IssueCollector::<InputIssue>::new();
+        let at = Place::of(of.name(), of.measure());
+        let least = if of.is_magnitude() { 0.0 } else { -GREATEST };
+        numbers.within(at, &evidence.value, least, Some(GREATEST));
+        match evidence.uncertainty {
+            Uncertainty::StandardDeviation(sd) => deviation(&mut numbers, at.part("standard deviation"), sd),
+            Uncertainty::Resolution(step) => deviation(&mut numbers, at.part("resolution"), step),
+            Uncertainty::Exact => {}
+        }
+        for issue in numbers.finish().err().into_iter().flatten() {
+            found.push(ReconstructionIssue::Evidence { of, issue });
+        }
+    }
+}
+
+fn correlations(question: &ReconstructionProblem, found: &mut IssueCollector<ReconstructionIssue>) {
+    let before = found.count();
+    let known = |of: Measurand| question.evidence.iter().any(|evidence| evidence.of == of);
+    for correlation in &question.correlations {
+        let (one, other) = (correlation.one, correlation.other);
+        if one == other || !known(one) || !known(other) {
+            found.push(ReconstructionIssue::CorrelationOfNothing(one, other));
+        }
+    }
+    if found.count() == before && !question.correlations.is_empty() {
+        let eigenvalue = weight::least_eigenvalue(question);
+        if eigenvalue.is_nan() || eigenvalue <= weight::SINGULAR {
+            found.push(ReconstructionIssue::CorrelationsImpossible { eigenvalue });
+        }
+    }
+}
