@@ -4,33 +4,39 @@
 //! are variants and their positions are constants: derivatives use them as indices in inner loops, where searching a table would cost more than the
 //! mechanics. Accessors are matches beside their types, so that the compiler reports a missing row.
 
+#[cfg(feature = "alloc")]
 use alloc::boxed::Box;
+#[cfg(feature = "alloc")]
 use core::fmt;
 
 /// A name that no quantity of a catalogue has.
+#[cfg(feature = "alloc")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
     /// The name.
     pub name: Box<str>,
 }
 
+#[cfg(feature = "alloc")]
 impl UnknownName {
     pub(crate) fn of(name: &str) -> Self {
         UnknownName { name: name.into() }
     }
 }
 
+#[cfg(feature = "alloc")]
 impl fmt::Display for UnknownName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "no quantity is named {:?}; `ALL` lists those that exist", self.name)
     }
 }
 
+#[cfg(feature = "alloc")]
 impl core::error::Error for UnknownName {}
 
 /// Declares a catalogue: the quantities of each vehicle, in whose names `_` is the placeholder of its number, then those of the pair.
 ///
-/// Derives `COUNT`, `ALL`, `index`, `name`, `side`, `named`, `Display`, the column at the end of each row, and `symbol` if rows have one.
+/// Derives `COUNT`, `ALL`, `index`, `name`, `side`, `Display`, `FromStr` by `named`, the column at the end of each row, and `symbol` if rows have one.
 macro_rules! catalogue {
     (
         $(#[$about:meta])*
@@ -65,28 +71,6 @@ macro_rules! catalogue {
 
             fn of_name(name: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|row| row.name() == name || row.symbol() == name)
-            }
-        }
-
-        impl core::str::FromStr for $Catalogue {
-            type Err = $crate::catalogue::UnknownName;
-
-            fn from_str(name: &str) -> Result<Self, Self::Err> {
-                Self::named(name).ok_or_else(|| $crate::catalogue::UnknownName::of(name))
-            }
-        }
-
-        #[cfg(feature = "serde")]
-        impl serde::Serialize for $Catalogue {
-            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.serialize_str(self.name())
-            }
-        }
-
-        #[cfg(feature = "serde")]
-        impl<'de> serde::Deserialize<'de> for $Catalogue {
-            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                <alloc::borrow::Cow<'de, str>>::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
             }
         }
     };
@@ -172,6 +156,29 @@ macro_rules! catalogue {
                 }
             }
         };
+
+        #[cfg(feature = "alloc")]
+        impl core::str::FromStr for $Catalogue {
+            type Err = $crate::catalogue::UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, Self::Err> {
+                Self::named(name).ok_or_else(|| $crate::catalogue::UnknownName::of(name))
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        impl serde::Serialize for $Catalogue {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.name())
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for $Catalogue {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                <alloc::borrow::Cow<'de, str>>::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
+            }
+        }
 
         impl core::fmt::Display for $Catalogue {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {

@@ -14,6 +14,7 @@ use core::fmt;
 /// The nominal crush plane and its bracket, as angles Γ in rad. Γ and Γ + 180° are the same plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct CrushPlaneBracket<T = f64> {
     /// Half way between the ends.
     pub nominal: T,
@@ -25,6 +26,7 @@ pub struct CrushPlaneBracket<T = f64> {
 
 /// Reason why two surfaces have no nominal crush plane.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SurfaceIssue<T = f64> {
     /// An angle is not finite, or beyond a million radians. Places are counted from zero.

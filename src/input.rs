@@ -87,6 +87,7 @@ impl Input {
 
 /// An input that a collision does not have: a barrier has no mass, and the critical ratio is not given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NoSuchInput(pub Input);
 
 impl core::fmt::Display for NoSuchInput {

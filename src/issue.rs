@@ -3,6 +3,7 @@
 //! Nothing is repaired: signs, coefficients and the order of vehicles stay as given. All issues of an input are reported at once.
 
 mod collection;
+#[cfg(feature = "alloc")]
 mod contract;
 mod input;
 mod place;
@@ -10,6 +11,7 @@ mod place;
 mod tests;
 
 pub use collection::{IssueCollector, Issues};
+#[cfg(feature = "alloc")]
 pub use contract::Issue;
 pub use input::{InputIssue, InputIssueKind};
 pub use place::Place;

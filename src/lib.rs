@@ -39,19 +39,28 @@
 //! | `reconstruct` | a collision with unknowns, and evidence | every solution with its uncertainty, the influence of the evidence, and diagnostics (feature `reconstruct`) |
 //! | `post_impact` | rest positions of a vehicle | its separation velocity (feature `post-impact`) |
 //! | [`paper`] | two bodies | every numbered equation in the paper's notation, **with the errors of the printed text** |
+//!
+//! Without the feature `alloc` the crate needs no allocator, and has the modules that a controller needs: collisions, impacts, refusals by their codes and
+//! values, and derivatives. The others, messages among them, are `barrier`, `check`, `crush`, `formula`, `guideline` and `message`.
 #![cfg_attr(not(feature = "std"), no_std)]
+// Without an allocator the refusals are where the result is.
+#![cfg_attr(not(feature = "alloc"), allow(clippy::result_large_err))]
 
+#[cfg(feature = "alloc")]
 extern crate alloc;
 
 pub mod admissible;
+#[cfg(feature = "alloc")]
 pub mod barrier;
 pub mod body;
 mod catalogue;
+#[cfg(feature = "alloc")]
 pub mod check;
 pub mod collision;
 pub mod compliance;
 pub mod contact;
 pub mod crash3;
+#[cfg(feature = "alloc")]
 pub mod crush;
 mod display;
 pub mod energy;
@@ -60,6 +69,7 @@ pub mod formula;
 pub mod frame;
 #[cfg(feature = "dual")]
 pub mod guide;
+#[cfg(feature = "alloc")]
 pub mod guideline;
 pub mod impact;
 pub mod input;
@@ -68,6 +78,7 @@ pub mod law;
 #[cfg(feature = "reconstruct")]
 pub(crate) mod least_squares;
 pub mod measure;
+#[cfg(feature = "alloc")]
 pub mod message;
 pub mod moment;
 #[cfg(feature = "approx")]
@@ -83,7 +94,6 @@ mod quantities;
 pub mod reconstruct;
 pub mod refusal;
 pub mod scalar;
-#[cfg(feature = "dual")]
 pub mod sensitivity;
 pub mod solve;
 pub mod vehicle;
@@ -97,23 +107,27 @@ pub use uom;
 
 pub use admissible::Admissible;
 pub use body::Body;
+#[cfg(feature = "alloc")]
 pub use catalogue::UnknownName;
 pub use collision::Collision;
 pub use compliance::Compliance;
 pub use contact::Contact;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
+#[cfg(feature = "alloc")]
 pub use guideline::{CrushPlaneBracket, SurfaceIssue};
 pub use impact::{ForceDirection, Impact, Response};
 pub use input::{Input, NoSuchInput, Side};
-pub use issue::{InputIssue, InputIssueKind, Issue, Issues};
+#[cfg(feature = "alloc")]
+pub use issue::Issue;
+pub use issue::{InputIssue, InputIssueKind, Issues};
 pub use law::{ImpulseRatio, Law};
 pub use measure::Measure;
+#[cfg(feature = "alloc")]
 pub use message::{Message, Part};
 pub use moment::{Moment, MomentCompliance};
 pub use output::{Output, Outputs, VehicleOutputs};
 pub use refusal::{Refusal, Refusals, Tension};
 pub use scalar::{Field, Ordered, Real};
-#[cfg(feature = "dual")]
 pub use sensitivity::{Curved, Gradient, Hessian, Sensitive};
 pub use vehicle::{Motion, Party, Vehicle};

@@ -9,6 +9,7 @@ use core::fmt;
 /// assert_eq!((Measure::Impulse.name(), Measure::Impulse.si_unit()), ("impulse", "N s"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Measure {
     /// A mass.
     Mass,

@@ -20,10 +20,12 @@ use crate::measure::Measure;
 /// assert_eq!(message.figures().collect::<Vec<_>>(), [(Measure::Energy, &12.25)]);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Message<T = f64>(Vec<Part<T>>);
 
 /// A part of a [`Message`].
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Part<T = f64> {
     /// Text.

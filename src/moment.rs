@@ -30,6 +30,7 @@ pub enum Moment<T = f64> {
 
 /// The third row of the compliance.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MomentCompliance<T = f64> {
     /// Change of relative velocity by a moment, and of relative yaw rate by an impulse, in 1/(kg m).
     pub force: Nt<T>,

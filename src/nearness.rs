@@ -10,6 +10,7 @@ use crate::energy::{KineticEnergy, Work};
 use crate::frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
 use crate::impact::{Impact, Response};
 use crate::output::{Output, Outputs};
+use crate::sensitivity::{Curved, Gradient, Hessian, Sensitive};
 use crate::vehicle::{Motion, Vehicle};
 
 /// A number, or a structure of numbers, that is made of floats.
@@ -106,11 +107,41 @@ impl<T: Parts> Parts for Outputs<T> {
 
 near!(Outputs<T>, T: Parts + PartialEq);
 
+impl<T: Parts> Parts for Gradient<T> {
+    fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
+        self.0.iter().for_each(|by| by.for_each_part(part));
+    }
+}
+
+impl<T: Parts> Parts for Hessian<T> {
+    fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
+        self.0.iter().flatten().for_each(|by| by.for_each_part(part));
+    }
+}
+
+impl<T: Parts> Parts for Sensitive<T> {
+    fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
+        self.value.for_each_part(part);
+        self.by.for_each_part(part);
+    }
+}
+
+impl<T: Parts> Parts for Curved<T> {
+    fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
+        self.value.for_each_part(part);
+        self.by.for_each_part(part);
+        self.twice.for_each_part(part);
+    }
+}
+
+near!(Gradient<T>, T: Parts + PartialEq);
+near!(Hessian<T>, T: Parts + PartialEq);
+near!(Sensitive<T>, T: Parts + PartialEq);
+near!(Curved<T>, T: Parts + PartialEq);
+
 #[cfg(feature = "dual")]
 mod dual {
-    use super::{Parts, all_close};
-    use crate::sensitivity::{Curved, Gradient, Hessian, Sensitive};
-    use approx::{AbsDiffEq, RelativeEq};
+    use super::Parts;
     use num_dual::{Dual, Dual2, HyperDual};
 
     impl<T: Parts> Parts for Dual<T> {
@@ -135,38 +166,6 @@ mod dual {
             }
         }
     }
-
-    impl<T: Parts> Parts for Gradient<T> {
-        fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
-            self.0.iter().for_each(|by| by.for_each_part(part));
-        }
-    }
-
-    impl<T: Parts> Parts for Hessian<T> {
-        fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
-            self.0.iter().flatten().for_each(|by| by.for_each_part(part));
-        }
-    }
-
-    impl<T: Parts> Parts for Sensitive<T> {
-        fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
-            self.value.for_each_part(part);
-            self.by.for_each_part(part);
-        }
-    }
-
-    impl<T: Parts> Parts for Curved<T> {
-        fn for_each_part(&self, part: &mut dyn FnMut(f64)) {
-            self.value.for_each_part(part);
-            self.by.for_each_part(part);
-            self.twice.for_each_part(part);
-        }
-    }
-
-    near!(Gradient<T>, T: Parts + PartialEq);
-    near!(Hessian<T>, T: Parts + PartialEq);
-    near!(Sensitive<T>, T: Parts + PartialEq);
-    near!(Curved<T>, T: Parts + PartialEq);
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ pub use crate::collision::Collision;
 pub use crate::frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
 pub use crate::impact::Impact;
 pub use crate::input::{Input, Side};
+#[cfg(feature = "alloc")]
 pub use crate::issue::Issue as _;
 pub use crate::law::{ImpulseRatio, Law};
 pub use crate::moment::Moment;

@@ -35,7 +35,7 @@ mod predicate;
 pub mod symbol;
 
 pub use power::Power;
-pub(crate) use predicate::{is_finite, is_positive, is_zero, rounding, slack, tolerance};
+pub(crate) use predicate::{is_finite, is_positive, is_single, is_zero, rounding, slack, tolerance};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};

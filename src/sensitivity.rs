@@ -41,10 +41,10 @@
 //!
 //! # Method
 //!
-//! Dual numbers through the one solution are the definition ([`by_definition`], [`curvature_by_definition`]). The fast method differentiates the equation of
-//! the impulse instead, K P = change: every input acts on the impulse only through the two components of that equation. Given the derivative of the output by
-//! each component of the impulse, one solution with K gives the adjoint λ of the two equations, and the rest is the derivative of one scalar with the impulse
-//! held constant,
+//! Dual numbers through the one solution are the definition ([`by_definition`], [`curvature_by_definition`]), and the method if there is a moment impulse. The
+//! fast method differentiates the equation of the impulse instead, K P = change: every input acts on the impulse only through the two components of that
+//! equation. Given the derivative of the output by each component of the impulse, one solution with K gives the adjoint λ of the two equations, and the rest is
+//! the derivative of one scalar with the impulse held constant,
 //!
 //! ```text
 //! α·v − λ·K P,    v the approach velocity,  λ·K P = Σ λ·P/m + (r×λ)(r×P)/I
@@ -55,6 +55,7 @@
 mod body_partials;
 mod cotangent;
 mod definition;
+mod dual;
 mod hessian;
 mod impulse_adjoint;
 mod jacobian;
@@ -70,7 +71,7 @@ use crate::law::ImpulseRatio;
 use crate::moment::Moment;
 use crate::output::{Output, Outputs};
 use crate::refusal::{Refusal, Refusals};
-use crate::scalar::is_finite;
+use crate::scalar::{Real, is_finite, is_single, is_zero};
 use crate::vehicle::{Motion, Party, Vehicle};
 use core::ops::{Index, IndexMut};
 
@@ -127,7 +128,7 @@ impl<T> From<[T; Input::COUNT]> for Gradient<T> {
     }
 }
 
-impl Gradient {
+impl<T: Real<Mask = bool>> Gradient<T> {
     fn is_finite(&self) -> bool {
         self.0.iter().all(is_finite)
     }
@@ -165,13 +166,13 @@ impl<T> Index<(Input, Input)> for Hessian<T> {
     }
 }
 
-impl Collision<f64> {
+impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
     /// Computes every output with its derivatives by every input.
     ///
     /// # Errors
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
-    pub fn sensitivities(&self) -> Result<Outputs<Sensitive>, Refusals> {
+    pub fn sensitivities(&self) -> Result<Outputs<Sensitive<T>>, Refusals<T>> {
         // The table is written where it is returned: moving it would cost as much as computing it.
         let mut result = Ok(Outputs::default());
         if let Ok(to) = &mut result
@@ -189,7 +190,7 @@ impl Collision<f64> {
     /// # Errors
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
-    pub fn sensitivities_to(&self, to: &mut Outputs<Sensitive>) -> Result<(), Refusals> {
+    pub fn sensitivities_to(&self, to: &mut Outputs<Sensitive<T>>) -> Result<(), Refusals<T>> {
         let contact = self.checked_contact()?;
         let impact = self.solve_at(&contact)?;
         match self.moment {
@@ -204,15 +205,17 @@ impl Collision<f64> {
     /// Refuses derivatives that are not finite, although the outputs are. Only numbers far from those of vehicles have such derivatives: others are not
     /// searched for them.
     #[inline(always)]
-    fn within_floats(&self, is_finite: impl FnOnce() -> bool) -> Result<(), Refusals> {
+    fn within_floats(&self, is_finite: impl FnOnce() -> bool) -> Result<(), Refusals<T>> {
         if self.is_moderate() || is_finite() { Ok(()) } else { Err(Refusal::OutOfFloatRange.into()) }
     }
 
-    /// Returns `true` if each number is zero or within 10⁻¹⁵ to 10¹⁵ in SI: products of a dozen of them are finite.
+    /// Returns `true` if each number is zero or within 10⁻¹⁵ to 10¹⁵ in SI: products of a dozen of them are finite, except as f32.
     #[inline(always)]
     fn is_moderate(&self) -> bool {
-        let is_moderate = |x: f64| x == 0.0 || (1e-15..=1e15).contains(&x.abs());
-        let of_party = |party: &Party| {
+        let greatest = T::int(100_000) * T::int(100_000) * T::int(100_000);
+        let least = greatest.inv();
+        let is_moderate = |x: T| is_zero(&x) || !(x.magnitude().less(&least) || greatest.less(&x.magnitude()));
+        let of_party = |party: &Party<T>| {
             party.vehicle().is_none_or(|vehicle| {
                 let Vehicle { mass, yaw_inertia, impact_center, motion: Motion { velocity, yaw_rate }, .. } = *vehicle;
                 [mass, yaw_inertia, impact_center.forward, impact_center.left, velocity.x, velocity.y, yaw_rate]
@@ -221,14 +224,14 @@ impl Collision<f64> {
             })
         };
         let moment = match self.moment {
-            Moment::None => 0.0,
+            Moment::None => T::int(0),
             Moment::Given(moment) | Moment::OfCritical(moment) => moment,
         };
         let ratio = match self.impulse_ratio {
-            ImpulseRatio::Critical => 0.0,
+            ImpulseRatio::Critical => T::int(0),
             ImpulseRatio::Given(ratio) | ImpulseRatio::OfCritical(ratio) | ImpulseRatio::LimitedByFriction(ratio) => ratio,
         };
-        of_party(&self.one) && of_party(&self.two) && is_moderate(moment) && is_moderate(ratio)
+        !is_single::<T>() && of_party(&self.one) && of_party(&self.two) && is_moderate(moment) && is_moderate(ratio)
     }
 
     /// Computes one output with its derivatives by every input, at less than the cost of all.
@@ -237,7 +240,7 @@ impl Collision<f64> {
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     #[inline]
-    pub fn sensitivity(&self, of: Output) -> Result<Sensitive, Refusals> {
+    pub fn sensitivity(&self, of: Output) -> Result<Sensitive<T>, Refusals<T>> {
         let contact = self.checked_contact()?;
         let impact = self.solve_at(&contact)?;
         let sensitive = match self.moment {
@@ -267,7 +270,7 @@ impl Collision<f64> {
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     #[inline]
-    pub fn pullback(&self, weights: &Outputs<f64>) -> Result<Gradient, Refusals> {
+    pub fn pullback(&self, weights: &Outputs<T>) -> Result<Gradient<T>, Refusals<T>> {
         let contact = self.checked_contact()?;
         let impact = self.solve_at(&contact)?;
         let gradient = match self.moment {
@@ -276,15 +279,19 @@ impl Collision<f64> {
                 let rows = by_definition(self);
                 Output::ALL.into_iter().fold(Gradient::zero(), |mut sum, of| {
                     // An output without a derivative does not matter unless it is weighted.
-                    if weights[of] != 0.0 {
+                    if !is_zero(&weights[of]) {
                         sum.add_scaled(weights[of], &rows[of].by);
                     }
                     sum
                 })
             }
         };
-        // Weights may be of any size.
-        if gradient.is_finite() { Ok(gradient) } else { Err(Refusal::OutOfFloatRange.into()) }
+        // Weights may be of any size, and one that is not a number must not count as zero.
+        if gradient.is_finite() && Output::ALL.into_iter().all(|of| is_finite(&weights[of])) {
+            Ok(gradient)
+        } else {
+            Err(Refusal::OutOfFloatRange.into())
+        }
     }
 
     /// Computes the derivatives of every output along a direction of the inputs, in the order of [`Input::ALL`]: the product of the Jacobian with a column
@@ -293,9 +300,9 @@ impl Collision<f64> {
     /// # Errors
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
-    pub fn pushforward(&self, direction: &[f64; Input::COUNT]) -> Result<Outputs<f64>, Refusals> {
+    pub fn pushforward(&self, direction: &[T; Input::COUNT]) -> Result<Outputs<T>, Refusals<T>> {
         self.solve()?;
-        let along = definition::along(self, |input| direction[input.index()]).map(|dual| dual.eps);
+        let along = definition::along(self, |input| direction[input.index()]).map(|dual| dual.derivative);
         if Output::ALL.into_iter().all(|of| is_finite(&along[of])) { Ok(along) } else { Err(Refusal::OutOfFloatRange.into()) }
     }
 
@@ -304,7 +311,7 @@ impl Collision<f64> {
     /// # Errors
     ///
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
-    pub fn curvature(&self, of: Output) -> Result<Curved, Refusals> {
+    pub fn curvature(&self, of: Output) -> Result<Curved<T>, Refusals<T>> {
         let curved = self.curvature_of(&self.solve()?, of);
         self.within_floats(|| is_finite(&curved.value) && curved.by.is_finite() && curved.twice.0.iter().flatten().all(is_finite))?;
         Ok(curved)
@@ -313,7 +320,7 @@ impl Collision<f64> {
     /// Computes the sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] returned for this collision. The impact is not checked; a
     /// quantity without a derivative, such as the ΔV of a zero impulse, has derivatives of NaN.
     #[inline(always)]
-    pub fn sensitivities_of(&self, impact: &Impact) -> Outputs<Sensitive> {
+    pub fn sensitivities_of(&self, impact: &Impact<T>) -> Outputs<Sensitive<T>> {
         let mut to = Outputs::default();
         match self.moment {
             Moment::None => jacobian::write(self, &self.contact(), impact, &mut to),
@@ -324,7 +331,7 @@ impl Collision<f64> {
 
     /// Computes the sensitivity of one output of a given impact, as [`Collision::sensitivities_of`].
     #[inline(always)]
-    pub fn sensitivity_of(&self, impact: &Impact, of: Output) -> Sensitive {
+    pub fn sensitivity_of(&self, impact: &Impact<T>, of: Output) -> Sensitive<T> {
         match self.moment {
             Moment::None => cotangent::sensitivity(self, &self.contact(), impact, of),
             _ => by_definition(self)[of],
@@ -332,7 +339,7 @@ impl Collision<f64> {
     }
 
     /// Computes the curvature of one output of a given impact, as [`Collision::sensitivities_of`].
-    pub fn curvature_of(&self, impact: &Impact, of: Output) -> Curved {
+    pub fn curvature_of(&self, impact: &Impact<T>, of: Output) -> Curved<T> {
         match self.moment {
             Moment::None => hessian::curvature(self, impact, of),
             _ => curvature_by_definition(self, of),

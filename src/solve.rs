@@ -217,3 +217,45 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         issues.finish()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::crash3::{Damaged, DamagedPair, Surface};
+    use crate::{ForceDirection, ForwardLeft, Vehicle};
+
+    /// The most refusals at once: the capacity of [`Refusals`] without an allocator.
+    #[test]
+    fn every_input_is_refused_at_most_once() {
+        let nan = f64::NAN;
+        let car = Party::from(Vehicle::default().map(|_: f64| nan));
+        let ratios = [
+            (1, ImpulseRatio::Given(nan)),
+            (1, ImpulseRatio::OfCritical(nan)),
+            (1, ImpulseRatio::LimitedByFriction(nan)),
+            (0, ImpulseRatio::Critical),
+        ];
+        let moments = [(1, Moment::Given(nan)), (1, Moment::OfCritical(nan)), (0, Moment::None)];
+        let parties = [(16, car, car), (8, car, Party::Barrier), (8, Party::Barrier, car), (1, Party::Barrier, Party::Barrier)];
+        let mut most = 0;
+        for ((of_parties, one, two), (of_ratio, impulse_ratio), (of_moment, moment)) in
+            parties.into_iter().flat_map(|parties| ratios.map(|ratio| moments.map(|moment| (parties, ratio, moment)))).flatten()
+        {
+            let collision = Collision { impulse_ratio, moment, ..Collision::new(one, two).map(|_| nan) };
+            let refusals = collision.solve().expect_err("nothing is a number");
+            assert_eq!(refusals.len(), of_parties + 2 + of_ratio + of_moment, "{refusals}");
+            most = most.max(refusals.len());
+        }
+        assert_eq!(most, Input::COUNT);
+        let damaged = Damaged {
+            mass: nan,
+            yaw_inertia: nan,
+            impact_center: ForwardLeft { forward: nan, left: nan },
+            surface: Surface::Front,
+            force_direction: ForceDirection { ahead: nan, right: nan },
+            crush_energy: nan,
+        };
+        let refusals = DamagedPair { one: Some(damaged), two: Some(damaged) }.solve().expect_err("nothing is a number");
+        assert_eq!(refusals.len(), 12);
+    }
+}

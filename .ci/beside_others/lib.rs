@@ -69,6 +69,71 @@ mod tests {
         assert_eq!(serde_json::from_str::<Output>("\"W_n\"").expect("a symbol"), Output::NormalWork);
     }
 
+    /// A value, its JSON, and the value that is read from that.
+    fn stored<T: serde::Serialize + serde::de::DeserializeOwned>(value: &T) -> (String, T) {
+        let text = serde_json::to_string(value).expect("plain data");
+        let read = serde_json::from_str(&text).expect("as written");
+        (text, read)
+    }
+
+    #[test]
+    fn records_of_the_checker_come_back_by_name() {
+        use planar_impact::check::{Key, Options, Outcome, Profile, RatioKind, Record, Resolution, ResolutionGroup, Rule, check};
+        let collision = collision();
+        let record = Record {
+            id: "one".into(),
+            resolution: Resolution::default().with(ResolutionGroup::Velocity, 0.5).with_key(Key::Mass(Side::One), 10.0),
+            ..Record::of(&collision, &collision.solve().expect("it closes"))
+        };
+        let (text, read) = stored(&record);
+        assert_eq!(read, record);
+        assert!(text.contains(r#"{"groups":[["v",0.5]],"keys":[["b1.mass",10.0]]}"#), "{text}");
+        for rule in Rule::ALL {
+            assert_eq!(stored(&rule), (format!("{:?}", rule.name()), rule));
+        }
+        for group in ResolutionGroup::ALL {
+            assert_eq!(stored(&group), (format!("{:?}", group.name()), group));
+        }
+        for profile in Profile::ALL {
+            assert_eq!(stored(&profile), (format!("{:?}", profile.name()), profile));
+        }
+        for kind in RatioKind::ALL {
+            assert_eq!(stored(&kind), (format!("{:?}", kind.name()), kind));
+        }
+        let outcome: Outcome = check(&Record { id: "empty".into(), ..Record::default() }, &Options::default());
+        assert!(serde_json::to_string(&outcome).expect("plain data").starts_with(r#"{"id":"empty","findings":["#));
+    }
+
+    #[test]
+    fn profiles_and_tests_are_checked_where_they_are_read() {
+        use planar_impact::barrier::{BarrierTest, Record, TestSeries};
+        use planar_impact::crush::{Profile, ProfileMoments, StiffnessZones};
+        for profile in [Profile::equally_spaced(1.5, vec![0.1, 0.3]), Profile::at_stations(vec![0.0, 0.5, 1.5], vec![0.1, 0.3, 0.2])] {
+            let profile = profile.expect("valid");
+            assert_eq!(stored(&profile).1, profile);
+        }
+        let test =
+            BarrierTest { mass: 1500.0, speed: 15.0, restitution: 0.1, crush: ProfileMoments::of(1.5, &[0.3, 0.3]).expect("two depths") };
+        let series = TestSeries::new([test]).expect("valid");
+        assert_eq!(stored(&series).1, series);
+        let record = Record::uniform(0.0, 0.001, vec![0.0, 1.0]).expect("valid");
+        assert_eq!(stored(&record).1, record);
+        let refused =
+            serde_json::from_str::<Profile>(r#"{"stations":{"Equal":{"width":-1.5}},"depths":[0.1,0.3]}"#).expect_err("a negative width");
+        assert!(refused.to_string().contains("width"), "{refused}");
+        assert!(serde_json::from_str::<TestSeries>("[]").is_err());
+        assert!(serde_json::from_str::<Record>(r#"{"clock":{"Given":[1.0,0.0]},"values":[0.0,1.0]}"#).is_err());
+        assert!(serde_json::from_str::<StiffnessZones>(r#"{"zones":[],"borders":[]}"#).is_err());
+    }
+
+    #[test]
+    fn refusals_are_data() {
+        let refusals = Collision::new(Vehicle::new(-1.0, 2500.0), Party::Barrier).solve().expect_err("a negative mass");
+        let data = serde_json::to_value(&refusals).expect("plain data");
+        assert_eq!(data[0]["Input"]["at"]["name"], "vehicle.1.mass");
+        assert_eq!(data[0]["Input"]["kind"]["NotPositive"]["value"], -1.0);
+    }
+
     #[test]
     fn a_planner_gets_and_sets_inputs_and_pulls_back() {
         let mut collision = collision();

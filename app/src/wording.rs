@@ -1,6 +1,6 @@
 //! Reports refusals of the library at the keys of a file.
 
-use planar_impact::{Issue as _, Measure, Message, Part, Refusal, Refusals};
+use planar_impact::{Measure, Message, Part, Refusal, Refusals};
 
 use crate::issue::Issue;
 

@@ -11,6 +11,8 @@ use alloc::vec::Vec;
 
 /// Channels of a barrier, as forces on the vehicle in N: those that measure the normal force and those that measure the tangential force.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "T: serde::Deserialize<'de> + Ordered<Mask = bool> + core::fmt::Display")))]
 pub struct BarrierRecord<T = f64> {
     /// Load cells of the main face, normal to it.
     pub normal: Vec<Record<T>>,

@@ -4,6 +4,7 @@ use crate::scalar::{Field, Real};
 
 /// A number that was measured or fitted, and its variance.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Estimate<T = f64> {
     /// The number.
     pub value: T,

@@ -9,6 +9,8 @@ use alloc::vec::Vec;
 
 /// A channel frequency class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum ChannelClass {
     /// CFC 60, for barrier forces.
     Cfc60,
@@ -22,6 +24,7 @@ pub enum ChannelClass {
 
 /// The filter of a class at a sampling interval, in the notation of SAE J211-1, Annex C: Y_t = a₀ (X_t + 2 X_t−1 + X_t−2) + b₁ Y_t−1 + b₂ Y_t−2.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ChannelFilter<T = f64> {
     /// a₀ = a₂ = a₁/2: coefficient of the samples.
     pub feed: T,

@@ -13,6 +13,7 @@ use core::fmt;
 
 /// The model of a test's crush in the fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CrushModel {
     /// Mean depth: E* = d₀ + d₁ C, as in the paper (Eq 3). Exact for flat profiles.
     MeanDepth,
@@ -22,6 +23,7 @@ pub enum CrushModel {
 
 /// The basis of the covariance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CovarianceBasis {
     /// The standard deviations as given.
     Deviations,
@@ -31,6 +33,7 @@ pub enum CovarianceBasis {
 
 /// A property of a fit that is implausible for a stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum FitFinding<T = f64> {
     /// d₀ is below zero: crush would remain without any energy.
@@ -55,6 +58,8 @@ impl<T: fmt::Display> fmt::Display for FitFinding<T> {
 
 /// A stiffness that was fitted to tests.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct StiffnessFit<T = f64> {
     /// d₀ and d₁ as fitted, even if negative.
     pub stiffness: CrushStiffness<T>,

@@ -5,6 +5,7 @@ use crate::scalar::{Field, Real};
 
 /// Covariance of d₀ and d₁.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StiffnessCovariance<T = f64> {
     /// Variance of d₀, in N.
     pub onset: T,
@@ -16,6 +17,8 @@ pub struct StiffnessCovariance<T = f64> {
 
 /// One test in the fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Residual<T = f64> {
     /// Moments of its crush.
     pub crush: ProfileMoments<T>,

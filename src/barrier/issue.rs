@@ -11,6 +11,7 @@ use crate::scalar::Ordered;
 
 /// Reason for refusing a test, a record or a fit.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum TestIssue<T = f64> {
     /// A number or a list is invalid.

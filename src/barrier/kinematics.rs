@@ -9,6 +9,7 @@ use crate::vehicle::Motion;
 
 /// A point of a vehicle at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PointOfVehicle<T = f64> {
     /// Heading of the vehicle.
     pub heading: Heading<T>,
@@ -20,6 +21,7 @@ pub struct PointOfVehicle<T = f64> {
 
 /// Measured motion of a vehicle from contact to separation.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeasuredContact<T = f64> {
     /// Heading of the vehicle at contact.
     pub heading: Heading<T>,

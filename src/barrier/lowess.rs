@@ -12,6 +12,7 @@ use core::cmp::Ordering;
 
 /// Settings of the smoother.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Lowess {
     /// Number of samples in a local line. The farthest of them has zero weight, so at least four are needed.
     pub neighbors: usize,
@@ -33,6 +34,8 @@ pub struct Smoothed<T = f64> {
 
 /// The local line at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct LocalLine<T = f64> {
     /// The smoothed value, in the unit of the record.
     pub value: Estimate<T>,

@@ -11,6 +11,7 @@ use alloc::vec::Vec;
 
 /// One test, with the standard deviations of what was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeasuredTest<T = f64> {
     /// The test.
     pub test: BarrierTest<T>,
@@ -25,6 +26,7 @@ pub struct MeasuredTest<T = f64> {
 
 /// A crush and its energy, for use when the energies are known but not the tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushEnergy<T = f64> {
     /// Moments of the residual crush.
     pub crush: ProfileMoments<T>,
@@ -36,6 +38,7 @@ pub struct CrushEnergy<T = f64> {
 
 /// A crush and its E*.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Observation<T = f64> {
     /// Moments of the residual crush.
     pub crush: ProfileMoments<T>,

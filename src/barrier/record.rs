@@ -10,6 +10,8 @@ use alloc::vec::Vec;
 
 /// Sampling times of a channel.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Clock<T = f64> {
     /// At equal intervals.
     Uniform {
@@ -24,13 +26,39 @@ pub enum Clock<T = f64> {
 
 /// A channel over time, linear between its samples.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "UncheckedRecord<T>", bound(deserialize = "T: serde::Deserialize<'de> + Ordered<Mask = bool> + core::fmt::Display"))
+)]
 pub struct Record<T = f64> {
     clock: Clock<T>,
     values: Vec<T>,
 }
 
+/// A channel as stored, whose numbers may be invalid.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedRecord<T> {
+    clock: Clock<T>,
+    values: Vec<T>,
+}
+
+#[cfg(feature = "serde")]
+impl<T: Ordered<Mask = bool>> TryFrom<UncheckedRecord<T>> for Record<T> {
+    type Error = TestIssues<T>;
+
+    fn try_from(stored: UncheckedRecord<T>) -> Result<Self, TestIssues<T>> {
+        match stored.clock {
+            Clock::Uniform { start, step } => Record::uniform(start, step, stored.values),
+            Clock::Given(times) => Record::at_times(times, stored.values),
+        }
+    }
+}
+
 /// An interval of time, both ends in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Window<T = f64> {
     /// Its beginning.
     pub from: T,

@@ -10,6 +10,11 @@ use alloc::vec::Vec;
 
 /// Consecutive tests of one vehicle, in order.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "Vec<BarrierTest<T>>", bound(deserialize = "T: serde::Deserialize<'de> + Ordered<Mask = bool> + core::fmt::Display"))
+)]
 pub struct TestSeries<T = f64>(Vec<BarrierTest<T>>);
 
 impl<T: Ordered<Mask = bool>> TestSeries<T> {
@@ -24,6 +29,14 @@ impl<T: Ordered<Mask = bool>> TestSeries<T> {
         issues.at_least(Place::plain("tests"), tests.len(), 1);
         check_series(&tests, Place::plain("test"), &mut issues);
         issues.finish().map(|()| TestSeries(tests))
+    }
+}
+
+impl<T: Ordered<Mask = bool>> TryFrom<Vec<BarrierTest<T>>> for TestSeries<T> {
+    type Error = TestIssues<T>;
+
+    fn try_from(tests: Vec<BarrierTest<T>>) -> Result<Self, TestIssues<T>> {
+        TestSeries::new(tests)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::scalar::{Field, Ordered, Real, slack};
 
 /// A vehicle's impact with a fixed barrier, and the crush measured after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BarrierTest<T = f64> {
     /// Mass m of the vehicle as tested, in kg.
     pub mass: T,

@@ -5,6 +5,7 @@ use alloc::string::String;
 
 /// The model stated by the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Model {
     /// Coefficient of restitution e.
     pub restitution: Option<f64>,
@@ -18,6 +19,9 @@ pub struct Model {
 
 /// The kind of the impulse ratio of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum RatioKind {
     /// The number is μ = P_t/P_n, with its sign.
     #[default]
@@ -47,6 +51,7 @@ impl RatioKind {
 
 /// Membership of a record in a group.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Membership {
     /// The name of the group.
     pub name: String,
@@ -56,6 +61,9 @@ pub struct Membership {
 
 /// The quantities that the records of a group share.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Agreement {
     /// The energy lost and the magnitude of the impulse: a sweep of the crush plane at e = 0 and μ = μ₀, mirror images, exchanged bodies, moving observers.
     #[default]

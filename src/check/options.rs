@@ -4,6 +4,7 @@ use crate::issue::{InputIssue, IssueCollector, Issues, Place};
 
 /// Options of a check.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Options {
     /// Tolerance that replaces that of the profile, as a share of a residual with arbitrary errors: above zero, at most [`Options::LARGEST_TOLERANCE`].
     pub tolerance: Option<f64>,

@@ -9,14 +9,17 @@ use core::fmt;
 
 /// The outcome of checking a record.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Outcome {
     /// The name of the record.
     pub id: String,
     /// Every rule that does not hold or could not be evaluated.
     pub findings: Vec<Finding>,
     pub(super) checked: Rules,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) coverage: Coverage,
     /// Quantities for comparison within a group; empty without one.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) common: Vec<Common>,
 }
 
@@ -31,6 +34,8 @@ pub(super) struct Common {
 
 /// A rule that does not hold, or could not be evaluated.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Finding {
     /// The rule.
     pub rule: Rule,
@@ -46,6 +51,8 @@ pub struct Finding {
 
 /// Overall verdict of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Verdict {
     /// Every rule that could be checked holds.
     Pass,
@@ -163,6 +170,8 @@ impl Outcome {
 
 /// A rule that a record calls for and that was not checked.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Unchecked {
     /// The rule.
     pub rule: Rule,

@@ -2,6 +2,9 @@
 
 /// Assumed precision of numbers without a [`Resolution`](super::Resolution), and the meaning of a resolution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
 pub enum Profile {
     /// An impulse solver in f64: the laws hold to 1e-9.
     #[default]

@@ -32,6 +32,7 @@ use alloc::string::String;
 /// check(&record, &Options::default()).assert_checked(&[Rule::LinearMomentum, Rule::EnergyGain]);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Record {
     /// The name of the record in its findings.
     pub id: String,
@@ -64,6 +65,7 @@ pub struct Record {
 
 /// A body of a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Subject {
     /// `true` if no impulse moves it, as a barrier. It then has no mass and keeps its velocity; without a velocity it is at rest.
     pub fixed: bool,
@@ -85,6 +87,7 @@ pub struct Subject {
 
 /// Motion of a body, as far as it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// Velocity of the center of mass, in m/s.
     pub velocity: Option<Xy>,

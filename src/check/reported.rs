@@ -2,6 +2,7 @@
 
 /// Results that a program reports besides the motions. Each is compared with what the motions imply and with the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Reported {
     /// Energy lost, T_L, in J.
     pub energy_loss: Option<f64>,
@@ -36,6 +37,7 @@ pub struct Reported {
 
 /// The impulse on body 1 as a program reports it, in N s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ReportedImpulse {
     /// Along the normal.
     pub normal: Option<f64>,

@@ -16,6 +16,7 @@ use alloc::vec::Vec;
 /// assert_eq!(printed.of(Key::Mass(Side::One)), None);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(from = "Stored", into = "Stored"))]
 pub struct Resolution {
     groups: [Option<f64>; ResolutionGroup::COUNT],
     keys: Vec<(Key, f64)>,
@@ -52,6 +53,30 @@ impl Resolution {
     pub(super) fn entries(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let groups = ResolutionGroup::ALL.into_iter().filter_map(|group| Some((group.name(), self.groups[group as usize]?)));
         groups.chain(self.keys.iter().map(|(key, resolution)| (key.name(), *resolution)))
+    }
+}
+
+/// Resolutions as stored, by name.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Stored {
+    groups: Vec<(ResolutionGroup, f64)>,
+    keys: Vec<(Key, f64)>,
+}
+
+#[cfg(feature = "serde")]
+impl From<Resolution> for Stored {
+    fn from(resolution: Resolution) -> Self {
+        let groups = ResolutionGroup::ALL.into_iter().filter_map(|group| Some((group, resolution.groups[group as usize]?))).collect();
+        Stored { groups, keys: resolution.keys }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Stored> for Resolution {
+    fn from(stored: Stored) -> Self {
+        let of_groups = stored.groups.into_iter().fold(Resolution::default(), |sum, (group, of)| sum.with(group, of));
+        stored.keys.into_iter().fold(of_groups, |sum, (key, of)| sum.with_key(key, of))
     }
 }
 

@@ -4,6 +4,8 @@ use crate::measure::Measure;
 
 /// A group of numbers of a record that can share one resolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ResolutionGroup {
     /// Masses.
     Mass,
@@ -12,6 +14,7 @@ pub enum ResolutionGroup {
     /// Positions.
     Length,
     /// Velocities and speeds.
+    #[cfg_attr(feature = "serde", serde(rename = "v"))]
     Velocity,
     /// Yaw rates.
     YawRate,
@@ -26,6 +29,7 @@ pub enum ResolutionGroup {
     /// Impulses.
     Impulse,
     /// Moment impulses.
+    #[cfg_attr(feature = "serde", serde(rename = "moment"))]
     MomentImpulse,
     /// Times.
     Time,

@@ -4,6 +4,8 @@ use core::fmt;
 
 /// A rule. Other programs rely on its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Rule {
     /// Every number is finite.
@@ -38,6 +40,8 @@ pub enum Rule {
 
 /// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Severity {
     /// Possible, but rarely intended.
     Warn,
@@ -221,6 +225,13 @@ impl Rules {
 
     pub(super) fn contains(self, rule: Rule) -> bool {
         self.0 & (1 << rule as u16) != 0
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Rules {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(Rule::ALL.into_iter().filter(|rule| self.contains(*rule)))
     }
 }
 

@@ -26,6 +26,8 @@ use crate::scalar::Real;
 
 /// One of the assumptions of CRASH3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Assumption {
     /// The vehicles reach a common velocity at the contact: no restitution, and no remaining sliding.
     CommonVelocity,
@@ -60,6 +62,7 @@ impl Assumption {
 
 /// Loss and ΔV that follow from a crush energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Consequence<T = f64> {
     /// Total energy lost, T_L, in J.
     pub loss: T,
@@ -71,6 +74,8 @@ pub struct Consequence<T = f64> {
 
 /// Results of the crush energy of one collision, with and without the assumptions of CRASH3.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Assumptions<T = f64> {
     /// The crush energy from which all of them start, E_C = −W_n, in J.
     pub crush_energy: T,

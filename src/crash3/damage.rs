@@ -10,6 +10,7 @@ use crate::vehicle::{Party, Vehicle};
 
 /// The input of CRASH3 for one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Damaged<T = f64> {
     /// Mass m, in kg.
     pub mass: T,
@@ -27,6 +28,7 @@ pub struct Damaged<T = f64> {
 
 /// The two parties; `None` is a fixed barrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DamagedPair<T = f64> {
     /// Vehicle 1.
     pub one: Option<Damaged<T>>,
@@ -36,6 +38,8 @@ pub struct DamagedPair<T = f64> {
 
 /// The estimate from the damage of one vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct VehicleEstimate<T = f64> {
     /// 1 + tan² α, at most 2.
     pub correction: T,
@@ -53,6 +57,8 @@ pub struct VehicleEstimate<T = f64> {
 
 /// The estimate from the damage of both vehicles.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct PairEstimate<T = f64> {
     /// Sum of the corrected energies, in J.
     pub energy: T,
@@ -117,6 +123,7 @@ impl<T: Real<Mask = bool>> DamagedPair<T> {
 
 /// An investigator's findings on the damage of a vehicle, which replace those computed from the collision.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Investigated<T = f64> {
     /// The surface that is crushed.
     pub surface: Option<Surface>,

@@ -6,6 +6,7 @@ use crate::scalar::{Field, Ordered, slack};
 
 /// An end or a side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Surface {
     /// The front.
     Front,

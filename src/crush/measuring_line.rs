@@ -12,6 +12,7 @@ use crate::scalar::{Ordered, Real};
 /// A reading r at a station s is a depth of r cos β − a at the station s + r sin β, with a the distance of the line from the surface and β the angle
 /// between the readings and the perpendicular to the surface, positive towards larger stations.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeasuringLine<T = f64> {
     /// a: distance of the line outside the undeformed surface, in m.
     pub offset: T,

@@ -14,6 +14,7 @@ use crate::scalar::{Field, Ordered, Power};
 
 /// The same force per width at every depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ConstantForce<T = f64> {
     /// G in J/m: the energy per width that leaves no crush.
     pub energy_without_crush: T,
@@ -37,6 +38,7 @@ impl<T: Field> CrushLaw<T> for ConstantForce<T> {
 
 /// The linear law up to a depth, and a constant force beyond it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saturating<T = f64> {
     /// The linear law.
     pub stiffness: CrushStiffness<T>,
@@ -82,6 +84,7 @@ impl<T: Ordered> CrushLaw<T> for Saturating<T> {
 
 /// A force per width that grows with a power of the depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PowerLaw<T = f64> {
     /// G in J/m: the energy per width that leaves no crush.
     pub energy_without_crush: T,

@@ -12,6 +12,7 @@ use crate::scalar::{Field, Ordered};
 
 /// A part of a crush profile: a width over which the depth changes linearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment<T = f64> {
     /// Its width, in m.
     pub width: T,
@@ -33,6 +34,11 @@ pub struct Segment<T = f64> {
 /// # Ok::<(), planar_impact::Issues<planar_impact::crush::ProfileError>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "UncheckedProfile<T>", bound(deserialize = "T: serde::Deserialize<'de> + Ordered<Mask = bool> + fmt::Display"))
+)]
 pub struct Profile<T = f64> {
     stations: Stations<T>,
     depths: Vec<T>,
@@ -40,13 +46,35 @@ pub struct Profile<T = f64> {
 
 /// Positions of the depths. Equal spacing is stored as such, so that its moments equal those of [`ProfileMoments::of`] to the bit.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum Stations<T> {
     Equal { width: T },
     At(Vec<T>),
 }
 
+/// A profile as stored, whose numbers may be invalid.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedProfile<T> {
+    stations: Stations<T>,
+    depths: Vec<T>,
+}
+
+#[cfg(feature = "serde")]
+impl<T: Ordered<Mask = bool>> TryFrom<UncheckedProfile<T>> for Profile<T> {
+    type Error = Issues<ProfileError<T>>;
+
+    fn try_from(stored: UncheckedProfile<T>) -> Result<Self, Self::Error> {
+        match stored.stations {
+            Stations::Equal { width } => Profile::equally_spaced(width, stored.depths),
+            Stations::At(stations) => Profile::at_stations(stations, stored.depths),
+        }
+    }
+}
+
 /// Reason why depths and stations do not form a profile.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum ProfileError<T = f64> {
     /// A depth, a station, the width or a list is invalid. Places are counted from zero.

@@ -21,13 +21,34 @@ use crate::scalar::{Field, Ordered};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "UncheckedZones<T>"))]
 pub struct StiffnessZones<T = f64> {
     zones: Vec<CrushStiffness<T>>,
     borders: Vec<T>,
 }
 
+/// Zones as stored, whose borders may not match.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedZones<T> {
+    zones: Vec<CrushStiffness<T>>,
+    borders: Vec<T>,
+}
+
+#[cfg(feature = "serde")]
+impl<T> TryFrom<UncheckedZones<T>> for StiffnessZones<T> {
+    type Error = ZoneError;
+
+    fn try_from(stored: UncheckedZones<T>) -> Result<Self, ZoneError> {
+        StiffnessZones::new(stored.zones, stored.borders)
+    }
+}
+
 /// The number of borders does not match the number of zones: n zones have n − 1 borders between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct ZoneError {
     /// The number of zones.
     pub zones: usize,

@@ -1,15 +1,22 @@
 //! Issues of one input, and a collector for them.
 
-use alloc::vec::Vec;
 use core::fmt;
 
 use super::input::{InputIssue, InputIssueKind};
 use super::place::Place;
 use crate::scalar::{Ordered, is_finite, is_positive};
 
+#[cfg(feature = "alloc")]
+type List<I> = alloc::vec::Vec<I>;
+#[cfg(not(feature = "alloc"))]
+type List<I> = arrayvec::ArrayVec<I, { crate::Input::COUNT }>;
+
 /// All issues of one input, in the order in which they were found; never empty.
+///
+/// Without the feature `alloc` it holds at most [`Input::COUNT`](crate::Input::COUNT) issues, which is all that a collision can have at once.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Issues<I>(Vec<I>);
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Issues<I>(List<I>);
 
 impl<I> Issues<I> {
     /// Returns the first issue.
@@ -47,13 +54,13 @@ impl<I> Issues<I> {
 
 impl<I> From<I> for Issues<I> {
     fn from(issue: I) -> Self {
-        Issues(alloc::vec![issue])
+        Issues(List::from_iter([issue]))
     }
 }
 
 impl<I> IntoIterator for Issues<I> {
     type Item = I;
-    type IntoIter = alloc::vec::IntoIter<I>;
+    type IntoIter = <List<I> as IntoIterator>::IntoIter;
 
     fn into_iter(self) -> Self::IntoIter {
         self.0.into_iter()
@@ -83,7 +90,8 @@ impl<I: fmt::Display> fmt::Display for Issues<I> {
 
 impl<I: fmt::Debug + fmt::Display> core::error::Error for Issues<I> {}
 
-/// Collects the issues of an input, so that all are reported at once.
+/// Collects the issues of an input, so that all are reported at once. Without the feature `alloc` it keeps the first
+/// [`Input::COUNT`](crate::Input::COUNT) issues.
 ///
 /// ```
 /// use planar_impact::issue::{InputIssue, IssueCollector, Place};
@@ -95,18 +103,24 @@ impl<I: fmt::Debug + fmt::Display> core::error::Error for Issues<I> {}
 /// assert_eq!(issues.to_string(), "mass is -2 kg; it must be above zero");
 /// ```
 #[derive(Clone, Debug)]
-pub struct IssueCollector<I>(Vec<I>);
+pub struct IssueCollector<I>(List<I>);
 
 impl<I> IssueCollector<I> {
     /// Creates an empty collector.
     #[must_use]
     pub const fn new() -> Self {
-        IssueCollector(Vec::new())
+        #[cfg(feature = "alloc")]
+        return IssueCollector(List::new());
+        #[cfg(not(feature = "alloc"))]
+        return IssueCollector(List::new_const());
     }
 
     /// Adds an issue.
     pub fn push(&mut self, issue: impl Into<I>) {
+        #[cfg(feature = "alloc")]
         self.0.push(issue.into());
+        #[cfg(not(feature = "alloc"))]
+        let _ = self.0.try_push(issue.into());
     }
 
     /// Returns the number of issues so far.

@@ -1,7 +1,7 @@
 //! Names of numbers in the input.
 
-use alloc::borrow::Cow;
-use alloc::string::ToString;
+#[cfg(feature = "alloc")]
+use alloc::{borrow::Cow, string::ToString};
 use core::fmt;
 
 use crate::input::Input;
@@ -9,6 +9,7 @@ use crate::measure::Measure;
 
 /// A number of the input: its name, and its index in its list, counted from zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Place {
     /// Its name, such as `vehicle.1.mass`.
     pub name: &'static str,
@@ -57,6 +58,7 @@ impl Place {
     }
 
     /// Returns its dotted path, with its series and index in brackets.
+    #[cfg(feature = "alloc")]
     pub fn path(&self) -> Cow<'static, str> {
         match self {
             Place { name, part: None, series: None, index: None, .. } => Cow::Borrowed(name),

@@ -35,6 +35,7 @@ pub struct RestEvidence {
 
 /// Method of computing the separation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Method {
     /// From the slide that ends in the pose at rest.
     Slide,
@@ -44,6 +45,7 @@ pub enum Method {
 
 /// Motion of a vehicle at separation.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Separation {
     /// Its velocity on the ground and its yaw rate.
     pub motion: Motion,
@@ -58,10 +60,12 @@ pub struct Separation {
 
 /// The covariance of V_x, V_y and Ω, in this order, in m/s and rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MotionCovariance(pub [[f64; 3]; 3]);
 
 /// Fit of a slide to a pose at rest.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SlideFit {
     /// Number of steps of the search that found it.
     pub iterations: usize,
@@ -77,6 +81,7 @@ pub struct SlideFit {
 
 /// A computed pose at rest less the given one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Miss {
     /// Difference in position, in m.
     pub position: Xy,
@@ -86,6 +91,7 @@ pub struct Miss {
 
 /// Another separation whose slide ends in the same pose at rest, or equally near to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OtherSeparation {
     /// Its velocity on the ground and its yaw rate.
     pub motion: Motion,
@@ -95,6 +101,7 @@ pub struct OtherSeparation {
 
 /// Reason for the absence of a separation.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum NoSeparation {
     /// The input is refused.

@@ -10,6 +10,7 @@ use crate::message::Message;
 
 /// Reason for refusing the input of a slide.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SlideIssue {
     /// A number is invalid.
@@ -26,6 +27,7 @@ pub type SlideIssues = Issues<SlideIssue>;
 
 /// Reason for the absence of a rest position.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum NoRest {
     /// The input is refused.

@@ -8,6 +8,7 @@ pub const TIME_LIMIT: f64 = 600.0;
 
 /// Pose and motion of a vehicle at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrajectoryState {
     /// The time since the start, in s.
     pub time: f64,

@@ -6,6 +6,7 @@ use crate::scalar::Field;
 
 /// Position and heading of a vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose<T = f64> {
     /// Position of the center of mass in ground axes, in m.
     pub position: Xy<T>,

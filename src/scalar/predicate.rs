@@ -3,7 +3,7 @@
 use super::Ordered;
 
 /// Returns `true` if the scalar has only the 24 bits of an f32, for which 2²⁴ + 1 is 2²⁴.
-fn is_single<T: Ordered<Mask = bool>>() -> bool {
+pub(crate) fn is_single<T: Ordered<Mask = bool>>() -> bool {
     let limit = T::int(1 << 24);
     !limit.less(&(limit.clone() + T::int(1)))
 }

@@ -1,0 +1,121 @@
+//! Claims of a program, each compared with the others.
+
+use super::*;
+
+#[test]
+fn claims_are_held_against_each_other() {
+    let said = |claims: &[(Key, f64)]| {
+        let mut record = Record::default();
+        claims.iter().for_each(|&(key, value)| record.set(key, value));
+        rules(&record)
+    };
+    let works = [(Key::NormalWork, -100.0), (Key::TangentialWork, -20.0)];
+    assert!(said(&[works[0], works[1], (Key::EnergyLoss, 120.0)]).is_empty());
+    assert_eq!(said(&[works[0], works[1], (Key::EnergyLoss, 121.0)]), ["reported"]);
+    assert_eq!(said(&[works[0], works[1], (Key::EnergyBefore, 500.0), (Key::EnergyAfter, 300.0)]), ["reported"]);
+    let impulse = [(Key::NormalImpulse, 3.0), (Key::TangentialImpulse, 4.0)];
+    assert!(said(&[impulse[0], impulse[1], (Key::ImpulseMagnitude, 5.0), (Key::ImpulseRatio, 4.0 / 3.0)]).is_empty());
+    assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseMagnitude, 5.1)]), ["reported"]);
+    assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseRatio, 1.3)]), ["impulse-ratio"]);
+    assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseX, -3.0), (Key::ImpulseY, 4.0), (Key::NormalAngle, 0.0)]), ["reported"]);
+    let passed = [(Key::Mass(Side::One), 1000.0), (Key::DeltaV(Side::One), 5.0), (Key::Mass(Side::Two), 2000.0)];
+    assert!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.5)]).is_empty());
+    assert_eq!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.6)]), ["reported"]);
+    assert_eq!(said(&[passed[0], passed[1], (Key::ImpulseMagnitude, 5001.0)]), ["reported"]);
+    let speeds = [(Key::ClosingSpeed, 10.0), (Key::SeparationSpeed, 1.0)];
+    assert!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.1)]).is_empty());
+    assert_eq!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.2)]), ["restitution"]);
+    assert!(said(&[(Key::ImpulseRatio, 0.5), (Key::CriticalRatio, 0.6)]).is_empty());
+    for beyond in [0.7, -0.1] {
+        assert_eq!(said(&[(Key::ImpulseRatio, beyond), (Key::CriticalRatio, 0.6)]), ["beyond-critical"]);
+        assert_eq!(said(&[(Key::ImpulseRatio, -beyond), (Key::CriticalRatio, -0.6)]), ["beyond-critical"]);
+    }
+}
+
+#[test]
+fn equivalent_energy_speeds_stand_for_the_normal_work_or_for_all() {
+    let with = |ees: f64| {
+        let mut record = printed();
+        record.resolution = record.resolution.with(ResolutionGroup::Velocity, 0.0005);
+        record.set(Key::EquivalentEnergySpeed(Side::One), ees);
+        rules(&record)
+    };
+    assert!(with(17.741).is_empty()); // √(2 · 183017/1163), the work of the normal impulse
+    assert!(with(17.893).is_empty()); // √(2 · 186168/1163), the loss
+    assert_eq!(with(17.80), ["reported"]);
+    // With two cars, the EES of one alone may not exceed the energy lost.
+    let alone = |ees: f64| {
+        let mut record = Record::default();
+        for (key, value) in [(Key::Mass(Side::One), 1000.0), (Key::EquivalentEnergySpeed(Side::One), ees), (Key::EnergyLoss, 50_000.0)] {
+            record.set(key, value);
+        }
+        rules(&record)
+    };
+    assert!(alone(9.9).is_empty());
+    assert_eq!(alone(10.1), ["reported"]);
+}
+
+#[test]
+fn restitution_of_both_components_is_another_law() {
+    use crate::law::{ImpulseRatio, Law};
+    use crate::{Collision, CrushPlane, ForwardLeft, Heading, Moment, Motion, Party, Vehicle};
+    let car: Vehicle = Vehicle {
+        mass: 1500.0,
+        yaw_inertia: 2500.0,
+        heading: Heading::from_angle(0.0),
+        impact_center: ForwardLeft { forward: 2.0, left: 0.5 },
+        motion: Motion { velocity: Xy { x: 15.0, y: 4.0 }, yaw_rate: 0.0 },
+    };
+    let collision = Collision {
+        one: car.into(),
+        two: Party::Barrier,
+        crush_plane: CrushPlane::from_angle(0.0),
+        restitution: 0.3,
+        impulse_ratio: ImpulseRatio::Critical,
+        law: Law::KudlichSlibar,
+        moment: Moment::None,
+    };
+    let record = Record::of(&collision, &collision.evaluate());
+    assert!(rules(&record).is_empty());
+    let brach = Record { model: Model { law: Law::Brach, ..record.model }, ..record };
+    assert_eq!(rules(&brach), ["impulse-ratio", "beyond-critical"]);
+}
+
+#[test]
+fn a_moment_impulse_turns_a_body_and_does_work() {
+    check(&twisted(), &Options::default()).assert();
+    assert_eq!(rules(&Record { moment: None, ..twisted() }), ["line-of-action", "work-identity", "reported"]);
+    assert_eq!(rules(&Record { moment: Some(-3.0), reported: Reported::default(), ..twisted() }), ["line-of-action", "work-identity"]);
+    // Body 2 gets the opposite.
+    let exchanged = Record { one: twisted().two, two: twisted().one, moment: Some(-3.0), ..twisted() };
+    check(&exchanged, &Options::default()).assert();
+    assert_eq!(rules(&Record { moment: Some(3.0), reported: Reported::default(), ..exchanged }), ["line-of-action", "work-identity"]);
+}
+
+#[test]
+fn claims_of_works_include_that_of_the_moment() {
+    let with = |key: Key, value: f64| {
+        let mut record = twisted();
+        record.set(key, value);
+        rules(&record)
+    };
+    assert!(with(Key::MomentWork, 2.3).is_empty());
+    assert!(with(Key::MomentWork, 2.6).contains(&"reported"));
+    assert!(with(Key::EnergyLoss, 4.0).contains(&"reported"));
+    // Without the claim, the motions determine that work; without motions nothing does.
+    let mut record = twisted();
+    record.reported.work_moment = None;
+    assert!(rules(&record).is_empty());
+    record.one.yaw_inertia = None;
+    record.reported = Reported { energy_loss: Some(4.0), kinetic_energy_before: None, kinetic_energy_after: None, ..record.reported };
+    assert!(rules(&record).contains(&"reported"));
+    record.one.after.yaw_rate = None;
+    assert!(rules(&record).is_empty());
+    // Motions without a contact: the claimed works are the change of kinetic energy.
+    let nowhere = Record { point: None, ..twisted() };
+    assert!(rules(&nowhere).is_empty());
+    let mut wrong = nowhere;
+    wrong.reported =
+        Reported { work_moment: Some(-2.25), energy_loss: None, kinetic_energy_before: None, kinetic_energy_after: None, ..wrong.reported };
+    assert_eq!(rules(&wrong), ["work-identity"]);
+}

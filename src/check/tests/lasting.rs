@@ -1,0 +1,112 @@
+//! Contacts that last.
+
+use super::*;
+
+/// The long contact without the places after it.
+fn at_one_instant() -> Record {
+    let mut record = long_contact();
+    (record.one.center_after, record.two.center_after, record.point_after) = (None, None, None);
+    record
+}
+
+/// Returns the rules of the warnings.
+fn warnings(record: &Record) -> Vec<&'static str> {
+    let warns = |finding: &&Finding| finding.severity == Severity::Warn;
+    check(record, &Options::default()).findings.iter().filter(warns).map(|finding| finding.rule.name()).collect()
+}
+
+#[test]
+fn a_long_contact_is_checked_at_its_places_before_and_after() {
+    let outcome = check(&long_contact(), &Options::default());
+    assert!(outcome.findings.is_empty(), "{outcome}");
+    outcome.assert();
+    for (key, factor, rule) in [
+        (Key::AfterYawRate(Side::One), -1.0, "angular-momentum"),
+        (Key::AfterYawRate(Side::Two), 4.0, "line-of-action"),
+        (Key::CenterAfterY(Side::Two), -1.0, "angular-momentum"),
+        (Key::AfterY(Side::One), -1.0, "linear-momentum"),
+    ] {
+        let mut wrong = long_contact();
+        wrong.set(key, factor * wrong.get(key).expect("known"));
+        assert!(rules(&wrong).contains(&rule), "{key}: {:?}", rules(&wrong));
+    }
+    // A contact point that moves too little, or too far, for the spins.
+    for (y, fails) in [(0.0, false), (0.1, false), (0.45, true), (-0.3, true)] {
+        let moved = Record { point_after: Some(Xy { x: 0.0, y }), model: Model::default(), ..long_contact() };
+        assert_eq!(rules(&moved).contains(&"line-of-action"), fails, "{y}: {:?}", rules(&moved));
+    }
+}
+
+#[test]
+fn what_the_motion_during_a_contact_explains_is_a_warning() {
+    let instant = Record { duration: None, model: Model::default(), ..at_one_instant() };
+    let broken = ["angular-momentum", "line-of-action", "line-of-action"];
+    assert_eq!(rules(&instant), broken);
+    assert_eq!(rules(&Record { duration: Some(1e-3), ..instant.clone() }), broken);
+    let lasting = Record { duration: Some(0.5), ..instant };
+    assert_eq!((rules(&lasting), warnings(&lasting)), (Vec::new(), broken.to_vec()));
+    let outcome = check(&lasting, &Options::default());
+    assert!(outcome.findings[0].what.contains("the bodies move during the contact"), "{outcome}");
+    // With the centers of mass after, angular momentum is known, and the levers are not.
+    let mut placed = Record { duration: None, ..lasting.clone() };
+    (placed.one.center_after, placed.two.center_after) = (long_contact().one.center_after, long_contact().two.center_after);
+    assert_eq!((rules(&placed), warnings(&placed)), (Vec::new(), vec!["line-of-action"; 2]));
+    // An error far beyond what the motion explains is a failure, and so is one in linear momentum.
+    let mut wrong = Record { duration: Some(0.1), ..lasting.clone() };
+    assert!(rules(&wrong).is_empty());
+    wrong.set(Key::AfterYawRate(Side::One), 30.0);
+    assert!(rules(&wrong).contains(&"angular-momentum") && rules(&wrong).contains(&"line-of-action"));
+    let mut wrong = lasting;
+    wrong.set(Key::AfterX(Side::One), -0.9);
+    assert!(rules(&wrong).contains(&"linear-momentum"));
+}
+
+#[test]
+fn the_velocities_at_a_long_contact_are_those_at_its_point_after() {
+    // Without the point after, 2 m/s along the normal after the contact, not 2.375.
+    let restitution =
+        |record: &Record| check(record, &Options::default()).of(Rule::Restitution).map(|finding| finding.severity).collect::<Vec<_>>();
+    assert_eq!(restitution(&at_one_instant()), [Severity::Warn]);
+    // 0.094 of the approach off; in 0.04 s the motion explains 0.75 rad/s × 0.04 s × 5.2 m/s, 0.039 of it.
+    assert_eq!(restitution(&Record { duration: Some(0.04), ..at_one_instant() }), [Severity::Fail]);
+    assert_eq!(restitution(&Record { duration: None, ..at_one_instant() }), [Severity::Fail]);
+    let half = Record { model: Model { restitution: Some(0.5), ..Model::default() }, ..long_contact() };
+    assert_eq!(restitution(&half), [Severity::Fail]);
+    assert!(restitution(&Record { duration: None, model: half.model, ..at_one_instant() }).is_empty());
+}
+
+#[test]
+fn the_impulse_of_two_contact_points_acts_between_them() {
+    // 1 kg hits a wall with 2 m/s and comes back with it: P = −4 N s, and −4 N s × y about the center of mass, −y from 0.5 to −0.5 m.
+    let with = |spin: f64| {
+        let state = |x, yaw_rate| State { velocity: Some(Xy { x, y: 0.0 }), yaw_rate: Some(yaw_rate) };
+        Record {
+            profile: Profile::Stepper,
+            one: Subject {
+                mass: Some(1.0),
+                yaw_inertia: Some(1.0),
+                center: Some(Xy { x: -1.0, y: 0.0 }),
+                before: state(2.0, -0.5 * spin),
+                after: state(-2.0, 0.5 * spin),
+                ..Subject::default()
+            },
+            two: Subject::FIXED,
+            point: Some(Xy { x: 0.0, y: -0.5 }),
+            point_after: Some(Xy { x: 0.0, y: 0.5 }),
+            ..Record::default()
+        }
+    };
+    assert!([-1.9, 0.0, 1.2, 2.0].iter().all(|spin| rules(&with(*spin)).is_empty()));
+    assert!([-2.2, 2.2].iter().all(|spin| rules(&with(*spin)) == ["line-of-action"]));
+    // The points have different velocities, 1.7 m/s before at one and 2.3 m/s after at the other, so a restitution above 1 is a warning.
+    let outcome = check(&Record { normal_angle: Some(0.0), ..with(1.2) }, &Options::default());
+    assert_eq!(outcome.of(Rule::Restitution).map(|finding| finding.severity).collect::<Vec<_>>(), [Severity::Warn], "{outcome}");
+}
+
+#[test]
+fn a_duration_is_at_least_zero_and_that_of_an_impact() {
+    assert_eq!(rules(&Record { duration: Some(-0.1), ..long_contact() }), ["finite"]);
+    let of_vehicles = |duration| warnings(&Record { duration: Some(duration), ..Record::default() });
+    assert!(of_vehicles(0.15).is_empty());
+    assert_eq!(of_vehicles(150.0), ["plausible-units"]);
+}

@@ -1,0 +1,176 @@
+//! A number with one derivative, on any scalar: the definition of a derivative needs no other crate, and nested in itself it has second derivatives.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::{FromPrimitive, Inv};
+
+use crate::scalar::{Ordered, Real, is_zero};
+
+/// A dual number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dual<T> {
+    pub(super) value: T,
+    pub(super) derivative: T,
+}
+
+impl<T: Real> Dual<T> {
+    pub(super) fn constant(value: T) -> Self {
+        Dual { value, derivative: T::int(0) }
+    }
+}
+
+impl<T: Real + Copy> Add for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Dual { value: self.value + other.value, derivative: self.derivative + other.derivative }
+    }
+}
+
+impl<T: Real + Copy> Sub for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Dual { value: self.value - other.value, derivative: self.derivative - other.derivative }
+    }
+}
+
+impl<T: Real + Copy> Mul for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Dual { value: self.value * other.value, derivative: self.derivative * other.value + self.value * other.derivative }
+    }
+}
+
+impl<T: Real + Copy> Div for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Dual { value, derivative: (self.derivative - value * other.derivative) / other.value }
+    }
+}
+
+impl<T: Real + Copy> Neg for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Dual { value: -self.value, derivative: -self.derivative }
+    }
+}
+
+impl<T: Real + Copy> Inv for Dual<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn inv(self) -> Self {
+        let value = self.value.inv();
+        Dual { value, derivative: -(self.derivative * value * value) }
+    }
+}
+
+impl<T: Real> FromPrimitive for Dual<T> {
+    #[inline(always)]
+    fn from_i64(n: i64) -> Option<Self> {
+        T::from_i64(n).map(Dual::constant)
+    }
+
+    #[inline(always)]
+    fn from_u64(n: u64) -> Option<Self> {
+        T::from_u64(n).map(Dual::constant)
+    }
+}
+
+impl<T: Real<Mask = bool> + Copy> Ordered for Dual<T> {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn less(&self, other: &Self) -> bool {
+        self.value.less(&other.value)
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
+
+impl<T: Real<Mask = bool> + Copy> Real for Dual<T> {
+    fn square_root(self) -> Self {
+        let value = self.value.square_root();
+        if is_zero(&value) { Dual::constant(value) } else { Dual { value, derivative: self.derivative.half() / value } }
+    }
+
+    fn sin_and_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_and_cos();
+        (Dual { value: sin, derivative: cos * self.derivative }, Dual { value: cos, derivative: -(sin * self.derivative) })
+    }
+
+    fn arctangent(self, x: Self) -> Self {
+        let value = self.value.arctangent(x.value);
+        if is_zero(&self.value) && is_zero(&x.value) {
+            return Dual::constant(value);
+        }
+        let length_squared = self.value.squared() + x.value.squared();
+        Dual { value, derivative: (self.derivative * x.value - x.derivative * self.value) / length_squared }
+    }
+}
+
+#[cfg(test)]
+#[cfg(feature = "dual")]
+mod tests {
+    use super::*;
+    use crate::scalar::Field;
+    use num_dual::{DualNum, HyperDual64};
+
+    /// Nested: the value with both derivatives and the mixed one, in the order of num-dual.
+    fn parts(x: Dual<Dual<f64>>) -> [f64; 4] {
+        [x.value.value, x.derivative.value, x.value.derivative, x.derivative.derivative]
+    }
+
+    #[test]
+    fn each_operation_is_that_of_num_dual() {
+        let nested =
+            |re, eps1, eps2, both| Dual { value: Dual { value: re, derivative: eps2 }, derivative: Dual { value: eps1, derivative: both } };
+        for i in -20..20 {
+            let x = 0.37 * f64::from(i) + 0.1;
+            let [a, b] = [nested(x, 1.0, 0.5, -0.25), nested(2.5 - x, -3.0, 2.0, 0.75)];
+            let [c, d] = [HyperDual64::new(x, 1.0, 0.5, -0.25), HyperDual64::new(2.5 - x, -3.0, 2.0, 0.75)];
+            let root = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
+            let [s, t] = [Dual::int(root(x) as i32), Dual::int(root(2.5 - x) as i32)];
+            let pairs = [
+                (a + b, c + d),
+                (a - b, c - d),
+                (a * b, c * d),
+                (a / b, c / d),
+                (-a, -c),
+                (a.inv(), c.recip()),
+                ((a * s).square_root(), Real::square_root(c * root(x))),
+                (a.sin_and_cos().0, c.sin()),
+                (a.sin_and_cos().1, c.cos()),
+                (a.arctangent(b * t), Real::arctangent(c, d * root(2.5 - x))),
+                (Ordered::magnitude(a), Ordered::magnitude(c)),
+            ];
+            for (number, (own, other)) in pairs.into_iter().enumerate() {
+                let other = [other.re, other.eps1, other.eps2, other.eps1eps2];
+                let size = other.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
+                for (own, other) in parts(own).into_iter().zip(other) {
+                    assert!((own - other).abs() <= 1e-13 * size, "operation {number} at {x}: {own}, {other}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn there_are_no_derivatives_at_a_root_of_zero_and_an_angle_of_nothing() {
+        let zero = Dual { value: 0.0, derivative: 1.0 };
+        assert_eq!((zero.square_root().value, zero.square_root().derivative), (0.0, 0.0));
+        assert_eq!((zero.arctangent(zero).value, zero.arctangent(zero).derivative), (0.0, 0.0));
+    }
+}
