@@ -36,6 +36,7 @@
 //! | [`crush`] | a crush profile and stiffness, or another law | crush energy, equivalent energy speed |
 //! | [`crash3`] | crush energies and the direction of force | CRASH3's ΔV, and the effect of its assumptions |
 //! | [`barrier`] | instrumented barrier tests: speeds and crush, force records, films | stiffness with its covariance, impulses, restitution |
+//! | [`distribution`] | limits, mean, mode or median of an uncertain number | its mean, standard deviation, density and support |
 //! | `reconstruct` | a collision with unknowns, and evidence | every solution with its uncertainty, the influence of the evidence, and diagnostics (feature `reconstruct`) |
 //! | `post_impact` | rest positions of a vehicle | its separation velocity (feature `post-impact`) |
 //! | [`paper`] | two bodies | every numbered equation in the paper's notation, **with the errors of the printed text** |
@@ -63,6 +64,7 @@ pub mod crash3;
 #[cfg(feature = "alloc")]
 pub mod crush;
 mod display;
+pub mod distribution;
 pub mod energy;
 #[cfg(feature = "symbols")]
 pub mod formula;
@@ -112,6 +114,7 @@ pub use catalogue::UnknownName;
 pub use collision::Collision;
 pub use compliance::Compliance;
 pub use contact::Contact;
+pub use distribution::Distribution;
 pub use energy::{KineticEnergy, Work};
 pub use frame::{CrushPlane, ForwardLeft, Heading, Nt, Xy};
 #[cfg(feature = "alloc")]

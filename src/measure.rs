@@ -47,6 +47,8 @@ pub enum Measure {
     RootForce,
     /// A root of a force per length, such as the crush stiffness d₁.
     RootForcePerLength,
+    /// A speed per length, such as the crush coefficient b₁.
+    SpeedPerLength,
     /// A change of velocity per impulse, such as K_nn.
     InverseMass,
     /// A pure number, or one in an unspecified unit.
@@ -54,7 +56,7 @@ pub enum Measure {
 }
 
 /// The name and the SI unit of each measure, in the order of [`Measure::ALL`].
-const NAMES: [(Measure, &str, &str); 20] = [
+const NAMES: [(Measure, &str, &str); 21] = [
     (Measure::Mass, "mass", "kg"),
     (Measure::YawInertia, "yaw inertia", "kg m^2"),
     (Measure::Length, "length", "m"),
@@ -73,6 +75,7 @@ const NAMES: [(Measure, &str, &str); 20] = [
     (Measure::ForcePerArea, "force per area", "N/m^2"),
     (Measure::RootForce, "root of force", "N^0.5"),
     (Measure::RootForcePerLength, "root of force per length", "N^0.5/m"),
+    (Measure::SpeedPerLength, "speed per length", "1/s"),
     (Measure::InverseMass, "inverse mass", "1/kg"),
     (Measure::Ratio, "ratio", ""),
 ];

@@ -19,7 +19,7 @@
 //! | solving the forward problem and reconstructing gives the true values, for each line of the table in `guide::reconstruction`, or the undetermined quantities are named | `table.rs` |
 //! | intervals of 95 % contain the true value in 95 % of the cases, and its ranks are uniform | `calibration.rs` |
 //! | the influence is the change that a change of the evidence causes, and the covariance is that caused by its errors | `answers.rs`, `the_influence_is_the_difference_that_the_evidence_makes`, `the_covariance_is_what_the_errors_of_the_evidence_make` |
-//! | correlated evidence is weighted by the inverse of its covariance; exact evidence is met and adds no uncertainty; a prior is evidence | `answers.rs` |
+//! | correlated evidence and correlated priors are weighted by the inverse of their covariance; exact evidence is met and adds no uncertainty; a prior is evidence | `answers.rs` |
 //! | inconsistent evidence, active bounds, several solutions, undetermined directions, impossible collisions, too few steps: each is reported as such, with its numbers | `verdicts.rs` |
 //! | the closed forms invert the forward problem, and the search finds their solutions | `closed_form.rs` |
 //! | each diagnosis has its figure, and its limit separates as stated | `diagnosis.rs` |
@@ -49,7 +49,7 @@ mod weight;
 
 pub use crush_share::crush_share;
 pub use determined::Direction;
-pub use given::{Correlation, Evidence, ReconstructionProblem, Search, Uncertainty, Unknown};
+pub use given::{Correlation, Evidence, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};
 pub use issue::{ReconstructionIssue, ReconstructionIssues};
 pub use measurand::Measurand;
 pub use solution::{Estimate, Fitted, Solution, Symmetric};

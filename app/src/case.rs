@@ -9,20 +9,23 @@ mod parameter;
 mod reader;
 mod rest;
 mod setup;
+mod uncertain;
 mod vehicle;
 
 use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
 pub use crush::Crush;
-pub use crush::{CrushInputs, CrushKey};
+pub use crush::{CrushInputs, CrushKey, FormKey, StiffnessInputs};
+pub use domain::Domain;
 pub use inputs::{ContactInputs, Inputs};
-pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of};
+pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_of};
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 pub use parameter::{Parameter, number as vehicle_number};
 pub(crate) use reader::CaseReader;
 pub use rest::RestInputs;
 pub use setup::Setup;
+pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
 pub use vehicle::{Inertia, VehicleInputs, Velocity};
 
 use crate::answer::Answer;
@@ -41,8 +44,10 @@ pub struct Case {
     pub title: String,
     /// The names of the two vehicles.
     pub names: [String; 2],
-    /// The numbers that it gives, in SI.
+    /// The numbers that it gives, in SI; those that are uncertain at their nominal values.
     pub inputs: Inputs,
+    /// The inputs that it gives with an uncertainty.
+    pub uncertain: Uncertain,
     /// The collision and the crush that they make.
     pub setup: Setup,
     /// The collision alone.
@@ -76,6 +81,7 @@ impl Case {
             title: read.title,
             names: read.names,
             inputs: read.inputs,
+            uncertain: read.uncertain,
             collision: setup.collision,
             setup,
             bracket: read.bracket,
@@ -125,9 +131,10 @@ impl Case {
         self.collision.solve().map_err(|refusals| self.refuse(&refusals))
     }
 
-    /// Wraps the facts of a verb into an answer, with the notices of the case and further ones.
+    /// Wraps the facts of a verb that uses one number for each input into an answer, with the notices of the case and further ones.
     pub fn answer<T>(&self, facts: T, further: impl IntoIterator<Item = Notice>) -> Answer<T> {
-        Answer::new(&self.title, facts, Notices(self.notices.0.iter().cloned().chain(further).collect()))
+        let nominal = at_nominal_values(self.uncertain.inputs.iter().map(|input| input.parameter));
+        Answer::new(&self.title, facts, Notices(self.notices.0.iter().cloned().chain(nominal).chain(further).collect()))
     }
 
     /// The same case with other values of some parameters, each of which [can be set](Inputs::can_set).
@@ -189,4 +196,16 @@ impl Case {
     pub fn refuse_physics(&self, issues: impl IntoIterator<Item = Issue>) -> Issues {
         self.document.refuse_at(Cause::Physics, issues)
     }
+}
+
+/// Returns the notice that uncertain inputs are taken at their nominal values, or `None` without any.
+pub(crate) fn at_nominal_values(inputs: impl IntoIterator<Item = Parameter>) -> Option<Notice> {
+    let names: Vec<String> = inputs.into_iter().map(|input| input.to_string()).collect();
+    let path = if let [one] = &names[..] { one.clone() } else { String::new() };
+    let message = match names.len() {
+        0 => return None,
+        1 => format!("{path} is uncertain, and used at its nominal value"),
+        _ => format!("uncertain inputs are used at their nominal values: {}", names.join(", ")),
+    };
+    Some(Notice::note("nominal-values", path, message))
 }

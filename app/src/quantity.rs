@@ -65,6 +65,10 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
     if text.is_empty() {
         return Err(QuantityError::new(format!("the string is empty; expected {}", kind.wanted())));
     }
+    if text.contains('±') {
+        let help = "give the value alone".to_owned();
+        return Err(QuantityError::with_help(format!("{} has a standard deviation, and this number takes none", excerpt(text)), help));
+    }
     let (value, written) = number::split(text)?;
     let si = if !written.is_empty() {
         unit_for(text, written, kind)?.to_si(value)

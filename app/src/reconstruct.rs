@@ -2,7 +2,9 @@
 
 mod answer;
 pub mod diagnostics;
+mod from_crush;
 mod from_rest;
+mod inputs;
 mod question;
 mod solve_error;
 

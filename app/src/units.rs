@@ -27,6 +27,7 @@ impl From<Measure> for Kind {
             Measure::YawRate => Kind::YAW_RATE,
             Measure::RootForce => Kind::ROOT_FORCE,
             Measure::RootForcePerLength => Kind::ROOT_FORCE_PER_LENGTH,
+            Measure::SpeedPerLength => Kind::SPEED_PER_LENGTH,
             Measure::MomentImpulse => Kind::MOMENT_IMPULSE,
             Measure::Impulse => Kind::IMPULSE,
             Measure::Energy => Kind::ENERGY,
@@ -79,6 +80,8 @@ impl Units {
             (Measure::RootForce, Units::Si) => "N^0.5",
             (Measure::RootForcePerLength, Units::Us) => "lbf^0.5/ft",
             (Measure::RootForcePerLength, Units::Si) => "N^0.5/m",
+            (Measure::SpeedPerLength, Units::Us) => "mph/in",
+            (Measure::SpeedPerLength, Units::Si) => "1/s",
             (Measure::ForcePerWidth, Units::Us) => "lbf/in",
             (Measure::ForcePerWidth, Units::Si) => "N/m",
             (Measure::ForcePerArea, Units::Us) => "lbf/in^2",
@@ -116,9 +119,13 @@ impl Units {
         let value = self.convert(measure, si);
         let usual: usize = match measure {
             Measure::Ratio | Measure::Time | Measure::InverseMass => 3,
-            Measure::Speed | Measure::Length | Measure::Area | Measure::Acceleration | Measure::RootForce | Measure::RootForcePerLength => {
-                2
-            }
+            Measure::Speed
+            | Measure::Length
+            | Measure::Area
+            | Measure::Acceleration
+            | Measure::RootForce
+            | Measure::RootForcePerLength
+            | Measure::SpeedPerLength => 2,
             Measure::RoadSpeed | Measure::YawRate | Measure::Angle | Measure::YawInertia => 1,
             Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force if self == Units::Us => 1,
             Measure::ForcePerWidth | Measure::ForcePerArea | Measure::Force => 0,

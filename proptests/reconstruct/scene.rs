@@ -74,6 +74,7 @@ impl Truth {
         match variable {
             Variable::Input(input) => self.collision.input(input).expect("the collision has it"),
             Variable::Speed(side) => self.vehicle(side).motion.velocity.length(),
+            Variable::RadiusOfGyration(side) => self.vehicle(side).radius_of_gyration(),
             Variable::CrushShare => self.crush_share,
         }
     }
@@ -126,6 +127,7 @@ pub fn deviation(measurable: Measurand, value: f64) -> f64 {
 pub fn asking(question: ReconstructionProblem, variable: Variable, truth: f64, source: &mut Source) -> ReconstructionProblem {
     match variable {
         Variable::Speed(_) => question.with(Unknown { of: variable, start: 15.0, min: Some(0.0), max: Some(50.0), prior: None }),
+        Variable::RadiusOfGyration(_) => question.between(variable, 1.3, 0.5, 3.0),
         Variable::CrushShare => question.between(variable, 0.5, 0.0, 1.0),
         Variable::Input(Input::Restitution) => question.between(variable, 0.15, 0.0, 0.4),
         Variable::Input(Input::ImpulseRatio) => question.between(variable, 0.75, 0.0, 1.0),

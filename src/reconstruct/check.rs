@@ -148,7 +148,15 @@ fn correlations(question: &ReconstructionProblem, found: &mut IssueCollector<Rec
             found.push(ReconstructionIssue::CorrelationOfNothing(one, other));
         }
     }
-    if found.count() == before && !question.correlations.is_empty() {
+    let has_prior = |of: Variable| question.unknowns.iter().any(|unknown| unknown.of == of && unknown.prior.is_some());
+    for correlation in &question.prior_correlations {
+        let (one, other) = (correlation.one, correlation.other);
+        if one == other || !has_prior(one) || !has_prior(other) {
+            found.push(ReconstructionIssue::CorrelationOfNothing(Measurand::Variable(one), Measurand::Variable(other)));
+        }
+    }
+    let has_any = !question.correlations.is_empty() || !question.prior_correlations.is_empty();
+    if found.count() == before && has_any {
         let eigenvalue = weight::least_eigenvalue(question);
         if eigenvalue.is_nan() || eigenvalue <= weight::SINGULAR {
             found.push(ReconstructionIssue::CorrelationsImpossible { eigenvalue });

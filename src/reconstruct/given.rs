@@ -52,6 +52,17 @@ pub struct Correlation {
     pub coefficient: f64,
 }
 
+/// Two unknowns whose priors have correlated errors, such as two masses from one scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PriorCorrelation {
+    /// One unknown.
+    pub one: Variable,
+    /// The other.
+    pub other: Variable,
+    /// The coefficient of correlation of their priors, between −1 and 1.
+    pub coefficient: f64,
+}
+
 /// A reconstruction problem: the collision, its unknowns, and the evidence.
 ///
 /// ```
@@ -87,9 +98,14 @@ pub struct ReconstructionProblem {
     pub evidence: Vec<Evidence>,
     /// Correlations between pieces of evidence.
     pub correlations: Vec<Correlation>,
+    /// Correlations between priors.
+    pub prior_correlations: Vec<PriorCorrelation>,
     /// `true` if vehicle 1 or vehicle 2 drives along its heading: an unknown heading then also rotates the velocity. A vehicle whose speed is unknown always
     /// does.
     pub drives_along_heading: [bool; 2],
+    /// `true` if vehicle 1 or vehicle 2 keeps its radius of gyration: an unknown mass then also changes the yaw inertia. A vehicle whose radius of gyration
+    /// is unknown always does.
+    pub holds_radius_of_gyration: [bool; 2],
     /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
 }
@@ -154,7 +170,9 @@ impl ReconstructionProblem {
             unknowns: Vec::new(),
             evidence: Vec::new(),
             correlations: Vec::new(),
+            prior_correlations: Vec::new(),
             drives_along_heading: [false; 2],
+            holds_radius_of_gyration: [false; 2],
             crush_share: None,
         }
     }

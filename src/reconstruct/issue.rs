@@ -80,7 +80,7 @@ pub enum ReconstructionIssue {
     },
     /// Evidence of one vehicle's crush energy, without the share of each vehicle.
     ShareUnknown(Measurand),
-    /// A correlation without evidence of both quantities, or of a quantity with itself.
+    /// A correlation without evidence or priors of both quantities, or of a quantity with itself.
     CorrelationOfNothing(Measurand, Measurand),
     /// The correlation matrix is not positive definite.
     CorrelationsImpossible {
@@ -155,7 +155,7 @@ impl Issue for ReconstructionIssue {
             }
             ShareUnknown(_) => "it is a share of the crush energy, and the share of each vehicle is not given".into(),
             CorrelationOfNothing(_, other) => {
-                message.text(format!("its correlation with {} needs evidence of two different quantities", other.name()))
+                message.text(format!("its correlation with {} needs evidence or priors of two different quantities", other.name()))
             }
             CorrelationsImpossible { eigenvalue } => message
                 .text("the correlations of the evidence contradict each other: the least eigenvalue of their matrix is ")

@@ -25,6 +25,8 @@ pub enum Variable {
     Input(Input),
     /// The speed of a vehicle along its heading, before the impact. A vehicle whose speed is unknown drives along its heading.
     Speed(Side),
+    /// The radius of gyration of a vehicle in yaw, k with I = m k². It is unknown instead of the yaw inertia.
+    RadiusOfGyration(Side),
     /// The share of vehicle 1 in the crush energy. Stiffness determines it, not the mechanics.
     CrushShare,
 }
@@ -36,6 +38,8 @@ impl Variable {
             Variable::Input(input) => input.name(),
             Variable::Speed(Side::One) => "vehicle.1.speed",
             Variable::Speed(Side::Two) => "vehicle.2.speed",
+            Variable::RadiusOfGyration(Side::One) => "vehicle.1.radius_of_gyration",
+            Variable::RadiusOfGyration(Side::Two) => "vehicle.2.radius_of_gyration",
             Variable::CrushShare => "contact.crush_share",
         }
     }
@@ -45,6 +49,7 @@ impl Variable {
         match self {
             Variable::Input(input) => input.measure(),
             Variable::Speed(_) => Measure::Speed,
+            Variable::RadiusOfGyration(_) => Measure::Length,
             Variable::CrushShare => Measure::Ratio,
         }
     }
@@ -62,7 +67,7 @@ impl Variable {
     /// Returns its vehicle, or `None` if it does not belong to one.
     pub fn side(self) -> Option<Side> {
         match self {
-            Variable::Speed(side) => Some(side),
+            Variable::Speed(side) | Variable::RadiusOfGyration(side) => Some(side),
             Variable::CrushShare => None,
             Variable::Input(input) => input.side(),
         }
@@ -73,6 +78,7 @@ impl Variable {
         match self {
             Variable::Input(input) => collision.input(input),
             Variable::Speed(side) => party(collision, side).vehicle().map(speed),
+            Variable::RadiusOfGyration(side) => party(collision, side).vehicle().map(Vehicle::radius_of_gyration),
             Variable::CrushShare => Some(crush_share.clone()),
         }
     }
@@ -96,7 +102,7 @@ impl Variable {
             Variable::Input(Input::ImpulseRatio) if matches!(collision.impulse_ratio, ImpulseRatio::LimitedByFriction(_)) => {
                 (0.0, f64::INFINITY)
             }
-            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => (f64::MIN_POSITIVE, f64::INFINITY),
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) | Variable::RadiusOfGyration(_) => (f64::MIN_POSITIVE, f64::INFINITY),
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
@@ -105,7 +111,9 @@ impl Variable {
     pub(super) fn scale(self, collision: &Collision, value: f64) -> f64 {
         match self {
             Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
-            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => (0.1 * value.abs()).max(f64::MIN_POSITIVE),
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) | Variable::RadiusOfGyration(_) => {
+                (0.1 * value.abs()).max(f64::MIN_POSITIVE)
+            }
             Variable::Input(Input::Moment) if matches!(collision.moment, Moment::Given(_)) => (0.1 * value.abs()).max(100.0),
             Variable::CrushShare | Variable::Input(_) => 0.1,
         }
@@ -118,7 +126,7 @@ impl Variable {
             Variable::Input(Input::YawRate(_)) => 5.0,
             Variable::Input(Input::Heading(_)) => PI,
             Variable::Input(Input::CrushPlane) => FRAC_PI_2,
-            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) => 0.5 * value.abs(),
+            Variable::Input(Input::Mass(_) | Input::YawInertia(_)) | Variable::RadiusOfGyration(_) => 0.5 * value.abs(),
             Variable::Input(Input::Moment) if matches!(collision.moment, Moment::Given(_)) => (0.5 * value.abs()).max(1000.0),
             Variable::CrushShare | Variable::Input(_) => 1.0,
         }

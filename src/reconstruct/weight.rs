@@ -3,6 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
 use super::given::{Evidence, ReconstructionProblem};
+use super::variable::Variable;
 
 /// Smallest accepted eigenvalue of a matrix of correlations.
 pub(super) const SINGULAR: f64 = 1e-9;
@@ -19,7 +20,7 @@ impl Weights {
     /// Creates the weights of evidence in order, whose correlations have passed the check.
     pub(super) fn of(question: &ReconstructionProblem, evidence: &[Evidence]) -> Self {
         let scales = evidence.iter().map(Evidence::weight_scale).collect();
-        let has_any = !question.correlations.is_empty();
+        let has_any = !question.correlations.is_empty() || !question.prior_correlations.is_empty();
         Weights { scales, factor: has_any.then(|| correlations(question, evidence)).and_then(Cholesky::new) }
     }
 
@@ -59,22 +60,30 @@ impl Weights {
     }
 }
 
-/// Returns the matrix of correlations of the evidence.
+/// Returns the matrix of correlations of the evidence, which the priors follow.
 fn correlations(question: &ReconstructionProblem, evidence: &[Evidence]) -> DMatrix<f64> {
     let mut matrix = DMatrix::identity(evidence.len(), evidence.len());
+    let mut set = |i: Option<usize>, k: Option<usize>, coefficient: f64| {
+        if let (Some(i), Some(k)) = (i, k) {
+            matrix[(i, k)] = coefficient;
+            matrix[(k, i)] = coefficient;
+        }
+    };
     let place = |of| question.evidence.iter().position(|evidence| evidence.of == of);
     for correlation in &question.correlations {
-        if let (Some(i), Some(k)) = (place(correlation.one), place(correlation.other)) {
-            matrix[(i, k)] = correlation.coefficient;
-            matrix[(k, i)] = correlation.coefficient;
-        }
+        set(place(correlation.one), place(correlation.other), correlation.coefficient);
+    }
+    let priors: Vec<Variable> = question.unknowns.iter().filter(|unknown| unknown.prior.is_some()).map(|unknown| unknown.of).collect();
+    let prior = |of| priors.iter().position(|prior| *prior == of).map(|place| question.evidence.len() + place);
+    for correlation in &question.prior_correlations {
+        set(prior(correlation.one), prior(correlation.other), correlation.coefficient);
     }
     matrix
 }
 
-/// Returns the least eigenvalue of the correlations, or NaN if they have none.
+/// Returns the least eigenvalue of the correlations of evidence and priors, or NaN if they have none.
 pub(super) fn least_eigenvalue(question: &ReconstructionProblem) -> f64 {
-    let matrix = correlations(question, &question.evidence);
+    let matrix = correlations(question, &question.all_evidence());
     if matrix.iter().any(|x| !x.is_finite()) {
         return f64::NAN;
     }

@@ -1,12 +1,14 @@
 //! The crush of a vehicle: as a case file gives it, and on any scalar type.
 
 mod key;
+mod stiffness;
 
 use planar_impact::crash3::Surface;
 use planar_impact::crush::{CrushLaw, CrushStiffness, MeasuringLine, Profile, ProfileError, Saturating, StiffnessZones};
 use planar_impact::{ForceDirection, Real};
 
-pub use key::CrushKey;
+pub use key::{CrushKey, FormKey};
+pub use stiffness::StiffnessInputs;
 
 /// The shape of a crush, in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +27,7 @@ pub struct CrushInputs {
     /// Profile of the crush.
     pub profile: ProfileInputs,
     /// The stiffness of each zone, one or more.
-    pub stiffness: Vec<CrushStiffness>,
+    pub stiffness: Vec<StiffnessInputs>,
     /// Positions where one zone ends and the next begins.
     pub borders: Vec<f64>,
     /// Depth beyond which the force is constant; allowed only with one zone.
@@ -116,7 +118,13 @@ impl CrushInputs {
     ///
     /// Returns a message if this crush has no such key.
     pub fn value(&self, key: CrushKey) -> Result<f64, String> {
-        self.clone().place(key).map(|place| *place).ok_or_else(|| self.lacks(key))
+        let root = |zone: usize, of: fn(&CrushStiffness) -> f64| self.stiffness.get(zone).map(|zone| of(&zone.roots()));
+        let value = match self.root(key) {
+            Some((zone, Root::Onset)) => root(zone, |roots| roots.onset),
+            Some((zone, Root::Slope)) => root(zone, |roots| roots.slope),
+            None => self.clone().place(key).map(|place| *place),
+        };
+        value.ok_or_else(|| self.lacks(key))
     }
 
     /// Sets the value of a key.
@@ -125,7 +133,24 @@ impl CrushInputs {
     ///
     /// Panics if this crush has no such key.
     pub fn set(&mut self, key: CrushKey, value: f64) {
-        *self.place(key).expect("a value can be set") = value;
+        match self.root(key) {
+            Some((zone, Root::Onset)) => self.stiffness[zone].set_roots(|roots| roots.onset = value),
+            Some((zone, Root::Slope)) => self.stiffness[zone].set_roots(|roots| roots.slope = value),
+            None => *self.place(key).expect("a value can be set") = value,
+        }
+    }
+
+    /// Returns the index of a zone and which of d0 and d1 a key is; `None` for any other key, or if the crush has no such zone.
+    fn root(&self, key: CrushKey) -> Option<(usize, Root)> {
+        let zones = self.stiffness.len();
+        let found = match key {
+            CrushKey::Onset if zones == 1 => (0, Root::Onset),
+            CrushKey::Slope if zones == 1 => (0, Root::Slope),
+            CrushKey::ZoneOnset(zone) if zones > 1 => (zone.checked_sub(1)?, Root::Onset),
+            CrushKey::ZoneSlope(zone) if zones > 1 => (zone.checked_sub(1)?, Root::Slope),
+            _ => return None,
+        };
+        (found.0 < zones).then_some(found)
     }
 
     fn lacks(&self, key: CrushKey) -> String {
@@ -133,10 +158,14 @@ impl CrushInputs {
             CrushKey::Width => "the case gives `stations` instead".to_owned(),
             CrushKey::Station(_) if matches!(self.profile.places, Places::Width(_)) => "the case gives `width` instead".to_owned(),
             CrushKey::Station(_) | CrushKey::Depth(_) => format!("the crush has {} depths", self.profile.depths.len()),
-            CrushKey::Onset | CrushKey::Slope => {
+            CrushKey::Form(_) if self.stiffness.len() == 1 => "the case gives the stiffness in another form".to_owned(),
+            CrushKey::ZoneForm(zone, _) if (2..).contains(&self.stiffness.len()) && (1..=self.stiffness.len()).contains(&zone) => {
+                format!("the case gives the stiffness of zone {zone} in another form")
+            }
+            CrushKey::Onset | CrushKey::Slope | CrushKey::Form(_) => {
                 format!("the crush has {} zones: crush.zones.1.d0, crush.zones.1.d1, ...", self.stiffness.len())
             }
-            CrushKey::ZoneOnset(_) | CrushKey::ZoneSlope(_) | CrushKey::ZoneEnd(_) => match self.stiffness.len() {
+            CrushKey::ZoneOnset(_) | CrushKey::ZoneSlope(_) | CrushKey::ZoneEnd(_) | CrushKey::ZoneForm(..) => match self.stiffness.len() {
                 1 => "the crush has no zones: crush.d0, crush.d1".to_owned(),
                 count => format!("the crush has {count} zones"),
             },
@@ -161,10 +190,8 @@ impl CrushInputs {
             CrushKey::Depth(place) => self.profile.depths.get_mut(item(place)?),
             CrushKey::Offset => self.profile.line.as_mut().map(|line| &mut line.offset),
             CrushKey::Angle => self.profile.line.as_mut().map(|line| &mut line.angle),
-            CrushKey::Onset if zones == 1 => Some(&mut self.stiffness[0].onset),
-            CrushKey::Slope if zones == 1 => Some(&mut self.stiffness[0].slope),
-            CrushKey::ZoneOnset(zone) if zones > 1 => self.stiffness.get_mut(item(zone)?).map(|zone| &mut zone.onset),
-            CrushKey::ZoneSlope(zone) if zones > 1 => self.stiffness.get_mut(item(zone)?).map(|zone| &mut zone.slope),
+            CrushKey::Form(key) if zones == 1 => self.stiffness[0].place(key),
+            CrushKey::ZoneForm(zone, key) if zones > 1 => self.stiffness.get_mut(item(zone)?)?.place(key),
             CrushKey::ZoneEnd(zone) => self.borders.get_mut(item(zone)?),
             CrushKey::Saturation => self.saturation.as_mut(),
             CrushKey::Pdof => self.pdof.as_mut(),
@@ -174,15 +201,16 @@ impl CrushInputs {
 
     /// Returns the crush on any scalar type, adding `by` of its key to each number.
     pub fn on_scalar<T: Real + From<f64>>(&self, mut by: impl FnMut(CrushKey) -> T) -> Crush<T> {
-        let mut plus = |value: f64, key| T::from(value) + by(key);
         let one_zone = self.stiffness.len() == 1;
-        let profile = self.profile.plus(&mut plus);
         let zones = self.stiffness.iter().enumerate().map(|(i, zone)| {
+            let roots = zone.on_scalar(|key| by(if one_zone { CrushKey::Form(key) } else { CrushKey::ZoneForm(i + 1, key) }));
             let (onset, slope) =
                 if one_zone { (CrushKey::Onset, CrushKey::Slope) } else { (CrushKey::ZoneOnset(i + 1), CrushKey::ZoneSlope(i + 1)) };
-            CrushStiffness { onset: plus(zone.onset, onset), slope: plus(zone.slope, slope) }
+            CrushStiffness { onset: roots.onset + by(onset), slope: roots.slope + by(slope) }
         });
         let zones = zones.collect();
+        let mut plus = |value: f64, key| T::from(value) + by(key);
+        let profile = self.profile.plus(&mut plus);
         let borders = self.borders.iter().enumerate().map(|(i, &border)| plus(border, CrushKey::ZoneEnd(i + 1))).collect();
         Crush {
             profile,
@@ -195,6 +223,13 @@ impl CrushInputs {
             }),
         }
     }
+}
+
+/// One of the two numbers of a stiffness.
+#[derive(Clone, Copy)]
+enum Root {
+    Onset,
+    Slope,
 }
 
 /// Formats a profile error as a sentence, counting depths and stations from 1 as in a file.
@@ -233,6 +268,7 @@ impl<T: Real> Crush<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use planar_impact::crush::{BarrierSpeedLine, ForceLine};
 
     fn crush() -> CrushInputs {
         CrushInputs {
@@ -241,7 +277,7 @@ mod tests {
                 depths: vec![0.25, 0.5, 0.125],
                 line: Some(MeasuringLine { offset: 0.0625, angle: 0.25 }),
             },
-            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }, CrushStiffness { onset: 5.0, slope: 6.0 }],
+            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }.into(), CrushStiffness { onset: 5.0, slope: 6.0 }.into()],
             borders: vec![0.75],
             saturation: None,
             surface: None,
@@ -253,7 +289,7 @@ mod tests {
     fn every_key_has_a_value_and_takes_another() {
         let one_zone = CrushInputs {
             profile: ProfileInputs { places: Places::Width(1.5), ..crush().profile },
-            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }],
+            stiffness: vec![CrushStiffness { onset: 3.0, slope: 4.0 }.into()],
             borders: vec![],
             saturation: Some(0.25),
             ..crush()
@@ -268,6 +304,43 @@ mod tests {
                 assert_eq!(set.on_scalar(|_| 0.0), added, "{key}");
                 assert_ne!(crush.on_scalar(|_| 0.0), added, "{key}");
             }
+        }
+    }
+
+    #[test]
+    fn every_number_of_a_form_has_a_value_and_takes_another() {
+        let force = StiffnessInputs::Force(ForceLine { onset: 3.0, slope: 4.0 });
+        let speed = StiffnessInputs::Speed(BarrierSpeedLine { onset: 1.5, slope: 2.0, test_mass: 8.0, test_width: 2.0 });
+        assert_eq!(force.roots(), CrushStiffness { onset: 1.5, slope: 2.0 });
+        assert_eq!(speed.roots(), CrushStiffness { onset: 3.0, slope: 4.0 });
+        let zones = CrushInputs { stiffness: vec![force, speed], ..crush() };
+        let one = |form: StiffnessInputs| CrushInputs { stiffness: vec![form], borders: vec![], ..crush() };
+        use FormKey::*;
+        let of_speed = [SpeedOnset, SpeedSlope, TestMass, TestWidth];
+        let mut all: Vec<(CrushInputs, CrushKey)> = [ForceOnset, ForceSlope].map(|key| (one(force), CrushKey::Form(key))).into();
+        all.extend(of_speed.map(|key| (one(speed), CrushKey::Form(key))));
+        all.extend([ForceOnset, ForceSlope].map(|key| (zones.clone(), CrushKey::ZoneForm(1, key))));
+        all.extend(of_speed.map(|key| (zones.clone(), CrushKey::ZoneForm(2, key))));
+        for (crush, key) in all {
+            let before = crush.value(key).expect("it has it");
+            let mut set = crush.clone();
+            set.set(key, before + 0.25);
+            let added = crush.on_scalar(|other| if other == key { 0.25 } else { 0.0 });
+            assert_eq!((set.value(key), set.on_scalar(|_| 0.0)), (Ok(before + 0.25), added.clone()), "{key}");
+            assert_ne!(crush.on_scalar(|_| 0.0), added, "{key}");
+        }
+        // A new d0 replaces the form, and keeps d1.
+        let mut set = zones.clone();
+        set.set(CrushKey::ZoneOnset(1), 7.0);
+        assert_eq!(set.stiffness, [CrushStiffness { onset: 7.0, slope: 2.0 }.into(), speed]);
+        assert_eq!((zones.value(CrushKey::ZoneOnset(1)), zones.value(CrushKey::ZoneSlope(2))), (Ok(1.5), Ok(4.0)));
+        for (crush, key, why) in [
+            (one(force), CrushKey::Form(SpeedOnset), "another form"),
+            (zones.clone(), CrushKey::ZoneForm(1, TestMass), "another form"),
+            (zones.clone(), CrushKey::ZoneForm(3, TestMass), "2 zones"),
+            (zones, CrushKey::Form(ForceOnset), "2 zones"),
+        ] {
+            assert!(crush.value(key).is_err_and(|text| text.contains(why)), "{key}");
         }
     }
 

@@ -186,7 +186,7 @@ mod tests {
             impact_center: ForwardLeft { forward: 1.0, left: -1.0 },
             crush: Some(CrushInputs {
                 profile: ProfileInputs { places: Places::Width(1.0), depths: vec![0.5, 0.25], line: None },
-                stiffness: vec![stiffness],
+                stiffness: vec![stiffness.into()],
                 borders: Vec::new(),
                 saturation: None,
                 surface: None,

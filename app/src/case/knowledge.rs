@@ -27,6 +27,8 @@ pub struct Known {
     pub value: f64,
     /// Its uncertainty.
     pub uncertainty: Uncertainty,
+    /// `true` if it is a crush energy that the file takes from the crush.
+    pub is_from_crush: bool,
 }
 
 /// An unknown.
@@ -92,7 +94,20 @@ pub fn parameter_of(variable: Variable) -> Option<Parameter> {
     match variable {
         Variable::Input(input) => Some(Parameter::Input(input)),
         Variable::Speed(side) => Some(Parameter::Speed(side)),
+        Variable::RadiusOfGyration(side) => Some(Parameter::RadiusOfGyration(side)),
         Variable::CrushShare => None,
+    }
+}
+
+/// Returns the variable of a reconstruction that a parameter of the case is, or `None` for a number of the crush.
+pub fn variable_of(parameter: Parameter) -> Option<Variable> {
+    match parameter {
+        Parameter::Input(input) => Some(Variable::Input(input)),
+        Parameter::Speed(side) => Some(Variable::Speed(side)),
+        Parameter::RadiusOfGyration(side) => Some(Variable::RadiusOfGyration(side)),
+        Parameter::Friction | Parameter::RatioOfCritical => Some(Variable::Input(Input::ImpulseRatio)),
+        Parameter::MomentOfCritical => Some(Variable::Input(Input::Moment)),
+        Parameter::Crush(..) => None,
     }
 }
 

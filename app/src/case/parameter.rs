@@ -136,6 +136,7 @@ impl fmt::Display for Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::crush::FormKey;
 
     #[test]
     fn every_parameter_is_named_and_read_back() {
@@ -145,7 +146,8 @@ mod tests {
             use CrushKey::*;
             let keys = [Width, Station(2), Depth(1), Depth(12), Offset, Angle, Onset, Slope, Saturation, Pdof];
             let of_zones = [ZoneOnset(1), ZoneSlope(2), ZoneEnd(10)];
-            all.extend(keys.into_iter().chain(of_zones).map(|key| Parameter::Crush(side, key)));
+            let of_forms = FormKey::ALL.into_iter().flat_map(|key| [Form(key), ZoneForm(2, key)]);
+            all.extend(keys.into_iter().chain(of_zones).chain(of_forms).map(|key| Parameter::Crush(side, key)));
         }
         all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
         for parameter in all {
@@ -157,7 +159,7 @@ mod tests {
         }
         assert_eq!(Parameter::named("k2"), Some(Parameter::RadiusOfGyration(Side::Two)));
         assert_eq!(Parameter::named("Gamma"), Some(Parameter::Input(Input::CrushPlane)));
-        for unknown in ["vehicle.1.crush.zones.d0", "vehicle.1.crush.zones.0.d0", "vehicle.1.crush.zones.1.A", "vehicle.1.crush."] {
+        for unknown in ["vehicle.1.crush.zones.d0", "vehicle.1.crush.zones.0.d0", "vehicle.1.crush.zones.1.C", "vehicle.1.crush."] {
             assert_eq!(Parameter::named(unknown), None, "{unknown}");
         }
         for unknown in ["", "vehicle.3.mass", "vehicle.1.crush.depths.0", "vehicle.1.crush.depths.+1", "vehicle.1.crush.depths.", "energy"]

@@ -1,6 +1,7 @@
 //! Reads a case file key by key.
 
 mod contact;
+mod correlation;
 mod crush;
 mod evidence;
 mod implied;
@@ -14,9 +15,12 @@ use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
 use self::implied::ImpliedValues;
+use super::domain::Domain;
 use super::inputs::Inputs;
 use super::knowledge::Knowledge;
+use super::parameter::Parameter;
 use super::rest::RestInputs;
+use super::uncertain::{Uncertain, UncertainInput};
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
 use crate::notice::Notice;
@@ -32,12 +36,14 @@ pub(super) struct Read {
     pub(super) bracket: Option<CrushPlaneBracket>,
     pub(super) knowledge: Knowledge,
     pub(super) rest: Option<RestInputs>,
+    pub(super) uncertain: Uncertain,
 }
 
 /// Reads the keys of a case file, collecting notices and counting the units used.
 #[derive(Default)]
 pub(crate) struct CaseReader {
     pub(crate) notices: RefCell<Vec<Notice>>,
+    uncertain: RefCell<Vec<UncertainInput>>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
@@ -72,6 +78,10 @@ impl CaseReader {
     pub(crate) fn positive(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, kind)?;
+        self.above_zero(&place, value, kind)
+    }
+
+    fn above_zero(&self, place: &Field<'_>, value: f64, kind: Kind) -> Option<f64> {
         if value > 0.0 {
             return Some(value);
         }
@@ -83,6 +93,10 @@ impl CaseReader {
     pub(crate) fn not_negative(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, kind)?;
+        self.not_below_zero(&place, value, kind)
+    }
+
+    fn not_below_zero(&self, place: &Field<'_>, value: f64, kind: Kind) -> Option<f64> {
         if value >= 0.0 {
             return Some(value);
         }
@@ -90,10 +104,56 @@ impl CaseReader {
         None
     }
 
+    /// Returns a value that its domain accepts, or reports the issue.
+    fn within(&self, place: &Field<'_>, value: f64, kind: Kind, domain: Domain) -> Option<f64> {
+        let is_pure = kind.dimension == Kind::PURE.dimension;
+        match domain {
+            Domain::Any => Some(value),
+            Domain::Positive => self.above_zero(place, value, kind),
+            Domain::NotNegative if is_pure => self.up_to(place, value, f64::INFINITY),
+            Domain::NotNegative => self.not_below_zero(place, value, kind),
+            Domain::Fraction => self.up_to(place, value, 1.0),
+        }
+    }
+
+    /// Reads a number without an uncertainty.
+    fn certain(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<f64> {
+        let place = field.clone();
+        let value = self.quantity(field, kind)?;
+        self.within(&place, value, kind, domain)
+    }
+
+    /// Reads an input that may be uncertain. Returns its nominal value, and keeps its distribution.
+    fn input(&self, field: Field<'_>, parameter: Parameter) -> Option<f64> {
+        self.input_in(field, parameter, parameter.domain())
+    }
+
+    /// Reads an input that may be uncertain, in another domain than its own.
+    fn input_in(&self, field: Field<'_>, parameter: Parameter, domain: Domain) -> Option<f64> {
+        let key = field.path().to_owned();
+        let (nominal, distribution) = self.distributed(field, parameter.kind(), domain)?;
+        if let Some(distribution) = distribution {
+            self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution });
+        }
+        Some(nominal)
+    }
+
+    /// Reads an array of two inputs that may be uncertain.
+    fn inputs(&self, field: Field<'_>, pair: [Input; 2]) -> Option<[f64; 2]> {
+        let wanted = format!("an array of two values, each {}", Parameter::Input(pair[0]).kind().wanted());
+        let items = field.items(&wanted, 2..=2)?;
+        let read: Vec<_> = items.into_iter().zip(pair).map(|(item, input)| self.input(item, Parameter::Input(input))).collect();
+        read.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
+    }
+
     /// Reads a pure number between 0 and `greatest`.
     pub(crate) fn coefficient(&self, field: Field<'_>, greatest: f64) -> Option<f64> {
         let place = field.clone();
         let value = self.quantity(field, Kind::PURE)?;
+        self.up_to(&place, value, greatest)
+    }
+
+    fn up_to(&self, place: &Field<'_>, value: f64, greatest: f64) -> Option<f64> {
         if (0.0..=greatest).contains(&value) {
             return Some(value);
         }
@@ -123,6 +183,8 @@ impl CaseReader {
         let vehicles = self.vehicles(root, &implied);
         let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &implied));
         self.notices.borrow_mut().extend(notices);
+        let correlations =
+            root.has("correlation").then(|| self.correlations(root.optional("correlation"), vehicles.is_some() && contact.is_some()));
         let rest = root.has("rest").then(|| {
             let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
             self.rest(root, vehicles)
@@ -131,14 +193,15 @@ impl CaseReader {
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
         let evidence = self.settle(&evidence, [&one, &two]);
         let inputs = Inputs { vehicles: [one, two], contact };
-        let agrees = implied.agree_with(&inputs);
+        let uncertain = Uncertain { inputs: self.uncertain.take(), correlations: correlations.unwrap_or(Some(Vec::new()))? };
+        let agrees = implied.agree_with(&inputs, &uncertain);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
         let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: implied.left_out() };
         let rest = match rest {
             Some(rest) => Some(rest?),
             None => None,
         };
-        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge, rest })
+        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge, rest, uncertain })
     }
 
     /// Reads an optional table as a list.
@@ -182,20 +245,20 @@ impl CaseReader {
             Some(value) => value,
             None => read(table.required(key)),
         };
-        let mass = or("mass", Input::Mass, &|field| self.positive(field, Kind::MASS));
-        let heading = or("heading", Input::Heading, &|field| self.quantity(field, Kind::ANGLE));
-        let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| Variable::Input(input(side)));
-        let impact_center = match implied.of_pair(table, "impact_center", center) {
+        let mass = or("mass", Input::Mass, &|field| self.input(field, Parameter::Input(Input::Mass(side))));
+        let heading = or("heading", Input::Heading, &|field| self.input(field, Parameter::Input(Input::Heading(side))));
+        let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| input(side));
+        let impact_center = match implied.of_pair(table, "impact_center", center.map(Variable::Input)) {
             Some(pair) => pair,
-            None => self.pair(table.required("impact_center"), Kind::LENGTH),
+            None => self.inputs(table.required("impact_center"), center),
         };
         let yaw_rate = match implied.of_optional(table, "yaw_rate", Input::YawRate(side), 0.0) {
             Some(value) => Some(value),
-            None => self.quantity(table.required("yaw_rate"), Kind::YAW_RATE),
+            None => self.input(table.required("yaw_rate"), Parameter::Input(Input::YawRate(side))),
         };
         let inertia = self.inertia(table, side, implied);
         let velocity = self.velocity(table, side, implied);
-        let crush = table.has("crush").then(|| self.crush(table.optional("crush")));
+        let crush = table.has("crush").then(|| self.crush(table.optional("crush"), side));
         let [forward, left] = impact_center?;
         Some(VehicleInputs {
             mass: mass?,
@@ -218,25 +281,25 @@ impl CaseReader {
             return value.map(Inertia::Yaw);
         }
         match one_of(table, "yaw_inertia", "radius_of_gyration")? {
-            "yaw_inertia" => self.positive(table.required("yaw_inertia"), Kind::YAW_INERTIA).map(Inertia::Yaw),
-            // The square would lose the sign.
-            _ => self.positive(table.required("radius_of_gyration"), Kind::LENGTH).map(Inertia::Radius),
+            "yaw_inertia" => self.input(table.required("yaw_inertia"), Parameter::Input(Input::YawInertia(side))).map(Inertia::Yaw),
+            // The square would lose the sign, so it must be positive.
+            _ => self.input(table.required("radius_of_gyration"), Parameter::RadiusOfGyration(side)).map(Inertia::Radius),
         }
     }
 
     fn velocity(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<Velocity> {
+        let components = [Input::VelocityX(side), Input::VelocityY(side)];
         if !table.has("speed") && !table.has("velocity") {
             if let Some(speed) = implied.of_key(table, "speed", Variable::Speed(side)) {
                 return speed.map(Velocity::Speed);
             }
-            let components = [Input::VelocityX(side), Input::VelocityY(side)].map(Variable::Input);
-            if let Some(pair) = implied.of_pair(table, "velocity", components) {
+            if let Some(pair) = implied.of_pair(table, "velocity", components.map(Variable::Input)) {
                 return pair.map(|[x, y]| Velocity::Components(Xy { x, y }));
             }
         }
         match one_of(table, "speed", "velocity")? {
-            "speed" => self.quantity(table.required("speed"), Kind::SPEED).map(Velocity::Speed),
-            _ => self.pair(table.required("velocity"), Kind::SPEED).map(|[x, y]| Velocity::Components(Xy { x, y })),
+            "speed" => self.input(table.required("speed"), Parameter::Speed(side)).map(Velocity::Speed),
+            _ => self.inputs(table.required("velocity"), components).map(|[x, y]| Velocity::Components(Xy { x, y })),
         }
     }
 }

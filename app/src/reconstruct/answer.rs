@@ -104,6 +104,8 @@ pub struct Unknown {
     pub min: Option<f64>,
     /// Its upper bound in the file.
     pub max: Option<f64>,
+    /// `true` if it is an uncertain input of a vehicle or of the contact, and not listed under `[unknown]`.
+    pub is_input: bool,
     /// Its measure.
     #[serde(skip)]
     pub measure: Measure,
@@ -261,6 +263,7 @@ impl Solved<'_> {
             interval_95: estimate.sd.filter(|_| estimate.is_determined).map(interval),
             min,
             max,
+            is_input: self.question.inputs.contains(&estimate.of),
             measure: measure_in(estimate.of, self.case),
         }
     }

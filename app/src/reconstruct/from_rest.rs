@@ -37,7 +37,13 @@ impl FromRest {
         let SeparationEvidence { evidence, correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
         for piece in evidence {
             let key = piece.of.side().map_or_else(|| "rest".to_owned(), key);
-            case.knowledge.evidence.push(Known { of: piece.of, key, value: piece.value, uncertainty: piece.uncertainty });
+            case.knowledge.evidence.push(Known {
+                of: piece.of,
+                key,
+                value: piece.value,
+                uncertainty: piece.uncertainty,
+                is_from_crush: false,
+            });
         }
         let mut has_others = false;
         for (side, separation) in [Side::One, Side::Two].into_iter().zip(&separations) {

@@ -3,8 +3,10 @@
 use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Uncertainty, Unknown, Variable, crush_share};
 use planar_impact::{ImpulseRatio, Input, Moment, Side};
 
+use super::from_crush::FromCrush;
 use super::from_rest::FromRest;
-use crate::case::{Case, Known, Parameter, RequestedUnknown, Velocity, parameter_of};
+use super::inputs::InputUnknowns;
+use crate::case::{Case, Inertia, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
@@ -19,6 +21,8 @@ pub struct Question {
     pub case: Case,
     /// The problem that the library solves.
     pub asked: ReconstructionProblem,
+    /// The unknowns that are uncertain inputs of the case, not listed under `[unknown]`.
+    pub inputs: Vec<Variable>,
     /// Exact evidence whose values are set in the case, so that it takes no part in the fit.
     pub certain: Vec<Evidence>,
     /// Paths of the unknowns and the evidence in the file.
@@ -58,7 +62,13 @@ impl Question {
     ///
     /// Returns the contradictions in the case.
     pub fn of(case: &Case) -> Result<Self, Issues> {
-        let FromRest { case, correlations, has_others } = &FromRest::of(case)?;
+        let FromRest { mut case, mut correlations, has_others } = FromRest::of(case)?;
+        let of_crush = FromCrush::of(&mut case);
+        correlations.extend(of_crush.correlations);
+        // Without a question and evidence there is nothing to learn of the inputs.
+        let is_asked = !case.knowledge.unknowns.is_empty() || !case.knowledge.evidence.is_empty();
+        let of_inputs = if is_asked { InputUnknowns::of(&case) } else { InputUnknowns::default() };
+        let case = &case;
         let knowledge = &case.knowledge;
         let mut draft =
             Draft { case, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notices: case.notices.clone() };
@@ -78,6 +88,13 @@ impl Question {
             }
             draft.places.unknowns.push((requested.of, requested.key.clone()));
             draft.unknowns.push(Unknown { of: requested.of, start, min: requested.min, max: requested.max, prior: requested.prior });
+        }
+        draft.notices.0.extend(of_crush.notices.into_iter().chain(of_inputs.notices));
+        draft.notices.0.extend(at_nominal_values(of_crush.unused));
+        let inputs: Vec<Variable> = of_inputs.unknowns.iter().map(|(unknown, _)| unknown.of).collect();
+        for (unknown, key) in of_inputs.unknowns {
+            draft.places.unknowns.push((unknown.of, key));
+            draft.unknowns.push(unknown);
         }
         for known in &knowledge.evidence {
             draft.places.evidence.push((known.of, known.key.clone()));
@@ -99,6 +116,7 @@ impl Question {
         if crush_share.is_none() {
             draft.share_the_crush();
         }
+        let holds_radius_of_gyration = [Side::One, Side::Two].map(|side| draft.holds_radius_of_gyration(side));
         let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut issues));
         if !issues.is_empty() {
             return Err(case.unfit(issues));
@@ -107,12 +125,22 @@ impl Question {
         let asked = ReconstructionProblem {
             unknowns: draft.unknowns,
             evidence: draft.evidence,
-            correlations: correlations.clone(),
+            correlations,
+            prior_correlations: of_inputs.correlations,
             drives_along_heading,
+            holds_radius_of_gyration,
             crush_share,
             ..ReconstructionProblem::of(settled.collision)
         };
-        Ok(Question { case: settled, asked, certain, places: draft.places, notices: draft.notices, has_other_separations: *has_others })
+        Ok(Question {
+            case: settled,
+            asked,
+            inputs,
+            certain,
+            places: draft.places,
+            notices: draft.notices,
+            has_other_separations: has_others,
+        })
     }
 }
 
@@ -231,6 +259,13 @@ impl Draft<'_> {
         let message = "contact.crush_share is solved for too: the evidence has the crush energy of each vehicle";
         let notice = Notice::note("crush-share-is-unknown", one.key.clone(), message);
         self.notices.0.push(notice);
+    }
+
+    /// Returns `true` if a vehicle has its radius of gyration, and an unknown mass.
+    fn holds_radius_of_gyration(&self, side: Side) -> bool {
+        let vehicle = self.case.inputs.vehicles[side as usize].as_ref();
+        let has_radius = vehicle.is_some_and(|vehicle| matches!(vehicle.inertia, Inertia::Radius(_)));
+        has_radius && self.seeks(Variable::Input(Input::Mass(side)))
     }
 
     /// Returns `true` if a vehicle drives along its heading; reports an issue if its speed is an unknown and it does not.

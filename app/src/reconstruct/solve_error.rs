@@ -85,7 +85,12 @@ fn wrong(question: &Question, problem: &ReconstructionIssue) -> Issue {
         ReconstructionIssue::TooLittleEvidence { .. } => {
             let pieces: Vec<&str> = question.asked.evidence.iter().map(|evidence| evidence.of.name()).collect();
             let pieces = if pieces.is_empty() { String::new() } else { format!(": {}", pieces.join(", ")) };
-            let help = "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence";
+            let mut help = "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence".to_owned();
+            let inputs = question.asked.unknowns.iter().filter(|unknown| unknown.prior.is_none() && question.inputs.contains(&unknown.of));
+            let inputs: Vec<&str> = inputs.map(|unknown| unknown.of.name()).collect();
+            if !inputs.is_empty() {
+                help += &format!("; inputs between limits are unknowns without one: {}", inputs.join(", "));
+            }
             Issue::at("too-little-evidence", "unknown", format!("{problem}{pieces}")).with_help(help)
         }
         ReconstructionIssue::NotInCase(of) => not_in_case(question, *of),

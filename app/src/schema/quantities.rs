@@ -1,4 +1,4 @@
-//! The schemas of quantities: each kind on its own, as a measurement, and as an unknown.
+//! The schemas of quantities: each kind on its own, as a measurement, as an unknown, and as an input that may be uncertain.
 
 use serde_json::{Map, Value, json};
 
@@ -12,10 +12,10 @@ const PURE: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)";
 /// The definition of a kind of quantity, from the kind and its name.
 type Define = fn(&Kind, &str) -> Value;
 
-/// Creates the definitions that a schema refers to, by name: `mass`, `measured_mass`, `unknown_mass` and so on.
+/// Creates the definitions that a schema refers to, by name: `mass`, `measured_mass`, `unknown_mass`, `input_mass` and so on.
 pub(super) fn definitions(schema: &str) -> Map<String, Value> {
     // Quantities come last, because the others refer to them.
-    let families: [(&str, Define); 3] = [("measured_", measured), ("unknown_", unknown), ("", quantity)];
+    let families: [(&str, Define); 4] = [("measured_", measured), ("unknown_", unknown), ("input_", input), ("", quantity)];
     let mut text = schema.to_owned();
     let mut definitions = Map::new();
     for (family, define) in families {
@@ -99,6 +99,47 @@ fn unknown(kind: &Kind, name: &str) -> Value {
         },
         "additionalProperties": false,
         "examples": [{ "start": kind.example }],
+    })
+}
+
+fn input(kind: &Kind, name: &str) -> Value {
+    let of_kind = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text });
+    let size = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text, "minimum": 0 });
+    let pure = |text: &str| json!({ "$ref": "#/$defs/pure_number", "description": text, "minimum": 0 });
+    let (Reach::Magnitude(most) | Reach::Positive(_, most)) = kind.bare;
+    let form = |required: &[&str], keys: &[&str]| json!({ "required": required, "propertyNames": { "enum": keys } });
+    json!({
+        "description": format!(
+            "{}: a value, \"value ± standard deviation\", \"value ± 5 %\", or a table that describes its distribution.",
+            capitalized(kind.name)
+        ),
+        "type": ["number", "string", "object"],
+        "pattern": pattern(kind),
+        "minimum": -most,
+        "maximum": most,
+        "properties": {
+            "value": of_kind("The value, or the mean."),
+            "sd": size("Its standard deviation; with `min` and `max` that before truncation."),
+            "relative": pure("Its standard deviation as a share of the value; instead of `sd`."),
+            "resolution": size("The step of the record that it was read from: anything within half a step is equally likely."),
+            "min": of_kind("Lower limit; anything up to `max` is equally likely, unless there is a `mode` or a `value`."),
+            "mode": of_kind("Most likely value between `min` and `max`, of a triangular distribution."),
+            "max": of_kind("Upper limit."),
+            "median": of_kind("Median of a log-normal distribution."),
+            "factor": pure("Factor, above 1, whose natural logarithm is the standard deviation of the logarithm of the number; with `median`."),
+        },
+        "additionalProperties": false,
+        "if": { "type": "object" },
+        "then": { "oneOf": [
+            form(&["value", "sd"], &["value", "sd"]),
+            form(&["value", "relative"], &["value", "relative"]),
+            form(&["value", "resolution"], &["value", "resolution"]),
+            form(&["value", "sd", "min", "max"], &["value", "sd", "min", "max"]),
+            form(&["value", "relative", "min", "max"], &["value", "relative", "min", "max"]),
+            form(&["min", "max"], &["min", "mode", "max"]),
+            form(&["median", "factor"], &["median", "factor"]),
+        ] },
+        "examples": [kind.example],
     })
 }
 

@@ -88,7 +88,7 @@ fn wrong_cases_do_not_validate() {
     let sound = sound();
     assert_eq!(errors(&validator, &sound), [""; 0]);
     // A JSON pointer and its new value; null removes the key.
-    let wrong: [(&str, Value); 42] = [
+    let wrong: [(&str, Value); 47] = [
         ("/schema", json!(2)),
         ("/schema", json!(null)),
         ("/$schema", json!(1)),
@@ -101,7 +101,12 @@ fn wrong_cases_do_not_validate() {
         ("/vehicle/0/mass", json!("1500")),
         ("/vehicle/0/mass", json!(-1500)),
         ("/vehicle/0/mass", json!(true)),
-        ("/vehicle/0/mass", json!({"value": "1500 kg"})),
+        ("/vehicle/0/mass", json!({"value": "1500 kg", "min": "1400 kg"})),
+        ("/vehicle/0/mass", json!({"median": "1500 kg"})),
+        ("/vehicle/0/mass", json!({"value": "1500 kg", "std": "1400 kg"})),
+        ("/correlation", json!([["m1", "m2"]])),
+        ("/correlation", json!([["m1", "m2", 1]])),
+        ("/correlation", json!([["m1", 2, 0.5]])),
         ("/vehicle/0/heading", json!(90)),
         ("/vehicle/0/radius_of_gyration", json!("1.3 m")),
         ("/vehicle/0/velocity", json!(["1 m/s", "2 m/s"])),

@@ -28,10 +28,71 @@ pub enum CrushKey {
     ZoneSlope(usize),
     /// The end of a zone.
     ZoneEnd(usize),
+    /// A number of a stiffness that the file gives in another form than d0 and d1.
+    Form(FormKey),
+    /// The same of a zone.
+    ZoneForm(usize, FormKey),
     /// The saturation depth.
     Saturation,
     /// The principal direction of force.
     Pdof,
+}
+
+/// A number of a stiffness in another form than d0 and d1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FormKey {
+    /// A, the force per width at which crush begins.
+    ForceOnset,
+    /// B, the force per area.
+    ForceSlope,
+    /// b0, the speed of a barrier test that leaves no crush.
+    SpeedOnset,
+    /// b1, the increase of the speed with the depth.
+    SpeedSlope,
+    /// The mass of the vehicle in the test.
+    TestMass,
+    /// The width of the crush in the test.
+    TestWidth,
+}
+
+impl FormKey {
+    /// Every key.
+    pub const ALL: [FormKey; 6] =
+        [FormKey::ForceOnset, FormKey::ForceSlope, FormKey::SpeedOnset, FormKey::SpeedSlope, FormKey::TestMass, FormKey::TestWidth];
+
+    /// Returns its name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            FormKey::ForceOnset => "A",
+            FormKey::ForceSlope => "B",
+            FormKey::SpeedOnset => "b0",
+            FormKey::SpeedSlope => "b1",
+            FormKey::TestMass => "test_mass",
+            FormKey::TestWidth => "test_width",
+        }
+    }
+
+    fn named(name: &str) -> Option<FormKey> {
+        FormKey::ALL.into_iter().find(|key| key.name() == name)
+    }
+
+    fn measure(self) -> Measure {
+        match self {
+            FormKey::ForceOnset => Measure::ForcePerWidth,
+            FormKey::ForceSlope => Measure::ForcePerArea,
+            FormKey::SpeedOnset => Measure::Speed,
+            FormKey::SpeedSlope => Measure::SpeedPerLength,
+            FormKey::TestMass => Measure::Mass,
+            FormKey::TestWidth => Measure::Length,
+        }
+    }
+
+    fn domain(self) -> Domain {
+        match self {
+            FormKey::ForceOnset | FormKey::SpeedOnset | FormKey::SpeedSlope => Domain::NotNegative,
+            FormKey::ForceSlope | FormKey::TestMass | FormKey::TestWidth => Domain::Positive,
+        }
+    }
 }
 
 impl CrushKey {
@@ -47,6 +108,9 @@ impl CrushKey {
             "pdof" => return Some(CrushKey::Pdof),
             _ => (),
         }
+        if let Some(key) = FormKey::named(name) {
+            return Some(CrushKey::Form(key));
+        }
         if let Some(place) = name.strip_prefix("stations.") {
             return counted(place).map(CrushKey::Station);
         }
@@ -59,7 +123,7 @@ impl CrushKey {
             "d0" => Some(CrushKey::ZoneOnset(zone)),
             "d1" => Some(CrushKey::ZoneSlope(zone)),
             "to" => Some(CrushKey::ZoneEnd(zone)),
-            _ => None,
+            _ => FormKey::named(key).map(|key| CrushKey::ZoneForm(zone, key)),
         }
     }
 
@@ -71,6 +135,7 @@ impl CrushKey {
             CrushKey::Angle | CrushKey::Pdof => Measure::Angle,
             CrushKey::Onset | CrushKey::ZoneOnset(_) => Measure::RootForce,
             CrushKey::Slope | CrushKey::ZoneSlope(_) => Measure::RootForcePerLength,
+            CrushKey::Form(key) | CrushKey::ZoneForm(_, key) => key.measure(),
         }
     }
 
@@ -78,6 +143,7 @@ impl CrushKey {
     pub fn domain(self) -> Domain {
         match self {
             CrushKey::Width => Domain::Positive,
+            CrushKey::Form(key) | CrushKey::ZoneForm(_, key) => key.domain(),
             CrushKey::Station(_) | CrushKey::ZoneEnd(_) | CrushKey::Offset | CrushKey::Angle | CrushKey::Pdof => Domain::Any,
             _ => Domain::NotNegative,
         }
@@ -103,6 +169,8 @@ impl fmt::Display for CrushKey {
             CrushKey::ZoneOnset(zone) => write!(f, "zones.{zone}.d0"),
             CrushKey::ZoneSlope(zone) => write!(f, "zones.{zone}.d1"),
             CrushKey::ZoneEnd(zone) => write!(f, "zones.{zone}.to"),
+            CrushKey::Form(key) => f.write_str(key.name()),
+            CrushKey::ZoneForm(zone, key) => write!(f, "zones.{zone}.{}", key.name()),
             CrushKey::Saturation => f.write_str("saturation"),
             CrushKey::Pdof => f.write_str("pdof"),
         }

@@ -3,10 +3,12 @@
 use planar_impact::{CrushPlaneBracket, ImpulseRatio, Input, Law, Moment, SurfaceIssue};
 
 use super::implied::ImpliedValues;
+use super::measured::{DISTRIBUTION_KEYS, has_deviation};
 use super::{CaseReader, one_of};
+use crate::case::domain::Domain;
 use crate::case::inputs::ContactInputs;
 use crate::case::parameter::Parameter;
-use crate::document::{Field, Table, Value};
+use crate::document::{Entry, Field, Table, Value};
 use crate::quantity::Kind;
 use crate::units::trim;
 use crate::units::{Measure, Units};
@@ -17,7 +19,7 @@ impl CaseReader {
         let crush_plane = self.crush_plane(table, implied);
         let restitution = match implied.of_key(table, "restitution", Input::Restitution) {
             Some(value) => value,
-            None => self.coefficient(table.required("restitution"), 1.0),
+            None => self.input(table.required("restitution"), Parameter::Input(Input::Restitution)),
         };
         let impulse_ratio = self.impulse_ratio(table, implied);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
@@ -39,7 +41,8 @@ impl CaseReader {
             return value.map(|angle| (angle, None));
         }
         if one_of(table, "crush_plane", "surfaces")? == "crush_plane" {
-            return self.quantity(table.required("crush_plane"), Kind::ANGLE).map(|angle| (angle, None));
+            let angle = self.input(table.required("crush_plane"), Parameter::Input(Input::CrushPlane));
+            return angle.map(|angle| (angle, None));
         }
         let field = table.required("surfaces");
         let place = field.clone();
@@ -77,20 +80,27 @@ impl CaseReader {
                 let help = "an impulse ratio is given; a friction limits the critical one".to_owned();
                 table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
             }
-            let friction = self.coefficient(table.required("friction"), f64::INFINITY);
+            let friction = self.input(table.required("friction"), Parameter::Friction);
             return friction.map(ImpulseRatio::LimitedByFriction);
         }
         let field = table.optional("impulse_ratio");
         match field.value() {
             None => Some(ImpulseRatio::Critical),
-            Some(Value::Table(_)) => self.of_critical(field).map(ImpulseRatio::OfCritical),
-            Some(Value::Number(_)) => self.quantity(field, Kind::PURE).map(ImpulseRatio::Given),
+            Some(Value::Table(entries)) if !is_distribution(entries) => {
+                self.of_critical(field, Parameter::RatioOfCritical).map(ImpulseRatio::OfCritical)
+            }
+            Some(Value::Number(_) | Value::Table(_)) => self.ratio(field),
             Some(Value::String(text)) if text == "critical" => Some(ImpulseRatio::Critical),
+            Some(Value::String(text)) if has_deviation(text) => self.ratio(field),
             Some(_) => {
                 field.report("expected \"critical\", a number, or { of_critical = 0.975 }", None);
                 None
             }
         }
+    }
+
+    fn ratio(&self, field: Field<'_>) -> Option<ImpulseRatio> {
+        self.input(field, Parameter::Input(Input::ImpulseRatio)).map(ImpulseRatio::Given)
     }
 
     fn moment(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<Moment> {
@@ -103,15 +113,24 @@ impl CaseReader {
         let field = table.optional("moment");
         match field.value() {
             None => Some(Moment::None),
-            Some(Value::Table(_)) => self.of_critical(field).map(Moment::OfCritical),
-            Some(_) => self.quantity(field, Kind::MOMENT_IMPULSE).map(Moment::Given),
+            Some(Value::Table(entries)) if !is_distribution(entries) => {
+                self.of_critical(field, Parameter::MomentOfCritical).map(Moment::OfCritical)
+            }
+            Some(_) => self.input(field, Parameter::Input(Input::Moment)).map(Moment::Given),
         }
     }
 
-    fn of_critical(&self, field: Field<'_>) -> Option<f64> {
+    fn of_critical(&self, field: Field<'_>, parameter: Parameter) -> Option<f64> {
         let table = field.table()?;
-        let fraction = self.quantity(table.required("of_critical"), Kind::PURE);
+        // A fraction that the mechanics refuses is refused by its verbs.
+        let fraction = self.input_in(table.required("of_critical"), parameter, Domain::Any);
         table.finish();
         fraction
     }
+}
+
+/// Returns `true` if a table describes the distribution of a number.
+fn is_distribution(entries: &[Entry]) -> bool {
+    let has = |key: &str| entries.iter().any(|entry| entry.key == key);
+    !has("of_critical") && DISTRIBUTION_KEYS.into_iter().any(has)
 }

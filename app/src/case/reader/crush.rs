@@ -1,10 +1,13 @@
 //! The keys of a crush.
 
+use planar_impact::Side;
 use planar_impact::crash3::Surface;
 use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, MeasuringLine, ProfileError};
 
 use super::{CaseReader, one_of};
-use crate::case::crush::{CrushInputs, Places, ProfileInputs, sentence};
+use crate::case::crush::{CrushInputs, CrushKey, FormKey, Places, ProfileInputs, StiffnessInputs, sentence};
+use crate::case::domain::Domain;
+use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
 use crate::notice::Notice;
 use crate::quantity::Kind;
@@ -18,10 +21,10 @@ const NARROW: f64 = 0.01;
 const MOST_ZONES: usize = 32;
 
 impl CaseReader {
-    pub(super) fn crush(&self, field: Field<'_>) -> Option<CrushInputs> {
+    pub(super) fn crush(&self, field: Field<'_>, side: Side) -> Option<CrushInputs> {
         let crush = field.table()?;
-        let profile = self.profile(&crush);
-        let stiffness = self.zones(crush.required("stiffness"));
+        let profile = self.profile_of(&crush, Some(side));
+        let stiffness = self.zones(crush.required("stiffness"), side);
         let surface = match crush.optional("surface").choice(&["front", "right", "rear", "left"]) {
             Some("front") => Some(Surface::Front),
             Some("right") => Some(Surface::Right),
@@ -29,7 +32,7 @@ impl CaseReader {
             Some(_) => Some(Surface::Left),
             None => None,
         };
-        let pdof = crush.has("pdof").then(|| self.quantity(crush.optional("pdof"), Kind::ANGLE));
+        let pdof = crush.has("pdof").then(|| self.input(crush.optional("pdof"), Parameter::Crush(side, CrushKey::Pdof)));
         crush.finish();
         let (profile, Zones { stiffness, borders, saturation }) = (profile?, stiffness?);
         let pdof = match pdof {
@@ -43,15 +46,21 @@ impl CaseReader {
 
     /// Reads the depths, their positions and the measuring line; reports an issue if no crush can have this profile.
     pub(crate) fn profile(&self, crush: &Table<'_>) -> Option<ProfileInputs> {
+        self.profile_of(crush, None)
+    }
+
+    /// Reads the profile of a vehicle of the case, whose numbers may be uncertain, or that of a test.
+    fn profile_of(&self, crush: &Table<'_>, side: Option<Side>) -> Option<ProfileInputs> {
         let places = if crush.has("stations") {
             // Reports an issue if both are given.
             one_of(crush, "width", "stations");
-            self.stations(crush).map(Places::Stations)
+            self.stations(crush, side).map(Places::Stations)
         } else {
-            self.positive(crush.required("width"), Kind::LENGTH).map(Places::Width)
+            self.of_crush(crush.required("width"), side, CrushKey::Width, Domain::Positive).map(Places::Width)
         };
-        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured")));
-        let depths = self.lengths(crush.required("depths"), line.is_none());
+        let line = crush.has("measured").then(|| self.measuring_line(crush.optional("measured"), side));
+        let domain = if line.is_none() { Domain::NotNegative } else { Domain::Any };
+        let depths = self.lengths(crush.required("depths"), side, CrushKey::Depth, domain);
         let line = match line {
             Some(line) => Some(line?),
             None => None,
@@ -117,14 +126,22 @@ impl CaseReader {
         }
     }
 
-    fn lengths(&self, field: Field<'_>, not_negative: bool) -> Option<Vec<f64>> {
-        let items = field.items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX)?;
-        let length = |item| if not_negative { self.not_negative(item, Kind::LENGTH) } else { self.quantity(item, Kind::LENGTH) };
-        items.into_iter().map(length).collect::<Vec<_>>().into_iter().collect()
+    /// Reads a number of a crush, which may be uncertain if it is that of a vehicle of the case.
+    fn of_crush(&self, field: Field<'_>, side: Option<Side>, key: CrushKey, domain: Domain) -> Option<f64> {
+        match side {
+            Some(side) => self.input_in(field, Parameter::Crush(side, key), domain),
+            None => self.certain(field, key.measure().into(), domain),
+        }
     }
 
-    fn stations(&self, crush: &Table<'_>) -> Option<Vec<f64>> {
-        let stations = self.lengths(crush.required("stations"), false)?;
+    fn lengths(&self, field: Field<'_>, side: Option<Side>, key: fn(usize) -> CrushKey, domain: Domain) -> Option<Vec<f64>> {
+        let items = field.items("an array of at least 2 values, each a length, such as \"0.1 m\"", 2..=usize::MAX)?;
+        let length = |(i, item)| self.of_crush(item, side, key(i + 1), domain);
+        items.into_iter().enumerate().map(length).collect::<Vec<_>>().into_iter().collect()
+    }
+
+    fn stations(&self, crush: &Table<'_>, side: Option<Side>) -> Option<Vec<f64>> {
+        let stations = self.lengths(crush.required("stations"), side, CrushKey::Station, Domain::Any)?;
         let items = crush.required("stations").items("", 2..=usize::MAX)?;
         let mut increase = true;
         for (i, item) in items.into_iter().enumerate().skip(1).filter(|(i, _)| stations[*i] <= stations[*i - 1]) {
@@ -134,10 +151,10 @@ impl CaseReader {
         increase.then_some(stations)
     }
 
-    fn measuring_line(&self, field: Field<'_>) -> Option<MeasuringLine> {
+    fn measuring_line(&self, field: Field<'_>, side: Option<Side>) -> Option<MeasuringLine> {
         let table = field.table()?;
-        let offset = table.has("offset").then(|| self.quantity(table.optional("offset"), Kind::LENGTH));
-        let angle = table.has("angle").then(|| self.quantity(table.optional("angle"), Kind::ANGLE));
+        let number = |name, key| table.has(name).then(|| self.of_crush(table.optional(name), side, key, Domain::Any));
+        let (offset, angle) = (number("offset", CrushKey::Offset), number("angle", CrushKey::Angle));
         table.finish();
         if offset.is_none() && angle.is_none() {
             table.issue("missing `offset` or `angle`", None);
@@ -152,11 +169,12 @@ impl CaseReader {
     }
 
     /// Reads one stiffness, or one for each zone.
-    fn zones(&self, field: Field<'_>) -> Option<Zones> {
+    fn zones(&self, field: Field<'_>, side: Side) -> Option<Zones> {
         if !matches!(field.value(), Some(Value::Array(_))) {
             let table = field.table()?;
-            let saturation = table.has("saturation").then(|| self.not_negative(table.optional("saturation"), Kind::LENGTH));
-            let stiffness = self.stiffness(&table);
+            let saturation =
+                table.has("saturation").then(|| self.input(table.optional("saturation"), Parameter::Crush(side, CrushKey::Saturation)));
+            let stiffness = self.stiffness(&table, side, None);
             let saturation = match saturation {
                 Some(depth) => Some(depth?),
                 None => None,
@@ -174,18 +192,20 @@ impl CaseReader {
             return None;
         }
         let last = tables.len() - 1;
+        // One zone is the whole width.
+        let number = |i: usize| (last > 0).then_some(i + 1);
         let mut zones = Zones { stiffness: Vec::new(), borders: Vec::new(), saturation: None };
         let mut whole = true;
         for (i, table) in tables.iter().enumerate() {
             let border = if i < last {
-                self.quantity(table.required("to"), Kind::LENGTH).map(Some)
+                self.input(table.required("to"), Parameter::Crush(side, CrushKey::ZoneEnd(i + 1))).map(Some)
             } else if table.has("to") {
                 table.optional("to").report("the last zone reaches to the end of the crush", Some("leave `to` out".to_owned()));
                 None
             } else {
                 Some(None)
             };
-            let stiffness = self.stiffness(table);
+            let stiffness = self.stiffness(table, side, number(i));
             let (Some(border), Some(stiffness)) = (border, stiffness) else {
                 whole = false;
                 continue;
@@ -202,26 +222,35 @@ impl CaseReader {
         whole.then_some(zones)
     }
 
-    fn stiffness(&self, table: &Table<'_>) -> Option<CrushStiffness> {
+    /// Reads the stiffness of the whole width, or of a zone.
+    fn stiffness(&self, table: &Table<'_>, side: Side, zone: Option<usize>) -> Option<StiffnessInputs> {
         let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
-        let value = |key, kind| self.not_negative(table.required(key), kind);
-        let above = |key, kind| self.positive(table.required(key), kind);
+        let root = |name, whole: CrushKey, of_zone: fn(usize) -> CrushKey| {
+            self.input(table.required(name), Parameter::Crush(side, zone.map_or(whole, of_zone)))
+        };
+        let of_form = |key: FormKey| {
+            let parameter = zone.map_or(CrushKey::Form(key), |zone| CrushKey::ZoneForm(zone, key));
+            self.input(table.required(key.name()), Parameter::Crush(side, parameter))
+        };
         let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
-            let (onset, slope) = (value("d0", Kind::ROOT_FORCE), value("d1", Kind::ROOT_FORCE_PER_LENGTH));
-            onset.zip(slope).map(|(onset, slope)| CrushStiffness { onset, slope })
+            let onset = root("d0", CrushKey::Onset, CrushKey::ZoneOnset);
+            let slope = root("d1", CrushKey::Slope, CrushKey::ZoneSlope);
+            onset.zip(slope).map(|(onset, slope)| StiffnessInputs::Roots(CrushStiffness { onset, slope }))
         } else if has(&["A", "B"]) {
-            let (onset, slope) = (value("A", Kind::STIFFNESS), above("B", Kind::STIFFNESS_PER_WIDTH));
-            onset.zip(slope).map(|(onset, slope)| CrushStiffness::from(ForceLine { onset, slope }))
+            let (onset, slope) = (of_form(FormKey::ForceOnset), of_form(FormKey::ForceSlope));
+            onset.zip(slope).map(|(onset, slope)| StiffnessInputs::Force(ForceLine { onset, slope }))
         } else {
-            let (onset, slope) = (value("b0", Kind::SPEED), value("b1", Kind::SPEED_PER_LENGTH));
-            let (mass, width) = (above("test_mass", Kind::MASS), above("test_width", Kind::LENGTH));
+            let (onset, slope) = (of_form(FormKey::SpeedOnset), of_form(FormKey::SpeedSlope));
+            let (mass, width) = (of_form(FormKey::TestMass), of_form(FormKey::TestWidth));
             let speeds = onset.zip(slope).zip(mass.zip(width));
-            speeds.map(|((onset, slope), (test_mass, test_width))| BarrierSpeedLine { onset, slope, test_mass, test_width }.into())
+            speeds.map(|((onset, slope), (test_mass, test_width))| {
+                StiffnessInputs::Speed(BarrierSpeedLine { onset, slope, test_mass, test_width })
+            })
         };
         table.finish();
         let stiffness = stiffness?;
-        if !Kind::ROOT_FORCE.domain.holds(stiffness.onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(stiffness.slope) {
-            let CrushStiffness { onset, slope } = stiffness;
+        let CrushStiffness { onset, slope } = stiffness.roots();
+        if !Kind::ROOT_FORCE.domain.holds(onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(slope) {
             table.issue(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
             return None;
         }
@@ -231,7 +260,7 @@ impl CaseReader {
 
 /// Contents of the key `stiffness`.
 struct Zones {
-    stiffness: Vec<CrushStiffness>,
+    stiffness: Vec<StiffnessInputs>,
     borders: Vec<f64>,
     saturation: Option<f64>,
 }

@@ -96,7 +96,9 @@ fn settled(piece: &Piece<'_>, vehicles: [&Option<VehicleInputs>; 2]) -> Option<K
         Measurand::CrushEnergyOf(Side::Two) => &[Side::Two],
         _ => &[],
     };
-    let known = |value| Known { of: piece.of, key: piece.place.path().to_owned(), value, uncertainty: piece.measured.spread.of(value) };
+    let is_from_crush = piece.number().is_none();
+    let key = || piece.place.path().to_owned();
+    let known = |value| Known { of: piece.of, key: key(), value, uncertainty: piece.measured.spread.of(value), is_from_crush };
     if let Amount::Number(value) = piece.measured.amount {
         let has_crush = |side: &Side| vehicles[*side as usize].as_ref().is_some_and(|vehicle| vehicle.crush.is_some());
         if of_crush.iter().any(has_crush) {

@@ -9,8 +9,9 @@ use planar_impact::{Input, Side};
 use super::evidence::Piece;
 use super::unknown::Asked;
 use crate::case::inputs::Inputs;
-use crate::case::knowledge::{LeftOut, parameter_of};
+use crate::case::knowledge::{LeftOut, parameter_of, variable_of};
 use crate::case::parameter::Parameter;
+use crate::case::uncertain::Uncertain;
 use crate::case::vehicle::Inertia;
 use crate::document::Table;
 use crate::units::Measure;
@@ -101,12 +102,24 @@ impl<'a> ImpliedValues<'a> {
     }
 
     /// Returns `true` if the evidence and the unknowns are consistent with the inputs; reports the conflicts otherwise.
-    pub(super) fn agree_with(&self, inputs: &Inputs) -> bool {
+    pub(super) fn agree_with(&self, inputs: &Inputs, uncertain: &Uncertain) -> bool {
         let mut agrees = true;
+        let is_uncertain = |variable| uncertain.inputs.iter().any(|input| variable_of(input.parameter) == Some(variable));
+        for asked in self.unknowns.iter().filter(|asked| is_uncertain(asked.requested.of)) {
+            let help = "leave it out here, or give a plain value there".to_owned();
+            asked.place.report("the vehicle or the contact gives it with an uncertainty, with which it is solved for already", Some(help));
+            agrees = false;
+        }
         for piece in self.evidence.iter().filter(|piece| piece.is_exact()) {
-            if let (Measurand::Variable(variable), Some(value)) = (piece.of, piece.number())
-                && self.asked(variable).is_none()
-                && let Some(Ok(given)) = parameter_of(variable).map(|parameter| inputs.value(parameter))
+            let (Measurand::Variable(variable), Some(value)) = (piece.of, piece.number()) else { continue };
+            if self.asked(variable).is_some() {
+                continue;
+            }
+            if is_uncertain(variable) {
+                let help = "leave one of them out, or say how far the evidence may be off".to_owned();
+                piece.place.report("it is exact here, and the vehicle or the contact gives it with an uncertainty", Some(help));
+                agrees = false;
+            } else if let Some(Ok(given)) = parameter_of(variable).map(|parameter| inputs.value(parameter))
                 && differ(variable, given, value)
             {
                 let help = "leave one of them out, or say how far the evidence may be off: it is then solved for".to_owned();
@@ -116,13 +129,12 @@ impl<'a> ImpliedValues<'a> {
         }
         for side in [Side::One, Side::Two] {
             let has_radius = inputs.vehicles[side as usize].as_ref().is_some_and(|vehicle| matches!(vehicle.inertia, Inertia::Radius(_)));
-            let mass = Variable::Input(Input::Mass(side));
             let inertia = Variable::Input(Input::YawInertia(side));
             let doubtful = |variable: &Variable| {
                 let piece = self.piece(*variable).filter(|piece| !piece.is_exact()).map(|piece| &piece.place);
                 self.asked(*variable).map(|asked| &asked.place).or(piece)
             };
-            for place in [mass, inertia].iter().filter_map(doubtful).filter(|_| has_radius) {
+            for place in doubtful(&inertia).into_iter().filter(|_| has_radius) {
                 let help = "give yaw_inertia in place of radius_of_gyration".to_owned();
                 place.report("the vehicle gives a radius of gyration, which ties its yaw inertia to its mass", Some(help));
                 agrees = false;

@@ -1,8 +1,10 @@
-//! A measurement: a value and its uncertainty.
+//! A value and its uncertainty, of evidence and of inputs.
 
+use planar_impact::Distribution;
 use planar_impact::reconstruct::Uncertainty;
 
 use super::CaseReader;
+use crate::case::domain::Domain;
 use crate::document::{Field, Table, Value};
 use crate::quantity::{self, Kind, QuantityError};
 use crate::units::Measure;
@@ -52,13 +54,25 @@ fn above_zero(size: f64, uncertainty: fn(f64) -> Uncertainty) -> Uncertainty {
     if size > 0.0 { uncertainty(size) } else { Uncertainty::Exact }
 }
 
+/// The meaning of a percent sign after a standard deviation.
+#[derive(Clone, Copy, PartialEq)]
+enum Percent {
+    /// A share of the value.
+    Share,
+    /// A hundredth, of a number without a dimension.
+    Hundredth,
+}
+
 impl CaseReader {
     /// Reads a value, a value with ± and its standard deviation, or { value, sd } or { value, resolution }.
     pub(super) fn measured(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
         match field.value() {
             Some(Value::Table(_)) => self.measured_in(&field.table()?, measure),
             Some(Value::String(text)) => match PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)) {
-                Some((value, deviation)) => self.with_deviation(&field, value, deviation, measure),
+                Some((value, deviation)) => {
+                    let percent = if measure == Measure::Energy { Percent::Share } else { Percent::Hundredth };
+                    self.with_deviation(&field, value, deviation, measure.into(), percent)
+                }
                 None => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
             },
             _ => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
@@ -72,10 +86,9 @@ impl CaseReader {
         }
     }
 
-    fn with_deviation(&self, field: &Field<'_>, value: &str, deviation: &str, measure: Measure) -> Option<Measured> {
-        let kind = Kind::from(measure);
-        let share = deviation.trim().ends_with('%') && measure == Measure::Energy;
-        let (amount, size, spread): (_, f64, fn(f64) -> Spread) = if value.trim() == FROM_CRUSH && measure == Measure::Energy {
+    fn with_deviation(&self, field: &Field<'_>, value: &str, deviation: &str, kind: Kind, percent: Percent) -> Option<Measured> {
+        let share = deviation.trim().ends_with('%') && percent == Percent::Share;
+        let (amount, size, spread): (_, f64, fn(f64) -> Spread) = if value.trim() == FROM_CRUSH && kind.name == Kind::ENERGY.name {
             let kind = if share { Kind::PURE } else { kind.difference() };
             let spread = if share { Spread::Relative } else { Spread::StandardDeviation };
             (Amount::FromCrush, accept(field, quantity::parse(deviation, kind))?.si, spread)
@@ -96,15 +109,20 @@ impl CaseReader {
 
     fn measured_in(&self, table: &Table<'_>, measure: Measure) -> Option<Measured> {
         let amount = self.amount(table.required("value"), measure);
+        let spread = self.spread(table, measure.into(), measure == Measure::Energy);
+        table.finish();
+        Some(Measured { amount: amount?, spread: spread? })
+    }
+
+    /// Reads at most one of `sd`, `resolution` and, if `has_share`, `relative`.
+    fn spread(&self, table: &Table<'_>, kind: Kind, has_share: bool) -> Option<Spread> {
         let size = |key, kind: Kind| self.not_negative(table.optional(key), kind);
-        let difference = Kind::from(measure).difference();
-        let has_share = measure == Measure::Energy && table.has("relative");
+        let has_share = has_share && table.has("relative");
         let given = [
-            table.has("sd").then(|| size("sd", difference).map(Spread::StandardDeviation)),
-            table.has("resolution").then(|| size("resolution", difference).map(Spread::Resolution)),
+            table.has("sd").then(|| size("sd", kind.difference()).map(Spread::StandardDeviation)),
+            table.has("resolution").then(|| size("resolution", kind.difference()).map(Spread::Resolution)),
             has_share.then(|| size("relative", Kind::PURE).map(Spread::Relative)),
         ];
-        table.finish();
         let mut spreads = given.into_iter().flatten();
         let spread = spreads.next().unwrap_or(Some(Spread::Exact));
         if spreads.next().is_some() {
@@ -112,8 +130,191 @@ impl CaseReader {
             table.issue("it has more than one of `sd`, `resolution` and `relative`", Some(help.to_owned()));
             return None;
         }
-        Some(Measured { amount: amount?, spread: spread? })
+        spread
     }
+
+    /// Reads an input that may be uncertain: its nominal value, and its distribution if it has one.
+    pub(super) fn distributed(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<(f64, Option<Distribution>)> {
+        let text = match field.value() {
+            Some(Value::Table(_)) => return self.distribution_in(&field.table()?, kind, domain),
+            Some(Value::String(text)) => PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)),
+            _ => None,
+        };
+        let Some((value, deviation)) = text else { return Some((self.certain(field, kind, domain)?, None)) };
+        let is_percent = |text: &str| text.trim().ends_with('%');
+        let is_pure = kind.dimension == Kind::PURE.dimension;
+        if is_pure && is_percent(deviation) && !is_percent(value) {
+            let help = "write the standard deviation as a number, or { value = \u{2026}, relative = \u{2026} } for a share of the value";
+            field.report(
+                "the percent sign after a number without a unit may mean a hundredth or a share of the value",
+                Some(help.to_owned()),
+            );
+            return None;
+        }
+        let percent = if is_pure { Percent::Hundredth } else { Percent::Share };
+        let measured = self.with_deviation(&field, value, deviation, kind, percent)?;
+        let Measured { amount: Amount::Number(value), spread } = measured else { return None };
+        let value = self.within(&field, value, kind, domain)?;
+        Some((value, self.distribution_of(&field, value, spread, kind, domain)?))
+    }
+
+    /// Returns the distribution of a value with a spread; `Some(None)` if it is exact.
+    fn distribution_of(&self, place: &Field<'_>, value: f64, spread: Spread, kind: Kind, domain: Domain) -> Option<Option<Distribution>> {
+        let normal = |sd: f64| (sd > 0.0).then_some(Distribution::Normal { mean: value, sd });
+        Some(match spread {
+            Spread::Exact => None,
+            Spread::StandardDeviation(sd) => normal(sd),
+            Spread::Relative(share) if share > 0.0 && value == 0.0 => {
+                place.report("the value is 0, and so is any share of it", Some("give `sd`".to_owned()));
+                return None;
+            }
+            Spread::Relative(share) => normal(share * value.abs()),
+            Spread::Resolution(step) if step > 0.0 => {
+                let distribution = Distribution::of_resolution(value, step);
+                let (min, max) = distribution.support();
+                if let Some(wanted) = [min, max].into_iter().find_map(|end| domain.wanted(end)) {
+                    let unit = kind.si;
+                    let message = format!("half a step from the value it is from {min} {unit} to {max} {unit}; it must be {wanted}");
+                    place.report(message, Some("give its limits instead: { min, max }".to_owned()));
+                    return None;
+                }
+                Some(distribution)
+            }
+            Spread::Resolution(_) => None,
+        })
+    }
+
+    fn distribution_in(&self, table: &Table<'_>, kind: Kind, domain: Domain) -> Option<(f64, Option<Distribution>)> {
+        let given: Vec<&'static str> = DISTRIBUTION_KEYS.into_iter().filter(|key| table.has(key)).collect();
+        let has = |key: &str| given.contains(&key);
+        let number = |key| self.certain(table.required(key), kind, domain);
+        // The key that decides what the others mean.
+        let by = ["median", "factor", "value", "mode", "min", "max"].into_iter().find(|key| has(key)).unwrap_or("value");
+        let allowed: &[&str] = match by {
+            "median" | "factor" => &["median", "factor"],
+            "value" => &["value", "sd", "resolution", "relative", "min", "max"],
+            _ => &["min", "mode", "max"],
+        };
+        let mut sound = true;
+        for key in given.iter().filter(|key| !allowed.contains(key)) {
+            let help = format!("with `{by}` go {}", listed(allowed.iter().filter(|key| **key != by)));
+            table.optional(key).report(format!("`{key}` and `{by}` exclude each other"), Some(help));
+            sound = false;
+        }
+        let read = match by {
+            "median" | "factor" => {
+                let median = self.certain(table.required("median"), kind, domain);
+                let factor = self.quantity(table.required("factor"), Kind::PURE);
+                median.zip(factor).and_then(|(median, factor)| log_normal(table, kind, median, factor))
+            }
+            "value" => {
+                let value = number("value");
+                let spread = self.spread(table, kind, true);
+                let limits = (has("min") || has("max")).then(|| [number("min"), number("max")]);
+                match limits {
+                    None if given == ["value"] => {
+                        table.issue("missing `sd`, `relative` or `resolution`", Some("a certain number needs no table".to_owned()));
+                        None
+                    }
+                    None => {
+                        let (value, spread) = (value?, spread?);
+                        let key = if has("resolution") { "resolution" } else { "relative" };
+                        let place = if has(key) { table.optional(key) } else { table.optional("value") };
+                        let distribution = self.distribution_of(&place, value, spread, kind, domain);
+                        distribution.map(|distribution| (value, distribution))
+                    }
+                    Some([min, max]) => {
+                        if has("resolution") {
+                            table.optional("resolution").report("a resolution has limits of its own: half a step from the value", None);
+                            sound = false;
+                        } else if !has("sd") && !has("relative") {
+                            table.required("sd").quantity(kind.difference());
+                        }
+                        let (value, spread, min, max) = (value?, spread?, min?, max?);
+                        let sd = match spread {
+                            Spread::StandardDeviation(sd) => Some(sd),
+                            Spread::Relative(share) => Some(share * value.abs()),
+                            _ => None,
+                        };
+                        let is_ordered = is_between(table, kind, min, max, Some(("value", value)));
+                        if let Some(sd) = sd.filter(|sd| *sd <= 0.0) {
+                            let key = if has("sd") { "sd" } else { "relative" };
+                            let message = format!("the standard deviation is {sd}; between limits it must be above zero");
+                            table.optional(key).report(message, None);
+                            sound = false;
+                        }
+                        let scale = sd.filter(|_| is_ordered);
+                        scale.map(|scale| (value, Some(Distribution::TruncatedNormal { mode: value, scale, min, max })))
+                    }
+                }
+            }
+            _ => {
+                let (min, max) = (number("min"), number("max"));
+                let mode = has("mode").then(|| number("mode"));
+                let (min, max) = (min?, max?);
+                let mode = match mode {
+                    Some(mode) => Some(mode?),
+                    None => None,
+                };
+                let distribution = match mode {
+                    Some(mode) => Distribution::Triangular { min, mode, max },
+                    None => Distribution::Uniform { min, max },
+                };
+                let is_ordered = is_between(table, kind, min, max, mode.map(|mode| ("mode", mode)));
+                is_ordered.then(|| (distribution.nominal(), Some(distribution)))
+            }
+        };
+        table.finish();
+        read.filter(|_| sound)
+    }
+}
+
+/// Every key of a table that describes the distribution of an input.
+pub(super) const DISTRIBUTION_KEYS: [&str; 9] = ["value", "sd", "resolution", "relative", "min", "mode", "max", "median", "factor"];
+
+/// Lists keys as in `` `a`, `b` and `c` ``.
+fn listed<'a>(keys: impl Iterator<Item = &'a &'a str>) -> String {
+    let keys: Vec<String> = keys.map(|key| format!("`{key}`")).collect();
+    match keys.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
+fn log_normal(table: &Table<'_>, kind: Kind, median: f64, factor: f64) -> Option<(f64, Option<Distribution>)> {
+    let mut sound = true;
+    if median <= 0.0 {
+        table.optional("median").report(format!("it is {median} {}; it must be above zero", kind.si), None);
+        sound = false;
+    }
+    if factor <= 1.0 {
+        let help = "the natural logarithm of the factor is the standard deviation of that of the number";
+        table.optional("factor").report(format!("it is {factor}; it must be above 1"), Some(help.to_owned()));
+        sound = false;
+    }
+    sound.then(|| (median, Some(Distribution::of_factor(median, factor))))
+}
+
+/// Returns `true` if the limits are in order and a named value lies between them; reports the issue otherwise.
+fn is_between(table: &Table<'_>, kind: Kind, min: f64, max: f64, value: Option<(&'static str, f64)>) -> bool {
+    let unit = kind.si;
+    if min >= max {
+        table.optional("max").report(format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), None);
+        return false;
+    }
+    match value.filter(|(_, value)| !(min..=max).contains(value)) {
+        Some((key, value)) => {
+            table.optional(key).report(format!("it is {value} {unit}; it must be from `min`, {min} {unit}, to `max`, {max} {unit}"), None);
+            false
+        }
+        None => true,
+    }
+}
+
+/// Returns `true` if a text has a standard deviation after its value.
+pub(super) fn has_deviation(text: &str) -> bool {
+    PLUS_MINUS.iter().any(|sign| text.contains(sign))
 }
 
 fn accept<T>(field: &Field<'_>, read: Result<T, QuantityError>) -> Option<T> {

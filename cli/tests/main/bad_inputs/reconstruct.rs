@@ -108,10 +108,10 @@ pub(super) const UNREADABLE: &[Bad] = &[
     question("an unknown of no name", &[("vehicle.1.speed", "vehicle.1.sped = {}\nvehicle.1.speed")], 26, &["unknown.vehicle.1.sped"]),
     question("an unknown depth", &[("vehicle.1.speed", "vehicle.1.crush.depths.1")], 26, &["cannot be solved for"]),
     question(
-        "an unknown mass under a radius of gyration",
-        &[("yaw_inertia = \"1945 kg m^2\"", "radius_of_gyration = 1.3"), (FIRST, "12\nvehicle.1.mass = { start = 1200 }")],
+        "an unknown yaw inertia beside a radius of gyration",
+        &[("yaw_inertia = \"1945 kg m^2\"", "radius_of_gyration = 1.3"), (FIRST, "12\nvehicle.1.yaw_inertia = { start = 2000 }")],
         27,
-        &["unknown.vehicle.1.mass", "radius of gyration", "yaw_inertia"],
+        &["unknown.vehicle.1.yaw_inertia", "radius of gyration", "yaw_inertia"],
     ),
     question(
         "a start in kg",
@@ -267,6 +267,12 @@ fn the_question_is_sound() {
         question("a prior of nothing", &[("min = \"0 m/s\"", "sd = 0")], 0, &[]),
         question("one unit for both", &[("40 kJ ± 2 kJ", "40 +/- 2 kJ")], 0, &[]),
         question("in per cent", &[("40 kJ ± 2 kJ", "40 kJ +- 5 %")], 0, &[]),
+        question(
+            "an unknown mass under a radius of gyration",
+            &[("yaw_inertia = \"1945 kg m^2\"", "radius_of_gyration = 1.3"), (FIRST, "12\nvehicle.1.mass = { start = 1200, sd = 50 }")],
+            0,
+            &[],
+        ),
     ];
     let accepted = accepted.map(|accepted| accepted.ends(0));
     check_with(&accepted, &["reconstruct"]);

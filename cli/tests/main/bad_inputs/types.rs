@@ -13,7 +13,7 @@ pub const BAD: &[Bad] = &[
     wrong("name a number", &[("\"sedan\"", "5")], 5, &["vehicle.1.name: expected a string"]),
     wrong("mass a boolean", &[("\"2564 lb\"", "true")], 6, &["vehicle.1.mass", "found a boolean"]),
     wrong("mass an array", &[("\"2564 lb\"", "[1]")], 6, &["vehicle.1.mass", "found an array"]),
-    wrong("mass a table", &[("\"2564 lb\"", "{ value = 1 }")], 6, &["vehicle.1.mass", "found a table"]),
+    wrong("mass a table", &[("\"2564 lb\"", "{ value = 1 }")], 6, &["vehicle.1.mass", "missing `sd`, `relative` or `resolution`"]),
     wrong("mass a date", &[("\"2564 lb\"", "2020-01-01")], 6, &["vehicle.1.mass", "found a date"]),
     wrong("mass null", &[("\"2564 lb\"", "null")], 5, &["vehicle.1.mass", "found null"]).of(JSON),
     wrong("heading a word", &[("180 deg", "west")], 8, &["vehicle.1.heading", "does not begin with a number"]),

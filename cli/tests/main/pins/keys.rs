@@ -21,7 +21,7 @@ const CASES: [&str; 9] = [
     "stiff-corner",
     "to-rest",
 ];
-const RECONSTRUCTIONS: [&str; 5] = ["crabbed-1", "crabbed-2", "crabbed-3", "position-a", "two-cars"];
+const RECONSTRUCTIONS: [&str; 6] = ["crabbed-1", "crabbed-2", "crabbed-3", "position-a", "two-cars", "uncertain-masses"];
 const RECORDS: [&str; 5] = ["collision.json", "engine.jsonl", "paper-table-2.csv", "paper-table-b1.csv", "template.csv"];
 
 fn has_crush(case: &Value) -> bool {

@@ -282,5 +282,5 @@ fn messages_are_the_notes_with_their_figures() {
             }
         }
     }
-    assert_eq!(figures, 5);
+    assert_eq!(figures, 7);
 }

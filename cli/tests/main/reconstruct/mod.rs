@@ -4,6 +4,7 @@ mod forms;
 mod report;
 mod returns;
 mod table_b2;
+mod uncertain;
 mod verdicts;
 
 use serde_json::Value;

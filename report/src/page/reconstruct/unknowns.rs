@@ -8,9 +8,12 @@ use crate::block::{Block, Table};
 
 /// Renders values, standard deviations and 95 % intervals, with the footnotes that they need.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
-    let rows: Vec<Vec<String>> = answer.unknown.iter().flat_map(|(name, unknown)| rows(name, unknown, units)).collect();
-    let table = Table::new(["unknown", "value", "+/- sd", "95 % from", "to", "unit"], "lrrrrl", rows).narrow();
-    let mut blocks = vec![table.into()];
+    let table = |kind: &str, is_input: bool| {
+        let all = answer.unknown.iter().filter(|(_, unknown)| unknown.is_input == is_input);
+        let rows: Vec<Vec<String>> = all.flat_map(|(name, unknown)| rows(name, unknown, units)).collect();
+        (!rows.is_empty()).then(|| Table::new([kind, "value", "+/- sd", "95 % from", "to", "unit"], "lrrrrl", rows).narrow().into())
+    };
+    let mut blocks: Vec<Block> = table("unknown", false).into_iter().chain(table("uncertain input", true)).collect();
     for (name, unknown) in answer.unknown.iter() {
         blocks.extend(unknown.at_bound.map(|bound| Block::item("* ", at_bound(answer, name, unknown, bound))));
     }

@@ -1,0 +1,155 @@
+//! Uncertainty of crush energies from that of the crush, to first order.
+
+use planar_impact::Side;
+use planar_impact::num_dual::Dual64;
+use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty};
+
+use crate::case::{Case, CrushKey, Known, Parameter, Uncertain};
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+
+/// Crush energies of the evidence with the uncertainty of the crush that they are taken from.
+#[derive(Default)]
+pub struct FromCrush {
+    /// Correlations of crush energies that depend on the same or on correlated numbers.
+    pub correlations: Vec<Correlation>,
+    /// The uncertain numbers of the crush that the evidence does not depend on.
+    pub unused: Vec<Parameter>,
+    /// Explanations.
+    pub notices: Vec<Notice>,
+}
+
+impl FromCrush {
+    /// Adds the uncertainty of the crush to the evidence of a case that is taken from it.
+    pub fn of(case: &mut Case) -> Self {
+        let mut found = FromCrush::default();
+        let crush: Vec<Parameter> = case
+            .uncertain
+            .inputs
+            .iter()
+            .map(|input| input.parameter)
+            .filter(|parameter| matches!(parameter, Parameter::Crush(..)))
+            .collect();
+        let slopes: Vec<Option<Vec<f64>>> = case.knowledge.evidence.iter().map(|known| slopes(case, known, &crush)).collect();
+        let is_used = |i: usize| slopes.iter().flatten().any(|slopes| slopes[i] != 0.0);
+        found.unused = (0..crush.len()).filter(|&i| !is_used(i)).map(|i| crush[i]).collect();
+        let uncertain = &case.uncertain;
+        let covariance = |one: &[f64], other: &[f64]| covariance(uncertain, &crush, one, other);
+        let mut deviations = vec![0.0; slopes.len()];
+        for (i, known) in case.knowledge.evidence.iter_mut().enumerate() {
+            let Some(slopes) = &slopes[i] else { continue };
+            let of_crush = covariance(slopes, slopes).sqrt();
+            if of_crush == 0.0 {
+                continue;
+            }
+            let own = known.uncertainty.standard_deviation().unwrap_or(0.0);
+            deviations[i] = own.hypot(of_crush);
+            known.uncertainty = Uncertainty::StandardDeviation(deviations[i]);
+            let mut message = Message::from(format!("{}: the uncertain crush gives it a standard deviation of ", known.of.name()))
+                .figure(Measure::Energy, of_crush);
+            if own > 0.0 {
+                message = message.text(", and with its own it is ").figure(Measure::Energy, deviations[i]);
+            }
+            found.notices.push(Notice::note("uncertainty-from-crush", known.key.clone(), message));
+        }
+        for (i, one) in case.knowledge.evidence.iter().enumerate() {
+            for (k, other) in case.knowledge.evidence.iter().enumerate().skip(i + 1) {
+                let (Some(of_one), Some(of_other)) = (&slopes[i], &slopes[k]) else { continue };
+                let shared = covariance(of_one, of_other);
+                if shared != 0.0 {
+                    let coefficient = shared / (deviations[i] * deviations[k]);
+                    found.correlations.push(Correlation { one: one.of, other: other.of, coefficient });
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Returns the derivatives of a crush energy by uncertain numbers, or `None` if the evidence is not taken from the crush.
+fn slopes(case: &Case, known: &Known, crush: &[Parameter]) -> Option<Vec<f64>> {
+    if !known.is_from_crush || crush.is_empty() {
+        return None;
+    }
+    let is_in = |side: Side| match known.of {
+        Measurand::CrushEnergyOf(of) => of == side,
+        _ => true,
+    };
+    let slope = |parameter: &Parameter| match *parameter {
+        Parameter::Crush(side, key) if is_in(side) => slope(case, side, key),
+        _ => 0.0,
+    };
+    Some(crush.iter().map(slope).collect())
+}
+
+fn slope(case: &Case, side: Side, of: CrushKey) -> f64 {
+    let crush = case.inputs.vehicles[side as usize].as_ref().and_then(|vehicle| vehicle.crush.as_ref());
+    let by = |key| if key == of { Dual64::new(0.0, 1.0) } else { Dual64::from(0.0) };
+    crush.map_or(0.0, |crush| crush.on_scalar(by).energy().eps)
+}
+
+/// Returns the covariance of two numbers with the given derivatives by uncertain parameters.
+fn covariance(uncertain: &Uncertain, parameters: &[Parameter], one: &[f64], other: &[f64]) -> f64 {
+    let sd = |parameter: Parameter| uncertain.of(parameter).map_or(0.0, |input| input.distribution.sd());
+    let mut sum = 0.0;
+    for (a, i) in parameters.iter().zip(one) {
+        for (b, k) in parameters.iter().zip(other) {
+            sum += i * k * sd(*a) * sd(*b) * uncertain.correlation(*a, *b);
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Source;
+
+    /// Two vehicles of constant depths, whose crush energy is w (d0 + d1 C)²/2.
+    fn case(correlation: &str, evidence: &str) -> Case {
+        let vehicle = |heading: &str, slope: &str| {
+            format!(
+                "[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = {heading}\nspeed = 10\nimpact_center = [2, 0]\n\
+                 [vehicle.crush]\nwidth = \"1.5 m ± 0.1 m\"\ndepths = [0.2, 0.2]\nstiffness = {{ d0 = 90, d1 = {slope} }}\n"
+            )
+        };
+        let [one, two] = [vehicle("0", "\"700 N^0.5/m ± 35 N^0.5/m\""), vehicle("3.1", "{ min = 600, max = 900 }")];
+        let text = format!(
+            "schema = 1\ncorrelation = [{correlation}]\n{one}{two}[contact]\ncrush_plane = 0\nrestitution = 0\n[evidence]\n{evidence}"
+        );
+        Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case")
+    }
+
+    fn close(got: f64, want: f64) {
+        assert!((got - want).abs() < 1e-12 * want.abs(), "{got} {want}");
+    }
+
+    #[test]
+    fn crush_energies_with_a_common_cause_are_correlated() {
+        let evidence = "vehicle.1.crush_energy = \"from crush\"\nvehicle.2.crush_energy = \"from crush ± 3 kJ\"";
+        let mut case = case("[\"vehicle.1.crush.d1\", \"vehicle.2.crush.d1\", 0.5]", evidence);
+        let found = FromCrush::of(&mut case);
+        // dE/dw = (d0 + d1 C)²/2 and dE/dd1 = w (d0 + d1 C) C, with d1 of 700 and 750; a uniform number has its width over √12.
+        let energies = [700.0, 750.0].map(|slope| 90.0 + slope * 0.2);
+        let by_width = energies.map(|root: f64| 0.1 * root * root / 2.0);
+        let by_slope = [energies[0] * 1.5 * 0.2 * 35.0, energies[1] * 1.5 * 0.2 * 300.0 / 12_f64.sqrt()];
+        let sd = [by_width[0].hypot(by_slope[0]), by_width[1].hypot(by_slope[1]).hypot(3e3)];
+        for (known, sd) in case.knowledge.evidence.iter().zip(sd) {
+            close(known.uncertainty.standard_deviation().expect("it is uncertain"), sd);
+        }
+        let [Correlation { one, other, coefficient }] = found.correlations[..] else { panic!("{:?}", found.correlations) };
+        assert_eq!((one, other), (Measurand::CrushEnergyOf(Side::One), Measurand::CrushEnergyOf(Side::Two)));
+        close(coefficient, 0.5 * by_slope[0] * by_slope[1] / (sd[0] * sd[1]));
+        assert_eq!((found.unused, found.notices.len()), (vec![], 2));
+    }
+
+    #[test]
+    fn numbers_that_no_evidence_takes_from_the_crush_are_named() {
+        let mut case = case("", "vehicle.2.crush_energy = \"from crush\"");
+        let found = FromCrush::of(&mut case);
+        let unused: Vec<String> = found.unused.iter().map(ToString::to_string).collect();
+        assert_eq!(unused, ["vehicle.1.crush.width", "vehicle.1.crush.d1"]);
+        assert!(found.correlations.is_empty());
+    }
+}

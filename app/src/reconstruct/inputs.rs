@@ -1,0 +1,154 @@
+//! Converts uncertain inputs of a case into unknowns with what is known of them beforehand.
+
+use planar_impact::Distribution;
+use planar_impact::reconstruct::{PriorCorrelation, Unknown, Variable};
+
+use crate::case::{Case, Domain, Parameter, UncertainInput, variable_of};
+use crate::notice::Notice;
+
+/// Uncertain inputs as unknowns.
+#[derive(Default)]
+pub struct InputUnknowns {
+    /// The unknowns, each with its path in the file, in file order.
+    pub unknowns: Vec<(Unknown, String)>,
+    /// Correlations of their priors.
+    pub correlations: Vec<PriorCorrelation>,
+    /// Approximations.
+    pub notices: Vec<Notice>,
+}
+
+impl InputUnknowns {
+    /// Converts the uncertain inputs of a case, except the numbers of its crush.
+    pub fn of(case: &Case) -> Self {
+        let mut found = InputUnknowns::default();
+        for input in &case.uncertain.inputs {
+            let Some(variable) = variable_of(input.parameter) else { continue };
+            let unknown = unknown(variable, input);
+            if let Some(shape) = approximated(&input.distribution) {
+                let name = input.parameter;
+                let message =
+                    format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
+                found.notices.push(Notice::note("shape-approximated", input.key.clone(), message));
+            }
+            found.unknowns.push((unknown, input.key.clone()));
+        }
+        for pair in &case.uncertain.correlations {
+            let prior = |parameter: Parameter| {
+                let variable = variable_of(parameter)?;
+                let unknown = found.unknowns.iter().find(|(unknown, _)| unknown.of == variable)?.0;
+                unknown.prior.map(|_| variable)
+            };
+            match (prior(pair.one), prior(pair.other)) {
+                (Some(one), Some(other)) => found.correlations.push(PriorCorrelation { one, other, coefficient: pair.coefficient }),
+                // The crush energies have the correlations of two numbers of the crush.
+                _ if variable_of(pair.one).is_none() && variable_of(pair.other).is_none() => (),
+                _ => {
+                    let (one, other) = (pair.one, pair.other);
+                    let reason = match (variable_of(one), variable_of(other)) {
+                        (Some(_), Some(_)) => "one of them has limits alone",
+                        _ => "one of them is a number of the crush, and the other is not",
+                    };
+                    let message = format!("the correlation of {one} and {other} is not used: {reason}");
+                    found.notices.push(Notice::warning("correlation-not-used", pair.key.clone(), message));
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Returns an unknown that starts at its nominal value, or at its mean where a normal prior replaces another shape.
+fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
+    let free = Unknown { of, start: input.nominal, min: None, max: None, prior: None };
+    match input.distribution {
+        Distribution::Normal { sd, .. } => Unknown { prior: Some(sd), ..free },
+        Distribution::TruncatedNormal { scale, min, max, .. } => Unknown { min: Some(min), max: Some(max), prior: Some(scale), ..free },
+        Distribution::Uniform { min, max } => Unknown { min: Some(min), max: Some(max), ..free },
+        other => {
+            let (min, max) = other.support();
+            // A limit at zero is that of the mechanics already, unless any number is possible.
+            let is_own = |end: &f64| end.is_finite() && (*end != 0.0 || input.parameter.domain() == Domain::Any);
+            let [min, max] = [min, max].map(|end| Some(end).filter(is_own));
+            Unknown { start: other.mean(), prior: Some(other.sd()), min, max, ..free }
+        }
+    }
+}
+
+/// Returns the name of a shape that a normal prior replaces.
+fn approximated(distribution: &Distribution) -> Option<&'static str> {
+    match distribution {
+        Distribution::Normal { .. } | Distribution::TruncatedNormal { .. } | Distribution::Uniform { .. } => None,
+        Distribution::Triangular { .. } => Some("triangular"),
+        Distribution::LogNormal { .. } => Some("log-normal"),
+        _ => Some("of another shape"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Source;
+    use planar_impact::{Input, Side};
+
+    fn of(top: &str, mass: &str, speed: &str, restitution: &str) -> InputUnknowns {
+        let vehicle = |mass: &str, speed: &str| {
+            format!("[[vehicle]]\nmass = {mass}\nyaw_inertia = 1500\nheading = 0\nspeed = {speed}\nimpact_center = [2, 0]\n")
+        };
+        let contact = format!("[contact]\ncrush_plane = 0\nrestitution = {restitution}\n");
+        let text = format!("schema = 1\n{top}\n{}{}{contact}", vehicle(mass, speed), vehicle("1000", "5"));
+        InputUnknowns::of(&Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case"))
+    }
+
+    const MASS: Variable = Variable::Input(Input::Mass(Side::One));
+    const E: Variable = Variable::Input(Input::Restitution);
+
+    fn codes(found: &InputUnknowns) -> Vec<&str> {
+        found.notices.iter().map(|notice| notice.code).collect()
+    }
+
+    #[test]
+    fn normal_numbers_have_priors_and_uniform_ones_have_bounds() {
+        let found = of("", "\"1600 kg ± 50 kg\"", "{ min = 8, max = 12 }", "{ value = 0.1, sd = 0.05, min = 0, max = 0.3 }");
+        let wanted = [
+            Unknown { of: MASS, start: 1600.0, min: None, max: None, prior: Some(50.0) },
+            Unknown { of: Variable::Speed(Side::One), start: 10.0, min: Some(8.0), max: Some(12.0), prior: None },
+            Unknown { of: E, start: 0.1, min: Some(0.0), max: Some(0.3), prior: Some(0.05) },
+        ];
+        assert_eq!(found.unknowns.iter().map(|(unknown, _)| *unknown).collect::<Vec<_>>(), wanted);
+        assert_eq!(found.unknowns[2].1, "contact.restitution");
+        assert!(found.notices.is_empty());
+    }
+
+    #[test]
+    fn other_shapes_keep_their_mean_standard_deviation_and_limits() {
+        let found = of("", "{ median = 1600, factor = 1.1 }", "{ median = 10, factor = 1.2 }", "{ min = 0, mode = 0.1, max = 0.3 }");
+        let [mass, speed, e] = [0, 1, 2].map(|i| found.unknowns[i].0);
+        // m exp(s²/2) and its product with √(exp(s²) − 1), for s = ln f.
+        let log_normal = |median: f64, factor: f64| {
+            let variance = factor.ln() * factor.ln();
+            let mean = median * (0.5 * variance).exp();
+            (mean, mean * (variance.exp() - 1.0).sqrt())
+        };
+        for (unknown, (mean, sd)) in
+            [(mass, log_normal(1600.0, 1.1)), (speed, log_normal(10.0, 1.2)), (e, (0.4 / 3.0, ((0.01 + 0.02 + 0.04) / 18.0_f64).sqrt()))]
+        {
+            assert!(
+                (unknown.start / mean - 1.0).abs() < 1e-12 && (unknown.prior.expect("a prior") / sd - 1.0).abs() < 1e-12,
+                "{unknown:?}"
+            );
+        }
+        // A mass is above zero anyway; a speed may be negative, unless its logarithm is normal.
+        assert_eq!([(mass.min, mass.max), (speed.min, speed.max)], [(None, None), (Some(0.0), None)]);
+        assert_eq!(codes(&found), ["shape-approximated"; 3]);
+    }
+
+    #[test]
+    fn correlations_are_those_of_priors() {
+        let [mass, e] = ["\"1600 kg ± 50 kg\"", "\"0.1 ± 0.05\""];
+        let found = of("correlation = [[\"e\", \"m1\", -0.5]]", mass, "10", e);
+        assert_eq!(found.correlations, [PriorCorrelation { one: E, other: MASS, coefficient: -0.5 }]);
+        assert!(found.notices.is_empty());
+        let found = of("correlation = [[\"e\", \"m1\", -0.5]]", mass, "10", "{ min = 0, max = 0.3 }");
+        assert_eq!((found.correlations.len(), codes(&found)), (0, vec!["correlation-not-used"]));
+    }
+}

@@ -1,0 +1,295 @@
+//! Uncertain inputs and correlations that must be refused, and forms that must be accepted.
+
+use super::{Bad, CRUSHED, RESTED, WALL, check, check_with, wrong};
+
+/// Two vehicles whose masses are uncertain, with room for correlations in line 3.
+const LOADED: &str = r#"schema = 1
+title = "two masses"
+correlation = []
+
+[[vehicle]]
+mass = "2564 lb ± 50 lb"
+yaw_inertia = "1434.9 lbf s^2 ft"
+heading = "180 deg"
+speed = "40 ft/s"
+impact_center = ["6.3499 ft", "0 ft"]
+
+[[vehicle]]
+mass = "6345 lb ± 2 %"
+yaw_inertia = { value = "5192.4 lbf s^2 ft", relative = 0.05 }
+heading = "90 deg"
+speed = "41 ft/s"
+impact_center = ["7.96804 ft", "-3.2356 ft"]
+
+[contact]
+crush_plane = "0 deg"
+restitution = 0.1
+"#;
+
+const MASS: &str = "mass = \"2564 lb\"";
+const E: &str = "restitution = 0.1";
+
+const fn loaded(name: &'static str, correlation: &'static [(&'static str, &'static str)], says: &'static [&'static str]) -> Bad {
+    wrong(name, correlation, 3, says).of(LOADED)
+}
+
+const fn mass(name: &'static str, edit: &'static [(&'static str, &'static str)], says: &'static [&'static str]) -> Bad {
+    wrong(name, edit, 6, says)
+}
+
+const fn restitution(name: &'static str, edit: &'static [(&'static str, &'static str)], says: &'static [&'static str]) -> Bad {
+    wrong(name, edit, 23, says)
+}
+
+pub(super) const BAD: &[Bad] = &[
+    mass("an input with a deviation in m", &[(MASS, "mass = \"2564 lb ± 5 m\"")], &["vehicle.1.mass", "`5 m` is a length; a mass"]),
+    mass("an input with a negative deviation", &[(MASS, "mass = \"2564 lb ± -5 lb\"")], &["the standard deviation is below zero"]),
+    mass("an input with a negative share", &[(MASS, "mass = \"2564 lb ± -5 %\"")], &["the standard deviation is below zero"]),
+    mass("two deviations in a string", &[(MASS, "mass = \"2564 lb ± 5 lb ± 3 lb\"")], &["vehicle.1.mass", "± 3 lb"]),
+    mass("an uncertain mass of zero", &[(MASS, "mass = \"0 lb ± 5 lb\"")], &["must be above zero"]),
+    mass("an uncertain mass without a unit", &[(MASS, "mass = \"2564 ± 50\"")], &["has no unit"]),
+    mass(
+        "an input with an sd in m",
+        &[(MASS, "mass = { value = \"2564 lb\", sd = \"5 m\" }")],
+        &["vehicle.1.mass.sd", "a mass is expected"],
+    ),
+    mass("an input with a negative sd", &[(MASS, "mass = { value = \"2564 lb\", sd = \"-5 lb\" }")], &["vehicle.1.mass.sd", "below zero"]),
+    mass(
+        "an input with a negative relative",
+        &[(MASS, "mass = { value = \"2564 lb\", relative = -0.1 }")],
+        &["vehicle.1.mass.relative", "below zero"],
+    ),
+    mass(
+        "an input with sd and relative",
+        &[(MASS, "mass = { value = \"2564 lb\", sd = \"5 lb\", relative = 0.1 }")],
+        &["more than one of `sd`, `resolution` and `relative`"],
+    ),
+    mass(
+        "an input with resolution and limits",
+        &[(MASS, "mass = { value = 1000, resolution = 1, min = 900, max = 1100 }")],
+        &["vehicle.1.mass.resolution", "half a step from the value"],
+    ),
+    mass("an input with min alone", &[(MASS, "mass = { min = \"2500 lb\" }")], &["vehicle.1.mass.max: missing"]),
+    mass("an input with max alone", &[(MASS, "mass = { max = \"2500 lb\" }")], &["vehicle.1.mass.min: missing"]),
+    mass("an input with a mode alone", &[(MASS, "mass = { mode = \"2500 lb\" }")], &["mass.min: missing", "mass.max: missing"]),
+    mass("an input with a median alone", &[(MASS, "mass = { median = \"2500 lb\" }")], &["vehicle.1.mass.factor: missing"]),
+    mass("an input with a factor alone", &[(MASS, "mass = { factor = 1.1 }")], &["vehicle.1.mass.median: missing"]),
+    mass("an input with an sd alone", &[(MASS, "mass = { sd = \"50 lb\" }")], &["vehicle.1.mass.value: missing"]),
+    mass("an input of an empty table", &[(MASS, "mass = {}")], &["vehicle.1.mass.value: missing"]),
+    mass("limits of a normal without its sd", &[(MASS, "mass = { value = 1000, min = 900, max = 1100 }")], &["vehicle.1.mass.sd: missing"]),
+    mass("one limit of a normal", &[(MASS, "mass = { value = 1000, sd = 50, min = 900 }")], &["vehicle.1.mass.max: missing"]),
+    mass(
+        "limits of an exact value",
+        &[(MASS, "mass = { value = 1000, sd = 0, min = 900, max = 1100 }")],
+        &["vehicle.1.mass.sd", "above zero"],
+    ),
+    mass("an input with min above max", &[(MASS, "mass = { min = 1100, max = 900 }")], &["mass.max", "above `min`, 1100 kg"]),
+    mass("an input with min at max", &[(MASS, "mass = { min = 900, max = 900 }")], &["mass.max", "above `min`, 900 kg"]),
+    mass(
+        "a mode outside",
+        &[(MASS, "mass = { min = 900, mode = 1200, max = 1100 }")],
+        &["vehicle.1.mass.mode", "it is 1200 kg; it must be from `min`, 900 kg, to `max`, 1100 kg"],
+    ),
+    mass(
+        "a value outside its limits",
+        &[(MASS, "mass = { value = 800, sd = 50, min = 900, max = 1100 }")],
+        &["vehicle.1.mass.value", "it must be from `min`"],
+    ),
+    mass("a factor of one", &[(MASS, "mass = { median = 1000, factor = 1 }")], &["vehicle.1.mass.factor", "it must be above 1"]),
+    mass("a factor below one", &[(MASS, "mass = { median = 1000, factor = 0.9 }")], &["vehicle.1.mass.factor", "it must be above 1"]),
+    mass("a median of zero", &[(MASS, "mass = { median = 0, factor = 1.1 }")], &["vehicle.1.mass.median", "above zero"]),
+    mass(
+        "a median and a value",
+        &[(MASS, "mass = { median = 1000, factor = 1.1, value = 1000 }")],
+        &["vehicle.1.mass.value", "`value` and `median` exclude each other"],
+    ),
+    mass(
+        "a median and an sd",
+        &[(MASS, "mass = { median = 1000, sd = 10 }")],
+        &["`sd` and `median` exclude each other", "mass.factor: missing"],
+    ),
+    mass(
+        "a mode and a value",
+        &[(MASS, "mass = { value = 1000, mode = 1000, sd = 1 }")],
+        &["vehicle.1.mass.mode", "`mode` and `value` exclude each other"],
+    ),
+    mass(
+        "limits with an sd and no value",
+        &[(MASS, "mass = { min = 900, max = 1100, sd = 1 }")],
+        &["vehicle.1.mass.sd", "`sd` and `min` exclude each other", "with `min` go `mode` and `max`"],
+    ),
+    mass("an input with another key", &[(MASS, "mass = { value = 1000, std = 1 }")], &["vehicle.1.mass.std: unknown key"]),
+    mass("an input as an array", &[(MASS, "mass = [1000, 50]")], &["vehicle.1.mass", "an array"]),
+    mass("an input from crush", &[(MASS, "mass = \"from crush\"")], &["does not begin with a number"]),
+    mass("a limit below zero", &[(MASS, "mass = { min = -900, max = 1100 }")], &["vehicle.1.mass.min", "above zero"]),
+    mass("a value that is no number", &[(MASS, "mass = { value = true, sd = 1 }")], &["vehicle.1.mass.value"]),
+    restitution("a share or a hundredth", &[(E, "restitution = \"0.1 ± 5 %\"")], &["a hundredth or a share", "relative"]),
+    restitution(
+        "a limit of restitution above one",
+        &[(E, "restitution = { min = 0, max = 1.2 }")],
+        &["contact.restitution.max", "from 0 to 1"],
+    ),
+    restitution("an uncertain restitution above one", &[(E, "restitution = \"1.1 ± 0.1\"")], &["contact.restitution", "from 0 to 1"]),
+    restitution(
+        "a step beyond restitution",
+        &[(E, "restitution = { value = 0, resolution = 0.1 }")],
+        &["contact.restitution.resolution", "from -0.05  to 0.05 ", "from 0 to 1", "{ min, max }"],
+    ),
+    restitution(
+        "a share of nothing",
+        &[(E, "restitution = { value = 0, relative = 0.1 }")],
+        &["contact.restitution.relative", "any share of it", "`sd`"],
+    ),
+    wrong(
+        "an uncertain part of a critical ratio beside another key",
+        &[(E, "restitution = 0.1\nimpulse_ratio = { of_critical = 1, sd = 0.1 }")],
+        24,
+        &["contact.impulse_ratio.sd: unknown key"],
+    ),
+    wrong(
+        "a bad share of the critical ratio",
+        &[(E, "restitution = 0.1\nimpulse_ratio = { of_critical = { value = 1, sd = -0.1 } }")],
+        24,
+        &["contact.impulse_ratio.of_critical.sd", "below zero"],
+    ),
+    wrong(
+        "uncertain surfaces",
+        &[("crush_plane = \"0 deg\"", "surfaces = [\"0 deg ± 5 deg\", \"45 deg\"]")],
+        22,
+        &["contact.surfaces.1", "has a standard deviation, and this number takes none"],
+    ),
+    wrong("half a velocity in kg", &[("[10, 2]", "[\"10 m/s ± 1 kg\", 2]")], 9, &["vehicle.1.velocity.1", "a speed is expected"]).of(WALL),
+    wrong("a depth with an sd in kg", &[("\"4.1 in\"", "\"4.1 in ± 1 kg\"")], 17, &["vehicle.2.crush.depths.2", "a length is expected"])
+        .of(CRUSHED),
+    wrong(
+        "an uncertain stiffness below zero",
+        &[("d0 = \"48.27 lbf^0.5\"", "d0 = \"-48.27 lbf^0.5 ± 2 lbf^0.5\"")],
+        18,
+        &["vehicle.2.crush.stiffness.d0", "below zero"],
+    )
+    .of(CRUSHED),
+    wrong("an uncertain axle", &[("front_axle = \"1.2 m\"", "front_axle = \"1.2 m ± 1 cm\"")], 29, &["takes none"]).of(RESTED),
+    // Correlations.
+    loaded("correlations as a table", &[("[]", "{ a = 1 }")], &["correlation", "an array of correlations"]),
+    loaded("a correlation of two", &[("[]", "[[\"m1\", \"m2\"]]")], &["correlation.1", "two names and their coefficient"]),
+    loaded("a correlation without names", &[("[]", "[[1, 2, 0.3]]")], &["correlation.1.1", "correlation.1.2", "a string"]),
+    loaded(
+        "a correlation of nothing",
+        &[("[]", "[[\"vehicle.1.mas\", \"m2\", 0.3]]")],
+        &["correlation.1.1", "no input has this name", "did you mean `vehicle.1.mass`?"],
+    ),
+    loaded(
+        "a correlation of a certain input",
+        &[("[]", "[[\"m2\", \"vehicle.1.speed\", 0.3]]")],
+        &["correlation.1.2", "gives no uncertainty of vehicle.1.speed", "vehicle.1.mass, vehicle.2.mass, vehicle.2.yaw_inertia"],
+    ),
+    loaded("a correlation of an output", &[("[]", "[[\"m1\", \"energy.loss\", 0.3]]")], &["correlation.1.2", "no input has this name"]),
+    loaded(
+        "a correlation twice",
+        &[("[]", "[[\"m1\", \"m2\", 0.3], [\"vehicle.2.mass\", \"vehicle.1.mass\", 0.3]]")],
+        &["correlation.2", "have a coefficient already", "see correlation.1"],
+    ),
+    loaded("a correlation with itself", &[("[]", "[[\"m1\", \"vehicle.1.mass\", 0.3]]")], &["correlation.1", "with itself"]),
+    loaded("a correlation of one", &[("[]", "[[\"m1\", \"m2\", 1]]")], &["correlation.1.3", "between -1 and 1"]),
+    loaded("a correlation below minus one", &[("[]", "[[\"m1\", \"m2\", -1.2]]")], &["correlation.1.3", "between -1 and 1"]),
+    loaded("a correlation in per cent", &[("[]", "[[\"m1\", \"m2\", 30]]")], &["correlation.1.3", "did you mean \"30 %\"?"]),
+    loaded(
+        "impossible correlations",
+        &[("[]", "[[\"m1\", \"m2\", 0.9], [\"m1\", \"I2\", 0.9], [\"m2\", \"I2\", -0.9]]")],
+        &["correlation", "not positive definite"],
+    ),
+    wrong(
+        "a correlation without uncertain inputs",
+        &[("title", "correlation = [[\"m1\", \"m2\", 0.3]]\ntitle")],
+        2,
+        &["no input of this case"],
+    ),
+    // Evidence and unknowns of the same number.
+    wrong(
+        "an uncertain input unknown",
+        &[("[contact]", "[unknown]\nvehicle.1.mass = { start = 1000 }\n[contact]")],
+        20,
+        &["unknown.vehicle.1.mass", "with an uncertainty"],
+    )
+    .of(LOADED),
+    wrong(
+        "an uncertain input known exactly",
+        &[("[contact]", "[evidence]\nvehicle.1.mass = 1163\n[contact]")],
+        20,
+        &["evidence.vehicle.1.mass", "exact here"],
+    )
+    .of(LOADED),
+];
+
+#[test]
+fn uncertain_inputs_that_are_refused() {
+    check(BAD);
+    check_with(BAD, &["reconstruct"]);
+}
+
+#[test]
+fn uncertain_inputs_that_cannot_be_solved_for() {
+    const EVIDENCE: &str = "[evidence]\ncrush_energy = \"40 kJ ± 2 kJ\"\n[contact]";
+    check_with(
+        &[
+            wrong("uncertain inputs and no question", &[], 0, &["unknown: nothing is unknown"]).of(LOADED),
+            wrong(
+                "an input between limits and little evidence",
+                &[
+                    ("\"2564 lb ± 50 lb\"", "{ min = 1000, max = 1200 }"),
+                    ("[contact]", EVIDENCE),
+                    (E, "restitution = { min = 0, max = 0.2 }"),
+                ],
+                0,
+                &[
+                    "4 numbers are unknown",
+                    "3 pieces of evidence",
+                    "inputs between limits are unknowns without one: vehicle.1.mass, contact.restitution",
+                ],
+            )
+            .of(LOADED),
+            wrong(
+                "a mean beyond the mechanics",
+                &[("[contact]", EVIDENCE), (E, "restitution = { median = 0.9, factor = 2 }")],
+                23,
+                &["contact.restitution", "must be from 0 to 1"],
+            )
+            .of(LOADED),
+        ],
+        &["reconstruct"],
+    );
+}
+
+#[test]
+fn uncertain_inputs_that_are_accepted() {
+    let sound = |name, edits, base| wrong(name, edits, 0, &[]).of(base).ends(0);
+    check(&[
+        sound("correlations", &[("[]", "[[\"m1\", \"m2\", 0.3], [\"m2\", \"I2\", \"90 %\"]]")], LOADED),
+        sound("plus and minus in letters", &[("lb ± 50 lb", "+/- 50 lb")], LOADED),
+        sound("an exact sd", &[("\"2564 lb ± 50 lb\"", "{ value = 1000, sd = 0 }")], LOADED),
+        sound("limits", &[("\"2564 lb ± 50 lb\"", "{ min = 1000, max = 1200 }")], LOADED),
+        sound("a triangle", &[("\"2564 lb ± 50 lb\"", "{ min = 1000, mode = 1000, max = \"3000 lb\" }")], LOADED),
+        sound("a truncated normal", &[("\"2564 lb ± 50 lb\"", "{ value = 1000, relative = 0.1, min = 900, max = 1100 }")], LOADED),
+        sound("a logarithm", &[("\"2564 lb ± 50 lb\"", "{ median = 1000, factor = 1.1 }")], LOADED),
+        sound("a step", &[("\"2564 lb ± 50 lb\"", "{ value = 1000, resolution = 10 }")], LOADED),
+        sound("a ratio", &[(E, "restitution = \"10 % ± 2 %\"\nimpulse_ratio = \"0.3 ± 0.05\"")], LOADED),
+        sound("a ratio between limits", &[(E, "restitution = 0.1\nimpulse_ratio = { min = 0.2, max = 0.3 }")], LOADED),
+        sound("a share of the ratio", &[(E, "restitution = 0.1\nimpulse_ratio = { of_critical = \"0.9 ± 0.05\" }")], LOADED),
+        sound("a friction", &[(E, "restitution = 0.1\nfriction = \"0.5 ± 0.1\"")], LOADED),
+        sound("a moment", &[(E, "restitution = 0.1\nmoment = \"100 N m s ± 5 %\"")], LOADED),
+        sound("a share of the moment", &[(E, "restitution = 0.1\nmoment = { of_critical = { min = 0, max = 0.2 } }")], LOADED),
+        sound(
+            "uncertain depths",
+            &[("\"5 ft\"", "\"5 ft ± 1 in\""), ("\"4.1 in\"", "{ value = \"4.1 in\", resolution = \"0.1 in\" }")],
+            CRUSHED,
+        ),
+        sound(
+            "an uncertain line",
+            &[(
+                "width = \"5 ft\"",
+                "width = \"5 ft\"\nmeasured = { offset = \"0 in ± 0.2 in\", angle = { min = \"0 deg\", max = \"5 deg\" } }",
+            )],
+            CRUSHED,
+        ),
+    ]);
+}
