@@ -3,6 +3,7 @@
 mod answers;
 mod calibration;
 mod closed_form;
+mod coverage;
 mod diagnosis;
 mod scene;
 mod table;

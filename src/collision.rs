@@ -259,6 +259,11 @@ impl<T: Ordered> Collision<T> {
         (self.impulse_ratio.impulse(&contact.compliance, change), moment)
     }
 
+    /// Returns the impulse that ends the tangential process, whichever ratio is in force.
+    pub(crate) fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
+        Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
+    }
+
     /// Computes the impact without checking whether it is possible. On a field it is total, except for a zero divisor.
     ///
     /// Use it for lanes and intervals, whose comparisons have no yes or no. [`Collision::solve`] checks first.

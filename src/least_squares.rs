@@ -4,7 +4,9 @@
 //! bounds, so their result is refined here: unknowns that press against a bound are moved onto it, and the others take Gauss–Newton steps until the steps are
 //! negligible compared with the scales of the unknowns. Only then has the search converged.
 
+pub(crate) mod limited;
 mod polish;
+mod quadratic_program;
 
 pub(crate) use polish::{decomposed, scaled};
 
@@ -41,7 +43,7 @@ pub struct ParameterBounds {
 }
 
 /// A bound of an unknown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bound {
     /// The lower bound.
     Min,
@@ -60,6 +62,8 @@ pub struct Minimum {
     pub at: Vec<Option<Bound>>,
     /// `true` if that bound is active: the sum would be smaller beyond it.
     pub is_held: Vec<bool>,
+    /// The margins that it lies on, by their index: beyond them, the sum would be smaller but the problem has no meaning.
+    pub margins: Vec<usize>,
     /// Number of steps taken.
     pub iterations: usize,
 }

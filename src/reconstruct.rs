@@ -9,6 +9,7 @@
 //! | the problem | [`ReconstructionProblem`] of [`Unknown`]s and [`Evidence`] |
 //! | the answer | [`Answer`]: a [`Verdict`] and every [`Solution`] |
 //! | answers in closed form | [`closed_form`] |
+//! | intervals by profile likelihood | [`Interval`], and the [`Limit`] that makes an end |
 //! | diagnostics of an answer | [`diagnosis`] |
 //! | no answer | [`SolveError`], with every [`ReconstructionIssue`] of the problem |
 //!
@@ -18,6 +19,7 @@
 //! |---|---|
 //! | solving the forward problem and reconstructing gives the true values, for each line of the table in `guide::reconstruction`, or the undetermined quantities are named | `table.rs` |
 //! | intervals of 95 % contain the true value in 95 % of the cases, and its ranks are uniform | `calibration.rs` |
+//! | intervals by profile likelihood contain the true value as often as they say, on bounds too, and end where the best fit of the rest leaves the limit; no answer fits worse than the truth | `coverage.rs` |
 //! | the influence is the change that a change of the evidence causes, and the covariance is that caused by its errors | `answers.rs`, `the_influence_is_the_difference_that_the_evidence_makes`, `the_covariance_is_what_the_errors_of_the_evidence_make` |
 //! | correlated evidence and correlated priors are weighted by the inverse of their covariance; exact evidence is met and adds no uncertainty; a prior is evidence | `answers.rs` |
 //! | inconsistent evidence, active bounds, several solutions, undetermined directions, impossible collisions, too few steps: each is reported as such, with its numbers | `verdicts.rs` |
@@ -27,7 +29,7 @@
 //! # Method
 //!
 //! The search runs in f64 with derivatives from dual numbers through the one kernel. The solution, a point of zero gradient, is then differentiated
-//! implicitly, which gives its uncertainty and its dependence on each piece of evidence.
+//! implicitly, which gives its uncertainty and its dependence on each piece of evidence. Intervals do without that: they follow the best fit outwards.
 
 mod check;
 pub mod closed_form;
@@ -35,7 +37,9 @@ mod crush_share;
 mod determined;
 pub mod diagnosis;
 mod given;
+mod interval;
 mod issue;
+mod limit;
 mod measurand;
 mod placed;
 mod residuals;
@@ -46,11 +50,14 @@ mod solve_error;
 mod variable;
 mod verdict;
 mod weight;
+mod within_limits;
 
 pub use crush_share::crush_share;
 pub use determined::Direction;
 pub use given::{Correlation, Evidence, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};
+pub use interval::{Interval, Method};
 pub use issue::{ReconstructionIssue, ReconstructionIssues};
+pub use limit::Limit;
 pub use measurand::Measurand;
 pub use solution::{Estimate, Fitted, Solution, Symmetric};
 pub use solve_error::{SolveError, Stop};

@@ -145,11 +145,6 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         Ok(())
     }
 
-    /// Returns the impulse that ends the tangential process, whichever ratio is in force.
-    fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
-        Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
-    }
-
     /// Checks that the impulse pushes body one away from body two, as the approach does.
     fn check_push(&self, contact: &Contact<T>, impulse: &Nt<T>) -> Result<(), Refusals<T>> {
         if is_positive(&(impulse.n.clone() * contact.approach.n.clone())) {

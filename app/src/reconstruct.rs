@@ -19,20 +19,22 @@ use crate::notice::Notice;
 use answer::Solved;
 use question::{Question, key_of};
 
-pub use answer::{Alternative, Evidence, FurthestOff, Influence, Reconstruction, Unknown};
+pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, Reconstruction, Unknown};
 
 /// Options of the search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Number of starts: the first is given, the others are drawn within the bounds.
     pub starts: usize,
     /// The seed of those draws.
     pub seed: u64,
+    /// The level of confidence of the intervals.
+    pub level: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { starts: 64, seed: 1 }
+        Options { starts: 64, seed: 1, level: 0.95 }
     }
 }
 
@@ -55,7 +57,11 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
         notices.0.extend(solved.warnings(&answer.best().impact));
     }
-    let solved = Solved { question: &question, answer: &answer, search, case: &solved, diagnostics, crash3 };
+    let of: Vec<Measurand> =
+        question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
+    let intervals = question.asked.intervals(&answer, options.level, &of);
+    let solved =
+        Solved { question: &question, answer: &answer, intervals, level: options.level, search, case: &solved, diagnostics, crash3 };
     Ok(Answer::new(&case.title, solved.reconstruction(), notices))
 }
 

@@ -139,5 +139,8 @@ pub fn reconstruct(c: &mut Criterion) {
     group.bench_function("six unknowns by hand, one start, no uncertainty", |b| b.iter(|| black_box(&by_hand).solve()));
     group.bench_function("six unknowns, one start", |b| b.iter(|| black_box(&question).solve(&one)));
     group.bench_function("six unknowns, 64 starts", |b| b.iter(|| black_box(&question).solve(&all)));
+    let answer = question.solve(&one).expect("it has an answer");
+    let unknowns: Vec<Measurand> = UNKNOWNS.iter().map(|(input, ..)| Measurand::Variable(Variable::Input(*input))).collect();
+    group.bench_function("intervals of six unknowns", |b| b.iter(|| black_box(&question).intervals(&answer, 0.95, &unknowns)));
     group.finish();
 }

@@ -125,6 +125,9 @@ pub struct Reconstruct {
     /// Seed of the random starts. The same seed gives the same answer.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Level of confidence of the intervals, between 0 and 1.
+    #[arg(long, default_value_t = 0.95, value_parser = level)]
+    pub level: f64,
 }
 
 /// Arguments of `stiffness`.
@@ -255,6 +258,13 @@ fn tolerance(text: &str) -> Result<f64, String> {
     let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
     let is_valid = Options { tolerance: Some(value) }.validate();
     is_valid.map(|()| value).map_err(|issues| format!("{issues}; give a share such as 1e-6"))
+}
+
+/// Parses a level of confidence.
+fn level(text: &str) -> Result<f64, String> {
+    let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
+    let is_valid = (0.5..=0.9999).contains(&value);
+    if is_valid { Ok(value) } else { Err(format!("{value}; it must be from 0.5 to 0.9999, such as 0.95")) }
 }
 
 /// Arguments of `validate`.

@@ -96,6 +96,15 @@ impl Truth {
                 let velocity = self.vehicle(side).motion.velocity;
                 velocity.y.atan2(velocity.x)
             }
+            Measurand::ClosingSpeed => {
+                let along = |side| {
+                    let Vehicle { heading, impact_center: at, motion, .. } = self.vehicle(side);
+                    let x = motion.velocity.x - motion.yaw_rate * (at.forward * heading.sin + at.left * heading.cos);
+                    let y = motion.velocity.y + motion.yaw_rate * (at.forward * heading.cos - at.left * heading.sin);
+                    x * self.collision.crush_plane.cos + y * self.collision.crush_plane.sin
+                };
+                (along(Side::Two) - along(Side::One)).abs()
+            }
             Measurand::SeparationSpeed(side) => response(side).after.velocity.x.hypot(response(side).after.velocity.y),
             Measurand::SeparationDirection(side) => response(side).after.velocity.y.atan2(response(side).after.velocity.x),
             Measurand::DeltaVForward(side) => {

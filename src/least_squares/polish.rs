@@ -47,7 +47,7 @@ pub(super) fn polish(
     let Some(jacobian) = jacobian else { return Err(NotConverged { unknowns, sum_of_squares, step: asked, iterations, toward }) };
     let at: Vec<Option<Bound>> = unknowns.iter_mut().zip(spans).map(|(x, span)| settle(x, span)).collect();
     let is_held = (0..at.len()).map(|i| at[i].is_some_and(|at| presses(&jacobian, &residuals, i, at))).collect();
-    Ok(Minimum { unknowns, sum_of_squares, at, is_held, iterations })
+    Ok(Minimum { unknowns, sum_of_squares, at, is_held, margins: Vec::new(), iterations })
 }
 
 /// A point of the iteration.

@@ -31,6 +31,8 @@ pub enum Measurand {
     CrushEnergy,
     /// The crush energy of one vehicle, in J: its share of −W_n.
     CrushEnergyOf(Side),
+    /// Speed at which the vehicles approach along the normal of the contact, |v_n|, in m/s.
+    ClosingSpeed,
     /// Separation speed of a vehicle's center of mass, in m/s.
     SeparationSpeed(Side),
     /// Direction of the separation velocity: the angle from x, counter-clockwise, in rad.
@@ -44,7 +46,7 @@ pub enum Measurand {
 }
 
 /// Names that are not those of an output or an input.
-const NAMES: [(&str, Measurand); 25] = {
+const NAMES: [(&str, Measurand); 26] = {
     use Measurand as M;
     use Side::{One, Two};
     [
@@ -67,6 +69,7 @@ const NAMES: [(&str, Measurand); 25] = {
         ("vehicle.2.approach_direction", M::ApproachDirection(Two)),
         ("vehicle.2.delta_v_forward", M::DeltaVForward(Two)),
         ("vehicle.2.delta_v_left", M::DeltaVLeft(Two)),
+        ("contact.closing_speed", M::ClosingSpeed),
         ("contact.restitution", M::Variable(Variable::Input(Input::Restitution))),
         ("contact.impulse_ratio", M::Output(Output::ImpulseRatio)),
         ("contact.critical_impulse_ratio", M::Output(Output::CriticalImpulseRatio)),
@@ -96,7 +99,8 @@ impl Measurand {
             Measurand::Output(output) => output.measure(),
             Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) => Measure::Energy,
             Measurand::SeparationDirection(_) | Measurand::ApproachDirection(_) => Measure::Angle,
-            Measurand::SeparationSpeed(_) | Measurand::DeltaVForward(_) | Measurand::DeltaVLeft(_) => Measure::Speed,
+            Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => Measure::Speed,
+            Measurand::DeltaVForward(_) | Measurand::DeltaVLeft(_) => Measure::Speed,
         }
     }
 
@@ -128,7 +132,7 @@ impl Measurand {
                 DeltaVLeft(side),
             ]
         };
-        variables.chain(outputs).chain([Measurand::CrushEnergy]).chain(sides.into_iter().flat_map(of_side))
+        variables.chain(outputs).chain([Measurand::CrushEnergy, Measurand::ClosingSpeed]).chain(sides.into_iter().flat_map(of_side))
     }
 
     /// Returns its vehicle, or `None` if it does not belong to one.
@@ -137,7 +141,7 @@ impl Measurand {
         match self {
             Variable(variable) => variable.side(),
             Output(output) => output.side(),
-            CrushEnergy => None,
+            CrushEnergy | ClosingSpeed => None,
             CrushEnergyOf(side) | SeparationSpeed(side) | SeparationDirection(side) => Some(side),
             ApproachDirection(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
         }
@@ -164,6 +168,7 @@ impl Measurand {
                 (Side::One, ..) => placed.crush_share.clone() * crush_energy(),
                 (Side::Two, ..) => (T::int(1) - placed.crush_share.clone()) * crush_energy(),
             },
+            Measurand::ClosingSpeed => impact.approach.n.clone().magnitude(),
             Measurand::SeparationSpeed(side) => after(side).length(),
             Measurand::SeparationDirection(side) => {
                 let velocity = after(side);
@@ -206,7 +211,7 @@ impl Measurand {
     pub(super) fn is_magnitude(self) -> bool {
         use Output::*;
         match self {
-            Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) | Measurand::SeparationSpeed(_) => true,
+            Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) | Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => true,
             Measurand::Variable(Variable::Input(input)) => matches!(input, Input::Mass(_) | Input::YawInertia(_) | Input::Restitution),
             Measurand::Variable(Variable::CrushShare) => true,
             Measurand::Output(output) => matches!(output, DeltaVMagnitude(_) | EnergyBefore | EnergyAfter | Loss),

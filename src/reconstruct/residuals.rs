@@ -45,6 +45,11 @@ impl<'a> Model<'a> {
         Some(soft)
     }
 
+    /// Returns the collision at given unknowns.
+    pub(super) fn place<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> Placed<T> {
+        self.scene.place(unknowns)
+    }
+
     /// Returns the collision at given unknowns and its impact.
     pub(super) fn solve(&self, unknowns: &[f64]) -> Result<(Placed<f64>, Impact), Refusals> {
         let placed = self.scene.place(unknowns);

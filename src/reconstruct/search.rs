@@ -14,7 +14,9 @@ use super::solution::{Seen, Solution};
 use super::solve_error::{SolveError, Stop};
 use super::variable::{Variable, party, speed, turns};
 use super::verdict::{Answer, Verdict};
+use super::within_limits::WithinLimits;
 use crate::input::Side;
+use crate::least_squares::limited::{self, Until};
 use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
 use crate::moment::Moment;
 use crate::refusal::Refusal;
@@ -25,6 +27,9 @@ const SAME: f64 = 1e-5;
 
 /// Largest excess of χ² over the best at which a solution counts as an alternative: by chance it is exceeded in one case of a thousand.
 const NEARLY_AS_GOOD: f64 = 10.83;
+
+/// Largest difference of χ² between fits that are equally good.
+const INDISTINCT: f64 = 0.01;
 
 /// Maximum number of draws of a start that the mechanics accepts.
 const DRAWS: usize = 200;
@@ -40,19 +45,23 @@ impl ReconstructionProblem {
     pub fn solve(&self, search: &Search) -> Result<Answer, SolveError> {
         self.check()?;
         let model = Model::of(self);
-        let spans: Vec<ParameterBounds> = self.unknowns.iter().map(|unknown| span(self, unknown)).collect();
+        let spans = spans(self);
         let found = Found::by(&model, &spans, &starts(&model, &spans, search)?, search)?;
         found.answer(&model, &spans, search)
     }
 }
 
-fn span(question: &ReconstructionProblem, unknown: &Unknown) -> ParameterBounds {
-    let (least, most) = unknown.of.domain(&question.collision);
-    ParameterBounds {
-        min: unknown.min.unwrap_or(least),
-        max: unknown.max.unwrap_or(most),
-        scale: unknown.of.scale(&question.collision, unknown.start),
-    }
+/// Returns the range and the scale of each unknown.
+pub(super) fn spans(question: &ReconstructionProblem) -> Vec<ParameterBounds> {
+    let span = |unknown: &Unknown| {
+        let (least, most) = unknown.of.domain(&question.collision);
+        ParameterBounds {
+            min: unknown.min.unwrap_or(least),
+            max: unknown.max.unwrap_or(most),
+            scale: unknown.of.scale(&question.collision, unknown.start),
+        }
+    };
+    question.unknowns.iter().map(span).collect()
 }
 
 /// Returns the starts of the searches: the given one, and points drawn at random. The mechanics accepts each of them.
@@ -139,7 +148,8 @@ impl Found {
             found.search_from(start, model, soft.as_ref(), spans, search);
         }
         if starts.len() > 1 {
-            for twin in found.twins(model, spans) {
+            let near_and_far: Vec<Vec<f64>> = found.twins(model, spans).into_iter().chain(found.at_bounds(spans)).collect();
+            for twin in near_and_far {
                 found.search_from(&twin, model, soft.as_ref(), spans, search);
             }
         }
@@ -155,12 +165,27 @@ impl Found {
         match least_squares::minimum(model, start, spans, search.iterations) {
             Ok(minimum) => self.add(model, spans, minimum),
             Err(FitError::NotConverged(stopped)) => {
+                if let Some(minimum) = at_the_edge(model, &stopped, spans, search) {
+                    return self.add(model, spans, minimum);
+                }
                 if self.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
                     self.nearest = Some(stopped);
                 }
             }
             Err(FitError::NoStart) => (),
         }
+    }
+
+    /// Returns starts at each minimum, but with one unknown at one of its bounds: a solution there has little room to be found by chance.
+    fn at_bounds(&self, spans: &[ParameterBounds]) -> Vec<Vec<f64>> {
+        let Some((best, _)) = self.minima.first() else { return Vec::new() };
+        let ends = spans.iter().enumerate().flat_map(|(i, span)| [(i, span.min), (i, span.max)]).filter(|(_, bound)| bound.is_finite());
+        let at = |(i, bound): (usize, f64)| {
+            let mut start = best.unknowns.clone();
+            start[i] = bound;
+            start
+        };
+        ends.map(at).collect()
     }
 
     /// Returns starts near each minimum, in case of another solution close to it: two that the evidence barely distinguishes lie along the direction that it
@@ -236,11 +261,11 @@ impl Found {
     fn answer(self, model: &Model<'_>, spans: &[ParameterBounds], search: &Search) -> Result<Answer, SolveError> {
         let converged = self.converged();
         let seen = |(minimum, searches): &(Minimum, usize)| Seen::of(model, minimum, spans, *searches);
-        let Some(Seen { solution: best, blind }) = seen(&self.minima[0]) else { return Err(self.not_converged(model)) };
-        let is_nearer = |stopped: &NotConverged| stopped.sum_of_squares < best.chi_square;
-        if !best.is_explained() && self.nearest.as_ref().is_some_and(is_nearer) {
-            return Err(self.not_converged(model));
-        }
+        // No search may have come to a better fit than the answer, also where it could not end.
+        let least = self.nearest.iter().map(|stopped| stopped.sum_of_squares).fold(self.minima[0].0.sum_of_squares, f64::min);
+        let as_good = self.minima.iter().take_while(|(minimum, _)| minimum.sum_of_squares <= least + INDISTINCT);
+        let found = as_good.enumerate().find_map(|(i, found)| Some((i, seen(found)?)));
+        let Some((chosen, Seen { solution: best, blind })) = found else { return Err(self.not_converged(model)) };
         let mut answer = Answer {
             verdict: Verdict::Agrees,
             solutions: Vec::new(),
@@ -253,7 +278,7 @@ impl Found {
         // In a flat valley every search ends in a different place.
         if answer.not_determined.is_empty() {
             let limit = best.chi_square + NEARLY_AS_GOOD;
-            let others = self.minima[1..].iter().filter_map(seen).map(|seen| seen.solution);
+            let others = self.minima[chosen + 1..].iter().filter_map(seen).map(|seen| seen.solution);
             (answer.solutions, answer.worse) = others.partition(|other: &Solution| other.chi_square <= limit && other.is_explained());
         }
         answer.verdict = if !best.is_explained() {
@@ -269,6 +294,15 @@ impl Found {
         answer.solutions.insert(0, best);
         Ok(answer)
     }
+}
+
+/// Continues a search that stopped where the mechanics refuses its next step, along that edge.
+fn at_the_edge(model: &Model<'_>, stopped: &NotConverged, spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
+    let (placed, impact) = model.solve(&stopped.unknowns).ok()?;
+    let problem = WithinLimits::around(model, &placed, &impact);
+    let reached = limited::minimum(&problem, &stopped.unknowns, spans, search.iterations, Until::Unknowns).ok()?;
+    model.solve(&reached.unknowns).ok()?;
+    Some(reached.into_minimum())
 }
 
 fn directions(model: &Model<'_>, blind: &[Vec<f64>], spans: &[ParameterBounds]) -> Vec<Direction> {

@@ -5,9 +5,11 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::determined::{blind, is_moved};
 use super::given::{Evidence, ReconstructionProblem};
+use super::limit::Limit;
 use super::measurand::Measurand;
 use super::residuals::Model;
 use super::variable::Variable;
+use super::within_limits::WithinLimits;
 use crate::collision::Collision;
 use crate::impact::Impact;
 use crate::least_squares::{Bound, Minimum, ParameterBounds};
@@ -22,7 +24,8 @@ pub struct Estimate {
     pub of: Variable,
     /// Its value, in SI. If the evidence does not determine it, this is one of its possible values.
     pub value: f64,
-    /// Its standard deviation. `None` if the evidence does not determine it, if an active bound limits it, or if no piece of evidence has an uncertainty.
+    /// Its standard deviation. `None` if the evidence does not determine it, if an active bound or a limit of the physics
+    /// holds it, or if no piece of evidence has an uncertainty.
     pub sd: Option<f64>,
     /// The bound that it sits on.
     pub at: Option<Bound>,
@@ -78,6 +81,8 @@ pub struct Solution {
     pub impact: Impact,
     /// The share of vehicle 1 in the crush energy.
     pub crush_share: f64,
+    /// The limits of the physics that it lies on: beyond them the evidence would agree better, but the mechanics refuses the collision.
+    pub limits: Vec<Limit>,
     /// Number of steps of the search.
     pub iterations: usize,
     /// Number of searches that ended here.
@@ -163,7 +168,9 @@ impl Seen {
         let (placed, impact) = model.solve(values).ok()?;
         let computed = model.measured(&placed, &impact);
         let residuals = DVector::from_vec(model.residuals(&computed));
-        let slopes = Slopes::of(model, minimum, spans);
+        let problem = WithinLimits::around(model, &placed, &impact);
+        let edges = problem.margin_slopes(values, &minimum.margins);
+        let slopes = Slopes::of(model, minimum, spans, edges);
         let Influences { curved: influence, straight } = slopes.influences(model, minimum, spans, &residuals)?;
         let errors = model.weights.covariance(model.question, &model.evidence);
         let covariance = larger(&influence * &errors * influence.transpose(), &straight * &errors * straight.transpose());
@@ -174,7 +181,7 @@ impl Seen {
         let moves = |i: usize| slopes.blind.iter().any(|direction| is_moved(direction[i], direction));
         let estimate = |i: usize| {
             let is_determined = !moves(i);
-            let has_sd = has_errors && is_determined && !minimum.is_held[i];
+            let has_sd = has_errors && is_determined && !minimum.is_held[i] && minimum.margins.is_empty();
             Estimate {
                 of: model.question.unknowns[i].of,
                 value: values[i],
@@ -204,6 +211,7 @@ impl Seen {
             collision: placed.collision,
             impact,
             crush_share: placed.crush_share,
+            limits: minimum.margins.iter().map(|margin| problem.limit(*margin)).collect(),
             iterations: minimum.iterations,
             searches,
         };
@@ -226,6 +234,8 @@ fn probability(chi_square: f64, degrees_of_freedom: usize) -> f64 {
 struct Slopes {
     /// The derivatives of the evidence by the scaled unknowns; zero for unknowns on an active bound.
     derivatives: DMatrix<f64>,
+    /// Those of the margins that the minimum lies on.
+    edges: DMatrix<f64>,
     /// Directions that no evidence constrains, in scales.
     blind: Vec<Vec<f64>>,
     /// An orthonormal basis, column by column, of those that it constrains.
@@ -233,32 +243,39 @@ struct Slopes {
 }
 
 impl Slopes {
-    fn of(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds]) -> Self {
+    fn of(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], mut edges: DMatrix<f64>) -> Self {
         let mut derivatives = model.derivatives(&minimum.unknowns);
         let free: Vec<usize> = (0..spans.len()).filter(|&i| !minimum.is_held[i]).collect();
-        for (i, mut column) in derivatives.column_iter_mut().enumerate() {
-            column *= if minimum.is_held[i] { 0.0 } else { spans[i].scale };
+        for matrix in [&mut derivatives, &mut edges] {
+            for (i, mut column) in matrix.column_iter_mut().enumerate() {
+                column *= if minimum.is_held[i] { 0.0 } else { spans[i].scale };
+            }
         }
-        let sizes: Vec<f64> = model.evidence.iter().map(Evidence::size).collect();
-        let of_free = blind(&derivatives.select_columns(&free), &sizes);
+        // An edge ties the unknowns to each other like evidence.
+        let sizes: Vec<f64> = model.evidence.iter().map(Evidence::size).chain(edges.row_iter().map(|_| 1.0)).collect();
+        let tied = DMatrix::from_rows(&derivatives.row_iter().chain(edges.row_iter()).collect::<Vec<_>>());
+        let of_free = blind(&tied.select_columns(&free), &sizes);
         let spread = |direction: &Vec<f64>| {
             let mut all = vec![0.0; spans.len()];
             free.iter().zip(direction).for_each(|(&i, part)| all[i] = *part);
             all
         };
         let determined = complement(&of_free, &free, spans.len());
-        Slopes { blind: of_free.iter().map(spread).collect(), determined, derivatives }
+        Slopes { blind: of_free.iter().map(spread).collect(), determined, derivatives, edges }
     }
 
     /// Computes the derivatives of the unknowns by the evidence, by implicit differentiation of the zero gradient of ½χ². Returns `None` if the curvature is
     /// not positive definite.
     fn influences(&self, model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], residuals: &DVector<f64>) -> Option<Influences> {
+        /// Curvature across an edge, on which the minimum stays, as a share of the largest.
+        const TIGHT: f64 = 1e6;
         if self.determined.ncols() == 0 {
             let none = DMatrix::zeros(spans.len(), model.evidence.len());
             return Some(Influences { curved: none.clone(), straight: none });
         }
         let weighted = self.weighted(model);
         let straight = weighted.transpose() * &self.derivatives;
+        let straight = &straight + self.edges.tr_mul(&self.edges) * (TIGHT * straight.diagonal().amax());
         let factors = model.weights.inverse_times(residuals);
         let scales = DMatrix::from_diagonal(&DVector::from_iterator(spans.len(), spans.iter().map(|span| span.scale)));
         let bent = &scales * model.curvature(&minimum.unknowns, &factors) * &scales;

@@ -1,11 +1,11 @@
 //! The answer of `reconstruct`.
 
-use planar_impact::reconstruct::{Bound, Direction, Estimate, Fitted, Measurand, Search, Solution, Variable, Verdict};
+use planar_impact::reconstruct::{Bound, Direction, Estimate, Fitted, Limit, Measurand, Method, Search, Solution, Variable, Verdict};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
-use super::question::{Question, measure_in};
+use super::question::{Question, measure_in, name_in};
 use crate::answer::Answer;
 use crate::case::Case;
 use crate::crash3::Comparison;
@@ -28,6 +28,8 @@ pub struct Reconstruction {
     pub iterations: usize,
     /// The unknowns.
     pub unknown: Named<Unknown>,
+    /// What follows from the unknowns and is asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, impulse ratio.
+    pub derived: Named<Derived>,
     /// Covariance of the unknowns; `null` where an unknown has no standard deviation.
     pub covariance: Named<Named<Option<f64>>>,
     /// Correlation of the unknowns.
@@ -49,10 +51,12 @@ pub struct Reconstruction {
     /// Probability that chi-square is larger by chance.
     pub probability: f64,
     /// Unknowns that the evidence barely constrains.
-    pub weakly_determined: Vec<&'static str>,
+    pub weakly_determined: Vec<String>,
     /// Deprecated name of `weakly_determined`.
     #[deprecated]
-    pub hardly_determined: Vec<&'static str>,
+    pub hardly_determined: Vec<String>,
+    /// The limits of the physics that the best solution lies on, by the code of the refusal beyond them.
+    pub limits: Vec<String>,
     /// Combinations of unknowns that the evidence does not constrain, in words.
     pub not_determined: Vec<String>,
     /// The same as numbers: the change of each unknown along the combination.
@@ -87,6 +91,9 @@ pub struct Reconstruction {
     /// The verdict of the library.
     #[serde(skip)]
     pub status: Verdict,
+    /// `true` if there is one solution, the evidence agrees with it, and it narrows every unknown down.
+    #[serde(skip)]
+    pub is_answer: bool,
 }
 
 /// An unknown in the best solution.
@@ -98,8 +105,8 @@ pub struct Unknown {
     pub sd: Option<f64>,
     /// `min` or `max` if it lies on a bound.
     pub at_bound: Option<&'static str>,
-    /// Its 95 % interval, limited to its bounds; `null` without a standard deviation.
-    pub interval_95: Option<[f64; 2]>,
+    /// The range that the evidence, all bounds and the physics allow; without ends if none could be found.
+    pub interval: Interval,
     /// Its lower bound in the file.
     pub min: Option<f64>,
     /// Its upper bound in the file.
@@ -109,6 +116,37 @@ pub struct Unknown {
     /// Its measure.
     #[serde(skip)]
     pub measure: Measure,
+}
+
+/// What follows from the unknowns, in the best solution.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Derived {
+    /// Its value; `null` if the evidence leaves an unknown open.
+    pub value: Option<f64>,
+    /// Its standard deviation, from those of the unknowns; `null` if one of them has none.
+    pub sd: Option<f64>,
+    /// The range that the evidence, all bounds and the physics allow.
+    pub interval: Interval,
+    /// Its measure.
+    #[serde(skip)]
+    pub measure: Measure,
+}
+
+/// An interval of an unknown, or of what follows from the unknowns.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Interval {
+    /// The probability with which such intervals contain the true value.
+    pub level: f64,
+    /// Its lower end; `null` if nothing limits it.
+    pub low: Option<f64>,
+    /// Its upper end; `null` if nothing limits it.
+    pub high: Option<f64>,
+    /// `profile`: the range over which the best fit of everything else stays within a quantile of chi-square of the least one.
+    pub method: &'static str,
+    /// The bound of another unknown, or the limit of the physics, that makes the lower end; `null` if the evidence does.
+    pub low_limited_by: Option<String>,
+    /// The same of the upper end.
+    pub high_limited_by: Option<String>,
 }
 
 /// A piece of evidence compared with a solution.
@@ -167,13 +205,14 @@ pub struct Influence<'a> {
     pub change: f64,
 }
 
-/// Half-width, in standard deviations, of the central interval that contains 95 % of a normal distribution.
-const NORMAL_95: f64 = 1.959_963_984_540_054;
-
 /// A solved question with results derived from its best solution.
 pub(super) struct Solved<'a> {
     pub(super) question: &'a Question,
     pub(super) answer: &'a planar_impact::reconstruct::Answer,
+    /// Those of the unknowns, then those of what follows from them.
+    pub(super) intervals: Vec<planar_impact::reconstruct::Interval>,
+    /// Their level of confidence.
+    pub(super) level: f64,
     pub(super) search: Search,
     /// The case with the values of the best solution.
     pub(super) case: &'a Case,
@@ -193,43 +232,48 @@ impl Solved<'_> {
     #[allow(deprecated)]
     pub(super) fn reconstruction(self) -> Reconstruction {
         let (answer, best) = (self.answer, self.answer.best());
-        let names: Vec<&'static str> = best.unknowns.iter().map(|estimate| estimate.of.name()).collect();
+        let name = |of: Variable| name_in(of, self.case);
+        let names: Vec<String> = best.unknowns.iter().map(|estimate| name(estimate.of)).collect();
         let has_spread = |i: usize| best.unknowns[i].sd.is_some() || best.unknowns[i].at.is_some();
         let matrix = |entry: &dyn Fn(usize, usize) -> Option<f64>| {
-            let row = |i: usize| (0..names.len()).map(|k| (names[k], entry(i, k).filter(|_| has_spread(i) && has_spread(k)))).collect();
-            (0..names.len()).map(|i| (names[i], row(i))).collect()
+            let row =
+                |i: usize| (0..names.len()).map(|k| (names[k].clone(), entry(i, k).filter(|_| has_spread(i) && has_spread(k)))).collect();
+            (0..names.len()).map(|i| (names[i].clone(), row(i))).collect()
         };
         let is_agreed = matches!(answer.verdict, Verdict::Agrees | Verdict::SeveralSolutions);
-        let weakly_determined: Vec<_> = best.hardly_determined(&self.question.asked).into_iter().map(Variable::name).collect();
-        let other_minima: Vec<Alternative> = answer.worse.iter().map(Alternative::of).collect();
+        let weakly_determined: Vec<_> = best.hardly_determined(&self.question.asked).into_iter().map(name).collect();
+        let other_minima: Vec<Alternative> = answer.worse.iter().map(|worse| self.alternative(worse)).collect();
         Reconstruction {
             verdict: self.verdict().name(),
             status: self.verdict(),
+            is_answer: self.is_answer(),
             other_separations: self.question.has_other_separations,
             converged: true,
             iterations: best.iterations,
-            unknown: best.unknowns.iter().map(|estimate| (estimate.of.name(), self.unknown(estimate))).collect(),
+            unknown: best.unknowns.iter().map(|estimate| (name(estimate.of), self.unknown(estimate))).collect(),
+            derived: self.derived(),
             covariance: matrix(&|i, k| Some(positive_zero(best.covariance.get(i, k)))),
             correlation: matrix(&|i, k| best.covariance.correlation(i, k)),
             evidence: self.evidence(),
             priors: (!best.priors.is_empty()).then(|| best.priors.iter().map(|prior| self.named(prior)).collect()),
             furthest_off: self.furthest_off(),
-            influence: influence(best),
+            influence: self.influence(best),
             chi_square: best.chi_square,
             degrees_of_freedom: best.degrees_of_freedom,
             probability: best.probability,
             hardly_determined: weakly_determined.clone(),
             weakly_determined,
+            limits: best.limits.iter().map(|limit| limit.name()).collect(),
             not_determined: answer.not_determined.iter().map(|direction| in_words(direction, self.case)).collect(),
             open_directions: answer
                 .not_determined
                 .iter()
-                .map(|direction| direction.parts.iter().map(|(of, by)| (of.name(), *by)).collect())
+                .map(|direction| direction.parts.iter().map(|(of, by)| (name(*of), *by)).collect())
                 .collect(),
-            solutions: if is_agreed { answer.solutions.iter().map(Alternative::of).collect() } else { Vec::new() },
+            solutions: if is_agreed { answer.solutions.iter().map(|solution| self.alternative(solution)).collect() } else { Vec::new() },
             worse: other_minima.clone(),
             other_minima,
-            without_bounds: answer.without_bounds.as_deref().map(Alternative::of),
+            without_bounds: answer.without_bounds.as_deref().map(|free| self.alternative(free)),
             starts: self.search.starts,
             searches: answer.searches,
             searches_converged: answer.converged,
@@ -246,26 +290,89 @@ impl Solved<'_> {
     fn unknown(&self, estimate: &Estimate) -> Unknown {
         let asked = self.question.asked.unknowns.iter().find(|unknown| unknown.of == estimate.of);
         let (min, max) = asked.map_or((None, None), |unknown| (unknown.min, unknown.max));
-        // A NaN standard deviation stays NaN: comparisons with a bound keep it.
-        let within = |value: f64| match (min, max) {
-            (Some(min), _) if value < min => min,
-            (_, Some(max)) if value > max => max,
-            _ => value,
-        };
-        let interval = |sd: f64| [estimate.value - NORMAL_95 * sd, estimate.value + NORMAL_95 * sd].map(within);
         Unknown {
             value: estimate.is_determined.then_some(positive_zero(estimate.value)),
             sd: estimate.sd,
-            at_bound: estimate.at.map(|bound| match bound {
-                Bound::Min => "min",
-                Bound::Max => "max",
-            }),
-            interval_95: estimate.sd.filter(|_| estimate.is_determined).map(interval),
+            at_bound: estimate.at.map(bound_name),
+            interval: self.interval(Measurand::Variable(estimate.of)).map_or_else(|| self.unlimited(), |interval| self.printed(interval)),
             min,
             max,
             is_input: self.question.inputs.contains(&estimate.of),
             measure: measure_in(estimate.of, self.case),
         }
+    }
+
+    fn interval(&self, of: Measurand) -> Option<&planar_impact::reconstruct::Interval> {
+        self.intervals.iter().find(|interval| interval.of == of)
+    }
+
+    fn printed(&self, interval: &planar_impact::reconstruct::Interval) -> Interval {
+        let end = |value: f64| value.is_finite().then(|| positive_zero(value));
+        let limit = |limit: Option<Limit>| {
+            limit.map(|limit| match limit {
+                Limit::Bound(of, bound) => format!("{} {}", name_in(of, self.case), bound_name(bound)),
+                other => other.name(),
+            })
+        };
+        Interval {
+            level: interval.level,
+            low: end(interval.low),
+            high: end(interval.high),
+            method: interval.method.name(),
+            low_limited_by: limit(interval.low_limited_by),
+            high_limited_by: limit(interval.high_limited_by),
+        }
+    }
+
+    /// Returns an interval without ends, that of which nothing is known.
+    fn unlimited(&self) -> Interval {
+        let (low, high, low_limited_by, high_limited_by) = (None, None, None, None);
+        Interval { level: self.level, low, high, method: Method::Profile.name(), low_limited_by, high_limited_by }
+    }
+
+    fn derived(&self) -> Named<Derived> {
+        let is_open = self.answer.verdict == Verdict::Undetermined;
+        let of_interval = |interval: &planar_impact::reconstruct::Interval| {
+            let derived = Derived {
+                value: (!is_open).then(|| positive_zero(interval.value)),
+                sd: interval.sd.filter(|_| !is_open),
+                interval: self.printed(interval),
+                measure: self.measure_of(interval.of),
+            };
+            (interval.of.name(), derived)
+        };
+        self.intervals.iter().filter(|interval| !matches!(interval.of, Measurand::Variable(_))).map(of_interval).collect()
+    }
+
+    /// Returns `true` if there is one solution with an interval narrower than the bounds of each unknown.
+    fn is_answer(&self) -> bool {
+        let narrows = |estimate: &Estimate| self.interval(Measurand::Variable(estimate.of)).is_some_and(|interval| interval.narrows);
+        let mut asked = self.answer.best().unknowns.iter().filter(|estimate| !self.question.inputs.contains(&estimate.of));
+        self.verdict() == Verdict::Agrees && asked.all(narrows)
+    }
+
+    fn alternative(&self, solution: &Solution) -> Alternative {
+        Alternative {
+            unknown: solution.unknowns.iter().map(|estimate| (name_in(estimate.of, self.case), positive_zero(estimate.value))).collect(),
+            sd: solution.unknowns.iter().map(|estimate| (name_in(estimate.of, self.case), estimate.sd)).collect(),
+            chi_square: solution.chi_square,
+            degrees_of_freedom: solution.degrees_of_freedom,
+            probability: solution.probability,
+            searches: solution.searches,
+        }
+    }
+
+    /// Returns the influence of the pieces of evidence, then of the priors, on each unknown.
+    fn influence(&self, best: &Solution) -> Named<Named<f64>> {
+        let names = || {
+            let priors = best.priors.iter().map(|prior| format!("prior of {}", prior.of.name()));
+            best.evidence.iter().map(|fitted| fitted.of.name().to_owned()).chain(priors)
+        };
+        let row = |(estimate, row): (&Estimate, &Vec<f64>)| {
+            let moves = if estimate.is_determined { row.iter().copied().map(positive_zero).collect() } else { vec![f64::NAN; row.len()] };
+            (name_in(estimate.of, self.case), names().zip(moves).collect())
+        };
+        best.unknowns.iter().zip(&best.influence).map(row).collect()
     }
 
     fn measure_of(&self, of: Measurand) -> Measure {
@@ -309,34 +416,16 @@ impl Solved<'_> {
 /// Describes how unknowns can change together without contradicting the evidence: `vehicle.1.speed by 1 m/s with
 /// vehicle.2.speed by -1 m/s`.
 fn in_words(direction: &Direction, case: &Case) -> String {
-    let part =
-        |(of, by): &(Variable, f64)| format!("{} by {} {}", of.name(), trim(*by), measure_in(*of, case).si_unit()).trim_end().to_owned();
+    let part = |(of, by): &(Variable, f64)| {
+        format!("{} by {} {}", name_in(*of, case), trim(*by), measure_in(*of, case).si_unit()).trim_end().to_owned()
+    };
     direction.parts.iter().map(part).collect::<Vec<_>>().join(" with ")
 }
 
-/// Returns the influence of the pieces of evidence, then of the priors, on each unknown.
-fn influence(best: &Solution) -> Named<Named<f64>> {
-    let names = || {
-        let priors = best.priors.iter().map(|prior| format!("prior of {}", prior.of.name()));
-        best.evidence.iter().map(|fitted| fitted.of.name().to_owned()).chain(priors)
-    };
-    let row = |(estimate, row): (&Estimate, &Vec<f64>)| {
-        let moves = if estimate.is_determined { row.iter().copied().map(positive_zero).collect() } else { vec![f64::NAN; row.len()] };
-        (estimate.of.name(), names().zip(moves).collect())
-    };
-    best.unknowns.iter().zip(&best.influence).map(row).collect()
-}
-
-impl Alternative {
-    fn of(solution: &Solution) -> Self {
-        Alternative {
-            unknown: solution.unknowns.iter().map(|estimate| (estimate.of.name(), positive_zero(estimate.value))).collect(),
-            sd: solution.unknowns.iter().map(|estimate| (estimate.of.name(), estimate.sd)).collect(),
-            chi_square: solution.chi_square,
-            degrees_of_freedom: solution.degrees_of_freedom,
-            probability: solution.probability,
-            searches: solution.searches,
-        }
+fn bound_name(bound: Bound) -> &'static str {
+    match bound {
+        Bound::Min => "min",
+        Bound::Max => "max",
     }
 }
 

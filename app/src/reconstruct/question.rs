@@ -301,6 +301,11 @@ pub fn key_of(variable: Variable, case: &Case) -> Option<Parameter> {
     }
 }
 
+/// Returns the name of an unknown in a case: that of the form in which the contact gives it, such as `contact.impulse_ratio.of_critical`.
+pub fn name_in(of: Variable, case: &Case) -> String {
+    key_of(of, case).map_or_else(|| of.name().to_owned(), |key| key.to_string())
+}
+
 /// Returns the measure of an unknown in a case: a fraction of the critical moment is a ratio.
 pub fn measure_in(of: Variable, case: &Case) -> Measure {
     match (of, case.inputs.contact.moment) {

@@ -192,9 +192,12 @@ approach_direction, and every input. A key of [[vehicle]] or [contact] that is u
 An input in the evidence with an uncertainty is solved for too. Rest positions are evidence of the
 separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
-Exit status: 0 if the evidence agrees with one solution; 1 if there are several, an underdetermined
-unknown, inconsistent evidence or a best fit outside the bounds, each with its numbers; 2 if the
-input is wrong, such as more unknowns than evidence; 3 if no search converges.
+Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of the
+physics that makes an end is named.
+
+Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
+several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with
+its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if no search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml

@@ -18,6 +18,7 @@ impl Facts for Reconstruction {
         let answer = self;
         let mut blocks = headline::blocks(answer, units);
         blocks.extend(unknowns::blocks(answer, units));
+        blocks.extend(unknowns::derived(answer, units));
         blocks.extend(unknowns::alternatives(answer, units));
         blocks.extend(evidence::blocks(answer, units));
         blocks.extend(diagnostics::blocks(answer, units));

@@ -238,13 +238,6 @@ pub(super) const UNANSWERABLE: &[Bad] = &[
         &["refuses the collision at each of 201 starts", "vehicles are separating"],
     )
     .ends(3),
-    question(
-        "an energy that crush gains",
-        &[("crush_energy = \"40", "energy.normal_work = \"40"), ("± 0.5 m/s\", \"3.8 m/s ± 0.5", "± 99 m/s\", \"3.8 m/s ± 99")],
-        25,
-        &["none of 64 searches converged", "chi-square", "the next step would have been", "refuses the collision"],
-    )
-    .ends(3),
 ];
 
 #[test]

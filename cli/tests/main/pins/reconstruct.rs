@@ -185,43 +185,48 @@ fn hold_quantity(cell: &str, si: f64, what: &str) {
     assert!(printed(value).is_some_and(|(value, half)| half <= 0.06 * value.abs()), "{what}: {cell}");
 }
 
+/// Returns the tables whose first column has one of these heads.
+fn headed<'a>(tables: &'a [Table], heads: &'a [&str]) -> impl Iterator<Item = &'a Table> {
+    tables.iter().filter(|table| heads.contains(&table.head[0].as_str()))
+}
+
 #[test]
-fn the_page_of_unknowns_has_95_percent_intervals() {
-    /// The 97.5 % quantile of the normal distribution, √2 erf⁻¹(0.95) by mpmath.
-    const QUANTILE: f64 = 1.959_963_984_540_054;
+fn the_page_of_unknowns_has_every_number_of_the_document() {
     let mut intervals = 0;
     for (found, case) in ANSWERS.iter() {
         for units in ["us", "si"] {
-            let table = &page(case, units)[0];
-            assert_eq!(table.head.len(), COLUMNS[0]);
-            let mut name = "";
-            for row in &table.rows {
-                // The second row of a speed, in road units, has no name.
-                let is_named = row[0].contains('.') && rounded(&row[0]).is_none();
-                name = if is_named { row[0].trim_end_matches(" *") } else { name };
-                let cells = &row[usize::from(is_named)..];
-                let (of, unit) = (&found["unknown"][name], unit_of(cells, COLUMNS[0] - 1));
-                assert_eq!(is_named && row[0].ends_with('*'), is_named && of["at_bound"].is_string(), "{name}");
-                let value = number(&of["value"]);
-                hold_rounded(&cells[0], value, unit, name);
-                let Some(sd) = of["sd"].as_f64() else {
-                    assert_eq!(cells[1..4].join(""), "---");
-                    continue;
-                };
-                let bound = |key: &str| name.split('.').fold(&case["unknown"], |at, part| &at[part])[key].clone();
-                let limit = |key: &str, none: f64| match bound(key) {
-                    Value::String(text) => {
-                        text.split_once(' ').map_or(none, |(number, unit)| number.parse::<f64>().expect("a number") * units::unit(unit))
+            let tables = page(case, units);
+            for (key, heads) in [("unknown", &["unknown", "uncertain input"][..]), ("derived", &["what follows"])] {
+                let mut named = 0;
+                for table in headed(&tables, heads).filter(|table| table.head.len() == COLUMNS[0]) {
+                    let mut name = "";
+                    for row in &table.rows {
+                        // The second row of a speed, in road units, has no name.
+                        let is_named = row[0].contains('.') && rounded(&row[0]).is_none();
+                        name = if is_named { row[0].trim_end_matches(" *") } else { name };
+                        named += usize::from(is_named);
+                        let cells = &row[usize::from(is_named)..];
+                        let (of, unit) = (&found[key][name], unit_of(cells, COLUMNS[0] - 1));
+                        assert_eq!(is_named && row[0].ends_with('*'), is_named && of["at_bound"].is_string(), "{name}");
+                        let numbers = [&of["value"], &of["sd"], &of["interval"]["low"], &of["interval"]["high"]];
+                        // The interval of exact evidence is its tolerance, and is not printed.
+                        let ends = ["low", "high"].map(|key| of["interval"][key].as_f64());
+                        let is_exact = matches!((ends, of["value"].as_f64()), ([Some(low), Some(high)], Some(value)) if high - low <= 1e-5 * value.abs());
+                        for (i, (cell, want)) in cells.iter().zip(numbers).enumerate() {
+                            match want.as_f64().filter(|_| i < 2 || !is_exact) {
+                                // A zero does not say how many of its digits are certain.
+                                Some(want) if cell == "0" => {
+                                    let [Some(low), Some(high)] = ends else { panic!("{name}: no width") };
+                                    assert!(want.abs() <= 0.05 * (high - low), "{name}: 0 for {want}");
+                                }
+                                Some(want) => hold_rounded(cell, want, unit, name),
+                                None => assert!(["-", "open"].contains(&cell.as_str()), "{name}: {cell}"),
+                            }
+                        }
+                        intervals += usize::from(of["interval"]["low"].is_number());
                     }
-                    value => value.as_f64().unwrap_or(none),
-                };
-                let from = (value - QUANTILE * sd).max(limit("min", f64::NEG_INFINITY));
-                let to = (value + QUANTILE * sd).min(limit("max", f64::INFINITY));
-                for (cell, want) in cells[1..4].iter().zip([sd, from, to]) {
-                    hold_rounded(cell, want, unit, name);
                 }
-                assert!(printed(&cells[1]).is_some_and(|(sd, half)| half <= 0.06 * sd), "{name}: {} has no two digits", cells[1]);
-                intervals += 1;
+                assert_eq!(named, object(&found[key]).len(), "{key}");
             }
         }
     }
@@ -234,6 +239,8 @@ fn the_page_of_evidence_and_influence() {
     for (found, case) in ANSWERS.iter() {
         for units in ["us", "si"] {
             let tables = page(case, units);
+            let start = tables.iter().position(|table| table.head[0] == "evidence").expect("a table of evidence");
+            let tables = &tables[start - 1..];
             assert_eq!(tables[1].head.len(), COLUMNS[1]);
             let pieces = object(&found["evidence"]).len() + found["priors"].as_object().map_or(0, serde_json::Map::len);
             assert_eq!(tables[1].rows.len(), pieces);

@@ -142,24 +142,37 @@ fn crush_and_crash3_state_the_case() {
 }
 
 #[test]
-fn intervals_hold_95_percent_within_the_bounds() {
+fn intervals_lie_around_their_values_within_the_bounds() {
     // The 97.5 % quantile of the standard normal distribution (Abramowitz and Stegun, table 26.5).
     let quantile = 1.959_963_984_540_054;
-    let mut count = 0;
+    let (mut count, mut regular, mut near) = (0, 0, 0);
     for found in of_verb("reconstruct") {
-        for (name, unknown) in object(&found["unknown"]) {
-            let (Some(value), Some(sd)) = (unknown["value"].as_f64(), unknown["sd"].as_f64()) else {
-                assert!(unknown["interval_95"].is_null(), "{name}");
-                continue;
-            };
-            let (low, high) = (unknown["min"].as_f64().unwrap_or(f64::NEG_INFINITY), unknown["max"].as_f64().unwrap_or(f64::INFINITY));
-            let wanted = [(value - quantile * sd).max(low), (value + quantile * sd).min(high)];
-            let size = 1e-12 * (value.abs() + sd);
-            wanted.iter().enumerate().for_each(|(i, want)| close(number(&unknown["interval_95"][i]), *want, size, name));
+        for (name, of) in object(&found["unknown"]).iter().chain(object(&found["derived"])) {
+            let interval = &of["interval"];
+            assert_eq!((&interval["level"], &interval["method"]), (&json!(0.95), &json!("profile")), "{name}");
+            let end = |key: &str, none: f64| interval[key].as_f64().unwrap_or(none);
+            let (low, high) = (end("low", f64::NEG_INFINITY), end("high", f64::INFINITY));
+            let bound = |key: &str, none: f64| of[key].as_f64().unwrap_or(none);
+            assert!(low <= high && bound("min", f64::NEG_INFINITY) <= low && high <= bound("max", f64::INFINITY), "{name}: {interval}");
+            let limits = [&interval["low_limited_by"], &interval["high_limited_by"]];
+            for limit in limits.into_iter().filter_map(Value::as_str) {
+                let is_bound =
+                    limit.rsplit_once(' ').is_some_and(|(of, end)| found["unknown"].get(of).is_some() && ["min", "max"].contains(&end));
+                assert!(is_bound || ["not-closing", "tensile", "beyond-critical", "energy-gain", "period"].contains(&limit), "{limit}");
+            }
+            let Some(value) = of["value"].as_f64() else { continue };
+            assert!(low <= value && value <= high, "{name}: {value} {interval}");
             count += 1;
+            let is_alone = found["solutions"].as_array().is_some_and(|all| all.len() == 1) && limits.into_iter().all(Value::is_null);
+            if let Some(sd) = of["sd"].as_f64().filter(|_| is_alone) {
+                regular += 1;
+                let is_near = |end: f64| ((end - value).abs() / (quantile * sd) - 1.0).abs() < 0.1;
+                near += usize::from(is_near(low) && is_near(high));
+            }
         }
     }
-    assert!(count > 10);
+    // Most are as long to both sides as the standard deviation says.
+    assert!(count > 50 && regular > 30 && near * 2 > regular, "{near} of {regular} of {count}");
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn numbers_of_the_contact_and_of_velocities_are_inputs_too() {
         ("impact_center = [\"1.60 m\", \"0.50 m\"]", "impact_center = [\"1.60 m\", \"0.50 m ± 5 cm\"]\nyaw_rate = \"0 rad/s ± 0.1 rad/s\""),
     ];
     let (found, inputs) = bare(&replaced(&two_cars(), &edits));
-    assert_eq!(inputs, ["contact.impulse_ratio", "vehicle.2.impact_center.left", "vehicle.2.yaw_rate"]);
+    assert_eq!(inputs, ["contact.impulse_ratio.of_critical", "vehicle.2.impact_center.left", "vehicle.2.yaw_rate"]);
     assert_eq!(found, bare(&asked).0);
 }
 

@@ -91,7 +91,8 @@ fn what_is_hardly_determined_stands_in_the_headline() {
         ],
     );
     let (found, status) = answer(&case);
-    assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")), "{found}");
+    // One solution, but an interval as wide as the bounds is none.
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("agrees")), "{found}");
     assert_eq!(found["hardly_determined"], serde_json::json!(["vehicle.1.velocity.y"]));
     assert!(number(&found["unknown"]["vehicle.1.velocity.y"]["sd"]) > 2.5, "more than the way between its bounds");
     let said = text(&case, &[]).out;
@@ -145,16 +146,14 @@ fn more_tangential_impulse_than_sliding_gives_is_named() {
         )
     };
     // Heading for a wall on its left: friction retards its front, and it turns clockwise.
-    let snagged = text(&with("-400 deg/s ± 5 deg/s"), &[]);
-    assert!(snagged.status == 3 && snagged.out.is_empty(), "{}", snagged.out);
-    for words in
-        ["is beyond the critical one", "more tangential impulse than ends the sliding: something snagged, or the crush plane is another"]
-    {
-        assert!(snagged.err.contains(words), "{words}: {}", snagged.err);
+    for yaw_rate in ["-400 deg/s ± 5 deg/s", "40 deg/s ± 0.1 deg/s"] {
+        let (found, status) = answer(&with(yaw_rate));
+        assert_eq!((status, &found["verdict"]), (1, &Value::from("contradicted")), "{yaw_rate}");
+        assert_eq!(found["limits"], serde_json::json!(["beyond-critical"]), "{yaw_rate}");
+        let said = text(&with(yaw_rate), &[]).out;
+        let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(flat.contains("more tangential impulse than ends the sliding, or one that speeds it up: something snagged"), "{said}");
     }
-    let pushed = text(&with("40 deg/s ± 0.1 deg/s"), &[]);
-    assert!(pushed.status == 3 && pushed.err.contains("speeds the sliding up, which friction never does"), "{}{}", pushed.err, pushed.out);
-    assert!(!snagged.err.contains("--starts") && !pushed.err.contains("--starts"));
     let (slid, status) = answer(&with("-50 deg/s ± 5 deg/s"));
     assert_eq!((status, &slid["verdict"]), (0, &Value::from("agrees")));
 }

@@ -6,10 +6,29 @@ use planar_impact_app::units::trim;
 use planar_impact_app::units::{Measure, Units};
 
 use super::rounding::{digits, probability, rounded, with_spread};
+use super::unknowns::beyond;
 use crate::block::Block;
 
 /// Renders the verdict.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let mut blocks = verdict(answer, units);
+    blocks.extend(answer.limits.iter().filter_map(|limit| Some(Block::item("- ", at_the_edge(limit, beyond(limit)?)))));
+    blocks
+}
+
+/// Explains a best fit at the edge of the physics.
+fn at_the_edge(limit: &str, beyond: &str) -> String {
+    let hint = match limit {
+        "beyond-critical" => {
+            " The evidence implies more tangential impulse than ends the sliding, or one that speeds it up: something snagged, or the crush plane is another."
+        }
+        "not-closing" => " A normal impulse of zero means little: re-examine the crush plane and the directions.",
+        _ => " Re-examine the geometry.",
+    };
+    format!("The best fit lies at the edge of the physics: beyond it {beyond}.{hint}")
+}
+
+fn verdict(answer: &Reconstruction, units: Units) -> Vec<Block> {
     match answer.verdict {
         "agrees" => agrees(answer),
         "several solutions" if answer.other_separations => other_separations(answer),
@@ -36,15 +55,38 @@ fn chi_square(answer: &Reconstruction) -> String {
 }
 
 fn agrees(answer: &Reconstruction) -> Vec<Block> {
+    /// Probability below which the agreement is poor.
+    const POOR: f64 = 0.05;
     let weak = &answer.weakly_determined;
-    let but = if weak.is_empty() { String::new() } else { format!(", but evidence barely constrains {}", weak.join(", ")) };
-    let mut blocks = vec![headline(format!("The evidence agrees with one solution{but}: {}.", chi_square(answer)))];
+    let mut but = if weak.is_empty() { String::new() } else { format!(", but evidence barely constrains {}", weak.join(", ")) };
+    if !answer.is_answer && weak.is_empty() {
+        but = ", but does not narrow every unknown down".to_owned();
+    }
+    let poorly = if answer.probability < POOR { " poorly" } else { "" };
+    let mut blocks = vec![headline(format!("The evidence agrees{poorly} with one solution{but}: {}.", chi_square(answer)))];
+    if !poorly.is_empty() {
+        blocks.extend(poor_agreement(answer));
+    }
     if answer.degrees_of_freedom == 0 {
         blocks.push(Block::paragraph("The evidence is just enough: no piece checks another. One more would."));
     } else if let Some((name, residual)) = off(&answer.furthest_off).filter(|(_, residual)| residual.abs() > 1e-3) {
         blocks.push(Block::paragraph(format!("Furthest off is {name}, by {:.1} standard deviations.", residual.abs())));
     }
     blocks
+}
+
+/// Explains a poor agreement: by chance, or because an unknown would go further than its bound.
+fn poor_agreement(answer: &Reconstruction) -> Vec<Block> {
+    let chance = format!(
+        "Poor agreement: by chance alone, evidence is this far off in {} of 100 cases. Re-examine the piece that is furthest off.",
+        digits(answer.probability * 100.0)
+    );
+    let held = answer.unknown.iter().filter(|(_, unknown)| unknown.at_bound.is_some() && unknown.sd.is_none());
+    let further = held.map(|(name, unknown)| {
+        let bound = if unknown.at_bound == Some("min") { "lower" } else { "upper" };
+        Block::item("- ", format!("{name} would go beyond its {bound} bound: is there a reason for that bound?"))
+    });
+    std::iter::once(Block::paragraph(chance)).chain(further).collect()
 }
 
 fn off(furthest: &Option<FurthestOff>) -> Option<(&'static str, f64)> {
@@ -80,7 +122,8 @@ fn undetermined(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let mut blocks = vec![headline("Underdetermined: these combinations are not constrained by the evidence.")];
     blocks.extend(answer.open_directions.iter().map(|direction| Block::item("- ", format!("{}.", in_words(direction, answer, units)))));
     blocks.push(Block::paragraph(
-        "Next: add evidence that depends on one of them, or take one as known. An open unknown has no value below.",
+        "Next: add evidence that depends on one of them, or take one as known. An open unknown has no value below; its interval is what the bounds and \
+         the other evidence allow.",
     ));
     blocks
 }

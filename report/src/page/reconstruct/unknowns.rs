@@ -1,19 +1,21 @@
 //! The unknowns of the solution.
 
-use planar_impact_app::reconstruct::{Alternative, Reconstruction, Unknown};
+use planar_impact_app::reconstruct::{Alternative, Derived, Interval, Reconstruction, Unknown};
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::{digits, probability, rounded};
+use super::rounding::{digits, probability, rounded, share};
 use crate::block::{Block, Table};
 
-/// Renders values, standard deviations and 95 % intervals, with the footnotes that they need.
+/// Renders values, standard deviations and intervals, with the footnotes that they need.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
-    let table = |kind: &str, is_input: bool| {
-        let all = answer.unknown.iter().filter(|(_, unknown)| unknown.is_input == is_input);
-        let rows: Vec<Vec<String>> = all.flat_map(|(name, unknown)| rows(name, unknown, units)).collect();
-        (!rows.is_empty()).then(|| Table::new([kind, "value", "+/- sd", "95 % from", "to", "unit"], "lrrrrl", rows).narrow().into())
+    let entries = |is_input: bool| {
+        let all = answer.unknown.iter().filter(move |(_, unknown)| unknown.is_input == is_input);
+        all.map(|(name, unknown)| (name, Row::of_unknown(unknown))).collect::<Vec<_>>()
     };
-    let mut blocks: Vec<Block> = table("unknown", false).into_iter().chain(table("uncertain input", true)).collect();
+    let mut blocks: Vec<Block> = [("unknown", false), ("uncertain input", true)]
+        .into_iter()
+        .filter_map(|(head, is_input)| Some(entries(is_input)).filter(|rows| !rows.is_empty()).map(|rows| table(head, answer, rows, units)))
+        .collect();
     for (name, unknown) in answer.unknown.iter() {
         blocks.extend(unknown.at_bound.map(|bound| Block::item("* ", at_bound(answer, name, unknown, bound))));
     }
@@ -21,39 +23,113 @@ pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
         let text = "evidence barely constrains it: its standard deviation is larger than its whole range.";
         blocks.push(Block::item("! ", format!("{name}: {text}")));
     }
-    if answer.impulse_ratio_is_fraction && answer.unknown.get("contact.impulse_ratio").is_some() {
-        let text = "contact.impulse_ratio is the fraction of the critical ratio here, as the case gives it.";
-        blocks.push(Block::item("", text));
-    }
+    blocks.extend(answer.unknown.iter().filter_map(|(name, unknown)| limited_by(name, &unknown.interval)));
     if !answer.has_uncertainty() && answer.has_solution() {
         blocks.push(Block::item("", "No piece of evidence has an uncertainty, so that of the unknowns is not known."));
     }
     blocks
 }
 
-/// Renders an unknown; a speed also in road units.
-fn rows(name: &str, unknown: &Unknown, units: Units) -> Vec<Vec<String>> {
-    let first = row(name, unknown, unknown.measure, units);
-    if unknown.measure == Measure::Speed { vec![first, row("", unknown, Measure::RoadSpeed, units)] } else { vec![first] }
+/// Renders what follows from the unknowns, with its intervals.
+pub fn derived(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    if answer.derived.is_empty() {
+        return Vec::new();
+    }
+    let rows = answer.derived.iter().map(|(name, derived)| (name, Row::of_derived(derived))).collect();
+    vec![table("what follows", answer, rows, units)]
 }
 
-fn row(name: &str, unknown: &Unknown, measure: Measure, units: Units) -> Vec<String> {
-    let unit = units.unit(measure).to_owned();
-    let Some(value) = unknown.value else {
-        return vec![name.to_owned(), "open".to_owned(), "-".to_owned(), "-".to_owned(), "-".to_owned(), unit];
-    };
-    // If the interval is narrower than the standard deviation, use enough digits to distinguish its ends.
-    let width = unknown.interval_95.map(|[from, to]| to - from).filter(|width| *width > 0.0);
-    let step = unknown.sd.map(|sd| width.filter(|width| *width < sd).unwrap_or(sd));
-    let number = |value| rounded(measure, value, step, units);
-    let mark = if unknown.at_bound.is_some() && !name.is_empty() { " *" } else { "" };
-    let mut cells = vec![format!("{name}{mark}"), number(value)];
-    match unknown.sd.zip(unknown.interval_95) {
-        Some((sd, [from, to])) => cells.extend([number(sd), number(from), number(to)]),
-        None => cells.extend(["-"; 3].map(str::to_owned)),
+/// A row of a table of values and intervals.
+struct Row<'a> {
+    value: Option<f64>,
+    sd: Option<f64>,
+    interval: &'a Interval,
+    is_at_bound: bool,
+    measure: Measure,
+}
+
+impl<'a> Row<'a> {
+    fn of_unknown(unknown: &'a Unknown) -> Self {
+        let Unknown { value, sd, at_bound, measure, .. } = *unknown;
+        Row { value, sd, interval: &unknown.interval, is_at_bound: at_bound.is_some(), measure }
     }
-    cells.push(unit);
-    cells
+
+    fn of_derived(derived: &'a Derived) -> Self {
+        let Derived { value, sd, measure, .. } = *derived;
+        Row { value, sd, interval: &derived.interval, is_at_bound: false, measure }
+    }
+
+    /// Formats the row; without a name in another unit.
+    fn cells(&self, name: &str, measure: Measure, units: Units) -> Vec<String> {
+        let dash = || "-".to_owned();
+        /// Share of the value below which the width of an interval is the tolerance of exact evidence.
+        const EXACT: f64 = 1e-5;
+        let Interval { low, high, .. } = *self.interval;
+        let width = high.zip(low).map(|(high, low)| high - low);
+        let is_exact = width.zip(self.value).is_some_and(|(width, value)| width <= EXACT * value.abs());
+        // Without a standard deviation, the digits are those of a normal distribution as wide as the interval.
+        let step = match width.filter(|_| !is_exact) {
+            Some(width) => Some(self.sd.map_or(width / 4.0, |sd| sd.min(width))),
+            None => self.sd,
+        };
+        let number = |value: f64| rounded(measure, value, step, units);
+        let end = |end: Option<f64>| end.filter(|_| !is_exact).map_or_else(dash, number);
+        let mark = if self.is_at_bound && !name.is_empty() { " *" } else { "" };
+        let value = self.value.map_or_else(|| "open".to_owned(), number);
+        let sd = self.sd.map_or_else(dash, number);
+        vec![format!("{name}{mark}"), value, sd, end(low), end(high), units.unit(measure).to_owned()]
+    }
+}
+
+/// Renders rows; a speed also in road units.
+fn table(head: &str, answer: &Reconstruction, rows: Vec<(&str, Row<'_>)>, units: Units) -> Block {
+    let cells = |(name, row): (&str, Row<'_>)| {
+        let first = row.cells(name, row.measure, units);
+        let road = (row.measure == Measure::Speed).then(|| row.cells("", Measure::RoadSpeed, units));
+        [Some(first), road].into_iter().flatten()
+    };
+    let level = answer.unknown.iter().next().map_or(0.95, |(_, unknown)| unknown.interval.level);
+    let from = format!("{} from", share(level));
+    Table::new([head, "value", "+/- sd", &from, "to", "unit"], "lrrrrl", rows.into_iter().flat_map(cells).collect()).narrow().into()
+}
+
+/// Names the bounds and the limits of the physics that make the ends of an interval.
+fn limited_by(name: &str, interval: &Interval) -> Option<Block> {
+    let limits = match (&interval.low_limited_by, &interval.high_limited_by) {
+        (None, None) => return None,
+        (Some(low), Some(high)) if low == high => format!("both ends of its interval come from {}", in_words(name, low)),
+        (Some(low), Some(high)) => {
+            format!("the lower end of its interval comes from {}, the upper end from {}", in_words(name, low), in_words(name, high))
+        }
+        (Some(low), None) => format!("the lower end of its interval comes from {}", in_words(name, low)),
+        (None, Some(high)) => format!("the upper end of its interval comes from {}", in_words(name, high)),
+    };
+    Some(Block::item("- ", format!("{name}: {limits}.")))
+}
+
+/// Returns what is impossible beyond a limit of the physics.
+pub fn beyond(limit: &str) -> Option<&'static str> {
+    Some(match limit {
+        "not-closing" => "the vehicles do not approach each other",
+        "tensile" => "the impulse would pull",
+        "beyond-critical" => "friction would do more than end the sliding, or speed it up",
+        "energy-gain" => "the impact would gain energy",
+        _ => return None,
+    })
+}
+
+fn in_words(of: &str, limit: &str) -> String {
+    match limit {
+        "period" => "a whole turn".to_owned(),
+        limit if beyond(limit).is_some() => format!("the physics: beyond it {}", beyond(limit).unwrap_or_default()),
+        bound => match bound.rsplit_once(' ') {
+            Some((name, "min")) if name == of => "its own lower bound".to_owned(),
+            Some((name, _)) if name == of => "its own upper bound".to_owned(),
+            Some((name, "min")) => format!("the lower bound of {name}"),
+            Some((name, _)) => format!("the upper bound of {name}"),
+            None => bound.to_owned(),
+        },
+    }
 }
 
 /// Explains an unknown at its bound, with the paper's guideline if it has one.
@@ -64,7 +140,7 @@ fn at_bound(answer: &Reconstruction, name: &str, unknown: &Unknown, bound: &str)
         ("contact.restitution", "min") if unknown.value == Some(0.0) => "a common velocity along the normal, as in most severe crashes.",
         _ if unknown.sd.is_some() => "the best fit without the bound lies there too.",
         _ if answer.has_uncertainty() => {
-            "the best fit without the bound lies beyond it. It is held at the bound, so it has no standard deviation, and those of the others treat it as known."
+            "the best fit without the bound lies beyond it. It is held at the bound, so it has no standard deviation, and those of the others treat it as known; the intervals do not."
         }
         // Without any standard deviation, nothing distinguishes the two cases.
         _ => "is there a reason for that bound?",

@@ -1,0 +1,104 @@
+//! Limits of the physics: where a search along the evidence ends, or an interval.
+
+use super::placed::Placed;
+use super::variable::Variable;
+use crate::collision::Collision;
+use crate::contact::Contact;
+use crate::impact::Impact;
+use crate::law::ImpulseRatio;
+use crate::least_squares::Bound;
+use crate::scalar::Real;
+
+/// Reason why a best fit, or the end of an interval, lies where it lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Limit {
+    /// A bound of an unknown, given or that of the mechanics.
+    Bound(Variable, Bound),
+    /// Beyond it the vehicles do not approach each other.
+    Closing,
+    /// Beyond it the impulse would pull.
+    Tension,
+    /// Beyond it the tangential impulse is more than ends the sliding, or speeds it up.
+    Sliding,
+    /// Beyond it the impact would gain energy.
+    Energy,
+    /// An angle that has turned all the way round.
+    Period,
+}
+
+impl Limit {
+    /// Returns its name: that of the unknown and its bound, or the code of the refusal beyond it.
+    pub fn name(self) -> String {
+        match self {
+            Limit::Bound(of, Bound::Min) => format!("{} min", of.name()),
+            Limit::Bound(of, Bound::Max) => format!("{} max", of.name()),
+            Limit::Closing => "not-closing".to_owned(),
+            Limit::Tension => "tensile".to_owned(),
+            Limit::Sliding => "beyond-critical".to_owned(),
+            Limit::Energy => "energy-gain".to_owned(),
+            Limit::Period => "period".to_owned(),
+        }
+    }
+}
+
+/// The margins of a collision: smooth functions of order 1 that are negative where the mechanics refuses it.
+#[derive(Clone)]
+pub(super) struct Margins {
+    limits: Vec<Limit>,
+    /// The side of vehicle 2 along n, 1 or −1.
+    side: f64,
+    /// A significant relative velocity, impulse, energy and distance.
+    velocity: f64,
+    impulse: f64,
+    energy: f64,
+    distance: f64,
+}
+
+impl Margins {
+    /// Creates the margins on the side of a collision that the mechanics accepts, in its sizes.
+    pub(super) fn around(placed: &Placed<f64>, impact: &Impact) -> Self {
+        let contact = placed.collision.contact();
+        let velocity = impact.approach.n.abs().max(1.0);
+        let impulse = impact.impulse.n.abs().max(velocity / contact.compliance.nn);
+        let mut limits = vec![Limit::Closing, Limit::Closing, Limit::Tension, Limit::Energy];
+        match placed.collision.impulse_ratio {
+            ImpulseRatio::Given(_) => limits.extend([Limit::Sliding; 2]),
+            ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
+            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
+        }
+        let offset = contact.offset().n;
+        Margins { limits, side: 1_f64.copysign(offset), velocity, impulse, energy: impulse * velocity, distance: offset.abs().max(0.1) }
+    }
+
+    pub(super) fn limit(&self, index: usize) -> Limit {
+        self.limits[index]
+    }
+
+    /// Returns the margins of a collision, in the order of [`Margins::limit`].
+    pub(super) fn of<T: Real + From<f64>>(&self, collision: &Collision<T>, contact: &Contact<T>, impact: &Impact<T>) -> Vec<T> {
+        /// Least approach velocity and offset, as a share: at zero there is no collision, and close to it nothing but rounding.
+        const LEAST: f64 = 1e-4;
+        /// Least of the rest, beyond rounding.
+        const ROUNDING: f64 = 1e-7;
+        let over = |value: T, unit: f64, least: f64| value * T::from(unit.recip()) - T::from(least);
+        let sticking = collision.sticking_impulse(contact);
+        let mut margins = vec![
+            over(impact.approach.n.clone(), -self.side * self.velocity, LEAST),
+            over(contact.offset().n, self.side * self.distance, LEAST),
+            over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING),
+            over(impact.loss(), self.energy, ROUNDING),
+        ];
+        match collision.impulse_ratio {
+            ImpulseRatio::Given(_) => {
+                let along = impact.impulse.t.clone() * sticking.t.clone();
+                let unit = self.impulse * self.impulse;
+                margins.push(over(along.clone(), unit, ROUNDING));
+                margins.push(over(sticking.t.squared() - along, unit, ROUNDING));
+            }
+            ImpulseRatio::OfCritical(_) => margins.push(over(sticking.n, -self.side * self.impulse, ROUNDING)),
+            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
+        }
+        margins
+    }
+}
