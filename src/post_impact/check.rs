@@ -4,7 +4,7 @@ use super::ground::{Area, Region};
 use super::issue::SlideIssue;
 use super::slide::Slide;
 use super::tire::Restraint;
-use super::vehicle::Pose;
+use super::vehicle::{Pose, SlidingVehicle};
 use crate::issue::{IssueCollector, Place};
 use crate::measure::Measure;
 
@@ -39,6 +39,29 @@ impl Slide {
         }
         issues
     }
+}
+
+/// Checks that a vehicle has the proportions of one. The slide of any other can be followed, but the search for its separation would take long and mean nothing.
+pub(super) fn check_proportions(issues: &mut IssueCollector<SlideIssue>, vehicle: &SlidingVehicle) {
+    /// Largest track, in wheelbases.
+    const WIDEST: f64 = 3.0;
+    /// Least and greatest radius of gyration, in distances of the farthest wheel from the center of mass: those of cars and trucks are 0.6 to 1.2.
+    const GYRATION: [f64; 2] = [0.05, 5.0];
+    let SlidingVehicle { mass, yaw_inertia, front_axle, rear_axle, track, .. } = *vehicle;
+    if ![mass, yaw_inertia, front_axle, rear_axle, track].iter().all(|value| value.is_finite() && *value > 0.0) {
+        return;
+    }
+    let farthest_squared = front_axle.max(rear_axle).powi(2) + (track / 2.0).powi(2);
+    let [least, greatest] = GYRATION.map(|radius| to_two_digits(mass * radius * radius * farthest_squared));
+    if issues.within(Place::of("track", Measure::Length), &track, 0.0, Some(to_two_digits(WIDEST * (front_axle + rear_axle)))) {
+        issues.within(Place::of("yaw_inertia", Measure::YawInertia), &yaw_inertia, least, Some(greatest));
+    }
+}
+
+/// Rounds a limit that is as good as its order of magnitude.
+fn to_two_digits(value: f64) -> f64 {
+    let digits = 10_f64.powi(1 - value.log10().floor() as i32);
+    (value * digits).round() / digits
 }
 
 /// Checks a pose, given the names of its position and heading.

@@ -4,7 +4,7 @@ use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::check::check_pose;
+use super::check::{check_pose, check_proportions};
 use super::issue::{NoRest, SlideIssues};
 use super::slide::Slide;
 use super::trajectory_state::TrajectoryState;
@@ -245,6 +245,7 @@ impl Slide {
 
     fn check_evidence(&self, evidence: &RestEvidence) -> Result<(), SlideIssues> {
         let mut issues = self.issues();
+        check_proportions(&mut issues, &self.vehicle);
         check_pose(&mut issues, ["separation.position.x", "separation.position.y", "separation.heading"], &evidence.separation);
         check_pose(&mut issues, ["rest.position.x", "rest.position.y", "rest.heading"], &evidence.rest);
         issues.positive(Place::of("rest.position.x.sd", Measure::Length), &evidence.position_deviation.x);

@@ -77,3 +77,17 @@ fn a_vehicle_that_never_stops_is_refused_at_its_place() {
         run.err
     );
 }
+
+/// The search for the separation of such a vehicle took up to 14 s before it failed.
+#[test]
+fn what_has_not_the_proportions_of_a_vehicle_is_refused_at_once() {
+    for (name, what) in [
+        ("rest_slow.toml", "track is 152 m; it must be from 0 m to 8.4 m"),
+        ("rest_slow_track_30_m.json", "track is 30 m; it must be from 0 m to 8.4 m"),
+        ("rest_slow_I_1e9.json", "yaw_inertia is 1000000000 kg m^2; it must be from 13 kg m^2 to 130000 kg m^2"),
+    ] {
+        let refused = run(&workspace(), &["crash3", &format!("cli/tests/reproducers/{name}")]);
+        assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{name}");
+        assert!(refused.err.contains("rest.vehicle.2") && refused.err.contains(what), "{name}: {}", refused.err);
+    }
+}
