@@ -5,6 +5,7 @@
 
 use std::f64::consts::{PI, TAU};
 use std::thread;
+use std::time::Instant;
 
 use planar_impact::reconstruct::{Interval, Limit, Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
 use planar_impact::*;
@@ -263,7 +264,9 @@ fn the_whole_campaign() {
     println!("| truth | crashes | without an answer | worse than the truth | least and greatest coverage |");
     println!("|---|---|---|---|---|");
     for stratum in Stratum::ALL {
+        let start = Instant::now();
         let tally = Tally::of(stratum, crashes);
+        eprintln!("{}: {:.0} s", stratum.name(), start.elapsed().as_secs_f64());
         let coverage = |(of, count, covered): &(Measurand, usize, usize)| (*covered as f64 / *count as f64, of.name());
         let mut all: Vec<(f64, &str)> = tally.covered.iter().map(coverage).collect();
         all.sort_by(|one, other| one.0.total_cmp(&other.0));
