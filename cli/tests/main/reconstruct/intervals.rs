@@ -75,7 +75,7 @@ fn intervals_follow_the_evidence_where_it_bends() {
         let [low, high] = ends(&answer(name, 1).0, unknown);
         assert!(low <= truth && truth <= high, "{name}: {low} {high}");
     }
-    // The truth, 21.66 m/s, lies 4.1 above the least chi-square; the linear interval ended at 13.95 m/s.
+    // The truth, 21.66 m/s, lies 4.34 above the least chi-square; the linear interval ended at 13.95 m/s.
     let (found, _) = answer("bound_sd_801.json", 1);
     let [low, high] = ends(&found, "vehicle.2.speed");
     near(low, 13.51, 0.01);
