@@ -42,6 +42,7 @@ mod issue;
 mod limit;
 mod measurand;
 mod placed;
+mod profile;
 mod residuals;
 mod scene;
 mod search;

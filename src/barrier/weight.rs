@@ -6,7 +6,7 @@ use crate::measure::Measure;
 use crate::scalar::{Field, Ordered, is_positive};
 use alloc::vec::Vec;
 
-/// A covariance as L D Lᵀ, with ones on the diagonal of L. It needs no square root, so it is exact in rationals.
+/// A covariance, factored into L D Lᵀ, where the diagonal of L is 1. Without a square root, rationals stay exact.
 pub(super) struct Weight<T> {
     /// Rows of L, each up to but excluding its diagonal.
     lower: Vec<Vec<T>>,

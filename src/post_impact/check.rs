@@ -58,7 +58,7 @@ pub(super) fn check_proportions(issues: &mut IssueCollector<SlideIssue>, vehicle
     }
 }
 
-/// Rounds a limit that is as good as its order of magnitude.
+/// Rounds a limit to two digits: more would suggest that it is exact.
 fn to_two_digits(value: f64) -> f64 {
     let digits = 10_f64.powi(1 - value.log10().floor() as i32);
     (value * digits).round() / digits

@@ -77,42 +77,51 @@ impl<'a> Model<'a> {
         Some(self.residuals(&self.measured(&placed, &impact)))
     }
 
+    /// Returns the computed values of the evidence at given unknowns, whether or not the mechanics accepts the collision.
+    fn evaluated<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> Vec<T> {
+        let placed = self.scene.place(unknowns);
+        self.measured(&placed, &placed.collision.evaluate())
+    }
+
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.
     pub(super) fn derivatives(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
-        let mut matrix = DMatrix::zeros(self.evidence.len(), unknowns.len());
-        for k in 0..unknowns.len() {
-            point[k].eps = 1.0;
-            let placed = self.scene.place(&point);
-            let impact = placed.collision.evaluate();
-            for (i, evidence) in self.evidence.iter().enumerate() {
-                matrix[(i, k)] = evidence.of.of(&placed, &impact).map_or(0.0, |value| value.eps);
-            }
-            point[k].eps = 0.0;
-        }
-        matrix
+        with_slopes(unknowns, |point| self.evaluated(point)).1
     }
 
     /// Returns the second derivatives of a sum of the computed evidence, each piece times a factor.
     pub(super) fn curvature(&self, unknowns: &[f64], factors: &DVector<f64>) -> DMatrix<f64> {
-        let n = unknowns.len();
-        let mut point: Vec<HyperDual64> = unknowns.iter().copied().map(HyperDual64::from).collect();
-        let mut matrix = DMatrix::zeros(n, n);
-        for i in 0..n {
-            for k in i..n {
-                point[i].eps1 = 1.0;
-                point[k].eps2 = 1.0;
-                let placed = self.scene.place(&point);
-                let impact = placed.collision.evaluate();
-                let twice = self.measured(&placed, &impact).iter().zip(factors).map(|(value, factor)| value.eps1eps2 * factor).sum();
-                matrix[(i, k)] = twice;
-                matrix[(k, i)] = twice;
-                point[i].eps1 = 0.0;
-                point[k].eps2 = 0.0;
-            }
-        }
-        matrix
+        curvature_of_sum(unknowns, factors.as_slice(), |point| self.evaluated(point))
     }
+}
+
+/// Returns values that are computed from the unknowns, and their derivatives: a row for each value, a column for each unknown.
+pub(super) fn with_slopes(unknowns: &[f64], computed: impl Fn(&[Dual64]) -> Vec<Dual64>) -> (Vec<f64>, DMatrix<f64>) {
+    let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
+    let (mut values, mut columns) = (Vec::new(), Vec::new());
+    for k in 0..point.len() {
+        point[k].eps = 1.0;
+        let at = computed(&point);
+        columns.push(DVector::from_iterator(at.len(), at.iter().map(|value| value.eps)));
+        values = at.into_iter().map(|value| value.re).collect();
+        point[k].eps = 0.0;
+    }
+    (values, DMatrix::from_columns(&columns))
+}
+
+/// Returns the second derivatives of a sum of values that are computed from the unknowns, each times a factor.
+pub(super) fn curvature_of_sum(unknowns: &[f64], factors: &[f64], computed: impl Fn(&[HyperDual64]) -> Vec<HyperDual64>) -> DMatrix<f64> {
+    let n = unknowns.len();
+    let mut point: Vec<HyperDual64> = unknowns.iter().copied().map(HyperDual64::from).collect();
+    let mut matrix = DMatrix::zeros(n, n);
+    for i in 0..n {
+        for k in i..n {
+            (point[i].eps1, point[k].eps2) = (1.0, 1.0);
+            let twice = computed(&point).iter().zip(factors).map(|(value, factor)| value.eps1eps2 * factor).sum();
+            (matrix[(i, k)], matrix[(k, i)]) = (twice, twice);
+            (point[i].eps1, point[k].eps2) = (0.0, 0.0);
+        }
+    }
+    matrix
 }
 
 impl Residuals for Model<'_> {

@@ -92,7 +92,7 @@ fn starts(model: &Model<'_>, spans: &[ParameterBounds], search: &Search) -> Resu
     Ok(starts)
 }
 
-/// Returns the speed that the crush energy alone determines if nothing else moves: works grow with its square, so it is unique.
+/// Returns the speed that the crush energy alone determines if nothing else moves. The work grows with the square of the speed, so there is only one.
 fn speed_alone(question: &ReconstructionProblem) -> Option<f64> {
     let ([unknown], [evidence], []) = (&question.unknowns[..], &question.evidence[..], &question.correlations[..]) else { return None };
     let (Variable::Speed(side), Measurand::CrushEnergy, None) = (unknown.of, evidence.of, unknown.prior) else { return None };
@@ -176,12 +176,12 @@ impl Found {
         }
     }
 
-    /// Returns starts at each minimum, but with one unknown at one of its bounds: a solution there has little room to be found by chance.
+    /// Returns starts at the minimum that was found first, but with one unknown at one of its bounds: chance seldom finds a solution there.
     fn at_bounds(&self, spans: &[ParameterBounds]) -> Vec<Vec<f64>> {
-        let Some((best, _)) = self.minima.first() else { return Vec::new() };
+        let Some((found, _)) = self.minima.first() else { return Vec::new() };
         let ends = spans.iter().enumerate().flat_map(|(i, span)| [(i, span.min), (i, span.max)]).filter(|(_, bound)| bound.is_finite());
         let at = |(i, bound): (usize, f64)| {
-            let mut start = best.unknowns.clone();
+            let mut start = found.unknowns.clone();
             start[i] = bound;
             start
         };

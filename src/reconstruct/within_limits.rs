@@ -1,12 +1,11 @@
 //! The evidence as a least-squares problem within the limits of the physics, with or without a fixed quantity.
 
 use nalgebra::{DMatrix, DVector};
-use num_dual::{Dual64, HyperDual64};
 
 use super::limit::{Limit, Margins};
 use super::measurand::Measurand;
 use super::placed::Placed;
-use super::residuals::Model;
+use super::residuals::{Model, curvature_of_sum, with_slopes};
 use super::variable::turns;
 use crate::impact::Impact;
 use crate::least_squares::limited::{Limited, Local};
@@ -53,7 +52,7 @@ impl<'a> WithinLimits<'a> {
         self.fixed = fixed;
     }
 
-    /// Returns the limit that a margin stands for.
+    /// Returns the limit of the physics whose distance a margin is.
     pub(super) fn limit(&self, margin: usize) -> Limit {
         self.margins.limit(margin)
     }
@@ -74,16 +73,7 @@ impl<'a> WithinLimits<'a> {
 
 impl Limited for WithinLimits<'_> {
     fn at(&self, unknowns: &[f64]) -> Option<Local> {
-        let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
-        let (mut values, mut slopes) = (Vec::new(), Vec::new());
-        for k in 0..point.len() {
-            point[k].eps = 1.0;
-            let at = computed(self.model, &self.margins, self.fixed, &point);
-            slopes.push(DVector::from_iterator(at.len(), at.iter().map(|value| value.eps)));
-            values = at.into_iter().map(|value| value.re).collect();
-            point[k].eps = 0.0;
-        }
-        let slopes = DMatrix::from_columns(&slopes);
+        let (values, slopes) = with_slopes(unknowns, |point| computed(self.model, &self.margins, self.fixed, point));
         let (evidence, margins) = (self.model.evidence.len(), slopes.nrows() - usize::from(self.fixed.is_some()));
         let residuals = self.model.residuals(&values[..evidence]);
         let whiten = |rows: DMatrix<f64>| self.model.weights.whiten(rows);
@@ -100,24 +90,12 @@ impl Limited for WithinLimits<'_> {
     }
 
     fn bend(&self, unknowns: &[f64], margins: &[f64], fixed: &[f64]) -> DMatrix<f64> {
-        let n = unknowns.len();
         let values = computed(self.model, &self.margins, None, unknowns);
         let residuals = DVector::from_vec(self.model.residuals(&values[..self.model.evidence.len()]));
         let mut factors: Vec<f64> = self.model.weights.inverse_times(&residuals).iter().copied().collect();
         factors.extend(margins);
         factors.extend(fixed.iter().zip(&self.fixed).map(|(multiplier, fixed)| multiplier / fixed.scale));
-        let mut point: Vec<HyperDual64> = unknowns.iter().copied().map(HyperDual64::from).collect();
-        let mut matrix = DMatrix::zeros(n, n);
-        for i in 0..n {
-            for k in i..n {
-                (point[i].eps1, point[k].eps2) = (1.0, 1.0);
-                let at = computed(self.model, &self.margins, self.fixed, &point);
-                let sum: f64 = at.iter().zip(&factors).map(|(value, factor)| value.eps1eps2 * factor).sum();
-                (matrix[(i, k)], matrix[(k, i)]) = (-sum, -sum);
-                (point[i].eps1, point[k].eps2) = (0.0, 0.0);
-            }
-        }
-        matrix
+        -curvature_of_sum(unknowns, &factors, |point| computed(self.model, &self.margins, self.fixed, point))
     }
 }
 

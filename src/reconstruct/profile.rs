@@ -1,0 +1,412 @@
+//! The profile of the likelihood: the best fit of everything else while one quantity is held.
+//!
+//! Each end of an interval is followed outwards from a solution, so that it may lie at the far end of a curved valley, and the interval of several solutions
+//! covers those of each.
+
+use nalgebra::DMatrix;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::given::Unknown;
+use super::interval::{Interval, Method};
+use super::limit::Limit;
+use super::measurand::Measurand;
+use super::residuals::Model;
+use super::solution::Solution;
+use super::variable::turns;
+use super::verdict::Answer;
+use super::within_limits::{Fixed, WithinLimits};
+use crate::least_squares::limited::{self, Limited, Reached, Until};
+use crate::least_squares::{Bound, ParameterBounds, scaled};
+
+/// Precision of an end, as a share of its distance from the value.
+const PRECISE: f64 = 2e-4;
+
+/// Largest number of solutions from which ends are followed, the best first.
+const SOLUTIONS: usize = 8;
+
+/// The likelihood around the solutions.
+pub(super) struct Profile<'a> {
+    model: &'a Model<'a>,
+    spans: Vec<ParameterBounds>,
+    /// The unknowns of each solution whose χ² is within the limit, the best first.
+    solutions: Vec<Vec<f64>>,
+    /// The covariance of the unknowns at the best solution; `None` if one of them has no standard deviation.
+    covariance: Option<DMatrix<f64>>,
+    /// The largest χ² within the interval.
+    greatest: f64,
+    /// Its excess over the least.
+    quantile: f64,
+}
+
+/// One end of an interval.
+#[derive(Clone, Debug)]
+struct End {
+    value: f64,
+    limited_by: Option<Limit>,
+    /// The unknowns there.
+    at: Vec<f64>,
+}
+
+/// The best fit with the quantity held at a value.
+struct Tried {
+    value: f64,
+    /// `Err` if it does not get that value, with the closest one that it got, if any.
+    reached: Result<Reached, Option<f64>>,
+}
+
+impl<'a> Profile<'a> {
+    /// Creates the profile around the solutions of an answer, at a level of confidence.
+    pub(super) fn of(model: &'a Model<'a>, spans: Vec<ParameterBounds>, answer: &Answer, level: f64) -> Option<Self> {
+        let quantile = ChiSquared::new(1.0).ok()?.inverse_cdf(level);
+        let unknowns = |solution: &Solution| solution.unknowns.iter().map(|estimate| estimate.value).collect();
+        let greatest = answer.best().chi_square + quantile;
+        let all = answer.solutions.iter().chain(&answer.worse).filter(|solution| solution.chi_square <= greatest);
+        // Where a measurand has no slope, such as the direction of a velocity near zero, searches end in many places close to each other.
+        let solutions = all.take(SOLUTIONS).map(unknowns).collect();
+        Some(Profile { model, spans, solutions, covariance: covariance(answer.best()), greatest, quantile })
+    }
+
+    /// Returns the intervals of quantities that the collision has.
+    pub(super) fn intervals(&self, of: &[Measurand], level: f64) -> Vec<Interval> {
+        /// Number of times that the ends of one interval extend another.
+        const ROUNDS: usize = 3;
+        let of = of.iter().copied().filter(|of| of.is_in(&self.model.question.collision));
+        let quantities: Vec<Quantity<'_>> = of.filter_map(|of| self.quantity(of)).collect();
+        let mut ends: Vec<Option<[End; 2]>> = quantities.iter().map(|quantity| quantity.around(&self.solutions)).collect();
+        // The end of one interval may show that another is wider.
+        for _ in 0..ROUNDS {
+            let reached: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
+            for (quantity, ends) in quantities.iter().zip(&mut ends) {
+                let Some(ends) = ends else { continue };
+                for point in &reached {
+                    quantity.extend(ends, point);
+                }
+            }
+        }
+        let interval = |(quantity, ends): (&Quantity<'_>, Option<[End; 2]>)| ends.map(|ends| quantity.interval(&ends, level));
+        quantities.iter().zip(ends).filter_map(interval).collect()
+    }
+
+    fn quantity(&'a self, of: Measurand) -> Option<Quantity<'a>> {
+        let value = self.value(of, self.solutions.first()?)?;
+        let variable = self.model.question.unknowns.iter().position(|unknown| Measurand::Variable(unknown.of) == of);
+        let scale = variable.map_or_else(|| (0.1 * value.abs()).max(0.1 * of.least_size()), |i| self.spans[i].scale);
+        let bounds = variable.map_or([f64::NEG_INFINITY, f64::INFINITY], |i| [self.spans[i].min, self.spans[i].max]);
+        // An angle without bounds repeats itself after half a turn to either side.
+        let half_turn = of.period().filter(|_| bounds.iter().any(|bound| bound.is_infinite())).map_or(f64::INFINITY, |period| period / 2.0);
+        let outer = [(value - half_turn).max(bounds[0]), (value + half_turn).min(bounds[1])];
+        Some(Quantity { profile: self, of, value, scale, period: of.period().filter(|_| variable.is_none()), outer, bounds })
+    }
+
+    /// Returns the standard deviation of a quantity at the best solution, to first order.
+    fn sd(&self, of: Measurand) -> Option<f64> {
+        let point = self.solutions.first()?;
+        let (placed, impact) = self.model.solve(point).ok()?;
+        let (_, slope) = WithinLimits::around(self.model, &placed, &impact).slopes_of(of, point)?;
+        Some((&slope * self.covariance.as_ref()? * slope.transpose())[(0, 0)].sqrt())
+    }
+
+    /// Returns the value of a quantity at a point that the mechanics accepts.
+    fn value(&self, of: Measurand, unknowns: &[f64]) -> Option<f64> {
+        let (placed, impact) = self.model.solve(unknowns).ok()?;
+        of.of(&placed, &impact)
+    }
+}
+
+fn covariance(solution: &Solution) -> Option<DMatrix<f64>> {
+    let n = solution.unknowns.len();
+    let has_all = solution.unknowns.iter().all(|estimate| estimate.sd.is_some());
+    has_all.then(|| DMatrix::from_fn(n, n, |i, k| solution.covariance.get(i, k)))
+}
+
+/// A quantity whose interval is wanted.
+struct Quantity<'a> {
+    profile: &'a Profile<'a>,
+    of: Measurand,
+    /// Its value at the best solution.
+    value: f64,
+    scale: f64,
+    /// The period of an angle that is computed.
+    period: Option<f64>,
+    /// The farthest values to look at: bounds, or half a turn away.
+    outer: [f64; 2],
+    bounds: [f64; 2],
+}
+
+/// The way outwards, as far as it is within the limit.
+struct Inside {
+    value: f64,
+    unknowns: Vec<f64>,
+    before: Option<(f64, Vec<f64>)>,
+    limited_by: Option<Limit>,
+}
+
+impl Inside {
+    fn advance(&mut self, value: f64, reached: &Reached, limited_by: Option<Limit>) {
+        self.before = Some((self.value, std::mem::replace(&mut self.unknowns, reached.unknowns.clone())));
+        (self.value, self.limited_by) = (value, limited_by);
+    }
+
+    /// Returns the point to which the last two lead.
+    fn extrapolated(&self, value: f64) -> Vec<f64> {
+        let Some((before, unknowns)) = &self.before else { return self.unknowns.clone() };
+        let share = (value - self.value) / (self.value - before);
+        self.unknowns.iter().zip(unknowns).map(|(here, before)| here + share * (here - before)).collect()
+    }
+}
+
+impl Quantity<'_> {
+    /// Returns the ends that enclose those around each solution.
+    fn around(&self, solutions: &[Vec<f64>]) -> Option<[End; 2]> {
+        let ends = |point: &Vec<f64>| {
+            let value = self.unwrapped(point)?;
+            Some([-1.0, 1.0].map(|direction| self.end(direction, point, value)))
+        };
+        solutions.iter().filter_map(ends).reduce(|[low, high], [other_low, other_high]| {
+            [if other_low.value < low.value { other_low } else { low }, if other_high.value > high.value { other_high } else { high }]
+        })
+    }
+
+    /// Follows an end from a point that lies beyond it.
+    fn extend(&self, ends: &mut [End; 2], point: &[f64]) {
+        /// Share of the width by which a point must lie beyond.
+        const BEYOND: f64 = 1e-3;
+        let Some(value) = self.unwrapped(point) else { return };
+        let width = ends[1].value - ends[0].value;
+        for (end, direction) in ends.iter_mut().zip([-1.0, 1.0]) {
+            if direction * (value - end.value) > BEYOND * width {
+                *end = self.end(direction, point, value);
+            }
+        }
+    }
+
+    /// Returns the value at a point; for an angle the turn next to the best one.
+    fn unwrapped(&self, point: &[f64]) -> Option<f64> {
+        let value = self.profile.value(self.of, point)?;
+        Some(value - turns(value - self.value, self.period))
+    }
+
+    /// Follows the best fit outwards from a point to the value at which χ² reaches its limit, or to what stops it.
+    fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
+        /// Largest number of steps outwards, each twice the last.
+        const STEPS: usize = 60;
+        let profile = self.profile;
+        let Ok((placed, impact)) = profile.model.solve(start) else {
+            return End { value, limited_by: None, at: start.to_vec() };
+        };
+        let mut problem = WithinLimits::around(profile.model, &placed, &impact);
+        let outer = self.outer[usize::from(direction > 0.0)];
+        let mut inside = Inside { value, unknowns: start.to_vec(), before: None, limited_by: None };
+        let mut length = self.first_step(&problem, start);
+        for _ in 0..STEPS {
+            let next = inside.value + direction * length;
+            let next = if direction * (next - outer) > 0.0 { outer } else { next };
+            if direction * (next - inside.value) <= 0.0 {
+                return self.at_outer(inside, outer);
+            }
+            let tried = self.tried(&mut problem, &inside, next, true);
+            let Ok(reached) = &tried.reached else { return self.between(&mut problem, inside, tried) };
+            let root = self.root(reached.sum_of_squares);
+            if root > PRECISE * profile.quantile.sqrt() {
+                return self.between(&mut problem, inside, tried);
+            }
+            inside.advance(next, reached, self.limit(&problem, reached));
+            if root.abs() <= PRECISE * profile.quantile.sqrt() {
+                return End { value: next, limited_by: inside.limited_by, at: inside.unknowns };
+            }
+            // A little beyond where the slope leads, so that the next point encloses the end.
+            let wanted = self.toward(&tried).map_or(f64::INFINITY, |value| 1.02 * direction * (value - next));
+            length = if wanted > 0.0 { wanted.min(4.0 * length) } else { 2.0 * length };
+        }
+        End { value: direction * f64::INFINITY, limited_by: None, at: inside.unknowns }
+    }
+
+    /// Returns how far the quantity would go if the evidence were linear in the unknowns.
+    fn first_step(&self, problem: &WithinLimits<'_>, unknowns: &[f64]) -> f64 {
+        /// The longest first step, in scales.
+        const LONGEST: f64 = 20.0;
+        let longest = LONGEST * self.scale;
+        let slopes = problem.slopes_of(self.of, unknowns);
+        let Some((jacobian, slope)) = slopes else { return longest };
+        let jacobian = scaled(jacobian, &self.profile.spans);
+        let slope = scaled(slope, &self.profile.spans).transpose();
+        let stiff = jacobian.tr_mul(&jacobian) + DMatrix::identity(jacobian.ncols(), jacobian.ncols()) * 1e-9;
+        let Some(factor) = stiff.cholesky() else { return longest };
+        let sd = slope.dot(&factor.solve(&slope)).sqrt();
+        let length = sd * self.profile.quantile.sqrt();
+        if length > 0.0 { length.min(longest) } else { 1e-3 * self.scale }
+    }
+
+    /// Returns the end at a bound of the quantity, or half a turn away.
+    fn at_outer(&self, inside: Inside, outer: f64) -> End {
+        let limit = match self.of {
+            Measurand::Variable(of) if outer == self.bounds[0] => Limit::Bound(of, Bound::Min),
+            Measurand::Variable(of) if outer == self.bounds[1] => Limit::Bound(of, Bound::Max),
+            _ => Limit::Period,
+        };
+        End { value: outer, limited_by: Some(limit), at: inside.unknowns }
+    }
+
+    /// Narrows the end down between a value within the limit and one beyond it, or beyond what can be.
+    fn between(&self, problem: &mut WithinLimits<'_>, mut inside: Inside, mut outside: Tried) -> End {
+        const STEPS: usize = 40;
+        let profile = self.profile;
+        let mut guess = self.toward(&outside);
+        let mut limited_by = None;
+        for step in 0..STEPS {
+            let (near, far) = (inside.value, outside.value);
+            let tolerance = PRECISE * (far - self.value).abs();
+            if (far - near).abs() <= tolerance {
+                break;
+            }
+            // Two thirds of the steps go where the slope of the profile leads; bisection in between keeps the bracket shrinking.
+            let is_between = |value: f64| (value - near) * (far - value) > 0.0;
+            let value = guess.filter(|value| step % 3 != 2 && is_between(*value)).unwrap_or(near + (far - near) / 2.0);
+            let tried = self.tried(problem, &inside, value, false);
+            guess = self.toward(&tried);
+            match &tried.reached {
+                Ok(reached) => {
+                    let excess = self.root(reached.sum_of_squares);
+                    if excess <= 0.0 {
+                        inside.advance(value, reached, self.limit(problem, reached));
+                    }
+                    if excess.abs() <= PRECISE * profile.quantile.sqrt() {
+                        let limited_by = self.limit(problem, reached);
+                        return End { value, limited_by, at: reached.unknowns.clone() };
+                    }
+                    if excess > 0.0 {
+                        outside = tried;
+                    }
+                }
+                Err(closest) => {
+                    let is_over = closest.is_some_and(|closest| (closest - near).abs() <= tolerance);
+                    outside = tried;
+                    if is_over {
+                        break;
+                    }
+                }
+            }
+        }
+        // Nothing lies beyond: what stops the way is near.
+        if outside.reached.is_err() {
+            limited_by = self.near(problem, &inside.unknowns);
+        }
+        End { value: inside.value, limited_by: limited_by.or(inside.limited_by), at: inside.unknowns }
+    }
+
+    /// Returns the spans without the bounds of the quantity itself, whose value is held.
+    fn released(&self) -> Vec<ParameterBounds> {
+        let unknowns = &self.profile.model.question.unknowns;
+        let free = |span: &ParameterBounds| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
+        let span =
+            |(span, unknown): (&ParameterBounds, &Unknown)| if Measurand::Variable(unknown.of) == self.of { free(span) } else { *span };
+        self.profile.spans.iter().zip(unknowns).map(span).collect()
+    }
+
+    /// Returns a point whose quantity, held at a bound, has not left it by rounding.
+    fn bounded(&self, mut reached: Reached) -> Reached {
+        reached.unknowns.iter_mut().zip(&self.profile.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
+        reached
+    }
+
+    /// Returns the root of the excess of χ² over the least, less that at the limit: for linear evidence it is linear in the quantity.
+    fn root(&self, chi_square: f64) -> f64 {
+        let profile = self.profile;
+        let excess = chi_square - (profile.greatest - profile.quantile);
+        // Not `max`, which would take a NaN for a best fit.
+        let excess = if excess < 0.0 { 0.0 } else { excess };
+        excess.sqrt() - profile.quantile.sqrt()
+    }
+
+    /// Returns the value at which the slope of the profile meets the limit, or the closest that can be.
+    fn toward(&self, tried: &Tried) -> Option<f64> {
+        match &tried.reached {
+            Ok(reached) => {
+                let root = self.root(reached.sum_of_squares);
+                let slope = reached.fixed_multiplier / (self.scale * (root + self.profile.quantile.sqrt()));
+                Some(tried.value - root / slope).filter(|value| value.is_finite())
+            }
+            Err(closest) => *closest,
+        }
+    }
+
+    /// Finds the best fit with the quantity held at a value: from where the last two points lead, and if that fails, or all are asked, from the last point and
+    /// the solutions.
+    fn tried(&self, problem: &mut WithinLimits<'_>, inside: &Inside, value: f64, all: bool) -> Tried {
+        const ITERATIONS: usize = 60;
+        /// Number of solutions from which it starts too.
+        const OTHERS: usize = 3;
+        let profile = self.profile;
+        problem.hold(Some(Fixed { of: self.of, value, scale: self.scale, period: self.period }));
+        let spans = self.released();
+        let others = profile.solutions.iter().take(OTHERS).cloned();
+        let mut best: Option<Reached> = None;
+        let mut closest: Option<f64> = None;
+        for start in [inside.extrapolated(value), inside.unknowns.clone()].into_iter().chain(others) {
+            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum).map(|reached| self.bounded(reached)) {
+                Ok(reached) if profile.model.solve(&reached.unknowns).is_ok() => {
+                    let is_inside = reached.sum_of_squares <= profile.greatest;
+                    if best.as_ref().is_none_or(|best| reached.sum_of_squares < best.sum_of_squares) {
+                        best = Some(reached);
+                    }
+                    if is_inside || !all {
+                        break;
+                    }
+                }
+                Ok(_) => (),
+                Err(stopped) => {
+                    let got = self.unwrapped(&stopped).filter(|at| (at - inside.value) * (value - at) > 0.0);
+                    let is_closer = |at: &f64| closest.is_none_or(|closest| (at - value).abs() < (closest - value).abs());
+                    closest = got.filter(is_closer).or(closest);
+                }
+            }
+        }
+        Tried { value, reached: best.ok_or(closest) }
+    }
+
+    /// Returns the bound of another unknown, or the limit of the physics, that a fit presses against most.
+    fn limit(&self, problem: &WithinLimits<'_>, reached: &Reached) -> Option<Limit> {
+        /// Least derivative of ½χ² by a limit that matters.
+        const MATTERS: f64 = 1e-6;
+        let unknowns = &self.profile.model.question.unknowns;
+        let of_bounds = reached.held.iter().zip(&reached.bound_multipliers).zip(unknowns).filter_map(|((held, multiplier), unknown)| {
+            let limit = Limit::Bound(unknown.of, (*held)?);
+            (Measurand::Variable(unknown.of) != self.of).then_some((limit, multiplier.abs()))
+        });
+        let of_margins = reached.margin_multipliers.iter().enumerate().map(|(k, multiplier)| (problem.limit(k), *multiplier));
+        let all = of_bounds.chain(of_margins).filter(|(_, multiplier)| *multiplier > MATTERS);
+        all.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(limit, _)| limit)
+    }
+
+    /// Returns the limit that a point is nearest to.
+    fn near(&self, problem: &WithinLimits<'_>, point: &[f64]) -> Option<Limit> {
+        /// Distance from a limit, in scales, that is none.
+        const NEAR: f64 = 1e-3;
+        let unknowns = self.profile.model.question.unknowns.iter().zip(point).zip(&self.profile.spans);
+        let of_bounds = unknowns.filter(|((unknown, _), _)| Measurand::Variable(unknown.of) != self.of).flat_map(|((unknown, x), span)| {
+            let to = |bound: f64, which| ((x - bound).abs() / span.scale, Limit::Bound(unknown.of, which));
+            [to(span.min, Bound::Min), to(span.max, Bound::Max)]
+        });
+        let margins = problem.at(point).map(|local| local.margins.iter().copied().collect::<Vec<_>>()).unwrap_or_default();
+        let of_margins = margins.into_iter().enumerate().map(|(k, margin)| (margin.abs(), problem.limit(k)));
+        let near = of_bounds.chain(of_margins).filter(|(distance, _)| *distance < NEAR);
+        near.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, limit)| limit)
+    }
+
+    fn interval(&self, [low, high]: &[End; 2], level: f64) -> Interval {
+        /// Share of the range that is rounding.
+        const NARROWER: f64 = 1e-6;
+        Interval {
+            of: self.of,
+            value: self.value,
+            sd: self.profile.sd(self.of),
+            low: low.value,
+            high: high.value,
+            level,
+            method: Method::Profile,
+            low_limited_by: low.limited_by,
+            high_limited_by: high.limited_by,
+            narrows: (high.value - low.value) < (self.outer[1] - self.outer[0]) * (1.0 - NARROWER),
+        }
+    }
+}
