@@ -68,9 +68,9 @@ pub(crate) fn minimum(
     let Some(mut walk) = Walk::from(of, start, spans) else { return Err(Vec::new()) };
     for taken in 0..iterations {
         let Some(step) = walk.program(of, taken).and_then(|program| walk.step(&program)) else { break };
-        // Where no step improves the fit any more, rounding is all that is left.
+        // Where no step improves the fit any more, rounding is all that is left: also of a decrease below zero where the conditions are met.
         let is_stuck = walk.radius < CONVERGED;
-        let is_over = step.length <= CONVERGED || until == Until::Sum && (is_stuck || step.decrease.abs() <= FLAT);
+        let is_over = step.length <= CONVERGED || until == Until::Sum && (is_stuck || step.decrease <= FLAT);
         if is_over && walk.here.violation() <= MET {
             return Ok(walk.reached(&step, taken));
         }
