@@ -5,6 +5,7 @@ mod calibration;
 mod closed_form;
 mod coverage;
 mod diagnosis;
+mod intervals;
 mod scene;
 mod table;
 mod verdicts;

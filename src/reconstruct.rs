@@ -20,7 +20,9 @@
 //! | solving the forward problem and reconstructing gives the true values, for each line of the table in `guide::reconstruction`, or the undetermined quantities are named | `table.rs` |
 //! | intervals of 95 % contain the true value in 95 % of the cases, and its ranks are uniform | `calibration.rs` |
 //! | intervals by profile likelihood contain the true value as often as they say, on bounds too, and end where the best fit of the rest leaves the limit; no answer fits worse than the truth | `coverage.rs` |
+//! | intervals of linear evidence are those of the normal distribution, and what makes an end is named: a bound, the physics, a whole turn | `intervals.rs` |
 //! | the influence is the change that a change of the evidence causes, and the covariance is that caused by its errors | `answers.rs`, `the_influence_is_the_difference_that_the_evidence_makes`, `the_covariance_is_what_the_errors_of_the_evidence_make` |
+//! | at a fold the covariance is that of the slopes | `answers.rs`, `at_a_fold_the_slopes_alone_make_the_covariance` |
 //! | correlated evidence and correlated priors are weighted by the inverse of their covariance; exact evidence is met and adds no uncertainty; a prior is evidence | `answers.rs` |
 //! | inconsistent evidence, active bounds, several solutions, undetermined directions, impossible collisions, too few steps: each is reported as such, with its numbers | `verdicts.rs` |
 //! | the closed forms invert the forward problem, and the search finds their solutions | `closed_form.rs` |

@@ -13,7 +13,7 @@ use rand_distr::StandardNormal;
 
 use rand::RngExt;
 
-use super::scene::{Source, Truth};
+use super::scene::{Source, Truth, with};
 
 const LEVEL: f64 = 0.95;
 
@@ -199,17 +199,7 @@ fn intervals_contain_the_truth_as_often_as_they_say() {
 fn known(problem: &ReconstructionProblem, of: Variable, value: f64) -> ReconstructionProblem {
     let mut known = problem.clone();
     known.unknowns.retain(|unknown| unknown.of != of);
-    for side in [Side::One, Side::Two] {
-        let party = if side == Side::One { &mut known.collision.one } else { &mut known.collision.two };
-        if let (true, Party::Vehicle(vehicle)) = (of == Variable::Speed(side), party) {
-            vehicle.motion.velocity = vehicle.heading.to_ground(ForwardLeft { forward: value, left: 0.0 });
-        }
-    }
-    match of {
-        Variable::Input(Input::CrushPlane) => known.collision.crush_plane = CrushPlane::from_angle(value),
-        Variable::Input(input) => known.collision.set(input, value).expect("the collision has it"),
-        _ => (),
-    }
+    known.collision = with(&problem.collision, of, value);
     known
 }
 
@@ -244,6 +234,7 @@ fn ends_are_where_the_best_fit_of_the_rest_leaves_the_limit() {
                 // A fit at the edge of the physics is defined to a ten thousandth.
                 let risen = rise(end).unwrap_or_else(|error| panic!("{what}: {error}"));
                 assert!(risen < QUANTILE + 0.02, "{what}: {risen}");
+                assert!(limit.is_some() || risen > QUANTILE - 0.005, "{what}: the interval is too narrow, {risen}");
                 match rise(end + 0.01 * outwards) {
                     Ok(beyond) => {
                         by_evidence += 1;

@@ -1,6 +1,6 @@
 //! Random oblique collisions of two cars, and their simulated measurements.
 
-use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Unknown, Variable};
+use planar_impact::reconstruct::{Answer, Measurand, ReconstructionProblem, Search, Uncertainty, Unknown, Variable};
 use planar_impact::*;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -47,6 +47,59 @@ impl Source {
             }
         }
     }
+}
+
+/// Returns the collision with another value of an unknown.
+pub fn with(collision: &Collision, of: Variable, value: f64) -> Collision {
+    let mut other = *collision;
+    for (own, party) in [(Side::One, &mut other.one), (Side::Two, &mut other.two)] {
+        if let (true, Party::Vehicle(vehicle)) = (of == Variable::Speed(own), party) {
+            vehicle.motion.velocity = vehicle.heading.to_ground(ForwardLeft { forward: value, left: 0.0 });
+        }
+    }
+    if let Variable::Input(input) = of {
+        other.set(input, value).expect("the collision has it");
+    }
+    other
+}
+
+/// Returns a car that drives straight into a barrier, with a crush plane that may be oblique to its path.
+pub fn straight_into_barrier(crush_plane: f64) -> Collision {
+    let car = Vehicle {
+        mass: 1500.0,
+        yaw_inertia: 2500.0,
+        heading: Heading::from_angle(0.0),
+        impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
+        motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
+    };
+    Collision {
+        one: car.into(),
+        two: Party::Barrier,
+        crush_plane: CrushPlane::from_angle(crush_plane),
+        restitution: 0.1,
+        impulse_ratio: ImpulseRatio::Critical,
+        law: Law::Brach,
+        moment: Moment::None,
+    }
+}
+
+/// A plane of 0.3 or −0.3, of which other evidence prefers the first by a given χ²; `more` is that of a prior which contradicts both.
+pub fn preferred(chi_square: f64, more: f64) -> (ReconstructionProblem, Answer) {
+    let truth = Truth::of(straight_into_barrier(0.3), 1.0);
+    let (plane, energy, delta_v) = (Variable::Input(Input::CrushPlane), Measurand::CrushEnergy, Measurand::DeltaVForward(Side::One));
+    let sd = Uncertainty::StandardDeviation;
+    let question = ReconstructionProblem::of(truth.collision)
+        .between(plane, 0.1, -0.6, 0.6)
+        .evidence(energy, truth.measured(energy), sd(1.0))
+        .evidence(delta_v, truth.measured(delta_v), sd(1.0))
+        .evidence(Measurand::Variable(plane), 0.3, sd(0.6 / chi_square.sqrt()))
+        // It does not depend on the plane.
+        .evidence(Measurand::Variable(Variable::Speed(Side::One)), 15.0 + more.sqrt(), sd(1.0));
+    let answer = question.solve(&Search::default()).expect("it has answers");
+    for (solution, expected) in answer.solutions.iter().chain(&answer.worse).zip([more, more + chi_square]) {
+        assert!((solution.chi_square - expected).abs() < 1e-3, "{} for {expected}", solution.chi_square);
+    }
+    (question, answer)
 }
 
 /// The true collision.

@@ -3,7 +3,7 @@
 use planar_impact::reconstruct::*;
 use planar_impact::*;
 
-use super::scene::{Source, Truth};
+use super::scene::{Source, Truth, preferred, straight_into_barrier, with};
 
 const SPEED_1: Variable = Variable::Speed(Side::One);
 const SPEED_2: Variable = Variable::Speed(Side::Two);
@@ -34,6 +34,8 @@ fn evidence_that_contradicts_itself_is_called_so() {
     assert!(best.degrees_of_freedom == 2 && best.probability < Answer::CONTRADICTION && best.chi_square > 10.83);
     let by_hand: f64 = best.evidence.iter().filter_map(Fitted::standardised_residual).map(|z| z * z).sum();
     assert!((best.chi_square / by_hand - 1.0).abs() < 1e-12);
+    // χ² with two degrees of freedom is exponentially distributed.
+    assert!((best.probability / (-best.chi_square / 2.0).exp() - 1.0).abs() < 1e-9, "{}", best.probability);
 }
 
 #[test]
@@ -55,28 +57,33 @@ fn bounds_that_leave_the_solution_out_are_named() {
     assert_eq!(answer.verdict, Verdict::BoundsExclude);
     assert_eq!((answer.best().unknowns[0].at, answer.best().unknowns[0].value), (Some(Bound::Max), speed - 6.0));
     assert_eq!(answer.best().unknowns[0].sd, None);
+    // The bound determines one of the two speeds, the evidence the other.
+    assert_eq!(answer.best().degrees_of_freedom, 3 - 1);
     let beyond = answer.without_bounds.expect("it is what the evidence asks for");
     assert!((beyond.unknowns[0].value - speed).abs() < 1e-9 && beyond.is_explained());
 }
 
-/// Returns a car that drives straight into a barrier, with a crush plane that may be oblique to its path.
-fn straight_into_barrier(crush_plane: f64) -> Collision {
-    let car = Vehicle {
-        mass: 1500.0,
-        yaw_inertia: 2500.0,
-        heading: Heading::from_angle(0.0),
-        impact_center: ForwardLeft { forward: 2.0, left: 0.0 },
-        motion: Motion { velocity: Xy { x: 15.0, y: 0.0 }, yaw_rate: 0.0 },
+#[test]
+fn a_bound_excludes_nothing_if_the_evidence_does_not_agree_or_leaves_speeds_open_beyond_it() {
+    let truth = crash(2);
+    let slow = |mut question: ReconstructionProblem| {
+        for unknown in &mut question.unknowns {
+            let most = truth.variable(unknown.of) - 6.0;
+            *unknown = Unknown { max: Some(most), start: most - 1.0, ..*unknown };
+        }
+        let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
+        assert!(answer.best().unknowns.iter().any(|unknown| unknown.at == Some(Bound::Max)), "{:?}", answer.best().unknowns);
+        (answer.verdict, answer.without_bounds)
     };
-    Collision {
-        one: car.into(),
-        two: Party::Barrier,
-        crush_plane: CrushPlane::from_angle(crush_plane),
-        restitution: 0.1,
-        impulse_ratio: ImpulseRatio::Critical,
-        law: Law::Brach,
-        moment: Moment::None,
-    }
+    let magnitude = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
+    let contradiction = speeds(&truth, &[AFTER_1[0], AFTER_1[1], (Measurand::CrushEnergy, 3e3)]).evidence(
+        magnitude,
+        truth.measured(magnitude) + 8.0,
+        Uncertainty::StandardDeviation(0.5),
+    );
+    assert_eq!(slow(contradiction), (Verdict::Contradicted, None));
+    let open = speeds(&truth, &[(Measurand::Output(Output::DeltaVMagnitude(Side::One)), 0.3), (magnitude, 0.3)]);
+    assert_eq!(slow(open), (Verdict::Contradicted, None));
 }
 
 #[test]
@@ -96,6 +103,84 @@ fn both_of_two_solutions_are_returned() {
     planes.sort_by(f64::total_cmp);
     let [right, left] = planes[..] else { panic!("{planes:?}") };
     assert!((right + 0.3).abs() < 1e-9 && (left - 0.3).abs() < 1e-9, "{planes:?}");
+}
+
+#[test]
+fn a_solution_is_an_alternative_up_to_what_chance_exceeds_in_one_case_of_a_thousand() {
+    let count = |answer: &Answer| (answer.verdict, answer.solutions.len(), answer.worse.len());
+    assert_eq!(count(&preferred(10.7, 0.0).1), (Verdict::SeveralSolutions, 2, 0));
+    assert_eq!(count(&preferred(11.0, 0.0).1), (Verdict::Agrees, 1, 1));
+    // With three degrees of freedom chance explains a χ² of up to 16.27.
+    assert_eq!(count(&preferred(8.0, 8.0).1), (Verdict::SeveralSolutions, 2, 0));
+    assert_eq!(count(&preferred(8.5, 8.0).1), (Verdict::Agrees, 1, 1));
+}
+
+/// Two starts may both lead to one of them; a search next to it, along the direction that the evidence constrains least, leads to the other.
+#[test]
+fn two_solutions_close_to_each_other_are_both_found() {
+    let plane = Variable::Input(Input::CrushPlane);
+    for angle in [2e-4, 1e-3] {
+        let truth = Truth::of(straight_into_barrier(angle), 1.0);
+        let of = Measurand::CrushEnergy;
+        let question = ReconstructionProblem::of(truth.collision).unknown(plane, 0.1).evidence(
+            of,
+            truth.measured(of),
+            Uncertainty::StandardDeviation(1.0),
+        );
+        for seed in 0..20 {
+            let answer = question.solve(&Search { starts: 2, seed, ..Search::default() }).expect("it has answers");
+            let mut planes: Vec<f64> = answer.solutions.iter().map(|solution| solution.unknowns[0].value).collect();
+            planes.sort_by(f64::total_cmp);
+            let [right, left] = planes[..] else { panic!("{angle}, seed {seed}: {planes:?}") };
+            assert!((right + angle).abs() < 1e-6 && (left - angle).abs() < 1e-6, "{planes:?}");
+        }
+    }
+}
+
+#[test]
+fn a_minimum_on_a_bound_is_listed() {
+    const LEAST: f64 = -20.0;
+    let of = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
+    let mut source = Source::of(17);
+    let mut on_bound = 0;
+    for case in 0..100 {
+        let truth = Truth::of(source.collision(), 0.5);
+        let question = speeds(&truth, &[(of, 0.3)]);
+        let question = ReconstructionProblem { unknowns: vec![Unknown { min: Some(LEAST), ..question.unknowns[0] }], ..question };
+        let residual = |speed: f64| Some(with(&truth.collision, SPEED_1, speed).solve().ok()?.two.delta_v_magnitude() - truth.measured(of));
+        let (Some(here), Some(inside)) = (residual(LEAST), residual(LEAST + 1e-3)) else { continue };
+        if here.abs() < inside.abs() {
+            on_bound += 1;
+            let answer = question.solve(&Search { starts: 8, ..Search::default() }).expect("it has an answer");
+            let mut all = answer.solutions.iter().chain(&answer.worse);
+            assert!(all.any(|solution| solution.unknowns[0].at == Some(Bound::Min)), "case {case}: {here}");
+        }
+    }
+    assert!(on_bound > 0, "{on_bound}");
+}
+
+#[test]
+fn no_answer_fits_worse_than_where_a_search_stopped() {
+    // From the plane that fits worse a search ends at once. After one step those from elsewhere are closer to the other one, but not at their end.
+    let (mut question, answer) = preferred(11.0, 0.0);
+    question.unknowns[0].start = answer.worse[0].unknowns[0].value;
+    let answer = question.solve(&Search { starts: 8, iterations: 1, ..Search::default() });
+    let Err(SolveError::NotConverged { nearest, converged: 1.., .. }) = &answer else { panic!("{answer:?}") };
+    assert!(nearest.chi_square < 11.0, "{nearest:?}");
+}
+
+#[test]
+fn starts_are_drawn_up_to_three_standard_deviations_of_a_prior() {
+    // The plane that the prior makes less likely, by 0.55 rad or almost two standard deviations, is found too.
+    let truth = Truth::of(straight_into_barrier(0.3), 1.0);
+    let of = Measurand::CrushEnergy;
+    let question = ReconstructionProblem::of(truth.collision).prior(Variable::Input(Input::CrushPlane), 0.25, 0.3).evidence(
+        of,
+        truth.measured(of),
+        Uncertainty::StandardDeviation(1e3),
+    );
+    let answer = question.solve(&Search::default()).expect("it has answers");
+    assert_eq!((answer.verdict, answer.solutions.len()), (Verdict::SeveralSolutions, 2));
 }
 
 #[test]
@@ -137,8 +222,9 @@ fn evidence_that_no_unknown_moves_is_none() {
 fn an_angle_comes_back_as_the_turn_that_is_nearest_to_its_start() {
     let truth = crash(14);
     let plane = Variable::Input(Input::CrushPlane);
-    for turns in [-3.0, 0.0, 5.0] {
-        let start = truth.variable(plane) + 0.1 + turns * std::f64::consts::PI;
+    // The last start is as far from one turn as from the next: they are one solution all the same.
+    for (turns, aside) in [(-3.0, 0.1), (0.0, 0.1), (5.0, 0.1), (0.0, std::f64::consts::FRAC_PI_2)] {
+        let start = truth.variable(plane) + aside + turns * std::f64::consts::PI;
         let of = Measurand::DeltaVLeft(Side::One);
         let question = ReconstructionProblem::of(truth.collision).unknown(plane, start).evidence(
             of,
@@ -146,14 +232,21 @@ fn an_angle_comes_back_as_the_turn_that_is_nearest_to_its_start() {
             Uncertainty::StandardDeviation(0.1),
         );
         let answer = question.solve(&Search::default()).expect("it has an answer");
-        for solution in &answer.solutions {
-            assert!(
-                (solution.unknowns[0].value - start).abs() <= std::f64::consts::FRAC_PI_2,
-                "{} from {start}",
-                solution.unknowns[0].value
-            );
-        }
+        let values: Vec<f64> = answer.solutions.iter().map(|solution| solution.unknowns[0].value).collect();
+        assert!(values.iter().all(|value| (value - start).abs() <= std::f64::consts::FRAC_PI_2 + 1e-9), "{values:?} from {start}");
+        let is_apart =
+            |one: f64, other: f64| ((one - other) - std::f64::consts::PI * ((one - other) / std::f64::consts::PI).round()).abs() > 1e-3;
+        assert!((1..values.len()).all(|i| values[..i].iter().all(|other| is_apart(values[i], *other))), "{values:?} from {start}");
     }
+    // Half a turn of a heading is another collision.
+    let heading = Variable::Input(Input::Heading(Side::One));
+    let mut question = ReconstructionProblem::of(truth.collision).unknown(heading, 2.5);
+    for of in [Measurand::DeltaVLeft(Side::One), Measurand::Output(Output::YawRate(Side::One)), Measurand::CrushEnergy] {
+        question = question.evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.01));
+    }
+    let answer = question.solve(&Search::default()).expect("it has an answer");
+    assert!(answer.best().unknowns[0].value.abs() < 1e-9, "{:?}", answer.best().unknowns);
+    assert!(answer.best().evidence.iter().all(|fitted| fitted.residual.abs() < 1e-6), "{:?}", answer.best().evidence);
 }
 
 #[test]
@@ -187,6 +280,8 @@ fn part_of_the_unknowns_can_be_determined() {
     assert!(answer.determines(SPEED_1) && !answer.determines(Variable::CrushShare));
     let [speed, share] = &answer.best().unknowns[..] else { panic!() };
     assert!((speed.value - truth.variable(SPEED_1)).abs() < 1e-9 && speed.sd.is_some());
+    // Two pieces of evidence determine one direction.
+    assert_eq!(answer.best().degrees_of_freedom, 1);
     assert!(share.sd.is_none() && !share.is_determined);
 }
 
@@ -205,6 +300,17 @@ fn unknowns_that_the_evidence_barely_constrains_are_named() {
     };
     assert_eq!(of(1e-3), []);
     assert!(of(1e4).contains(&plane));
+    // Between bounds the limit is their distance, and without them twice the spread of speeds, 20 m/s.
+    let speed = truth.variable(SPEED_1);
+    for (max, limit) in [(Some(60.0), 60.0), (None, 40.0)] {
+        for (sd, expected) in [(0.99 * limit, &[][..]), (1.01 * limit, &[SPEED_1][..])] {
+            let question = ReconstructionProblem::of(truth.collision)
+                .with(Unknown { of: SPEED_1, start: speed, min: Some(0.0), max, prior: None })
+                .evidence(Measurand::Variable(SPEED_1), speed, Uncertainty::StandardDeviation(sd));
+            let answer = question.solve(&Search::default()).expect("it has an answer");
+            assert_eq!(answer.best().hardly_determined(&question), expected, "{sd} with {max:?}");
+        }
+    }
 }
 
 #[test]
@@ -225,6 +331,29 @@ fn evidence_that_leads_to_the_impossible_ends_at_its_edge() {
     assert!(best.chi_square > 10.0 && best.unknowns[0].sd.is_none());
     // On the edge friction ends the sliding, as closely as the margin of rounding allows.
     assert!((best.unknowns[0].value / best.impact.critical_impulse_ratio() - 1.0).abs() < 1e-6, "{:?}", best.unknowns);
+    // The edge holds it whatever the evidence says.
+    assert!(best.influence[0].iter().all(|by| (by * 0.01).abs() < 1e-6), "{:?}", best.influence);
+}
+
+#[test]
+fn a_contradiction_without_degrees_of_freedom_counts_as_one_with_one() {
+    // On the edge of the physics one piece of evidence cannot be met: erfc(√(χ²/2)) is the probability with one degree of freedom.
+    let mut truth = crash(5);
+    let critical = truth.impact.critical_impulse_ratio();
+    truth.collision.impulse_ratio = ImpulseRatio::Given(0.5 * critical);
+    let at_edge = Collision { impulse_ratio: ImpulseRatio::Critical, ..truth.collision }.solve().expect("possible").one.after.yaw_rate;
+    let toward = (at_edge - truth.collision.solve().expect("possible").one.after.yaw_rate).signum();
+    for deviations in [0.5, 1.96, 3.0] {
+        let question = ReconstructionProblem::of(truth.collision).unknown(Variable::Input(Input::ImpulseRatio), 0.5 * critical).evidence(
+            Measurand::Output(Output::YawRate(Side::One)),
+            at_edge + toward * deviations * 0.1,
+            Uncertainty::StandardDeviation(0.1),
+        );
+        let answer = question.solve(&Search::default()).expect("the edge has the best fit");
+        let best = answer.best();
+        assert!((best.chi_square.sqrt() - deviations).abs() < 1e-3 && !best.limits.is_empty(), "{best:?}");
+        assert!((best.probability / libm::erfc((best.chi_square / 2.0).sqrt()) - 1.0).abs() < 1e-9, "{}", best.probability);
+    }
 }
 
 #[test]

@@ -373,6 +373,8 @@ mod tests {
         assert!((reached.unknowns[0] - 0.6).abs() < 1e-12 && (reached.unknowns[1] - 0.8).abs() < 1e-7, "{reached:?}");
         assert_eq!(reached.held, [Some(Bound::Max), None]);
         assert!(reached.bound_multipliers[0] < 0.0 && reached.bound_multipliers[1] == 0.0);
+        let minimum = reached.into_minimum();
+        assert_eq!((&minimum.is_held[..], &minimum.margins[..]), (&[true, false][..], &[0][..]));
     }
 
     #[test]

@@ -92,6 +92,13 @@ mod tests {
     }
 
     #[test]
+    fn a_direction_has_every_part_above_rounding() {
+        let speeds = [Variable::Speed(Side::One), Variable::Speed(Side::Two), Variable::CrushShare];
+        let direction = named(&[1e-5, -0.5, 1e-7], &speeds, &[1.0, 2.0, 1.0]);
+        assert_eq!(direction.parts, [(speeds[0], -2e-5), (speeds[1], 2.0)]);
+    }
+
+    #[test]
     fn weak_evidence_is_evidence() {
         assert!(blind(&DMatrix::from_row_slice(2, 2, &[1e6, 0.0, 0.0, 1e-6]), &[1.0; 2]).is_empty());
         assert_eq!(blind(&DMatrix::from_row_slice(1, 2, &[1.0, 0.0]), &[1.0]).len(), 1);

@@ -106,3 +106,46 @@ impl Fixed {
         (difference - turns(difference, self.period)) / self.scale
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::{Input, Side};
+    use crate::reconstruct::{ReconstructionProblem, Uncertainty, Variable};
+    use crate::{Collision, Heading, ImpulseRatio, Vehicle};
+
+    /// The gradient of ½χ² less the margins and the fixed quantity, each times its multiplier, changes by the curvature of Gauss and Newton and the bend.
+    #[test]
+    fn the_bend_is_what_gauss_and_newton_leave_out() {
+        const STEP: f64 = 1e-5;
+        let car = |mass: f64, left: f64| Vehicle::new(mass, 1.8 * mass).with_impact_center(1.9, left);
+        let two = car(1300.0, -0.2).with_heading(Heading::from_angle(2.6)).with_speed(11.0);
+        let collision =
+            Collision::new(car(1600.0, 0.4).with_speed(14.0), two).with_restitution(0.1).with_impulse_ratio(ImpulseRatio::OfCritical(0.8));
+        let problem = ReconstructionProblem::of(collision)
+            .unknown(Variable::Speed(Side::One), 14.0)
+            .unknown(Variable::Input(Input::CrushPlane), 0.1)
+            .evidence(Measurand::CrushEnergy, 9e4, Uncertainty::StandardDeviation(5e3))
+            .evidence(Measurand::DeltaVForward(Side::Two), -9.0, Uncertainty::StandardDeviation(0.5));
+        let model = Model::of(&problem);
+        let unknowns = [14.0, 0.1];
+        let (placed, impact) = model.solve(&unknowns).expect("possible");
+        let mut limited = WithinLimits::around(&model, &placed, &impact);
+        limited.hold(Some(Fixed { of: Measurand::SeparationSpeed(Side::One), value: 5.0, scale: 0.25, period: None }));
+        let at = |unknowns: &[f64]| limited.at(unknowns).expect("possible");
+        let margins: Vec<f64> = (0..at(&unknowns).margins.len()).map(|k| 3.0 + k as f64).collect();
+        let gradient = |unknowns: &[f64]| {
+            let local = at(unknowns);
+            local.jacobian.tr_mul(&local.residuals)
+                - local.margin_slopes.tr_mul(&DVector::from_column_slice(&margins))
+                - local.fixed_slopes.tr_mul(&DVector::from_element(1, 7.0))
+        };
+        let here = at(&unknowns);
+        let curvature = here.jacobian.tr_mul(&here.jacobian) + limited.bend(&unknowns, &margins, &[7.0]);
+        for k in 0..2 {
+            let moved = |by: f64| [0, 1].map(|i| if i == k { unknowns[i] + by } else { unknowns[i] });
+            let difference = (gradient(&moved(STEP)) - gradient(&moved(-STEP))) / (2.0 * STEP);
+            assert!((difference - curvature.column(k)).amax() < 1e-6 * curvature.amax(), "{k}: {curvature}");
+        }
+    }
+}

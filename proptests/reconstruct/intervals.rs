@@ -1,0 +1,214 @@
+//! Intervals in cases whose ends are known by hand, and the limits that make them.
+
+use std::f64::consts::PI;
+
+use planar_impact::reconstruct::*;
+use planar_impact::*;
+
+use super::scene::{Source, Truth, preferred, straight_into_barrier, with};
+
+const SPEED: Variable = Variable::Speed(Side::One);
+const RESTITUTION: Variable = Variable::Input(Input::Restitution);
+const PLANE: Variable = Variable::Input(Input::CrushPlane);
+
+const ONE_START: Search = Search { starts: 1, seed: 1, iterations: 200 };
+
+fn intervals(problem: &ReconstructionProblem, level: f64, of: &[Measurand]) -> Vec<Interval> {
+    let answer = problem.solve(&ONE_START).expect("it has an answer");
+    problem.intervals(&answer, level, of)
+}
+
+fn interval(problem: &ReconstructionProblem, of: Measurand) -> Interval {
+    let [interval] = intervals(problem, 0.95, &[of])[..] else { panic!("one for {}", of.name()) };
+    interval
+}
+
+/// Returns the problem of one unknown without bounds, known directly to a standard deviation.
+fn direct(collision: Collision, of: Variable, value: f64, sd: f64) -> ReconstructionProblem {
+    ReconstructionProblem::of(collision).unknown(of, value).evidence(Measurand::Variable(of), value, Uncertainty::StandardDeviation(sd))
+}
+
+fn bounded(mut problem: ReconstructionProblem, min: f64, max: f64) -> ReconstructionProblem {
+    (problem.unknowns[0].min, problem.unknowns[0].max) = (Some(min), Some(max));
+    problem
+}
+
+#[test]
+fn intervals_of_linear_evidence_are_those_of_the_normal_distribution() {
+    // ΔV straight into a barrier is (1 + e) times the speed.
+    let problem = direct(straight_into_barrier(0.0), SPEED, 15.0, 0.5);
+    let delta_v = Measurand::Output(Output::DeltaVMagnitude(Side::One));
+    // Quantiles of the normal distribution (Abramowitz and Stegun, table 26.5).
+    for (level, quantile) in [(0.5, 0.674_490), (0.9, 1.644_854), (0.95, 1.959_964), (0.99, 2.575_829)] {
+        let found = intervals(&problem, level, &[Measurand::Variable(SPEED), delta_v]);
+        for (interval, factor) in found.iter().zip([1.0, 1.1]) {
+            let sd = factor * 0.5;
+            assert!((interval.value - factor * 15.0).abs() < 1e-9 && (interval.sd.expect("it has one") / sd - 1.0).abs() < 1e-9);
+            for (end, expected) in [(interval.low, -quantile * sd), (interval.high, quantile * sd)] {
+                assert!((end - interval.value - expected).abs() < 1e-3 * sd, "{level}: {interval:?}");
+            }
+            assert_eq!((interval.level, interval.low_limited_by, interval.high_limited_by), (level, None, None));
+            assert!(interval.narrows);
+        }
+        assert_eq!(found.len(), 2);
+    }
+}
+
+#[test]
+fn a_bound_of_its_own_ends_an_interval_and_is_named() {
+    let of = |value: f64, sd: f64| {
+        interval(&bounded(direct(straight_into_barrier(0.0), SPEED, value, sd), 5.0, 60.0), Measurand::Variable(SPEED))
+    };
+    let [min, max] = [Bound::Min, Bound::Max].map(|bound| Some(Limit::Bound(SPEED, bound)));
+    let (low, high, both) = (of(6.0, 1.0), of(59.0, 1.0), of(30.0, 100.0));
+    assert_eq!((low.low, low.low_limited_by, low.high_limited_by, low.narrows), (5.0, min, None, true));
+    assert_eq!((high.high, high.high_limited_by, high.low_limited_by, high.narrows), (60.0, max, None, true));
+    assert_eq!((both.low, both.high, both.low_limited_by, both.high_limited_by, both.narrows), (5.0, 60.0, min, max, false));
+}
+
+#[test]
+fn a_bound_of_another_unknown_ends_an_interval_and_is_named() {
+    // ΔV is (1 + e) times the speed, and of e only the bounds are known.
+    let collision = straight_into_barrier(0.0);
+    let problem = ReconstructionProblem::of(collision).unknown(SPEED, 15.0).between(RESTITUTION, 0.1, 0.0, 0.3).evidence(
+        Measurand::DeltaVForward(Side::One),
+        -16.5,
+        Uncertainty::StandardDeviation(0.5),
+    );
+    // Both leave it zero.
+    let problem = problem.evidence(Measurand::DeltaVLeft(Side::One), 0.0, Uncertainty::StandardDeviation(0.5));
+    let speed = interval(&problem, Measurand::Variable(SPEED));
+    let error = 1.959_964 * 0.5;
+    assert!((speed.low - (16.5 - error) / 1.3).abs() < 2e-3 && (speed.high - (16.5 + error)).abs() < 2e-3, "{speed:?}");
+    let [min, max] = [Bound::Min, Bound::Max].map(|bound| Some(Limit::Bound(RESTITUTION, bound)));
+    assert_eq!((speed.low_limited_by, speed.high_limited_by, speed.sd), (max, min, None));
+    let restitution = interval(&problem, Measurand::Variable(RESTITUTION));
+    assert_eq!((restitution.low, restitution.high, restitution.narrows), (0.0, 0.3, false));
+    // What the evidence determines has no need of the bounds.
+    let delta_v = interval(&problem, Measurand::Output(Output::DeltaVMagnitude(Side::One)));
+    assert!((delta_v.low - (16.5 - error)).abs() < 1e-3 && (delta_v.high - (16.5 + error)).abs() < 1e-3, "{delta_v:?}");
+    assert_eq!((delta_v.low_limited_by, delta_v.high_limited_by, delta_v.sd), (None, None, None));
+}
+
+#[test]
+fn an_angle_of_which_nothing_is_known_has_a_whole_turn() {
+    // A standing car that is hit at its center of mass may point anywhere.
+    let standing = Vehicle::new(1500.0, 2500.0);
+    let collision = Collision { two: standing.into(), ..straight_into_barrier(0.0) };
+    let heading = Variable::Input(Input::Heading(Side::Two));
+    let found = interval(&direct(collision, heading, 0.0, 1e3), Measurand::Variable(heading));
+    assert!((found.low + PI).abs() < 1e-9 && (found.high - PI).abs() < 1e-9, "{found:?}");
+    let limits = (found.low_limited_by, found.high_limited_by, found.narrows);
+    assert_eq!(limits, (Some(Limit::Period), Some(Limit::Period), false));
+}
+
+/// Just inside of an end that a limit of the physics makes, the mechanics accepts the collision, and just outside it refuses it for that reason.
+#[test]
+fn a_limit_of_the_physics_ends_an_interval_where_the_mechanics_refuses_the_collision() {
+    let mut source = Source::of(41);
+    let mut seen = Vec::new();
+    for case in 0..40 {
+        let collision = source.collision();
+        let impact = collision.solve().expect("possible");
+        let sliding = Collision { impulse_ratio: ImpulseRatio::Given(impact.impulse_ratio()), ..collision };
+        let friction = Variable::Input(Input::ImpulseRatio);
+        let left = Variable::Input(Input::ImpactCenterLeft(Side::One));
+        for (collision, of, sd) in [
+            (sliding, friction, 1e3),
+            (collision, SPEED, 1e3),
+            (collision, RESTITUTION, 1e3),
+            (collision, PLANE, 0.5),
+            (sliding, PLANE, 0.5),
+            (sliding, left, 10.0),
+            (collision, left, 10.0),
+        ] {
+            let value = Truth::of(collision, 0.5).variable(of);
+            let found = interval(&direct(collision, of, value, sd), Measurand::Variable(of));
+            let width = found.high - found.low;
+            for (end, limit, outwards) in [(found.low, found.low_limited_by, -1.0), (found.high, found.high_limited_by, 1.0)] {
+                let what = format!("case {case}, {} at {end}: {limit:?}", of.name());
+                let Some(limit @ (Limit::Closing | Limit::Tension | Limit::Sliding | Limit::Energy)) = limit else {
+                    continue;
+                };
+                assert!(with(&collision, of, end).solve().is_ok(), "{what}");
+                let beyond = end + outwards * (0.02 * width).max(5e-3);
+                if of == RESTITUTION && beyond > 1.0 {
+                    continue;
+                }
+                // The first refusal further out.
+                let refused = |value: f64| with(&collision, of, value).solve().err();
+                let (mut inside, mut refusals) = (end, refused(beyond).unwrap_or_else(|| panic!("{what}: {beyond} is possible")));
+                let mut outside = beyond;
+                for _ in 0..50 {
+                    let middle = (inside + outside) / 2.0;
+                    match refused(middle) {
+                        Some(other) => (outside, refusals) = (middle, other),
+                        None => inside = middle,
+                    }
+                }
+                // Neither does an impulse that vanishes.
+                let is_none = |refusal: &Refusal| matches!(refusal, Refusal::Tensile { normal, .. } if normal.abs() < 1e-6);
+                let is_it = |refusal: &Refusal| match limit {
+                    Limit::Closing => matches!(refusal, Refusal::NotClosing { .. }),
+                    // Without closing there is neither impulse nor energy.
+                    Limit::Tension => matches!(refusal, Refusal::Tensile { .. } | Refusal::NotClosing { .. }),
+                    Limit::Sliding => matches!(refusal, Refusal::BeyondCritical { .. } | Refusal::NotClosing { .. }),
+                    _ => matches!(refusal, Refusal::EnergyGain { .. } | Refusal::NotClosing { .. }) || is_none(refusal),
+                };
+                assert!(refusals.iter().any(is_it), "{what}: {refusals}");
+                seen.push((limit, refusals.iter().any(|refusal| matches!(refusal, Refusal::NotClosing { .. }))));
+            }
+        }
+    }
+    let count = |limit| seen.iter().filter(|other| other.0 == limit && other.1 == (limit == Limit::Closing)).count();
+    let counts = [Limit::Closing, Limit::Tension, Limit::Sliding, Limit::Energy].map(count);
+    assert!(counts.iter().zip([85, 33, 150, 2]).all(|(count, least)| *count >= least), "{counts:?}");
+}
+
+#[test]
+fn the_interval_covers_each_solution_within_the_limit() {
+    // A second plane, −0.3, whose χ² is larger by 11: that is the quantile of 99.91 %.
+    let (problem, answer) = preferred(11.0, 0.0);
+    assert_eq!((answer.solutions.len(), answer.worse.len()), (1, 1));
+    let of = |level| problem.intervals(&answer, level, &[Measurand::Variable(PLANE)])[0];
+    let (one, both) = (of(0.99), of(0.999_5));
+    assert!(one.low > 0.299 && (both.low + 0.3).abs() < 1e-3, "{one:?} {both:?}");
+}
+
+#[test]
+fn the_ground_may_be_turned_under_an_interval() {
+    // The direction of separation passes from −π to π.
+    let mut source = Source::of(42);
+    for case in 0..10 {
+        let truth = Truth::of(source.collision(), 0.5);
+        let of = Measurand::SeparationDirection(Side::One);
+        let turned = |by: f64| {
+            let turn = |party: &Party| {
+                let Party::Vehicle(vehicle) = party else { panic!("a car") };
+                let heading = Heading::from_angle(vehicle.heading.sin.atan2(vehicle.heading.cos) + by);
+                let velocity = heading.to_ground(vehicle.heading.to_vehicle(vehicle.motion.velocity));
+                Party::from(Vehicle { heading, motion: Motion { velocity, ..vehicle.motion }, ..*vehicle })
+            };
+            let plane = truth.collision.crush_plane;
+            let collision = Collision {
+                one: turn(&truth.collision.one),
+                two: turn(&truth.collision.two),
+                crush_plane: CrushPlane::from_angle(plane.sin.atan2(plane.cos) + by),
+                ..truth.collision
+            };
+            let mut problem = ReconstructionProblem::of(collision);
+            for side in [Side::One, Side::Two] {
+                problem = problem.between(Variable::Speed(side), truth.variable(Variable::Speed(side)), 0.0, 60.0);
+            }
+            for measurand in [Measurand::DeltaVForward(Side::One), Measurand::DeltaVLeft(Side::One)] {
+                problem = problem.evidence(measurand, truth.measured(measurand), Uncertainty::StandardDeviation(1.0));
+            }
+            let found = interval(&problem, of);
+            [found.low - found.value, found.high - found.value]
+        };
+        let (here, there) = (turned(0.0), turned(PI - truth.measured(of)));
+        for (here, there) in here.iter().zip(there) {
+            assert!((here - there).abs() < 1e-3 * here.abs(), "case {case}: {here} and {there}");
+        }
+    }
+}
