@@ -6,6 +6,7 @@ mod closed_form;
 mod coverage;
 mod diagnosis;
 mod intervals;
+mod posterior;
 mod scene;
 mod table;
 mod verdicts;

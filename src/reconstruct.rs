@@ -10,6 +10,7 @@
 //! | the answer | [`Answer`]: a [`Verdict`] and every [`Solution`] |
 //! | answers in closed form | [`closed_form`] |
 //! | intervals by profile likelihood | [`Interval`], and the [`Limit`] that makes an end |
+//! | the posterior, as draws | [`Posterior`], and the [`Marginal`] of a quantity |
 //! | diagnostics of an answer | [`diagnosis`] |
 //! | no answer | [`SolveError`], with every [`ReconstructionIssue`] of the problem |
 //!
@@ -21,6 +22,7 @@
 //! | intervals of 95 % contain the true value in 95 % of the cases, and its ranks are uniform | `calibration.rs` |
 //! | intervals by profile likelihood contain the true value as often as they say, on bounds too, and end where the best fit of the rest leaves the limit; no answer fits worse than the truth | `coverage.rs` |
 //! | intervals of linear evidence are those of the normal distribution, and what makes an end is named: a bound, the physics, a whole turn | `intervals.rs` |
+//! | draws are as frequent as integrals over a grid say, modes and bounds included; priors come back where evidence says nothing; ranks of the truth are uniform | `posterior.rs` |
 //! | the influence is the change that a change of the evidence causes, and the covariance is that caused by its errors | `answers.rs`, `the_influence_is_the_difference_that_the_evidence_makes`, `the_covariance_is_what_the_errors_of_the_evidence_make` |
 //! | at a fold the covariance is that of the slopes | `answers.rs`, `at_a_fold_the_slopes_alone_make_the_covariance` |
 //! | correlated evidence and correlated priors are weighted by the inverse of their covariance; exact evidence is met and adds no uncertainty; a prior is evidence | `answers.rs` |
@@ -32,19 +34,26 @@
 //!
 //! The search runs in f64 with derivatives from dual numbers through the one kernel. The solution, a point of zero gradient, is then differentiated
 //! implicitly, which gives its uncertainty and its dependence on each piece of evidence. Intervals do without that: they follow the best fit outwards.
+//! So does the posterior, whose walkers need the density alone.
 
 mod check;
 pub mod closed_form;
+mod convergence;
 mod crush_share;
+mod density;
 mod determined;
 pub mod diagnosis;
+mod ensemble;
 mod given;
 mod interval;
 mod issue;
 mod limit;
+mod marginal;
 mod measurand;
 mod placed;
+mod posterior;
 mod profile;
+mod proposal;
 mod residuals;
 mod scene;
 mod search;
@@ -61,7 +70,9 @@ pub use given::{Correlation, Evidence, PriorCorrelation, ReconstructionProblem, 
 pub use interval::{Interval, Method};
 pub use issue::{ReconstructionIssue, ReconstructionIssues};
 pub use limit::Limit;
+pub use marginal::Marginal;
 pub use measurand::Measurand;
+pub use posterior::{NoPosterior, Posterior, Sampling};
 pub use solution::{Estimate, Fitted, Solution, Symmetric};
 pub use solve_error::{SolveError, Stop};
 pub use variable::Variable;

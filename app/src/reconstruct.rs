@@ -5,10 +5,12 @@ pub mod diagnostics;
 mod from_crush;
 mod from_rest;
 mod inputs;
+mod posterior;
 mod question;
 mod solve_error;
+mod statement;
 
-use planar_impact::reconstruct::{Estimate, Measurand, Search, Solution, Verdict};
+use planar_impact::reconstruct::{Estimate, Measurand, Sampling, Search, Solution, Verdict};
 
 use crate::answer::Answer;
 use crate::case::{Case, Parameter};
@@ -17,24 +19,39 @@ use crate::crash3::Comparison;
 use crate::issue::Issues;
 use crate::notice::Notice;
 use answer::Solved;
+use posterior::Drawn;
 use question::{Question, key_of};
+use statement::Statement;
 
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, Reconstruction, Unknown};
+pub use posterior::{Draws, Posterior};
 
-/// Options of the search.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Options of the search, and what is asked of the posterior.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Number of starts: the first is given, the others are drawn within the bounds.
     pub starts: usize,
-    /// The seed of those draws.
+    /// The seed of those draws, and of those of the posterior.
     pub seed: u64,
-    /// The level of confidence of the intervals.
+    /// The level of confidence of the intervals, and the probability of the ranges of the posterior.
     pub level: f64,
+    /// `true` to draw from the posterior.
+    pub posterior: bool,
+    /// Statements whose probability under the posterior is wanted, such as `vehicle.1.speed > 50 km/h`. With any, the posterior is drawn.
+    pub probabilities: Vec<String>,
+    /// `true` to return the values of each draw.
+    pub draws: bool,
+}
+
+impl Options {
+    fn draws_from_posterior(&self) -> bool {
+        self.posterior || self.draws || !self.probabilities.is_empty()
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { starts: 64, seed: 1, level: 0.95 }
+        Options { starts: 64, seed: 1, level: 0.95, posterior: false, probabilities: Vec::new(), draws: false }
     }
 }
 
@@ -46,8 +63,10 @@ impl Default for Options {
 pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
     control.proceed(0, 1)?;
     let question = Question::of(case)?;
+    let statements = Statement::read_all(&options.probabilities, &question)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
-    let answer = question.asked.solve(&search).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
+    let answer = question.asked.solve_while(&search, &|done, total| control.goes_on(done, total));
+    let answer = answer.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
     let solved = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     let (mut diagnostics, mut crash3) = (Vec::new(), None);
@@ -60,8 +79,15 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
     let intervals = question.asked.intervals(&answer, options.level, &of);
+    let drawn = if options.draws_from_posterior() {
+        let sampling = Sampling { seed: options.seed, ..Sampling::default() };
+        let asked = posterior::Asked { sampling, statements: &statements, level: options.level, has_values: options.draws };
+        Some(Drawn::of(&question, &answer, &of, &asked, control, &mut notices.0)?)
+    } else {
+        None
+    };
     let solved =
-        Solved { question: &question, answer: &answer, intervals, level: options.level, search, case: &solved, diagnostics, crash3 };
+        Solved { question: &question, answer: &answer, intervals, level: options.level, search, case: &solved, diagnostics, crash3, drawn };
     Ok(Answer::new(&case.title, solved.reconstruction(), notices))
 }
 

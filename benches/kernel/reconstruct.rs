@@ -3,7 +3,7 @@
 
 use basin::{BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual, TrustRegionReflective};
 use criterion::Criterion;
-use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Sampling, Search, Uncertainty, Variable};
 use planar_impact::*;
 use std::convert::Infallible;
 use std::hint::black_box;
@@ -141,6 +141,9 @@ pub fn reconstruct(c: &mut Criterion) {
     group.bench_function("six unknowns, 64 starts", |b| b.iter(|| black_box(&question).solve(&all)));
     let answer = question.solve(&one).expect("it has an answer");
     let unknowns: Vec<Measurand> = UNKNOWNS.iter().map(|(input, ..)| Measurand::Variable(Variable::Input(*input))).collect();
+    group.bench_function("posterior of six unknowns, 4000 draws", |b| {
+        b.iter(|| black_box(&question).posterior(&answer, &Sampling::default()))
+    });
     group.bench_function("intervals of six unknowns", |b| b.iter(|| black_box(&question).intervals(&answer, 0.95, &unknowns)));
     group.finish();
 }

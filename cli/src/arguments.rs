@@ -122,12 +122,24 @@ pub struct Reconstruct {
     /// Number of starts of the search: the given one, and others drawn within the bounds. A few more searches start close to each solution.
     #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub starts: u64,
-    /// Seed of the random starts. The same seed gives the same answer.
+    /// Seed of the random starts and of the draws. The same seed gives the same answer.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Level of confidence of the intervals, between 0 and 1.
     #[arg(long, default_value_t = 0.95, value_parser = level)]
     pub level: f64,
+    /// Draw from the posterior: the priors times the likelihood of the evidence.
+    #[arg(long)]
+    pub posterior: bool,
+    /// Print the probability of a statement under the posterior, such as "vehicle.1.speed > 50 km/h"; may be repeated.
+    #[arg(long, value_name = "NAME > VALUE")]
+    pub probability: Vec<String>,
+    /// Add the values of each draw to the JSON.
+    #[arg(long)]
+    pub draws: bool,
+    /// Print the verdict, the unknowns and what follows from them alone.
+    #[arg(long)]
+    pub brief: bool,
 }
 
 /// Arguments of `stiffness`.

@@ -36,6 +36,7 @@ impl Control for Progress {
         self.steps.set(self.steps.get() + 1);
         if self.steps.get().is_multiple_of(STEPS_A_LOOK) && self.started.elapsed() > SILENCE {
             let bar = self.bar.get_or_init(|| styled(ProgressBar::new(total as u64), TEMPLATE).with_elapsed(self.started.elapsed()));
+            bar.set_length(total as u64);
             bar.set_position(done as u64);
         }
         !interrupt::is_interrupted()

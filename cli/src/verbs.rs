@@ -120,10 +120,21 @@ fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
 
 fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
     let (case, units) = read(&call.case, call.units)?;
-    let options = reconstruct::Options { starts: usize::try_from(call.starts).unwrap_or(usize::MAX), seed: call.seed, level: call.level };
-    // A search cannot check for interrupts, so an interrupt ends the program at once.
-    let answer = in_units(reconstruct::reconstruct(&case, &options, &planar_impact_app::Uncontrolled), units)?;
-    Ok(print(&answer, call.format, units)?.holds(answer.is_answer))
+    let options = reconstruct::Options {
+        starts: usize::try_from(call.starts).unwrap_or(usize::MAX),
+        seed: call.seed,
+        level: call.level,
+        posterior: call.posterior,
+        probabilities: call.probability.clone(),
+        draws: call.draws,
+    };
+    let answer = in_units(reconstruct::reconstruct(&case, &options, &Progress::new()), units)?;
+    let output = if call.brief && call.format == Format::Text {
+        CommandOutput::page(&page::reconstruct::brief(&answer, units))
+    } else {
+        print(&answer, call.format, units)?
+    };
+    Ok(output.holds(answer.is_answer))
 }
 
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {

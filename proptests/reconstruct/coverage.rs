@@ -25,14 +25,19 @@ enum Stratum {
     RestitutionOnBound,
     ShareNearBound,
     ShareOnBound,
+    /// The impulse ratio is given to 0.02, and off by that much.
+    RatioOff,
+    /// It is taken as certain, and off by 0.02: no interval can know that.
+    RatioWronglyCertain,
     /// The crush plane is unknown, over more than a quarter turn, and the evidence is vague.
     Curved,
 }
 
 impl Stratum {
-    const ALL: [Stratum; 6] = {
+    /// Those whose intervals must hold.
+    const ALL: [Stratum; 7] = {
         use Stratum::*;
-        [Inside, RestitutionNearBound, RestitutionOnBound, ShareNearBound, ShareOnBound, Curved]
+        [Inside, RestitutionNearBound, RestitutionOnBound, ShareNearBound, ShareOnBound, RatioOff, Curved]
     };
 
     fn name(self) -> &'static str {
@@ -42,6 +47,8 @@ impl Stratum {
             Stratum::RestitutionOnBound => "restitution on its bound",
             Stratum::ShareNearBound => "share of the critical ratio near 1",
             Stratum::ShareOnBound => "share of the critical ratio 1",
+            Stratum::RatioOff => "impulse ratio given to 0.02, and off by 0.02",
+            Stratum::RatioWronglyCertain => "impulse ratio given as certain, and off by 0.02",
             Stratum::Curved => "crush plane unknown, evidence vague",
         }
     }
@@ -54,6 +61,14 @@ impl Stratum {
                 Stratum::RestitutionOnBound => collision.restitution = 0.0,
                 Stratum::ShareNearBound => collision.impulse_ratio = ImpulseRatio::OfCritical(source.between(0.95, 1.0)),
                 Stratum::ShareOnBound => collision.impulse_ratio = ImpulseRatio::OfCritical(1.0),
+                // Far enough from zero that it is not on the other side.
+                Stratum::RatioOff | Stratum::RatioWronglyCertain => {
+                    let ratio = collision.solve().expect("it is drawn among those that have an answer").impulse_ratio();
+                    if ratio.abs() < 0.05 {
+                        continue;
+                    }
+                    collision.impulse_ratio = ImpulseRatio::Given(ratio);
+                }
                 Stratum::Inside | Stratum::Curved => (),
             }
             if collision.solve().is_ok() {
@@ -73,7 +88,12 @@ struct Crash {
 
 fn crash(stratum: Stratum, source: &mut Source) -> Crash {
     let truth = stratum.truth(source);
-    let mut problem = ReconstructionProblem::of(truth.collision).between(Variable::Speed(Side::One), 15.0, 0.0, 60.0);
+    let mut collision = truth.collision;
+    let ratio = if let ImpulseRatio::Given(ratio) = collision.impulse_ratio { ratio - 0.02_f64.copysign(ratio) } else { f64::NAN };
+    if stratum == Stratum::RatioWronglyCertain {
+        collision.impulse_ratio = ImpulseRatio::Given(ratio);
+    }
+    let mut problem = ReconstructionProblem::of(collision).between(Variable::Speed(Side::One), 15.0, 0.0, 60.0);
     let share = Variable::Input(Input::ImpulseRatio);
     problem = match stratum {
         Stratum::Curved => problem.between(Variable::Input(Input::CrushPlane), 0.0, -1.2, 1.2),
@@ -81,6 +101,7 @@ fn crash(stratum: Stratum, source: &mut Source) -> Crash {
     };
     problem = match stratum {
         Stratum::ShareNearBound | Stratum::ShareOnBound => problem.between(share, 0.9, 0.0, 1.0),
+        Stratum::RatioOff => problem.between(Variable::Speed(Side::Two), 15.0, 0.0, 60.0).prior(share, ratio, 0.02),
         _ => problem.between(Variable::Speed(Side::Two), 15.0, 0.0, 60.0),
     };
     let vague = if stratum == Stratum::Curved { 2.0 } else { 1.0 };
@@ -97,7 +118,7 @@ fn crash(stratum: Stratum, source: &mut Source) -> Crash {
     for _ in 0..1 + source.0.random_range(0..3) {
         all.remove(source.0.random_range(0..all.len()));
     }
-    let mut chi_square = 0.0;
+    let mut chi_square = if stratum == Stratum::RatioOff { 1.0 } else { 0.0 };
     for (of, sd) in all {
         let sd = vague * sd;
         let error: f64 = source.0.sample(StandardNormal);
@@ -136,7 +157,8 @@ impl Tally {
         self.count += 1;
         let search = Search { starts: 16, ..Search::default() };
         let Ok(answer) = problem.solve(&search) else { return self.lost.push(seed) };
-        if answer.best().chi_square > chi_square + 1e-6 {
+        // With another ratio, the truth is none of the answers.
+        if stratum != Stratum::RatioWronglyCertain && answer.best().chi_square > chi_square + 1e-6 {
             self.worse.push(seed);
         }
         let unknowns = problem.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of));
@@ -220,7 +242,11 @@ fn ends_are_where_the_best_fit_of_the_rest_leaves_the_limit() {
                 panic!("{stratum:?} {seed}")
             };
             let width = interval.high - interval.low;
-            let rise = |value: f64| known(&problem, unknown.of, value).solve(&search).map(|answer| answer.best().chi_square - least);
+            // A known value has no prior, but is as far from it.
+            let of_prior = |value: f64| unknown.prior.map_or(0.0, |sd| ((value - unknown.start) / sd).powi(2));
+            let rise = |value: f64| {
+                known(&problem, unknown.of, value).solve(&search).map(|answer| answer.best().chi_square + of_prior(value) - least)
+            };
             for (end, outwards, limit) in
                 [(interval.low, -width, interval.low_limited_by), (interval.high, width, interval.high_limited_by)]
             {
@@ -254,7 +280,7 @@ fn the_whole_campaign() {
     let crashes = std::env::var("CRASHES").ok().and_then(|text| text.parse().ok()).unwrap_or(10_000);
     println!("| truth | crashes | without an answer | worse than the truth | least and greatest coverage |");
     println!("|---|---|---|---|---|");
-    for stratum in Stratum::ALL {
+    for stratum in Stratum::ALL.into_iter().chain([Stratum::RatioWronglyCertain]) {
         let start = Instant::now();
         let tally = Tally::of(stratum, crashes);
         eprintln!("{}: {:.0} s", stratum.name(), start.elapsed().as_secs_f64());

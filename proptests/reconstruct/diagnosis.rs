@@ -216,9 +216,11 @@ fn restitution_on_its_upper_bound_points_at_the_geometry() {
     let e = Variable::Input(Input::Restitution);
     let at = |max: Option<f64>| {
         let of = Measurand::Output(Output::DeltaVMagnitude(Side::One));
-        let question = ReconstructionProblem::of(collision)
-            .with(Unknown { of: e, start: 0.05, min: Some(0.0), max, prior: None })
-            .evidence(of, truth.measured(of), Uncertainty::StandardDeviation(0.2));
+        let question = ReconstructionProblem::of(collision).with(Unknown { min: Some(0.0), max, ..Unknown::free(e, 0.05) }).evidence(
+            of,
+            truth.measured(of),
+            Uncertainty::StandardDeviation(0.2),
+        );
         let answer = question.solve(&Search::default()).expect("it has a least sum of squares");
         asked(&answer.best().diagnose(&question, &[None, None]), Question::RestitutionBound).clone()
     };

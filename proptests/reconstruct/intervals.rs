@@ -137,8 +137,11 @@ fn a_limit_of_the_physics_ends_an_interval_where_the_mechanics_refuses_the_colli
                 }
                 // The first refusal further out.
                 let refused = |value: f64| with(&collision, of, value).solve().err();
-                let (mut inside, mut refusals) = (end, refused(beyond).unwrap_or_else(|| panic!("{what}: {beyond} is possible")));
-                let mut outside = beyond;
+                let further = |i: u32| end + (beyond - end) * f64::from(i) / 100.0;
+                // Still further out, the mechanics may accept it again.
+                let first = (1..=100).find_map(|i| Some((further(i), refused(further(i))?)));
+                let (mut outside, mut refusals) = first.unwrap_or_else(|| panic!("{what}: {beyond} is possible"));
+                let mut inside = end;
                 for _ in 0..50 {
                     let middle = (inside + outside) / 2.0;
                     match refused(middle) {
@@ -210,5 +213,23 @@ fn the_ground_may_be_turned_under_an_interval() {
         for (here, there) in here.iter().zip(there) {
             assert!((here - there).abs() < 1e-3 * here.abs(), "case {case}: {here} and {there}");
         }
+    }
+}
+
+#[test]
+fn a_heading_goes_on_beyond_half_a_turn() {
+    const HEADING: Variable = Variable::Input(Input::Heading(Side::Two));
+    let car = |heading: f64| Vehicle::new(1500.0, 2500.0).with_heading(Heading::from_angle(heading)).with_impact_center(2.0, 0.3);
+    let collision = Collision::new(car(0.0).with_speed(15.0), car(3.1)).with_restitution(0.1);
+    for turned in [3.1, -3.1] {
+        let problem = direct(collision, HEADING, turned, 0.05);
+        let found = interval(&problem, Measurand::Variable(HEADING));
+        let half = 1.959_964 * 0.05;
+        assert!((found.low - turned + half).abs() < 1e-4 && (found.high - turned - half).abs() < 1e-4, "{found:?}");
+        assert_eq!((found.low_limited_by, found.high_limited_by), (None, None));
+        let answer = problem.solve(&ONE_START).expect("it has an answer");
+        let posterior = problem.posterior(&answer, &Sampling::default()).expect("a posterior");
+        let of_draws = &posterior.marginals(&[Measurand::Variable(HEADING)], 0.95)[0];
+        assert!((of_draws.mean - turned).abs() < 0.005 && (of_draws.sd / 0.05 - 1.0).abs() < 0.1, "{of_draws:?}");
     }
 }

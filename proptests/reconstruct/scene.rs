@@ -1,6 +1,6 @@
 //! Random oblique collisions of two cars, and their simulated measurements.
 
-use planar_impact::reconstruct::{Answer, Measurand, ReconstructionProblem, Search, Uncertainty, Unknown, Variable};
+use planar_impact::reconstruct::{Answer, Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
 use planar_impact::*;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -145,6 +145,10 @@ impl Truth {
             Measurand::CrushEnergy => crush_energy,
             Measurand::CrushEnergyOf(Side::One) => crush_energy * self.crush_share,
             Measurand::CrushEnergyOf(Side::Two) => crush_energy * (1.0 - self.crush_share),
+            Measurand::EquivalentEnergySpeed(side) => {
+                let share = if side == Side::One { self.crush_share } else { 1.0 - self.crush_share };
+                (2.0 * share * crush_energy / self.vehicle(side).mass).sqrt()
+            }
             Measurand::ApproachDirection(side) => {
                 let velocity = self.vehicle(side).motion.velocity;
                 velocity.y.atan2(velocity.x)
@@ -188,7 +192,7 @@ pub fn deviation(measurable: Measurand, value: f64) -> f64 {
 /// Adds an unknown to the question, with a start independent of the truth; for components, a start near it.
 pub fn asking(question: ReconstructionProblem, variable: Variable, truth: f64, source: &mut Source) -> ReconstructionProblem {
     match variable {
-        Variable::Speed(_) => question.with(Unknown { of: variable, start: 15.0, min: Some(0.0), max: Some(50.0), prior: None }),
+        Variable::Speed(_) => question.between(variable, 15.0, 0.0, 50.0),
         Variable::RadiusOfGyration(_) => question.between(variable, 1.3, 0.5, 3.0),
         Variable::CrushShare => question.between(variable, 0.5, 0.0, 1.0),
         Variable::Input(Input::Restitution) => question.between(variable, 0.15, 0.0, 0.4),

@@ -305,7 +305,7 @@ fn unknowns_that_the_evidence_barely_constrains_are_named() {
     for (max, limit) in [(Some(60.0), 60.0), (None, 40.0)] {
         for (sd, expected) in [(0.99 * limit, &[][..]), (1.01 * limit, &[SPEED_1][..])] {
             let question = ReconstructionProblem::of(truth.collision)
-                .with(Unknown { of: SPEED_1, start: speed, min: Some(0.0), max, prior: None })
+                .with(Unknown { min: Some(0.0), max, ..Unknown::free(SPEED_1, speed) })
                 .evidence(Measurand::Variable(SPEED_1), speed, Uncertainty::StandardDeviation(sd));
             let answer = question.solve(&Search::default()).expect("it has an answer");
             assert_eq!(answer.best().hardly_determined(&question), expected, "{sd} with {max:?}");

@@ -131,6 +131,7 @@ fn reconstructions() -> Vec<Sample> {
         sample(Wrong::NotInCase(of), "not-in-case", path, []),
         sample(Wrong::NothingToMeasure(energy), "not-in-case", "crush_energy", []),
         sample(Wrong::UnknownTwice(of), "repeated", path, []),
+        sample(Wrong::ShapeWithoutPrior(of), "shape-without-prior", path, []),
         sample(Wrong::EvidenceTwice(energy), "repeated", "crush_energy", []),
         sample(Wrong::SpeedAndVelocity(Side::One), "speed-and-velocity", path, []),
         sample(Wrong::BoundsCrossed { of, min: 2.5, max: 1.5 }, "bounds-crossed", path, [(Speed, 2.5), (Speed, 1.5)]),

@@ -71,7 +71,8 @@ pub(crate) fn minimum(
         // Where no step improves the fit any more, rounding is all that is left: also of a decrease below zero where the conditions are met.
         let is_stuck = walk.radius < CONVERGED;
         let is_over = step.length <= CONVERGED || until == Until::Sum && (is_stuck || step.decrease <= FLAT);
-        if is_over && walk.here.violation() <= MET {
+        let is_met = walk.here.violation() <= if is_stuck { NEARLY_MET } else { MET };
+        if is_over && is_met {
             return Ok(walk.reached(&step, taken));
         }
         if is_stuck {
@@ -84,6 +85,9 @@ pub(crate) fn minimum(
 
 /// Largest violation of a margin, or of the fixed quantity in its scale, that is rounding. Margins are of order 1.
 const MET: f64 = 1e-8;
+
+/// The same where no step comes closer.
+const NEARLY_MET: f64 = 1e-6;
 
 /// Largest decrease of ½χ² that is none.
 const FLAT: f64 = 1e-8;

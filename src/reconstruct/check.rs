@@ -19,6 +19,16 @@ fn deviation(numbers: &mut IssueCollector<InputIssue>, at: Place, value: f64) {
 }
 
 impl ReconstructionProblem {
+    /// Returns `true` if the share of vehicle 1 in the crush energy is known or solved for.
+    fn has_crush_share(&self) -> bool {
+        self.crush_share.is_some() || self.unknowns.iter().any(|unknown| unknown.of == Variable::CrushShare)
+    }
+
+    /// Returns `true` if the unknowns make a quantity known: the collision has it, and the share in the crush energy, if it takes one.
+    pub fn determines(&self, of: Measurand) -> bool {
+        of.is_in(&self.collision) && (!of.needs_share(&self.collision) || self.has_crush_share())
+    }
+
     /// Checks that the problem is well posed.
     ///
     /// # Errors
@@ -87,8 +97,12 @@ fn numbers(question: &ReconstructionProblem, unknown: &Unknown, found: &mut Issu
     if let Some(sd) = unknown.prior.filter(|sd| sd.is_finite()) {
         deviation(&mut issues, at.part("standard deviation"), sd);
     }
-    for issue in issues.finish().err().into_iter().flatten() {
+    let of_shape = unknown.shape.and_then(|shape| shape.check().err());
+    for issue in issues.finish().err().into_iter().flatten().chain(of_shape.into_iter().flatten()) {
         found.push(ReconstructionIssue::Unknown { of, issue });
+    }
+    if unknown.shape.is_some() && unknown.prior.is_none() {
+        found.push(ReconstructionIssue::ShapeWithoutPrior(of));
     }
     if found.count() > before {
         return;
@@ -120,8 +134,7 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
         if !of.is_in(&question.collision) {
             found.push(ReconstructionIssue::NothingToMeasure(of));
         }
-        let share_is_unknown = question.unknowns.iter().any(|unknown| unknown.of == Variable::CrushShare);
-        if of.needs_share(&question.collision) && question.crush_share.is_none() && !share_is_unknown {
+        if of.needs_share(&question.collision) && !question.has_crush_share() {
             found.push(ReconstructionIssue::ShareUnknown(of));
         }
         let mut numbers = IssueCollector::<InputIssue>::new();

@@ -3,6 +3,7 @@
 use super::measurand::Measurand;
 use super::variable::Variable;
 use crate::collision::Collision;
+use crate::distribution::Distribution;
 
 /// Uncertainty of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +40,8 @@ pub struct Unknown {
     pub max: Option<f64>,
     /// Standard deviation of prior knowledge of `start`, which makes it evidence too; `None` without a prior.
     pub prior: Option<f64>,
+    /// The shape of that knowledge if it is not normal. The posterior has this density; a search takes a normal one with the standard deviation of `prior`.
+    pub shape: Option<Distribution>,
 }
 
 /// Two pieces of evidence with correlated errors, such as two velocities of one vehicle from the same rest position.
@@ -155,6 +158,11 @@ impl Evidence {
 }
 
 impl Unknown {
+    /// Creates an unknown without bounds of its own and without a prior.
+    pub fn free(of: Variable, start: f64) -> Self {
+        Unknown { of, start, min: None, max: None, prior: None, shape: None }
+    }
+
     /// Returns its prior as evidence, if it has one.
     pub(super) fn as_evidence(&self) -> Option<Evidence> {
         let sd = self.prior?;
@@ -180,19 +188,19 @@ impl ReconstructionProblem {
     /// Adds an unknown without bounds of its own.
     #[must_use]
     pub fn unknown(self, of: Variable, start: f64) -> Self {
-        self.with(Unknown { of, start, min: None, max: None, prior: None })
+        self.with(Unknown::free(of, start))
     }
 
     /// Adds an unknown between two bounds.
     #[must_use]
     pub fn between(self, of: Variable, start: f64, min: f64, max: f64) -> Self {
-        self.with(Unknown { of, start, min: Some(min), max: Some(max), prior: None })
+        self.with(Unknown { min: Some(min), max: Some(max), ..Unknown::free(of, start) })
     }
 
     /// Adds an unknown with prior knowledge: a value and its standard deviation.
     #[must_use]
     pub fn prior(self, of: Variable, value: f64, sd: f64) -> Self {
-        self.with(Unknown { of, start: value, min: None, max: None, prior: Some(sd) })
+        self.with(Unknown { prior: Some(sd), ..Unknown::free(of, value) })
     }
 
     /// Adds an unknown.

@@ -57,7 +57,7 @@ impl Method {
 
 impl ReconstructionProblem {
     /// Returns the intervals of quantities at a level of confidence, such as 0.95, around the solutions of an answer to this problem. A quantity that the
-    /// collision does not have is left out.
+    /// unknowns do not determine is left out.
     ///
     /// ```
     /// use planar_impact::reconstruct::*;
@@ -89,13 +89,14 @@ impl ReconstructionProblem {
         profile.intervals(of, level)
     }
 
-    /// Returns what is derived from the unknowns and asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, ratio.
-    pub fn derived(&self) -> impl Iterator<Item = Measurand> + use<> {
+    /// Returns what is derived from the unknowns and asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, ratio, and
+    /// where their shares in the crush energy are known, the equivalent energy speed of each vehicle.
+    pub fn derived(&self) -> impl Iterator<Item = Measurand> {
         let of_vehicles =
             [Side::One, Side::Two].into_iter().flat_map(|side| [Output::DeltaVMagnitude(side), Output::PrincipalDirectionOfForce(side)]);
+        let speeds = [Side::One, Side::Two].map(Measurand::EquivalentEnergySpeed);
         let of_contact = [Output::Loss, Output::NormalWork, Output::TangentialWork, Output::ImpulseRatio];
         let outputs = of_vehicles.chain(of_contact).map(Measurand::Output);
-        let collision = self.collision;
-        [Measurand::ClosingSpeed].into_iter().chain(outputs).filter(move |of| of.is_in(&collision))
+        [Measurand::ClosingSpeed].into_iter().chain(outputs).chain(speeds).filter(|of| self.determines(*of))
     }
 }

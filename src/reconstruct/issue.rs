@@ -78,6 +78,8 @@ pub enum ReconstructionIssue {
         /// The greatest value that the mechanics accepts.
         most: f64,
     },
+    /// A shape of prior knowledge whose standard deviation is not given.
+    ShapeWithoutPrior(Variable),
     /// Evidence of one vehicle's crush energy, without the share of each vehicle.
     ShareUnknown(Measurand),
     /// A correlation without evidence or priors of both quantities, or of a quantity with itself.
@@ -107,6 +109,7 @@ impl Issue for ReconstructionIssue {
             BoundsCrossed { .. } => "bounds-crossed",
             StartOutside { .. } | BoundOutside { .. } => "out-of-range",
             ShareUnknown(_) => "share-unknown",
+            ShapeWithoutPrior(_) => "shape-without-prior",
             CorrelationOfNothing(..) => "correlation-without-evidence",
             CorrelationsImpossible { .. } => "impossible-correlations",
         }
@@ -116,9 +119,12 @@ impl Issue for ReconstructionIssue {
         use ReconstructionIssue::*;
         match self {
             Unknown { issue, .. } | Evidence { issue, .. } => issue.path(),
-            NotInCase(of) | UnknownTwice(of) | BoundsCrossed { of, .. } | StartOutside { of, .. } | BoundOutside { of, .. } => {
-                Some(of.name().into())
-            }
+            NotInCase(of)
+            | UnknownTwice(of)
+            | ShapeWithoutPrior(of)
+            | BoundsCrossed { of, .. }
+            | StartOutside { of, .. }
+            | BoundOutside { of, .. } => Some(of.name().into()),
             SpeedAndVelocity(side) => Some(Variable::Speed(*side).name().into()),
             NothingToMeasure(of) | EvidenceTwice(of) | ShareUnknown(of) | CorrelationOfNothing(of, _) => Some(of.name().into()),
             NothingUnknown | TooLittleEvidence { .. } | CorrelationsImpossible { .. } => None,
@@ -154,6 +160,7 @@ impl Issue for ReconstructionIssue {
                 within(message.text("a bound is ").figure(of.measure(), *bound), of.measure(), *least, *most)
             }
             ShareUnknown(_) => "it is a share of the crush energy, and the share of each vehicle is not given".into(),
+            ShapeWithoutPrior(_) => "its prior has a shape and no standard deviation".into(),
             CorrelationOfNothing(_, other) => {
                 message.text(format!("its correlation with {} needs evidence or priors of two different quantities", other.name()))
             }
@@ -170,6 +177,7 @@ impl Issue for ReconstructionIssue {
             TooLittleEvidence { .. } => {
                 "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence".into()
             }
+            ShapeWithoutPrior(_) => "give that of the shape, with which the search takes a normal prior".into(),
             EvidenceTwice(_) => "combine them to one value with one standard deviation".into(),
             ShareUnknown(_) => "give the crush energy of both vehicles, or contact.crush_share, the share of vehicle 1".into(),
             _ => return None,

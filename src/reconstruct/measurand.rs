@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::placed::Placed;
 use super::variable::{Variable, party};
 use crate::collision::Collision;
+use crate::crush::speed_of_energy;
 use crate::impact::{Impact, Response};
 use crate::input::{Input, Side};
 use crate::measure::Measure;
@@ -31,6 +32,8 @@ pub enum Measurand {
     CrushEnergy,
     /// The crush energy of one vehicle, in J: its share of −W_n.
     CrushEnergyOf(Side),
+    /// Equivalent energy speed of one vehicle, EES: that at which its kinetic energy is its crush energy, in m/s.
+    EquivalentEnergySpeed(Side),
     /// Speed at which the vehicles approach along the normal of the contact, |v_n|, in m/s.
     ClosingSpeed,
     /// Separation speed of a vehicle's center of mass, in m/s.
@@ -46,12 +49,13 @@ pub enum Measurand {
 }
 
 /// Names that are not those of an output or an input.
-const NAMES: [(&str, Measurand); 26] = {
+const NAMES: [(&str, Measurand); 28] = {
     use Measurand as M;
     use Side::{One, Two};
     [
         ("crush_energy", M::CrushEnergy),
         ("vehicle.1.crush_energy", M::CrushEnergyOf(One)),
+        ("vehicle.1.equivalent_energy_speed", M::EquivalentEnergySpeed(One)),
         ("vehicle.1.separation_velocity.x", M::Output(Output::VelocityX(One))),
         ("vehicle.1.separation_velocity.y", M::Output(Output::VelocityY(One))),
         ("vehicle.1.separation_speed", M::SeparationSpeed(One)),
@@ -61,6 +65,7 @@ const NAMES: [(&str, Measurand); 26] = {
         ("vehicle.1.delta_v_forward", M::DeltaVForward(One)),
         ("vehicle.1.delta_v_left", M::DeltaVLeft(One)),
         ("vehicle.2.crush_energy", M::CrushEnergyOf(Two)),
+        ("vehicle.2.equivalent_energy_speed", M::EquivalentEnergySpeed(Two)),
         ("vehicle.2.separation_velocity.x", M::Output(Output::VelocityX(Two))),
         ("vehicle.2.separation_velocity.y", M::Output(Output::VelocityY(Two))),
         ("vehicle.2.separation_speed", M::SeparationSpeed(Two)),
@@ -100,7 +105,7 @@ impl Measurand {
             Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) => Measure::Energy,
             Measurand::SeparationDirection(_) | Measurand::ApproachDirection(_) => Measure::Angle,
             Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => Measure::Speed,
-            Measurand::DeltaVForward(_) | Measurand::DeltaVLeft(_) => Measure::Speed,
+            Measurand::DeltaVForward(_) | Measurand::DeltaVLeft(_) | Measurand::EquivalentEnergySpeed(_) => Measure::Speed,
         }
     }
 
@@ -125,6 +130,7 @@ impl Measurand {
             use Measurand::*;
             [
                 CrushEnergyOf(side),
+                EquivalentEnergySpeed(side),
                 SeparationSpeed(side),
                 SeparationDirection(side),
                 ApproachDirection(side),
@@ -142,7 +148,7 @@ impl Measurand {
             Variable(variable) => variable.side(),
             Output(output) => output.side(),
             CrushEnergy | ClosingSpeed => None,
-            CrushEnergyOf(side) | SeparationSpeed(side) | SeparationDirection(side) => Some(side),
+            CrushEnergyOf(side) | EquivalentEnergySpeed(side) | SeparationSpeed(side) | SeparationDirection(side) => Some(side),
             ApproachDirection(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
         }
     }
@@ -159,15 +165,19 @@ impl Measurand {
         };
         let after = |side| Response::clone(response(side)).after.velocity;
         let crush_energy = || -impact.work.n.clone();
+        let crush_energy_of = |side| match (side, &collision.one, &collision.two) {
+            (_, Party::Barrier, _) | (_, _, Party::Barrier) => crush_energy(),
+            (Side::One, ..) => placed.crush_share.clone() * crush_energy(),
+            (Side::Two, ..) => (T::int(1) - placed.crush_share.clone()) * crush_energy(),
+        };
         Some(match self {
             Measurand::Variable(variable) => variable.of(collision, &placed.crush_share)?,
             Measurand::Output(output) => output.of(collision, impact),
             Measurand::CrushEnergy => crush_energy(),
-            Measurand::CrushEnergyOf(side) => match (side, &collision.one, &collision.two) {
-                (_, Party::Barrier, _) | (_, _, Party::Barrier) => crush_energy(),
-                (Side::One, ..) => placed.crush_share.clone() * crush_energy(),
-                (Side::Two, ..) => (T::int(1) - placed.crush_share.clone()) * crush_energy(),
-            },
+            Measurand::CrushEnergyOf(side) => crush_energy_of(side),
+            Measurand::EquivalentEnergySpeed(side) => {
+                speed_of_energy(crush_energy_of(side), party(collision, side).vehicle()?.mass.clone())
+            }
             Measurand::ClosingSpeed => impact.approach.n.clone().magnitude(),
             Measurand::SeparationSpeed(side) => after(side).length(),
             Measurand::SeparationDirection(side) => {
@@ -183,8 +193,8 @@ impl Measurand {
         })
     }
 
-    /// Returns `true` if the collision has it.
-    pub(super) fn is_in(self, collision: &Collision) -> bool {
+    /// Returns `true` if the collision has it: a barrier has no ΔV.
+    pub fn is_in(self, collision: &Collision) -> bool {
         match self {
             Measurand::Variable(variable) => variable.is_in(collision),
             _ => self.side().is_none_or(|side| party(collision, side).vehicle().is_some()),
@@ -193,7 +203,7 @@ impl Measurand {
 
     /// Returns `true` if it is a share of the crush energy that the mechanics does not determine.
     pub(super) fn needs_share(self, collision: &Collision) -> bool {
-        matches!(self, Measurand::CrushEnergyOf(_)) && Variable::CrushShare.is_in(collision)
+        matches!(self, Measurand::CrushEnergyOf(_) | Measurand::EquivalentEnergySpeed(_)) && Variable::CrushShare.is_in(collision)
     }
 
     /// Returns the period of an angle, or `None` if it is not an angle.
@@ -212,6 +222,7 @@ impl Measurand {
         use Output::*;
         match self {
             Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) | Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => true,
+            Measurand::EquivalentEnergySpeed(_) => true,
             Measurand::Variable(Variable::Input(input)) => matches!(input, Input::Mass(_) | Input::YawInertia(_) | Input::Restitution),
             Measurand::Variable(Variable::CrushShare) => true,
             Measurand::Output(output) => matches!(output, DeltaVMagnitude(_) | EnergyBefore | EnergyAfter | Loss),

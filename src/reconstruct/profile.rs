@@ -3,10 +3,10 @@
 //! Each end of an interval is followed outwards from a solution, so that it may lie at the far end of a curved valley, and the interval of several solutions
 //! covers those of each.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::given::Unknown;
+use super::given::{Evidence, Uncertainty, Unknown};
 use super::interval::{Interval, Method};
 use super::limit::Limit;
 use super::measurand::Measurand;
@@ -16,7 +16,7 @@ use super::variable::turns;
 use super::verdict::Answer;
 use super::within_limits::{Fixed, WithinLimits};
 use crate::least_squares::limited::{self, Limited, Reached, Until};
-use crate::least_squares::{Bound, ParameterBounds, scaled};
+use crate::least_squares::{self, Bound, FitError, ParameterBounds, Residuals, scaled};
 
 /// Precision of an end, as a share of its distance from the value.
 const PRECISE: f64 = 2e-4;
@@ -66,11 +66,11 @@ impl<'a> Profile<'a> {
         Some(Profile { model, spans, solutions, covariance: covariance(answer.best()), greatest, quantile })
     }
 
-    /// Returns the intervals of quantities that the collision has.
+    /// Returns the intervals of the quantities that the unknowns determine.
     pub(super) fn intervals(&self, of: &[Measurand], level: f64) -> Vec<Interval> {
         /// Number of times that the ends of one interval extend another.
         const ROUNDS: usize = 3;
-        let of = of.iter().copied().filter(|of| of.is_in(&self.model.question.collision));
+        let of = of.iter().copied().filter(|of| self.model.question.determines(*of));
         let quantities: Vec<Quantity<'_>> = of.filter_map(|of| self.quantity(of)).collect();
         let mut ends: Vec<Option<[End; 2]>> = quantities.iter().map(|quantity| quantity.around(&self.solutions)).collect();
         // The end of one interval may show that another is wider.
@@ -109,7 +109,7 @@ impl<'a> Profile<'a> {
     /// Returns the value of a quantity at a point that the mechanics accepts.
     fn value(&self, of: Measurand, unknowns: &[f64]) -> Option<f64> {
         let (placed, impact) = self.model.solve(unknowns).ok()?;
-        of.of(&placed, &impact)
+        self.model.value(of, unknowns, &placed, &impact)
     }
 }
 
@@ -210,9 +210,9 @@ impl Quantity<'_> {
             if root > PRECISE * profile.quantile.sqrt() {
                 return self.between(&mut problem, inside, tried);
             }
-            inside.advance(next, reached, self.limit(&problem, reached));
+            inside.advance(tried.value, reached, self.limit(&problem, reached));
             if root.abs() <= PRECISE * profile.quantile.sqrt() {
-                return End { value: next, limited_by: inside.limited_by, at: inside.unknowns };
+                return End { value: tried.value, limited_by: inside.limited_by, at: inside.unknowns };
             }
             // A little beyond where the slope leads, so that the next point encloses the end.
             let wanted = self.toward(&tried).map_or(f64::INFINITY, |value| 1.02 * direction * (value - next));
@@ -263,6 +263,7 @@ impl Quantity<'_> {
             let is_between = |value: f64| (value - near) * (far - value) > 0.0;
             let value = guess.filter(|value| step % 3 != 2 && is_between(*value)).unwrap_or(near + (far - near) / 2.0);
             let tried = self.tried(problem, &inside, value, false);
+            let value = tried.value;
             guess = self.toward(&tried);
             match &tried.reached {
                 Ok(reached) => {
@@ -355,13 +356,63 @@ impl Quantity<'_> {
                 }
                 Ok(_) => (),
                 Err(stopped) => {
-                    let got = self.unwrapped(&stopped).filter(|at| (at - inside.value) * (value - at) > 0.0);
+                    // Where the start has no meaning, it stopped nowhere.
+                    let got = (!stopped.is_empty())
+                        .then(|| self.unwrapped(&stopped))
+                        .flatten()
+                        .filter(|at| (at - inside.value) * (value - at) > 0.0);
                     let is_closer = |at: &f64| closest.is_none_or(|closest| (at - value).abs() < (closest - value).abs());
                     closest = got.filter(is_closer).or(closest);
                 }
             }
         }
-        Tried { value, reached: best.ok_or(closest) }
+        if let Some(best) = best {
+            return Tried { value, reached: Ok(best) };
+        }
+        match self.nearly_held(value, inside, &spans) {
+            Some((value, best)) => Tried { value, reached: Ok(best) },
+            None => Tried { value, reached: Err(closest) },
+        }
+    }
+
+    /// Finds the best fit with the quantity as evidence of a value, so sure that it is held for all purposes, and its own value of the quantity: where a measurand has no slope, as the direction of a
+    /// velocity near zero, other searches fail. A point on the way to a fit is one that fits, too.
+    fn nearly_held(&self, value: f64, inside: &Inside, spans: &[ParameterBounds]) -> Option<(f64, Reached)> {
+        const ITERATIONS: usize = 60;
+        let (model, solutions) = (self.profile.model, &self.profile.solutions);
+        let sd = 0.1 * PRECISE * (value - self.value).abs();
+        let mut question = model.question.clone();
+        question.evidence.push(Evidence { of: self.of, value, uncertainty: Uncertainty::StandardDeviation(sd) });
+        let held = Model::of(&question);
+        let search = |start: &Vec<f64>| match least_squares::minimum(&held, start, spans, ITERATIONS) {
+            Ok(minimum) => Some((minimum.unknowns, minimum.iterations)),
+            Err(FitError::NotConverged(stopped)) => Some((stopped.unknowns, stopped.iterations)),
+            Err(FitError::NoStart) => None,
+        };
+        let starts = [inside.extrapolated(value), inside.unknowns.clone()].into_iter().chain(solutions.iter().take(1).cloned());
+        let fits = starts.filter_map(|start| search(&start)).filter_map(|(unknowns, iterations)| {
+            let own = self.unwrapped(&unknowns)?;
+            let off = (value - own) / sd;
+            let sum_of_squares = model.at(&unknowns)?.iter().map(|residual| residual * residual).sum();
+            let slopes = scaled(held.jacobian(&unknowns), spans).tr_mul(&DVector::from_vec(held.at(&unknowns)?));
+            let at = |(x, span): (&f64, &ParameterBounds)| match *x {
+                x if x == span.min => Some(Bound::Min),
+                x if x == span.max => Some(Bound::Max),
+                _ => None,
+            };
+            let reached = Reached {
+                sum_of_squares,
+                held: unknowns.iter().zip(spans).map(at).collect(),
+                bound_multipliers: slopes.data.into(),
+                margin_multipliers: Vec::new(),
+                // The evidence pulls as the quantity that it holds would.
+                fixed_multiplier: self.scale * off / sd,
+                iterations,
+                unknowns,
+            };
+            (off.abs() < 10.0).then_some((own, reached))
+        });
+        fits.min_by(|(_, one), (_, other)| one.sum_of_squares.total_cmp(&other.sum_of_squares))
     }
 
     /// Returns the bound of another unknown, or the limit of the physics, that a fit presses against most.

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual64, HyperDual64};
 
 use super::given::{Evidence, ReconstructionProblem};
+use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
 use super::variable::turns;
@@ -31,18 +32,20 @@ impl<'a> Model<'a> {
     /// Returns the same model with no tolerance below a thousandth of the size of its evidence, with which a search approaches the solution more easily.
     /// Returns `None` if that changes nothing, or changes all evidence.
     pub(super) fn softened(&self) -> Option<Self> {
-        /// Smallest tolerance as a share of the size.
-        const SOFT: f64 = 1e-3;
-        let softest = |evidence: &Evidence| SOFT * evidence.size();
         let is_tight = |evidence: &Evidence| evidence.weight_scale() < softest(evidence);
         if !self.evidence.iter().any(is_tight) || self.evidence.iter().all(is_tight) {
             return None;
         }
         let mut soft = Model::of(self.question);
-        for (scale, evidence) in soft.weights.scales.iter_mut().zip(&self.evidence) {
+        soft.soften(|_| true);
+        Some(soft)
+    }
+
+    /// Raises the tolerance of some evidence to a thousandth of its size.
+    pub(super) fn soften(&mut self, is_meant: impl Fn(&Evidence) -> bool) {
+        for (scale, evidence) in self.weights.scales.iter_mut().zip(&self.evidence).filter(|(_, evidence)| is_meant(evidence)) {
             *scale = scale.max(softest(evidence));
         }
-        Some(soft)
     }
 
     /// Returns the collision at given unknowns.
@@ -61,6 +64,12 @@ impl<'a> Model<'a> {
     pub(super) fn measured<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
         let nothing = || T::int(0);
         self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect()
+    }
+
+    /// Returns the value of a quantity at given unknowns, for their collision and its impact, or `None` if absent. An unknown angle is not wrapped.
+    pub(super) fn value<T: Real + Copy>(&self, of: Measurand, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Option<T> {
+        let place = self.question.unknowns.iter().position(|unknown| Measurand::Variable(unknown.of) == of);
+        place.map_or_else(|| of.of(placed, impact), |i| unknowns.get(i).copied())
     }
 
     /// Returns given less computed values, with angles the shorter way.
@@ -92,6 +101,13 @@ impl<'a> Model<'a> {
     pub(super) fn curvature(&self, unknowns: &[f64], factors: &DVector<f64>) -> DMatrix<f64> {
         curvature_of_sum(unknowns, factors.as_slice(), |point| self.evaluated(point))
     }
+}
+
+/// Returns the tolerance of softened evidence.
+fn softest(evidence: &Evidence) -> f64 {
+    /// As a share of the size.
+    const SOFT: f64 = 1e-3;
+    SOFT * evidence.size()
 }
 
 /// Returns values that are computed from the unknowns, and their derivatives: a row for each value, a column for each unknown.

@@ -43,10 +43,20 @@ impl ReconstructionProblem {
     ///
     /// [`SolveError`]: every issue of the problem, or the reason why the search did not converge.
     pub fn solve(&self, search: &Search) -> Result<Answer, SolveError> {
+        self.solve_while(search, &|_, _| true)
+    }
+
+    /// As [`ReconstructionProblem::solve`], and calls a function before each start, with the number of starts that are done and of all. It stops the search by
+    /// returning `false`.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`].
+    pub fn solve_while(&self, search: &Search, goes_on: &dyn Fn(usize, usize) -> bool) -> Result<Answer, SolveError> {
         self.check()?;
         let model = Model::of(self);
         let spans = spans(self);
-        let found = Found::by(&model, &spans, &starts(&model, &spans, search)?, search)?;
+        let found = Found::by(&model, &spans, &starts(&model, &spans, search)?, search, goes_on)?;
         found.answer(&model, &spans, search)
     }
 }
@@ -141,10 +151,19 @@ struct Found {
 }
 
 impl Found {
-    fn by(model: &Model<'_>, spans: &[ParameterBounds], starts: &[Vec<f64>], search: &Search) -> Result<Self, SolveError> {
+    fn by(
+        model: &Model<'_>,
+        spans: &[ParameterBounds],
+        starts: &[Vec<f64>],
+        search: &Search,
+        goes_on: &dyn Fn(usize, usize) -> bool,
+    ) -> Result<Self, SolveError> {
         let mut found = Found { minima: Vec::new(), nearest: None, searches: 0 };
         let soft = model.softened();
-        for start in starts {
+        for (done, start) in starts.iter().enumerate() {
+            if !goes_on(done, starts.len()) {
+                return Err(SolveError::Stopped);
+            }
             found.search_from(start, model, soft.as_ref(), spans, search);
         }
         if starts.len() > 1 {

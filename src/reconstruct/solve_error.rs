@@ -47,6 +47,8 @@ pub enum SolveError {
         /// State of the best unconverged search.
         nearest: Stop,
     },
+    /// The caller stopped the search.
+    Stopped,
 }
 
 impl Issue for SolveError {
@@ -58,6 +60,7 @@ impl Issue for SolveError {
             SolveError::Problems(issues) => issues.first().code(),
             SolveError::NoStart { .. } => "no-start",
             SolveError::NotConverged { .. } => "not-converged",
+            SolveError::Stopped => "stopped",
         }
     }
 
@@ -74,6 +77,7 @@ impl Issue for SolveError {
             SolveError::NoStart { starts, refusals } => {
                 Message::new().text(format!("the collision is refused at each of {starts} starts; at the first: {refusals}"))
             }
+            SolveError::Stopped => Message::new().text("stopped before every search was made"),
             SolveError::NotConverged { searches, converged, nearest } => {
                 let count = match converged {
                     0 => format!("none of {searches} searches converged"),

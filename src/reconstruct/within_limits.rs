@@ -37,7 +37,7 @@ fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fi
     let impact = placed.collision.impact_of(&contact, impulse, moment);
     let mut all = model.measured(&placed, &impact);
     all.extend(margins.of(&placed.collision, &contact, &impact));
-    all.extend(fixed.map(|fixed| fixed.of.of(&placed, &impact).unwrap_or_else(|| T::int(0))));
+    all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
     all
 }
 

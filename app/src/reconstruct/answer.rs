@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
+use super::posterior::{Drawn, Draws, Posterior};
 use super::question::{Question, measure_in, name_in};
 use crate::answer::Answer;
 use crate::case::Case;
@@ -28,8 +29,15 @@ pub struct Reconstruction {
     pub iterations: usize,
     /// The unknowns.
     pub unknown: Named<Unknown>,
-    /// What follows from the unknowns and is asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, impulse ratio.
+    /// What follows from the unknowns and is asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, impulse ratio, and
+    /// equivalent energy speed of each vehicle where its share of the crush energy is known.
     pub derived: Named<Derived>,
+    /// Draws from the posterior, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub posterior: Option<Draws>,
+    /// The probability of each statement of the call.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probabilities: Option<Named<f64>>,
     /// Covariance of the unknowns; `null` where an unknown has no standard deviation.
     pub covariance: Named<Named<Option<f64>>>,
     /// Correlation of the unknowns.
@@ -107,6 +115,9 @@ pub struct Unknown {
     pub at_bound: Option<&'static str>,
     /// The range that the evidence, all bounds and the physics allow; without ends if none could be found.
     pub interval: Interval,
+    /// Its posterior, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub posterior: Option<Posterior>,
     /// Its lower bound in the file.
     pub min: Option<f64>,
     /// Its upper bound in the file.
@@ -127,6 +138,9 @@ pub struct Derived {
     pub sd: Option<f64>,
     /// The range that the evidence, all bounds and the physics allow.
     pub interval: Interval,
+    /// Its posterior, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub posterior: Option<Posterior>,
     /// Its measure.
     #[serde(skip)]
     pub measure: Measure,
@@ -218,6 +232,8 @@ pub(super) struct Solved<'a> {
     pub(super) case: &'a Case,
     pub(super) diagnostics: Vec<Diagnostic>,
     pub(super) crash3: Option<Comparison>,
+    /// What is drawn from the posterior, if it is asked for.
+    pub(super) drawn: Option<Drawn>,
 }
 
 impl Solved<'_> {
@@ -252,6 +268,8 @@ impl Solved<'_> {
             iterations: best.iterations,
             unknown: best.unknowns.iter().map(|estimate| (name(estimate.of), self.unknown(estimate))).collect(),
             derived: self.derived(),
+            posterior: self.drawn.as_ref().map(|drawn| drawn.draws.clone()),
+            probabilities: self.drawn.as_ref().map(|drawn| drawn.probabilities.clone()).filter(|statements| !statements.is_empty()),
             covariance: matrix(&|i, k| Some(positive_zero(best.covariance.get(i, k)))),
             correlation: matrix(&|i, k| best.covariance.correlation(i, k)),
             evidence: self.evidence(),
@@ -295,11 +313,16 @@ impl Solved<'_> {
             sd: estimate.sd,
             at_bound: estimate.at.map(bound_name),
             interval: self.interval(Measurand::Variable(estimate.of)).map_or_else(|| self.unlimited(), |interval| self.printed(interval)),
+            posterior: self.posterior(Measurand::Variable(estimate.of)),
             min,
             max,
             is_input: self.question.inputs.contains(&estimate.of),
             measure: measure_in(estimate.of, self.case),
         }
+    }
+
+    fn posterior(&self, of: Measurand) -> Option<Posterior> {
+        self.drawn.as_ref()?.posterior(of)
     }
 
     fn interval(&self, of: Measurand) -> Option<&planar_impact::reconstruct::Interval> {
@@ -337,6 +360,7 @@ impl Solved<'_> {
                 value: (!is_open).then(|| positive_zero(interval.value)),
                 sd: interval.sd.filter(|_| !is_open),
                 interval: self.printed(interval),
+                posterior: self.posterior(interval.of),
                 measure: self.measure_of(interval.of),
             };
             (interval.of.name(), derived)

@@ -59,7 +59,7 @@ impl InputUnknowns {
 
 /// Returns an unknown that starts at its nominal value, or at its mean where a normal prior replaces another shape.
 fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
-    let free = Unknown { of, start: input.nominal, min: None, max: None, prior: None };
+    let free = Unknown::free(of, input.nominal);
     match input.distribution {
         Distribution::Normal { sd, .. } => Unknown { prior: Some(sd), ..free },
         Distribution::TruncatedNormal { scale, min, max, .. } => Unknown { min: Some(min), max: Some(max), prior: Some(scale), ..free },
@@ -69,7 +69,7 @@ fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
             // A limit at zero is that of the mechanics already, unless any number is possible.
             let is_own = |end: &f64| end.is_finite() && (*end != 0.0 || input.parameter.domain() == Domain::Any);
             let [min, max] = [min, max].map(|end| Some(end).filter(is_own));
-            Unknown { start: other.mean(), prior: Some(other.sd()), min, max, ..free }
+            Unknown { start: other.mean(), prior: Some(other.sd()), min, max, shape: Some(other), ..free }
         }
     }
 }
@@ -110,9 +110,9 @@ mod tests {
     fn normal_numbers_have_priors_and_uniform_ones_have_bounds() {
         let found = of("", "\"1600 kg ± 50 kg\"", "{ min = 8, max = 12 }", "{ value = 0.1, sd = 0.05, min = 0, max = 0.3 }");
         let wanted = [
-            Unknown { of: MASS, start: 1600.0, min: None, max: None, prior: Some(50.0) },
-            Unknown { of: Variable::Speed(Side::One), start: 10.0, min: Some(8.0), max: Some(12.0), prior: None },
-            Unknown { of: E, start: 0.1, min: Some(0.0), max: Some(0.3), prior: Some(0.05) },
+            Unknown { prior: Some(50.0), ..Unknown::free(MASS, 1600.0) },
+            Unknown { min: Some(8.0), max: Some(12.0), ..Unknown::free(Variable::Speed(Side::One), 10.0) },
+            Unknown { min: Some(0.0), max: Some(0.3), prior: Some(0.05), ..Unknown::free(E, 0.1) },
         ];
         assert_eq!(found.unknowns.iter().map(|(unknown, _)| *unknown).collect::<Vec<_>>(), wanted);
         assert_eq!(found.unknowns[2].1, "contact.restitution");

@@ -87,7 +87,12 @@ impl Question {
                 continue;
             }
             draft.places.unknowns.push((requested.of, requested.key.clone()));
-            draft.unknowns.push(Unknown { of: requested.of, start, min: requested.min, max: requested.max, prior: requested.prior });
+            draft.unknowns.push(Unknown {
+                min: requested.min,
+                max: requested.max,
+                prior: requested.prior,
+                ..Unknown::free(requested.of, start)
+            });
         }
         draft.notices.0.extend(of_crush.notices.into_iter().chain(of_inputs.notices));
         draft.notices.0.extend(at_nominal_values(of_crush.unused));
@@ -215,7 +220,7 @@ impl Draft<'_> {
             return;
         }
         self.places.unknowns.push((variable, known.key.clone()));
-        self.unknowns.push(Unknown { of: variable, start: known.value, min: None, max: None, prior: None });
+        self.unknowns.push(Unknown::free(variable, known.value));
         let message = format!("{} is solved for too: the evidence gives it with an uncertainty", variable.name());
         self.notices.0.push(Notice::note("evidence-is-unknown", known.key.clone(), message));
     }
@@ -255,7 +260,7 @@ impl Draft<'_> {
         }
         let Some(start) = self.share_of_crush() else { return };
         self.places.unknowns.push((Variable::CrushShare, one.key.clone()));
-        self.unknowns.push(Unknown { of: Variable::CrushShare, start, min: None, max: None, prior: None });
+        self.unknowns.push(Unknown::free(Variable::CrushShare, start));
         let message = "contact.crush_share is solved for too: the evidence has the crush energy of each vehicle";
         let notice = Notice::note("crush-share-is-unknown", one.key.clone(), message);
         self.notices.0.push(notice);

@@ -26,6 +26,7 @@ pub fn issues(question: &Question, unsolved: &SolveError) -> Issues {
             };
             case.refuse_physics([Issue::at("not-converged", "unknown", message).with_help(stopped(question, nearest))])
         }
+        SolveError::Stopped => Issues::interrupted(),
         other => case.refuse_physics([Issue::at("not-converged", "unknown", other.to_string())]),
     }
 }

@@ -188,12 +188,13 @@ pub(super) const RECONSTRUCT: &str = r#"A case file with unknowns, and the evide
   contact.crush_plane = { start = "22 deg", sd = "5 deg" }
 Evidence of a vehicle: separation_velocity, separation_speed, separation_direction, separation_yaw_rate,
 delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left, pdof, crush_energy,
-approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
+equivalent_energy_speed, approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
 An input in the evidence with an uncertainty is solved for too. Rest positions are evidence of the
 separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
 Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of the
-physics that makes an end is named.
+physics that makes an end is named. --posterior adds the posterior: every value within the bounds of
+an unknown as likely as another unless its density is given, times the likelihood of the evidence.
 
 Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
 several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with
@@ -202,4 +203,5 @@ its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml
   planar-impact reconstruct cli/examples/reconstruct/two-cars.toml
+  planar-impact reconstruct cli/examples/reconstruct/two-cars.toml --brief --probability "v1 > 50 km/h"
   planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --seed 7"#;

@@ -3,9 +3,11 @@
 mod diagnostics;
 mod evidence;
 mod headline;
+mod posterior;
 mod rounding;
 mod unknowns;
 
+use planar_impact_app::Answer;
 use planar_impact_app::reconstruct::Reconstruction;
 use planar_impact_app::units::Units;
 
@@ -16,9 +18,7 @@ impl Facts for Reconstruction {
     /// The verdict, the unknowns, the evidence, and the collision that follows.
     fn blocks(&self, units: Units) -> Vec<Block> {
         let answer = self;
-        let mut blocks = headline::blocks(answer, units);
-        blocks.extend(unknowns::blocks(answer, units));
-        blocks.extend(unknowns::derived(answer, units));
+        let mut blocks = essentials(answer, units);
         blocks.extend(unknowns::alternatives(answer, units));
         blocks.extend(evidence::blocks(answer, units));
         blocks.extend(diagnostics::blocks(answer, units));
@@ -30,6 +30,20 @@ impl Facts for Reconstruction {
         blocks.push(search(answer));
         blocks
     }
+}
+
+/// Renders the verdict, the unknowns, what follows from them and the posterior alone, with title and notices.
+pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
+    let title = Block::title(&answer.title).into_iter();
+    title.chain(essentials(answer, units)).chain(Block::notices(&answer.notices, units)).collect()
+}
+
+fn essentials(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let mut blocks = headline::blocks(answer, units);
+    blocks.extend(unknowns::blocks(answer, units));
+    blocks.extend(unknowns::derived(answer, units));
+    blocks.extend(posterior::blocks(answer, units));
+    blocks
 }
 
 /// Renders the collision of the best solution.

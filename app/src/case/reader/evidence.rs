@@ -146,6 +146,6 @@ fn halves(name: &str) -> Option<[Measurand; 2]> {
 
 fn known_names() -> String {
     "known can be crush_energy; separation_velocity, separation_speed, separation_direction, separation_yaw_rate, delta_v, delta_v_magnitude, \
-     delta_v_forward, delta_v_left, pdof, crush_energy and every input of a vehicle; what `solve` prints of contact and energy"
+     delta_v_forward, delta_v_left, pdof, crush_energy, equivalent_energy_speed and every input of a vehicle; what `solve` prints of contact and energy"
         .to_owned()
 }

@@ -2,6 +2,7 @@
 
 mod forms;
 mod intervals;
+mod posterior;
 mod report;
 mod returns;
 mod table_b2;

@@ -1,0 +1,178 @@
+//! The posterior in the answer of `reconstruct`.
+
+use planar_impact::reconstruct::{Answer, Marginal, Measurand, NoPosterior, Sampling};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::question::{Question, name_in};
+use super::statement::Statement;
+use crate::control::Control;
+use crate::issue::{Issue, Issues};
+use crate::named::{Named, positive_zero};
+use crate::notice::Notice;
+
+/// Largest R-hat of draws that have converged.
+const CONVERGED: f64 = 1.01;
+
+/// Least number of independent draws for quantiles.
+const INDEPENDENT: f64 = 400.0;
+
+/// The draws of the posterior.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Draws {
+    /// Number of chains.
+    pub chains: usize,
+    /// Number of draws of each chain.
+    pub draws: usize,
+    /// The seed of the draws.
+    pub seed: u64,
+    /// The greatest R-hat of an unknown or of a derived quantity; `null` if none varies.
+    pub r_hat: Option<f64>,
+    /// The least number of independent draws of an unknown or of a derived quantity; `null` if none varies.
+    pub ess: Option<f64>,
+    /// The value of each unknown and of each derived quantity in each draw, chain after chain; only on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub values: Option<Named<Vec<f64>>>,
+}
+
+/// The posterior of one quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Posterior {
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub sd: f64,
+    /// The median.
+    pub median: f64,
+    /// The shortest range that has the probability of the intervals.
+    pub hdi: [f64; 2],
+    /// Values below which a share of the draws lies, by that share.
+    pub quantiles: Named<f64>,
+    /// R-hat, split and of ranks: the draws have converged where it is below 1.01; `null` where they do not vary.
+    pub r_hat: Option<f64>,
+    /// Number of independent draws that would know the middle and the tails as well; `null` where they do not vary.
+    pub ess: Option<f64>,
+}
+
+/// What the draws say of a question.
+pub(super) struct Drawn {
+    pub(super) draws: Draws,
+    pub(super) probabilities: Named<f64>,
+    marginals: Vec<Marginal>,
+}
+
+/// What is asked of the posterior.
+pub(super) struct Asked<'a> {
+    pub(super) sampling: Sampling,
+    pub(super) statements: &'a [Statement],
+    pub(super) level: f64,
+    /// `true` if the answer has the values of each draw.
+    pub(super) has_values: bool,
+}
+
+impl Drawn {
+    /// Draws from the posterior of a question, and summarizes quantities.
+    ///
+    /// # Errors
+    ///
+    /// Why there is no posterior, or that the caller stopped it.
+    pub(super) fn of(
+        question: &Question,
+        answer: &Answer,
+        of: &[Measurand],
+        asked: &Asked<'_>,
+        control: &dyn Control,
+        notices: &mut Vec<Notice>,
+    ) -> Result<Self, Issues> {
+        let posterior = question.asked.posterior_while(answer, &asked.sampling, &|done, total| control.goes_on(done, total));
+        let posterior = posterior.map_err(|none| refused(question, none))?;
+        let mut all = of.to_vec();
+        all.extend(asked.statements.iter().map(|statement| statement.of).filter(|statement| !of.contains(statement)));
+        let marginals = posterior.marginals(&all, asked.level);
+        let find = |of: Measurand| marginals.iter().find(|marginal| marginal.of == of);
+        let probability = |statement: &Statement| Some((statement.text.clone(), statement.probability(find(statement.of)?)));
+        let values = asked.has_values.then(|| {
+            let name = |of| name_of(question, of);
+            posterior.values(of).into_iter().map(|(of, values)| (name(of), values.into_iter().map(positive_zero).collect())).collect()
+        });
+        let of_all = |figure: fn(&Marginal) -> f64, worse: fn(f64, f64) -> f64| {
+            marginals.iter().map(figure).filter(|figure| figure.is_finite()).reduce(worse)
+        };
+        let draws = Draws {
+            chains: posterior.chains().len(),
+            draws: posterior.chains().first().map_or(0, Vec::len),
+            seed: asked.sampling.seed,
+            r_hat: of_all(|marginal| marginal.r_hat, f64::max),
+            ess: of_all(|marginal| marginal.effective, f64::min),
+            values,
+        };
+        let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(question, *of)).collect();
+        let probabilities = asked.statements.iter().filter_map(probability).collect();
+        draws.warn(&softened, answer, notices);
+        Ok(Drawn { draws, probabilities, marginals })
+    }
+
+    /// Returns the posterior of a quantity.
+    pub(super) fn posterior(&self, of: Measurand) -> Option<Posterior> {
+        let marginal = self.marginals.iter().find(|marginal| marginal.of == of)?;
+        let value = |share: &str| Some((share.to_owned(), positive_zero(marginal.quantile(share.parse().ok()?))));
+        Some(Posterior {
+            mean: positive_zero(marginal.mean),
+            sd: marginal.sd,
+            median: positive_zero(marginal.median()),
+            hdi: marginal.highest_density.map(positive_zero),
+            quantiles: ["0.025", "0.05", "0.25", "0.5", "0.75", "0.95", "0.975"].into_iter().filter_map(value).collect(),
+            r_hat: Some(marginal.r_hat).filter(|x| x.is_finite()),
+            ess: Some(marginal.effective).filter(|x| x.is_finite()),
+        })
+    }
+}
+
+impl Draws {
+    /// Returns `true` if the chains agree, and have enough independent draws.
+    pub fn have_converged(&self) -> bool {
+        self.r_hat.is_none_or(|r_hat| r_hat <= CONVERGED) && self.ess.is_none_or(|ess| ess >= INDEPENDENT)
+    }
+
+    fn warn(&self, softened: &[String], answer: &Answer, notices: &mut Vec<Notice>) {
+        if !self.have_converged() {
+            let (r_hat, ess) = (self.r_hat.unwrap_or(f64::NAN), self.ess.unwrap_or(f64::NAN));
+            let message = format!(
+                "the draws of the posterior have not converged: R-hat is up to {r_hat:.3}, and no more than {ess:.0} draws are independent; \
+                 its numbers are not to be relied on"
+            );
+            notices.push(Notice::warning("posterior-not-converged", "", message));
+        }
+        if answer.solutions.len() > 1 {
+            let message =
+                format!("the posterior is that of {} solutions together: a mean between them may be near none", answer.solutions.len());
+            notices.push(Notice::warning("posterior-has-modes", "", message));
+        }
+        if !softened.is_empty() {
+            let message = format!(
+                "the posterior takes exact evidence to a thousandth of its size ({}); give it a standard deviation",
+                softened.join(", ")
+            );
+            notices.push(Notice::note("exact-evidence-softened", "evidence", message));
+        }
+    }
+}
+
+fn name_of(question: &Question, of: Measurand) -> String {
+    match of {
+        Measurand::Variable(variable) => name_in(variable, &question.case),
+        _ => of.name().to_owned(),
+    }
+}
+
+fn refused(question: &Question, none: NoPosterior) -> Issues {
+    let help = "give it min and max, or a standard deviation; or leave --posterior out";
+    match none {
+        NoPosterior::Stopped => Issues::interrupted(),
+        NoPosterior::Improper(unknowns) => question.case.unfit(unknowns.into_iter().map(|of| {
+            let message = format!("nothing limits {}, so it has no posterior", name_in(of, &question.case));
+            Issue::at("posterior-improper", question.places.of_unknown(of), message).with_help(help)
+        })),
+        none => question.case.refuse_physics([Issue::at("no-posterior", "unknown", none.to_string())]),
+    }
+}

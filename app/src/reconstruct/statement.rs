@@ -1,0 +1,79 @@
+//! Statements whose probability is asked for, such as `vehicle.1.speed > 50 km/h`.
+
+use planar_impact::reconstruct::{Marginal, Measurand};
+
+use super::question::{Question, measure_in, name_in};
+use crate::issue::{Issue, Issues};
+use crate::names;
+use crate::quantity::{self, Kind, nearest};
+
+/// A quantity compared with a value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// As it is written.
+    pub text: String,
+    /// The quantity.
+    pub of: Measurand,
+    /// `true` if the quantity is said to be greater than the value, `false` if less.
+    is_above: bool,
+    /// The value, in SI.
+    value: f64,
+}
+
+impl Statement {
+    /// Parses statements about a question, as `NAME > VALUE`, or with `<`, `>=` or `<=`.
+    ///
+    /// # Errors
+    ///
+    /// Every statement that cannot be read, or whose quantity the collision does not have.
+    pub fn read_all(texts: &[String], question: &Question) -> Result<Vec<Statement>, Issues> {
+        let (mut read, mut issues) = (Vec::new(), Vec::new());
+        for text in texts {
+            match Statement::read(text, question) {
+                Ok(statement) => read.push(statement),
+                Err(issue) => issues.push(issue),
+            }
+        }
+        if issues.is_empty() { Ok(read) } else { Err(Issues::of_call(issues)) }
+    }
+
+    fn read(text: &str, question: &Question) -> Result<Statement, Issue> {
+        let issue = |word: &str, message: &str, help: Option<String>| names::issue("--probability", word, message, help);
+        let Some(place) = text.find(['<', '>']) else {
+            let example = "as in --probability \"vehicle.1.speed > 50 km/h\"".to_owned();
+            return Err(issue(text, "expected NAME > VALUE or NAME < VALUE", Some(example)));
+        };
+        let (name, rest) = (text[..place].trim(), &text[place..]);
+        let is_above = rest.starts_with('>');
+        // A single value has no probability, so that `>=` is `>`.
+        let value = rest[1..].strip_prefix('=').unwrap_or(&rest[1..]);
+        let of = named(name, question).ok_or_else(|| {
+            let known = question.asked.unknowns.iter().map(|unknown| name_in(unknown.of, &question.case));
+            let all: Vec<String> = known.chain(Measurand::all().map(|of| of.name().to_owned())).collect();
+            let help = nearest(name, all.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
+            issue(name, "no quantity has this name", help)
+        })?;
+        if !question.asked.determines(of) {
+            let help = of.is_in(&question.asked.collision).then(|| "give contact.crush_share, or the crush of each vehicle".to_owned());
+            return Err(issue(name, "the collision does not determine this quantity", help));
+        }
+        let measure = match of {
+            Measurand::Variable(variable) => measure_in(variable, &question.case),
+            _ => of.measure(),
+        };
+        let value = quantity::parse_word(value, Kind::from(measure)).map_err(|error| issue(name, &error.message, error.help))?;
+        Ok(Statement { text: text.to_owned(), of, is_above, value: value.si })
+    }
+
+    /// Returns its probability under the posterior of its quantity.
+    pub fn probability(&self, marginal: &Marginal) -> f64 {
+        let above = marginal.probability_above(self.value);
+        if self.is_above { above } else { 1.0 - above }
+    }
+}
+
+/// Returns the quantity with a name: an unknown by its name in the case, before what follows from the unknowns.
+fn named(name: &str, question: &Question) -> Option<Measurand> {
+    let unknown = question.asked.unknowns.iter().find(|unknown| name_in(unknown.of, &question.case) == name);
+    unknown.map(|unknown| Measurand::Variable(unknown.of)).or_else(|| Measurand::named(name))
+}

@@ -1,0 +1,44 @@
+//! The posterior of the unknowns.
+
+use planar_impact_app::named::Named;
+use planar_impact_app::reconstruct::{Posterior, Reconstruction};
+use planar_impact_app::units::{Measure, Units};
+
+use super::rounding::{rounded, share};
+use crate::block::{Block, Table};
+
+/// Renders means, medians and shortest ranges, then the probabilities that were asked for; nothing without a posterior.
+pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let Some(draws) = &answer.posterior else { return Vec::new() };
+    let unknown = answer.unknown.iter().map(|(name, unknown)| (name, unknown.measure, unknown.posterior.as_ref()));
+    let derived = answer.derived.iter().map(|(name, derived)| (name, derived.measure, derived.posterior.as_ref()));
+    let all = unknown.chain(derived).filter_map(|(name, measure, posterior)| Some((name, measure, posterior?)));
+    let rows = all.flat_map(|(name, measure, posterior)| {
+        let road = (measure == Measure::Speed).then(|| row("", Measure::RoadSpeed, posterior, units));
+        [Some(row(name, measure, posterior, units)), road].into_iter().flatten()
+    });
+    let level = answer.unknown.iter().next().map_or(0.95, |(_, unknown)| unknown.interval.level);
+    let header = ["posterior", "mean", "+/- sd", "median", &format!("{} from", share(level)), "to", "unit"];
+    let mut blocks = vec![Table::new(header, "lrrrrrl", rows.collect()).narrow().with_optional(2).into()];
+    let converged = match (draws.r_hat, draws.ess) {
+        (Some(r_hat), Some(ess)) => format!(": R-hat at most {r_hat:.3}, at least {ess:.0} independent draws"),
+        _ => String::new(),
+    };
+    let text = format!(
+        "{} chains of {} draws with seed {} (--seed){converged}. The range is the shortest that has this probability.",
+        draws.chains, draws.draws, draws.seed
+    );
+    blocks.push(Block::paragraph(text));
+    blocks.extend(answer.probabilities.iter().flat_map(Named::iter).map(|(statement, probability)| {
+        let error = (probability * (1.0 - probability) / draws.ess.unwrap_or(f64::INFINITY)).sqrt();
+        Block::item("- ", format!("probability of {statement}: {probability:.3} ± {error:.3}"))
+    }));
+    blocks
+}
+
+fn row(name: &str, measure: Measure, posterior: &Posterior, units: Units) -> Vec<String> {
+    let number = |value: f64| rounded(measure, value, Some(posterior.sd), units);
+    let [low, high] = posterior.hdi;
+    let unit = units.unit(measure).to_owned();
+    vec![name.to_owned(), number(posterior.mean), number(posterior.sd), number(posterior.median), number(low), number(high), unit]
+}
