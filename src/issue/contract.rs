@@ -44,6 +44,9 @@ use crate::message::Message;
 /// | `share-unknown` | evidence of one vehicle's crush energy, without the share of each |
 /// | `correlation-without-evidence`, `impossible-correlations` | a correlation needs two different pieces of evidence, or the correlations are not positive definite |
 /// | `no-start` | the collision is refused at every start |
+/// | `shape-without-prior` | a prior has a shape and no standard deviation |
+/// | `posterior-improper`, `no-posterior` | nothing limits an unknown, or the collision is refused all around the solutions |
+/// | `stopped` | the caller stopped a search or the draws |
 pub trait Issue {
     /// The scalar type of the figures.
     type Number;

@@ -114,7 +114,7 @@ fn tests_and_profiles() -> Vec<Sample> {
 
 #[cfg(feature = "reconstruct")]
 fn reconstructions() -> Vec<Sample> {
-    use crate::reconstruct::{Measurand, ReconstructionIssue as Wrong, SolveError, Stop, Variable};
+    use crate::reconstruct::{Measurand, NoPosterior, ReconstructionIssue as Wrong, SolveError, Stop, Variable};
     use Measure::{Energy, Ratio, Speed};
     let (of, energy) = (Variable::Speed(Side::One), Measurand::CrushEnergy);
     let path = "vehicle.1.speed";
@@ -158,6 +158,10 @@ fn reconstructions() -> Vec<Sample> {
         sample(correlation, "impossible-correlations", None, [(Ratio, -0.25)]),
         sample(SolveError::Problems(Wrong::NothingUnknown.into()), "nothing-unknown", None, []),
         sample(SolveError::NoStart { starts: 3, refusals }, "no-start", "unknown", []),
+        sample(SolveError::Stopped, "stopped", "unknown", []),
+        sample(NoPosterior::Improper(vec![of]), "posterior-improper", "unknown", []),
+        sample(NoPosterior::NoRoom, "no-posterior", "unknown", []),
+        sample(NoPosterior::Stopped, "stopped", "unknown", []),
         sample(
             SolveError::NotConverged { searches: 4, converged: 0, nearest: stop },
             "not-converged",

@@ -321,6 +321,15 @@ fn calls_are_bounded() {
         ("--starts", "1", 0),
         ("--seed", "18446744073709551616", 2),
         ("--seed", "18446744073709551615", 0),
+        ("--level", "0.49", 2),
+        ("--level", "1", 2),
+        ("--level", "95 %", 2),
+        ("--level", "NaN", 2),
+        ("--level", "0.9999", 0),
+        ("--probability", "", 2),
+        ("--probability", "vehicle.1.speed > 1e400 m/s", 2),
+        ("--probability", "vehicle.1.speed > 10 m/s > 9 m/s", 2),
+        ("--probability", "vehicle.1.speed > 10 m/s", 0),
     ] {
         let run = crate::process::run(folder.path(), &["reconstruct", "case.toml", flag, value]);
         assert_eq!((run.status, run.out.is_empty()), (status, status != 0), "{flag} {value}: {}", run.err);
