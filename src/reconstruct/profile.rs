@@ -218,7 +218,7 @@ impl Quantity<'_> {
             let wanted = self.toward(&tried).map_or(f64::INFINITY, |value| 1.02 * direction * (value - next));
             length = if wanted > 0.0 { wanted.min(4.0 * length) } else { 2.0 * length };
         }
-        End { value: direction * f64::INFINITY, limited_by: None, at: inside.unknowns }
+        End { value: outer, limited_by: None, at: inside.unknowns }
     }
 
     /// Returns how far the quantity would go if the evidence were linear in the unknowns.
@@ -379,6 +379,8 @@ impl Quantity<'_> {
     /// velocity near zero, other searches fail. A point on the way to a fit is one that fits, too.
     fn nearly_held(&self, value: f64, inside: &Inside, spans: &[ParameterBounds]) -> Option<(f64, Reached)> {
         const ITERATIONS: usize = 60;
+        /// Largest distance from the value, in standard deviations: the other evidence pulls by less, and the physics by more.
+        const HELD: f64 = 0.1;
         let (model, solutions) = (self.profile.model, &self.profile.solutions);
         let sd = 0.1 * PRECISE * (value - self.value).abs();
         let mut question = model.question.clone();
@@ -410,7 +412,7 @@ impl Quantity<'_> {
                 iterations,
                 unknowns,
             };
-            (off.abs() < 10.0).then_some((own, reached))
+            (off.abs() < HELD).then_some((own, reached))
         });
         fits.min_by(|(_, one), (_, other)| one.sum_of_squares.total_cmp(&other.sum_of_squares))
     }
