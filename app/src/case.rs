@@ -33,7 +33,7 @@ use crate::document::Document;
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
-use crate::source::Source;
+use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
 
 /// A case file, read and checked.
@@ -65,14 +65,26 @@ pub struct Case {
 }
 
 impl Case {
-    /// Reads the text of a case file. What the file lists under `[unknown]` stands at the start of its search.
+    /// Reads the text of a case file that names no other file. What the file lists under `[unknown]` stands at the start of its search.
     ///
     /// # Errors
     ///
     /// Everything wrong with it.
     pub fn parse(source: Source) -> Result<Case, Issues> {
+        Case::read(source, CaseReader::default())
+    }
+
+    /// The same for a case file that may name files of barrier tests, which `open` reads.
+    ///
+    /// # Errors
+    ///
+    /// Everything wrong with it and with the files that it names.
+    pub fn parse_with(source: Source, open: Open) -> Result<Case, Issues> {
+        Case::read(source, CaseReader::opening(open))
+    }
+
+    fn read(source: Source, given: CaseReader) -> Result<Case, Issues> {
         let document = Document::parse(source)?;
-        let given = CaseReader::default();
         let read = document.read(|root| given.case(root))?;
         let units = given.units();
         let setup = read.inputs.as_given();

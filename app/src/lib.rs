@@ -41,5 +41,5 @@ pub use control::{Control, Uncontrolled};
 pub use issue::{Cause, Issue, Issues};
 pub use message::Message;
 pub use notice::{Notice, Notices, Severity};
-pub use source::Source;
+pub use source::{Open, Source};
 pub use units::{Measure, Units};

@@ -1,5 +1,7 @@
 //! The text of a file.
 
+use crate::issue::Issues;
+
 /// The text of a file and the name that messages give it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Source {
@@ -8,6 +10,9 @@ pub struct Source {
     /// The whole text, without a byte order mark.
     pub text: String,
 }
+
+/// Opens a file that another one names, as that one writes its name.
+pub type Open = Box<dyn Fn(&str) -> Result<Source, Issues>>;
 
 impl Source {
     /// Maximum size of a file of a case or of tests, in bytes. A typical one has a few thousand.

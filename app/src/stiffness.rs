@@ -178,10 +178,11 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<TestIssue>> {
         }
     }
     let mut notices = file.notices.clone();
-    let fits = match fits(&observations) {
+    let both = || -> Result<_, TestIssues> {
+        Ok(vec![fitted(file, &observations, CrushModel::MeanDepth)?, fitted(file, &observations, CrushModel::Profile)?])
+    };
+    let fits = match both() {
         _ if file.count() < 2 => Vec::new(),
-        // Without standard deviations all tests have equal weight, and only the residuals give the scatter.
-        Ok(fits) if !file.has_deviations => fits.iter().map(|fit| fit.rescaled().unwrap_or_else(|| fit.clone())).collect(),
         Ok(fits) => fits,
         Err(wrong) if file.onset.is_some() && matches!(wrong.as_slice(), [TestIssue::OneDepth { .. }]) => {
             let message = "all tests have the same mean depth: no line can be fitted through them";
@@ -200,9 +201,32 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<TestIssue>> {
     Ok(Answer::new(&file.title, StiffnessAnswer { tests, fits, has_deviations: file.has_deviations }, notices))
 }
 
-/// Fits the stiffness on mean depths and on the profiles.
-fn fits(observations: &Observations) -> Result<Vec<StiffnessFit>, TestIssues> {
-    Ok(vec![StiffnessFit::on_mean_depth(observations)?, StiffnessFit::on_profiles(observations)?])
+/// Fits the stiffness to the tests of a file.
+fn fitted(file: &TestFile, observations: &Observations, model: CrushModel) -> Result<StiffnessFit, TestIssues> {
+    let fit = match model {
+        CrushModel::MeanDepth => StiffnessFit::on_mean_depth(observations)?,
+        CrushModel::Profile => StiffnessFit::on_profiles(observations)?,
+    };
+    // Without standard deviations all tests have equal weight, and only the residuals give the scatter.
+    Ok(if file.has_deviations { fit } else { fit.rescaled().unwrap_or(fit) })
+}
+
+impl TestFile {
+    /// Fits the stiffness to two or more tests.
+    ///
+    /// # Errors
+    ///
+    /// Every reason for which the tests do not determine a stiffness.
+    pub(crate) fn fit(&self, model: CrushModel) -> Result<StiffnessFit, Issues> {
+        let series: Vec<&[MeasuredTest]> = self.vehicles.iter().map(|vehicle| vehicle.tests.as_slice()).collect();
+        let fit = Observations::of_tests(&series).and_then(|observations| fitted(self, &observations, model));
+        fit.map_err(|problems| self.unfit(problems.as_slice().iter().map(issue)))
+    }
+
+    /// Returns `true` if the file or the residuals of a fit give the scatter of the tests.
+    pub(crate) fn is_uncertain(&self, fit: &StiffnessFit) -> bool {
+        self.has_deviations || fit.degrees_of_freedom > 0
+    }
 }
 
 impl Test {
@@ -245,8 +269,7 @@ impl Forms {
 
 impl Fit {
     fn of(file: &TestFile, fit: &StiffnessFit) -> Self {
-        // Standard deviations are unknown if neither the file nor the residuals give them.
-        let is_uncertain = file.has_deviations || fit.degrees_of_freedom > 0;
+        let is_uncertain = file.is_uncertain(fit);
         let residual = |residual: &Residual| Residuals {
             observed: positive_zero(residual.observed),
             fitted: positive_zero(residual.fitted),
@@ -287,7 +310,7 @@ impl Fit {
 }
 
 /// Describes an implausible property of a stiffness.
-fn message(finding: &FitFinding) -> Message {
+pub(crate) fn message(finding: &FitFinding) -> Message {
     let negative = |name: &'static str, measure, value| Message::from(name).text(" is ").figure(measure, value).text(", below zero: ");
     match finding {
         FitFinding::NegativeOnset(onset) => negative("d0", Measure::RootForce, *onset).text("the tests would leave crush at no energy"),

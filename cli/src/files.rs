@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use planar_impact_app::check::{Entries, Open, Options, Origin, Reader, reason, unusable};
-use planar_impact_app::{Issues, Source, decode};
+use planar_impact_app::check::{self, Entries, Options, Origin, Reader, reason, unusable};
+use planar_impact_app::{Issues, Open, Source, decode};
 
 const BUFFER: usize = 1 << 16;
 
@@ -31,6 +31,12 @@ pub fn source(path: &Path) -> Result<Source, Issues> {
         return Err(decode::too_large(&name));
     }
     from_reader(&name, file)
+}
+
+/// Returns a function that opens a file which the file at `path` names, relative to its folder.
+pub fn beside(path: &Path) -> Open {
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    Box::new(move |name| source(&folder.join(name)))
 }
 
 /// Reads up to the maximum size, because the length of a pipe or a device is not known in advance.
@@ -68,7 +74,7 @@ pub fn records(path: &Path, options: Options, bytes: &Arc<AtomicU64>) -> Result<
 }
 
 /// Returns a function that opens the file each time it is called: first to validate it, then to read it.
-fn opener(path: PathBuf, bytes: Arc<AtomicU64>) -> Open {
+fn opener(path: PathBuf, bytes: Arc<AtomicU64>) -> check::Open {
     Box::new(move || -> io::Result<Reader> {
         bytes.store(0, Ordering::Relaxed);
         let counted = Counted { file: File::open(&path)?, bytes: bytes.clone() };

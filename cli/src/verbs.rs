@@ -56,7 +56,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
 
 /// Reads a case file, and returns it with the units for its reader: those requested, or those that most of the file uses.
 fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Failure> {
-    let case = Case::parse(files::source(path)?)?;
+    let case = Case::parse_with(files::source(path)?, files::beside(path))?;
     let units = units.map_or(case.units, Units::from);
     Ok((case, units))
 }

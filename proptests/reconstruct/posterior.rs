@@ -13,7 +13,7 @@ use rand::RngExt;
 use rand_distr::StandardNormal;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::scene::{Source, Truth};
+use super::scene::{Source, Truth, with};
 
 const E: Variable = Variable::Input(Input::Restitution);
 const SHARE: Variable = Variable::Input(Input::ImpulseRatio);
@@ -75,7 +75,7 @@ fn crash(kind: Kind, unknowns: &[Asked], source: &mut Source) -> (Truth, Reconst
                     value = mean + sd * normal(source);
                 }
             }
-            set(&mut collision, of, value);
+            collision = with(&collision, of, value);
         }
         if collision.solve().is_ok() {
             break Truth::of(collision, 0.5);
@@ -106,18 +106,6 @@ fn crash(kind: Kind, unknowns: &[Asked], source: &mut Source) -> (Truth, Reconst
     (truth, problem)
 }
 
-fn set(collision: &mut Collision, of: Variable, value: f64) {
-    match of {
-        Variable::Speed(side) => {
-            let party = if side == Side::One { &mut collision.one } else { &mut collision.two };
-            let Party::Vehicle(vehicle) = party else { panic!("a vehicle") };
-            *vehicle = vehicle.with_speed(value);
-        }
-        Variable::Input(input) => collision.set(input, value).expect("the collision has it"),
-        _ => panic!("{of:?}"),
-    }
-}
-
 /// Returns the posterior, whatever the verdict.
 fn drawn(problem: &ReconstructionProblem, sampling: &Sampling) -> Posterior {
     let answer = problem.solve(&Search { starts: 16, ..Search::default() }).expect("an answer");
@@ -144,7 +132,7 @@ fn log_density(problem: &ReconstructionProblem, values: &[f64]) -> f64 {
     let mut collision = problem.collision;
     let mut chi_square = 0.0;
     for (unknown, value) in problem.unknowns.iter().zip(values) {
-        set(&mut collision, unknown.of, *value);
+        collision = with(&collision, unknown.of, *value);
         chi_square += unknown.prior.map_or(0.0, |sd| ((value - unknown.start) / sd).powi(2));
     }
     if collision.solve().is_err() {
@@ -310,8 +298,8 @@ fn summaries_are_those_of_the_draws() {
     // The value of a quantity in a draw is that of the collision with the draw's unknowns.
     let closing = posterior.values(&[Measurand::ClosingSpeed]).remove(0).1;
     for (draw, closing) in posterior.chains().iter().flatten().zip(&closing).step_by(97) {
-        let mut collision = problem.collision;
-        problem.unknowns.iter().zip(draw).for_each(|(unknown, value)| set(&mut collision, unknown.of, *value));
+        let unknowns = problem.unknowns.iter().zip(draw);
+        let collision = unknowns.fold(problem.collision, |collision, (unknown, value)| with(&collision, unknown.of, *value));
         assert!((Truth::of(collision, 0.5).measured(Measurand::ClosingSpeed) - closing).abs() < 1e-9);
     }
     // The same seed gives the same draws, another seed others.

@@ -27,8 +27,12 @@ pub trait Facts {
 
 /// The page of an answer: its title, its facts, its notices.
 pub fn page(answer: &Answer<impl Facts>, units: Units) -> Vec<Block> {
-    let title = Block::title(&answer.title).into_iter();
-    title.chain(answer.facts.blocks(units)).chain(Block::notices(&answer.notices, units)).collect()
+    framed(answer, answer.facts.blocks(units), units)
+}
+
+/// Blocks of an answer between its title and its notices.
+fn framed<T>(answer: &Answer<T>, blocks: Vec<Block>, units: Units) -> Vec<Block> {
+    Block::title(&answer.title).into_iter().chain(blocks).chain(Block::notices(&answer.notices, units)).collect()
 }
 
 /// The widest name of a vehicle in the head of a column.

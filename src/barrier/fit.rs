@@ -127,6 +127,23 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
     }
 }
 
+impl StiffnessFit {
+    /// Returns `true` if the tests differ by more than their standard deviations allow: a χ² as large has a probability below 5 % (Wilson and Hilferty 1931:
+    /// the cube root of χ² over the degrees of freedom is nearly normal).
+    pub fn is_poor(&self) -> bool {
+        /// The standard normal number that 5 % exceed.
+        const ONE_IN_TWENTY: f64 = 1.644_853_626_951_472_2;
+        if self.degrees_of_freedom == 0 || self.basis == CovarianceBasis::Residuals {
+            return false;
+        }
+        let freedom = self.degrees_of_freedom as f64;
+        let variance = 2.0 / (9.0 * freedom);
+        // Cubes instead of cube roots, which the core library has not.
+        let greatest = 1.0 - variance + ONE_IN_TWENTY * variance.square_root();
+        self.chi_square > freedom * greatest * greatest * greatest
+    }
+}
+
 impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
     /// Fits the stiffness whose crush energy of each measured profile (Eq 4) is nearest to that of its test, in terms of E*.
     ///

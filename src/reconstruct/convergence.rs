@@ -2,10 +2,7 @@
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use super::marginal::quantile;
-
-/// Largest R̂ of draws that count as converged.
-const CLOSE: f64 = 1.01;
+use super::marginal::{Marginal, quantile};
 
 /// Least share of independent draws of which more need not be drawn.
 const INDEPENDENT: f64 = 0.25;
@@ -28,7 +25,7 @@ impl Convergence {
 
     /// Returns `true` if further draws would not be better.
     pub(super) fn is_reached(&self, draws: usize) -> bool {
-        self.r_hat <= CLOSE && self.effective >= INDEPENDENT * draws as f64
+        self.r_hat <= Marginal::CONVERGED && self.effective >= INDEPENDENT * draws as f64
     }
 }
 

@@ -73,7 +73,7 @@ impl<'a> Density<'a> {
 
 /// Returns the standard normal number that is as probable to be exceeded as a value of a distribution.
 fn score(shape: &Distribution, x: f64) -> f64 {
-    /// Share of the width from which a probability is that of the nearer end, so that no score is infinite.
+    /// Least probability, so that no score is infinite.
     const LEAST: f64 = 1e-300;
     let of = |below: f64| Normal::standard().inverse_cdf(below.max(LEAST));
     match *shape {

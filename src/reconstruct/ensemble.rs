@@ -95,24 +95,19 @@ impl<'a> Ensembles<'a> {
         best: &[f64],
         goes_on: &dyn Fn(usize, usize) -> bool,
     ) -> Result<(Vec<Vec<Draw>>, usize), NoPosterior> {
-        let round = |chain: usize, number: usize, starts: Vec<Draw>, proposal: Proposal, steps: usize, apart: usize| Round {
-            chain,
-            number,
-            starts,
-            proposal,
-            steps,
-            apart,
+        let pilot = |chain: usize| {
+            let starts = self.starts(proposal, best, chain)?;
+            Some(Round { chain, number: 0, starts, proposal: proposal.clone(), steps: PILOT, apart: 2 })
         };
-        let chains = self.sampling.chains.max(1);
-        let starts: Option<Vec<Vec<Draw>>> = (0..chains).map(|chain| self.starts(proposal, best, chain)).collect();
-        let pilots = starts.ok_or(NoPosterior::NoRoom)?.into_iter().enumerate();
-        let mut draws = self.run(pilots.map(|(chain, starts)| round(chain, 0, starts, proposal.clone(), PILOT, 2)).collect(), goes_on)?;
+        let pilots: Option<Vec<Round>> = (0..self.sampling.chains.max(1)).map(pilot).collect();
+        let mut draws = self.run(pilots.ok_or(NoPosterior::NoRoom)?, goes_on)?;
         let snapshots = self.sampling.draws.max(1).div_ceil(self.walkers);
         for number in 1..=ROUNDS {
             let apart = STEPS << (number - 1);
             let next = draws.iter().enumerate().map(|(chain, draws)| {
                 let starts = draws[draws.len() - self.walkers..].to_vec();
-                round(chain, number, starts, proposal.with_draws(&draws[draws.len() / 2..]), snapshots * apart, apart)
+                let proposal = proposal.with_draws(&draws[draws.len() / 2..]);
+                Round { chain, number, starts, proposal, steps: snapshots * apart, apart }
             });
             draws = self.run(next.collect(), goes_on)?;
             if self.has_converged(&draws) {

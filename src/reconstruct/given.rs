@@ -217,6 +217,11 @@ impl ReconstructionProblem {
         self
     }
 
+    /// Returns the place of a quantity among the unknowns, or `None` if it is none of them.
+    pub(super) fn place_of(&self, of: Measurand) -> Option<usize> {
+        self.unknowns.iter().position(|unknown| Measurand::Variable(unknown.of) == of)
+    }
+
     /// Returns the evidence, followed by the priors.
     pub(super) fn all_evidence(&self) -> Vec<Evidence> {
         self.evidence.iter().copied().chain(self.unknowns.iter().filter_map(Unknown::as_evidence)).collect()

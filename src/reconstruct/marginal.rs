@@ -23,6 +23,9 @@ pub struct Marginal {
 }
 
 impl Marginal {
+    /// Largest R̂ of draws that count as converged.
+    pub const CONVERGED: f64 = 1.01;
+
     /// Summarizes draws in turn, of a number of chains of walkers; `None` if one is not finite.
     pub(super) fn of(of: Measurand, draws: &[f64], chains: usize, walkers: usize, level: f64) -> Option<Self> {
         let mut sorted = draws.to_vec();

@@ -151,7 +151,7 @@ impl ReconstructionProblem {
         sampling: &Sampling,
         goes_on: &dyn Fn(usize, usize) -> bool,
     ) -> Result<Posterior, NoPosterior> {
-        let best = best(answer);
+        let best = answer.best().values();
         let density = Density::of(self, self.proper_spans(answer, &best)?);
         let proposal = self.proposal(&density, answer).ok_or(NoPosterior::NoRoom)?;
         let (chains, walkers) = Ensembles::of(&density, sampling).draw(&proposal, &best, goes_on)?;
@@ -193,18 +193,13 @@ impl ReconstructionProblem {
         // Where the evidence leaves an unknown open, it goes as far as its interval.
         let widest = DMatrix::from_fn(of.len(), of.len(), |i, k| if i == k { width(i).powi(-2) } else { 0.0 });
         let around = |solution: &Solution| {
-            let center: Vec<f64> = solution.unknowns.iter().map(|estimate| estimate.value).collect();
+            let center = solution.values();
             let slopes = density.model.weights.whiten(density.model.derivatives(&center));
             (center, slopes.tr_mul(&slopes) + &widest)
         };
         Proposal::around(answer.solutions.iter().chain(&answer.worse).map(around))
-            .or_else(|| Proposal::around(std::iter::once((best(answer), widest.clone()))))
+            .or_else(|| Proposal::around(std::iter::once((answer.best().values(), widest.clone()))))
     }
-}
-
-/// Returns the unknowns of the best solution.
-fn best(answer: &Answer) -> Vec<f64> {
-    answer.best().unknowns.iter().map(|estimate| estimate.value).collect()
 }
 
 impl Posterior {
@@ -227,13 +222,13 @@ impl Posterior {
             let impact = placed.collision.evaluate();
             of.iter().map(|of| model.value(*of, unknowns, &placed, &impact).unwrap_or(f64::NAN)).collect()
         };
-        let at_best = values(&self.best);
+        // An unknown angle is not wrapped.
+        let period = |of: Measurand| of.period().filter(|_| self.question.place_of(of).is_none());
+        let turned: Vec<(f64, Option<f64>)> = values(&self.best).into_iter().zip(of.iter().copied().map(period)).collect();
         let mut columns: Vec<(Measurand, Vec<f64>)> = of.iter().map(|of| (*of, Vec::new())).collect();
         for draw in self.chains.iter().flatten() {
-            for (((of, column), value), best) in columns.iter_mut().zip(values(draw)).zip(&at_best) {
-                let is_unknown = self.unknowns().any(|unknown| Measurand::Variable(unknown) == *of);
-                let period = of.period().filter(|_| !is_unknown);
-                column.push(value - turns(value - best, period));
+            for (((_, column), value), (best, period)) in columns.iter_mut().zip(values(draw)).zip(&turned) {
+                column.push(value - turns(value - best, *period));
             }
         }
         columns

@@ -58,11 +58,10 @@ impl<'a> Profile<'a> {
     /// Creates the profile around the solutions of an answer, at a level of confidence.
     pub(super) fn of(model: &'a Model<'a>, spans: Vec<ParameterBounds>, answer: &Answer, level: f64) -> Option<Self> {
         let quantile = ChiSquared::new(1.0).ok()?.inverse_cdf(level);
-        let unknowns = |solution: &Solution| solution.unknowns.iter().map(|estimate| estimate.value).collect();
         let greatest = answer.best().chi_square + quantile;
         let all = answer.solutions.iter().chain(&answer.worse).filter(|solution| solution.chi_square <= greatest);
         // Where a measurand has no slope, such as the direction of a velocity near zero, searches end in many places close to each other.
-        let solutions = all.take(SOLUTIONS).map(unknowns).collect();
+        let solutions = all.take(SOLUTIONS).map(Solution::values).collect();
         Some(Profile { model, spans, solutions, covariance: covariance(answer.best()), greatest, quantile })
     }
 
@@ -89,7 +88,7 @@ impl<'a> Profile<'a> {
 
     fn quantity(&'a self, of: Measurand) -> Option<Quantity<'a>> {
         let value = self.value(of, self.solutions.first()?)?;
-        let variable = self.model.question.unknowns.iter().position(|unknown| Measurand::Variable(unknown.of) == of);
+        let variable = self.model.question.place_of(of);
         let scale = variable.map_or_else(|| (0.1 * value.abs()).max(0.1 * of.least_size()), |i| self.spans[i].scale);
         let bounds = variable.map_or([f64::NEG_INFINITY, f64::INFINITY], |i| [self.spans[i].min, self.spans[i].max]);
         // An angle without bounds repeats itself after half a turn to either side.
@@ -100,10 +99,16 @@ impl<'a> Profile<'a> {
 
     /// Returns the standard deviation of a quantity at the best solution, to first order.
     fn sd(&self, of: Measurand) -> Option<f64> {
+        /// Largest relative error of a variance, in roundings: the slopes and the covariance have some of their own.
+        const ROUNDINGS: f64 = 64.0;
         let point = self.solutions.first()?;
         let (placed, impact) = self.model.solve(point).ok()?;
         let (_, slope) = WithinLimits::around(self.model, &placed, &impact).slopes_of(of, point)?;
-        Some((&slope * self.covariance.as_ref()? * slope.transpose())[(0, 0)].sqrt())
+        let covariance = self.covariance.as_ref()?;
+        let variance = (&slope * covariance * slope.transpose())[(0, 0)];
+        // Of a quantity that the evidence fixes only rounding remains, of either sign.
+        let rounding = ROUNDINGS * f64::EPSILON * (slope.abs() * covariance.abs() * slope.abs().transpose())[(0, 0)];
+        Some(if variance > rounding { variance.sqrt() } else { 0.0 })
     }
 
     /// Returns the value of a quantity at a point that the mechanics accepts.
@@ -375,8 +380,8 @@ impl Quantity<'_> {
         }
     }
 
-    /// Finds the best fit with the quantity as evidence of a value, so sure that it is held for all purposes, and its own value of the quantity: where a measurand has no slope, as the direction of a
-    /// velocity near zero, other searches fail. A point on the way to a fit is one that fits, too.
+    /// Finds the best fit with the quantity as evidence of a value, so sure that it is held for all purposes, and its own value of the quantity: where a measurand
+    /// has no slope, as the direction of a velocity near zero, other searches fail. A point on the way to a fit is one that fits, too.
     fn nearly_held(&self, value: f64, inside: &Inside, spans: &[ParameterBounds]) -> Option<(f64, Reached)> {
         const ITERATIONS: usize = 60;
         /// Largest distance from the value, in standard deviations: the other evidence pulls by less, and the physics by more.
@@ -395,6 +400,7 @@ impl Quantity<'_> {
         let fits = starts.filter_map(|start| search(&start)).filter_map(|(unknowns, iterations)| {
             let own = self.unwrapped(&unknowns)?;
             let off = (value - own) / sd;
+            (off.abs() < HELD).then_some(())?;
             let sum_of_squares = model.at(&unknowns)?.iter().map(|residual| residual * residual).sum();
             let slopes = scaled(held.jacobian(&unknowns), spans).tr_mul(&DVector::from_vec(held.at(&unknowns)?));
             let at = |(x, span): (&f64, &ParameterBounds)| match *x {
@@ -412,7 +418,7 @@ impl Quantity<'_> {
                 iterations,
                 unknowns,
             };
-            (off.abs() < HELD).then_some((own, reached))
+            Some((own, reached))
         });
         fits.min_by(|(_, one), (_, other)| one.sum_of_squares.total_cmp(&other.sum_of_squares))
     }

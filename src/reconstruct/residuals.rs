@@ -68,8 +68,7 @@ impl<'a> Model<'a> {
 
     /// Returns the value of a quantity at given unknowns, for their collision and its impact, or `None` if absent. An unknown angle is not wrapped.
     pub(super) fn value<T: Real + Copy>(&self, of: Measurand, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Option<T> {
-        let place = self.question.unknowns.iter().position(|unknown| Measurand::Variable(unknown.of) == of);
-        place.map_or_else(|| of.of(placed, impact), |i| unknowns.get(i).copied())
+        self.question.place_of(of).map_or_else(|| of.of(placed, impact), |i| unknowns.get(i).copied())
     }
 
     /// Returns given less computed values, with angles the shorter way.

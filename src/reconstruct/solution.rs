@@ -128,6 +128,11 @@ impl Fitted {
 }
 
 impl Solution {
+    /// Returns the values of the unknowns, in the order of the problem.
+    pub(super) fn values(&self) -> Vec<f64> {
+        self.unknowns.iter().map(|estimate| estimate.value).collect()
+    }
+
     /// Returns the estimate of an unknown.
     pub fn estimate(&self, of: Variable) -> Option<&Estimate> {
         self.unknowns.iter().find(|estimate| estimate.of == of)

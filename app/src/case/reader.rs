@@ -4,6 +4,7 @@ mod contact;
 mod correlation;
 mod crush;
 mod evidence;
+mod fitted;
 mod implied;
 mod measured;
 mod rest;
@@ -14,6 +15,7 @@ use std::cell::{Cell, RefCell};
 use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
+use self::fitted::FittedToTests;
 use self::implied::ImpliedValues;
 use super::domain::Domain;
 use super::inputs::Inputs;
@@ -25,6 +27,7 @@ use super::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::{Kind, Quantity};
+use crate::source::Open;
 use crate::units::Units;
 use crate::wording::{barrier_instead, percent_meant};
 
@@ -44,11 +47,18 @@ pub(super) struct Read {
 pub(crate) struct CaseReader {
     pub(crate) notices: RefCell<Vec<Notice>>,
     uncertain: RefCell<Vec<UncertainInput>>,
+    open: Option<Open>,
+    fitted: RefCell<Vec<FittedToTests>>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
 
 impl CaseReader {
+    /// Creates a reader of a case that may name other files.
+    pub(super) fn opening(open: Open) -> Self {
+        CaseReader { open: Some(open), ..CaseReader::default() }
+    }
+
     /// Returns the system of units that most quantities use.
     pub(crate) fn units(&self) -> Units {
         if self.us.get() > self.si.get() { Units::Us } else { Units::Si }
@@ -193,7 +203,9 @@ impl CaseReader {
         let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
         let evidence = self.settle(&evidence, [&one, &two]);
         let inputs = Inputs { vehicles: [one, two], contact };
-        let uncertain = Uncertain { inputs: self.uncertain.take(), correlations: correlations.unwrap_or(Some(Vec::new()))? };
+        let mut correlations = correlations.unwrap_or(Some(Vec::new()))?;
+        correlations.extend(self.correlations_of_tests());
+        let uncertain = Uncertain { inputs: self.uncertain.take(), correlations };
         let agrees = implied.agree_with(&inputs, &uncertain);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
         let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: implied.left_out() };

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
 use super::posterior::{Drawn, Draws, Posterior};
-use super::question::{Question, measure_in, name_in};
+use super::question::{Question, measure_in, measure_of, name_in};
 use crate::answer::Answer;
 use crate::case::Case;
 use crate::crash3::Comparison;
@@ -361,7 +361,7 @@ impl Solved<'_> {
                 sd: interval.sd.filter(|_| !is_open),
                 interval: self.printed(interval),
                 posterior: self.posterior(interval.of),
-                measure: self.measure_of(interval.of),
+                measure: measure_of(interval.of, self.case),
             };
             (interval.of.name(), derived)
         };
@@ -399,20 +399,13 @@ impl Solved<'_> {
         best.unknowns.iter().zip(&best.influence).map(row).collect()
     }
 
-    fn measure_of(&self, of: Measurand) -> Measure {
-        match of {
-            Measurand::Variable(variable) => measure_in(variable, self.case),
-            _ => of.measure(),
-        }
-    }
-
     fn named(&self, fitted: &Fitted) -> (&'static str, Evidence) {
         let evidence = Evidence {
             given: positive_zero(fitted.given),
             computed: positive_zero(fitted.computed),
             sd: fitted.sd,
             standardised_residual: fitted.standardised_residual().map(positive_zero),
-            measure: self.measure_of(fitted.of),
+            measure: measure_of(fitted.of, self.case),
         };
         (fitted.of.name(), evidence)
     }
@@ -421,7 +414,7 @@ impl Solved<'_> {
     fn evidence(&self) -> Named<Evidence> {
         let certain = self.question.certain.iter().map(|evidence| {
             let value = positive_zero(evidence.value);
-            let measure = self.measure_of(evidence.of);
+            let measure = measure_of(evidence.of, self.case);
             (evidence.of.name(), Evidence { given: value, computed: value, sd: None, standardised_residual: None, measure })
         });
         self.answer.best().evidence.iter().map(|fitted| self.named(fitted)).chain(certain).collect()

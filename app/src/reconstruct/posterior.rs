@@ -4,15 +4,12 @@ use planar_impact::reconstruct::{Answer, Marginal, Measurand, NoPosterior, Sampl
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::question::{Question, name_in};
+use super::question::{Question, name_in, name_of};
 use super::statement::Statement;
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::{Named, positive_zero};
 use crate::notice::Notice;
-
-/// Largest R-hat of draws that have converged.
-const CONVERGED: f64 = 1.01;
 
 /// Least number of independent draws for quantiles.
 const INDEPENDENT: f64 = 400.0;
@@ -92,7 +89,7 @@ impl Drawn {
         let find = |of: Measurand| marginals.iter().find(|marginal| marginal.of == of);
         let probability = |statement: &Statement| Some((statement.text.clone(), statement.probability(find(statement.of)?)));
         let values = asked.has_values.then(|| {
-            let name = |of| name_of(question, of);
+            let name = |of| name_of(of, &question.case);
             posterior.values(of).into_iter().map(|(of, values)| (name(of), values.into_iter().map(positive_zero).collect())).collect()
         });
         let of_all = |figure: fn(&Marginal) -> f64, worse: fn(f64, f64) -> f64| {
@@ -106,7 +103,7 @@ impl Drawn {
             ess: of_all(|marginal| marginal.effective, f64::min),
             values,
         };
-        let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(question, *of)).collect();
+        let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(*of, &question.case)).collect();
         let probabilities = asked.statements.iter().filter_map(probability).collect();
         draws.warn(&softened, answer, notices);
         Ok(Drawn { draws, probabilities, marginals })
@@ -131,7 +128,12 @@ impl Drawn {
 impl Draws {
     /// Returns `true` if the chains agree, and have enough independent draws.
     pub fn have_converged(&self) -> bool {
-        self.r_hat.is_none_or(|r_hat| r_hat <= CONVERGED) && self.ess.is_none_or(|ess| ess >= INDEPENDENT)
+        self.r_hat.is_none_or(|r_hat| r_hat <= Marginal::CONVERGED) && self.ess.is_none_or(|ess| ess >= INDEPENDENT)
+    }
+
+    /// Returns the standard error of a probability that the draws give.
+    pub fn standard_error(&self, probability: f64) -> f64 {
+        (probability * (1.0 - probability) / self.ess.unwrap_or(f64::INFINITY)).sqrt()
     }
 
     fn warn(&self, softened: &[String], answer: &Answer, notices: &mut Vec<Notice>) {
@@ -155,13 +157,6 @@ impl Draws {
             );
             notices.push(Notice::note("exact-evidence-softened", "evidence", message));
         }
-    }
-}
-
-fn name_of(question: &Question, of: Measurand) -> String {
-    match of {
-        Measurand::Variable(variable) => name_in(variable, &question.case),
-        _ => of.name().to_owned(),
     }
 }
 

@@ -318,3 +318,19 @@ pub fn measure_in(of: Variable, case: &Case) -> Measure {
         _ => of.measure(),
     }
 }
+
+/// Returns the name of a quantity in a case.
+pub fn name_of(of: Measurand, case: &Case) -> String {
+    match of {
+        Measurand::Variable(variable) => name_in(variable, case),
+        _ => of.name().to_owned(),
+    }
+}
+
+/// Returns the measure of a quantity in a case.
+pub fn measure_of(of: Measurand, case: &Case) -> Measure {
+    match of {
+        Measurand::Variable(variable) => measure_in(variable, case),
+        _ => of.measure(),
+    }
+}

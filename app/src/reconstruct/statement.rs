@@ -2,7 +2,7 @@
 
 use planar_impact::reconstruct::{Marginal, Measurand};
 
-use super::question::{Question, measure_in, name_in};
+use super::question::{Question, measure_of, name_in};
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::quantity::{self, Kind, nearest};
@@ -57,11 +57,8 @@ impl Statement {
             let help = of.is_in(&question.asked.collision).then(|| "give contact.crush_share, or the crush of each vehicle".to_owned());
             return Err(issue(name, "the collision does not determine this quantity", help));
         }
-        let measure = match of {
-            Measurand::Variable(variable) => measure_in(variable, &question.case),
-            _ => of.measure(),
-        };
-        let value = quantity::parse_word(value, Kind::from(measure)).map_err(|error| issue(name, &error.message, error.help))?;
+        let value = quantity::parse_word(value, Kind::from(measure_of(of, &question.case)))
+            .map_err(|error| issue(name, &error.message, error.help))?;
         Ok(Statement { text: text.to_owned(), of, is_above, value: value.si })
     }
 

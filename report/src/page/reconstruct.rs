@@ -11,7 +11,7 @@ use planar_impact_app::Answer;
 use planar_impact_app::reconstruct::Reconstruction;
 use planar_impact_app::units::Units;
 
-use super::Facts;
+use super::{Facts, framed};
 use crate::block::Block;
 
 impl Facts for Reconstruction {
@@ -34,8 +34,7 @@ impl Facts for Reconstruction {
 
 /// Renders the verdict, the unknowns, what follows from them and the posterior alone, with title and notices.
 pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
-    let title = Block::title(&answer.title).into_iter();
-    title.chain(essentials(answer, units)).chain(Block::notices(&answer.notices, units)).collect()
+    framed(answer, essentials(answer, units), units)
 }
 
 fn essentials(answer: &Reconstruction, units: Units) -> Vec<Block> {

@@ -71,6 +71,10 @@ impl CaseReader {
         let name = field.string()?;
         let uncertain = self.uncertain.borrow();
         let named = Parameter::named(name);
+        if named.is_some_and(|parameter| self.is_fitted(parameter)) {
+            place.report("the tests that it is fitted to give its correlations", None);
+            return None;
+        }
         if let Some(parameter) = named.filter(|parameter| !whole || uncertain.iter().any(|input| input.parameter == *parameter)) {
             return Some(parameter);
         }

@@ -232,7 +232,10 @@ impl CaseReader {
             let parameter = zone.map_or(CrushKey::Form(key), |zone| CrushKey::ZoneForm(zone, key));
             self.input(table.required(key.name()), Parameter::Crush(side, parameter))
         };
-        let stiffness = if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
+        let stiffness = if table.has("tests") {
+            let of = [(CrushKey::Onset, CrushKey::ZoneOnset as fn(usize) -> CrushKey), (CrushKey::Slope, CrushKey::ZoneSlope)];
+            self.fitted(table, of.map(|(whole, of_zone)| Parameter::Crush(side, zone.map_or(whole, of_zone)))).map(StiffnessInputs::Roots)
+        } else if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
             let onset = root("d0", CrushKey::Onset, CrushKey::ZoneOnset);
             let slope = root("d1", CrushKey::Slope, CrushKey::ZoneSlope);
             onset.zip(slope).map(|(onset, slope)| StiffnessInputs::Roots(CrushStiffness { onset, slope }))

@@ -156,7 +156,7 @@ fn statements_are_read_with_their_units() {
 
 #[test]
 fn what_nothing_limits_has_no_posterior() {
-    // Against a wall, only the sum of squares of the components makes a difference.
+    // Only the sum of the speeds makes a difference.
     let open = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0.3]\n\
                 [[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"180 deg\"\nimpact_center = [2, 0.3]\n\
                 [contact]\ncrush_plane = 0\nrestitution = 0.1\n\

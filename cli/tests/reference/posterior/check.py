@@ -100,7 +100,7 @@ def direct_grid(problem, box):
 
 
 def by_emcee(problem, made, walkers=64, steps=8000):
-    """Statistics of an affine-invariant ensemble, and how many independent points it is worth."""
+    """Runs emcee; returns the statistics and the number of independent points."""
     import emcee
     np.random.seed(4)
     rng = np.random.default_rng(4)

@@ -4,7 +4,8 @@ use planar_impact_app::named::Named;
 use planar_impact_app::reconstruct::{Posterior, Reconstruction};
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::{rounded, share};
+use super::rounding::rounded;
+use super::unknowns::from;
 use crate::block::{Block, Table};
 
 /// Renders means, medians and shortest ranges, then the probabilities that were asked for; nothing without a posterior.
@@ -17,8 +18,7 @@ pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
         let road = (measure == Measure::Speed).then(|| row("", Measure::RoadSpeed, posterior, units));
         [Some(row(name, measure, posterior, units)), road].into_iter().flatten()
     });
-    let level = answer.unknown.iter().next().map_or(0.95, |(_, unknown)| unknown.interval.level);
-    let header = ["posterior", "mean", "+/- sd", "median", &format!("{} from", share(level)), "to", "unit"];
+    let header = ["posterior", "mean", "+/- sd", "median", &from(answer), "to", "unit"];
     let mut blocks = vec![Table::new(header, "lrrrrrl", rows.collect()).narrow().with_optional(2).into()];
     let converged = match (draws.r_hat, draws.ess) {
         (Some(r_hat), Some(ess)) => format!(": R-hat at most {r_hat:.3}, at least {ess:.0} independent draws"),
@@ -30,7 +30,7 @@ pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     );
     blocks.push(Block::paragraph(text));
     blocks.extend(answer.probabilities.iter().flat_map(Named::iter).map(|(statement, probability)| {
-        let error = (probability * (1.0 - probability) / draws.ess.unwrap_or(f64::INFINITY)).sqrt();
+        let error = draws.standard_error(*probability);
         Block::item("- ", format!("probability of {statement}: {probability:.3} ± {error:.3}"))
     }));
     blocks

@@ -70,13 +70,13 @@ impl<'a> Row<'a> {
         // Without a standard deviation, the digits are those of a normal distribution as wide as the interval.
         let step = match width.filter(|_| !is_exact) {
             Some(width) => Some(self.sd.map_or(width / 4.0, |sd| sd.min(width))),
-            None => self.sd,
+            None => self.sd.filter(|_| !is_exact),
         };
         let number = |value: f64| rounded(measure, value, step, units);
         let end = |end: Option<f64>| end.filter(|_| !is_exact).map_or_else(dash, number);
         let mark = if self.is_at_bound && !name.is_empty() { " *" } else { "" };
         let value = self.value.map_or_else(|| "open".to_owned(), number);
-        let sd = self.sd.map_or_else(dash, number);
+        let sd = self.sd.map_or_else(dash, |sd| if is_exact { "exact".to_owned() } else { number(sd) });
         vec![format!("{name}{mark}"), value, sd, end(low), end(high), units.unit(measure).to_owned()]
     }
 }
@@ -88,9 +88,13 @@ fn table(head: &str, answer: &Reconstruction, rows: Vec<(&str, Row<'_>)>, units:
         let road = (row.measure == Measure::Speed).then(|| row.cells("", Measure::RoadSpeed, units));
         [Some(first), road].into_iter().flatten()
     };
+    Table::new([head, "value", "+/- sd", &from(answer), "to", "unit"], "lrrrrl", rows.into_iter().flat_map(cells).collect()).narrow().into()
+}
+
+/// Returns the head of the lower ends of ranges, with their level.
+pub fn from(answer: &Reconstruction) -> String {
     let level = answer.unknown.iter().next().map_or(0.95, |(_, unknown)| unknown.interval.level);
-    let from = format!("{} from", share(level));
-    Table::new([head, "value", "+/- sd", &from, "to", "unit"], "lrrrrl", rows.into_iter().flat_map(cells).collect()).narrow().into()
+    format!("{} from", share(level))
 }
 
 /// Names the bounds and the limits of the physics that make the ends of an interval.

@@ -1,0 +1,152 @@
+//! The key `stiffness.tests`: a stiffness that is fitted to the barrier tests of another file, with its covariance.
+
+use planar_impact::Distribution;
+use planar_impact::barrier::{CrushModel, FitFinding, StiffnessFit};
+use planar_impact::crush::CrushStiffness;
+
+use super::CaseReader;
+use crate::case::parameter::Parameter;
+use crate::case::uncertain::{InputCorrelation, UncertainInput};
+use crate::document::{Field, Table};
+use crate::issue::Issues;
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::source::Source;
+use crate::stiffness::{TestFile, message};
+use crate::units::{Measure, Units};
+
+/// A stiffness fitted to the tests of a file, and what has it.
+pub(super) struct FittedToTests {
+    tests: Source,
+    model: CrushModel,
+    fit: StiffnessFit,
+    is_uncertain: bool,
+    /// d0 and d1 of each crush or zone with this stiffness, and the path of its key.
+    of: Vec<([Parameter; 2], String)>,
+}
+
+impl CaseReader {
+    /// Reads a stiffness that is fitted to tests, and keeps d0 and d1 as uncertain inputs.
+    pub(super) fn fitted(&self, table: &Table<'_>, of: [Parameter; 2]) -> Option<CrushStiffness> {
+        let model = match table.optional("model").choice(&["profile", "mean depth"]) {
+            Some("mean depth") => CrushModel::MeanDepth,
+            _ => CrushModel::Profile,
+        };
+        let field = table.required("tests");
+        let (key, place) = (field.path().to_owned(), field.clone());
+        let tests = self.opened(field)?;
+        let mut all = self.fitted.borrow_mut();
+        let known = match all.iter().position(|known| known.tests.text == tests.text) {
+            Some(known) if all[known].model != model => {
+                let help = format!("give the model of {}", all[known].of[0].1);
+                table.optional("model").report("the same tests are fitted to another model of the crush", Some(help));
+                return None;
+            }
+            Some(known) => &mut all[known],
+            None => {
+                let fitted = FittedToTests::of(tests, model).map_err(|issues| report(&place, &issues)).ok()?;
+                all.push(fitted);
+                all.last_mut()?
+            }
+        };
+        known.of.push((of, key.clone()));
+        let is_negative = |finding: &FitFinding| matches!(finding, FitFinding::NegativeOnset(_) | FitFinding::NegativeSlope(_));
+        if let Some(finding) = known.fit.findings().into_iter().find(is_negative) {
+            place.report(Units::Si.sentence(&message(&finding)), Some("`planar-impact stiffness` shows the fit".to_owned()));
+            return None;
+        }
+        self.notices.borrow_mut().push(known.notice(&key));
+        let CrushStiffness { onset, slope } = known.fit.stiffness;
+        if known.is_uncertain {
+            let sds = [known.fit.onset().deviation(), known.fit.slope().deviation()];
+            for ((parameter, nominal), sd) in of.into_iter().zip([onset, slope]).zip(sds) {
+                let distribution = Distribution::Normal { mean: nominal, sd };
+                self.uncertain.borrow_mut().push(UncertainInput { parameter, key: key.clone(), nominal, distribution });
+            }
+        }
+        Some(known.fit.stiffness)
+    }
+
+    fn opened(&self, field: Field<'_>) -> Option<Source> {
+        let place = field.clone();
+        let name = field.string()?;
+        let Some(open) = &self.open else {
+            let help = "give d0 and d1 as `planar-impact stiffness` prints them".to_owned();
+            place.report("a case that is not read from a file cannot name another one", Some(help));
+            return None;
+        };
+        open(name).map_err(|issues| report(&place, &issues)).ok()
+    }
+
+    /// Returns `true` if an input is fitted to tests.
+    pub(super) fn is_fitted(&self, parameter: Parameter) -> bool {
+        self.fitted.borrow().iter().flat_map(|fitted| &fitted.of).any(|(of, _)| of.contains(&parameter))
+    }
+
+    /// Returns the correlations of the inputs that are fitted to tests.
+    pub(super) fn correlations_of_tests(&self) -> Vec<InputCorrelation> {
+        self.fitted.borrow().iter().filter(|fitted| fitted.is_uncertain).flat_map(FittedToTests::correlations).collect()
+    }
+}
+
+impl FittedToTests {
+    fn of(tests: Source, model: CrushModel) -> Result<Self, Issues> {
+        let file = TestFile::parse(tests.clone())?;
+        let fit = file.fit(model)?;
+        let is_uncertain = file.is_uncertain(&fit);
+        Ok(FittedToTests { tests, model, fit, is_uncertain, of: Vec::new() })
+    }
+
+    /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes is one number.
+    fn correlations(&self) -> Vec<InputCorrelation> {
+        let between = self.fit.covariance.correlation();
+        let inputs: Vec<(usize, Parameter, &str)> =
+            self.of.iter().flat_map(|(of, key)| of.iter().enumerate().map(move |(i, parameter)| (i, *parameter, key.as_str()))).collect();
+        let pairs = inputs.iter().enumerate().flat_map(|(i, one)| inputs[i + 1..].iter().map(move |other| (one, other)));
+        pairs
+            .map(|(one, other)| InputCorrelation {
+                one: one.1,
+                other: other.1,
+                coefficient: if one.0 == other.0 { 1.0 } else { between },
+                key: other.2.to_owned(),
+            })
+            .collect()
+    }
+
+    fn notice(&self, key: &str) -> Notice {
+        let number = |message: Message, measure, value, sd| {
+            let message = message.figure(measure, value);
+            if self.is_uncertain { message.text(" ± ").figure(measure, sd) } else { message }
+        };
+        let (onset, slope) = (self.fit.onset(), self.fit.slope());
+        let message = number(Message::from(format!("{key}: d0 = ")), Measure::RootForce, onset.value, onset.deviation());
+        let message = number(message.text(", d1 = "), Measure::RootForcePerLength, slope.value, slope.deviation());
+        let count = self.fit.residuals.len();
+        if self.fit.is_poor() {
+            let (chi_square, freedom) = (self.fit.chi_square, self.fit.degrees_of_freedom);
+            let message = message.text(format!(
+                ", fitted to {count} tests, which differ by more than their standard deviations allow (chi-square {chi_square:.1} with {freedom} degrees of \
+                 freedom): it is less certain; without standard deviations the residuals tell how much"
+            ));
+            Notice::warning("stiffness-from-tests", key, message)
+        } else if self.is_uncertain {
+            Notice::note("stiffness-from-tests", key, message.text(format!(", fitted to {count} tests")))
+        } else {
+            let message = message.text(", fitted to two tests, which do not tell how far off they are: it counts as certain");
+            Notice::warning("stiffness-from-tests", key, message)
+        }
+    }
+}
+
+/// Reports what is wrong with a file at the key that names it.
+fn report(place: &Field<'_>, issues: &Issues) {
+    for issue in issues.list() {
+        let at = match issues.line(issue) {
+            Some(line) => format!("{}:{line}: ", issues.source().name),
+            None => String::new(),
+        };
+        let path = if issue.path.is_empty() { String::new() } else { format!("{}: ", issue.path) };
+        let help = issue.help.as_ref().map(|help| Units::Si.sentence(help));
+        place.report(format!("{at}{path}{}", Units::Si.sentence(&issue.message)), help);
+    }
+}

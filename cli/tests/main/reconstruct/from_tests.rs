@@ -1,0 +1,198 @@
+//! A stiffness fitted to the barrier tests of another file.
+
+use serde_json::Value;
+
+use super::{example, number, replaced};
+use crate::process::{Folder, Run, run, workspace};
+
+const TESTS: &str = "stiffness = { tests = \"../tests/struble-welsh.toml\" }";
+
+/// Runs a verb on a case that stands beside files of barrier tests.
+fn beside(case: &str, files: &[(&str, &str)], arguments: &[&str]) -> Run {
+    let folder = Folder::new();
+    folder.write("case.toml", case.as_bytes());
+    for (name, text) in files {
+        folder.write(name, text.as_bytes());
+    }
+    run(folder.path(), &[arguments, &["case.toml"]].concat())
+}
+
+fn json(run: &Run) -> Value {
+    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err))
+}
+
+fn struble_welsh() -> String {
+    std::fs::read_to_string(workspace().join("cli/examples/tests/struble-welsh.toml")).expect("the example can be read")
+}
+
+fn case(stiffness: &str) -> String {
+    replaced(&example("from-tests.toml"), &[(TESTS, stiffness)])
+}
+
+/// What `stiffness` prints, as the file gives it: d0, d1, their standard deviations and the correlation.
+fn fit(tests: &str, model: usize) -> [f64; 5] {
+    let folder = Folder::new();
+    folder.write("tests.toml", tests.as_bytes());
+    let document = json(&run(folder.path(), &["stiffness", "tests.toml", "--format", "json"]));
+    let fit = &document["fits"][model];
+    let covariance = &fit["covariance"];
+    [&fit["d0"], &fit["d1"], &covariance["d0_sd"], &covariance["d1_sd"], &covariance["correlation"]].map(number)
+}
+
+const RECONSTRUCT: [&str; 3] = ["reconstruct", "--format", "json"];
+
+/// The same file with the fitted numbers in place of the name of the tests has the same answer.
+#[test]
+fn the_fit_is_an_uncertain_stiffness_with_its_correlation() {
+    let bare: String = struble_welsh()
+        .lines()
+        .filter(|line| !line.contains("_sd") && !line.contains("scatter"))
+        .map(|line| format!("{}\n", line.replace("[\"0.5203 ft\", \"0.5203 ft\"]", "[\"0.2 ft\", \"0.8 ft\"]")))
+        .collect();
+    for tests in [struble_welsh(), bare] {
+        for (number_of_model, model) in [(1, ""), (1, ", model = \"profile\""), (0, ", model = \"mean depth\"")] {
+            let [d0, d1, d0_sd, d1_sd, correlation] = fit(&tests, number_of_model);
+            let named = case(&format!("stiffness = {{ tests = \"tests.toml\"{model} }}"));
+            let named = beside(&named, &[("tests.toml", &tests)], &RECONSTRUCT);
+            let plain = case(&format!("stiffness = {{ d0 = {{ value = {d0}, sd = {d0_sd} }}, d1 = {{ value = {d1}, sd = {d1_sd} }} }}"));
+            let pair = format!("correlation = [[\"vehicle.1.crush.d0\", \"vehicle.1.crush.d1\", {correlation}]]\n\n[[vehicle]]");
+            let plain = beside(&plain.replacen("[[vehicle]]", &pair, 1), &[], &RECONSTRUCT);
+            assert_eq!((named.status, named.err.as_str(), plain.status, plain.err.as_str()), (0, "", 0, ""));
+            let [named, plain] = [json(&named), json(&plain)];
+            for key in ["unknown", "derived", "evidence", "covariance"] {
+                assert_alike(&named[key], &plain[key], key);
+            }
+            let text = |document: &Value| document["notes"].to_string();
+            assert!(text(&named).contains("fitted to 3 tests") && !text(&plain).contains("fitted"), "{}", text(&named));
+        }
+    }
+}
+
+/// Asserts that two documents have the same keys, and numbers that differ by rounding.
+fn assert_alike(one: &Value, other: &Value, at: &str) {
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) => {
+            assert!(one.keys().eq(other.keys()), "{at}");
+            one.iter().for_each(|(key, value)| assert_alike(value, &other[key], &format!("{at}.{key}")));
+        }
+        (Value::Number(_), Value::Number(_)) => {
+            let [one, other] = [one, other].map(number);
+            assert!((one - other).abs() <= 1e-9 * (1.0 + other.abs()), "{at}: {one} {other}");
+        }
+        _ => assert_eq!(one, other, "{at}"),
+    }
+}
+
+/// Of two vehicles with the stiffness of the same tests, the crush energies go up and down together.
+#[test]
+fn one_fit_for_two_vehicles_is_one_number() {
+    let [d0, d1, d0_sd, d1_sd, correlation] = fit(&struble_welsh(), 1);
+    let second = "depths = [\"0 ft\", \"0 ft\"]\nstiffness = { d0 = \"0 lbf^0.5\", d1 = \"1e6 lbf^0.5/ft\" }";
+    let both = replaced(
+        &case("stiffness = { tests = \"tests.toml\" }"),
+        &[(second, "depths = [0.3, 0.3]\nstiffness = { tests = \"./tests.toml\" }")],
+    );
+    let run = beside(&both, &[("tests.toml", &struble_welsh())], &RECONSTRUCT);
+    let document = json(&run);
+    // E = w (d0 + d1 C)²/2 of each, so that dE/dd0 = w (d0 + d1 C) and dE/dd1 is C times that.
+    let width = 5.0 * 0.3048;
+    let slopes = [0.520335 * 0.3048, 0.3].map(|depth| (width * (d0 + d1 * depth), width * (d0 + d1 * depth) * depth));
+    let (by_d0, by_d1) = (slopes[0].0 + slopes[1].0, slopes[0].1 + slopes[1].1);
+    let variance = (by_d0 * d0_sd).powi(2) + (by_d1 * d1_sd).powi(2) + 2.0 * correlation * by_d0 * d0_sd * by_d1 * d1_sd;
+    let sd = number(&document["evidence"]["crush_energy"]["sd"]);
+    assert!((sd / variance.sqrt() - 1.0).abs() < 1e-9, "{sd} {}", variance.sqrt());
+}
+
+#[test]
+fn tests_that_disagree_are_said_to() {
+    let named = case("stiffness = { tests = \"tests.toml\" }");
+    // Chi-square is 4.31 with one degree of freedom, of which 5 % is 3.84; with 1.1 times the standard deviations it is 3.56.
+    let wider = struble_welsh().replace("0.3 ft/s", "0.33 ft/s").replace("_sd = 0.05", "_sd = 0.055").replace("\"5 lbf", "\"5.5 lbf");
+    for (tests, disagree) in [(struble_welsh(), true), (wider, false)] {
+        let document = json(&beside(&named, &[("tests.toml", &tests)], &RECONSTRUCT));
+        assert_eq!(document["notes"].to_string().contains("differ by more than"), disagree, "{}", document["notes"]);
+    }
+}
+
+#[test]
+fn two_bare_tests_say_that_they_leave_the_doubt_open() {
+    let text = struble_welsh();
+    let parts: Vec<&str> = text.split("[[vehicle.test]]").collect();
+    let bare: String = [parts[0], parts[1], parts[3]]
+        .join("[[vehicle.test]]")
+        .lines()
+        .filter(|line| !line.contains("_sd") && !line.contains("scatter"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let document = json(&beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", &bare)], &RECONSTRUCT));
+    assert!(document["messages"].to_string().contains("it counts as certain"), "{}", document["messages"]);
+    assert_eq!(document["evidence"]["crush_energy"]["sd"], Value::Null);
+}
+
+/// The other verbs use the fitted numbers.
+#[test]
+fn a_verb_that_needs_one_number_takes_the_fit() {
+    let [d0, d1, ..] = fit(&struble_welsh(), 1);
+    let named = case("stiffness = { tests = \"tests.toml\" }");
+    let document = json(&beside(&named, &[("tests.toml", &struble_welsh())], &["crush", "--format", "json"]));
+    let crush = &document["vehicles"][0];
+    assert!((number(&crush["d0"]) / d0 - 1.0).abs() < 1e-12 && (number(&crush["d1"]) / d1 - 1.0).abs() < 1e-12, "{crush}");
+    assert!(document["notes"].to_string().contains("nominal value"), "{}", document["notes"]);
+}
+
+#[test]
+fn what_keeps_tests_from_use_is_said_at_their_key() {
+    let text = struble_welsh();
+    let one = text.split("[[vehicle.test]]").take(2).collect::<Vec<_>>().join("[[vehicle.test]]");
+    let negative = text.replace("\"16.6537 ft/s\"", "\"1 ft/s\"");
+    let wrong_unit = text.replace("\"101.91 slug\"", "\"101.91 ft\"");
+    for (name, stiffness, tests, wanted) in [
+        ("no file", "{ tests = \"none.toml\" }", "", &["vehicle.1.crush.stiffness.tests", "none.toml", "no such file"][..]),
+        ("a folder", "{ tests = \".\" }", "", &["stiffness.tests", "is a directory"]),
+        ("an empty name", "{ tests = \"\" }", "", &["stiffness.tests"]),
+        ("a number", "{ tests = 3 }", "", &["stiffness.tests", "string"]),
+        ("an empty file", "{ tests = \"tests.toml\" }", " ", &["stiffness.tests", "is empty"]),
+        ("a case", "{ tests = \"case.toml\" }", "", &["stiffness.tests", "case.toml:"]),
+        ("one test", "{ tests = \"tests.toml\" }", &one, &["stiffness.tests"]),
+        (
+            "a wrong unit",
+            "{ tests = \"tests.toml\" }",
+            &wrong_unit,
+            &["stiffness.tests", "tests.toml:11: vehicle.1.test.1.mass", "101.91 ft"],
+        ),
+        ("a negative d0", "{ tests = \"tests.toml\" }", &negative, &["stiffness.tests", "d0 is", "below zero"]),
+        ("no model", "{ tests = \"tests.toml\", model = \"mean\" }", &text, &["stiffness.model", "mean depth"]),
+        ("d0 too", "{ tests = \"tests.toml\", d0 = 90 }", &text, &["stiffness.d0: unknown key"]),
+        ("a model without tests", "{ d0 = 90, d1 = 900, model = \"profile\" }", "", &["stiffness.model: unknown key"]),
+    ] {
+        let run = beside(&case(&format!("stiffness = {stiffness}")), &[("tests.toml", tests)], &["reconstruct"]);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{name}: {}", run.err);
+        assert!(wanted.iter().all(|part| run.err.contains(part)), "{name}: {}", run.err);
+    }
+}
+
+#[test]
+fn the_correlations_of_a_fit_are_its_own() {
+    let named = case("stiffness = { tests = \"tests.toml\" }");
+    let pair = "correlation = [[\"vehicle.1.crush.d0\", \"vehicle.1.crush.d1\", 0.5]]\n\n[[vehicle]]";
+    let run = beside(&named.replacen("[[vehicle]]", pair, 1), &[("tests.toml", &struble_welsh())], &["reconstruct"]);
+    assert!(run.status == 2 && run.err.contains("the tests that it is fitted to give its correlations"), "{}", run.err);
+    let second = "stiffness = { d0 = \"0 lbf^0.5\", d1 = \"1e6 lbf^0.5/ft\" }";
+    let other = replaced(&named, &[(second, "stiffness = { tests = \"tests.toml\", model = \"mean depth\" }")]);
+    let run = beside(&other, &[("tests.toml", &struble_welsh())], &["reconstruct"]);
+    assert!(run.status == 2 && run.err.contains("fitted to another model") && run.err.contains("vehicle.1.crush"), "{}", run.err);
+}
+
+/// The zones of a width may have tests of their own.
+#[test]
+fn a_zone_may_be_fitted_too() {
+    let [d0, d1, d0_sd, ..] = fit(&struble_welsh(), 1);
+    let zones = "stiffness = [{ tests = \"tests.toml\", to = \"2 ft\" }, { d0 = 90, d1 = 900 }]";
+    let run = beside(&case(zones), &[("tests.toml", &struble_welsh())], &RECONSTRUCT);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let same = format!("stiffness = [{{ d0 = {d0}, d1 = {d1}, to = \"2 ft\" }}, {{ d0 = 90, d1 = 900 }}]");
+    let plain = beside(&case(&same), &[], &RECONSTRUCT);
+    let value = |run: &Run| number(&json(run)["unknown"]["vehicle.1.velocity.x"]["value"]);
+    assert!((value(&run) / value(&plain) - 1.0).abs() < 1e-9 && d0_sd > 0.0);
+    assert!(number(&json(&run)["evidence"]["crush_energy"]["sd"]) > 0.0);
+}
