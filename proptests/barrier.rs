@@ -1,9 +1,9 @@
 //! Barrier tests: the stiffness fitted to them, the validity of its covariance, and kinematics.
 
 use crate::noise::{Count, Noise, WITHIN_ONE, WITHIN_TWO};
+use crate::rational::Rational;
 use crate::strategies::{Draw, Fraction, config, draw, fewer};
 use num_dual::{Dual2_64, Dual64};
-use num_rational::BigRational;
 use planar_impact::barrier::*;
 use planar_impact::crush::{CrushStiffness, ProfileMoments, speed_of_energy};
 use planar_impact::*;
@@ -14,7 +14,7 @@ use std::fmt::Debug;
 fn profiles() -> impl Strategy<Value = Vec<(i32, Vec<i32>)>> {
     let profile = (1..=4_i32, proptest::collection::vec(0..=9_i32, 2..=6));
     proptest::collection::vec(profile, 2..=6).prop_filter("two different mean depths", |profiles| {
-        let means: Vec<BigRational> = profiles.iter().map(|(width, depths)| moments(*width, depths).mean_depth()).collect();
+        let means: Vec<Rational> = profiles.iter().map(|(width, depths)| moments(*width, depths).mean_depth()).collect();
         means.iter().any(|mean| *mean != means[0])
     })
 }
@@ -37,17 +37,17 @@ proptest! {
 
     #[test]
     fn exact_data_give_back_the_stiffness(profiles in profiles(), onset in 0..=9_i32, slope in 1..=9_i32, deviations in proptest::collection::vec(1..=5_i32, 6)) {
-        let exact = CrushStiffness::<BigRational> { onset: BigRational::int(onset), slope: BigRational::int(slope) };
+        let exact = CrushStiffness::<Rational> { onset: Rational::int(onset), slope: Rational::int(slope) };
         let observe = |((width, depths), deviation): (&(i32, Vec<i32>), &i32)| {
             let crush = moments(*width, depths);
             let intensity = exact.crush_intensity(crush.mean_depth());
-            Observation { crush, intensity, deviation: BigRational::int(*deviation) }
+            Observation { crush, intensity, deviation: Rational::int(*deviation) }
         };
         let observations: Vec<_> = profiles.iter().zip(&deviations).map(observe).collect();
-        prop_assume!(observations.iter().all(|o| o.intensity > BigRational::int(0)));
+        prop_assume!(observations.iter().all(|o| o.intensity > Rational::int(0)));
         let fit = StiffnessFit::on_mean_depth(&Observations::independent(&observations).expect("good numbers")).expect("two depths");
         prop_assert_eq!(fit.stiffness, exact);
-        prop_assert_eq!(fit.chi_square, BigRational::int(0));
+        prop_assert_eq!(fit.chi_square, Rational::int(0));
     }
 
     /// With profiles as measured: increasing from test to test, and uneven by up to half of their depth.
@@ -92,7 +92,7 @@ proptest! {
         let collision = draw.exact();
         let Party::Vehicle(vehicle) = collision.one.clone() else { unreachable!("the first is a vehicle") };
         let contact = collision.contact();
-        prop_assume!(contact.approach.n != BigRational::int(0));
+        prop_assume!(contact.approach.n != Rational::int(0));
         let point = |motion| PointOfVehicle { heading: vehicle.heading.clone(), position: vehicle.impact_center.clone(), motion };
         let (before, after) = (point(vehicle.motion.clone()), point(collision.evaluate().one.after));
         prop_assert_eq!(barrier::restitution(&before, &after, &collision.crush_plane), collision.restitution);

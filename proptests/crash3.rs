@@ -1,13 +1,13 @@
 //! CRASH3 compared with planar mechanics.
 
+use crate::rational::Rational;
 use crate::strategies::{Draw, Fraction, OrReject, RatioDraw, VehicleDraw, computable, draw, fewer, solved};
 use num_dual::Dual64;
-use num_rational::BigRational;
 use planar_impact::crash3::*;
 use planar_impact::*;
 use proptest::prelude::*;
 
-type Exact = BigRational;
+type Exact = Rational;
 
 fn int(n: i32) -> Exact {
     Exact::int(n)

@@ -1,13 +1,13 @@
 //! Crush: the energy of a profile under each law.
 
+use crate::rational::Rational;
 use crate::strategies::{Fraction, config};
 use num_dual::Dual64;
-use num_rational::BigRational;
 use planar_impact::crush::*;
 use planar_impact::{Field, Ordered};
 use proptest::prelude::*;
 
-type Exact = BigRational;
+type Exact = Rational;
 
 fn int(n: i32) -> Exact {
     Exact::int(n)

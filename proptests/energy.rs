@@ -1,15 +1,15 @@
 //! The energy balance: the loss, its maximum, and the conditions for zero loss.
 
+use crate::rational::Rational;
 use crate::strategies::{Draw, Fraction, RatioDraw, common_velocity, computable, config, draw, half_tangent};
-use num_rational::BigRational;
 use planar_impact::*;
 use proptest::prelude::*;
 
-fn int(n: i32) -> BigRational {
-    BigRational::int(n)
+fn int(n: i32) -> Rational {
+    Rational::int(n)
 }
 
-fn critical(collision: Collision<BigRational>) -> Collision<BigRational> {
+fn critical(collision: Collision<Rational>) -> Collision<Rational> {
     Collision { impulse_ratio: ImpulseRatio::Critical, law: Law::Brach, ..collision }
 }
 

@@ -1,10 +1,10 @@
 //! Each equation that is wrong as printed, on one exact collision: the printed form violates a law of mechanics, the form used satisfies it.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use planar_impact::paper::{self, PaperNotation};
 use planar_impact::*;
 
-type Q = BigRational;
+type Q = Rational;
 
 fn int(n: i32) -> Q {
     Q::int(n)

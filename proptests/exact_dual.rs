@@ -3,39 +3,39 @@
 //! An angle is stored as its cosine and sine, which are rational; roots, directions and quotients by zero are not, so
 //! anything computed from them is undefined.
 
-use num_rational::BigRational;
-use num_traits::{FromPrimitive, Inv, Zero};
-use planar_impact::{Ordered, Real};
+use crate::rational::Rational;
+use num_traits::{FromPrimitive, Inv};
+use planar_impact::{Field, Ordered, Real};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A rational number and its derivative, an angle and its derivative, or undefined.
 #[derive(Clone, Debug)]
 pub enum ExactDual {
-    Number { value: BigRational, slope: BigRational },
-    Angle { cos: BigRational, sin: BigRational, slope: BigRational },
+    Number { value: Rational, slope: Rational },
+    Angle { cos: Rational, sin: Rational, slope: Rational },
     Nothing,
 }
 
 use ExactDual::{Angle, Nothing, Number};
 
 impl ExactDual {
-    pub fn number(value: BigRational, slope: i32) -> Self {
-        Number { value, slope: BigRational::from_integer(slope.into()) }
+    pub fn number(value: Rational, slope: i32) -> Self {
+        Number { value, slope: Rational::int(slope) }
     }
 
-    pub fn angle(cos: BigRational, sin: BigRational, slope: i32) -> Self {
-        Angle { cos, sin, slope: BigRational::from_integer(slope.into()) }
+    pub fn angle(cos: Rational, sin: Rational, slope: i32) -> Self {
+        Angle { cos, sin, slope: Rational::int(slope) }
     }
 
     /// Returns the value and the derivative.
-    pub fn parts(self) -> Option<(BigRational, BigRational)> {
+    pub fn parts(self) -> Option<(Rational, Rational)> {
         match self {
             Number { value, slope } => Some((value, slope)),
             _ => None,
         }
     }
 
-    fn with(self, other: Self, f: impl FnOnce([BigRational; 2], [BigRational; 2]) -> Option<[BigRational; 2]>) -> Self {
+    fn with(self, other: Self, f: impl FnOnce([Rational; 2], [Rational; 2]) -> Option<[Rational; 2]>) -> Self {
         let numbers = self.parts().zip(other.parts());
         numbers.and_then(|((a, da), (b, db))| f([a, da], [b, db])).map_or(Nothing, |[value, slope]| Number { value, slope })
     }
@@ -43,11 +43,11 @@ impl ExactDual {
 
 impl FromPrimitive for ExactDual {
     fn from_i64(n: i64) -> Option<Self> {
-        Some(ExactDual::number(BigRational::from_integer(n.into()), 0))
+        Some(ExactDual::number(Rational::from_i64(n)?, 0))
     }
 
     fn from_u64(n: u64) -> Option<Self> {
-        Some(ExactDual::number(BigRational::from_integer(n.into()), 0))
+        Some(ExactDual::number(Rational::from_u64(n)?, 0))
     }
 }
 
@@ -76,7 +76,7 @@ impl Div for ExactDual {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         self.with(other, |[a, da], [b, db]| {
-            let quotient = (!b.is_zero()).then(|| a / &b)?;
+            let quotient = (b != Rational::int(0)).then(|| a / &b)?;
             let slope = (da - &quotient * db) / b;
             Some([quotient, slope])
         })
@@ -93,7 +93,7 @@ impl Neg for ExactDual {
 impl Inv for ExactDual {
     type Output = Self;
     fn inv(self) -> Self {
-        ExactDual::number(BigRational::from_integer(1.into()), 0) / self
+        ExactDual::number(Rational::int(1), 0) / self
     }
 }
 

@@ -1,10 +1,10 @@
 //! Simplification and differentiation of arbitrary expressions, without mechanics.
 
 use crate::exact_dual::ExactDual;
+use crate::rational::Rational;
 use crate::reading::Reader;
 use crate::strategies::{OrReject, config};
 use num_dual::Dual64;
-use num_rational::BigRational;
 use planar_impact::formula::Glossary;
 use planar_impact::scalar::symbol::Symbol;
 use planar_impact::*;
@@ -139,7 +139,7 @@ proptest! {
             let [a, b] = quantities.clone();
             quantities.iter().all(|quantity| quantity.clone().parts().is_some()).then(|| whole.of(&[x, a, b]))
         };
-        let value = |at: usize, slope: bool| ExactDual::number(BigRational::int(values[at]), slope.into());
+        let value = |at: usize, slope: bool| ExactDual::number(Rational::int(values[at]), slope.into());
         let expected = compound([0, 1, 2].map(|at| value(at, at == by))).and_then(ExactDual::parts);
         let (expected, slope) = expected.or_reject("no value")?;
 

@@ -1,7 +1,7 @@
 //! Interval arithmetic compared with exact arithmetic: every result is enclosed, and no bound is further out than two floats.
 
+use crate::rational::Rational;
 use crate::strategies::config;
-use num_rational::BigRational;
 use num_traits::{FromPrimitive, Inv};
 use planar_impact::scalar::interval::Interval;
 use planar_impact::*;
@@ -23,17 +23,17 @@ fn interval([lower, upper]: [f64; 2]) -> Interval {
     Interval::new(lower, upper).expect("in order")
 }
 
-fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).expect("finite")
+fn exact(x: f64) -> Rational {
+    Rational::from_float(x).expect("finite")
 }
 
 /// Returns `true` if the first number is below the second one or equal to it.
-fn in_order(bound: f64, number: &BigRational) -> bool {
+fn in_order(bound: f64, number: &Rational) -> bool {
     if bound.is_finite() { exact(bound) <= *number } else { bound < 0.0 }
 }
 
 /// Tests that an interval contains all these numbers, the least and the greatest of them no further inside than two floats.
-fn encloses(enclosed: Interval, numbers: &[BigRational]) -> Result<(), TestCaseError> {
+fn encloses(enclosed: Interval, numbers: &[Rational]) -> Result<(), TestCaseError> {
     let least = numbers.iter().min().expect("some");
     let greatest = numbers.iter().max().expect("some");
     let (lower, upper) = (enclosed.lower(), enclosed.upper());
@@ -51,7 +51,7 @@ fn encloses(enclosed: Interval, numbers: &[BigRational]) -> Result<(), TestCaseE
 }
 
 /// Returns the results of an operation on every pair of bounds, which include the least and the greatest result.
-fn corners(x: [f64; 2], y: [f64; 2], of: impl Fn(BigRational, BigRational) -> BigRational) -> Vec<BigRational> {
+fn corners(x: [f64; 2], y: [f64; 2], of: impl Fn(Rational, Rational) -> Rational) -> Vec<Rational> {
     x.iter().flat_map(|x| y.iter().map(|y| of(exact(*x), exact(*y)))).collect()
 }
 
@@ -69,7 +69,7 @@ proptest! {
             prop_assert_eq!((one / other, other.inv()), (Interval::ENTIRE, Interval::ENTIRE));
         } else {
             encloses(one / other, &corners(x, y, |x, y| x / y))?;
-            encloses(other.inv(), &corners(y, y, |y, _| y.recip()))?;
+            encloses(other.inv(), &corners(y, y, |y, _| y.inv()))?;
         }
     }
 
@@ -83,7 +83,7 @@ proptest! {
         let (one, other) = (interval(wide_x), interval(wide_y));
         for x in [x[0], x[1], at[0].clamp(wide_x[0], wide_x[1])] {
             for y in [y[0], y[1], at[1].clamp(wide_y[0], wide_y[1])] {
-                let holds = |enclosed: Interval, number: BigRational| in_order(enclosed.lower(), &number) && in_order(-enclosed.upper(), &-number);
+                let holds = |enclosed: Interval, number: Rational| in_order(enclosed.lower(), &number) && in_order(-enclosed.upper(), &-number);
                 let (p, q) = (exact(x), exact(y));
                 prop_assert!(holds(one + other, &p + &q), "{} + {}", one, other);
                 prop_assert!(holds(one - other, &p - &q), "{} - {}", one, other);
@@ -119,16 +119,16 @@ proptest! {
 
     #[test]
     fn integers_are_enclosed_and_exact_where_a_float_is(n in prop_oneof![(any::<i64>(), 0..64_u32).prop_map(|(n, shift)| n >> shift), prop::sample::select(vec![i64::MAX, i64::MIN, -1])]) {
-        let of = |enclosed: Option<Interval>, n: BigRational| {
+        let of = |enclosed: Option<Interval>, n: Rational| {
             let enclosed = enclosed.expect("an integer");
-            let near = n.numer().to_string().parse().expect("a number");
+            let near = n.to_string().parse().expect("a number");
             encloses(enclosed, std::slice::from_ref(&n))?;
             prop_assert_eq!(enclosed.width() == 0.0, exact(near) == n, "{}", enclosed);
             Ok(())
         };
-        of(Interval::from_i64(n), BigRational::from_i64(n).expect("an integer"))?;
-        of(Interval::from_u64(n as u64), BigRational::from_u64(n as u64).expect("an integer"))?;
-        of(Interval::from_i32(n as i32), BigRational::from_i32(n as i32).expect("an integer"))?;
+        of(Interval::from_i64(n), Rational::from_i64(n).expect("an integer"))?;
+        of(Interval::from_u64(n as u64), Rational::from_u64(n as u64).expect("an integer"))?;
+        of(Interval::from_i32(n as i32), Rational::from_i32(n as i32).expect("an integer"))?;
         prop_assert_eq!(Interval::from_f64(n as f64), Some(interval([n as f64, n as f64])));
     }
 }

@@ -1,29 +1,29 @@
 //! Momentum, restitution and the impulse ratio.
 
+use crate::rational::Rational;
 use crate::strategies::{RatioDraw, computable, config, draw};
-use num_rational::BigRational;
 use planar_impact::*;
 use proptest::prelude::*;
 
-fn int(n: i32) -> BigRational {
-    BigRational::int(n)
+fn int(n: i32) -> Rational {
+    Rational::int(n)
 }
 
 /// Returns the change of a vehicle's momentum.
-fn momentum_gained(vehicle: &Vehicle<BigRational>, after: &Motion<BigRational>) -> Xy<BigRational> {
+fn momentum_gained(vehicle: &Vehicle<Rational>, after: &Motion<Rational>) -> Xy<Rational> {
     (after.velocity.clone() - vehicle.motion.velocity.clone()) * vehicle.mass.clone()
 }
 
 /// Returns the change of a vehicle's angular momentum about the impact center: that of its spin, and that of its
 /// center of mass, which is at −r.
-fn angular_momentum_gained(vehicle: &Vehicle<BigRational>, after: &Motion<BigRational>) -> BigRational {
+fn angular_momentum_gained(vehicle: &Vehicle<Rational>, after: &Motion<Rational>) -> Rational {
     let arm = vehicle.heading.to_ground(vehicle.impact_center.clone());
     let spin = vehicle.yaw_inertia.clone() * (after.yaw_rate.clone() - vehicle.motion.yaw_rate.clone());
     spin - arm.cross(momentum_gained(vehicle, after))
 }
 
 /// Returns the velocity of the impact center on a vehicle, in ground axes.
-fn at_center(vehicle: &Vehicle<BigRational>, motion: &Motion<BigRational>) -> Xy<BigRational> {
+fn at_center(vehicle: &Vehicle<Rational>, motion: &Motion<Rational>) -> Xy<Rational> {
     let arm = vehicle.heading.to_ground(vehicle.impact_center.clone());
     motion.velocity.clone() + arm.quarter_turn() * motion.yaw_rate.clone()
 }
@@ -133,7 +133,7 @@ proptest! {
     fn relative_velocities_are_those_of_the_motions(draw in computable()) {
         let collision = draw.exact();
         let impact = collision.evaluate();
-        let at = |party: &Party<BigRational>, motion: Option<&Motion<BigRational>>| {
+        let at = |party: &Party<Rational>, motion: Option<&Motion<Rational>>| {
             party.vehicle().map_or_else(Xy::zero, |vehicle| at_center(vehicle, motion.unwrap_or(&vehicle.motion)))
         };
         let approach = at(&collision.two, None) - at(&collision.one, None);

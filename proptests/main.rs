@@ -11,6 +11,7 @@
 
 mod angles;
 mod barrier;
+mod batch;
 mod check;
 mod crash3;
 mod crush;
@@ -27,6 +28,7 @@ mod laws;
 mod limits;
 mod noise;
 mod paper;
+mod rational;
 #[cfg(feature = "symbols")]
 mod reading;
 #[cfg(feature = "reconstruct")]

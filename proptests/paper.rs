@@ -1,21 +1,22 @@
 //! The paper's own equations compared with the matrix form: equality in rationals, for every numbered equation of a collision.
 
+use crate::rational::Rational;
 use crate::strategies::{Draw, OrReject, computable, config};
-use num_rational::BigRational;
+use num_traits::Inv;
 use planar_impact::paper::{self, PaperNotation};
 use planar_impact::*;
 use proptest::prelude::*;
 
-fn int(n: i32) -> BigRational {
-    BigRational::int(n)
+fn int(n: i32) -> Rational {
+    Rational::int(n)
 }
 
 /// A collision of two vehicles that the paper's equations can express: they approach each other along the normal.
 struct Both {
-    collision: Collision<BigRational>,
-    contact: Contact<BigRational>,
-    impact: Impact<BigRational>,
-    letters: PaperNotation<BigRational>,
+    collision: Collision<Rational>,
+    contact: Contact<Rational>,
+    impact: Impact<Rational>,
+    letters: PaperNotation<Rational>,
 }
 
 fn both(draw: Draw) -> Option<Both> {
@@ -39,7 +40,7 @@ proptest! {
     #[test]
     fn a1_to_a6_are_the_changes_of_motion(draw in computable()) {
         let Both { collision, contact, impact, letters } = both(draw).or_reject("the paper has no equations")?;
-        let change = |response: &Response<BigRational>| collision.crush_plane.to_contact(response.delta_v.clone());
+        let change = |response: &Response<Rational>| collision.crush_plane.to_contact(response.delta_v.clone());
         prop_assert_eq!(change(&impact.one), Nt { n: letters.a1(), t: letters.a2() });
         prop_assert_eq!(change(&impact.two), Nt { n: letters.a3(), t: letters.a4() });
         prop_assert_eq!(&impact.one.after.yaw_rate, &(contact.one.yaw_rate + letters.a5()));
@@ -161,11 +162,11 @@ proptest! {
 #[test]
 fn one_collision_by_its_fractions() {
     let fraction = |n: i32, d: i32| int(n) / int(d);
-    let body = |mass, inertia, velocity: (i32, i32), yaw_rate, arm: (BigRational, BigRational)| {
+    let body = |mass, inertia, velocity: (i32, i32), yaw_rate, arm: (Rational, Rational)| {
         let plane = CrushPlane { cos: fraction(4, 5), sin: fraction(3, 5) };
         Body {
-            inverse_mass: int(mass).recip(),
-            inverse_yaw_inertia: int(inertia).recip(),
+            inverse_mass: int(mass).inv(),
+            inverse_yaw_inertia: int(inertia).inv(),
             arm: plane.to_contact(Xy { x: arm.0, y: arm.1 }),
             velocity: plane.to_contact(Xy { x: int(velocity.0), y: int(velocity.1) }),
             yaw_rate,

@@ -1,9 +1,9 @@
 //! Force records and films: known pulses, the filter, and LOWESS.
 
 use crate::noise::{Count, Noise};
+use crate::rational::Rational;
 use crate::strategies::{Fraction, OrReject, config, fewer};
 use num_dual::Dual64;
-use num_rational::BigRational;
 use planar_impact::barrier::*;
 use planar_impact::{Field, Ordered, Real};
 use proptest::prelude::*;
@@ -111,8 +111,8 @@ fn small() -> impl Strategy<Value = Vec<i32>> {
     proptest::collection::vec(-9..=9_i32, 5)
 }
 
-fn exact(values: &[i32]) -> Vec<BigRational> {
-    values.iter().map(|&value| BigRational::int(value)).collect()
+fn exact(values: &[i32]) -> Vec<Rational> {
+    values.iter().map(|&value| Rational::int(value)).collect()
 }
 
 proptest! {
@@ -121,8 +121,8 @@ proptest! {
     /// With any coefficients of its kind, in rationals.
     #[test]
     fn the_filter_is_linear(one in small(), other in small(), factor in -5..=5_i32, constant in -9..=9_i32, corner in 1..=4_i32) {
-        let filter = ChannelFilter::of_warped_corner(BigRational::int(1), Fraction(corner, 5).of(), Fraction(7, 5).of::<BigRational>());
-        let factor = BigRational::int(factor);
+        let filter = ChannelFilter::of_warped_corner(Rational::int(1), Fraction(corner, 5).of(), Fraction(7, 5).of::<Rational>());
+        let factor = Rational::int(factor);
         let sum: Vec<_> = exact(&one).into_iter().zip(exact(&other)).map(|(a, b)| a + factor.clone() * b).collect();
         let expected: Vec<_> = filter.filter(&exact(&one)).into_iter().zip(filter.filter(&exact(&other))).map(|(a, b)| a + factor.clone() * b).collect();
         prop_assert_eq!(filter.filter(&sum), expected);
@@ -131,13 +131,13 @@ proptest! {
 
     #[test]
     fn lowess_keeps_straight_lines(gaps in proptest::collection::vec(1..=3_i32, 4..10), (a, b) in (-9..=9_i32, -9..=9_i32), neighbors in 4..=11_usize, even in any::<bool>(), share in 0..=12_i32) {
-        let int = BigRational::int;
+        let int = Rational::int;
         let mut times = vec![int(0)];
         for gap in gaps {
             let last = times[times.len() - 1].clone();
             times.push(last + int(if even { 1 } else { gap }));
         }
-        let at = times[times.len() - 1].clone() * Fraction(share, 12).of::<BigRational>();
+        let at = times[times.len() - 1].clone() * Fraction(share, 12).of::<Rational>();
         let values = times.iter().map(|t| int(a) + int(b) * t.clone()).collect();
         let record = Record::at_times(times, values).expect("a good record");
         let neighbors = neighbors.min(record.len());

@@ -1,8 +1,8 @@
 //! Refusals: the same for every scalar, and no accepted collision gains energy, has a tensile impulse or interpenetrates.
 
+use crate::rational::Rational;
 use crate::strategies::{OrReject, config, draw, solved};
 use num_dual::{Dual64, DualSVec64, HyperDual64};
-use num_rational::BigRational;
 use planar_impact::issue::Place;
 use planar_impact::*;
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ proptest! {
 
     #[test]
     fn every_scalar_refuses_the_same(draw in draw()) {
-        let exact = kinds(draw.of::<BigRational>().solve());
+        let exact = kinds(draw.of::<Rational>().solve());
         prop_assert_eq!(&exact, &kinds(draw.of::<f64>().solve()), "f64");
         prop_assert_eq!(&exact, &kinds(draw.of::<Dual64>().solve()), "Dual64");
         prop_assert_eq!(&exact, &kinds(draw.of::<DualSVec64<2>>().solve()), "DualSVec64");
@@ -27,10 +27,10 @@ proptest! {
     #[test]
     fn an_f32_refuses_the_same_where_the_answer_is_clear(draw in draw()) {
         let exact = draw.exact();
-        let close = |x: BigRational, scale: BigRational| x.magnitude() <= scale * BigRational::int(1) / BigRational::int(1000);
+        let close = |x: Rational, scale: Rational| x.magnitude() <= scale * Rational::int(1) / Rational::int(1000);
         let contact = exact.contact();
         let speeds = contact.one.velocity_at_center().length_squared() + contact.two.velocity_at_center().length_squared();
-        prop_assume!(!close(contact.approach.n.clone().squared(), speeds) && contact.offset().n.magnitude() > BigRational::int(1) / BigRational::int(100));
+        prop_assume!(!close(contact.approach.n.clone().squared(), speeds) && contact.offset().n.magnitude() > Rational::int(1) / Rational::int(100));
         let clear = match exact.solve() {
             // Within a thousandth of a bound, an f32 may give either answer.
             Ok(impact) => !close(impact.loss(), impact.kinetic_energy.before.clone()) && matches!(exact.impulse_ratio, ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_)),
@@ -43,7 +43,7 @@ proptest! {
     #[test]
     fn what_is_solved_is_possible(draw in solved()) {
         let collision = draw.exact();
-        let zero = BigRational::int(0);
+        let zero = Rational::int(0);
         let impact = collision.solve().expect("as in f64");
         prop_assert!(impact.loss() >= zero, "no energy is gained");
         prop_assert!(impact.impulse.n.clone() * &impact.approach.n > zero, "the impulse pushes");
@@ -66,7 +66,7 @@ proptest! {
     #[test]
     fn what_is_refused_is_impossible(draw in draw()) {
         let collision = draw.exact();
-        let zero = BigRational::int(0);
+        let zero = Rational::int(0);
         for refusal in &collision.solve().err().or_reject("solved")? {
             match refusal {
                 Refusal::NotClosing { approach, offset } => prop_assert!(approach * offset >= zero),
@@ -249,7 +249,7 @@ fn the_critical_ratio_itself_is_not_beyond_it() {
 /// and the other side is refused without a bound.
 #[test]
 fn a_ratio_where_sliding_does_not_end() {
-    let int = BigRational::int;
+    let int = Rational::int;
     let scraping = |vy: i32, ratio: i32| Collision {
         one: Party::Vehicle(Vehicle {
             mass: int(1),

@@ -1,10 +1,9 @@
 //! One definition for every scalar: the results agree, and enclose each other where the types allow it.
 
-use crate::strategies::{Draw, Fraction, RatioDraw, computable, config};
+use crate::rational::Rational;
+use crate::strategies::{Draw, Fraction, RatioDraw, computable, config, draw};
 use num_complex::Complex64;
 use num_dual::{Dual, Dual2_64, Dual64, DualSVec64, HyperDual64};
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use planar_impact::scalar::interval::Interval;
 use planar_impact::scalar::lanes::Lanes;
 use planar_impact::*;
@@ -22,8 +21,8 @@ fn scale(exact: &[f64]) -> f64 {
     exact.iter().fold(1.0, |greatest, x| x.abs().max(greatest))
 }
 
-fn as_f64(impact: Impact<BigRational>) -> Vec<f64> {
-    numbers(impact).iter().map(|x| x.to_f64().expect("small integers give finite results")).collect()
+fn as_f64(impact: Impact<Rational>) -> Vec<f64> {
+    numbers(impact).iter().map(Rational::to_f64).collect()
 }
 
 /// Returns `true` if the collision is not close to wedging, where the impulse has a pole, or to the point where the
@@ -46,7 +45,7 @@ proptest! {
         let enclosed = numbers(draw.of::<Interval>().evaluate());
         let float = numbers(draw.of::<f64>().evaluate());
         for ((exact, enclosed), float) in exact.iter().zip(&enclosed).zip(&float) {
-            let rational = |x: f64| BigRational::from_float(x);
+            let rational = |x: f64| Rational::from_float(x);
             prop_assert!(rational(enclosed.lower()).is_none_or(|lower| &lower <= exact), "{} below {}", exact, enclosed);
             prop_assert!(rational(enclosed.upper()).is_none_or(|upper| exact <= &upper), "{} above {}", exact, enclosed);
             prop_assert!(!float.is_finite() || enclosed.contains(*float), "{} outside {}", float, enclosed);
@@ -76,27 +75,29 @@ proptest! {
     }
 
     #[test]
-    fn lanes_are_four_floats(draws in [computable(), computable(), computable(), computable()]) {
+    fn lanes_are_floats_with_their_verdicts(draws in [draw(), draw(), draw(), draw()], alike in any::<bool>()) {
         // One law and one kind of ratio in all lanes, as in a sweep.
-        let draws = draws.map(|draw| Draw { law: draws[0].law, ratio: draws[0].ratio, barrier: draws[0].barrier, ..draw });
-        let singles = draws.map(|draw| draw.of::<f64>());
-        let rows = singles.map(|collision| {
-            let mut row = Vec::new();
-            collision.map(|x| row.push(x));
-            row
-        });
-        let mut at = 0;
-        let together = singles[0].map(|_| {
-            let lanes = Lanes::new(std::array::from_fn(|lane| rows[lane][at]));
-            at += 1;
-            lanes
-        });
-        let together = numbers(together.evaluate());
-        for (lane, single) in singles.iter().enumerate() {
-            for (lanes, single) in together.iter().zip(numbers(single.evaluate())) {
-                prop_assert_eq!(lanes.to_array()[lane].to_bits(), single.to_bits());
-            }
+        let of_first = |draw: Draw| Draw { law: draws[0].law, ratio: draws[0].ratio, barrier: draws[0].barrier, ..draw };
+        let singles = draws.map(|draw| if alike { of_first(draw) } else { draw }.of::<f64>());
+        let form = |collision: &Collision| {
+            let kinds = (std::mem::discriminant(&collision.impulse_ratio), std::mem::discriminant(&collision.moment));
+            (collision.parties().map(|party| party.vehicle().is_some()), collision.law, kinds)
+        };
+        let is_of_one_form = singles.iter().all(|single| form(single) == form(&singles[0]));
+        let Some(together) = Collision::<Lanes>::gather(&singles) else {
+            prop_assert!(!is_of_one_form);
+            return Ok(());
+        };
+        prop_assert!(is_of_one_form);
+        let (impact, accepted) = together.solve_lanes();
+        let impacts = impact.scatter();
+        for ((single, impact), accepted) in singles.iter().zip(impacts).zip(accepted.to_array()) {
+            prop_assert_eq!(accepted, single.solve().is_ok());
+            // Any NaN is as good as another.
+            let bits = |x: &f64| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() };
+            prop_assert!(numbers(impact).iter().map(bits).eq(numbers(single.evaluate()).iter().map(bits)));
         }
+        prop_assert_eq!(accepted.all(), singles.iter().all(|single| single.solve().is_ok()));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Random collisions composed of small integers and their ratios.
 
-use num_rational::BigRational;
+use crate::rational::Rational;
 use planar_impact::*;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
@@ -121,7 +121,7 @@ impl Draw {
         }
     }
 
-    pub fn exact(&self) -> Collision<BigRational> {
+    pub fn exact(&self) -> Collision<Rational> {
         self.of()
     }
 
@@ -148,15 +148,15 @@ impl Draw {
         let collision = self.exact();
         let contact = collision.contact();
         match &collision.impulse_ratio {
-            ImpulseRatio::Given(ratio) => contact.compliance.along_ratio(ratio.clone()) != BigRational::int(0),
+            ImpulseRatio::Given(ratio) => contact.compliance.along_ratio(ratio.clone()) != Rational::int(0),
             ImpulseRatio::OfCritical(fraction) => {
                 let critical = Collision { impulse_ratio: ImpulseRatio::Critical, ..collision.clone() };
                 let sticking = critical.impulse(&contact).0;
-                if sticking.n == BigRational::int(0) {
+                if sticking.n == Rational::int(0) {
                     return false;
                 }
                 let ratio = fraction.clone() * sticking.t / sticking.n;
-                contact.compliance.along_ratio(ratio) != BigRational::int(0)
+                contact.compliance.along_ratio(ratio) != Rational::int(0)
             }
             _ => true,
         }

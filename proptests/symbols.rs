@@ -1,9 +1,9 @@
 //! Formulas evaluate to what the code computes, and their derivatives to those of dual numbers.
 
 use crate::exact_dual::ExactDual;
+use crate::rational::Rational;
 use crate::strategies::{Draw, Fraction, RatioDraw, computable, draw, fewer};
 use num_dual::Dual64;
-use num_rational::BigRational;
 use planar_impact::formula::Formulas;
 use planar_impact::*;
 use proptest::prelude::*;
@@ -85,9 +85,9 @@ impl Case {
 
     /// Returns the collision in exact numbers, each with its derivative with respect to an input.
     fn differentiated(&self, by: Input) -> Collision<ExactDual> {
-        let number = |value: BigRational| ExactDual::number(value, 0);
-        let one = || BigRational::int(1);
-        self.of::<BigRational>().map(number).shifted(|input| match input {
+        let number = |value: Rational| ExactDual::number(value, 0);
+        let one = || Rational::int(1);
+        self.of::<Rational>().map(number).shifted(|input| match input {
             Input::CrushPlane | Input::Heading(_) => ExactDual::angle(one(), one() - one(), (input == by).into()),
             _ => ExactDual::number(one() - one(), (input == by).into()),
         })
@@ -95,7 +95,7 @@ impl Case {
 
     /// Returns the inputs in exact numbers, each with its derivative with respect to an input.
     fn exact(&self, by: Option<Input>) -> HashMap<&'static str, ExactDual> {
-        let collision = self.of::<BigRational>();
+        let collision = self.of::<Rational>();
         let heading = |side| match side {
             Side::One => collision.one.vehicle().map(|vehicle| vehicle.heading.clone()),
             Side::Two => collision.two.vehicle().map(|vehicle| vehicle.heading.clone()),
@@ -106,7 +106,7 @@ impl Case {
             let value = match input {
                 Input::CrushPlane => ExactDual::angle(collision.crush_plane.cos.clone(), collision.crush_plane.sin.clone(), slope),
                 Input::Heading(side) => heading(side).map(|heading| ExactDual::angle(heading.cos, heading.sin, slope))?,
-                _ => numbers.input(input)? + ExactDual::number(BigRational::int(0), slope),
+                _ => numbers.input(input)? + ExactDual::number(Rational::int(0), slope),
             };
             Some((input.symbol(), value))
         });

@@ -1,17 +1,17 @@
 //! Symmetries: exchange of the vehicles, direction of the axes, observer, and units.
 
+use crate::rational::Rational;
 use crate::strategies::{Draw, computable, config, half_tangent};
-use num_rational::BigRational;
 use planar_impact::*;
 use proptest::prelude::*;
 
-type Exact = Collision<BigRational>;
+type Exact = Collision<Rational>;
 
-fn int(n: i32) -> BigRational {
-    BigRational::int(n)
+fn int(n: i32) -> Rational {
+    Rational::int(n)
 }
 
-fn each_vehicle(collision: Exact, f: impl Fn(Vehicle<BigRational>) -> Vehicle<BigRational>) -> Exact {
+fn each_vehicle(collision: Exact, f: impl Fn(Vehicle<Rational>) -> Vehicle<Rational>) -> Exact {
     let party = |party| match party {
         Party::Vehicle(vehicle) => Party::Vehicle(f(vehicle)),
         Party::Barrier => Party::Barrier,
@@ -19,12 +19,12 @@ fn each_vehicle(collision: Exact, f: impl Fn(Vehicle<BigRational>) -> Vehicle<Bi
     Collision { one: party(collision.one), two: party(collision.two), ..collision }
 }
 
-fn mirror(v: Xy<BigRational>) -> Xy<BigRational> {
+fn mirror(v: Xy<Rational>) -> Xy<Rational> {
     Xy { x: v.x, y: -v.y }
 }
 
 /// Returns the mirror image of an impulse ratio.
-fn opposite(ratio: ImpulseRatio<BigRational>) -> ImpulseRatio<BigRational> {
+fn opposite(ratio: ImpulseRatio<Rational>) -> ImpulseRatio<Rational> {
     match ratio {
         ImpulseRatio::Given(ratio) => ImpulseRatio::Given(-ratio),
         other => other,
@@ -46,8 +46,8 @@ proptest! {
 
     #[test]
     fn the_ground_may_be_turned(draw in computable(), by in half_tangent()) {
-        let turned = Heading::from_half_tangent(by.of::<BigRational>());
-        let rotate = |v: Xy<BigRational>| turned.to_ground(ForwardLeft { forward: v.x, left: v.y });
+        let turned = Heading::from_half_tangent(by.of::<Rational>());
+        let rotate = |v: Xy<Rational>| turned.to_ground(ForwardLeft { forward: v.x, left: v.y });
         let collision = draw.exact();
         let here = collision.evaluate();
         let around = each_vehicle(collision.clone(), |vehicle| Vehicle {

@@ -260,6 +260,7 @@ impl<T: Ordered> Collision<T> {
     }
 
     /// Returns the impulse that ends the tangential process, whichever ratio is in force.
+    #[inline(always)]
     pub(crate) fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
         Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
     }

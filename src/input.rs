@@ -4,12 +4,12 @@
 
 use crate::catalogue::catalogue;
 use crate::collision::Collision;
-use crate::frame::{CrushPlane, Heading};
+use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
 use crate::law::ImpulseRatio;
 use crate::measure::Measure;
 use crate::moment::Moment;
 use crate::scalar::Real;
-use crate::vehicle::{Party, Vehicle};
+use crate::vehicle::{Motion, Party, Vehicle};
 
 /// One of the two parties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -183,12 +183,38 @@ impl<T: Real> Collision<T> {
 
     /// Returns the same collision with all inputs replaced, in the order of [`Input::ALL`]. Values of inputs that this collision does not have are ignored.
     #[must_use]
-    pub fn with_inputs(mut self, inputs: [T; Input::COUNT]) -> Self {
-        for (input, value) in Input::ALL.into_iter().zip(inputs) {
-            // An input that it does not have stays absent.
-            let _ = self.set(input, value);
+    pub fn with_inputs(self, inputs: [T; Input::COUNT]) -> Self {
+        let of = |input: Input| inputs[input.index()].clone();
+        let heading = |side| Heading::from_angle(of(Input::Heading(side)));
+        self.given([Side::One, Side::Two].map(heading), CrushPlane::from_angle(of(Input::CrushPlane)), of)
+    }
+
+    /// Returns the same collision with all inputs replaced, the directions by themselves and the others by a function of their name.
+    #[inline(always)]
+    pub(crate) fn given(self, headings: [Heading<T>; 2], crush_plane: CrushPlane<T>, of: impl Fn(Input) -> T) -> Self {
+        let party = |party: Party<T>, side, heading| match party {
+            Party::Barrier => Party::Barrier,
+            Party::Vehicle(_) => Party::Vehicle(Vehicle {
+                mass: of(Input::Mass(side)),
+                yaw_inertia: of(Input::YawInertia(side)),
+                heading,
+                impact_center: ForwardLeft { forward: of(Input::ImpactCenterForward(side)), left: of(Input::ImpactCenterLeft(side)) },
+                motion: Motion {
+                    velocity: Xy { x: of(Input::VelocityX(side)), y: of(Input::VelocityY(side)) },
+                    yaw_rate: of(Input::YawRate(side)),
+                },
+            }),
+        };
+        let [one, two] = headings;
+        Collision {
+            one: party(self.one, Side::One, one),
+            two: party(self.two, Side::Two, two),
+            crush_plane,
+            restitution: of(Input::Restitution),
+            impulse_ratio: self.impulse_ratio.map(|_| of(Input::ImpulseRatio)),
+            law: self.law,
+            moment: self.moment.map(|_| of(Input::Moment)),
         }
-        self
     }
 
     /// Creates a collision of two vehicles from all inputs, in the order of [`Input::ALL`]: the impulse ratio and the moment are given numbers, and the law is
@@ -260,9 +286,7 @@ fn shifted_party<T: Real>(party: Party<T>, side: Side, by: &mut impl FnMut(Input
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
     use crate::law::Law;
-    use crate::vehicle::Motion;
     use alloc::string::ToString;
 
     #[test]

@@ -53,6 +53,8 @@ extern crate alloc;
 pub mod admissible;
 #[cfg(feature = "alloc")]
 pub mod barrier;
+#[cfg(feature = "batch")]
+pub mod batch;
 pub mod body;
 mod catalogue;
 #[cfg(feature = "alloc")]

@@ -5,12 +5,14 @@
 //! | `directions` | from directions (cosine and sine given) to velocities, impulse, μ₀ and works: + − × ÷ only |
 //! | `angles` | from angles to the same, with ΔV and PDOF of both vehicles: in addition three sines, two roots, two arctangents |
 //! | `jacobian`, `gradient`, `hessian` | derivatives with respect to all inputs, and the solution that they belong to |
+//! | `batch` | the same collisions in columns, on each set of vector instructions of the machine, beside one after the other; lanes filled and emptied |
 //! | `crush` | a crush energy, the textbook's formula, its derivative, and CRASH3 |
 //! | `reconstruct` | reconstruction with six unknowns, from one start and from 64, and least squares assembled by hand (feature `reconstruct`) |
 //! | `scalars` | the same definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions; criterion prints the throughput in collisions per second.
 
+mod batch;
 mod crush;
 mod derivatives;
 mod hand;
@@ -18,6 +20,7 @@ mod inputs;
 #[cfg(feature = "reconstruct")]
 mod reconstruct;
 
+use batch::batch;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use hand::{Directions, Libm, Outputs, Std};
 use inputs::{Angles, collision, collision_from_angles, outputs, outputs_with_directions};
@@ -34,7 +37,7 @@ const COLLISIONS: usize = 256;
 /// Packs four collisions into each element.
 fn in_lanes<I, const N: usize>(cases: &[[f64; N]], make: impl Fn([Lanes; N]) -> I) -> Vec<I> {
     cases
-        .chunks_exact(Lanes::WIDTH)
+        .chunks_exact(Lanes::<4>::WIDTH)
         .map(|four| make(std::array::from_fn(|i| Lanes::new(std::array::from_fn(|lane| four[lane][i])))))
         .collect()
 }
@@ -65,7 +68,7 @@ fn directions(c: &mut Criterion) {
             black_box(&mut out);
         });
     });
-    let mut out = vec![[Lanes::splat(0.0); 12]; COLLISIONS / Lanes::WIDTH];
+    let mut out = vec![[Lanes::splat(0.0); 12]; COLLISIONS / Lanes::<4>::WIDTH];
     group.bench_function("lanes", |b| {
         b.iter(|| {
             for (case, out) in black_box(&lanes).iter().zip(&mut out) {
@@ -117,7 +120,7 @@ fn angles(c: &mut Criterion) {
             black_box(&mut out);
         });
     });
-    let mut out = vec![[Lanes::splat(0.0); 16]; COLLISIONS / Lanes::WIDTH];
+    let mut out = vec![[Lanes::splat(0.0); 16]; COLLISIONS / Lanes::<4>::WIDTH];
     group.bench_function("lanes", |b| {
         b.iter(|| {
             for (case, out) in black_box(&lanes).iter().zip(&mut out) {
@@ -184,5 +187,5 @@ fn scalars(c: &mut Criterion) {
 #[cfg(not(feature = "reconstruct"))]
 fn reconstruct(_: &mut Criterion) {}
 
-criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush, reconstruct);
+criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush, batch, reconstruct);
 criterion_main!(benches);

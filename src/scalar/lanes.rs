@@ -1,16 +1,14 @@
-//! Four collisions at a time.
+//! Several collisions at a time.
 
-mod circular;
+mod gather;
 
-use super::{Ordered, Real};
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use super::{Ordered, Real, circular};
+use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 use num_traits::{FromPrimitive, Inv};
-use wide::f64x4;
 
-/// Four f64 in parallel, each an independent number.
+/// N f64 side by side, each an independent number: those of N collisions.
 ///
-/// Not `PartialOrd`: four numbers compare in four ways, so a comparison gives a mask. The four operations and the root are those of f64, to the bit; sine,
-/// cosine and arctangent agree with those of f64 to two or three units of the last place. All have the same bits on every target.
+/// Not `PartialOrd`: N numbers compare in N ways, so a comparison gives a mask. Every operation has the bits of that of f64, on every target.
 ///
 /// ```
 /// use planar_impact::{Nt, scalar::lanes::Lanes};
@@ -18,44 +16,91 @@ use wide::f64x4;
 /// assert_eq!(velocity.length_squared().to_array(), [2.0, 5.0, 10.0, 17.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lanes(f64x4);
+#[repr(transparent)]
+pub struct Lanes<const N: usize = 4>([f64; N]);
 
 /// The lanes in which a comparison is true.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LaneMask(f64x4);
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LaneMask<const N: usize = 4>([bool; N]);
 
-impl Lanes {
+// Loops over arrays, and neither closures nor iterators: these are not always compiled into a loop, and only a loop becomes one instruction.
+macro_rules! lane_by_lane {
+    ($i:ident => $lane:expr) => {{
+        let mut lanes = [0.0; N];
+        let mut $i = 0;
+        while $i < N {
+            lanes[$i] = $lane;
+            $i += 1;
+        }
+        Lanes(lanes)
+    }};
+}
+
+impl<const N: usize> Lanes<N> {
     /// Number of lanes.
-    pub const WIDTH: usize = 4;
+    pub const WIDTH: usize = N;
 
     /// Creates a value with one number in each lane.
     #[inline(always)]
-    pub fn new(lanes: [f64; Self::WIDTH]) -> Self {
-        Lanes(f64x4::new(lanes))
+    pub const fn new(lanes: [f64; N]) -> Self {
+        Lanes(lanes)
     }
 
     /// Creates a value with the same number in every lane.
     #[inline(always)]
-    pub fn splat(x: f64) -> Self {
-        Lanes(f64x4::splat(x))
+    pub const fn splat(x: f64) -> Self {
+        Lanes([x; N])
     }
 
     /// Returns the numbers, lane by lane.
     #[inline(always)]
-    pub fn to_array(self) -> [f64; Self::WIDTH] {
-        self.0.to_array()
+    pub const fn to_array(self) -> [f64; N] {
+        self.0
     }
 }
 
-impl LaneMask {
+impl<const N: usize> LaneMask<N> {
     /// Returns `true` for each lane in which the comparison is true.
     #[inline(always)]
-    pub fn to_array(self) -> [bool; Lanes::WIDTH] {
-        self.0.to_array().map(|lane| lane.to_bits() != 0)
+    pub const fn to_array(self) -> [bool; N] {
+        self.0
+    }
+
+    /// Returns `true` if the comparison is true in every lane.
+    #[inline(always)]
+    pub fn all(self) -> bool {
+        self == LaneMask([true; N])
     }
 }
 
-impl FromPrimitive for Lanes {
+macro_rules! mask_operators {
+    ($($operator:ident $method:ident $symbol:tt),*) => {
+        $(impl<const N: usize> $operator for LaneMask<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, other: Self) -> Self {
+                let mut i = 0;
+                while i < N {
+                    self.0[i] $symbol other.0[i];
+                    i += 1;
+                }
+                self
+            }
+        })*
+    };
+}
+
+mask_operators!(BitAnd bitand &=, BitOr bitor |=, BitXor bitxor ^=);
+
+impl<const N: usize> Not for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        self ^ LaneMask([true; N])
+    }
+}
+
+impl<const N: usize> FromPrimitive for Lanes<N> {
     #[inline(always)]
     fn from_i32(n: i32) -> Option<Self> {
         Some(Lanes::splat(f64::from(n)))
@@ -77,64 +122,143 @@ impl FromPrimitive for Lanes {
     }
 }
 
-impl Neg for Lanes {
+impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Lanes(-self.0)
+        lane_by_lane!(i => -self.0[i])
     }
 }
 
-impl Inv for Lanes {
+impl<const N: usize> Inv for Lanes<N> {
     type Output = Self;
     #[inline(always)]
     fn inv(self) -> Self {
-        Lanes(f64x4::splat(1.0) / self.0)
+        lane_by_lane!(i => 1.0 / self.0[i])
     }
 }
 
-macro_rules! lane_by_lane {
-    ($($operator:ident $method:ident),*) => {
-        $(impl $operator for Lanes {
+macro_rules! operators {
+    ($($operator:ident $method:ident $symbol:tt),*) => {
+        $(impl<const N: usize> $operator for Lanes<N> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Lanes(self.0.$method(other.0))
+                lane_by_lane!(i => self.0[i] $symbol other.0[i])
             }
         })*
     };
 }
 
-lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
+operators!(Add add +, Sub sub -, Mul mul *, Div div /);
 
-impl Ordered for Lanes {
-    type Mask = LaneMask;
+impl<const N: usize> Ordered for Lanes<N> {
+    type Mask = LaneMask<N>;
 
     #[inline(always)]
-    fn less(&self, other: &Self) -> LaneMask {
-        LaneMask(self.0.simd_lt(other.0))
+    fn less(&self, other: &Self) -> LaneMask<N> {
+        let mut mask = [false; N];
+        let mut i = 0;
+        while i < N {
+            mask[i] = self.0[i] < other.0[i];
+            i += 1;
+        }
+        LaneMask(mask)
     }
 
     #[inline(always)]
-    fn select(mask: LaneMask, yes: Self, no: Self) -> Self {
-        Lanes(mask.0.select(yes.0, no.0))
+    fn select(mask: LaneMask<N>, yes: Self, no: Self) -> Self {
+        lane_by_lane!(i => if mask.0[i] { yes.0[i] } else { no.0[i] })
     }
 }
 
-impl Real for Lanes {
+/// Computes lanes that are beyond the range of the vectors one by one.
+#[cold]
+#[inline(never)]
+fn one_by_one<const N: usize>(of: fn(f64, f64) -> f64, one: [f64; N], other: [f64; N]) -> Lanes<N> {
+    lane_by_lane!(i => of(one[i], other[i]))
+}
+
+/// Returns `true` if no lane has a magnitude above a limit, or is not a number.
+#[inline(always)]
+fn are_within<const N: usize>(lanes: &[f64; N], limit: f64) -> bool {
+    let mut all = true;
+    let mut i = 0;
+    while i < N {
+        all &= circular::is_within(lanes[i], limit);
+        i += 1;
+    }
+    all
+}
+
+impl<const N: usize> Real for Lanes<N> {
     #[inline(always)]
     fn square_root(self) -> Self {
-        Lanes(self.0.sqrt())
+        lane_by_lane!(i => libm::sqrt(self.0[i]))
     }
 
     #[inline(always)]
     fn sin_and_cos(self) -> (Self, Self) {
-        let (sin, cos) = circular::sin_cos(self.0);
+        if !are_within(&self.0, circular::LARGEST_ANGLE) {
+            let [sin, cos] = [|x, _| circular::sin_cos(x).0, |x, _| circular::sin_cos(x).1];
+            return (one_by_one(sin, self.0, self.0), one_by_one(cos, self.0, self.0));
+        }
+        let (mut sin, mut cos) = ([0.0; N], [0.0; N]);
+        let mut i = 0;
+        while i < N {
+            (sin[i], cos[i]) = circular::sin_cos_within(self.0[i]);
+            i += 1;
+        }
         (Lanes(sin), Lanes(cos))
     }
 
     #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
-        Lanes(circular::atan2(self.0, x.0))
+        if !(are_within(&self.0, circular::LARGEST_COORDINATE) && are_within(&x.0, circular::LARGEST_COORDINATE)) {
+            return one_by_one(circular::atan2, self.0, x.0);
+        }
+        lane_by_lane!(i => circular::atan2_within(self.0[i], x.0[i]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of every size, with those beyond the range of the vectors in some of the lanes.
+    fn numbers() -> impl Iterator<Item = [f64; 8]> {
+        let odd = [1e22, f64::INFINITY, f64::NAN, -1e5, 1e5, 1e301, -0.0, 5e-324];
+        (0..4_000_i32).map(move |i| {
+            core::array::from_fn(|lane| {
+                let x = f64::from(i - 2_000) * 1.234_567e-2 * f64::from(1 + lane as i32);
+                if i % 3 == 0 && lane == (i as usize / 3) % 8 { odd[(i as usize / 24) % 8] } else { x }
+            })
+        })
+    }
+
+    fn bits(lanes: Lanes<8>) -> [u64; 8] {
+        // Any NaN is as good as another.
+        lanes.to_array().map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
+    }
+
+    #[test]
+    fn every_lane_has_the_bits_of_the_float() {
+        for x in numbers() {
+            let y = core::array::from_fn(|lane| x[(lane + 3) % 8] * 0.7);
+            let (a, b) = (Lanes::new(x), Lanes::new(y));
+            let of = |f: fn(f64, f64) -> f64| bits(Lanes::new(core::array::from_fn(|lane| f(x[lane], y[lane]))));
+            assert_eq!(bits(a + b), of(|x, y| x + y));
+            assert_eq!(bits(a - b), of(|x, y| x - y));
+            assert_eq!(bits(a * b), of(|x, y| x * y));
+            assert_eq!(bits(a / b), of(|x, y| x / y));
+            assert_eq!(bits(-a), of(|x, _| -x));
+            assert_eq!(bits(a.inv()), of(|x, _| 1.0 / x));
+            assert_eq!(bits(a.square_root()), of(|x, _| Real::square_root(x)));
+            assert_eq!(bits(a.sin_and_cos().0), of(|x, _| x.sin_and_cos().0));
+            assert_eq!(bits(a.sin_and_cos().1), of(|x, _| x.sin_and_cos().1));
+            assert_eq!(bits(a.arctangent(b)), of(|x, y| x.arctangent(y)));
+            assert_eq!(bits(Lanes::select(a.less(&b), a, b)), of(|x, y| if x < y { x } else { y }));
+            assert_eq!(a.less(&b).to_array(), core::array::from_fn(|lane| x[lane] < y[lane]));
+        }
     }
 }

@@ -1,39 +1,58 @@
-//! Predicates of a number, for scalars whose comparisons are true or false.
+//! Predicates of a number, and the rounding that they allow.
+
+use core::ops::{BitAnd, BitOr, BitXor, Not};
 
 use super::Ordered;
 
+/// A mask that can be combined with others: `bool`, or one of lanes.
+pub trait Logic: BitAnd<Output = Self> + BitOr<Output = Self> + BitXor<Output = Self> + Not<Output = Self> + Sized {}
+
+impl<M: BitAnd<Output = M> + BitOr<Output = M> + BitXor<Output = M> + Not<Output = M>> Logic for M {}
+
 /// Returns `true` if the scalar has only the 24 bits of an f32, for which 2²⁴ + 1 is 2²⁴.
-pub(crate) fn is_single<T: Ordered<Mask = bool>>() -> bool {
+#[inline(always)]
+pub(crate) fn is_single<T: Ordered<Mask: Logic>>() -> T::Mask {
     let limit = T::int(1 << 24);
     !limit.less(&(limit.clone() + T::int(1)))
 }
 
+/// Returns 2 to the power of −`double`, or of −`single` for an f32.
+#[inline(always)]
+fn two_to_minus<T: Ordered<Mask: Logic>>(double: u32, single: u32) -> T {
+    T::int(1) / T::select(is_single::<T>(), T::int(1 << single), T::int(1 << double))
+}
+
 /// Returns 2⁻⁴⁸, or 2⁻²⁰ for an f32: a sum below this share of its terms is their rounding.
-pub(crate) fn rounding<T: Ordered<Mask = bool>>() -> T {
-    let step = T::int(1) / T::int(if is_single::<T>() { 1 << 10 } else { 1 << 24 });
-    step.squared()
+#[inline(always)]
+pub(crate) fn rounding<T: Ordered<Mask: Logic>>() -> T {
+    two_to_minus::<T>(24, 10).squared()
 }
 
 /// Returns 2⁻⁴⁰, or 2⁻¹⁶ for an f32: accepted deviation of a given direction from unit length, and of a given ratio from a critical one computed elsewhere.
-pub(crate) fn slack<T: Ordered<Mask = bool>>() -> T {
+#[inline(always)]
+pub(crate) fn slack<T: Ordered<Mask: Logic>>() -> T {
     tolerance::<T>().squared()
 }
 
 /// Returns 2⁻²⁰, or 2⁻⁸ for an f32: accepted deviation of a result from a law due to rounding, as a share of its terms.
-pub(crate) fn tolerance<T: Ordered<Mask = bool>>() -> T {
-    T::int(1) / T::int(if is_single::<T>() { 1 << 8 } else { 1 << 20 })
+#[inline(always)]
+pub(crate) fn tolerance<T: Ordered<Mask: Logic>>() -> T {
+    two_to_minus(20, 8)
 }
 
-pub(crate) fn is_finite<T: Ordered<Mask = bool>>(x: &T) -> bool {
+#[inline(always)]
+pub(crate) fn is_finite<T: Ordered<Mask: Logic>>(x: &T) -> T::Mask {
     // Zero for every finite number, and NaN for the others.
     let nothing = x.clone() - x.clone();
-    nothing.less(&T::int(1)) && T::int(-1).less(&nothing)
+    nothing.less(&T::int(1)) & T::int(-1).less(&nothing)
 }
 
-pub(crate) fn is_positive<T: Ordered<Mask = bool>>(x: &T) -> bool {
+#[inline(always)]
+pub(crate) fn is_positive<T: Ordered>(x: &T) -> T::Mask {
     T::int(0).less(x)
 }
 
-pub(crate) fn is_zero<T: Ordered<Mask = bool>>(x: &T) -> bool {
-    !is_positive(x) && !x.less(&T::int(0))
+#[inline(always)]
+pub(crate) fn is_zero<T: Ordered<Mask: Logic>>(x: &T) -> T::Mask {
+    !is_positive(x) & !x.less(&T::int(0))
 }

@@ -1,0 +1,95 @@
+//! Batches beside one collision after the other, from the same columns, and lanes filled from collisions and emptied into impacts.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput};
+use planar_impact::batch::{Batch, Instructions};
+use planar_impact::scalar::lanes::Lanes;
+use planar_impact::*;
+
+use crate::inputs::{self, Angles, collision_from_angles};
+
+/// Few enough that the columns stay in the second cache.
+const COLLISIONS: usize = 1024;
+
+/// The outputs of the group `angles`: velocities, impulse, μ₀ and works, with ΔV and PDOF of both vehicles.
+const SIXTEEN: [Output; 16] = [
+    Output::VelocityX(Side::One),
+    Output::VelocityY(Side::One),
+    Output::YawRate(Side::One),
+    Output::VelocityX(Side::Two),
+    Output::VelocityY(Side::Two),
+    Output::YawRate(Side::Two),
+    Output::NormalImpulse,
+    Output::TangentialImpulse,
+    Output::CriticalImpulseRatio,
+    Output::NormalWork,
+    Output::TangentialWork,
+    Output::Loss,
+    Output::DeltaVMagnitude(Side::One),
+    Output::DeltaVMagnitude(Side::Two),
+    Output::PrincipalDirectionOfForce(Side::One),
+    Output::PrincipalDirectionOfForce(Side::Two),
+];
+
+pub fn batch(c: &mut Criterion) {
+    let cases: Vec<Angles<f64>> = inputs::cases(COLLISIONS);
+    let collisions: Vec<Collision> = cases.iter().map(collision_from_angles).collect();
+    let rows: Vec<[f64; Input::COUNT]> = collisions.iter().map(Collision::to_inputs).collect();
+    let columns: Vec<Vec<f64>> = (0..Input::COUNT).map(|i| rows.iter().map(|row| row[i]).collect()).collect();
+    let common = collisions[0];
+    let with = |batch: Batch<'static>, input: Input| batch.with(input, columns[input.index()].clone().leak()).expect("as many rows");
+    let all = Input::ALL.into_iter().fold(Batch::of(common), with);
+    let mut group = c.benchmark_group("batch");
+    group.throughput(Throughput::Elements(COLLISIONS as u64));
+
+    for (name, of) in [("16 outputs", &SIXTEEN[..]), ("32 outputs", &Output::ALL), ("W_n", &[Output::NormalWork])] {
+        let mut out = vec![vec![0.0; COLLISIONS]; of.len()];
+        group.bench_function(BenchmarkId::new("one by one", name), |b| {
+            b.iter(|| {
+                for (i, row) in black_box(&rows).iter().enumerate() {
+                    let collision = common.with_inputs(*row);
+                    let impact = collision.evaluate();
+                    out.iter_mut().zip(of).for_each(|(column, output)| column[i] = output.of(&collision, &impact));
+                }
+                black_box(&mut out);
+            });
+        });
+        for set in Instructions::available() {
+            let batch = all.clone().on(set);
+            group.bench_function(BenchmarkId::new(format!("evaluate, {set:?}"), name), |b| b.iter(|| black_box(&batch).evaluate(of)));
+        }
+    }
+    let mut out = vec![common.evaluate(); COLLISIONS];
+    group.bench_function("one by one, checked", |b| {
+        b.iter(|| {
+            for (row, out) in black_box(&rows).iter().zip(&mut out) {
+                *out = common.with_inputs(*row).solve().expect("a collision");
+            }
+            black_box(&mut out);
+        });
+    });
+    for set in Instructions::available() {
+        let batch = all.clone().on(set);
+        group.bench_function(BenchmarkId::new(format!("solve, {set:?}"), "32 outputs"), |b| {
+            b.iter(|| black_box(&batch).solve(&Output::ALL))
+        });
+    }
+    let eights: Vec<[Collision; 8]> = collisions.chunks_exact(8).map(|eight| eight.try_into().expect("eight")).collect();
+    group.bench_function("gather 8 lanes", |b| {
+        b.iter(|| {
+            for eight in black_box(&eights) {
+                black_box(Collision::<Lanes<8>>::gather(eight));
+            }
+        });
+    });
+    let impacts: Vec<Impact<Lanes<8>>> = eights.iter().filter_map(Collision::<Lanes<8>>::gather).map(|lanes| lanes.evaluate()).collect();
+    group.bench_function("scatter 8 lanes", |b| {
+        b.iter(|| {
+            for impact in black_box(&impacts) {
+                black_box(impact.scatter());
+            }
+        });
+    });
+    group.finish();
+}

@@ -1,0 +1,311 @@
+//! Many collisions at once, column by column, with the vector instructions of the machine.
+//!
+//! A [`Batch`] has a collision, whose numbers hold for every row, and a column for each input that differs from row to row. It is [evaluated](Batch::evaluate)
+//! without a check or [solved](Batch::solve) with the verdict of [`Collision::solve`] on each row. Each row has the bits of that collision by itself, whatever
+//! the machine, its instructions, and the place of the row.
+//!
+//! ```
+//! use planar_impact::batch::Batch;
+//! use planar_impact::*;
+//!
+//! let car: Vehicle = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3);
+//! let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
+//! let speeds: Vec<f64> = (-1..1000).map(f64::from).collect();
+//! let batch = Batch::of(collision).with(Input::VelocityX(Side::One), &speeds)?;
+//! let answer = batch.solve(&[Output::Loss, Output::NormalWork]);
+//!
+//! // A car that moves away, or does not move, does not collide.
+//! let codes = answer.refused.iter().map(|refused| (refused.row, refused.refusals.iter().next().map(Refusal::code)));
+//! assert!(codes.eq([(0, Some("separating")), (1, Some("not-closing"))]));
+//! assert!(answer.columns[Output::Loss][0].is_nan());
+//! assert_eq!(answer.columns[Output::Loss][16], batch.row(16).solve()?.loss()); // 15 m/s
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Speed
+//!
+//! Rows are computed in tiles that stay in the first cache, by loops without a branch. Rows of different [`Form`] in one tile cost a pass each; a row with a
+//! moment impulse, and one that is refused, costs as much as by itself.
+
+mod form;
+mod instructions;
+mod row;
+mod tile;
+
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+use core::ops::{Index, Range};
+
+pub use form::{Form, MomentForm, RatioForm};
+pub use instructions::Instructions;
+
+use self::tile::{Asked, ROWS, Tile};
+use crate::collision::Collision;
+use crate::input::Input;
+use crate::output::{Output, Outputs};
+use crate::refusal::Refusals;
+
+/// Collisions in rows.
+#[derive(Clone, Debug)]
+pub struct Batch<'a> {
+    /// The numbers and the form of rows without a column.
+    common: [f64; Input::COUNT],
+    form: Form,
+    columns: [Option<&'a [f64]>; Input::COUNT],
+    forms: Option<&'a [Form]>,
+    rows: Option<usize>,
+    instructions: Instructions,
+}
+
+/// A column whose length is not that of the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnequalColumn {
+    /// The input, or `None` for the column of forms.
+    pub of: Option<Input>,
+    /// Its length.
+    pub rows: usize,
+    /// The length of the others.
+    pub wanted: usize,
+}
+
+/// Numbers of every row, a column for each output that is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns {
+    of: Vec<Output>,
+    values: Vec<Vec<f64>>,
+}
+
+/// A row that is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// The row, counted from 0.
+    pub row: usize,
+    /// Every reason, as [`Collision::solve`] has them.
+    pub refusals: Refusals,
+}
+
+/// The answer of [`Batch::solve`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// The outputs; NaN in every row that is refused.
+    pub columns: Columns,
+    /// The rows that are refused, in order.
+    pub refused: Vec<Refused>,
+}
+
+impl fmt::Display for UnequalColumn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.of {
+            Some(input) => write!(f, "the column {input} has {} rows, and the others {}", self.rows, self.wanted),
+            None => write!(f, "the column of forms has {} rows, and the others {}", self.rows, self.wanted),
+        }
+    }
+}
+
+impl core::error::Error for UnequalColumn {}
+
+impl<'a> Batch<'a> {
+    /// Creates a batch whose rows have the numbers and the form of a collision, except in the columns that follow. Without a column it has one row.
+    #[must_use]
+    pub fn of(collision: Collision) -> Self {
+        Batch {
+            common: collision.to_inputs(),
+            form: Form::of(&collision),
+            columns: [None; Input::COUNT],
+            forms: None,
+            rows: None,
+            instructions: Instructions::best(),
+        }
+    }
+
+    /// Returns the same batch with a column for an input, angles in rad. A column for an input that a row does not have, such as the mass of a barrier, is not
+    /// read there.
+    ///
+    /// # Errors
+    ///
+    /// [`UnequalColumn`] if the batch has another number of rows.
+    pub fn with(mut self, input: Input, column: &'a [f64]) -> Result<Self, UnequalColumn> {
+        self.rows = Some(self.equal(Some(input), column.len())?);
+        self.columns[input.index()] = Some(column);
+        Ok(self)
+    }
+
+    /// Returns the same batch with a form for each row.
+    ///
+    /// # Errors
+    ///
+    /// [`UnequalColumn`] if the batch has another number of rows.
+    pub fn with_forms(mut self, forms: &'a [Form]) -> Result<Self, UnequalColumn> {
+        self.rows = Some(self.equal(None, forms.len())?);
+        self.forms = Some(forms);
+        Ok(self)
+    }
+
+    /// Returns the same batch, to be computed with some vector instructions in place of the best: for comparing them. The bits are the same.
+    #[must_use]
+    pub fn on(self, instructions: Instructions) -> Self {
+        Batch { instructions, ..self }
+    }
+
+    fn equal(&self, of: Option<Input>, rows: usize) -> Result<usize, UnequalColumn> {
+        match self.rows {
+            Some(wanted) if wanted != rows => Err(UnequalColumn { of, rows, wanted }),
+            _ => Ok(rows),
+        }
+    }
+
+    /// Returns the number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows.unwrap_or(1)
+    }
+
+    /// Returns some of the rows, to be computed apart, for instance on another thread.
+    ///
+    /// # Panics
+    ///
+    /// If the range goes beyond the rows.
+    #[must_use]
+    pub fn slice(&self, rows: Range<usize>) -> Self {
+        assert!(rows.end <= self.rows(), "rows {rows:?} of {}", self.rows());
+        let columns = self.columns.map(|column| column.map(|column| &column[rows.clone()]));
+        let forms = self.forms.map(|forms| &forms[rows.clone()]);
+        Batch { columns, forms, rows: Some(rows.len()), ..self.clone() }
+    }
+
+    /// Returns the collision of a row: [`Collision::with_inputs`] of its numbers, in its form.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such row.
+    pub fn row(&self, row: usize) -> Collision {
+        assert!(row < self.rows(), "row {row} of {}", self.rows());
+        let number = |input: Input| self.columns[input.index()].map_or(self.common[input.index()], |column| column[row]);
+        self.form(row).collision().with_inputs(Input::ALL.map(number))
+    }
+
+    fn form(&self, row: usize) -> Form {
+        self.forms.map_or(self.form, |forms| forms[row])
+    }
+
+    /// Computes outputs of every row as [`Collision::evaluate`] does, whether or not its impact is possible.
+    #[must_use]
+    pub fn evaluate(&self, of: &[Output]) -> Columns {
+        self.compute(of, false).columns
+    }
+
+    /// Computes outputs of every row that [`Collision::solve`] accepts, and says why it refuses the others.
+    #[must_use]
+    pub fn solve(&self, of: &[Output]) -> Solved {
+        self.compute(of, true)
+    }
+
+    fn compute(&self, of: &[Output], is_checked: bool) -> Solved {
+        let mut answer = Solved { columns: Columns::of(of, self.rows()), refused: Vec::new() };
+        let mut tile = Box::new(Tile::new());
+        for (column, common) in tile.inputs.iter_mut().zip(self.common) {
+            *column = [common; ROWS];
+        }
+        let has_angles = of.iter().any(|output| matches!(output, Output::PrincipalDirectionOfForce(_)));
+        for start in (0..self.rows()).step_by(ROWS) {
+            let rows = start..(start + ROWS).min(self.rows());
+            self.fill(&mut tile, rows.clone());
+            for (i, form) in self.forms_of(rows.clone()).into_iter().enumerate() {
+                if form.is_in_tiles() {
+                    self.instructions.evaluate(&mut tile, Asked { form, is_checked, has_angles });
+                }
+                if i == 0 {
+                    // Of the other rows it will be overwritten.
+                    answer.columns.iter_mut().for_each(|(output, column)| column.extend(&tile.outputs[output.index()][..rows.len()]));
+                }
+                self.take(&tile, rows.clone(), form, is_checked, i == 0, &mut answer);
+            }
+        }
+        answer.refused.sort_by_key(|refused| refused.row);
+        answer
+    }
+
+    /// Copies rows into a tile; the places that remain have the numbers of the last row.
+    fn fill(&self, tile: &mut Tile, rows: Range<usize>) {
+        for (to, column) in tile.inputs.iter_mut().zip(&self.columns) {
+            let Some(column) = column else { continue };
+            let (given, rest) = to.split_at_mut(rows.len());
+            given.copy_from_slice(&column[rows.clone()]);
+            rest.fill(column[rows.end - 1]);
+        }
+    }
+
+    /// Returns the forms of some rows, each once.
+    fn forms_of(&self, rows: Range<usize>) -> Vec<Form> {
+        let Some(forms) = self.forms else { return vec![self.form] };
+        let mut found: Vec<Form> = Vec::with_capacity(1);
+        for form in &forms[rows] {
+            if !found.contains(form) {
+                found.push(*form);
+            }
+        }
+        found
+    }
+
+    /// Takes the rows of one form from a tile, unless they have been. Those that are refused, or not computed there, are computed by themselves.
+    fn take(&self, tile: &Tile, rows: Range<usize>, form: Form, is_checked: bool, is_taken: bool, answer: &mut Solved) {
+        let is_of_form = |row: usize| self.forms.is_none_or(|forms| forms[row] == form);
+        let is_done = |place: usize| form.is_in_tiles() && !(is_checked && tile.possible[place] == 0);
+        for (place, row) in rows.enumerate().filter(|(_, row)| is_of_form(*row)) {
+            if is_done(place) {
+                if !is_taken {
+                    answer.columns.iter_mut().for_each(|(output, column)| column[row] = tile.outputs[output.index()][place]);
+                }
+                continue;
+            }
+            let collision = self.row(row);
+            match if is_checked { collision.solve() } else { Ok(collision.evaluate()) } {
+                Ok(impact) => {
+                    let outputs = Outputs::of(&collision, &impact);
+                    answer.columns.iter_mut().for_each(|(output, column)| column[row] = outputs[output]);
+                }
+                Err(refusals) => {
+                    answer.columns.iter_mut().for_each(|(_, column)| column[row] = f64::NAN);
+                    answer.refused.push(Refused { row, refusals });
+                }
+            }
+        }
+    }
+}
+
+impl Columns {
+    fn of(of: &[Output], rows: usize) -> Self {
+        Columns { of: of.to_vec(), values: of.iter().map(|_| Vec::with_capacity(rows)).collect() }
+    }
+
+    fn iter_mut(&mut self) -> impl Iterator<Item = (Output, &mut Vec<f64>)> {
+        self.of.iter().copied().zip(&mut self.values)
+    }
+
+    /// Returns each output with its column, in the order in which they were asked for.
+    pub fn iter(&self) -> impl Iterator<Item = (Output, &[f64])> {
+        self.of.iter().copied().zip(self.values.iter().map(Vec::as_slice))
+    }
+
+    /// Returns the column of an output, or `None` if it was not asked for.
+    pub fn get(&self, output: Output) -> Option<&[f64]> {
+        self.iter().find(|(of, _)| *of == output).map(|(_, column)| column)
+    }
+
+    /// Returns the columns themselves, in the order in which they were asked for.
+    pub fn into_columns(self) -> Vec<Vec<f64>> {
+        self.values
+    }
+}
+
+impl Index<Output> for Columns {
+    type Output = [f64];
+
+    /// # Panics
+    ///
+    /// If the output was not asked for.
+    fn index(&self, output: Output) -> &[f64] {
+        self.get(output).unwrap_or_else(|| panic!("{output} was not asked for"))
+    }
+}

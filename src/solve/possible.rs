@@ -1,0 +1,194 @@
+//! The conditions of a possible impact, each a mask and without a branch: true or false for one collision, and so a loop over many becomes one over vectors;
+//! lane by lane for several.
+//!
+//! [`Collision::solve`] asks one after the other and says what is wrong; a batch, and lanes, ask all of them at once (`is_possible`).
+
+use crate::collision::Collision;
+use crate::contact::Contact;
+use crate::frame::Nt;
+use crate::impact::{Impact, Response};
+use crate::law::ImpulseRatio;
+use crate::moment::Moment;
+use crate::scalar::{Logic, Ordered, is_finite, is_positive, is_zero, rounding, slack, tolerance};
+use crate::vehicle::Party;
+
+#[inline(always)]
+fn always<T: Ordered>() -> T::Mask {
+    T::int(0).less(&T::int(1))
+}
+
+#[inline(always)]
+fn sum_of_magnitudes<T: Ordered>(v: &Nt<T>) -> T {
+    v.n.clone().magnitude() + v.t.clone().magnitude()
+}
+
+/// Returns `true` if a cosine and a sine are those of an angle.
+#[inline(always)]
+pub(super) fn is_direction<T: Ordered<Mask: Logic>>(cos: &T, sin: &T) -> T::Mask {
+    let length_squared = cos.clone().squared() + sin.clone().squared();
+    (length_squared - T::int(1)).magnitude().less(&slack())
+}
+
+/// Returns `true` if a number is neither below the first bound nor above the second, nor not a number.
+#[inline(always)]
+fn is_between<T: Ordered<Mask: Logic>>(x: &T, least: i32, greatest: i32) -> T::Mask {
+    is_finite(x) & !x.less(&T::int(least)) & !T::int(greatest).less(x)
+}
+
+#[inline(always)]
+fn has_sound_inputs<T: Ordered<Mask: Logic>>(party: &Party<T>) -> T::Mask {
+    let Party::Vehicle(vehicle) = party else { return always::<T>() };
+    is_finite(&vehicle.mass)
+        & is_positive(&vehicle.mass)
+        & is_finite(&vehicle.yaw_inertia)
+        & is_positive(&vehicle.yaw_inertia)
+        & is_direction(&vehicle.heading.cos, &vehicle.heading.sin)
+        & is_finite(&vehicle.impact_center.forward)
+        & is_finite(&vehicle.impact_center.left)
+        & is_finite(&vehicle.motion.velocity.x)
+        & is_finite(&vehicle.motion.velocity.y)
+        & is_finite(&vehicle.motion.yaw_rate)
+}
+
+impl<T: Ordered<Mask: Logic>> Collision<T> {
+    /// Returns `true` if [`Collision::solve`] accepts the collision, given its contact and its impact.
+    #[inline(always)]
+    #[cfg_attr(not(any(feature = "batch", feature = "lanes")), allow(dead_code))]
+    pub(crate) fn is_possible(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
+        let determinant = &contact.compliance.determinant;
+        self.has_sound_inputs()
+            & is_finite(determinant)
+            & is_positive(determinant)
+            & self.is_closing(contact)
+            & self.has_possible_ratio(contact)
+            & impact.is_finite()
+            & self.is_accurate(impact)
+            & contact.is_pushed_by(&impact.impulse)
+            & self.is_within_critical(contact, impact)
+            & !impact.gains_energy()
+    }
+
+    #[inline(always)]
+    fn has_sound_inputs(&self) -> T::Mask {
+        let ratio = match &self.impulse_ratio {
+            ImpulseRatio::Critical => always::<T>(),
+            ImpulseRatio::Given(ratio) => is_finite(ratio),
+            ImpulseRatio::OfCritical(fraction) => is_finite(fraction),
+            ImpulseRatio::LimitedByFriction(friction) => is_finite(friction) & !friction.less(&T::int(0)),
+        };
+        let moment = match &self.moment {
+            Moment::None => always::<T>(),
+            Moment::Given(moment) => is_finite(moment),
+            Moment::OfCritical(fraction) => is_between(fraction, 0, 1),
+        };
+        has_sound_inputs(&self.one)
+            & has_sound_inputs(&self.two)
+            & is_direction(&self.crush_plane.cos, &self.crush_plane.sin)
+            & is_between(&self.restitution, 0, 1)
+            & ratio
+            & moment
+    }
+
+    /// Returns `true` if the approach along the normal and the offset of the centers of mass along it have opposite signs, and are not just rounding of their
+    /// terms.
+    #[inline(always)]
+    pub(super) fn is_closing(&self, contact: &Contact<T>) -> T::Mask {
+        let (one, two) = (&contact.one, &contact.two);
+        let speeds = sum_of_magnitudes(&one.velocity)
+            + sum_of_magnitudes(&two.velocity)
+            + sum_of_magnitudes(&one.arm) * one.yaw_rate.clone().magnitude()
+            + sum_of_magnitudes(&two.arm) * two.yaw_rate.clone().magnitude();
+        let arms = sum_of_magnitudes(&one.arm) + sum_of_magnitudes(&two.arm);
+        let (approach, offset) = (&contact.approach.n, contact.offset().n);
+        let moves = (speeds * rounding()).less(&approach.clone().magnitude());
+        let apart = (arms * rounding()).less(&offset.clone().magnitude());
+        moves & apart & (is_positive(approach) ^ is_positive(&offset))
+    }
+
+    /// Returns `true` if a given ratio lets the vehicles separate, or if a fraction of the critical ratio is one and that ratio exists.
+    #[inline(always)]
+    fn has_possible_ratio(&self, contact: &Contact<T>) -> T::Mask {
+        match &self.impulse_ratio {
+            ImpulseRatio::Given(ratio) => is_positive(&contact.compliance.along_ratio(ratio.clone())),
+            ImpulseRatio::OfCritical(fraction) => {
+                let sticking = self.sticking_impulse(contact);
+                (is_none(fraction, &sticking) | contact.is_pushed_by(&sticking)) & is_between(fraction, 0, 1)
+            }
+            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => always::<T>(),
+        }
+    }
+
+    /// Returns `true` if the impact has the restitution and the loss that it was computed for: if m r²/I is huge, rounding alone determines them.
+    #[inline(always)]
+    fn is_accurate(&self, impact: &Impact<T>) -> T::Mask {
+        let [(restitution, approach), (energy, exchanged)] = self.errors(impact);
+        !(approach * tolerance()).less(&restitution) & !(exchanged * tolerance()).less(&energy)
+    }
+
+    /// Returns the errors of the restitution and of the energy of an impact, each with its size.
+    #[inline(always)]
+    pub(super) fn errors(&self, impact: &Impact<T>) -> [(T, T); 2] {
+        let energy = &impact.kinetic_energy;
+        let restitution = impact.separation.n.clone() + self.restitution.clone() * impact.approach.n.clone();
+        let balance = energy.after.clone() - energy.before.clone() + impact.loss();
+        [
+            (restitution.magnitude(), impact.approach.n.clone().magnitude()),
+            (balance.magnitude(), energy.before.clone() + energy.after.clone()),
+        ]
+    }
+
+    /// Returns `true` if the tangential impulse of a given ratio lies between zero and that of the sticking impulse, whose normal change is the same: the ratio
+    /// itself has no bound if the sticking impulse is tensile.
+    #[inline(always)]
+    pub(super) fn is_within_critical(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
+        let ImpulseRatio::Given(_) = &self.impulse_ratio else { return always::<T>() };
+        let sticking = self.sticking_impulse(contact);
+        let limit = sticking.t.clone().magnitude() * (T::int(1) + slack());
+        let against = (impact.impulse.t.clone() * sticking.t).less(&T::int(0));
+        !against & !limit.less(&impact.impulse.t.clone().magnitude())
+    }
+}
+
+/// Returns `true` if a fraction of the critical ratio is zero, which it is even if the sticking impulse is tensile.
+#[inline(always)]
+pub(super) fn is_none<T: Ordered<Mask: Logic>>(fraction: &T, sticking: &Nt<T>) -> T::Mask {
+    is_zero(fraction) & !is_zero(&sticking.n)
+}
+
+impl<T: Ordered<Mask: Logic>> Contact<T> {
+    /// Returns `true` if an impulse pushes body one away from body two, as the approach does.
+    #[inline(always)]
+    pub(super) fn is_pushed_by(&self, impulse: &Nt<T>) -> T::Mask {
+        is_positive(&(impulse.n.clone() * self.approach.n.clone()))
+    }
+}
+
+impl<T: Ordered<Mask: Logic>> Impact<T> {
+    /// Returns `true` if no number of the impact has overflowed.
+    #[inline(always)]
+    pub(super) fn is_finite(&self) -> T::Mask {
+        let has_delta_v = |response: &Response<T>| is_finite(&response.delta_v.clone().length_squared());
+        is_finite(&self.impulse.n)
+            & is_finite(&self.impulse.t)
+            & is_finite(&self.moment)
+            & is_finite(&self.work.n)
+            & is_finite(&self.work.t)
+            & is_finite(&self.work.m)
+            & is_finite(&self.one.after.yaw_rate)
+            & is_finite(&self.two.after.yaw_rate)
+            & is_finite(&self.kinetic_energy.before)
+            & is_finite(&self.kinetic_energy.after)
+            & has_delta_v(&self.one)
+            & has_delta_v(&self.two)
+    }
+
+    /// Returns `true` if more energy is gained than rounding explains.
+    #[inline(always)]
+    pub(super) fn gains_energy(&self) -> T::Mask {
+        let exchanged = self.work.n.clone().magnitude()
+            + self.work.t.clone().magnitude()
+            + self.work.m.clone().magnitude()
+            + (self.impulse.n.clone() * self.approach.n.clone()).magnitude();
+        self.loss().less(&-(exchanged * slack()))
+    }
+}
