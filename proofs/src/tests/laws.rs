@@ -88,7 +88,7 @@ fn proven() -> String {
 /// Returns the kind of numbers that a test uses, judging by its text.
 fn numbers(path: &str, body: &str) -> &'static str {
     let has = |marks: &[&str]| marks.iter().any(|mark| body.contains(mark));
-    let exact = has(&[".exact()", "BigRational", "_in_rationals"]) || EXACT_FILES.iter().any(|file| path.ends_with(file));
+    let exact = has(&[".exact()", "Rational", "_in_rationals"]) || EXACT_FILES.iter().any(|file| path.ends_with(file));
     match (exact, has(&["f64", "1e-", "Interval", "Dual64"])) {
         (true, false) => "rationals",
         (true, true) => "both",
