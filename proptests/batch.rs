@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::strategies::bits;
 use planar_impact::batch::{Batch, Form, Instructions, MomentForm, RatioForm, UnequalColumn};
 use planar_impact::*;
 use rand::{Rng, RngExt, SeedableRng};
@@ -75,11 +76,6 @@ impl Rows {
         let all = Batch::of(Collision::new(Vehicle::default(), Vehicle::default())).with_forms(&self.forms).expect("as many rows");
         Input::ALL.into_iter().fold(all, |batch, input| batch.with(input, &self.columns[input.index()]).expect("as many rows"))
     }
-}
-
-fn bits(x: f64) -> u64 {
-    // Any NaN is as good as another.
-    if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
 }
 
 /// On all vector instructions of the machine, whatever stands beside a row.

@@ -47,6 +47,11 @@ impl<T, E> OrReject<T> for Result<T, E> {
     }
 }
 
+/// Returns the bits of a float, those of one NaN for all of them.
+pub fn bits(x: f64) -> u64 {
+    if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
+}
+
 /// n/d, in any field.
 #[derive(Clone, Copy, Debug)]
 pub struct Fraction(pub i32, pub i32);

@@ -274,8 +274,13 @@ impl<T: Ordered> Collision<T> {
     /// If the scalar panics on a division by zero, as rationals do: no mass, or an impulse ratio at which the pair wedges.
     #[inline(always)]
     pub fn evaluate(&self) -> Impact<T> {
-        let contact = self.contact();
-        let (impulse, moment) = self.impulse(&contact);
-        self.impact_of(&contact, impulse, moment)
+        self.impact_at(&self.contact())
+    }
+
+    /// Computes the impact of a contact, which is that of this collision.
+    #[inline(always)]
+    pub(crate) fn impact_at(&self, contact: &Contact<T>) -> Impact<T> {
+        let (impulse, moment) = self.impulse(contact);
+        self.impact_of(contact, impulse, moment)
     }
 }

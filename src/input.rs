@@ -186,7 +186,7 @@ impl<T: Real> Collision<T> {
     pub fn with_inputs(self, inputs: [T; Input::COUNT]) -> Self {
         let of = |input: Input| inputs[input.index()].clone();
         let heading = |side| Heading::from_angle(of(Input::Heading(side)));
-        self.given([Side::One, Side::Two].map(heading), CrushPlane::from_angle(of(Input::CrushPlane)), of)
+        self.given(Side::ALL.map(heading), CrushPlane::from_angle(of(Input::CrushPlane)), of)
     }
 
     /// Returns the same collision with all inputs replaced, the directions by themselves and the others by a function of their name.

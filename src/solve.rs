@@ -65,8 +65,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         }
         self.check_closing(contact)?;
         self.check_ratio(contact)?;
-        let (impulse, moment) = self.impulse(contact);
-        let impact = self.impact_of(contact, impulse, moment);
+        let impact = self.impact_at(contact);
         self.check_impact(contact, &impact)?;
         Ok(impact)
     }

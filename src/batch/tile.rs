@@ -11,7 +11,6 @@ use super::row::{Row, vector};
 use crate::frame::{CrushPlane, Heading};
 use crate::impact::ForceDirection;
 use crate::input::{Input, Side};
-use crate::law::Law;
 use crate::output::Output;
 use crate::scalar::circular;
 
@@ -71,10 +70,12 @@ impl Tile {
         let Form { is_vehicle: [one, two], ratio, law, .. } = asked.form;
         macro_rules! of_form {
             ($($one:literal $two:literal $ratio:ident;)*) => {
-                match (one, two, ratio, asked.is_checked) {
-                    $(($one, $two, RatioForm::$ratio, false) => self.mechanics::<$one, $two, { RatioForm::$ratio as u8 }, false>(law),
-                    ($one, $two, RatioForm::$ratio, true) => self.mechanics::<$one, $two, { RatioForm::$ratio as u8 }, true>(law),)*
-                    (false, false, ..) => (),
+                match (one, two, ratio) {
+                    $(($one, $two, RatioForm::$ratio) => {
+                        let form = Form { is_vehicle: [$one, $two], ratio: RatioForm::$ratio, law, ..Form::default() };
+                        if asked.is_checked { self.mechanics::<true>(form) } else { self.mechanics::<false>(form) }
+                    })*
+                    (false, false, _) => (),
                 }
             };
         }
@@ -87,17 +88,7 @@ impl Tile {
     }
 
     #[inline(always)]
-    fn mechanics<const ONE: bool, const TWO: bool, const RATIO: u8, const CHECKED: bool>(&mut self, law: Law) {
-        const GIVEN: u8 = RatioForm::Given as u8;
-        const OF_CRITICAL: u8 = RatioForm::OfCritical as u8;
-        const LIMITED_BY_FRICTION: u8 = RatioForm::LimitedByFriction as u8;
-        let ratio = match RATIO {
-            GIVEN => RatioForm::Given,
-            OF_CRITICAL => RatioForm::OfCritical,
-            LIMITED_BY_FRICTION => RatioForm::LimitedByFriction,
-            _ => RatioForm::Critical,
-        };
-        let form = Form { is_vehicle: [ONE, TWO], ratio, law, ..Form::default() };
+    fn mechanics<const CHECKED: bool>(&mut self, form: Form) {
         let Tile { inputs, outputs, directions, forces, critical, possible } = self;
         mechanics::<CHECKED>(form, inputs, directions, outputs, forces, critical, possible);
     }
@@ -114,7 +105,7 @@ impl Tile {
         for row in 0..ROWS {
             outputs[of][row] = critical[1][row] / critical[0][row];
         }
-        for (side, [right, ahead]) in [Side::One, Side::Two].into_iter().zip(forces) {
+        for (side, [right, ahead]) in Side::ALL.into_iter().zip(forces) {
             let [x, y, of] = [Output::DeltaVX(side), Output::DeltaVY(side), Output::DeltaVMagnitude(side)].map(Output::index);
             for row in 0..ROWS {
                 outputs[of][row] = vector(outputs[x][row], outputs[y][row]).length().0;
@@ -126,19 +117,9 @@ impl Tile {
     }
 }
 
-/// Returns `true` if no row has a magnitude above a limit, or is not a number.
-#[inline(always)]
-fn are_within(column: &Column, limit: f64) -> bool {
-    let mut all = true;
-    for x in column {
-        all &= circular::is_within(*x, limit);
-    }
-    all
-}
-
 #[inline(always)]
 fn sines(angle: &Column, sin: &mut Column, cos: &mut Column) {
-    if are_within(angle, circular::LARGEST_ANGLE) {
+    if circular::are_within(angle, circular::LARGEST_ANGLE) {
         for row in 0..ROWS {
             (sin[row], cos[row]) = circular::sin_cos_within(angle[row]);
         }
@@ -151,7 +132,7 @@ fn sines(angle: &Column, sin: &mut Column, cos: &mut Column) {
 
 #[inline(always)]
 fn angles(right: &Column, ahead: &Column, angle: &mut Column) {
-    if are_within(right, circular::LARGEST_COORDINATE) && are_within(ahead, circular::LARGEST_COORDINATE) {
+    if circular::are_within(right, circular::LARGEST_COORDINATE) && circular::are_within(ahead, circular::LARGEST_COORDINATE) {
         for row in 0..ROWS {
             angle[row] = ForceDirection { ahead: Row(ahead[row]), right: Row(right[row]) }.direction().0;
         }
@@ -182,8 +163,7 @@ fn mechanics<const CHECKED: bool>(
         let number = |input: Input| Row(inputs[input.index()][row]);
         let collision = form.collision().given([heading(0), heading(1)], CrushPlane { cos, sin }, number);
         let contact = collision.contact();
-        let (impulse, moment) = collision.impulse(&contact);
-        let impact = collision.impact_of(&contact, impulse, moment);
+        let impact = collision.impact_at(&contact);
         macro_rules! outputs {
             ($($output:expr),* $(,)?) => {
                 $(outputs[$output.index()][row] = $output.of(&collision, &impact).0;)*

@@ -110,6 +110,19 @@ pub(crate) fn is_within(x: f64, limit: f64) -> bool {
     and(x, !SIGN) <= limit
 }
 
+/// Returns `true` if that holds for each of several numbers.
+#[cfg(any(feature = "batch", feature = "lanes"))]
+#[inline(always)]
+pub(crate) fn are_within<const N: usize>(numbers: &[f64; N], limit: f64) -> bool {
+    let mut all = true;
+    let mut i = 0;
+    while i < N {
+        all &= is_within(numbers[i], limit);
+        i += 1;
+    }
+    all
+}
+
 /// Returns sine and cosine of an angle in radians.
 #[inline(always)]
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {

@@ -179,18 +179,6 @@ fn one_by_one<const N: usize>(of: fn(f64, f64) -> f64, one: [f64; N], other: [f6
     lane_by_lane!(i => of(one[i], other[i]))
 }
 
-/// Returns `true` if no lane has a magnitude above a limit, or is not a number.
-#[inline(always)]
-fn are_within<const N: usize>(lanes: &[f64; N], limit: f64) -> bool {
-    let mut all = true;
-    let mut i = 0;
-    while i < N {
-        all &= circular::is_within(lanes[i], limit);
-        i += 1;
-    }
-    all
-}
-
 impl<const N: usize> Real for Lanes<N> {
     #[inline(always)]
     fn square_root(self) -> Self {
@@ -199,7 +187,7 @@ impl<const N: usize> Real for Lanes<N> {
 
     #[inline(always)]
     fn sin_and_cos(self) -> (Self, Self) {
-        if !are_within(&self.0, circular::LARGEST_ANGLE) {
+        if !circular::are_within(&self.0, circular::LARGEST_ANGLE) {
             let [sin, cos] = [|x, _| circular::sin_cos(x).0, |x, _| circular::sin_cos(x).1];
             return (one_by_one(sin, self.0, self.0), one_by_one(cos, self.0, self.0));
         }
@@ -214,7 +202,7 @@ impl<const N: usize> Real for Lanes<N> {
 
     #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
-        if !(are_within(&self.0, circular::LARGEST_COORDINATE) && are_within(&x.0, circular::LARGEST_COORDINATE)) {
+        if !(circular::are_within(&self.0, circular::LARGEST_COORDINATE) && circular::are_within(&x.0, circular::LARGEST_COORDINATE)) {
             return one_by_one(circular::atan2, self.0, x.0);
         }
         lane_by_lane!(i => circular::atan2_within(self.0[i], x.0[i]))
@@ -237,7 +225,7 @@ mod tests {
     }
 
     fn bits(lanes: Lanes<8>) -> [u64; 8] {
-        // Any NaN is as good as another.
+        // Every NaN counts as the same.
         lanes.to_array().map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() })
     }
 

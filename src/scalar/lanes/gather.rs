@@ -1,14 +1,13 @@
 //! Collisions into lanes, and impacts out of them.
 
 use core::array;
+use core::mem::discriminant;
 
 use super::{LaneMask, Lanes};
 use crate::collision::Collision;
 use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
 use crate::impact::Impact;
-use crate::input::Side;
-use crate::law::ImpulseRatio;
-use crate::moment::Moment;
+use crate::input::{Input, Side};
 use crate::vehicle::{Motion, Party, Vehicle};
 
 /// Takes a number of each of several things into lanes.
@@ -16,15 +15,6 @@ macro_rules! gather {
     ($all:expr, $($field:tt)+) => {
         Lanes(array::from_fn(|lane| $all[lane].$($field)+))
     };
-}
-
-/// Takes the numbers of one variant into lanes, or returns `None` if some of the things are of another.
-fn numbers<T, const N: usize>(all: &[T; N], number: impl Fn(&T) -> Option<f64>) -> Option<Lanes<N>> {
-    let mut lanes = [0.0; N];
-    for (lane, thing) in lanes.iter_mut().zip(all) {
-        *lane = number(thing)?;
-    }
-    Some(Lanes(lanes))
 }
 
 impl<const N: usize> Collision<Lanes<N>> {
@@ -45,42 +35,19 @@ impl<const N: usize> Collision<Lanes<N>> {
     /// ```
     pub fn gather(rows: &[Collision; N]) -> Option<Self> {
         let first = rows.first()?;
-        let impulse_ratio = match first.impulse_ratio {
-            ImpulseRatio::Critical => {
-                rows.iter().all(|row| row.impulse_ratio == ImpulseRatio::Critical).then_some(ImpulseRatio::Critical)?
-            }
-            ImpulseRatio::Given(_) => ImpulseRatio::Given(numbers(rows, |row| match row.impulse_ratio {
-                ImpulseRatio::Given(ratio) => Some(ratio),
-                _ => None,
-            })?),
-            ImpulseRatio::OfCritical(_) => ImpulseRatio::OfCritical(numbers(rows, |row| match row.impulse_ratio {
-                ImpulseRatio::OfCritical(fraction) => Some(fraction),
-                _ => None,
-            })?),
-            ImpulseRatio::LimitedByFriction(_) => ImpulseRatio::LimitedByFriction(numbers(rows, |row| match row.impulse_ratio {
-                ImpulseRatio::LimitedByFriction(friction) => Some(friction),
-                _ => None,
-            })?),
-        };
-        let moment = match first.moment {
-            Moment::None => rows.iter().all(|row| row.moment == Moment::None).then_some(Moment::None)?,
-            Moment::Given(_) => Moment::Given(numbers(rows, |row| match row.moment {
-                Moment::Given(moment) => Some(moment),
-                _ => None,
-            })?),
-            Moment::OfCritical(_) => Moment::OfCritical(numbers(rows, |row| match row.moment {
-                Moment::OfCritical(fraction) => Some(fraction),
-                _ => None,
-            })?),
-        };
+        let form = |row: &Collision| (discriminant(&row.impulse_ratio), row.law, discriminant(&row.moment));
+        if rows.iter().any(|row| form(row) != form(first)) {
+            return None;
+        }
+        let number = |input| Lanes(array::from_fn(|lane| rows[lane].input(input).unwrap_or(f64::NAN)));
         Some(Collision {
             one: party(rows, Side::One)?,
             two: party(rows, Side::Two)?,
             crush_plane: CrushPlane { cos: gather!(rows, crush_plane.cos), sin: gather!(rows, crush_plane.sin) },
             restitution: gather!(rows, restitution),
-            impulse_ratio,
-            law: rows.iter().all(|row| row.law == first.law).then_some(first.law)?,
-            moment,
+            impulse_ratio: first.impulse_ratio.map(|_| number(Input::ImpulseRatio)),
+            law: first.law,
+            moment: first.moment.map(|_| number(Input::Moment)),
         })
     }
 
@@ -89,8 +56,7 @@ impl<const N: usize> Collision<Lanes<N>> {
     #[inline(always)]
     pub fn solve_lanes(&self) -> (Impact<Lanes<N>>, LaneMask<N>) {
         let contact = self.contact();
-        let (impulse, moment) = self.impulse(&contact);
-        let impact = self.impact_of(&contact, impulse, moment);
+        let impact = self.impact_at(&contact);
         let possible = self.is_possible(&contact, &impact);
         (impact, possible)
     }
