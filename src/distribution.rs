@@ -8,6 +8,8 @@
 //! | [`Triangular`] | limits, mode | rises linearly to the mode, then falls |
 //! | [`LogNormal`] | median, standard deviation of the logarithm | φ(ln(x/m)/s)/(s x) |
 
+pub(crate) mod quantile;
+
 use crate::issue::{InputIssue, InputIssueKind, IssueCollector, Issues, Place};
 
 /// The distribution of an uncertain number.
