@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::strategies::bits;
-use planar_impact::batch::{Batch, Form, Instructions, MomentForm, RatioForm, UnequalColumn};
+use num_dual::Dual64;
+use planar_impact::batch::{Batch, Derivatives, Form, Instructions, MomentForm, Numbers, RatioForm, UnequalColumn};
 use planar_impact::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -186,4 +187,87 @@ fn columns_have_one_length() {
     assert_eq!(unequal(batch.with_forms(&forms)), "the column of forms has 4 rows, and the others 2");
     let columns = Batch::of(Collision::default()).with(Input::Restitution, &[]).expect("none").solve(&[Output::Loss, Output::NormalWork]);
     assert_eq!((columns.refused, columns.columns.into_columns()), (vec![], vec![vec![]; 2]));
+}
+
+/// Derivatives of every row are those of the collision by itself, in every form, on all vector instructions of the machine; a row whose derivative is not
+/// finite is refused.
+#[test]
+fn the_derivatives_of_every_row_are_those_of_the_collision_by_itself() {
+    let rows = draw(20_000);
+    let batch = rows.batch();
+    let of = [Output::Loss, Output::CriticalImpulseRatio, Output::PrincipalDirectionOfForce(Side::Two), Output::YawRate(Side::One)];
+    let by = [Input::CrushPlane, Input::Mass(Side::One), Input::ImpulseRatio, Input::VelocityY(Side::Two)];
+    let steps: Vec<f64> = (0..rows.forms.len()).map(|row| row as f64 % 7.0 - 3.0).collect();
+    let weights = [(of[0], Numbers::Same(0.5)), (of[2], Numbers::Column(&steps))];
+    let direction = [(by[0], Numbers::Column(&steps)), (by[1], Numbers::Same(2.0))];
+    let covariance = Covariance::new(&by[..2], &[[0.01, -0.5], [-0.5, 400.0]]).expect("a covariance");
+    for set in Instructions::available() {
+        let batch = batch.clone().on(set);
+        let all = batch.sensitivities(&of, &by);
+        let one = batch.sensitivity(of[0], &by);
+        let sum = batch.pullback(&weights, &by);
+        let along = batch.pushforward(&of, &direction);
+        let spread = batch.variances(&of, &covariance);
+        let mut answered = 0;
+        for (row, step) in steps.iter().copied().enumerate() {
+            let collision = batch.row(row);
+            let solved = collision.solve();
+            let table = solved.as_ref().ok().map(|impact| collision.sensitivities_of(impact));
+            let wanted = |numbers: &dyn Fn(&Outputs<Sensitive>) -> Vec<f64>| {
+                // The numbers of a row that is accepted and has finite ones.
+                table.as_ref().map(numbers).filter(|numbers| numbers.iter().all(|number| number.is_finite()))
+            };
+            let jacobian = wanted(&|table| of.iter().flat_map(|of| by.map(|by| table[*of].by[by])).collect());
+            answered += usize::from(jacobian.is_some());
+            same(&all, row, jacobian, &solved);
+            let impact = solved.as_ref().ok();
+            same(&one, row, wanted(&|_| by.map(|by| collision.sensitivity_of(impact.expect("solved"), of[0]).by[by]).to_vec()), &solved);
+            let mut weighted = Outputs::default();
+            (weighted[of[0]], weighted[of[2]]) = (0.5, step);
+            let pulled = collision.pullback(&weighted).ok();
+            same(&sum, row, wanted(&|_| by.map(|by| pulled.as_ref().map_or(f64::NAN, |gradient| gradient[by])).to_vec()), &solved);
+            let mut towards = [0.0; Input::COUNT];
+            (towards[by[0].index()], towards[by[1].index()]) = (step, 2.0);
+            let pushed = collision.map(Dual64::from).shifted(|input| Dual64::new(0.0, towards[input.index()]));
+            let pushed = Outputs::of(&pushed, &pushed.evaluate());
+            close(&along, row, wanted(&|_| of.map(|of| pushed[of].eps).to_vec()), &solved);
+            same(&spread, row, wanted(&|table| of.map(|of| covariance.variance_of(&table[of].by)).to_vec()), &solved);
+        }
+        assert!(answered > rows.forms.len() / 5, "{answered}");
+    }
+}
+
+type Verdict = Result<Impact, Refusals>;
+
+/// Checks the numbers of a row, or its refusal.
+fn same<K: Copy + PartialEq>(found: &Derivatives<K>, row: usize, wanted: Option<Vec<f64>>, solved: &Verdict) {
+    check(found, row, wanted, solved, |found, wanted| bits(found) == bits(wanted));
+}
+
+/// Checks within the rounding of another order of operations.
+fn close<K: Copy + PartialEq>(found: &Derivatives<K>, row: usize, wanted: Option<Vec<f64>>, solved: &Verdict) {
+    let size = wanted.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+    check(found, row, wanted, solved, |found, wanted| (found - wanted).abs() <= 1e-9 * size);
+}
+
+fn check<K: Copy + PartialEq>(
+    found: &Derivatives<K>,
+    row: usize,
+    wanted: Option<Vec<f64>>,
+    solved: &Verdict,
+    agree: impl Fn(f64, f64) -> bool,
+) {
+    let refused = found.refused.iter().find(|refused| refused.row == row);
+    match (&wanted, solved) {
+        (Some(_), _) => assert_eq!(refused, None, "row {row}"),
+        (None, Ok(_)) => assert_eq!(refused.map(|refused| &refused.refusals), Some(&Refusals::from(Refusal::OutOfFloatRange)), "row {row}"),
+        (None, Err(refusals)) => assert_eq!(format!("{:?}", refused.map(|refused| &refused.refusals)), format!("{:?}", Some(refusals))),
+    }
+    for (i, (_, column)) in found.derivatives.iter().enumerate() {
+        match &wanted {
+            Some(wanted) => assert!(agree(column[row], wanted[i]), "row {row}: {}, {}", column[row], wanted[i]),
+            None => assert!(column[row].is_nan()),
+        }
+    }
+    assert!(found.values.iter().all(|(_, column)| column[row].is_nan() == wanted.is_none()), "row {row}");
 }

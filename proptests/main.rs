@@ -38,6 +38,7 @@ mod refusals;
 #[cfg(feature = "post-impact")]
 mod rest;
 mod scalars;
+mod simulation;
 #[cfg(feature = "symbols")]
 mod source;
 mod strategies;

@@ -27,8 +27,11 @@
 //! Rows are computed in tiles that stay in the first cache, by loops without a branch. Rows of different [`Form`] in one tile cost a pass each; a row with a
 //! moment impulse, and one that is refused, costs as much as by itself.
 
+mod columns;
+mod derivative;
 mod form;
 mod instructions;
+mod lanes;
 mod row;
 mod tile;
 
@@ -36,16 +39,22 @@ use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
-use core::ops::{Index, Range};
+use core::ops::Range;
 
+pub use columns::Columns;
+pub use derivative::{Derivatives, Numbers};
 pub use form::{Form, MomentForm, RatioForm};
 pub use instructions::Instructions;
+#[cfg(feature = "simulation")]
+pub(crate) use instructions::Vectors;
 
-use self::tile::{Asked, ROWS, Tile};
+use self::derivative::Question;
+use self::lanes::Block;
+use self::tile::{Asked, Column, ROWS, Tile};
 use crate::collision::Collision;
 use crate::input::Input;
 use crate::output::{Output, Outputs};
-use crate::refusal::Refusals;
+use crate::refusal::{Refusal, Refusals};
 
 /// Collisions in rows.
 #[derive(Clone, Debug)]
@@ -68,13 +77,6 @@ pub struct UnequalColumn {
     pub rows: usize,
     /// The length of the others.
     pub wanted: usize,
-}
-
-/// Numbers of every row, a column for each output that is asked for.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Columns {
-    of: Vec<Output>,
-    values: Vec<Vec<f64>>,
 }
 
 /// A row that is refused.
@@ -149,6 +151,12 @@ impl<'a> Batch<'a> {
         Batch { instructions, ..self }
     }
 
+    /// Returns the same batch with a number of rows, should it have no column.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn with_rows(self, rows: usize) -> Self {
+        Batch { rows: Some(rows), ..self }
+    }
+
     fn equal(&self, of: Option<Input>, rows: usize) -> Result<usize, UnequalColumn> {
         match self.rows {
             Some(wanted) if wanted != rows => Err(UnequalColumn { of, rows, wanted }),
@@ -202,28 +210,38 @@ impl<'a> Batch<'a> {
     }
 
     fn compute(&self, of: &[Output], is_checked: bool) -> Solved {
-        let mut answer = Solved { columns: Columns::of(of, self.rows()), refused: Vec::new() };
+        let (columns, _, refused) = self.ask(of, is_checked, &derivative::Nothing);
+        Solved { columns, refused }
+    }
+
+    /// Computes outputs of every row, and the numbers of a question about its derivatives.
+    fn ask<Q: Question>(&self, of: &[Output], is_checked: bool, question: &Q) -> (Columns, Vec<Vec<f64>>, Vec<Refused>) {
+        let mut answer = Answer::of(of, question.numbers(), self.rows());
         let mut tile = Box::new(Tile::new());
         for (column, common) in tile.inputs.iter_mut().zip(self.common) {
             *column = [common; ROWS];
         }
+        let mut block = Block::asking(question);
         let has_angles = of.iter().any(|output| matches!(output, Output::PrincipalDirectionOfForce(_)));
         for start in (0..self.rows()).step_by(ROWS) {
             let rows = start..(start + ROWS).min(self.rows());
             self.fill(&mut tile, rows.clone());
-            for (i, form) in self.forms_of(rows.clone()).into_iter().enumerate() {
+            for form in self.forms_of(rows.clone()) {
                 if form.is_in_tiles() {
-                    self.instructions.evaluate(&mut tile, Asked { form, is_checked, has_angles });
+                    self.instructions.run(&mut Asked { tile: &mut tile, form, is_checked, has_angles });
+                    block.answer(self.instructions, form, &tile, rows.clone());
+                    answer.take(&tile, &block.answers, rows.clone(), |row| self.form(row) == form);
                 }
-                if i == 0 {
-                    // Of the other rows it will be overwritten.
-                    answer.columns.iter_mut().for_each(|(output, column)| column.extend(&tile.outputs[output.index()][..rows.len()]));
+                for (place, row) in rows.clone().enumerate().filter(|(_, row)| self.form(*row) == form) {
+                    let is_done = form.is_in_tiles() && !(is_checked && tile.possible[place] == 0) && block.is_finite(place);
+                    if !is_done {
+                        answer.put(row, alone(&self.row(row), row, is_checked, question));
+                    }
                 }
-                self.take(&tile, rows.clone(), form, is_checked, i == 0, &mut answer);
             }
         }
         answer.refused.sort_by_key(|refused| refused.row);
-        answer
+        (Columns::new(of, answer.outputs), answer.slopes, answer.refused)
     }
 
     /// Copies rows into a tile; the places that remain have the numbers of the last row.
@@ -247,65 +265,61 @@ impl<'a> Batch<'a> {
         }
         found
     }
+}
 
-    /// Takes the rows of one form from a tile, unless they have been. Those that are refused, or not computed there, are computed by themselves.
-    fn take(&self, tile: &Tile, rows: Range<usize>, form: Form, is_checked: bool, is_taken: bool, answer: &mut Solved) {
-        let is_of_form = |row: usize| self.forms.is_none_or(|forms| forms[row] == form);
-        let is_done = |place: usize| form.is_in_tiles() && !(is_checked && tile.possible[place] == 0);
-        for (place, row) in rows.enumerate().filter(|(_, row)| is_of_form(*row)) {
-            if is_done(place) {
-                if !is_taken {
-                    answer.columns.iter_mut().for_each(|(output, column)| column[row] = tile.outputs[output.index()][place]);
-                }
-                continue;
-            }
-            let collision = self.row(row);
-            match if is_checked { collision.solve() } else { Ok(collision.evaluate()) } {
-                Ok(impact) => {
-                    let outputs = Outputs::of(&collision, &impact);
-                    answer.columns.iter_mut().for_each(|(output, column)| column[row] = outputs[output]);
-                }
-                Err(refusals) => {
-                    answer.columns.iter_mut().for_each(|(_, column)| column[row] = f64::NAN);
-                    answer.refused.push(Refused { row, refusals });
-                }
+/// The answer of a batch, as far as it is known.
+struct Answer<'a> {
+    of: &'a [Output],
+    outputs: Vec<Vec<f64>>,
+    slopes: Vec<Vec<f64>>,
+    refused: Vec<Refused>,
+}
+
+/// The outputs of one row with the numbers of a question, or why it is refused.
+type Alone = Result<(Outputs, Vec<f64>), Refusals>;
+
+/// Computes a row by itself.
+fn alone<Q: Question>(collision: &Collision, row: usize, is_checked: bool, question: &Q) -> Alone {
+    let impact = if is_checked { collision.solve()? } else { collision.evaluate() };
+    let given: Vec<f64> = question.given().iter().map(|numbers| numbers.at(row)).collect();
+    let mut slopes = vec![0.0; question.numbers()];
+    question.answer(collision, &impact, &given, &mut Outputs::default(), &mut slopes);
+    if slopes.iter().all(|slope| slope.is_finite()) {
+        Ok((Outputs::of(collision, &impact), slopes))
+    } else {
+        Err(Refusal::OutOfFloatRange.into())
+    }
+}
+
+impl<'a> Answer<'a> {
+    fn of(of: &'a [Output], slopes: usize, rows: usize) -> Self {
+        Answer { of, outputs: vec![vec![0.0; rows]; of.len()], slopes: vec![vec![0.0; rows]; slopes], refused: Vec::new() }
+    }
+
+    /// Takes some rows from a tile.
+    fn take(&mut self, tile: &Tile, slopes: &[Column], rows: Range<usize>, is_taken: impl Fn(usize) -> bool) {
+        let outputs = self.of.iter().map(|output| &tile.outputs[output.index()]);
+        let all = rows.clone().all(&is_taken);
+        for (from, to) in outputs.chain(slopes).zip(self.outputs.iter_mut().chain(&mut self.slopes)) {
+            let to = &mut to[rows.clone()];
+            if all {
+                to.copy_from_slice(&from[..rows.len()]);
+            } else {
+                rows.clone().zip(from).zip(to).filter(|((row, _), _)| is_taken(*row)).for_each(|((_, from), to)| *to = *from);
             }
         }
     }
-}
 
-impl Columns {
-    fn of(of: &[Output], rows: usize) -> Self {
-        Columns { of: of.to_vec(), values: of.iter().map(|_| Vec::with_capacity(rows)).collect() }
-    }
-
-    fn iter_mut(&mut self) -> impl Iterator<Item = (Output, &mut Vec<f64>)> {
-        self.of.iter().copied().zip(&mut self.values)
-    }
-
-    /// Returns each output with its column, in the order in which they were asked for.
-    pub fn iter(&self) -> impl Iterator<Item = (Output, &[f64])> {
-        self.of.iter().copied().zip(self.values.iter().map(Vec::as_slice))
-    }
-
-    /// Returns the column of an output, or `None` if it was not asked for.
-    pub fn get(&self, output: Output) -> Option<&[f64]> {
-        self.iter().find(|(of, _)| *of == output).map(|(_, column)| column)
-    }
-
-    /// Returns the columns themselves, in the order in which they were asked for.
-    pub fn into_columns(self) -> Vec<Vec<f64>> {
-        self.values
-    }
-}
-
-impl Index<Output> for Columns {
-    type Output = [f64];
-
-    /// # Panics
-    ///
-    /// If the output was not asked for.
-    fn index(&self, output: Output) -> &[f64] {
-        self.get(output).unwrap_or_else(|| panic!("{output} was not asked for"))
+    fn put(&mut self, row: usize, alone: Alone) {
+        match alone {
+            Ok((outputs, slopes)) => {
+                self.of.iter().zip(&mut self.outputs).for_each(|(output, column)| column[row] = outputs[*output]);
+                slopes.iter().zip(&mut self.slopes).for_each(|(slope, column)| column[row] = *slope);
+            }
+            Err(refusals) => {
+                self.outputs.iter_mut().chain(&mut self.slopes).for_each(|column| column[row] = f64::NAN);
+                self.refused.push(Refused { row, refusals });
+            }
+        }
     }
 }

@@ -99,6 +99,8 @@ pub mod reconstruct;
 pub mod refusal;
 pub mod scalar;
 pub mod sensitivity;
+#[cfg(feature = "simulation")]
+pub mod simulation;
 pub mod solve;
 pub mod vehicle;
 
@@ -134,5 +136,7 @@ pub use moment::{Moment, MomentCompliance};
 pub use output::{Output, Outputs, VehicleOutputs};
 pub use refusal::{Refusal, Refusals, Tension};
 pub use scalar::{Field, Ordered, Real};
+#[cfg(feature = "alloc")]
+pub use sensitivity::{Covariance, NotACovariance};
 pub use sensitivity::{Curved, Gradient, Hessian, Sensitive};
 pub use vehicle::{Motion, Party, Vehicle};

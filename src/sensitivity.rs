@@ -54,6 +54,8 @@
 
 mod body_partials;
 mod cotangent;
+#[cfg(feature = "alloc")]
+mod covariance;
 mod definition;
 mod dual;
 mod hessian;
@@ -62,6 +64,8 @@ mod jacobian;
 #[cfg(feature = "nalgebra")]
 mod matrix;
 
+#[cfg(feature = "alloc")]
+pub use covariance::{Covariance, NotACovariance};
 pub use definition::{by_definition, curvature_by_definition};
 
 use crate::collision::Collision;
@@ -71,7 +75,7 @@ use crate::law::ImpulseRatio;
 use crate::moment::Moment;
 use crate::output::{Output, Outputs};
 use crate::refusal::{Refusal, Refusals};
-use crate::scalar::{Real, is_finite, is_single, is_zero};
+use crate::scalar::{Logic, Real, is_finite, is_single, is_zero};
 use crate::vehicle::{Motion, Party, Vehicle};
 use core::ops::{Index, IndexMut};
 
@@ -163,6 +167,55 @@ impl<T> Index<(Input, Input)> for Hessian<T> {
     #[inline(always)]
     fn index(&self, (one, other): (Input, Input)) -> &T {
         &self.0[one.index()][other.index()]
+    }
+}
+
+impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
+    /// Computes the sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] returned for this collision. The impact is not checked; a
+    /// quantity without a derivative, such as the ΔV of a zero impulse, has derivatives of NaN. In lanes, of each collision.
+    #[inline(always)]
+    pub fn sensitivities_of(&self, impact: &Impact<T>) -> Outputs<Sensitive<T>> {
+        let mut to = Outputs::default();
+        self.write_sensitivities_of(impact, &mut to);
+        to
+    }
+
+    #[inline(always)]
+    pub(crate) fn write_sensitivities_of(&self, impact: &Impact<T>, to: &mut Outputs<Sensitive<T>>) {
+        match self.moment {
+            Moment::None => jacobian::write(self, &self.contact(), impact, to),
+            _ => *to = by_definition(self),
+        }
+    }
+
+    /// Computes the derivatives by every input of a weighted sum of outputs of a given impact, as [`Collision::sensitivities_of`].
+    #[inline(always)]
+    pub(crate) fn pullback_of(&self, impact: &Impact<T>, weights: impl Iterator<Item = (Output, T)>) -> Gradient<T> {
+        match self.moment {
+            Moment::None => cotangent::pullback(self, &self.contact(), impact, weights),
+            _ => {
+                let rows = by_definition(self);
+                weights.fold(Gradient::zero(), |mut sum, (of, weight)| {
+                    sum.add_scaled(weight, &rows[of].by);
+                    sum
+                })
+            }
+        }
+    }
+
+    /// Computes the derivatives of every output along a direction of the inputs, of a collision that is not checked.
+    #[inline(always)]
+    pub(crate) fn pushforward_of(&self, direction: &[T; Input::COUNT]) -> Outputs<T> {
+        definition::along(self, |input| direction[input.index()]).map(|dual| dual.derivative)
+    }
+
+    /// Computes the sensitivity of one output of a given impact, as [`Collision::sensitivities_of`].
+    #[inline(always)]
+    pub fn sensitivity_of(&self, impact: &Impact<T>, of: Output) -> Sensitive<T> {
+        match self.moment {
+            Moment::None => cotangent::sensitivity(self, &self.contact(), impact, of),
+            _ => by_definition(self)[of],
+        }
     }
 }
 
@@ -271,21 +324,10 @@ impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     #[inline]
     pub fn pullback(&self, weights: &Outputs<T>) -> Result<Gradient<T>, Refusals<T>> {
-        let contact = self.checked_contact()?;
-        let impact = self.solve_at(&contact)?;
-        let gradient = match self.moment {
-            Moment::None => cotangent::pullback(self, &contact, &impact, weights),
-            _ => {
-                let rows = by_definition(self);
-                Output::ALL.into_iter().fold(Gradient::zero(), |mut sum, of| {
-                    // An output without a derivative does not matter unless it is weighted.
-                    if !is_zero(&weights[of]) {
-                        sum.add_scaled(weights[of], &rows[of].by);
-                    }
-                    sum
-                })
-            }
-        };
+        let impact = self.solve()?;
+        // An output without a derivative does not matter unless it is weighted.
+        let weighted = Output::ALL.into_iter().map(|of| (of, weights[of])).filter(|(_, weight)| !is_zero(weight));
+        let gradient = self.pullback_of(&impact, weighted);
         // Weights may be of any size, and one that is not a number must not count as zero.
         if gradient.is_finite() && Output::ALL.into_iter().all(|of| is_finite(&weights[of])) {
             Ok(gradient)
@@ -302,7 +344,7 @@ impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
     /// [`Refusals`] of [`Collision::solve`], and [`Refusal::OutOfFloatRange`] if a derivative is not finite.
     pub fn pushforward(&self, direction: &[T; Input::COUNT]) -> Result<Outputs<T>, Refusals<T>> {
         self.solve()?;
-        let along = definition::along(self, |input| direction[input.index()]).map(|dual| dual.derivative);
+        let along = self.pushforward_of(direction);
         if Output::ALL.into_iter().all(|of| is_finite(&along[of])) { Ok(along) } else { Err(Refusal::OutOfFloatRange.into()) }
     }
 
@@ -315,27 +357,6 @@ impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
         let curved = self.curvature_of(&self.solve()?, of);
         self.within_floats(|| is_finite(&curved.value) && curved.by.is_finite() && curved.twice.0.iter().flatten().all(is_finite))?;
         Ok(curved)
-    }
-
-    /// Computes the sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] returned for this collision. The impact is not checked; a
-    /// quantity without a derivative, such as the ΔV of a zero impulse, has derivatives of NaN.
-    #[inline(always)]
-    pub fn sensitivities_of(&self, impact: &Impact<T>) -> Outputs<Sensitive<T>> {
-        let mut to = Outputs::default();
-        match self.moment {
-            Moment::None => jacobian::write(self, &self.contact(), impact, &mut to),
-            _ => to = by_definition(self),
-        }
-        to
-    }
-
-    /// Computes the sensitivity of one output of a given impact, as [`Collision::sensitivities_of`].
-    #[inline(always)]
-    pub fn sensitivity_of(&self, impact: &Impact<T>, of: Output) -> Sensitive<T> {
-        match self.moment {
-            Moment::None => cotangent::sensitivity(self, &self.contact(), impact, of),
-            _ => by_definition(self)[of],
-        }
     }
 
     /// Computes the curvature of one output of a given impact, as [`Collision::sensitivities_of`].

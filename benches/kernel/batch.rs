@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
-use planar_impact::batch::{Batch, Instructions};
+use planar_impact::batch::{Batch, Instructions, Numbers};
 use planar_impact::scalar::lanes::Lanes;
 use planar_impact::*;
 
@@ -75,6 +75,35 @@ pub fn batch(c: &mut Criterion) {
             b.iter(|| black_box(&batch).solve(&Output::ALL))
         });
     }
+    let six: Vec<(Input, f64)> = Side::ALL
+        .into_iter()
+        .flat_map(|side| [(Input::VelocityX(side), 0.5), (Input::VelocityY(side), 0.5)])
+        .chain([(Input::CrushPlane, 0.05), (Input::Restitution, 0.05)])
+        .collect();
+    let six = Covariance::independent(&six).expect("deviations");
+    let direction: Vec<(Input, Numbers)> = Input::ALL.into_iter().map(|input| (input, Numbers::Same(1.0))).collect();
+    let weights: Vec<(Output, Numbers)> = SIXTEEN.into_iter().map(|output| (output, Numbers::Same(1.0))).collect();
+    for set in Instructions::available() {
+        let batch = all.clone().on(set);
+        let mut bench = |of: &str, run: &dyn Fn(&Batch)| {
+            group.bench_function(BenchmarkId::new(format!("{of}, {set:?}"), "derivatives"), |b| b.iter(|| run(black_box(&batch))));
+        };
+        bench("16 x 19", &|batch| drop(black_box(batch.sensitivities(&SIXTEEN, &Input::ALL[..19]))));
+        bench("32 x 20", &|batch| drop(black_box(batch.sensitivities(&Output::ALL, &Input::ALL))));
+        bench("variance of 16 by 6", &|batch| drop(black_box(batch.variances(&SIXTEEN, &six))));
+        bench("W_n x 20", &|batch| drop(black_box(batch.sensitivity(Output::NormalWork, &Input::ALL))));
+        bench("16 weights x 20", &|batch| drop(black_box(batch.pullback(&weights, &Input::ALL))));
+        bench("16 along one direction", &|batch| drop(black_box(batch.pushforward(&SIXTEEN, &direction))));
+    }
+    let mut table = Outputs::default();
+    group.bench_function("32 x 20 one by one", |b| {
+        b.iter(|| {
+            for row in black_box(&rows) {
+                common.with_inputs(*row).sensitivities_to(&mut table).expect("a collision");
+                black_box(&mut table);
+            }
+        });
+    });
     let eights: Vec<[Collision; 8]> = collisions.chunks_exact(8).map(|eight| eight.try_into().expect("eight")).collect();
     group.bench_function("gather 8 lanes", |b| {
         b.iter(|| {

@@ -3,8 +3,6 @@
 use multiversion::multiversion;
 use multiversion::target::target_cfg_f;
 
-use super::tile::{Asked, Tile};
-
 /// A set of vector instructions. All give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -42,27 +40,33 @@ impl Instructions {
         self == Instructions::Compiled
     }
 
-    /// Computes a tile. A set that the machine has not gives way to one that it has.
-    pub(super) fn evaluate(self, tile: &mut Tile, asked: Asked) {
+    /// Computes work with these instructions. A set that the machine has not gives way to one that it has.
+    pub(crate) fn run(self, work: &mut impl Vectors) {
         match self {
-            Instructions::Compiled => compiled(tile, asked),
-            Instructions::Avx2 => avx2(tile, asked),
-            Instructions::Avx512 => avx512(tile, asked),
+            Instructions::Compiled => compiled(work),
+            Instructions::Avx2 => avx2(work),
+            Instructions::Avx512 => avx512(work),
         }
     }
 }
 
+/// Work that is compiled for each set of instructions.
+pub(crate) trait Vectors {
+    /// Does the work. Everything below must be `#[inline(always)]`: a function of its own would be compiled once, without vector instructions.
+    fn compute(&mut self);
+}
+
 #[inline(never)]
-fn compiled(tile: &mut Tile, asked: Asked) {
-    tile.evaluate(asked);
+fn compiled<W: Vectors>(work: &mut W) {
+    work.compute();
 }
 
 #[multiversion(targets("x86_64+avx2"))]
-fn avx2(tile: &mut Tile, asked: Asked) {
-    if target_cfg_f!(target_feature = "avx2") { tile.evaluate(asked) } else { compiled(tile, asked) }
+fn avx2<W: Vectors>(work: &mut W) {
+    if target_cfg_f!(target_feature = "avx2") { work.compute() } else { compiled(work) }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl"))]
-fn avx512(tile: &mut Tile, asked: Asked) {
-    if target_cfg_f!(target_feature = "avx512f") { tile.evaluate(asked) } else { compiled(tile, asked) }
+fn avx512<W: Vectors>(work: &mut W) {
+    if target_cfg_f!(target_feature = "avx512f") { work.compute() } else { compiled(work) }
 }

@@ -7,6 +7,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::form::{Form, RatioForm};
+use super::instructions::Vectors;
 use super::row::{Row, vector};
 use crate::frame::{CrushPlane, Heading};
 use crate::impact::ForceDirection;
@@ -20,7 +21,7 @@ pub(super) const ROWS: usize = 48;
 /// A number of each row.
 pub(super) type Column = [f64; ROWS];
 
-const NOTHING: Column = [0.0; ROWS];
+pub(super) const NOTHING: Column = [0.0; ROWS];
 
 /// Rows of one form.
 #[repr(align(64))]
@@ -38,13 +39,20 @@ pub(super) struct Tile {
 }
 
 /// What is asked of a tile.
-#[derive(Clone, Copy)]
-pub(super) struct Asked {
+pub(super) struct Asked<'a> {
+    pub(super) tile: &'a mut Tile,
     pub(super) form: Form,
     /// Whether the impact is possible.
     pub(super) is_checked: bool,
     /// Whether arctangents are.
     pub(super) has_angles: bool,
+}
+
+impl Vectors for Asked<'_> {
+    #[inline(always)]
+    fn compute(&mut self) {
+        self.tile.evaluate(self.form, self.is_checked, self.has_angles);
+    }
 }
 
 impl Tile {
@@ -61,19 +69,19 @@ impl Tile {
 
     /// Computes the outputs of every row.
     #[inline(always)]
-    pub(super) fn evaluate(&mut self, asked: Asked) {
+    fn evaluate(&mut self, form: Form, is_checked: bool, has_angles: bool) {
         let angles = [Input::Heading(Side::One), Input::Heading(Side::Two), Input::CrushPlane];
         for (angle, [cos, sin]) in angles.into_iter().zip(&mut self.directions) {
             sines(&self.inputs[angle.index()], sin, cos);
         }
         // Each form is a loop of its own, without a choice in it. A barrier is one even if the other party is.
-        let Form { is_vehicle: [one, two], ratio, law, .. } = asked.form;
+        let Form { is_vehicle: [one, two], ratio, law, .. } = form;
         macro_rules! of_form {
             ($($one:literal $two:literal $ratio:ident;)*) => {
                 match (one, two, ratio) {
                     $(($one, $two, RatioForm::$ratio) => {
                         let form = Form { is_vehicle: [$one, $two], ratio: RatioForm::$ratio, law, ..Form::default() };
-                        if asked.is_checked { self.mechanics::<true>(form) } else { self.mechanics::<false>(form) }
+                        if is_checked { self.mechanics::<true>(form) } else { self.mechanics::<false>(form) }
                     })*
                     (false, false, _) => (),
                 }
@@ -84,7 +92,7 @@ impl Tile {
             true false Critical; true false Given; true false OfCritical; true false LimitedByFriction;
             false true Critical; false true Given; false true OfCritical; false true LimitedByFriction;
         }
-        self.finish(asked.has_angles);
+        self.finish(has_angles);
     }
 
     #[inline(always)]

@@ -57,6 +57,28 @@ impl<const N: usize> Lanes<N> {
     pub const fn to_array(self) -> [f64; N] {
         self.0
     }
+
+    /// Returns the numbers where they are, lane by lane.
+    #[inline(always)]
+    pub const fn as_array(&self) -> &[f64; N] {
+        &self.0
+    }
+}
+
+impl<const N: usize> From<f64> for Lanes<N> {
+    /// The same number in every lane.
+    #[inline(always)]
+    fn from(x: f64) -> Self {
+        Lanes::splat(x)
+    }
+}
+
+impl<const N: usize> Default for Lanes<N> {
+    /// Zero in every lane.
+    #[inline(always)]
+    fn default() -> Self {
+        Lanes::splat(0.0)
+    }
 }
 
 impl<const N: usize> LaneMask<N> {

@@ -5,9 +5,9 @@ use core::ops::{BitAnd, BitOr, BitXor, Not};
 use super::Ordered;
 
 /// A mask that can be combined with others: `bool`, or one of lanes.
-pub trait Logic: BitAnd<Output = Self> + BitOr<Output = Self> + BitXor<Output = Self> + Not<Output = Self> + Sized {}
+pub trait Logic: BitAnd<Output = Self> + BitOr<Output = Self> + BitXor<Output = Self> + Not<Output = Self> + Copy {}
 
-impl<M: BitAnd<Output = M> + BitOr<Output = M> + BitXor<Output = M> + Not<Output = M>> Logic for M {}
+impl<M: BitAnd<Output = M> + BitOr<Output = M> + BitXor<Output = M> + Not<Output = M> + Copy> Logic for M {}
 
 /// Returns `true` if the scalar has only the 24 bits of an f32, for which 2²⁴ + 1 is 2²⁴.
 #[inline(always)]

@@ -8,13 +8,13 @@ use crate::contact::Contact;
 use crate::frame::{Nt, Xy};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
-use crate::output::{Output, Outputs};
-use crate::scalar::{Ordered, Real, is_zero};
+use crate::output::Output;
+use crate::scalar::{Logic, Ordered, Real};
 use crate::vehicle::Party;
 
 /// Returns one output of an impact with its derivatives by every input.
 #[inline(always)]
-pub(super) fn sensitivity<T: Real + Copy + Ordered<Mask = bool>>(
+pub(super) fn sensitivity<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
     impact: &Impact<T>,
@@ -25,18 +25,15 @@ pub(super) fn sensitivity<T: Real + Copy + Ordered<Mask = bool>>(
 
 /// Returns the derivatives by every input of a sum of outputs with weights: one solution of the transposed equations for all of them.
 #[inline(always)]
-pub(super) fn pullback<T: Real + Copy + Ordered<Mask = bool>>(
+pub(super) fn pullback<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
     impact: &Impact<T>,
-    weights: &Outputs<T>,
+    weights: impl IntoIterator<Item = (Output, T)>,
 ) -> Gradient<T> {
     let adjoint = ImpulseAdjoint::of(collision, contact, impact);
     let (mut sum, mut gradient) = (Cotangent::nothing(), Gradient::zero());
-    for (of, weight) in Output::ALL.into_iter().map(|of| (of, weights[of])) {
-        if is_zero(&weight) {
-            continue;
-        }
+    for (of, weight) in weights {
         let mut direct = Gradient::zero();
         if of == Output::CriticalImpulseRatio {
             direct = self::gradient(collision, impact, &adjoint, of);
@@ -53,7 +50,7 @@ pub(super) fn pullback<T: Real + Copy + Ordered<Mask = bool>>(
 }
 
 #[inline(always)]
-pub(super) fn gradient<T: Real + Copy>(
+pub(super) fn gradient<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     impact: &Impact<T>,
     adjoint: &ImpulseAdjoint<T>,
@@ -76,7 +73,7 @@ pub(super) fn gradient<T: Real + Copy>(
 
 /// Returns `None` for an output that does not depend on an impulse or an approach velocity.
 #[inline(always)]
-pub(super) fn cotangent<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>, of: Output) -> Option<Cotangent<T>> {
+pub(super) fn cotangent<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>, of: Output) -> Option<Cotangent<T>> {
     let (p, v) = (adjoint.impulse, adjoint.approach);
     let (zero, one) = (T::int(0), T::int(1));
     let (n, t) = (Nt { n: one, t: zero }, Nt { n: zero, t: one });
@@ -124,14 +121,14 @@ pub(super) fn cotangent<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Im
 }
 
 #[inline(always)]
-fn of_loss<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Cotangent<T> {
+fn of_loss<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Cotangent<T> {
     let p = adjoint.impulse.map(T::half);
     Cotangent { impulse: (adjoint.approach + impact.separation).map(T::half), approach: p, separation: p }
 }
 
 /// Adds the derivatives of the output by the inputs with impulse and velocities held constant.
 #[inline(always)]
-pub(super) fn add_direct<T: Real + Copy>(
+pub(super) fn add_direct<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     impact: &Impact<T>,
     adjoint: &ImpulseAdjoint<T>,
@@ -202,7 +199,7 @@ pub(super) fn energy<T: Real + Copy>(collision: &Collision<T>) -> Gradient<T> {
 }
 
 #[inline(always)]
-pub(super) fn partials<T>(adjoint: &ImpulseAdjoint<T>, side: Side) -> Option<&BodyPartials<T>> {
+pub(super) fn partials<T: Ordered>(adjoint: &ImpulseAdjoint<T>, side: Side) -> Option<&BodyPartials<T>> {
     adjoint.partials[side as usize].as_ref()
 }
 

@@ -5,11 +5,11 @@ use super::{Curved, Gradient, Hessian, Sensitive};
 use crate::collision::Collision;
 use crate::input::Input;
 use crate::output::{Output, Outputs};
-use crate::scalar::Real;
+use crate::scalar::{Logic, Real};
 
 /// Computes every output with its derivatives by every input, one evaluation on dual numbers for each input. The collision is not checked, as with
 /// [`Collision::evaluate`].
-pub fn by_definition<T: Real<Mask = bool> + Copy>(collision: &Collision<T>) -> Outputs<Sensitive<T>> {
+pub fn by_definition<T: Real<Mask: Logic> + Copy>(collision: &Collision<T>) -> Outputs<Sensitive<T>> {
     let mut outputs = Outputs::of(collision, &collision.evaluate()).map(|value| Sensitive { value, by: Gradient::zero() });
     for input in Input::ALL {
         let duals = along(collision, |other| unit(other, input));
@@ -21,7 +21,8 @@ pub fn by_definition<T: Real<Mask = bool> + Copy>(collision: &Collision<T>) -> O
 }
 
 /// Computes every output with its derivative along a direction of the inputs.
-pub(super) fn along<T: Real<Mask = bool> + Copy>(collision: &Collision<T>, direction: impl Fn(Input) -> T) -> Outputs<Dual<T>> {
+#[inline(always)]
+pub(super) fn along<T: Real<Mask: Logic> + Copy>(collision: &Collision<T>, direction: impl Fn(Input) -> T) -> Outputs<Dual<T>> {
     let seeded = collision.map(Dual::constant).shifted(|input| Dual { value: T::int(0), derivative: direction(input) });
     Outputs::of(&seeded, &seeded.evaluate())
 }

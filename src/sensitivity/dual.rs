@@ -4,7 +4,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{FromPrimitive, Inv};
 
-use crate::scalar::{Ordered, Real, is_zero};
+use crate::scalar::{Logic, Ordered, Real, is_zero};
 
 /// A dual number.
 #[derive(Clone, Copy, Debug)]
@@ -87,38 +87,39 @@ impl<T: Real> FromPrimitive for Dual<T> {
     }
 }
 
-impl<T: Real<Mask = bool> + Copy> Ordered for Dual<T> {
-    type Mask = bool;
+impl<T: Real<Mask: Logic> + Copy> Ordered for Dual<T> {
+    type Mask = T::Mask;
 
     #[inline(always)]
-    fn less(&self, other: &Self) -> bool {
+    fn less(&self, other: &Self) -> T::Mask {
         self.value.less(&other.value)
     }
 
     #[inline(always)]
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Dual { value: T::select(mask, yes.value, no.value), derivative: T::select(mask, yes.derivative, no.derivative) }
     }
 }
 
-impl<T: Real<Mask = bool> + Copy> Real for Dual<T> {
+impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
+    #[inline(always)]
     fn square_root(self) -> Self {
         let value = self.value.square_root();
-        if is_zero(&value) { Dual::constant(value) } else { Dual { value, derivative: self.derivative.half() / value } }
+        Dual { value, derivative: T::select(is_zero(&value), T::int(0), self.derivative.half() / value) }
     }
 
+    #[inline(always)]
     fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_and_cos();
         (Dual { value: sin, derivative: cos * self.derivative }, Dual { value: cos, derivative: -(sin * self.derivative) })
     }
 
+    #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
-        let value = self.value.arctangent(x.value);
-        if is_zero(&self.value) && is_zero(&x.value) {
-            return Dual::constant(value);
-        }
+        let is_at_origin = is_zero(&self.value) & is_zero(&x.value);
         let length_squared = self.value.squared() + x.value.squared();
-        Dual { value, derivative: (self.derivative * x.value - x.derivative * self.value) / length_squared }
+        let derivative = (self.derivative * x.value - x.derivative * self.value) / length_squared;
+        Dual { value: self.value.arctangent(x.value), derivative: T::select(is_at_origin, T::int(0), derivative) }
     }
 }
 

@@ -18,11 +18,11 @@ use crate::frame::{Nt, Xy};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::output::Output;
-use crate::scalar::{Ordered, Real};
+use crate::scalar::Real;
 use crate::vehicle::Party;
 
 /// Returns one output of an impact with its first and second derivatives by every input.
-pub(super) fn curvature<T: Real + Copy + Ordered<Mask = bool>>(collision: &Collision<T>, impact: &Impact<T>, of: Output) -> Curved<T> {
+pub(super) fn curvature<T: Real<Mask = bool> + Copy>(collision: &Collision<T>, impact: &Impact<T>, of: Output) -> Curved<T> {
     let mut adjoint = ImpulseAdjoint::of(collision, &collision.contact(), impact);
     if of == Output::CriticalImpulseRatio {
         adjoint = adjoint.critical(impact.critical_impulse);
@@ -50,7 +50,7 @@ struct HessianTerms<T> {
     with: Nt<Gradient<T>>,
 }
 
-impl<T: Real + Copy> HessianTerms<T> {
+impl<T: Real<Mask = bool> + Copy> HessianTerms<T> {
     fn nothing() -> Self {
         HessianTerms { twice: Hessian::zero(), with: Nt { n: Gradient::zero(), t: Gradient::zero() } }
     }
@@ -69,8 +69,10 @@ impl<T: Real + Copy> HessianTerms<T> {
     /// Adds the terms of the ratio, if an input specifies it.
     fn add_slip(&mut self, adjoint: &ImpulseAdjoint<T>, settled: &Settled<T>) {
         match adjoint.slip {
-            Slip::Ends => (),
-            Slip::AtRatio { side, .. } => self.with.n.add(Input::ImpulseRatio, settled.slip * side),
+            Slip::Ends | Slip::Limited { slides: false, .. } => (),
+            Slip::AtRatio { side, .. } | Slip::Limited { slides: true, side, .. } => {
+                self.with.n.add(Input::ImpulseRatio, settled.slip * side)
+            }
             Slip::OfCritical { fraction, sticking, .. } => {
                 self.with.n.add_scaled(settled.slip, &adjoint.ratio_row());
                 // The ratio is the fraction times the ratio of the sticking impulse, and both change.

@@ -12,11 +12,10 @@ use crate::frame::{CrushPlane, Nt};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::law::{FrictionCone, ImpulseRatio, Law};
-use crate::scalar::{Ordered, Real};
+use crate::scalar::{Logic, Ordered, Real};
 
 /// The equation of one impulse, at its solution.
-#[derive(Clone, Copy)]
-pub(super) struct ImpulseAdjoint<T> {
+pub(super) struct ImpulseAdjoint<T: Ordered> {
     pub(super) partials: [Option<BodyPartials<T>>; 2],
     pub(super) plane: CrushPlane<T>,
     pub(super) compliance: Compliance<T>,
@@ -28,14 +27,15 @@ pub(super) struct ImpulseAdjoint<T> {
 }
 
 /// The condition on the tangential part of the impulse.
-#[derive(Clone, Copy)]
-pub(super) enum Slip<T> {
+pub(super) enum Slip<T: Ordered> {
     /// The sticking impulse of the law.
     Ends,
     /// A ratio that is `side` times the input.
     AtRatio { ratio: T, side: T },
     /// A fraction of the ratio of the sticking impulse.
     OfCritical { ratio: T, fraction: T, sticking: Nt<T> },
+    /// A ratio that is `side` times the input where the bodies slide, and the sticking impulse of the law elsewhere.
+    Limited { slides: T::Mask, ratio: T, side: T },
 }
 
 /// The cotangent of an output: its derivatives by the components of the impulse, the approach velocity and the separation velocity.
@@ -86,7 +86,7 @@ impl<T: Real + Copy> Cotangent<T> {
     }
 }
 
-impl<T: Real + Copy + Ordered<Mask = bool>> ImpulseAdjoint<T> {
+impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     /// Returns the adjoint of the impulse of a collision without a moment.
     #[inline(always)]
     pub(super) fn of(collision: &Collision<T>, contact: &Contact<T>, impact: &Impact<T>) -> Self {
@@ -106,7 +106,7 @@ impl<T: Real + Copy + Ordered<Mask = bool>> ImpulseAdjoint<T> {
     }
 }
 
-impl<T: Real + Copy + Ordered<Mask = bool>> Slip<T> {
+impl<T: Real<Mask: Logic> + Copy> Slip<T> {
     #[inline(always)]
     fn of(collision: &Collision<T>, contact: &Contact<T>) -> Self {
         let change = collision.law.change(contact.approach, collision.restitution);
@@ -120,13 +120,13 @@ impl<T: Real + Copy + Ordered<Mask = bool>> Slip<T> {
             ImpulseRatio::LimitedByFriction(friction) => {
                 let sticking = contact.compliance.impulse_for(change);
                 let cone = FrictionCone::around(&sticking, &change, &friction);
-                if cone.slides { Slip::AtRatio { ratio: cone.side * friction, side: cone.side } } else { Slip::Ends }
+                Slip::Limited { slides: cone.slides, ratio: cone.side * friction, side: cone.side }
             }
         }
     }
 }
 
-impl<T: Real + Copy> ImpulseAdjoint<T> {
+impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     /// Returns the adjoint of the impulse after which sliding has ended, whose ratio is the critical one.
     #[inline(always)]
     pub(super) fn critical(&self, critical_impulse: Nt<T>) -> Self {
@@ -152,11 +152,20 @@ impl<T: Real + Copy> ImpulseAdjoint<T> {
     #[inline(always)]
     pub(super) fn settle(&self, cotangent: Cotangent<T>) -> Settled<T> {
         let of_impulse = cotangent.impulse - self.compliance.velocity_change(cotangent.separation);
-        let (equation, slip) = match self.slip {
-            Slip::Ends => (self.compliance.impulse_for(of_impulse), T::int(0)),
-            Slip::AtRatio { ratio, .. } | Slip::OfCritical { ratio, .. } => {
-                let n = (of_impulse.n + ratio * of_impulse.t) / self.compliance.along_ratio(ratio);
-                (Nt { n, t: T::int(0) }, of_impulse.t - self.compliance.nt * n)
+        let nothing = T::int(0);
+        let at_ratio = |ratio: T| {
+            let n = (of_impulse.n + ratio * of_impulse.t) / self.compliance.along_ratio(ratio);
+            (Nt { n, t: nothing }, of_impulse.t - self.compliance.nt * n)
+        };
+        let ends = || self.compliance.impulse_for(of_impulse);
+        let (equation, slip) = match &self.slip {
+            Slip::Ends => (ends(), nothing),
+            Slip::AtRatio { ratio, .. } | Slip::OfCritical { ratio, .. } => at_ratio(*ratio),
+            Slip::Limited { slides, ratio, .. } => {
+                let (sliding, slip) = at_ratio(*ratio);
+                let either = |sliding: T, ends: T| T::select(*slides, sliding, ends);
+                let ends = ends();
+                (Nt { n: either(sliding.n, ends.n), t: either(sliding.t, ends.t) }, either(slip, nothing))
             }
         };
         let held = Held {
@@ -177,7 +186,7 @@ impl<T: Real + Copy> ImpulseAdjoint<T> {
     #[inline(always)]
     pub(super) fn gradient_of(&self, settled: &Settled<T>) -> Gradient<T> {
         let slip = settled.slip * self.impulse.n;
-        let by_ratio = if let Slip::AtRatio { side, .. } = self.slip { slip * side } else { T::int(0) };
+        let by_ratio = if let Slip::AtRatio { side, .. } | Slip::Limited { side, .. } = self.slip { slip * side } else { T::int(0) };
         let mut gradient = self.with_ratio_by(settled, by_ratio);
         if let Slip::OfCritical { .. } = self.slip {
             gradient.add_scaled(slip, &self.ratio_row());
@@ -251,6 +260,12 @@ impl<T: Real + Copy> Gradient<T> {
         for (x, y) in self.0.iter_mut().zip(&other.0) {
             *x = *x + by * *y;
         }
+    }
+
+    /// Returns one gradient where the mask is true, and the other elsewhere.
+    #[inline(always)]
+    pub(super) fn select(mask: T::Mask, yes: &Gradient<T>, no: &Gradient<T>) -> Gradient<T> {
+        Gradient(core::array::from_fn(|i| T::select(mask.clone(), yes.0[i], no.0[i])))
     }
 
     /// Returns a x + b y.

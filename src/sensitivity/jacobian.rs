@@ -13,7 +13,7 @@ use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::law::Law;
 use crate::output::{Output, Outputs};
-use crate::scalar::{Ordered, Real};
+use crate::scalar::{Logic, Real};
 
 /// The derivatives from which those of all other outputs follow.
 pub(super) struct Rows<T> {
@@ -22,7 +22,7 @@ pub(super) struct Rows<T> {
     pub(super) separation: Nt<Gradient<T>>,
 }
 
-impl<T: Real + Copy> Rows<T> {
+impl<T: Real<Mask: Logic> + Copy> Rows<T> {
     pub(super) fn of(adjoint: &ImpulseAdjoint<T>) -> Self {
         let impulse = axes().map(|axis| adjoint.gradient(Cotangent::of_impulse(axis)));
         let approach = axes().map(|axis| adjoint.approach_row(axis));
@@ -39,7 +39,7 @@ fn axes<T: Real>() -> Nt<Nt<T>> {
 
 /// Returns the gradient of V = −e v, the normal separation velocity whatever the law.
 #[inline(always)]
-fn rebound<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
+fn rebound<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
     let mut row = *approach;
     row.scale(-adjoint.restitution);
     row.add(Input::Restitution, -v);
@@ -48,24 +48,29 @@ fn rebound<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &Gradient<T>, 
 
 /// Returns the gradient of the tangential separation velocity.
 #[inline(always)]
-fn sliding<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
-    match (&adjoint.slip, adjoint.law) {
-        (Slip::Ends, Law::Brach) => Gradient::zero(),
-        (Slip::Ends, Law::KudlichSlibar) => rebound(adjoint, approach, adjoint.approach.t),
-        // V_t = v_t − (K P)_t
-        _ => {
-            let mut row = adjoint.yielding_row(axes().t);
-            row.add_scaled(T::int(1), approach);
-            row.add_scaled(-adjoint.compliance.nt, &impulse.n);
-            row.add_scaled(-adjoint.compliance.tt, &impulse.t);
-            row
-        }
+fn sliding<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
+    let ends = || match adjoint.law {
+        Law::Brach => Gradient::zero(),
+        Law::KudlichSlibar => rebound(adjoint, approach, adjoint.approach.t),
+    };
+    // V_t = v_t − (K P)_t
+    let slides = || {
+        let mut row = adjoint.yielding_row(axes().t);
+        row.add_scaled(T::int(1), approach);
+        row.add_scaled(-adjoint.compliance.nt, &impulse.n);
+        row.add_scaled(-adjoint.compliance.tt, &impulse.t);
+        row
+    };
+    match &adjoint.slip {
+        Slip::Ends => ends(),
+        Slip::AtRatio { .. } | Slip::OfCritical { .. } => slides(),
+        Slip::Limited { slides: mask, .. } => Gradient::select(*mask, &slides(), &ends()),
     }
 }
 
 /// Writes every output of an impact with its derivatives by every input.
 #[inline(always)]
-pub(super) fn write<T: Real + Copy + Ordered<Mask = bool>>(
+pub(super) fn write<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
     impact: &Impact<T>,
@@ -101,14 +106,19 @@ pub(super) fn write<T: Real + Copy + Ordered<Mask = bool>>(
 /// Returns the gradient of the critical ratio if the impulse has another ratio. Rarely needed, and therefore a separate function.
 #[cold]
 #[inline(never)]
-fn critical<T: Real + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Gradient<T> {
+fn critical<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Gradient<T> {
     let critical = impact.critical_impulse;
     adjoint.critical(critical).gradient(Cotangent::of_ratio(critical))
 }
 
 /// Writes the derivatives of each output through the impulse and the velocities.
 #[inline(always)]
-fn mix<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
+fn mix<T: Real<Mask: Logic> + Copy>(
+    collision: &Collision<T>,
+    impact: &Impact<T>,
+    adjoint: &ImpulseAdjoint<T>,
+    to: &mut Outputs<Sensitive<T>>,
+) {
     let p = impact.impulse;
     let (cos, sin) = (collision.crush_plane.cos, collision.crush_plane.sin);
     let half = T::int(1).half();
@@ -179,7 +189,12 @@ impl<T: Real + Copy> Passed<T> {
 
 /// Adds the derivatives of each output by its inputs with the impulse held constant.
 #[inline(always)]
-fn add_direct<T: Real + Copy>(collision: &Collision<T>, impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
+fn add_direct<T: Real<Mask: Logic> + Copy>(
+    collision: &Collision<T>,
+    impact: &Impact<T>,
+    adjoint: &ImpulseAdjoint<T>,
+    to: &mut Outputs<Sensitive<T>>,
+) {
     // Written out, so that the compiler knows each output. Those left out have no direct derivatives, or have them in the rows that they are combined from.
     macro_rules! add {
         ($($output:expr),+) => { $(cotangent::add_direct(collision, impact, adjoint, $output, &mut to[$output].by);)+ };

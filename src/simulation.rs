@@ -1,0 +1,382 @@
+//! Simulations: collisions that are drawn, solved and summarized in cache, and never stored.
+//!
+//! A [`Simulation`] has a collision and the [`Distribution`] of each input that is uncertain. [`Simulation::reduce`] draws samples, solves them in
+//! [batches](crate::batch) and gives their outputs to summaries: [`Moments`], [`Quantiles`], [`Extremes`], [`Histogram`], [`Exceedance`], several of them as a
+//! tuple, or one of your own ([`Reduce`]). A sample that physics refuses is counted by reason.
+//!
+//! ```
+//! use planar_impact::simulation::{Exceedance, Moments, Quantiles, Simulation};
+//! use planar_impact::*;
+//! let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+//! let simulation = Simulation::of(Collision::new(car, Party::Barrier))
+//!     .with(Input::VelocityX(Side::One), Distribution::Normal { mean: 15.0, sd: 1.0 })?
+//!     .with(Input::Restitution, Distribution::Uniform { min: 0.0, max: 0.2 })?;
+//! let delta_v = Output::DeltaVMagnitude(Side::One);
+//! let empty = (Moments::of(&[delta_v]), Quantiles::of(&[delta_v]), Exceedance::of(delta_v, 18.0));
+//! let answer = simulation.reduce(100_000, empty, &|_| true);
+//! let (moments, quantiles, fast) = answer.summary;
+//! assert_eq!(answer.refused.samples, 0);
+//! assert!((moments.mean(delta_v) - 16.2).abs() < 0.02);
+//! assert!((quantiles.quantile(delta_v, 0.5) - 16.2).abs() < 0.03);
+//! assert!((0.08..0.10).contains(&fast.share()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The same bits
+//!
+//! The numbers of a sample depend on the seed, its own number and the input alone: another uncertain input, a longer run or another number of threads leave
+//! them as they are. Summaries are merged in the order of the samples. So the answer has the same bits for any number of threads (feature `rayon`: those of the
+//! pool in which `reduce` is called) and any vector instructions.
+
+mod exceedance;
+mod extremes;
+mod fill;
+mod histogram;
+mod moments;
+mod quantiles;
+
+pub use exceedance::Exceedance;
+pub use extremes::{Extreme, Extremes};
+pub use fill::{Draws, Fill};
+pub use histogram::Histogram;
+pub use moments::Moments;
+pub use quantiles::Quantiles;
+
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+use core::fmt;
+use core::ops::Range;
+
+use crate::batch::{Batch, Instructions};
+use crate::collision::Collision;
+use crate::distribution::Distribution;
+use crate::input::{Input, NoSuchInput};
+use crate::issue::{InputIssue, Issues};
+use crate::output::Output;
+
+/// Samples that are solved together: few enough that their numbers stay in the second cache.
+const CHUNK: u64 = 1920;
+
+/// Samples that are summarized on one thread before summaries are merged.
+const STRETCH: u64 = 32 * CHUNK;
+
+/// Collisions whose inputs are drawn.
+#[derive(Clone, Debug)]
+pub struct Simulation<F = Draws> {
+    collision: Collision,
+    fill: F,
+    instructions: Instructions,
+}
+
+/// Reason why an input cannot be drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NotDrawn {
+    /// The collision has no such input.
+    NoSuchInput(NoSuchInput),
+    /// The input has a distribution already.
+    Twice(Input),
+    /// The distribution has wrong parameters.
+    Distribution(Input, Issues<InputIssue>),
+}
+
+impl fmt::Display for NotDrawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotDrawn::NoSuchInput(reason) => write!(f, "{reason}"),
+            NotDrawn::Twice(input) => write!(f, "{input} has a distribution already; give each input one"),
+            NotDrawn::Distribution(input, issues) => write!(f, "the distribution of {input}: {issues}"),
+        }
+    }
+}
+
+impl core::error::Error for NotDrawn {}
+
+/// The answer of a simulation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduced<R> {
+    /// Number of samples drawn: fewer than asked for if the simulation was stopped.
+    pub samples: u64,
+    /// The samples that physics refuses, which are not in the summary.
+    pub refused: RefusedSamples,
+    /// The summary of the others.
+    pub summary: R,
+}
+
+/// Samples that [`Collision::solve`] refuses.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RefusedSamples {
+    /// Their number.
+    pub samples: u64,
+    /// How many have each code; a sample may have several.
+    pub by_code: BTreeMap<&'static str, u64>,
+}
+
+/// Accepted samples with consecutive numbers, but for those refused.
+#[derive(Clone, Copy, Debug)]
+pub struct Samples<'a> {
+    of: &'a [Output],
+    columns: &'a [Vec<f64>],
+    first: u64,
+    /// The place of each among those drawn, unless all are accepted.
+    places: Option<&'a [u64]>,
+}
+
+impl<'a> Samples<'a> {
+    /// Returns the values of an output.
+    ///
+    /// # Panics
+    ///
+    /// If the output is not one of [`Reduce::outputs`].
+    pub fn column(&self, output: Output) -> &'a [f64] {
+        let place = self.of.iter().position(|of| *of == output);
+        place.map(|place| self.columns[place].as_slice()).unwrap_or_else(|| panic!("{output} is not among the outputs of the summary"))
+    }
+
+    /// Returns the number of the sample at a place of the columns.
+    pub fn number(&self, place: usize) -> u64 {
+        self.first + self.places.map_or(place as u64, |places| places[place])
+    }
+}
+
+/// A summary of samples.
+pub trait Reduce: Clone + Send + Sync {
+    /// Returns the outputs that it needs.
+    fn outputs(&self) -> Vec<Output>;
+
+    /// Adds samples that follow those it has.
+    fn take(&mut self, samples: &Samples<'_>);
+
+    /// Adds the summary of samples that follow those it has.
+    fn merge(&mut self, later: Self);
+}
+
+macro_rules! tuples {
+    ($($($part:ident $i:tt),+;)+) => {
+        $(impl<$($part: Reduce),+> Reduce for ($($part,)+) {
+            fn outputs(&self) -> Vec<Output> {
+                let mut outputs = Vec::new();
+                $(outputs.extend(self.$i.outputs());)+
+                outputs
+            }
+
+            fn take(&mut self, samples: &Samples<'_>) {
+                $(self.$i.take(samples);)+
+            }
+
+            fn merge(&mut self, later: Self) {
+                $(self.$i.merge(later.$i);)+
+            }
+        })+
+    };
+}
+
+tuples! {
+    A 0, B 1;
+    A 0, B 1, C 2;
+    A 0, B 1, C 2, D 3;
+    A 0, B 1, C 2, D 3, E 4;
+}
+
+impl<R: Reduce> Reduce for Vec<R> {
+    fn outputs(&self) -> Vec<Output> {
+        self.iter().flat_map(R::outputs).collect()
+    }
+
+    fn take(&mut self, samples: &Samples<'_>) {
+        self.iter_mut().for_each(|part| part.take(samples));
+    }
+
+    fn merge(&mut self, later: Self) {
+        self.iter_mut().zip(later).for_each(|(part, later)| part.merge(later));
+    }
+}
+
+impl Simulation {
+    /// Creates a simulation of a collision of which every input is certain.
+    #[must_use]
+    pub fn of(collision: Collision) -> Self {
+        Simulation::filled(collision, Draws::default())
+    }
+
+    /// Returns the same simulation with an uncertain input, in SI units and radians.
+    ///
+    /// # Errors
+    ///
+    /// [`NotDrawn`] if the collision has no such input, if it is uncertain already, or if the distribution has wrong parameters.
+    pub fn with(mut self, input: Input, distribution: Distribution) -> Result<Self, NotDrawn> {
+        self.collision.input(input).ok_or(NotDrawn::NoSuchInput(NoSuchInput(input)))?;
+        distribution.check().map_err(|issues| NotDrawn::Distribution(input, issues))?;
+        if self.fill.inputs().contains(&input) {
+            return Err(NotDrawn::Twice(input));
+        }
+        self.fill.push(input, distribution);
+        Ok(self)
+    }
+
+    /// Returns the same simulation with another seed than 0.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.fill.set_seed(seed);
+        self
+    }
+}
+
+impl<F: Fill> Simulation<F> {
+    /// Creates a simulation of a collision whose uncertain inputs are filled in by code of yours.
+    #[must_use]
+    pub fn filled(collision: Collision, fill: F) -> Self {
+        Simulation { collision, fill, instructions: Instructions::best() }
+    }
+
+    /// Returns the same simulation, to be computed with some vector instructions in place of the best: for comparing them. The bits are the same.
+    #[must_use]
+    pub fn on(self, instructions: Instructions) -> Self {
+        Simulation { instructions, ..self }
+    }
+
+    /// Returns a sample by its number, such as that of an [`Extreme`].
+    ///
+    /// # Panics
+    ///
+    /// If a [`Fill`] of yours has not written one number for each input.
+    pub fn sample(&self, number: u64) -> Collision {
+        let mut columns = self.columns();
+        self.fill.fill(number..number + 1, &mut columns);
+        self.batch(&columns, 1).row(0)
+    }
+
+    /// Draws samples and summarizes those that physics accepts, in memory that does not grow with their number.
+    ///
+    /// `goes_on` is called with the number of samples that are done, from any thread; when it returns `false` the simulation stops, and the answer is that of
+    /// the samples before.
+    ///
+    /// # Panics
+    ///
+    /// If a [`Fill`] of yours has not written a number for each sample and input.
+    #[must_use]
+    pub fn reduce<R: Reduce>(&self, samples: u64, empty: R, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Reduced<R> {
+        let mut of = empty.outputs();
+        of.sort_by_key(|output| output.index());
+        of.dedup();
+        let answer = Reduced { samples: 0, refused: RefusedSamples::default(), summary: empty.clone() };
+        let stretches = samples.div_ceil(STRETCH);
+        let range = |i: u64| i * STRETCH..((i + 1).saturating_mul(STRETCH)).min(samples);
+        in_order(stretches, answer, |i| self.stretch(&of, range(i), empty.clone()), goes_on)
+    }
+
+    fn columns(&self) -> Vec<Vec<f64>> {
+        self.fill.inputs().iter().map(|_| Vec::new()).collect()
+    }
+
+    /// Returns some samples as a batch.
+    ///
+    /// # Panics
+    ///
+    /// If a fill has written another number of rows.
+    fn batch<'a>(&self, columns: &'a [Vec<f64>], samples: usize) -> Batch<'a> {
+        let batch = Batch::of(self.collision).on(self.instructions).with_rows(samples);
+        self.fill.inputs().iter().zip(columns).fold(batch, |batch, (input, column)| match batch.with(*input, column) {
+            Ok(batch) => batch,
+            Err(unequal) => panic!("a fill has not written {samples} samples: {unequal}"),
+        })
+    }
+
+    /// Summarizes some samples on this thread.
+    fn stretch<R: Reduce>(&self, of: &[Output], samples: Range<u64>, empty: R) -> Reduced<R> {
+        let mut answer = Reduced { samples: samples.end - samples.start, refused: RefusedSamples::default(), summary: empty };
+        let mut columns = self.columns();
+        let mut first = samples.start;
+        while first < samples.end {
+            let end = (first + CHUNK).min(samples.end);
+            self.fill.fill(first..end, &mut columns);
+            let solved = self.batch(&columns, (end - first) as usize).solve(of);
+            let mut outputs = solved.columns.into_columns();
+            let places = (!solved.refused.is_empty()).then(|| {
+                answer.refused.add(&solved.refused);
+                let mut refused = solved.refused.iter().map(|refused| refused.row as u64).peekable();
+                let places: Vec<u64> = (0..end - first).filter(|place| refused.next_if_eq(place).is_none()).collect();
+                for column in &mut outputs {
+                    *column = places.iter().map(|place| column[*place as usize]).collect();
+                }
+                places
+            });
+            answer.summary.take(&Samples { of, columns: &outputs, first, places: places.as_deref() });
+            first = end;
+        }
+        answer
+    }
+}
+
+impl RefusedSamples {
+    fn add(&mut self, rows: &[crate::batch::Refused]) {
+        self.samples += rows.len() as u64;
+        for row in rows {
+            let mut codes: Vec<&'static str> = row.refusals.iter().map(|refusal| refusal.code()).collect();
+            codes.sort_unstable();
+            codes.dedup();
+            codes.into_iter().for_each(|code| *self.by_code.entry(code).or_default() += 1);
+        }
+    }
+}
+
+impl<R: Reduce> Reduced<R> {
+    fn merge(&mut self, later: Self) {
+        self.samples += later.samples;
+        self.refused.samples += later.refused.samples;
+        later.refused.by_code.into_iter().for_each(|(code, count)| *self.refused.by_code.entry(code).or_default() += count);
+        self.summary.merge(later.summary);
+    }
+}
+
+/// Merges the answers of stretches in their order, each computed on a thread of the pool.
+#[cfg(feature = "rayon")]
+fn in_order<R: Reduce>(
+    stretches: u64,
+    mut answer: Reduced<R>,
+    stretch: impl Fn(u64) -> Reduced<R> + Sync,
+    goes_on: &(dyn Fn(u64) -> bool + Sync),
+) -> Reduced<R> {
+    use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+    use rayon::prelude::*;
+
+    /// So many that threads seldom wait for the last, and few enough that memory stays small.
+    const STRETCHES_A_THREAD: u64 = 8;
+    let (done, is_stopped) = (AtomicU64::new(0), AtomicBool::new(false));
+    let wave = STRETCHES_A_THREAD * rayon::current_num_threads() as u64;
+    for start in (0..stretches).step_by(wave as usize) {
+        let one = |i: u64| {
+            if is_stopped.load(Ordering::Relaxed) || !goes_on(done.load(Ordering::Relaxed)) {
+                is_stopped.store(true, Ordering::Relaxed);
+                return None;
+            }
+            let part = stretch(i);
+            done.fetch_add(part.samples, Ordering::Relaxed);
+            Some(part)
+        };
+        let parts: Vec<Option<Reduced<R>>> = (start..(start + wave).min(stretches)).into_par_iter().map(one).collect();
+        let is_whole = parts.iter().all(Option::is_some);
+        // Those after a gap would not be the samples before.
+        parts.into_iter().map_while(|part| part).for_each(|part| answer.merge(part));
+        if !is_whole {
+            break;
+        }
+    }
+    answer
+}
+
+/// Merges the answers of stretches in their order.
+#[cfg(not(feature = "rayon"))]
+fn in_order<R: Reduce>(
+    stretches: u64,
+    mut answer: Reduced<R>,
+    stretch: impl Fn(u64) -> Reduced<R>,
+    goes_on: &(dyn Fn(u64) -> bool + Sync),
+) -> Reduced<R> {
+    for i in 0..stretches {
+        if !goes_on(answer.samples) {
+            break;
+        }
+        answer.merge(stretch(i));
+    }
+    answer
+}

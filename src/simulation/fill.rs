@@ -1,0 +1,140 @@
+//! Where the numbers of samples come from.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use crate::batch::{Instructions, Vectors};
+use crate::distribution::Distribution;
+use crate::distribution::quantile::{in_a_tail, in_the_middle, is_in_the_middle};
+use crate::input::Input;
+
+/// A source of samples.
+pub trait Fill: Sync {
+    /// Returns the inputs that it fills, each once.
+    fn inputs(&self) -> &[Input];
+
+    /// Replaces the numbers of each column, that of an input, by those of some samples. The numbers of a sample may depend on nothing but its own number: the
+    /// same sample may be asked for more than once, and from any thread.
+    fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]);
+}
+
+/// Independent random numbers of given distributions.
+///
+/// They are quantiles of ChaCha8 (crate `rand_chacha`), which is counted: a stream for each input, two words for each sample.
+#[derive(Clone, Debug, Default)]
+pub struct Draws {
+    seed: u64,
+    inputs: Vec<Input>,
+    distributions: Vec<Distribution>,
+}
+
+impl Draws {
+    pub(super) fn push(&mut self, input: Input, distribution: Distribution) {
+        self.inputs.push(input);
+        self.distributions.push(distribution);
+    }
+
+    pub(super) fn set_seed(&mut self, seed: u64) {
+        self.seed = seed;
+    }
+}
+
+impl Fill for Draws {
+    fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]) {
+        let random = ChaCha8Rng::seed_from_u64(self.seed);
+        let mut probabilities = Vec::new();
+        for ((input, distribution), column) in self.inputs.iter().zip(&self.distributions).zip(columns) {
+            let mut random = random.clone();
+            random.set_stream(input.index() as u64);
+            random.set_word_pos(2 * u128::from(samples.start));
+            probabilities.clear();
+            probabilities.extend(samples.clone().map(|_| between_zero_and_one(random.next_u64())));
+            column.clear();
+            column.resize(probabilities.len(), 0.0);
+            match *distribution {
+                Distribution::Normal { mean, sd } => {
+                    Instructions::best().run(&mut Normals { probabilities: &probabilities, mean, sd, to: column });
+                }
+                _ => probabilities.iter().zip(column).for_each(|(p, to)| *to = distribution.quantile(*p)),
+            }
+        }
+    }
+}
+
+/// Returns the middle of one of 2⁵² equal parts, so neither 0 nor 1.
+fn between_zero_and_one(random: u64) -> f64 {
+    ((random >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+}
+
+/// Normal numbers, those of the middle by a loop without a branch.
+struct Normals<'a> {
+    probabilities: &'a [f64],
+    mean: f64,
+    sd: f64,
+    to: &'a mut [f64],
+}
+
+impl Vectors for Normals<'_> {
+    #[inline(always)]
+    fn compute(&mut self) {
+        for (p, to) in self.probabilities.iter().zip(&mut *self.to) {
+            *to = self.mean + self.sd * in_the_middle(*p);
+        }
+        for (p, to) in self.probabilities.iter().zip(&mut *self.to).filter(|(p, _)| !is_in_the_middle(**p)) {
+            *to = self.mean + self.sd * in_a_tail(*p);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Side;
+
+    fn draws() -> Draws {
+        let mut draws = Draws::default();
+        draws.push(Input::Restitution, Distribution::Uniform { min: 0.0, max: 1.0 });
+        draws.push(Input::Mass(Side::Two), Distribution::Normal { mean: 1500.0, sd: 100.0 });
+        draws
+    }
+
+    fn filled(draws: &Draws, samples: Range<u64>) -> Vec<Vec<f64>> {
+        let mut columns = draws.inputs.iter().map(|_| Vec::new()).collect::<Vec<_>>();
+        draws.fill(samples, &mut columns);
+        columns
+    }
+
+    #[test]
+    fn a_sample_has_its_numbers_whatever_is_drawn_beside_it() {
+        let whole = filled(&draws(), 0..1000);
+        let part = filled(&draws(), 137..140);
+        assert_eq!(part, whole.iter().map(|column| column[137..140].to_vec()).collect::<Vec<_>>());
+        let mut alone = Draws::default();
+        alone.push(Input::Mass(Side::Two), Distribution::Normal { mean: 1500.0, sd: 100.0 });
+        assert_eq!(filled(&alone, 0..1000), whole[1..]);
+        let mut other = draws();
+        other.set_seed(1);
+        assert!(filled(&other, 0..10)[0].iter().zip(&whole[0]).all(|(one, other)| one != other));
+        // Far from the start.
+        assert_eq!(filled(&draws(), 1 << 60..(1 << 60) + 2)[0].len(), 2);
+    }
+
+    #[test]
+    fn normal_numbers_are_quantiles() {
+        let columns = filled(&draws(), 0..10_000);
+        let mut random = ChaCha8Rng::seed_from_u64(0);
+        random.set_stream(Input::Mass(Side::Two).index() as u64);
+        let normal = Distribution::Normal { mean: 1500.0, sd: 100.0 };
+        for found in &columns[1] {
+            assert_eq!(*found, normal.quantile(between_zero_and_one(random.next_u64())));
+        }
+        assert_eq!([between_zero_and_one(0) > 0.0, between_zero_and_one(u64::MAX) < 1.0], [true, true]);
+    }
+}
