@@ -3,6 +3,10 @@
 #[doc = include_str!("guide/sensitivities.md")]
 pub mod sensitivities {}
 
+#[cfg(feature = "batch")]
+#[doc = include_str!("guide/batches.md")]
+pub mod batches {}
+
 #[doc = include_str!("guide/crush.md")]
 pub mod crush {}
 

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, CaseOutput, CaseOutputs, Crash3Key, Parameter};
+use crate::case::{Case, CaseOutput, CaseOutputs, Parameter};
 use crate::control::Control;
 use crate::derivative;
 use crate::issue::{Issue, Issues};
@@ -187,7 +187,7 @@ impl Choice {
             goes_on()?;
             let by = derivative::by(&case.inputs, parameter);
             for row in &mut rows {
-                row.first.push(row.defined(&[parameter], by.get(row.output).map(|dual| dual.eps)));
+                row.first.push(derivative::defined(row.output, row.value, &[parameter], by.get(row.output).map(|dual| dual.eps)));
             }
         }
         if self.second {
@@ -197,23 +197,14 @@ impl Choice {
                     goes_on()?;
                     let by = derivative::by_both(&case.inputs, one, two);
                     for row in &mut rows {
-                        let value = row.defined(&[one, two], by.get(row.output).map(|dual| dual.eps1eps2));
+                        let second = by.get(row.output).map(|dual| dual.eps1eps2);
+                        let value = derivative::defined(row.output, row.value, &[one, two], second);
                         (row.second[i][j], row.second[j][i]) = (value, value);
                     }
                 }
             }
         }
         Ok(rows)
-    }
-}
-
-impl Row {
-    /// Replaces undefined derivatives with NaN. A square root has no derivative at zero: a speed computed from zero
-    /// crush energy has none with respect to the crush, and does not depend on the other inputs.
-    fn defined(&self, by: &[Parameter], derivative: Option<f64>) -> f64 {
-        let is_root = matches!(self.output, CaseOutput::EquivalentEnergySpeed(_) | CaseOutput::Crash3(_, Crash3Key::DeltaVMagnitude));
-        let at_corner = is_root && self.value == 0.0 && by.iter().any(|parameter| matches!(parameter, Parameter::Crush(..)));
-        derivative.filter(|_| !at_corner).map_or(f64::NAN, positive_zero)
     }
 }
 

@@ -5,6 +5,7 @@
 //! here reads files, prints, reads the clock or starts a thread.
 
 pub mod answer;
+pub mod batch;
 pub mod case;
 pub mod check;
 pub mod control;

@@ -18,12 +18,12 @@ pub fn refusal(refusal: &Refusal) -> Issue {
 
 /// Joins all reasons of a refusal in one sentence.
 pub fn reasons(refusals: &Refusals) -> Message {
-    let mut all = Message::new();
-    for (i, reason) in refusals.iter().enumerate() {
-        all = if i > 0 { all.text("; ") } else { all };
-        all = all.join(refusal(reason).message);
-    }
-    all
+    joined(refusals.iter().map(|reason| refusal(reason).message))
+}
+
+/// Joins reasons in one sentence.
+pub fn joined(reasons: impl Iterator<Item = Message>) -> Message {
+    reasons.enumerate().fold(Message::new(), |all, (i, reason)| if i > 0 { all.text("; ").join(reason) } else { all.join(reason) })
 }
 
 /// Joins the codes of a refusal, each once, with `;`.

@@ -1,7 +1,7 @@
 //! Reads files and standard input, up to a maximum size.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -77,15 +77,21 @@ pub fn records(path: &Path, options: Options, bytes: &Arc<AtomicU64>) -> Result<
 fn opener(path: PathBuf, bytes: Arc<AtomicU64>) -> check::Open {
     Box::new(move || -> io::Result<Reader> {
         bytes.store(0, Ordering::Relaxed);
-        let counted = Counted { file: File::open(&path)?, bytes: bytes.clone() };
-        Ok(Box::new(BufReader::with_capacity(BUFFER, counted)))
+        Ok(Box::new(BufReader::with_capacity(BUFFER, Counted::new(File::open(&path)?, &bytes))))
     })
 }
 
 /// Counts the bytes that have been read.
-struct Counted {
+pub struct Counted {
     file: File,
     bytes: Arc<AtomicU64>,
+}
+
+impl Counted {
+    /// Counts the bytes read from a file in `bytes`.
+    pub fn new(file: File, bytes: &Arc<AtomicU64>) -> Counted {
+        Counted { file, bytes: bytes.clone() }
+    }
 }
 
 impl Read for Counted {
@@ -93,6 +99,12 @@ impl Read for Counted {
         let read = self.file.read(to)?;
         self.bytes.fetch_add(read as u64, Ordering::Relaxed);
         Ok(read)
+    }
+}
+
+impl Seek for Counted {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.file.seek(to)
     }
 }
 

@@ -1,6 +1,7 @@
 //! `planar-impact`: reads a file, calls the application layer and prints its answer.
 
 mod arguments;
+mod batch;
 mod check;
 mod diagnostics;
 mod exit;

@@ -17,7 +17,7 @@ use crate::arguments::{self, Arguments, Format, Notation, OfCase, SweepFormat, U
 use crate::exit::Failure;
 use crate::output::CommandOutput;
 use crate::progress::Progress;
-use crate::{check, files};
+use crate::{batch, check, files};
 
 /// Maximum number of rows of a table for people.
 const MOST_ROWS: usize = 20_000;
@@ -34,6 +34,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Crash3(call) => of_case(&call, crash3::crash3),
         Verb::Gradient(call) => differentiate(&call),
         Verb::Sweep(call) => vary(&call),
+        Verb::Batch(call) => batch::run(&call),
         Verb::Reconstruct(call) => look_back(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
@@ -55,7 +56,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
 }
 
 /// Reads a case file, and returns it with the units for its reader: those requested, or those that most of the file uses.
-fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Failure> {
+pub fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Failure> {
     let case = Case::parse_with(files::source(path)?, files::beside(path))?;
     let units = units.map_or(case.units, Units::from);
     Ok((case, units))

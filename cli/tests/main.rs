@@ -8,6 +8,8 @@
 mod answers;
 #[path = "main/bad_inputs/mod.rs"]
 mod bad_inputs;
+#[path = "main/batch.rs"]
+mod batch;
 #[path = "main/check/mod.rs"]
 mod check;
 #[path = "main/crush.rs"]

@@ -23,6 +23,16 @@ impl Domain {
             _ => None,
         }
     }
+
+    /// Returns the least and the greatest of the accepted floats.
+    pub fn limits(self) -> [f64; 2] {
+        match self {
+            Domain::Any => [f64::MIN, f64::MAX],
+            Domain::Positive => [0_f64.next_up(), f64::MAX],
+            Domain::NotNegative => [0.0, f64::MAX],
+            Domain::Fraction => [0.0, 1.0],
+        }
+    }
 }
 
 #[cfg(test)]
@@ -36,5 +46,11 @@ mod tests {
         assert_eq!(Domain::Fraction.wanted(1.1), Some("from 0 to 1"));
         assert_eq!(Domain::NotNegative.wanted(-0.1), Some("at least 0"));
         assert_eq!(Domain::Any.wanted(-1e9), None);
+        for domain in [Domain::Any, Domain::Positive, Domain::NotNegative, Domain::Fraction] {
+            for value in [f64::MIN, -1.0, -0.0, 0.0, 5e-324, 0.5, 1.0, 1.0_f64.next_up(), f64::MAX] {
+                let [least, greatest] = domain.limits();
+                assert_eq!((least..=greatest).contains(&value), domain.wanted(value).is_none(), "{domain:?} {value}");
+            }
+        }
     }
 }

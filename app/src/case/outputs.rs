@@ -170,6 +170,14 @@ impl CaseOutput {
         }
     }
 
+    /// Returns a name that no input has, for tables in which both are columns.
+    pub fn qualified_name(self) -> String {
+        match self {
+            CaseOutput::Impact(output) => output.qualified_name().to_owned(),
+            _ => self.to_string(),
+        }
+    }
+
     /// Returns the symbol, or the name if it has none.
     pub fn short_name(self) -> String {
         self.symbol().map_or_else(|| self.to_string(), str::to_owned)

@@ -43,17 +43,19 @@ pub enum Velocity {
 }
 
 impl VehicleInputs {
-    fn velocity(&self) -> Xy {
+    /// Returns the velocity in ground axes.
+    pub fn velocity(&self) -> Xy {
         match self.velocity {
             Velocity::Speed(speed) => Heading::from_angle(self.heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
             Velocity::Components(velocity) => velocity,
         }
     }
 
-    pub(super) fn yaw_inertia(&self) -> f64 {
+    /// Returns the yaw inertia.
+    pub fn yaw_inertia(&self) -> f64 {
         match self.inertia {
             Inertia::Yaw(inertia) => inertia,
-            Inertia::Radius(radius) => self.mass * radius * radius,
+            Inertia::Radius(radius) => self.mass * (radius * radius),
         }
     }
 

@@ -70,6 +70,24 @@ Examples:
   planar-impact gradient cli/examples/oblique-surfaces.toml --of dV1,dV2 --wrt Gamma,e
   planar-impact gradient cli/examples/position-a.toml --of W_n --second --format json";
 
+pub(super) const BATCH: &str = r#"Columns by name, with their unit in brackets, or in the metadata of an Arrow field; SI without one:
+  vehicle.1.mass [lb]   .yaw_inertia or .radius_of_gyration, .heading, .speed or .velocity.x and
+                        .velocity.y, .yaw_rate, .impact_center.forward, .impact_center.left,
+                        .crush.depths.3 ... of a case with crush; .barrier (true or false)
+  contact.crush_plane   .restitution, .tangential_law, .moment, .moment.of_critical; one of
+                        .impulse_ratio (a number or `critical`), .impulse_ratio.of_critical, .friction
+Other columns pass through. What no column has, and an empty cell, is taken from --case, or is the
+default of a case file. The output has the columns of the table, each output in SI (with `result.`
+before its name where an input has it too), `d OUTPUT / d INPUT` for --wrt, and `refusal`: empty, or
+why the row has no outputs, such as `separating`, or `unreadable` for a cell that is not a number.
+
+The exit status is 0 if every row is solved, and 1 if some are refused; with --fail-fast it is 3 or,
+for a row that cannot be read, 2. A file appears when it is whole.
+
+Examples:
+  planar-impact batch cli/examples/batch/speeds.csv --case cli/examples/position-a.toml -o -
+  planar-impact batch cli/examples/batch/speeds.csv --case case.toml -o out.parquet --of dV1 --wrt e"#;
+
 pub(super) const VALIDATE: &str = "Examples:
   planar-impact validate
   planar-impact validate --format json

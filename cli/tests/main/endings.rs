@@ -77,6 +77,24 @@ fn records(folder: &Folder) -> String {
 }
 
 #[test]
+fn an_interrupted_batch_leaves_no_file() {
+    let folder = Folder::new();
+    let mut table = "vehicle.1.speed,contact.crush_plane\n".to_owned();
+    for i in 0..600_000 {
+        table += &format!("{}.5,0.0{}\n", i % 29, i % 7);
+    }
+    let input = folder.write("in.csv", table.as_bytes());
+    let output = folder.path().join("out.csv");
+    let path = |path: &std::path::Path| path.to_str().expect("a plain path").to_owned();
+    let (input, output) = (path(&input), path(&output));
+    interrupted(&["batch", &input, "-o", &output, "--case", "cli/examples/position-a.toml"], false);
+    let left = std::fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+    let others: Vec<_> = left.filter(|name| name != "in.csv").collect();
+    // An attempt that came too late has ended, and written its table.
+    assert!(others.iter().all(|name| name == "out.csv" || name == "printed"), "{others:?}");
+}
+
+#[test]
 fn an_interrupted_check_leaves_a_whole_document() {
     let folder = Folder::new();
     let path = records(&folder);

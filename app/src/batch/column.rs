@@ -1,0 +1,224 @@
+//! The columns of a table that are inputs, and their cells.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use planar_impact::{Law, Side};
+
+use super::header::Header;
+use crate::case::{Domain, Parameter, vehicle_number};
+use crate::issue::Issue;
+use crate::quantity::{Conversion, excerpt, nearest};
+
+/// What an input column gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Key {
+    /// A number of the case file.
+    Parameter(Parameter),
+    /// Whether the vehicle is a fixed barrier: `true` or `false`.
+    Barrier(Side),
+    /// The law of the tangential impulse: `brach` or `kudlich-slibar`.
+    Law,
+}
+
+/// One cell of an input column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// A number in SI; 0 or 1 for a word.
+    Number(f64),
+    /// The word `critical`, for an impulse ratio.
+    Critical,
+    /// Nothing.
+    Empty,
+    /// A text that is not what the column needs.
+    Unreadable,
+}
+
+/// The cells of an input column.
+#[derive(Clone, Debug)]
+pub enum Column<'a> {
+    /// A number in every row, in SI.
+    Numbers(Cow<'a, [f64]>),
+    /// Any cells.
+    Cells(Vec<Cell>),
+}
+
+/// Rows of a table, as far as they are inputs.
+#[derive(Clone, Debug, Default)]
+pub struct Table<'a> {
+    /// The number of rows.
+    pub rows: usize,
+    /// The cells of each [input](super::Plan::inputs).
+    pub columns: Vec<Column<'a>>,
+    /// The rows, counted from 0, that are no rows of the table, such as one with too few cells.
+    pub unreadable: Vec<usize>,
+}
+
+/// An input column of a table.
+#[derive(Clone, Debug)]
+pub struct InputColumn {
+    /// Its place among the columns of the table.
+    pub place: usize,
+    /// What it gives.
+    pub key: Key,
+    /// The least and the greatest number that a case file accepts.
+    limits: [f64; 2],
+    conversion: Option<Conversion>,
+}
+
+impl Key {
+    /// Returns the key with this name, or `None` if no input has it.
+    pub fn named(name: &str) -> Option<Key> {
+        match name {
+            "vehicle.1.barrier" => Some(Key::Barrier(Side::One)),
+            "vehicle.2.barrier" => Some(Key::Barrier(Side::Two)),
+            "contact.tangential_law" => Some(Key::Law),
+            // Symbols are short words that a table may use for columns of its own.
+            _ => Parameter::named(name).filter(|parameter| parameter.to_string() == name).map(Key::Parameter),
+        }
+    }
+
+    fn domain(self) -> Domain {
+        match self {
+            Key::Parameter(parameter) => parameter.domain(),
+            Key::Barrier(_) | Key::Law => Domain::Any,
+        }
+    }
+
+    /// Returns `true` if every cell is a number.
+    pub fn is_numeric(self) -> bool {
+        matches!(self, Key::Parameter(parameter) if parameter != Parameter::Input(planar_impact::Input::ImpulseRatio))
+    }
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Key::Parameter(parameter) => parameter.fmt(f),
+            Key::Barrier(side) => write!(f, "vehicle.{}.barrier", vehicle_number(*side)),
+            Key::Law => f.write_str("contact.tangential_law"),
+        }
+    }
+}
+
+impl Column<'_> {
+    /// Returns the cell of a row.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such row.
+    #[inline]
+    pub fn at(&self, row: usize) -> Cell {
+        match self {
+            Column::Numbers(numbers) => Cell::Number(numbers[row]),
+            Column::Cells(cells) => cells[row],
+        }
+    }
+
+    /// Returns the number of rows.
+    pub fn len(&self) -> usize {
+        match self {
+            Column::Numbers(numbers) => numbers.len(),
+            Column::Cells(cells) => cells.len(),
+        }
+    }
+
+    /// Returns `true` if there are no rows.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl InputColumn {
+    /// Recognizes an input column by its header; `None` if it is another column, which passes through.
+    ///
+    /// # Errors
+    ///
+    /// An unknown name that begins as that of an input, or a unit that is not one of the input.
+    pub fn of(place: usize, header: &Header) -> Result<Option<InputColumn>, Issue> {
+        let Some(key) = Key::named(&header.name) else {
+            let is_of_case = ["vehicle.", "contact."].iter().any(|start| header.name.starts_with(start));
+            return if is_of_case { Err(unknown(&header.name)) } else { Ok(None) };
+        };
+        let conversion = match (&header.unit, key) {
+            (None, _) => None,
+            (Some(unit), Key::Parameter(parameter)) => Some(Conversion::of(unit, parameter.kind()).map_err(|error| {
+                let issue = Issue::at("invalid-unit", header.name.clone(), error.message);
+                Issue { help: error.help.map(Into::into), ..issue }
+            })?),
+            (Some(unit), _) => {
+                let message = format!("this column has words, and no unit; found {}", excerpt(unit));
+                return Err(Issue::at("invalid-unit", header.name.clone(), message));
+            }
+        };
+        Ok(Some(InputColumn { place, key, limits: key.domain().limits(), conversion }))
+    }
+
+    /// Returns a number of the table in SI.
+    #[inline]
+    fn to_si(&self, number: f64) -> f64 {
+        self.conversion.map_or(number, |conversion| conversion.to_si(number))
+    }
+
+    /// Returns `true` for a number that a case file accepts, which is finite.
+    #[inline(always)]
+    pub(super) fn accepts(&self, number: f64) -> bool {
+        self.limits[0] <= number && number <= self.limits[1]
+    }
+
+    /// Reads a text cell.
+    pub fn of_text(&self, text: &str) -> Cell {
+        let text = text.trim();
+        if text.is_empty() {
+            return Cell::Empty;
+        }
+        match (self.key, text) {
+            (Key::Barrier(_), "true") => Cell::Number(1.0),
+            (Key::Barrier(_), "false") => Cell::Number(0.0),
+            (Key::Law, "brach") => Cell::Number(0.0),
+            (Key::Law, "kudlich-slibar") => Cell::Number(1.0),
+            (Key::Barrier(_) | Key::Law, _) => Cell::Unreadable,
+            (Key::Parameter(Parameter::Input(planar_impact::Input::ImpulseRatio)), "critical") => Cell::Critical,
+            (Key::Parameter(_), _) => text.parse().map_or(Cell::Unreadable, |number| Cell::Number(self.to_si(number))),
+        }
+    }
+
+    /// Reads a number of the table.
+    pub fn of_number(&self, number: f64) -> Cell {
+        if matches!(self.key, Key::Parameter(_)) { Cell::Number(self.to_si(number)) } else { Cell::Unreadable }
+    }
+
+    /// Reads a truth value of the table.
+    pub fn of_truth(&self, is_true: bool) -> Cell {
+        if matches!(self.key, Key::Barrier(_)) { Cell::Number(f64::from(u8::from(is_true))) } else { Cell::Unreadable }
+    }
+
+    /// Reads numbers of the table, without a copy where they are in SI.
+    pub fn of_numbers<'a>(&self, numbers: &'a [f64]) -> Column<'a> {
+        match (self.key, self.conversion) {
+            (Key::Parameter(_), None) => Column::Numbers(Cow::Borrowed(numbers)),
+            (Key::Parameter(_), Some(_)) => Column::Numbers(numbers.iter().map(|number| self.to_si(*number)).collect()),
+            _ => Column::Cells(numbers.iter().map(|number| self.of_number(*number)).collect()),
+        }
+    }
+}
+
+/// Returns the law of a cell that gives one.
+pub(super) fn law_of(number: f64) -> Law {
+    if number == 0.0 { Law::Brach } else { Law::KudlichSlibar }
+}
+
+fn unknown(name: &str) -> Issue {
+    let of_vehicles = [Side::One, Side::Two].into_iter().flat_map(|side| {
+        let others = [Parameter::Speed(side), Parameter::RadiusOfGyration(side)].map(Key::Parameter);
+        others.into_iter().chain([Key::Barrier(side)])
+    });
+    let of_contact = [Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical].map(Key::Parameter);
+    let inputs = planar_impact::Input::ALL.into_iter().map(|input| Key::Parameter(Parameter::Input(input)));
+    let known: Vec<String> = inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law]).map(|key| key.to_string()).collect();
+    let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
+    match nearest(name, known.iter().map(String::as_str)) {
+        Some(meant) => issue.with_help(format!("did you mean `{meant}`?")),
+        None => issue.with_help("rename the column, so that it passes through"),
+    }
+}

@@ -1,0 +1,28 @@
+//! The header of a column: its name, and its unit in brackets.
+
+/// What stands above a column, such as `vehicle.1.speed [mph]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Header {
+    /// The name.
+    pub name: String,
+    /// The unit; without one the numbers are in SI.
+    pub unit: Option<String>,
+}
+
+impl Header {
+    /// Separates the name from the unit.
+    ///
+    /// ```
+    /// use planar_impact_app::batch::Header;
+    /// let header = Header::read("vehicle.1.speed [mph]");
+    /// assert_eq!((header.name.as_str(), header.unit.as_deref()), ("vehicle.1.speed", Some("mph")));
+    /// assert_eq!(Header::read("site").unit, None);
+    /// ```
+    pub fn read(text: &str) -> Header {
+        let bracketed = text.trim().strip_suffix(']').and_then(|text| text.rsplit_once('['));
+        match bracketed {
+            Some((name, unit)) => Header { name: name.trim().to_owned(), unit: Some(unit.trim().to_owned()) },
+            None => Header { name: text.trim().to_owned(), unit: None },
+        }
+    }
+}

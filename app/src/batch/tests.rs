@@ -1,0 +1,524 @@
+//! Each row is the case file that it stands for.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::*;
+use crate::control::Uncontrolled;
+use crate::gradient::{self, Selection};
+use crate::source::Source;
+
+/// One row as cells, and as the keys of a case file.
+#[derive(Clone, Default)]
+struct Written {
+    cells: Vec<(&'static str, String)>,
+    vehicles: [String; 2],
+    contact: String,
+}
+
+impl Written {
+    fn set(&mut self, name: &'static str, text: String) {
+        self.cells.push((name, text));
+    }
+
+    fn case(&self) -> String {
+        let [one, two] = &self.vehicles;
+        format!("schema = 1\n[[vehicle]]\n{one}\n[[vehicle]]\n{two}\n[contact]\n{}\n", self.contact)
+    }
+}
+
+const NAMES: [&str; 30] = [
+    "vehicle.1.mass",
+    "vehicle.1.yaw_inertia",
+    "vehicle.1.radius_of_gyration",
+    "vehicle.1.heading",
+    "vehicle.1.speed",
+    "vehicle.1.velocity.x",
+    "vehicle.1.velocity.y",
+    "vehicle.1.yaw_rate",
+    "vehicle.1.impact_center.forward",
+    "vehicle.1.impact_center.left",
+    "vehicle.1.barrier",
+    "vehicle.2.mass",
+    "vehicle.2.yaw_inertia",
+    "vehicle.2.radius_of_gyration",
+    "vehicle.2.heading",
+    "vehicle.2.speed",
+    "vehicle.2.velocity.x",
+    "vehicle.2.velocity.y",
+    "vehicle.2.yaw_rate",
+    "vehicle.2.impact_center.forward",
+    "vehicle.2.impact_center.left",
+    "vehicle.2.barrier",
+    "contact.crush_plane",
+    "contact.restitution",
+    "contact.impulse_ratio",
+    "contact.impulse_ratio.of_critical",
+    "contact.friction",
+    "contact.tangential_law",
+    "contact.moment",
+    "contact.moment.of_critical",
+];
+
+fn name(of: &str) -> &'static str {
+    NAMES.into_iter().find(|name| *name == of).unwrap_or_else(|| panic!("{of}"))
+}
+
+/// Draws a row in every form that a case file has.
+fn drawn(rng: &mut ChaCha8Rng) -> Written {
+    let mut row = Written::default();
+    let barrier = rng.random_ratio(1, 6);
+    for side in [1, 2] {
+        let mut keys = String::new();
+        let mut key = |name_of: &str, text: String, keys: &mut String, as_key: &str| {
+            row.set(name(&format!("vehicle.{side}.{name_of}")), text.clone());
+            *keys += &format!("{as_key} = {text}\n");
+        };
+        if side == 2 && barrier {
+            key("barrier", "true".to_owned(), &mut keys, "barrier");
+            row.vehicles[1] = keys;
+            continue;
+        }
+        let number = |x: f64| format!("{x:?}");
+        key("mass", number(rng.random_range(900.0..2500.0)), &mut keys, "mass");
+        match rng.random_bool(0.5) {
+            true => key("yaw_inertia", number(rng.random_range(1200.0..4500.0)), &mut keys, "yaw_inertia"),
+            false => key("radius_of_gyration", number(rng.random_range(1.0..1.6)), &mut keys, "radius_of_gyration"),
+        }
+        let heading = rng.random_range(-0.6..0.6) + if side == 2 { 3.0 } else { 0.0 };
+        key("heading", number(heading), &mut keys, "heading");
+        if rng.random_bool(0.5) {
+            key("speed", number(rng.random_range(-3.0..30.0)), &mut keys, "speed");
+        } else {
+            let [x, y] = [rng.random_range(-20.0..20.0), rng.random_range(-8.0..8.0)];
+            row.set(name(&format!("vehicle.{side}.velocity.x")), number(x));
+            row.set(name(&format!("vehicle.{side}.velocity.y")), number(y));
+            keys += &format!("velocity = [{x:?}, {y:?}]\n");
+        }
+        if rng.random_bool(0.7) {
+            let mut key = |name_of: &str, text: String| {
+                row.set(name(&format!("vehicle.{side}.{name_of}")), text.clone());
+                keys += &format!("{name_of} = {text}\n");
+            };
+            key("yaw_rate", number(rng.random_range(-1.0..1.0)));
+        }
+        let [forward, left] = [rng.random_range(1.0..2.5), rng.random_range(-0.9..0.9)];
+        row.set(name(&format!("vehicle.{side}.impact_center.forward")), number(forward));
+        row.set(name(&format!("vehicle.{side}.impact_center.left")), number(left));
+        keys += &format!("impact_center = [{forward:?}, {left:?}]\n");
+        row.vehicles[side - 1] = keys;
+    }
+    let mut contact = |name_of: &str, text: String, as_text: String| {
+        row.set(name(&format!("contact.{name_of}")), text);
+        row.contact += &as_text;
+    };
+    let plain = |key: &str, x: f64| (format!("{x:?}"), format!("{key} = {x:?}\n"));
+    let (text, line) = plain("crush_plane", rng.random_range(-0.5..0.5));
+    contact("crush_plane", text, line);
+    let (text, line) = plain("restitution", rng.random_range(0.0..0.4));
+    contact("restitution", text, line);
+    let x: f64 = rng.random_range(0.0..1.0);
+    match rng.random_range(0..5) {
+        0 => contact("impulse_ratio", "critical".to_owned(), "impulse_ratio = \"critical\"\n".to_owned()),
+        1 => contact("impulse_ratio", format!("{:?}", 0.1 * x), format!("impulse_ratio = {:?}\n", 0.1 * x)),
+        2 => contact("impulse_ratio.of_critical", format!("{x:?}"), format!("impulse_ratio = {{ of_critical = {x:?} }}\n")),
+        3 => contact("friction", format!("{x:?}"), format!("friction = {x:?}\n")),
+        _ => (),
+    }
+    if rng.random_ratio(1, 4) {
+        contact("tangential_law", "kudlich-slibar".to_owned(), "tangential_law = \"kudlich-slibar\"\n".to_owned());
+    }
+    match rng.random_range(0..12) {
+        0 => contact("moment", format!("{:?}", 50.0 * x), format!("moment = {:?}\n", 50.0 * x)),
+        1 => contact("moment.of_critical", format!("{x:?}"), format!("moment = {{ of_critical = {x:?} }}\n")),
+        _ => (),
+    }
+    row
+}
+
+fn parse(text: String) -> Result<Case, Issues> {
+    Case::parse(Source { name: "row.toml".to_owned(), text })
+}
+
+fn plan(names: &[&str], base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
+    Plan::of(&names.iter().map(|name| Header::read(name)).collect::<Vec<_>>(), base, options)
+}
+
+fn cells<'a>(plan: &Plan, names: &[&str], rows: impl Iterator<Item = &'a Written> + Clone) -> Vec<Column<'static>> {
+    let of = |column: &InputColumn| {
+        let name = names[column.place];
+        let text = |row: &Written| row.cells.iter().find(|(of, _)| *of == name).map_or("", |(_, text)| text).to_owned();
+        Column::Cells(rows.clone().map(|row| column.of_text(&text(row))).collect())
+    };
+    plan.inputs().iter().map(of).collect()
+}
+
+fn named(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+#[test]
+fn every_row_is_the_case_file_that_it_stands_for() {
+    let mut rng = ChaCha8Rng::seed_from_u64(14);
+    // More than one stretch of rows, and a last one that is not whole.
+    let rows: Vec<Written> = (0..5000).map(|_| drawn(&mut rng)).collect();
+    let plan = plan(&NAMES, None, &Options::default()).expect("a plan");
+    let answer = plan.solve(&Table { rows: rows.len(), columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
+    let mut refused = answer.refused.iter().peekable();
+    let mut solved = 0;
+    for (i, row) in rows.iter().enumerate() {
+        let case = parse(row.case()).unwrap_or_else(|issues| panic!("{}: {issues}", row.case()));
+        match case.setup.solve() {
+            Ok(outputs) => {
+                solved += 1;
+                assert!(refused.peek().is_none_or(|refused| refused.row != i), "row {i}: {:?}\n{}", refused.peek(), row.case());
+                for (k, output) in plan.outputs().iter().enumerate() {
+                    let alone = outputs.get(*output).map(|value| value + 0.0).expect("an output of every case");
+                    assert_eq!(answer.outputs[k][i].to_bits(), alone.to_bits(), "{output} of row {i}:\n{}", row.case());
+                }
+            }
+            Err(refusals) => {
+                let refused = refused.next().unwrap_or_else(|| panic!("row {i} is refused: {refusals}\n{}", row.case()));
+                assert_eq!(
+                    (refused.row, refused.codes.as_str(), refused.is_of_input),
+                    (i, crate::wording::codes(&refusals).as_str(), false)
+                );
+                assert!(answer.outputs.iter().all(|column| column[i].is_nan()), "row {i}");
+            }
+        }
+    }
+    assert_eq!(refused.next(), None);
+    assert!((2000..4900).contains(&solved), "{solved} of {} rows are solved", rows.len());
+}
+
+#[test]
+fn empty_cells_are_those_of_the_case() {
+    let mut rng = ChaCha8Rng::seed_from_u64(15);
+    for _ in 0..200 {
+        let (row, base) = (drawn(&mut rng), drawn(&mut rng));
+        let Ok(case) = parse(base.case()) else { panic!("{}", base.case()) };
+        let plan = match plan(&NAMES, Some(&case), &Options { of: named(&["T_L", "V1x", "dV2"]), ..Options::default() }) {
+            Ok(plan) => plan,
+            Err(issues) => panic!("{issues}"),
+        };
+        // The first row is empty; the second gives everything, and so nothing of the case is left but a ratio, a law and a moment.
+        let rows = [Written::default(), row.clone()];
+        let answer = plan.solve(&Table { rows: 2, columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
+        let found = |i: usize| answer.refused.iter().find(|refused| refused.row == i);
+        match (case.setup.solve(), found(0)) {
+            (Ok(outputs), None) => {
+                let alone = |k: usize| outputs.get(plan.outputs()[k]).map(|value| value + 0.0);
+                (0..3).for_each(|k| assert_eq!(Some(answer.outputs[k][0]), alone(k), "{}", base.case()));
+            }
+            (Err(refusals), Some(refused)) => assert_eq!(refused.codes, crate::wording::codes(&refusals)),
+            (alone, refused) => panic!("{alone:?} {refused:?}\n{}", base.case()),
+        }
+        let barriers = |row: &Written| row.vehicles[1].starts_with("barrier");
+        if barriers(&base) && !barriers(&row) {
+            // Nothing says that this row is not of the barrier.
+            assert_eq!(found(1).map(|refused| refused.codes.as_str()), Some("conflict"));
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_the_verb_gradient() {
+    let mut rng = ChaCha8Rng::seed_from_u64(16);
+    let of = ["W_n", "T_L", "mu0", "dV1", "V2y", "Omega1", "vehicle.1.pdof"];
+    let wrt = [
+        "m1",
+        "I1",
+        "k1",
+        "theta1",
+        "v1",
+        "vehicle.1.velocity.x",
+        "vehicle.1.velocity.y",
+        "omega1",
+        "vehicle.1.impact_center.left",
+        "m2",
+        "k2",
+        "theta2",
+        "v2",
+        "Gamma",
+        "e",
+        "mu",
+        "contact.friction",
+        "contact.impulse_ratio.of_critical",
+        "contact.moment",
+        "contact.moment.of_critical",
+    ];
+    let options = Options { of: named(&of), wrt: named(&wrt), check: true };
+    let plan = plan(&NAMES, None, &options).expect("a plan");
+    let rows: Vec<Written> = (0..400).map(|_| drawn(&mut rng)).collect();
+    let answer = plan.solve(&Table { rows: rows.len(), columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
+    let (mut compared, mut absent) = (0, 0);
+    for (i, row) in rows.iter().enumerate() {
+        let case = parse(row.case()).expect("a case");
+        if answer.refused.iter().any(|refused| refused.row == i) {
+            assert!(answer.derivatives.iter().all(|column| column[i].is_nan()));
+            continue;
+        }
+        assert_eq!(answer.check.as_ref().map(|check| check[i].clone()), Some(None), "row {i}");
+        for (k, by) in plan.wrt().iter().enumerate() {
+            let has = case.inputs.value(*by).is_ok() || *by == Parameter::Input(Input::ImpulseRatio);
+            let gradient = has.then(|| {
+                let selected = |names: &[String]| Selection::Named(names.to_vec());
+                let options = gradient::Options { of: selected(&named(&of)), wrt: selected(&[by.to_string()]), second: false };
+                gradient::gradient(&case, &options, &Uncontrolled).expect("a gradient")
+            });
+            for (j, output) in plan.outputs().iter().enumerate() {
+                let found = answer.derivatives[j * wrt.len() + k][i];
+                let Some(expected) =
+                    gradient.as_ref().and_then(|gradient| gradient.of.get(&output.to_string())?.d.get(&by.to_string()).copied())
+                else {
+                    absent += 1;
+                    assert!(found.is_nan(), "d {output} / d {by} in row {i}: {found}\n{}", row.case());
+                    continue;
+                };
+                compared += 1;
+                let scale = gradient.as_ref().map_or(1.0, |gradient| gradient.scale(*output)).max(expected.abs());
+                assert!((found - expected).abs() <= 1e-11 * scale, "d {output} / d {by} in row {i}: {found} {expected}\n{}", row.case());
+            }
+        }
+    }
+    assert!(compared > 15_000 && absent > 2000, "{compared} derivatives compared, {absent} absent");
+}
+
+#[test]
+fn a_derivative_beyond_every_float_leaves_the_others() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let options = Options { of: named(&["T_L", "contact.separation.normal"]), wrt: named(&["e", "v1"]), check: false };
+    let plan = plan(&["vehicle.1.mass", "vehicle.1.speed", "contact.restitution"], Some(&case), &options).expect("a plan");
+    // The energy is just within reach, and its derivative by e is 1.8 times as great.
+    let column = |numbers: [f64; 2]| Column::Cells(numbers.map(Cell::Number).to_vec());
+    let columns = vec![column([1500.0, 1500.0]), column([4.5e152, 15.0]), column([0.9, 0.9])];
+    let answer = plan.solve(&Table { rows: 2, columns, unreadable: Vec::new() });
+    assert!(answer.refused.is_empty(), "{:?}", answer.refused);
+    assert!(answer.outputs.iter().flatten().all(|value| value.is_finite()));
+    let is_there: Vec<Vec<bool>> = answer.derivatives.iter().map(|column| column.iter().map(|slope| slope.is_finite()).collect()).collect();
+    assert_eq!(is_there, [[false, true], [true, true], [true, true], [true, true]]);
+    let by_e = &answer.derivatives[2];
+    assert!((by_e[0] / by_e[1] - 4.5e152 / 15.0).abs() < 1e-9 * (4.5e152 / 15.0), "{by_e:?}");
+}
+
+const CRUSHED: &str = r#"
+schema = 1
+[[vehicle]]
+mass = "1400 kg"
+yaw_inertia = "2400 kg m^2"
+heading = 0
+speed = "15 m/s"
+impact_center = ["1.9 m", "0.2 m"]
+[vehicle.crush]
+width = "1.5 m"
+depths = ["0.1 m", "0.3 m", "0.2 m"]
+stiffness = { d0 = "90 N^0.5", d1 = "1000 N^0.5/m" }
+[[vehicle]]
+barrier = true
+[contact]
+crush_plane = 0
+restitution = 0.1
+"#;
+
+#[test]
+fn a_crush_is_that_of_the_case_with_the_numbers_of_the_row() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let names = ["vehicle.1.crush.depths.2", "vehicle.1.mass", "vehicle.1.crush.width"];
+    let options = Options { wrt: named(&["vehicle.1.crush.depths.2", "m1", "v1"]), ..Options::default() };
+    let plan = plan(&names, Some(&case), &options).expect("a plan");
+    assert!(plan.outputs().contains(&CaseOutput::CrushEnergy(Side::One)), "every output of `solve`");
+    let columns = vec![
+        Column::Cells(vec![Cell::Number(0.5), Cell::Empty, Cell::Number(-0.1), Cell::Unreadable, Cell::Empty]),
+        Column::Cells(vec![Cell::Empty, Cell::Number(1200.0), Cell::Empty, Cell::Empty, Cell::Empty]),
+        Column::Cells(vec![Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Number(0.0)]),
+    ];
+    let answer = plan.solve(&Table { rows: 5, columns, unreadable: Vec::new() });
+    let codes: Vec<_> = answer.refused.iter().map(|refused| (refused.row, refused.codes.as_str(), refused.is_of_input)).collect();
+    assert_eq!(codes, [(2, "out-of-range", true), (3, "unreadable", true), (4, "not-positive", true)]);
+    let depth = Parameter::named("vehicle.1.crush.depths.2").expect("a parameter");
+    for (row, changed) in [(0, (depth, 0.5)), (1, (Parameter::Input(Input::Mass(Side::One)), 1200.0))] {
+        let alone = case.with(&[changed]);
+        let outputs = alone.setup.solve().expect("it is solved");
+        let gradient = gradient::gradient(&alone, &gradient::Options::default(), &Uncontrolled).expect("a gradient");
+        for (j, output) in plan.outputs().iter().enumerate() {
+            let expected = outputs.get(*output).map(|value| value + 0.0).expect("an output");
+            assert_eq!(answer.outputs[j][row].to_bits(), expected.to_bits(), "{output}");
+            for (k, by) in plan.wrt().iter().enumerate() {
+                let found = answer.derivatives[j * 3 + k][row];
+                let expected = *gradient.of.get(&output.to_string()).and_then(|of| of.d.get(&by.to_string())).expect("a derivative");
+                let scale = gradient.scale(*output).max(expected.abs());
+                assert!((found - expected).abs() <= 1e-11 * scale, "d {output} / d {by}: {found} {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_row_it_says() {
+    let mut rng = ChaCha8Rng::seed_from_u64(17);
+    let good = std::iter::repeat_with(|| drawn(&mut rng))
+        .find(|row| {
+            row.cells.iter().any(|(name, _)| *name == "vehicle.2.speed") && row.cells.iter().any(|(name, _)| *name == "contact.friction")
+        })
+        .expect("there is one");
+    let with = |name_of: &str, text: &str| {
+        let mut row = good.clone();
+        row.cells.retain(|(name, _)| *name != name_of);
+        row.set(name(name_of), text.to_owned());
+        row
+    };
+    let rows = [
+        with("vehicle.1.mass", "abc"),
+        with("vehicle.1.mass", ""),
+        with("vehicle.2.speed", ""),
+        with("vehicle.2.velocity.y", "1"),
+        with("contact.impulse_ratio", "critical"),
+        with("vehicle.2.barrier", "true"),
+        with("vehicle.2.barrier", "perhaps"),
+        with("contact.tangential_law", "none"),
+        with("contact.restitution", "critical"),
+        with("vehicle.1.mass", "-5"),
+        with("vehicle.1.mass", "nan"),
+        with("vehicle.1.mass", "1e999"),
+        with("contact.restitution", "1.5"),
+        good.clone(),
+    ];
+    let plan = plan(&NAMES, None, &Options::default()).expect("a plan");
+    let answer = plan.solve(&Table { rows: rows.len(), columns: cells(&plan, &NAMES, rows.iter()), unreadable: vec![13] });
+    let said: Vec<(&str, String)> =
+        answer.refused.iter().map(|refused| (refused.codes.as_str(), crate::units::Units::Si.sentence(&refused.reason))).collect();
+    let expected = [
+        ("unreadable", "vehicle.1.mass cannot be read"),
+        ("missing-key", "vehicle.1.mass is missing"),
+        ("missing-key", "vehicle.2.speed is missing"),
+        ("conflict", "vehicle.2.speed and vehicle.2.velocity.y exclude each other"),
+        ("conflict", "contact.impulse_ratio and contact.friction exclude each other"),
+        ("conflict", "vehicle.2.barrier and vehicle.2.mass exclude each other"),
+        ("unreadable", "vehicle.2.barrier cannot be read"),
+        ("unreadable", "contact.tangential_law cannot be read"),
+        ("unreadable", "contact.restitution cannot be read"),
+        ("not-positive", "vehicle.1.mass is -5.0 kg; it must be above zero"),
+        ("not-finite", "vehicle.1.mass is not finite: NaN"),
+        ("not-finite", "vehicle.1.mass is not finite: inf"),
+        ("out-of-range", "contact.restitution is 1.5; it must be from 0 to 1"),
+        ("unreadable", "the row cannot be read"),
+    ];
+    for (i, ((codes, reason), (code, sentence))) in said.iter().zip(expected).enumerate() {
+        assert!(codes.split(';').any(|found| found == code) && reason.contains(sentence), "row {i}: {codes}: {reason}");
+        assert!(answer.refused[i].is_of_input && answer.refused[i].row == i);
+    }
+    assert_eq!(said.len(), expected.len());
+}
+
+#[test]
+fn a_number_that_a_case_file_refuses_is_refused() {
+    let line = |name: &str, number: f64| match name {
+        "vehicle.1.radius_of_gyration" => CRUSHED.replace("yaw_inertia = \"2400 kg m^2\"", &format!("radius_of_gyration = {number:?}")),
+        "vehicle.1.crush.width" => CRUSHED.replace("\"1.5 m\"", &format!("{number:?}")),
+        "vehicle.1.crush.depths.1" => CRUSHED.replace("\"0.1 m\"", &format!("{number:?}")),
+        "vehicle.1.crush.d0" => CRUSHED.replace("\"90 N^0.5\"", &format!("{number:?}")),
+        "vehicle.1.crush.d1" => CRUSHED.replace("\"1000 N^0.5/m\"", &format!("{number:?}")),
+        "contact.impulse_ratio.of_critical" => format!("{CRUSHED}impulse_ratio = {{ of_critical = {number:?} }}\n"),
+        "contact.moment.of_critical" => format!("{CRUSHED}moment = {{ of_critical = {number:?} }}\n"),
+        "contact.restitution" => CRUSHED.replace("restitution = 0.1", &format!("restitution = {number:?}")),
+        _ => format!("{CRUSHED}{} = {number:?}\n", name.trim_start_matches("contact.")),
+    };
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let names = [
+        "vehicle.1.radius_of_gyration",
+        "vehicle.1.crush.width",
+        "vehicle.1.crush.depths.1",
+        "vehicle.1.crush.d0",
+        "vehicle.1.crush.d1",
+        "contact.impulse_ratio.of_critical",
+        "contact.moment.of_critical",
+        "contact.restitution",
+        "contact.friction",
+        "contact.moment",
+    ];
+    let mut refused = 0;
+    for name in names {
+        for number in [-1.3, -0.0, 0.0, 0.4, 1.0, 1.7] {
+            let plan = plan(&[name], Some(&case), &Options::default()).expect("a plan");
+            let answer = plan.solve(&Table { rows: 1, columns: vec![Column::Cells(vec![Cell::Number(number)])], unreadable: Vec::new() });
+            let alone = parse(line(name, number)).and_then(|case| match case.setup.crush[0].as_ref().and_then(crate::case::Crush::unfit) {
+                Some(unfit) => Err(Issues::defect(unfit)),
+                None => case.impact(),
+            });
+            refused += usize::from(alone.is_err());
+            assert_eq!(answer.refused.is_empty(), alone.is_ok(), "{name} = {number}: {:?} {alone:?}", answer.refused);
+        }
+    }
+    assert!((10..50).contains(&refused), "{refused}");
+}
+
+#[test]
+fn what_is_wrong_with_the_columns_is_said_at_once() {
+    let wrong = |names: &[&str], base: Option<&Case>, options: &Options| -> Vec<(String, &'static str)> {
+        match plan(names, base, options) {
+            Ok(_) => Vec::new(),
+            Err(issues) => issues.list().iter().map(|issue| (issue.path.clone(), issue.code)).collect(),
+        }
+    };
+    let at = |path: &str, code: &'static str| (path.to_owned(), code);
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let all = Options::default();
+    let names =
+        ["vehicle.1.sped [mph]", "vehicle.1.mass [m]", "vehicle.1.mass", "vehicle.3.mass", "contact.tangential_law [m]", "site", "m1"];
+    let found = wrong(&names, Some(&case), &all);
+    for expected in [
+        at("vehicle.1.sped", "unknown-column"),
+        at("vehicle.1.mass", "invalid-unit"),
+        at("vehicle.3.mass", "unknown-column"),
+        at("contact.tangential_law", "invalid-unit"),
+    ] {
+        assert!(found.contains(&expected), "{expected:?} in {found:?}");
+    }
+    assert_eq!(wrong(&["vehicle.1.mass", "vehicle.1.mass [lb]"], Some(&case), &all), [at("vehicle.1.mass", "repeated-column")]);
+    assert_eq!(wrong(&["vehicle.2.mass"], Some(&case), &all), [at("vehicle.2.barrier", "conflict")]);
+    assert_eq!(wrong(&["vehicle.1.crush.depths.9"], Some(&case), &all), [at("vehicle.1.crush.depths.9", "not-in-case")]);
+    assert_eq!(
+        wrong(&["energy.loss", "refusal", "result.energy.loss"], Some(&case), &all),
+        [at("energy.loss", "repeated-column"), at("refusal", "repeated-column"),]
+    );
+    assert_eq!(wrong(&["energy.loss"], Some(&case), &Options { of: named(&["W_n"]), ..all.clone() }), []);
+    let options = Options { of: named(&["T_X", "m1"]), wrt: named(&["T_L", "contact.friction"]), check: false };
+    assert_eq!(
+        wrong(&["vehicle.1.mass"], Some(&case), &options),
+        [at("--of T_X", "call"), at("--of m1", "call"), at("--wrt T_L", "call"), at("--wrt contact.friction", "call"),]
+    );
+    let missing: Vec<String> = wrong(&["vehicle.1.mass"], None, &all).into_iter().map(|(path, _)| path).collect();
+    let of_vehicle =
+        ["yaw_inertia", "heading", "speed", "impact_center.forward", "impact_center.left"].map(|key| format!("vehicle.1.{key}"));
+    let others = ["vehicle.2", "contact.crush_plane", "contact.restitution"].map(str::to_owned);
+    assert_eq!(missing, of_vehicle.into_iter().chain(others).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_number_has_the_unit_of_its_column() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let plan = plan(&["vehicle.1.speed [mph]"], Some(&case), &Options { of: named(&["T_L"]), ..Options::default() }).expect("a plan");
+    let column = &plan.inputs()[0];
+    let Cell::Number(speed) = column.of_text(" 40 ") else { panic!("a number") };
+    let read = crate::quantity::parse("40 mph", Parameter::Speed(Side::One).kind()).expect("a speed").si;
+    assert_eq!(speed.to_bits(), read.to_bits());
+    assert_eq!(column.of_number(40.0), Cell::Number(read));
+    assert!(matches!(column.of_numbers(&[40.0]), Column::Numbers(speeds) if speeds[0] == read));
+    assert_eq!((column.of_truth(true), column.of_text("40 mph")), (Cell::Unreadable, Cell::Unreadable));
+    assert_eq!(plan.names(), ["energy.loss", "refusal"]);
+}
+
+#[test]
+fn unknowns_of_a_case_are_supplied_by_columns() {
+    let text = CRUSHED.replace("speed = \"15 m/s\"\n", "")
+        + "[unknown]\n\"vehicle.1.speed\" = { start = 12, min = 5, max = 30 }\n[evidence]\n\"energy.loss\" = \"100 kJ ± 1 kJ\"\n";
+    let case = parse(text).unwrap_or_else(|issues| panic!("{issues}"));
+    let of_loss = Options { of: named(&["T_L"]), ..Options::default() };
+    let missing = plan(&["vehicle.1.mass"], Some(&case), &of_loss).expect_err("nothing gives the speed");
+    assert_eq!(missing.list()[0].path, "vehicle.1.speed");
+    let plan = plan(&["vehicle.1.speed"], Some(&case), &of_loss).expect("a plan");
+    let columns = vec![Column::Cells(vec![Cell::Number(15.0), Cell::Empty])];
+    let answer = plan.solve(&Table { rows: 2, columns, unreadable: Vec::new() });
+    assert!(answer.outputs[0][0] > 0.0);
+    assert_eq!(answer.refused.iter().map(|refused| refused.codes.as_str()).collect::<Vec<_>>(), ["missing-key"]);
+}

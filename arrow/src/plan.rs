@@ -1,0 +1,142 @@
+//! From the schema of a table to that of its answer.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, RecordBatch};
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use planar_impact_app::batch::{self, Header, InputColumn, Options, Refused, Table};
+use planar_impact_app::quantity::Kind;
+use planar_impact_app::{Case, Issue, Issues};
+
+use crate::{answer, cells};
+
+/// The key of a field's metadata that names its unit.
+pub const UNIT: &str = "unit";
+
+/// What is computed from every record batch of a schema.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    plan: batch::Plan,
+    input: SchemaRef,
+    output: SchemaRef,
+    /// Whether an input that is text becomes a number in the answer.
+    is_typed: bool,
+}
+
+/// The answer to a record batch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// The columns of the table, and those that are added.
+    pub batch: RecordBatch,
+    /// The rows that are refused, in order.
+    pub refused: Vec<Refused>,
+}
+
+impl Plan {
+    /// Reads the schema of a table, with the case that supplies what no column has, and the question.
+    ///
+    /// # Errors
+    ///
+    /// Every column and name that is wrong.
+    pub fn of(schema: &SchemaRef, base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
+        let mut issues = Vec::new();
+        let headers: Vec<Header> = schema.fields().iter().map(|field| header(field, &mut issues)).collect();
+        let plan = match batch::Plan::of(&headers, base, options) {
+            Ok(plan) => Some(plan),
+            Err(found) => {
+                issues.extend_from_slice(found.list());
+                None
+            }
+        };
+        for column in plan.iter().flat_map(batch::Plan::inputs) {
+            let field = schema.field(column.place);
+            if !cells::is_readable(field.data_type()) {
+                let message = format!("an input is a number or text; this column is {}", field.data_type());
+                issues.push(Issue::at("wrong-type", column.key.to_string(), message));
+            }
+        }
+        let Some(plan) = plan.filter(|_| issues.is_empty()) else { return Err(Issues::of_call(issues)) };
+        let mut plan = Plan { plan, input: schema.clone(), output: schema.clone(), is_typed: false };
+        plan.output = plan.negotiate();
+        Ok(plan)
+    }
+
+    /// Returns the same plan, in whose answer an input that the table has as text is a number; null where it is not.
+    #[must_use]
+    pub fn with_numbers(self) -> Plan {
+        let typed = Plan { is_typed: true, ..self };
+        Plan { output: typed.negotiate(), ..typed }
+    }
+
+    /// Returns the schema of every answer: the columns of the table; a column for each output, each derivative, and the check if there is one; `refusal`.
+    pub fn schema(&self) -> SchemaRef {
+        self.output.clone()
+    }
+
+    /// Solves every row of a record batch.
+    ///
+    /// # Errors
+    ///
+    /// [`ArrowError::SchemaError`] if the record batch has another schema than that of the plan.
+    pub fn solve(&self, batch: &RecordBatch) -> Result<RecordBatch, ArrowError> {
+        self.solve_with(batch, Vec::new()).map(|solved| solved.batch)
+    }
+
+    /// Solves every row of a record batch, but for those that could not be read, and says why rows are refused.
+    ///
+    /// # Errors
+    ///
+    /// [`ArrowError::SchemaError`] if the record batch has another schema than that of the plan.
+    pub fn solve_with(&self, batch: &RecordBatch, unreadable: Vec<usize>) -> Result<Solved, ArrowError> {
+        if batch.schema_ref().fields() != self.input.fields() {
+            return Err(ArrowError::SchemaError(format!("a record batch of {} for a plan of {}", batch.schema_ref(), self.input)));
+        }
+        let columns = self.plan.inputs().iter().map(|column| cells::read(column, batch.column(column.place)));
+        let columns: Vec<_> = columns.collect::<Result<_, _>>()?;
+        let table = Table { rows: batch.num_rows(), columns, unreadable };
+        let answer = self.plan.solve(&table);
+        let mut arrays: Vec<ArrayRef> = batch.columns().to_vec();
+        for column in self.plan.inputs().iter().filter(|column| self.becomes_number(column)) {
+            arrays[column.place] = cells::numbers(&arrays[column.place])?;
+        }
+        let (added, refused) = answer::arrays(answer, batch.num_rows());
+        arrays.extend(added);
+        Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused })
+    }
+
+    fn becomes_number(&self, column: &InputColumn) -> bool {
+        self.is_typed && column.key.is_numeric() && cells::is_text(self.input.field(column.place).data_type())
+    }
+
+    fn negotiate(&self) -> SchemaRef {
+        let mut fields: Vec<Arc<Field>> = self.input.fields().iter().cloned().collect();
+        for column in self.plan.inputs().iter().filter(|column| self.becomes_number(column)) {
+            let field = &mut fields[column.place];
+            *field = Arc::new(field.as_ref().clone().with_data_type(DataType::Float64).with_nullable(true));
+        }
+        let names = self.plan.names();
+        let outputs = self.plan.outputs().len();
+        let numbers = outputs * (1 + self.plan.wrt().len());
+        for (i, name) in names.into_iter().enumerate() {
+            let data_type = if i < numbers { DataType::Float64 } else { DataType::Utf8 };
+            let unit = self.plan.outputs().get(i).map(|output| Kind::from(output.measure()).si).filter(|unit| !unit.is_empty());
+            let metadata: HashMap<_, _> = unit.map(|unit| (UNIT.to_owned(), unit.to_owned())).into_iter().collect();
+            fields.push(Arc::new(Field::new(name, data_type, true).with_metadata(metadata)));
+        }
+        Arc::new(Schema::new_with_metadata(fields, self.input.metadata().clone()))
+    }
+}
+
+fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {
+    let header = Header::read(field.name());
+    match (&header.unit, field.metadata().get(UNIT)) {
+        (Some(bracketed), Some(unit)) if bracketed != unit => {
+            let message = format!("the name has the unit {bracketed}, and the metadata {unit}; keep one");
+            issues.push(Issue::at("invalid-unit", header.name.clone(), message));
+            header
+        }
+        (None, Some(unit)) => Header { unit: Some(unit.clone()), ..header },
+        _ => header,
+    }
+}

@@ -1,0 +1,138 @@
+//! The verb `batch`: reads tables part by part, solves them on several threads and writes one table, in memory that does not grow with their length.
+
+mod format;
+mod in_order;
+mod progress;
+mod sink;
+mod source;
+
+use std::io;
+use std::thread::available_parallelism;
+
+use arrow_schema::{ArrowError, SchemaRef};
+use planar_impact_app::batch::{Header, Refused};
+use planar_impact_app::{Cause, Issue, Issues, Units};
+use planar_impact_arrow::{Options, Plan};
+
+use crate::arguments::Batch;
+use crate::exit::{Failure, Status};
+use crate::output::CommandOutput;
+use crate::{interrupt, verbs};
+use format::Format;
+use in_order::in_order;
+use progress::Progress;
+use sink::{Encoded, Sink};
+use source::{Part, Source};
+
+/// Solves every row of every table.
+///
+/// # Errors
+///
+/// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
+pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
+    let format = Format::of(&call.output)?;
+    let rows = rows_of_a_part(format);
+    let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
+    let mut sources = open(call, rows)?;
+    let schema = sources[0].schema().clone();
+    let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check };
+    let plan = Plan::of(&schema, base.as_ref(), &options)?;
+    let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
+    let (mut sink, encoder) = Sink::create(&call.output, format, &plan.schema(), &headers(&schema, &plan)).map_err(Failure::Output)?;
+    interrupt::note();
+    let threads = call.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from);
+    let bytes = if sources.iter().any(|source| source.bytes() == 0) { 0 } else { sources.iter().map(Source::bytes).sum() };
+    let (mut progress, mut at) = (Progress::new(bytes), 0);
+    let read = || {
+        if interrupt::is_interrupted() {
+            return Err(Issues::interrupted().into());
+        }
+        while let Some(source) = sources.get_mut(at) {
+            if let Some(part) = source.next(rows)? {
+                let before: u64 = sources[..at].iter().map(Source::bytes).sum();
+                return Ok(Some((part, before + sources[at].position())));
+            }
+            at += 1;
+        }
+        Ok(None)
+    };
+    let work = |(part, position): (Part, u64)| {
+        let rows = part.batch.num_rows();
+        let solved = plan.solve_with(&part.batch, part.unreadable).map_err(of_arrow)?;
+        Ok(Done { rows, refused: solved.refused, encoded: encoder.encode(solved.batch).map_err(Failure::Output)?, position })
+    };
+    let write = |done: Result<Done, Failure>| {
+        let Done { rows, refused, encoded, position } = done?;
+        if let Some(first) = refused.first().filter(|_| call.fail_fast) {
+            return Err(refused_at(progress.rows() + first.row as u64 + 1, first));
+        }
+        progress.add(rows, &refused, position);
+        sink.write(encoded).map_err(Failure::Output)
+    };
+    in_order(threads, read, work, write)?;
+    sink.finish().map_err(Failure::Output)?;
+    let has_refused = progress.finish();
+    Ok(CommandOutput::text(String::new()).with(if has_refused { Status::DoesNotHold } else { Status::Done }))
+}
+
+/// Rows that are solved and written.
+struct Done {
+    rows: usize,
+    refused: Vec<Refused>,
+    encoded: Encoded,
+    position: u64,
+}
+
+/// Returns the number of rows that are solved together: lines of text are long, and row groups should be.
+fn rows_of_a_part(format: Format) -> usize {
+    match format {
+        Format::Csv => 1 << 13,
+        Format::Parquet | Format::Arrow => 1 << 16,
+    }
+}
+
+/// Opens every table, or reports what is wrong with each.
+fn open(call: &Batch, rows: usize) -> Result<Vec<Source>, Issues> {
+    let (mut sources, mut issues): (Vec<Source>, Vec<Issue>) = (Vec::new(), Vec::new());
+    let mut stdin_is_taken = false;
+    for path in &call.files {
+        if path.as_os_str() == "-" && std::mem::replace(&mut stdin_is_taken, true) {
+            issues.push(Issue::of_file("unreadable-file", "standard input can be read only once; `-` stands twice"));
+            continue;
+        }
+        match Source::open(path, rows) {
+            Ok(source) => sources.push(source),
+            Err(found) => issues.extend_from_slice(found.list()),
+        }
+    }
+    if let Some((first, others)) = sources.split_first() {
+        for other in others.iter().filter(|other| other.schema().fields() != first.schema().fields()) {
+            let message =
+                format!("`{}` has other columns than `{}`; tables of one call have the same, in the same order", other.name, first.name);
+            issues.push(Issue::of_file("other-columns", message));
+        }
+    }
+    if issues.is_empty() { Ok(sources) } else { Err(Issues::without_source(Cause::Input, issues)) }
+}
+
+/// Returns the headers of the answer as text: a unit of the table's metadata stands in brackets.
+fn headers(table: &SchemaRef, plan: &Plan) -> Vec<String> {
+    let header = |(i, field): (usize, &std::sync::Arc<arrow_schema::Field>)| match field.metadata().get(planar_impact_arrow::UNIT) {
+        Some(unit) if i < table.fields().len() && Header::read(field.name()).unit.is_none() => format!("{} [{unit}]", field.name()),
+        _ => field.name().clone(),
+    };
+    plan.schema().fields().iter().enumerate().map(header).collect()
+}
+
+fn refused_at(row: u64, refused: &Refused) -> Failure {
+    let cause = if refused.is_of_input { Cause::Input } else { Cause::Physics };
+    let issue = Issue { path: format!("row {row}"), ..Issue::of_file("refused-row", refused.reason.clone()) };
+    Failure::Issues(Issues::without_source(cause, vec![issue]), Units::Si)
+}
+
+fn of_arrow(error: ArrowError) -> Failure {
+    match error {
+        ArrowError::IoError(_, error) => Failure::Output(error),
+        other => Failure::Output(io::Error::other(other)),
+    }
+}

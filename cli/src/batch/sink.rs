@@ -1,0 +1,233 @@
+//! Tables that are written part by part, and appear when they are whole.
+
+use std::fs::Permissions;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use arrow_array::cast::AsArray;
+use arrow_array::types::Float64Type;
+use arrow_array::{Array, RecordBatch};
+use arrow_cast::display::{ArrayFormatter, FormatOptions};
+use arrow_ipc::writer::FileWriter;
+use arrow_schema::{ArrowError, DataType, SchemaRef};
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowRowGroupWriterFactory, compute_leaves};
+use parquet::basic::Compression;
+use parquet::errors::ParquetError;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::ColumnPath;
+use tempfile::NamedTempFile;
+
+use super::format::Format;
+use crate::output;
+
+const BUFFER: usize = 1 << 18;
+
+type File = BufWriter<NamedTempFile>;
+
+/// A table that is being written.
+pub struct Sink {
+    path: PathBuf,
+    rows: Rows,
+}
+
+enum Rows {
+    Stream,
+    Csv(File),
+    Parquet(SerializedFileWriter<File>),
+    Arrow(Box<FileWriter<File>>),
+}
+
+/// Encodes rows on any thread.
+pub enum Encoder {
+    /// As lines of text.
+    Csv,
+    /// As a row group.
+    Parquet(ArrowRowGroupWriterFactory, SchemaRef),
+    /// As they are: the format is that of memory.
+    Arrow,
+}
+
+/// Encoded rows.
+pub enum Encoded {
+    /// Lines of text.
+    Csv(Vec<u8>),
+    /// The columns of a row group.
+    Parquet(Vec<ArrowColumnChunk>),
+    /// The rows themselves.
+    Arrow(RecordBatch),
+}
+
+impl Sink {
+    /// Begins a table, with these headers if it is text; `-` is standard output.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
+    pub fn create(path: &Path, format: Format, schema: &SchemaRef, headers: &[String]) -> io::Result<(Sink, Encoder)> {
+        let (rows, encoder) = if path.as_os_str() == "-" {
+            output::write(&line(headers)?)?;
+            (Rows::Stream, Encoder::Csv)
+        } else {
+            let file = BufWriter::with_capacity(BUFFER, temporary(path)?);
+            match format {
+                Format::Csv => {
+                    let mut file = file;
+                    file.write_all(&line(headers)?)?;
+                    (Rows::Csv(file), Encoder::Csv)
+                }
+                Format::Parquet => {
+                    let writer = ArrowWriter::try_new(file, schema.clone(), Some(properties(schema))).map_err(of_parquet)?;
+                    let (writer, factory) = writer.into_serialized_writer().map_err(of_parquet)?;
+                    (Rows::Parquet(writer), Encoder::Parquet(factory, schema.clone()))
+                }
+                Format::Arrow => (Rows::Arrow(Box::new(FileWriter::try_new(file, schema).map_err(of_arrow)?)), Encoder::Arrow),
+            }
+        };
+        Ok((Sink { path: path.to_owned(), rows }, encoder))
+    }
+
+    /// Appends rows.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
+    pub fn write(&mut self, encoded: Encoded) -> io::Result<()> {
+        match (&mut self.rows, encoded) {
+            (Rows::Stream, Encoded::Csv(lines)) => output::write(&lines),
+            (Rows::Csv(file), Encoded::Csv(lines)) => file.write_all(&lines),
+            (Rows::Parquet(writer), Encoded::Parquet(columns)) => {
+                let append = |writer: &mut SerializedFileWriter<File>| {
+                    let mut group = writer.next_row_group()?;
+                    columns.into_iter().try_for_each(|column| column.append_to_row_group(&mut group))?;
+                    group.close().map(drop)
+                };
+                append(writer).map_err(of_parquet)
+            }
+            (Rows::Arrow(writer), Encoded::Arrow(batch)) => writer.write(&batch).map_err(of_arrow),
+            _ => Err(io::Error::other("rows of another format")),
+        }
+    }
+
+    /// Completes the table, and puts it at its place.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
+    pub fn finish(self) -> io::Result<()> {
+        let file = match self.rows {
+            Rows::Stream => return Ok(()),
+            Rows::Csv(file) => file,
+            Rows::Parquet(writer) => writer.into_inner().map_err(of_parquet)?,
+            Rows::Arrow(mut writer) => {
+                writer.finish().map_err(of_arrow)?;
+                writer.into_inner().map_err(of_arrow)?
+            }
+        };
+        let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
+        file.as_file().sync_all()?;
+        file.persist(&self.path)?;
+        Ok(())
+    }
+}
+
+impl Encoder {
+    /// Encodes rows.
+    ///
+    /// # Errors
+    ///
+    /// If a column is of a type that the format does not have.
+    pub fn encode(&self, batch: RecordBatch) -> io::Result<Encoded> {
+        match self {
+            Encoder::Csv => lines(&batch).map(Encoded::Csv).map_err(of_arrow),
+            Encoder::Parquet(factory, schema) => {
+                let encode = || {
+                    let mut writers = factory.create_column_writers(0)?;
+                    let mut next = writers.iter_mut();
+                    for (field, array) in schema.fields().iter().zip(batch.columns()) {
+                        for leaf in compute_leaves(field, array)? {
+                            next.next().ok_or_else(|| ParquetError::General("a column without a writer".to_owned()))?.write(&leaf)?;
+                        }
+                    }
+                    writers.into_iter().map(|writer| writer.close()).collect::<Result<Vec<_>, ParquetError>>()
+                };
+                encode().map(Encoded::Parquet).map_err(of_parquet)
+            }
+            Encoder::Arrow => Ok(Encoded::Arrow(batch)),
+        }
+    }
+}
+
+/// Creates a file beside the one that it will replace, with the permissions of any new file.
+fn temporary(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".planar-impact-");
+    #[cfg(unix)]
+    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
+/// Numbers in full, since they are seldom equal; words as a list of those that occur.
+fn properties(schema: &SchemaRef) -> WriterProperties {
+    let any = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_created_by(concat!("planar-impact ", env!("CARGO_PKG_VERSION")).to_owned());
+    let numbers = schema.fields().iter().filter(|field| *field.data_type() == DataType::Float64);
+    let path = |name: &str| ColumnPath::new(vec![name.to_owned()]);
+    numbers.fold(any, |any, field| any.set_column_dictionary_enabled(path(field.name()), false)).build()
+}
+
+fn line(headers: &[String]) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(headers)?;
+    writer.into_inner().map_err(|error| error.into_error())
+}
+
+/// Writes rows as lines, each number with as many digits as tell it from every other.
+fn lines(batch: &RecordBatch) -> Result<Vec<u8>, ArrowError> {
+    let options = FormatOptions::default();
+    let cells: Vec<Cells<'_>> = batch
+        .columns()
+        .iter()
+        .map(|column| match column.data_type() {
+            DataType::Float64 => Ok(Cells::Numbers(column.as_primitive::<Float64Type>())),
+            DataType::Utf8 => Ok(Cells::Texts(column.as_string())),
+            _ => ArrayFormatter::try_new(column.as_ref(), &options).map(|formatter| Cells::Others(column.as_ref(), formatter)),
+        })
+        .collect::<Result<_, _>>()?;
+    let mut writer = csv::Writer::from_writer(Vec::with_capacity(16 * cells.len() * batch.num_rows()));
+    let mut digits = zmij::Buffer::new();
+    for row in 0..batch.num_rows() {
+        for column in &cells {
+            match column {
+                Cells::Numbers(array) if array.is_valid(row) => writer.write_field(digits.format(array.value(row))),
+                Cells::Texts(array) if array.is_valid(row) => writer.write_field(array.value(row)),
+                Cells::Others(array, formatter) if array.is_valid(row) => writer.write_field(formatter.value(row).to_string()),
+                _ => writer.write_field(""),
+            }
+            .map_err(|error| ArrowError::CsvError(error.to_string()))?;
+        }
+        writer.write_record(None::<&[u8]>).map_err(|error| ArrowError::CsvError(error.to_string()))?;
+    }
+    writer.into_inner().map_err(|error| ArrowError::CsvError(error.to_string()))
+}
+
+enum Cells<'a> {
+    Numbers(&'a arrow_array::Float64Array),
+    Texts(&'a arrow_array::StringArray),
+    Others(&'a dyn Array, ArrayFormatter<'a>),
+}
+
+fn of_parquet(error: ParquetError) -> io::Error {
+    io::Error::other(error)
+}
+
+fn of_arrow(error: ArrowError) -> io::Error {
+    match error {
+        ArrowError::IoError(_, error) => error,
+        other => io::Error::other(other),
+    }
+}

@@ -1,0 +1,187 @@
+//! Tables that are read part by part.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use arrow_array::builder::StringBuilder;
+use arrow_array::{ArrayRef, RecordBatch, RecordBatchOptions, RecordBatchReader};
+use arrow_ipc::reader::{FileReader, StreamReader};
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use planar_impact_app::check::reason;
+use planar_impact_app::{Issues, decode};
+
+use super::format::Format;
+use crate::files::Counted;
+
+const BUFFER: usize = 1 << 18;
+
+/// Rows that are solved together.
+pub struct Part {
+    /// The rows.
+    pub batch: RecordBatch,
+    /// Those that are no rows of the table, counted from 0.
+    pub unreadable: Vec<usize>,
+}
+
+/// A table that is read part by part.
+pub struct Source {
+    /// The name of its file.
+    pub name: String,
+    schema: SchemaRef,
+    rows: Rows,
+    bytes: u64,
+}
+
+enum Rows {
+    Csv { reader: Box<csv::Reader<Box<dyn Read>>>, bytes: Arc<AtomicU64> },
+    Parquet { reader: ParquetRecordBatchReader, all: u64, read: u64 },
+    Arrow { reader: Box<dyn RecordBatchReader>, rest: Option<RecordBatch>, bytes: Arc<AtomicU64> },
+}
+
+impl Source {
+    /// Opens a table, to be read a number of rows at a time.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be read, or has no header.
+    pub fn open(path: &Path, rows: usize) -> Result<Source, Issues> {
+        let format = Format::of(path)?;
+        if path.as_os_str() == "-" {
+            return Source::csv("<stdin>", Box::new(io::stdin()), Arc::default(), 0);
+        }
+        let name = path.display().to_string();
+        let unreadable = |error: &io::Error| decode::unreadable(&name, &format!("cannot be read: {}", reason(error)));
+        let file = File::open(path).map_err(|error| unreadable(&error))?;
+        let metadata = file.metadata().map_err(|error| unreadable(&error))?;
+        if metadata.is_dir() {
+            return Err(decode::unreadable(&name, "is a directory, not a table"));
+        }
+        let size = metadata.len();
+        let bytes = Arc::default();
+        let wrong = |error: &dyn std::fmt::Display| not_a_table(&name, error);
+        match format {
+            Format::Csv => Source::csv(&name, Box::new(Counted::new(file, &bytes)), bytes, size),
+            Format::Parquet => {
+                let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| wrong(&error))?;
+                let all = builder.metadata().file_metadata().num_rows().try_into().unwrap_or(0);
+                let reader = builder.with_batch_size(rows).build().map_err(|error| wrong(&error))?;
+                Ok(Source { schema: reader.schema(), rows: Rows::Parquet { reader, all, read: 0 }, bytes: size, name })
+            }
+            Format::Arrow => {
+                let is_file = starts_with(&file, b"ARROW1").map_err(|error| unreadable(&error))?;
+                let buffered = BufReader::with_capacity(BUFFER, Counted::new(file, &bytes));
+                let reader: Result<Box<dyn RecordBatchReader>, ArrowError> = if is_file {
+                    FileReader::try_new(buffered, None).map(|reader| Box::new(reader) as _)
+                } else {
+                    StreamReader::try_new(buffered, None).map(|reader| Box::new(reader) as _)
+                };
+                let reader = reader.map_err(|error| wrong(&error))?;
+                Ok(Source { schema: reader.schema(), rows: Rows::Arrow { reader, rest: None, bytes }, bytes: size, name })
+            }
+        }
+    }
+
+    fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
+        let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(bytes_of);
+        let headers = reader.headers().map_err(|error| not_a_table(name, &error))?.clone();
+        if headers.is_empty() {
+            return Err(decode::unreadable(name, "is empty; the first line of a table names its columns"));
+        }
+        let text = |header: &str| Field::new(header.trim_start_matches('\u{feff}'), DataType::Utf8, true);
+        let schema = Schema::new(headers.iter().map(text).collect::<Vec<_>>());
+        let rows = Rows::Csv { reader: Box::new(reader), bytes };
+        Ok(Source { name: name.to_owned(), schema: Arc::new(schema), rows, bytes: size })
+    }
+
+    /// Returns the columns.
+    pub fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    /// Returns the size of the file in bytes, 0 if it is not known.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Returns how much of the file has been read, in bytes.
+    pub fn position(&self) -> u64 {
+        match &self.rows {
+            Rows::Csv { bytes, .. } | Rows::Arrow { bytes, .. } => bytes.load(Ordering::Relaxed).min(self.bytes),
+            Rows::Parquet { all, read, .. } => (self.bytes as f64 * (*read as f64 / (*all).max(1) as f64)) as u64,
+        }
+    }
+
+    /// Reads the next rows, at most a number of them; `None` at the end.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read any further.
+    pub fn next(&mut self, rows: usize) -> Result<Option<Part>, Issues> {
+        let name = &self.name;
+        let whole = |batch: RecordBatch| Part { batch, unreadable: Vec::new() };
+        match &mut self.rows {
+            Rows::Csv { reader, .. } => texts(reader, &self.schema, rows).map_err(|error| not_a_table(name, &error)),
+            Rows::Parquet { reader, read, .. } => {
+                let batch = reader.next().transpose().map_err(|error| not_a_table(name, &error))?;
+                *read += batch.as_ref().map_or(0, |batch| batch.num_rows() as u64);
+                Ok(batch.map(whole))
+            }
+            Rows::Arrow { reader, rest, .. } => {
+                let batch = match rest.take() {
+                    Some(rest) => Some(rest),
+                    None => reader.next().transpose().map_err(|error| not_a_table(name, &error))?,
+                };
+                let Some(batch) = batch else { return Ok(None) };
+                let taken = batch.num_rows().min(rows);
+                *rest = (taken < batch.num_rows()).then(|| batch.slice(taken, batch.num_rows() - taken));
+                Ok(Some(whole(batch.slice(0, taken))))
+            }
+        }
+    }
+}
+
+/// Reads rows as text, an empty cell where a row has too few. `None` without a row.
+fn texts(reader: &mut csv::Reader<Box<dyn Read>>, schema: &SchemaRef, rows: usize) -> Result<Option<Part>, Box<dyn std::error::Error>> {
+    let columns = schema.fields().len();
+    let mut builders: Vec<StringBuilder> = (0..columns).map(|_| StringBuilder::with_capacity(rows, 8 * rows)).collect();
+    let (mut record, mut read, mut unreadable) = (csv::ByteRecord::new(), 0, Vec::new());
+    while read < rows && reader.read_byte_record(&mut record)? {
+        let mut is_row = record.len() == columns;
+        for (i, builder) in builders.iter_mut().enumerate() {
+            let cell = record.get(i).unwrap_or_default();
+            match std::str::from_utf8(cell) {
+                Ok(cell) => builder.append_value(cell),
+                Err(_) => {
+                    is_row = false;
+                    builder.append_value(String::from_utf8_lossy(cell));
+                }
+            }
+        }
+        if !is_row {
+            unreadable.push(read);
+        }
+        read += 1;
+    }
+    if read == 0 {
+        return Ok(None);
+    }
+    let arrays: Vec<ArrayRef> = builders.iter_mut().map(|builder| Arc::new(builder.finish()) as ArrayRef).collect();
+    let options = RecordBatchOptions::new().with_row_count(Some(read));
+    let batch = RecordBatch::try_new_with_options(schema.clone(), arrays, &options)?;
+    Ok(Some(Part { batch, unreadable }))
+}
+
+fn starts_with(mut file: &File, magic: &[u8]) -> io::Result<bool> {
+    let mut start = Vec::new();
+    file.take(magic.len() as u64).read_to_end(&mut start)?;
+    file.seek(SeekFrom::Start(0))?;
+    Ok(start == magic)
+}
+
+fn not_a_table(name: &str, error: &(impl std::fmt::Display + ?Sized)) -> Issues {
+    decode::unreadable(name, &format!("cannot be read as a table: {error}"))
+}

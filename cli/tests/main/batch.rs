@@ -1,0 +1,275 @@
+//! The verb `batch`: each format, what passes through, refused rows, and calls that fail.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use arrow_array::builder::StringDictionaryBuilder;
+use arrow_array::cast::AsArray;
+use arrow_array::types::{Float64Type, Int32Type};
+use arrow_array::{Array, ArrayRef, Date32Array, Float64Array, RecordBatch, StringArray};
+use arrow_ipc::CompressionType;
+use arrow_ipc::reader::FileReader;
+use arrow_ipc::writer::{FileWriter, IpcWriteOptions, StreamWriter};
+use arrow_select::concat::concat_batches;
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use parquet::basic::Compression;
+use parquet::file::properties::WriterProperties;
+use serde_json::Value;
+
+use crate::process::{Folder, Run, run, run_with_input, workspace};
+
+const POSITION_A: &str = "cli/examples/position-a.toml";
+const CRASHES: &str = "cli/examples/batch/crashes.csv";
+
+fn batch(arguments: &[&str]) -> Run {
+    run(&workspace(), &[&["batch"], arguments].concat())
+}
+
+fn rows(text: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+    reader.records().map(|record| record.expect("a row").iter().map(str::to_owned).collect()).collect()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a plain path")
+}
+
+/// The output of `solve` with this name; vehicles are counted from 1.
+fn solved(document: &Value, name: &str) -> f64 {
+    let name = name.strip_prefix("result.").unwrap_or(name);
+    let at = |vector: &str, i: usize| (vector.to_owned(), Some(i));
+    let (path, component) = match name.rsplit_once('.') {
+        Some((vector, "x")) if vector.ends_with("velocity") || vector.ends_with("delta_v") => at(vector, 0),
+        Some((vector, "y")) if vector.ends_with("velocity") || vector.ends_with("delta_v") => at(vector, 1),
+        _ => (name.to_owned(), None),
+    };
+    let path = path.replace("vehicle.1", "vehicles.0").replace("vehicle.2", "vehicles.1");
+    let found = path.split('.').fold(document, |value, key| key.parse::<usize>().map_or(&value[key], |i| &value[i]));
+    component.map_or(found, |i| &found[i]).as_f64().unwrap_or_else(|| panic!("{name}"))
+}
+
+#[test]
+fn a_row_has_the_numbers_of_solve() {
+    let table = batch(&["-", "-o", "-", "--case", POSITION_A]);
+    assert_eq!(table.status, 2, "an empty input has no header: {}", table.err);
+    // The unit of a speed in the case is not that of the column.
+    let input = "vehicle.1.speed [mph],contact.restitution,id\n,,as it is\n30,0.1,faster\n";
+    let case = text(&workspace().join(POSITION_A)).to_owned();
+    let table = run_with_input(&["batch", "-", "-o", "-", "--case", &case], input);
+    assert_eq!((table.status, table.err.as_str()), (0, ""));
+    let table = rows(&table.out);
+    assert_eq!(table[0][..3], ["vehicle.1.speed [mph]", "contact.restitution", "id"]);
+    let faster = fs::read_to_string(workspace().join(POSITION_A)).expect("the example");
+    let faster = faster.replacen("speed = \"40 ft/s\"", "speed = \"30 mph\"", 1).replace("restitution = 0", "restitution = 0.1");
+    for (row, case) in [(1, fs::read_to_string(&case).expect("the example")), (2, faster)] {
+        let document: Value = serde_json::from_str(&run_with_input(&["solve", "-", "--format", "json"], &case).out).expect("JSON");
+        let mut names = 0;
+        for (name, cell) in table[0].iter().zip(&table[row]).skip(3).filter(|(name, _)| *name != "refusal") {
+            assert_eq!(cell.parse::<f64>().map(f64::to_bits), Ok(solved(&document, name).to_bits()), "{name}");
+            names += 1;
+        }
+        assert_eq!(names, 30, "every output: {:?}", table[0]);
+        assert_eq!(table[row].last().map(String::as_str), Some(""));
+    }
+}
+
+#[test]
+fn the_example_says_why_rows_are_refused() {
+    let table = batch(&[CRASHES, "-o", "-", "--of", "T_L,dV1", "--wrt", "e", "--check"]);
+    assert_eq!(table.status, 1);
+    let said: Vec<&str> = table.err.lines().collect();
+    assert_eq!(said[0], "row 5: conflict: contact.impulse_ratio and contact.friction exclude each other");
+    assert!(said[1].starts_with("row 6: separating: vehicles are separating"), "{}", said[1]);
+    assert_eq!(said[2], "row 7: unreadable: vehicle.1.speed cannot be read");
+    assert_eq!(said[3..], ["3 of 7 rows refused: 1 conflict, 1 separating, 1 unreadable"]);
+    let table = rows(&table.out);
+    let given = rows(&fs::read_to_string(workspace().join(CRASHES)).expect("the example"));
+    let width = given[0].len();
+    let added = ["energy.loss", "vehicle.1.delta_v_magnitude", "d energy.loss / d contact.restitution"];
+    assert_eq!(table[0][width..width + 3], added);
+    assert_eq!(table[0][width + 3..], ["d vehicle.1.delta_v_magnitude / d contact.restitution", "check", "refusal"]);
+    for (row, (solved, given)) in table.iter().zip(&given).enumerate().skip(1) {
+        assert_eq!(solved[..width], given[..], "what is given passes through");
+        let numbers = solved[width..width + 4].iter().filter(|cell| cell.parse::<f64>().is_ok_and(f64::is_finite)).count();
+        assert_eq!(numbers, if row < 5 { 4 } else { 0 }, "{solved:?}");
+    }
+    let refusals: Vec<&str> = table.iter().filter_map(|row| row.last()).map(String::as_str).collect();
+    assert_eq!(refusals, ["refusal", "", "", "", "", "conflict", "separating", "unreadable"]);
+}
+
+/// A table with a number that is missing, and columns of other types that pass through.
+fn table() -> RecordBatch {
+    let mut sites = StringDictionaryBuilder::<Int32Type>::new();
+    ["north", "south", "north"].into_iter().for_each(|site| sites.append_value(site));
+    let columns: [(&str, ArrayRef); 4] = [
+        ("site", Arc::new(sites.finish())),
+        ("vehicle.1.speed [mph]", Arc::new(Float64Array::from(vec![Some(30.0), None, Some(-30.0)]))),
+        ("day", Arc::new(Date32Array::from(vec![0, 1, 20_000]))),
+        ("note", Arc::new(StringArray::from(vec![Some("x, \"y\""), None, Some("")]))),
+    ];
+    RecordBatch::try_from_iter_with_nullable(columns.map(|(name, array)| (name, array, true))).expect("columns of one length")
+}
+
+fn read(path: &Path) -> RecordBatch {
+    let file = fs::File::open(path).expect("a table");
+    let read: Vec<RecordBatch> = match path.extension().and_then(|end| end.to_str()) {
+        Some("parquet") => {
+            ParquetRecordBatchReaderBuilder::try_new(file).expect("a table").build().expect("a table").map(Result::unwrap).collect()
+        }
+        _ => FileReader::try_new(file, None).expect("a table").map(Result::unwrap).collect(),
+    };
+    concat_batches(&read[0].schema(), &read).expect("parts of one table")
+}
+
+#[test]
+fn every_format_has_the_same_numbers() {
+    let folder = Folder::new();
+    let at = |name: &str| folder.path().join(name);
+    let create = |name: &str| fs::File::create(at(name)).expect("a file");
+    let (table, schema) = (table(), table().schema());
+    for (name, compression) in
+        [("plain", Compression::UNCOMPRESSED), ("snappy", Compression::SNAPPY), ("zstd", Compression::ZSTD(Default::default()))]
+    {
+        let properties = WriterProperties::builder().set_compression(compression).build();
+        let mut writer = ArrowWriter::try_new(create(&format!("{name}.parquet")), schema.clone(), Some(properties)).expect("a writer");
+        writer.write(&table).and_then(|()| writer.close().map(drop)).expect("it is written");
+    }
+    let compressed = IpcWriteOptions::default().try_with_compression(Some(CompressionType::LZ4_FRAME)).expect("a compression");
+    let mut writer = FileWriter::try_new_with_options(create("lz4.arrow"), &schema, compressed).expect("a writer");
+    writer.write(&table).and_then(|()| writer.finish()).expect("it is written");
+    let mut writer = StreamWriter::try_new(create("stream.arrow"), &schema).expect("a writer");
+    writer.write(&table).and_then(|()| writer.finish()).expect("it is written");
+
+    let of_case = ["--case", POSITION_A, "--of", "W_n,dV1"];
+    let csv = "site,vehicle.1.speed [mph],day,note\nnorth,30,1970-01-01,\"x, \"\"y\"\"\"\nsouth,,1970-01-02,\nnorth,-30,2024-10-04,\n";
+    fs::write(at("text.csv"), csv).expect("a table");
+    let solve = |input: &str, output: &str| {
+        let (input, output) = (at(input), at(output));
+        let done = batch(&[&[text(&input), "-o", text(&output)], &of_case[..]].concat());
+        assert_eq!(done.status, 1, "{input:?}: {}", done.err);
+        output
+    };
+    let first = fs::read_to_string(solve("text.csv", "text-out.csv")).expect("a table");
+    let numbers: Vec<Vec<Option<f64>>> =
+        rows(&first)[1..].iter().map(|row| row[4..6].iter().map(|cell| cell.parse().ok()).collect()).collect();
+    assert!(numbers[0][0] < Some(0.0) && numbers[1][1] > Some(0.0) && numbers[2] == [None, None], "{first}");
+    for input in ["plain.parquet", "snappy.parquet", "zstd.parquet", "lz4.arrow", "stream.arrow", "text.csv"] {
+        let printed = fs::read_to_string(solve(input, "out.csv")).expect("a table");
+        assert_eq!(printed.replace("30.0", "30"), first, "{input}");
+        for output in ["out.parquet", "out.arrow"] {
+            let answer = read(&solve(input, output));
+            for (row, numbers) in numbers.iter().enumerate() {
+                let found = ["energy.normal_work", "vehicle.1.delta_v_magnitude"].map(|name| {
+                    let column = answer[name].as_primitive::<Float64Type>();
+                    column.is_valid(row).then(|| column.value(row))
+                });
+                assert_eq!(found.to_vec(), *numbers, "{input} {output}");
+            }
+            let refusals: Vec<Option<&str>> = answer["refusal"].as_string::<i32>().iter().collect();
+            assert_eq!(refusals, [None, None, Some("separating")]);
+            assert_eq!(answer.schema().field_with_name("energy.normal_work").expect("a column").metadata()["unit"], "J");
+            if input != "text.csv" {
+                assert_eq!(answer.columns()[..4], table.columns()[..], "{input} {output}: what is given passes through");
+            }
+            let speeds = answer["vehicle.1.speed [mph]"].as_primitive::<Float64Type>();
+            assert_eq!(speeds.iter().collect::<Vec<_>>(), [Some(30.0), None, Some(-30.0)], "{input} {output}");
+        }
+    }
+}
+
+#[test]
+fn threads_and_formats_change_no_bit() {
+    let folder = Folder::new();
+    let at = |name: &str| folder.path().join(name);
+    let mut table = "vehicle.1.speed,contact.crush_plane [deg],id\n".to_owned();
+    for i in 0..30_000 {
+        table += &format!("{},{},{i}\n", if i % 10 == 9 { "x".to_owned() } else { format!("{}.5", i % 29) }, i % 17);
+    }
+    fs::write(at("in.csv"), table).expect("a table");
+    let solve = |input: &str, output: &str, more: &[&str]| {
+        let (input, output) = (at(input), at(output));
+        let call = [&["batch", text(&input), "-o", text(&output), "--case", POSITION_A], more].concat();
+        let done = run(&workspace(), &call);
+        assert_eq!(done.status, 1, "{}", done.err);
+        assert!(done.err.ends_with("3000 of 30000 rows refused: 3000 unreadable\n"), "{}", done.err);
+        assert_eq!(done.err.lines().count(), 11, "ten are described");
+    };
+    solve("in.csv", "one.csv", &["--threads", "1"]);
+    let one = fs::read(at("one.csv")).expect("a table");
+    for threads in ["2", "3", "7"] {
+        solve("in.csv", "more.csv", &["--threads", threads, "--fast"]);
+        assert!(fs::read(at("more.csv")).expect("a table") == one, "{threads} threads");
+    }
+    let ids: Vec<String> = rows(std::str::from_utf8(&one).expect("text"))[1..].iter().map(|row| row[2].clone()).collect();
+    assert!(ids.iter().enumerate().all(|(i, id)| *id == i.to_string()), "the order of rows is kept");
+    for name in ["one.parquet", "one.arrow"] {
+        solve("in.csv", name, &["--threads", "1"]);
+        solve("in.csv", &format!("two-{name}"), &["--threads", "2"]);
+        assert!(fs::read(at(name)).ok() == fs::read(at(&format!("two-{name}"))).ok(), "{name}");
+    }
+}
+
+#[test]
+fn tables_of_one_call_follow_each_other() {
+    let folder = Folder::new();
+    let write = |name: &str, text: &str| folder.write(name, text.as_bytes()).to_str().expect("a plain path").to_owned();
+    let one = write("1.csv", "\u{feff}contact.restitution,id\r\n0.1,a\r\n0.2,b\r\n");
+    let two = write("2.csv", "contact.restitution,id\n0.3,c\n");
+    let done = batch(&[&one, &two, "-o", "-", "--case", POSITION_A, "--of", "e"]);
+    assert_eq!((done.status, done.err.as_str()), (0, ""));
+    assert_eq!(done.out, "contact.restitution,id,result.contact.restitution,refusal\n0.1,a,0.1,\n0.2,b,0.2,\n0.3,c,0.3,\n");
+    let other = write("3.csv", "id,contact.restitution\nd,0.3\n");
+    let done = batch(&[&one, &other, "-o", "-", "--case", POSITION_A]);
+    assert_eq!((done.status, done.out.as_str()), (2, ""));
+    assert!(done.err.contains("has other columns than"), "{}", done.err);
+    let ragged = write("4.csv", "contact.restitution,id\n0.1\n0.1,a,b\n0.1,c\n");
+    let done = batch(&[&ragged, "-o", "-", "--case", POSITION_A, "--of", "e"]);
+    assert_eq!(done.status, 1);
+    assert_eq!(done.out.lines().skip(1).collect::<Vec<_>>(), ["0.1,,,unreadable", "0.1,a,,unreadable", "0.1,c,0.1,"]);
+}
+
+#[test]
+fn a_call_that_fails_writes_no_file() {
+    let folder = Folder::new();
+    let path = |name: &str| folder.path().join(name).to_str().expect("a plain path").to_owned();
+    let (out, old) = (path("out.csv"), path("old.csv"));
+    fs::write(&old, "old").expect("a file");
+    fs::write(path("not.parquet"), "text").expect("a file");
+    fs::write(path("not.arrow"), "text").expect("a file");
+    fs::write(path("bad.csv"), "vehicle.1.sped,vehicle.1.mass [mph]\n1,2\n").expect("a file");
+    fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
+    fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
+    let calls: [(&[&str], i32, &str); 11] = [
+        (&["no-such.csv"], 2, "there is no such file"),
+        (&["cli"], 2, "it must end in .csv, .parquet or .arrow"),
+        (&["-", "-"], 2, "standard input can be read only once"),
+        (&[&path("not.parquet")], 2, "cannot be read as a table"),
+        (&[&path("not.arrow")], 2, "cannot be read as a table"),
+        (&[&path("bad.csv")], 2, "did you mean `vehicle.1.speed`?"),
+        (&[&path("bad.csv")], 2, "is a speed; a mass is expected"),
+        (&[&path("separating.csv"), "--fail-fast"], 3, "row 2: vehicles are separating"),
+        (&[&path("unreadable.csv"), "--fail-fast"], 2, "row 2: vehicle.1.speed cannot be read"),
+        (&[&path("separating.csv"), "--of", "T_X"], 2, "unknown output"),
+        (&[&path("separating.csv"), "--wrt", "T_L"], 2, "this is an output, not an input"),
+    ];
+    for (arguments, status, message) in calls {
+        for output in [&out, &old] {
+            let done = batch(&[arguments, &["-o", output, "--case", POSITION_A]].concat());
+            assert_eq!((done.status, done.out.as_str()), (status, ""), "{arguments:?}: {}", done.err);
+            assert!(done.err.contains(message), "{arguments:?}: {}", done.err);
+        }
+    }
+    let done = batch(&[CRASHES, "-o", &path("out.txt")]);
+    assert!(done.status == 2 && done.err.contains("it must end in .csv"), "{}", done.err);
+    let done = batch(&[CRASHES, "-o", &path("no/such/folder.csv")]);
+    assert_eq!(done.status, 74, "{}", done.err);
+    assert!(!Path::new(&out).exists());
+    assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
+    let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
+    assert_eq!(left.len(), 6, "nothing else is left: {left:?}");
+    // What is whole replaces what was there.
+    assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
+    assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));
+}
