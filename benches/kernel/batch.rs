@@ -5,12 +5,16 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, Throughput};
 use planar_impact::batch::{Batch, Instructions, Numbers};
 use planar_impact::scalar::lanes::Lanes;
+use planar_impact::simulation::{Moments, Quantiles, Simulation};
 use planar_impact::*;
 
 use crate::inputs::{self, Angles, collision_from_angles};
 
 /// Few enough that the columns stay in the second cache.
 const COLLISIONS: usize = 1024;
+
+/// Enough that both threads have work.
+const SAMPLES: u64 = 1 << 20;
 
 /// The outputs of the group `angles`: velocities, impulse, μ₀ and works, with ΔV and PDOF of both vehicles.
 const SIXTEEN: [Output; 16] = [
@@ -95,6 +99,25 @@ pub fn batch(c: &mut Criterion) {
         bench("16 weights x 20", &|batch| drop(black_box(batch.pullback(&weights, &Input::ALL))));
         bench("16 along one direction", &|batch| drop(black_box(batch.pushforward(&SIXTEEN, &direction))));
     }
+    // Six uncertain inputs: the inputs are drawn, solved and summarized in cache.
+    let delta_v = [Output::DeltaVMagnitude(Side::One), Output::DeltaVMagnitude(Side::Two)];
+    let uncertain = |simulation: Simulation, input: Input| {
+        let mean = common.input(input).expect("an input of two vehicles");
+        simulation.with(input, Distribution::Normal { mean, sd: 0.01 }).expect("a normal distribution")
+    };
+    let drawn = [Side::One, Side::Two].into_iter().flat_map(|side| [Input::VelocityX(side), Input::VelocityY(side)]);
+    let simulation = drawn.chain([Input::CrushPlane, Input::Restitution]).fold(Simulation::of(common), uncertain);
+    for (name, of) in [("2 outputs", &delta_v[..]), ("16 outputs", &SIXTEEN)] {
+        for threads in [1, 2] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let empty = (Moments::of(of), Quantiles::of(of));
+            group.throughput(Throughput::Elements(SAMPLES));
+            group.bench_function(BenchmarkId::new(format!("reduce, {threads} threads"), name), |b| {
+                b.iter(|| pool.install(|| black_box(&simulation).reduce(SAMPLES, empty.clone(), &|_| true)))
+            });
+        }
+    }
+    group.throughput(Throughput::Elements(COLLISIONS as u64));
     let mut table = Outputs::default();
     group.bench_function("32 x 20 one by one", |b| {
         b.iter(|| {

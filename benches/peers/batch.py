@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Compare `planar-impact batch` with vectorised Python on one file of Parquet.
+
+    cargo build --release -p planar-impact-cli
+    pip install -r benches/peers/requirements.txt
+    benches/peers/batch.py 10000000
+
+Two peers compute the same outputs, at the critical impulse ratio, from one definition of the mechanics, a row group at a time: NumPy and Polars. Neither
+checks a row, nor waits until the file is on the disk. The answers are compared column by column, and the table that the program writes is read back by pyarrow
+and by DuckDB. With TMPDIR=/dev/shm no disk takes part.
+"""
+
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import duckdb
+import numpy as np
+import polars as pl
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+PROGRAM = Path(__file__).parents[2] / "target/release/planar-impact"
+GROUP = 1 << 16
+
+
+def mechanics(get, sin, cos, sqrt, arctan2):
+    """Return every output of `solve` by its name, from a function that returns an input by its name."""
+    gamma, e = get("contact.crush_plane"), get("contact.restitution")
+    cg, sg = cos(gamma), sin(gamma)
+    body = []
+    for i in (1, 2):
+        of = lambda key: get(f"vehicle.{i}.{key}")
+        m, j, w, c, s = of("mass"), of("yaw_inertia"), of("yaw_rate"), cos(of("heading")), sin(of("heading"))
+        f, l = of("impact_center.forward"), of("impact_center.left")
+        vx, vy = of("speed") * c, of("speed") * s
+        x, y = f * c - l * s, f * s + l * c
+        body.append((m, j, w, c, s, vx, vy, x * cg + y * sg, y * cg - x * sg))
+    (m1, j1, w1, c1, s1, vx1, vy1, n1, t1), (m2, j2, w2, c2, s2, vx2, vy2, n2, t2) = body
+    un = (vx2 * cg + vy2 * sg - t2 * w2) - (vx1 * cg + vy1 * sg - t1 * w1)
+    ut = (vy2 * cg - vx2 * sg + n2 * w2) - (vy1 * cg - vx1 * sg + n1 * w1)
+    knn = 1 / m1 + 1 / m2 + t1 * t1 / j1 + t2 * t2 / j2
+    ktt = 1 / m1 + 1 / m2 + n1 * n1 / j1 + n2 * n2 / j2
+    knt = -(n1 * t1 / j1 + n2 * t2 / j2)
+    det = knn * ktt - knt * knt
+    # The impulse is the one on vehicle 1; it ends the approach along t, and turns the one along n round.
+    pn = ((1 + e) * un * ktt - ut * knt) / det
+    pt = (ut * knn - (1 + e) * un * knt) / det
+    px, py = pn * cg - pt * sg, pn * sg + pt * cg
+    out = {}
+    before = after = 0
+    for i, sign, (m, j, w, c, s, vx, vy, n, t) in ((1, 1, body[0]), (2, -1, body[1])):
+        dx, dy = sign * px / m, sign * py / m
+        rate = w + sign * (n * pt - t * pn) / j
+        v = f"vehicle.{i}"
+        out |= {f"result.{v}.velocity.x": vx + dx, f"result.{v}.velocity.y": vy + dy, f"result.{v}.yaw_rate": rate}
+        out |= {f"{v}.delta_v.x": dx, f"{v}.delta_v.y": dy, f"{v}.delta_v_magnitude": sqrt(dx * dx + dy * dy)}
+        out[f"{v}.pdof"] = arctan2(dy * c - dx * s, -(dx * c + dy * s))
+        before = before + 0.5 * (m * (vx * vx + vy * vy) + j * w * w)
+        after = after + 0.5 * (m * ((vx + dx) * (vx + dx) + (vy + dy) * (vy + dy)) + j * rate * rate)
+    sn, st = un - (knn * pn + knt * pt), ut - (knt * pn + ktt * pt)
+    wn, wt = -0.5 * pn * (un + sn), -0.5 * pt * (ut + st)
+    out |= {"result.contact.restitution": e, "result.contact.impulse_ratio": pt / pn, "contact.critical_impulse_ratio": pt / pn}
+    out |= {"contact.impulse.normal": pn, "contact.impulse.tangential": pt, "contact.impulse.x": px, "contact.impulse.y": py}
+    out |= {"contact.approach.normal": un, "contact.approach.tangential": ut, "contact.separation.normal": sn, "contact.separation.tangential": st}
+    out |= {"energy.before": before, "energy.after": after, "energy.loss": -(wn + wt), "energy.normal_work": wn, "energy.tangential_work": wt}
+    return out
+
+
+def generate(path, rows):
+    rng = np.random.default_rng(1)
+    writer = None
+    for start in range(0, rows, 1 << 20):
+        n = min(1 << 20, rows - start)
+        table = {}
+        for i in (1, 2):
+            v = f"vehicle.{i}."
+            table[v + "mass"] = rng.uniform(900, 2500, n)
+            table[v + "yaw_inertia"] = rng.uniform(1200, 4500, n)
+            table[v + "heading"] = rng.uniform(-0.5, 0.5, n) + (np.pi if i == 2 else 0)
+            table[v + "speed"] = rng.uniform(2, 30, n)
+            table[v + "yaw_rate"] = rng.normal(0, 0.3, n)
+            table[v + "impact_center.forward"] = rng.uniform(1.2, 2.5, n)
+            table[v + "impact_center.left"] = rng.uniform(-0.8, 0.8, n)
+        table["contact.crush_plane"] = rng.normal(0, 0.2, n)
+        table["contact.restitution"] = rng.uniform(0, 0.3, n)
+        table = pa.table(table)
+        writer = writer or pq.ParquetWriter(path, table.schema)
+        writer.write_table(table)
+    writer.close()
+
+
+def with_program(source, target, *more):
+    before = time.perf_counter()
+    subprocess.run([PROGRAM, "batch", source, "-o", target, *more], stderr=subprocess.DEVNULL)
+    return time.perf_counter() - before
+
+
+def with_numpy(source, target):
+    before = time.perf_counter()
+    writer = None
+    for batch in pq.ParquetFile(source).iter_batches(GROUP):
+        columns = {name: batch.column(name).to_numpy() for name in batch.schema.names}
+        columns |= mechanics(columns.__getitem__, np.sin, np.cos, np.sqrt, np.arctan2)
+        table = pa.table(columns)
+        writer = writer or pq.ParquetWriter(target, table.schema, use_dictionary=False)
+        writer.write_table(table)
+    writer.close()
+    return time.perf_counter() - before
+
+
+def with_polars(source, target):
+    before = time.perf_counter()
+    writer = None
+    arctan2 = lambda y, x: pl.DataFrame({"y": y, "x": x}).select(pl.arctan2("y", "x")).to_series()
+    for batch in pq.ParquetFile(source).iter_batches(GROUP):
+        frame = pl.from_arrow(batch)
+        outputs = mechanics(frame.get_column, lambda x: x.sin(), lambda x: x.cos(), lambda x: x.sqrt(), arctan2)
+        table = frame.with_columns(**outputs).to_arrow()
+        writer = writer or pq.ParquetWriter(target, table.schema, use_dictionary=False)
+        writer.write_table(table)
+    writer.close()
+    return time.perf_counter() - before
+
+
+def main():
+    rows = int(float(sys.argv[1])) if len(sys.argv) > 1 else 1_000_000
+    with tempfile.TemporaryDirectory(dir=os.environ.get("TMPDIR")) as folder:
+        source, ours, numpys, polars = (os.path.join(folder, name) for name in ("in.parquet", "ours.parquet", "numpy.parquet", "polars.parquet"))
+        generate(source, rows)
+        with_program(source, ours)  # the file is in memory for everyone
+        seconds = {"planar-impact": with_program(source, ours), "planar-impact, one thread": with_program(source, ours, "--threads", "1")}
+        seconds["planar-impact, W_n alone"] = with_program(source, os.path.join(folder, "one.parquet"), "--of", "W_n")
+        memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        os.remove(os.path.join(folder, "one.parquet"))
+        seconds["NumPy"] = with_numpy(source, numpys)
+        worst = compare(ours, numpys)
+        os.remove(numpys)
+        seconds["Polars"] = with_polars(source, polars)
+        os.remove(polars)
+        print(f"{rows} rows of {pq.read_schema(source).names.__len__()} inputs, {pq.read_schema(ours).names.__len__()} columns written")
+        for name, taken in seconds.items():
+            print(f"{name:28} {taken:7.2f} s  {1e9 * taken / rows:7.0f} ns a row  {taken / seconds['planar-impact']:5.2f} x")
+        print(f"memory of planar-impact: {memory:.0f} MiB")
+        print(f"largest difference between ours and NumPy: {worst:.1e} of the natural scale")
+        answer = duckdb.sql(f"""select count(*), count("energy.loss"), avg("vehicle.1.delta_v_magnitude"), min(refusal) from '{ours}'""").fetchall()
+        print(f"DuckDB reads: rows, solved, mean delta-V, first refusal: {answer[0]}")
+
+
+def compare(ours, theirs):
+    """Return the largest difference, each output relative to the largest of its kind in its row."""
+    ours, theirs = pq.ParquetFile(ours), pq.ParquetFile(theirs)
+    worst = 0.0
+    for one, other in zip(ours.iter_batches(GROUP), theirs.iter_batches(GROUP)):
+        solved = one.column("refusal").is_null().to_numpy(zero_copy_only=False)
+        assert solved.mean() > 0.99
+        of = lambda table, name: table.column(name).to_numpy(zero_copy_only=False)[solved]
+        speed = np.abs(of(other, "contact.approach.normal")) + np.abs(of(other, "contact.approach.tangential")) + np.abs(of(other, "vehicle.1.speed"))
+        impulse = np.hypot(of(other, "contact.impulse.normal"), of(other, "contact.impulse.tangential"))
+        energy = of(other, "energy.before")
+        for name in other.schema.names:
+            scale = energy if "energy" in name else impulse if ".impulse." in name else speed if "velocity" in name or "delta_v" in name else 1.0
+            difference = np.abs(of(one, name) - of(other, name))
+            if name.endswith("pdof"):
+                difference = np.minimum(difference, 2 * np.pi - difference) * of(other, f"{name[:9]}.delta_v_magnitude") / speed
+            if name.endswith("ratio"):
+                difference = difference * of(other, "contact.impulse.normal") ** 2 / impulse**2
+            worst = max(worst, float(np.max(difference / scale)))
+    return worst
+
+
+if __name__ == "__main__":
+    main()
