@@ -287,18 +287,20 @@ fn derivatives_are_those_of_the_verb_gradient() {
 #[test]
 fn a_derivative_beyond_every_float_leaves_the_others() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
-    let options = Options { of: named(&["T_L", "contact.separation.normal"]), wrt: named(&["e", "v1"]), check: false };
-    let plan = plan(&["vehicle.1.mass", "vehicle.1.speed", "contact.restitution"], Some(&case), &options).expect("a plan");
-    // The energy is just within reach, and its derivative by e is 1.8 times as great.
+    let options =
+        Options { of: named(&["T_L", "contact.separation.normal"]), wrt: named(&["vehicle.1.impact_center.left", "v1"]), check: false };
+    let center = ["vehicle.1.impact_center.forward", "vehicle.1.impact_center.left"];
+    let plan = plan(&["vehicle.1.yaw_inertia", center[0], center[1], "vehicle.1.speed"], Some(&case), &options).expect("a plan");
+    // The energy is just within reach, and its derivative by a millimetre of the offset is a thousand times as great.
     let column = |numbers: [f64; 2]| Column::Cells(numbers.map(Cell::Number).to_vec());
-    let columns = vec![column([1500.0, 1500.0]), column([4.5e152, 15.0]), column([0.9, 0.9])];
+    let columns = vec![column([1.5e-3; 2]), column([1e-3; 2]), column([1e-3; 2]), column([3.6e151, 15.0])];
     let answer = plan.solve(&Table { rows: 2, columns, unreadable: Vec::new() });
     assert!(answer.refused.is_empty(), "{:?}", answer.refused);
     assert!(answer.outputs.iter().flatten().all(|value| value.is_finite()));
     let is_there: Vec<Vec<bool>> = answer.derivatives.iter().map(|column| column.iter().map(|slope| slope.is_finite()).collect()).collect();
-    assert_eq!(is_there, [[false, true], [true, true], [true, true], [true, true]]);
-    let by_e = &answer.derivatives[2];
-    assert!((by_e[0] / by_e[1] - 4.5e152 / 15.0).abs() < 1e-9 * (4.5e152 / 15.0), "{by_e:?}");
+    assert_eq!(is_there, [[false, true], [true, true], [true, true], [true, true]], "{answer:?}");
+    let [one, other] = [answer.derivatives[1][0], answer.derivatives[1][1]];
+    assert!((one / other / (3.6e151 / 15.0) - 1.0).abs() < 1e-9, "twice the loss over the speed: {one} {other}");
 }
 
 const CRUSHED: &str = r#"

@@ -38,14 +38,19 @@ fn delta_vs() -> Vec<Option<(f64, &'static str)>> {
     let parameter = planar_impact_app::case::Parameter::named("vehicle.1.speed").expect("a parameter");
     let alone = |speed: f64| case().with(&[(parameter, speed)]).impact().ok().map(|impact| impact.one.delta_v_magnitude());
     let mut known = std::collections::HashMap::new();
-    speeds().into_iter().map(|(speed, site)| known.entry(speed.to_bits()).or_insert_with(|| alone(speed)).map(|delta_v| (delta_v, site))).collect()
+    speeds()
+        .into_iter()
+        .map(|(speed, site)| known.entry(speed.to_bits()).or_insert_with(|| alone(speed)).map(|delta_v| (delta_v, site)))
+        .collect()
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn conditions_and_groups() {
     let (context, folder) = session().await;
     let delta_v = "planar_impact('vehicle.1.delta_v_magnitude', named_struct('vehicle.1.speed', speed))";
-    let sql = format!("SELECT site, count(*) AS n, avg(dv) AS mean FROM (SELECT site, {delta_v} AS dv FROM crashes) WHERE dv > 8 GROUP BY site ORDER BY site");
+    let sql = format!(
+        "SELECT site, count(*) AS n, avg(dv) AS mean FROM (SELECT site, {delta_v} AS dv FROM crashes) WHERE dv > 8 GROUP BY site ORDER BY site"
+    );
     let found = context.sql(&sql).await.expect("a query").collect().await.expect("an answer");
     let mut groups = Vec::new();
     for batch in &found {
@@ -54,7 +59,8 @@ async fn conditions_and_groups() {
     }
     let all = delta_vs();
     for (site, (count, mean)) in ["north", "south"].into_iter().zip(&groups) {
-        let of_site: Vec<f64> = all.iter().flatten().filter(|(delta_v, of)| *of == site && *delta_v > 8.0).map(|(delta_v, _)| *delta_v).collect();
+        let of_site: Vec<f64> =
+            all.iter().flatten().filter(|(delta_v, of)| *of == site && *delta_v > 8.0).map(|(delta_v, _)| *delta_v).collect();
         assert_eq!(*count, of_site.len() as i64, "{site}");
         assert!((mean - of_site.iter().sum::<f64>() / of_site.len() as f64).abs() < 1e-9, "{site}");
     }
