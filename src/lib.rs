@@ -102,6 +102,8 @@ pub mod sensitivity;
 #[cfg(feature = "simulation")]
 pub mod simulation;
 pub mod solve;
+#[cfg(feature = "uncertainty")]
+pub mod uncertainty;
 pub mod vehicle;
 
 #[cfg(feature = "nalgebra")]

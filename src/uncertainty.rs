@@ -1,0 +1,5 @@
+//! Uncertainty: what an answer is worth.
+
+mod mapping;
+
+pub use mapping::{Direct, Mapping};
