@@ -32,10 +32,10 @@
 
 mod exceedance;
 mod extremes;
-mod fill;
+pub(crate) mod fill;
 mod histogram;
 mod moments;
-mod quantiles;
+pub(crate) mod quantiles;
 
 pub use exceedance::Exceedance;
 pub use extremes::{Extreme, Extremes};
@@ -261,9 +261,16 @@ impl<F: Fill> Simulation<F> {
         of.sort_by_key(|output| output.index());
         of.dedup();
         let answer = Reduced { samples: 0, refused: RefusedSamples::default(), summary: empty.clone() };
-        let stretches = samples.div_ceil(STRETCH);
-        let range = |i: u64| i * STRETCH..((i + 1).saturating_mul(STRETCH)).min(samples);
+        let stretch = STRETCH / CHUNK * self.chunk();
+        let stretches = samples.div_ceil(stretch);
+        let range = |i: u64| i * stretch..((i + 1).saturating_mul(stretch)).min(samples);
         in_order(stretches, answer, |i| self.stretch(&of, range(i), empty.clone()), goes_on)
+    }
+
+    /// Returns the number of samples that are solved together, whole groups of those that belong together.
+    fn chunk(&self) -> u64 {
+        let together = self.fill.together().max(1);
+        (CHUNK / together).max(1) * together
     }
 
     fn columns(&self) -> Vec<Vec<f64>> {
@@ -289,7 +296,7 @@ impl<F: Fill> Simulation<F> {
         let mut columns = self.columns();
         let mut first = samples.start;
         while first < samples.end {
-            let end = (first + CHUNK).min(samples.end);
+            let end = (first + self.chunk()).min(samples.end);
             self.fill.fill(first..end, &mut columns);
             let solved = self.batch(&columns, (end - first) as usize).solve(of);
             let mut outputs = solved.columns.into_columns();
@@ -319,13 +326,17 @@ impl RefusedSamples {
             codes.into_iter().for_each(|code| *self.by_code.entry(code).or_default() += 1);
         }
     }
+
+    pub(crate) fn merge(&mut self, later: &RefusedSamples) {
+        self.samples += later.samples;
+        later.by_code.iter().for_each(|(code, count)| *self.by_code.entry(code).or_default() += count);
+    }
 }
 
 impl<R: Reduce> Reduced<R> {
     fn merge(&mut self, later: Self) {
         self.samples += later.samples;
-        self.refused.samples += later.refused.samples;
-        later.refused.by_code.into_iter().for_each(|(code, count)| *self.refused.by_code.entry(code).or_default() += count);
+        self.refused.merge(&later.refused);
         self.summary.merge(later.summary);
     }
 }

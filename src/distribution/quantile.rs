@@ -42,7 +42,7 @@ impl Distribution {
 }
 
 /// Returns the probability that a standard normal number is below x.
-fn cumulative(x: f64) -> f64 {
+pub(crate) fn cumulative(x: f64) -> f64 {
     0.5 * libm::erfc(-x * core::f64::consts::FRAC_1_SQRT_2)
 }
 

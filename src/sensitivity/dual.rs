@@ -8,14 +8,20 @@ use crate::scalar::{Logic, Ordered, Real, is_zero};
 
 /// A dual number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dual<T> {
-    pub(super) value: T,
-    pub(super) derivative: T,
+pub(crate) struct Dual<T> {
+    pub(crate) value: T,
+    pub(crate) derivative: T,
 }
 
 impl<T: Real> Dual<T> {
-    pub(super) fn constant(value: T) -> Self {
+    pub(crate) fn constant(value: T) -> Self {
         Dual { value, derivative: T::int(0) }
+    }
+}
+
+impl<T: Real + From<f64>> From<f64> for Dual<T> {
+    fn from(value: f64) -> Self {
+        Dual::constant(T::from(value))
     }
 }
 

@@ -16,6 +16,11 @@ pub trait Fill: Sync {
     /// Returns the inputs that it fills, each once.
     fn inputs(&self) -> &[Input];
 
+    /// Returns how many samples belong together: they are summarized at once, and their numbers begin at a multiple of it.
+    fn together(&self) -> u64 {
+        1
+    }
+
     /// Replaces the numbers of each column, that of an input, by those of some samples. The numbers of a sample may depend on nothing but its own number: the
     /// same sample may be asked for more than once, and from any thread.
     fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]);
@@ -51,21 +56,29 @@ impl Fill for Draws {
         let random = ChaCha8Rng::seed_from_u64(self.seed);
         let mut probabilities = Vec::new();
         for ((input, distribution), column) in self.inputs.iter().zip(&self.distributions).zip(columns) {
-            let mut random = random.clone();
-            random.set_stream(input.index() as u64);
-            random.set_word_pos(2 * u128::from(samples.start));
-            probabilities.clear();
-            probabilities.extend(samples.clone().map(|_| between_zero_and_one(random.next_u64())));
+            write_probabilities(&random, input.index() as u64, samples.clone(), &mut probabilities);
             column.clear();
             column.resize(probabilities.len(), 0.0);
             match *distribution {
-                Distribution::Normal { mean, sd } => {
-                    Instructions::best().run(&mut Normals { probabilities: &probabilities, mean, sd, to: column });
-                }
+                Distribution::Normal { mean, sd } => write_normals(&probabilities, mean, sd, column),
                 _ => probabilities.iter().zip(column).for_each(|(p, to)| *to = distribution.quantile(*p)),
             }
         }
     }
+}
+
+/// Replaces numbers by random probabilities of some samples, two words of a stream for each.
+pub(crate) fn write_probabilities(random: &ChaCha8Rng, stream: u64, samples: Range<u64>, to: &mut Vec<f64>) {
+    let mut random = random.clone();
+    random.set_stream(stream);
+    random.set_word_pos(2 * u128::from(samples.start));
+    to.clear();
+    to.extend(samples.map(|_| between_zero_and_one(random.next_u64())));
+}
+
+/// Writes the quantiles of a normal distribution at some probabilities.
+pub(crate) fn write_normals(probabilities: &[f64], mean: f64, sd: f64, to: &mut [f64]) {
+    Instructions::best().run(&mut Normals { probabilities, mean, sd, to });
 }
 
 /// Returns the middle of one of 2⁵² equal parts, so neither 0 nor 1.

@@ -19,8 +19,9 @@ pub struct Quantiles {
     found: Vec<Bins>,
 }
 
+/// How many numbers are in each bin.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Bins {
+pub(crate) struct Bins {
     below_zero: Window,
     zero: u64,
     above_zero: Window,
@@ -71,7 +72,7 @@ impl Reduce for Quantiles {
 }
 
 impl Bins {
-    fn add(&mut self, x: f64) {
+    pub(crate) fn add(&mut self, x: f64) {
         if x.is_nan() {
             self.not_a_number += 1;
             return;
@@ -92,7 +93,7 @@ impl Bins {
         }
     }
 
-    fn merge(&mut self, later: &Bins) {
+    pub(crate) fn merge(&mut self, later: &Bins) {
         self.below_zero.merge(&later.below_zero);
         self.zero += later.zero;
         self.above_zero.merge(&later.above_zero);
@@ -103,7 +104,25 @@ impl Bins {
         };
     }
 
-    fn quantile(&self, share: f64) -> f64 {
+    /// Returns each bin that has a number, in order: its ends, and how many.
+    fn in_order(&self) -> impl Iterator<Item = ([f64; 2], u64)> + Clone + '_ {
+        let below = self.below_zero.bins().rev().map(|(bin, count)| ([-edge(bin + 1), -edge(bin)], count));
+        let above = self.above_zero.bins().map(|(bin, count)| ([edge(bin), edge(bin + 1)], count));
+        below.chain([([0.0; 2], self.zero)]).chain(above).filter(|(_, count)| *count > 0)
+    }
+
+    /// Returns the share of the numbers that are less than a number; those of a bin are taken as evenly spread in it.
+    #[cfg(feature = "uncertainty")]
+    pub(crate) fn share_below(&self, x: f64) -> f64 {
+        let (mut below, mut all) = (0.0, 0.0);
+        for ([start, end], count) in self.in_order() {
+            let share = if x >= end { 1.0 } else { ((x - start) / (end - start)).max(0.0) };
+            (below, all) = (below + share * count as f64, all + count as f64);
+        }
+        below / all
+    }
+
+    pub(crate) fn quantile(&self, share: f64) -> f64 {
         let Some([least, greatest]) = self.range.filter(|_| self.not_a_number == 0 && (0.0..=1.0).contains(&share)) else {
             return f64::NAN;
         };
@@ -111,9 +130,7 @@ impl Bins {
         if share == 0.0 || share == 1.0 {
             return if share == 0.0 { least } else { greatest };
         }
-        let below = self.below_zero.bins().rev().map(|(bin, count)| ([-edge(bin + 1), -edge(bin)], count));
-        let above = self.above_zero.bins().map(|(bin, count)| ([edge(bin), edge(bin + 1)], count));
-        let all = below.chain([([0.0; 2], self.zero)]).chain(above).filter(|(_, count)| *count > 0);
+        let all = self.in_order();
         let samples: u64 = all.clone().map(|(_, count)| count).sum();
         // The rank of the sample, from 0, between two of them if need be.
         let rank = share * (samples - 1) as f64;

@@ -1,5 +1,6 @@
 //! How uncertain numbers determine inputs of a collision.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::collision::Collision;
@@ -18,6 +19,18 @@ pub trait Mapping: Sync {
 
     /// Computes those inputs, in SI and radians.
     fn write<T: Real + Copy + From<f64>>(&self, numbers: &[T], inputs: &mut [T]);
+
+    /// Computes those inputs of many samples, given a column of each number. A column has the same length as every other.
+    fn write_columns(&self, numbers: &mut [Vec<f64>], inputs: &mut [Vec<f64>]) {
+        let samples = numbers.first().map_or(0, Vec::len);
+        inputs.iter_mut().for_each(|column| column.resize(samples, 0.0));
+        let (mut of_sample, mut to) = (vec![0.0; numbers.len()], vec![0.0; inputs.len()]);
+        for sample in 0..samples {
+            of_sample.iter_mut().zip(&*numbers).for_each(|(x, column)| *x = column[sample]);
+            self.write(&of_sample, &mut to);
+            to.iter().zip(&mut *inputs).for_each(|(x, column)| column[sample] = *x);
+        }
+    }
 
     /// Returns a collision with the inputs that the numbers determine.
     fn apply<T: Real + Copy + From<f64>>(&self, base: &Collision, numbers: &[T]) -> Collision<T> {
@@ -47,5 +60,9 @@ impl Mapping for Direct {
     #[inline(always)]
     fn write<T: Real + Copy + From<f64>>(&self, numbers: &[T], inputs: &mut [T]) {
         inputs.copy_from_slice(numbers);
+    }
+
+    fn write_columns(&self, numbers: &mut [Vec<f64>], inputs: &mut [Vec<f64>]) {
+        inputs.swap_with_slice(numbers);
     }
 }

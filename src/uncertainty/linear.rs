@@ -1,0 +1,174 @@
+//! What first and second derivatives say of an uncertain output.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::{Mapping, Uncertain};
+use crate::input::Input;
+use crate::output::Output;
+use crate::refusal::Refusals;
+use crate::scalar::Real;
+use crate::sensitivity::dual::Dual;
+
+/// An output to first order, about the means of the numbers.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Linear {
+    /// The output at the means.
+    pub mean: f64,
+    /// Its standard deviation; infinite if that of a number which matters is.
+    pub sd: f64,
+    /// Its derivative by each number.
+    pub derivatives: Vec<f64>,
+    /// The share of each number in the variance: g_i (S g)_i of g·S g. They add up to 1; with correlations one may be negative. NaN if nothing matters.
+    pub shares: Vec<f64>,
+    /// The standard deviation that would be left if one number had half its own.
+    pub with_half: Vec<f64>,
+}
+
+/// An output to second order, about the means of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SecondOrder {
+    /// The mean, f + ½ tr H S.
+    pub mean: f64,
+    /// The standard deviation.
+    pub sd: f64,
+    /// The third central moment divided by the cube of the standard deviation; NaN for an output that is certain.
+    pub skewness: f64,
+}
+
+/// A function of the numbers about their means.
+struct Expansion {
+    value: f64,
+    gradient: Vec<f64>,
+    hessian: Vec<Vec<f64>>,
+}
+
+impl<M: Mapping> Uncertain<M> {
+    /// Returns an output to first order: exact if it is linear in the numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusals`] of the collision at the means of the numbers.
+    pub fn linear(&self, of: Output) -> Result<Linear, Refusals> {
+        let means = self.means();
+        let sensitive = self.at(&means).sensitivity(of)?;
+        let gradient = self.chain(&self.jacobian(&means), |input| sensitive.by[input]);
+        let covariance = self.correlation.covariance(&self.numbers);
+        let along = product(&covariance, &gradient);
+        let variance = dot(&gradient, &along);
+        // Half the deviation of a number: three quarters of its variance go, and half of its covariances.
+        let with_half = |i: usize| {
+            let (own, others) = (square(gradient[i]) * covariance[i][i], gradient[i] * along[i]);
+            let left = variance - 0.75 * own - (others - own);
+            libm::sqrt(if left > 0.0 { left } else { 0.0 })
+        };
+        Ok(Linear {
+            mean: sensitive.value,
+            sd: libm::sqrt(variance),
+            shares: gradient.iter().zip(&along).map(|(g, s)| if *g == 0.0 { 0.0 } else { g * s } / variance).collect(),
+            with_half: (0..gradient.len()).map(with_half).collect(),
+            derivatives: gradient,
+        })
+    }
+
+    /// Returns an output to second order. For normal numbers mean, standard deviation and skewness are those of the quadratic function; for others the third
+    /// and fourth moments of each number count in the standard deviation, and its third moment in the skewness.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusals`] of the collision at the means of the numbers.
+    pub fn second_order(&self, of: Output) -> Result<SecondOrder, Refusals> {
+        let Expansion { value, gradient, hessian } = self.expand(of, &self.means())?;
+        let covariance = self.correlation.covariance(&self.numbers);
+        let curved: Vec<Vec<f64>> = hessian.iter().map(|row| product(&covariance, row)).collect();
+        let trace = |power: &[Vec<f64>]| (0..power.len()).map(|i| power[i][i]).sum::<f64>();
+        let squared = times(&curved, &curved);
+        let along = product(&covariance, &gradient);
+        let mut variance = dot(&gradient, &along) + 0.5 * trace(&squared);
+        let mut third = 3.0 * dot(&along, &product(&hessian, &along)) + trace(&times(&squared, &curved));
+        // What the shapes of the numbers add to normal ones.
+        for (i, number) in self.numbers.iter().enumerate() {
+            let (g, h, central) = (gradient[i], hessian[i][i], number.central());
+            let excess = central.fourth - 3.0 * square(central.second);
+            variance += if h == 0.0 { 0.0 } else { g * h * central.third + 0.25 * h * h * excess };
+            third += if g == 0.0 { 0.0 } else { g * g * g * central.third };
+        }
+        let sd = libm::sqrt(variance);
+        Ok(SecondOrder { mean: value + 0.5 * trace(&curved), sd, skewness: third / (variance * sd) })
+    }
+
+    /// Returns the derivatives of each input by each number.
+    fn jacobian(&self, numbers: &[f64]) -> Vec<Vec<f64>> {
+        let by = |j: usize| -> Vec<Dual<f64>> {
+            let seed = |(i, x): (usize, &f64)| Dual { value: *x, derivative: f64::from(u8::from(i == j)) };
+            self.written(&numbers.iter().enumerate().map(seed).collect::<Vec<_>>())
+        };
+        let columns: Vec<Vec<Dual<f64>>> = (0..numbers.len()).map(by).collect();
+        (0..self.mapping.inputs().len()).map(|k| columns.iter().map(|column| column[k].derivative).collect()).collect()
+    }
+
+    fn written<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> Vec<T> {
+        let mut inputs = vec![T::int(0); self.mapping.inputs().len()];
+        self.mapping.write(numbers, &mut inputs);
+        inputs
+    }
+
+    /// Returns a gradient by the numbers, given that by inputs.
+    fn chain(&self, jacobian: &[Vec<f64>], by: impl Fn(Input) -> f64) -> Vec<f64> {
+        let mut gradient = vec![0.0; self.numbers.len()];
+        for (input, row) in self.mapping.inputs().iter().zip(jacobian) {
+            gradient.iter_mut().zip(row).for_each(|(sum, x)| *sum += by(*input) * x);
+        }
+        gradient
+    }
+
+    /// Returns an output with its derivatives by the numbers: Jᵀ H J and the curvature of the mapping itself.
+    fn expand(&self, of: Output, numbers: &[f64]) -> Result<Expansion, Refusals> {
+        let curved = self.at(numbers).curvature(of)?;
+        let inputs = self.mapping.inputs();
+        let jacobian = self.jacobian(numbers);
+        let n = numbers.len();
+        let mut hessian = vec![vec![0.0; n]; n];
+        for i in 0..n {
+            for j in 0..=i {
+                let seed = |(k, x): (usize, &f64)| {
+                    let unit = |at: usize| f64::from(u8::from(k == at));
+                    Dual { value: Dual { value: *x, derivative: unit(i) }, derivative: Dual { value: unit(j), derivative: 0.0 } }
+                };
+                let twice = self.written(&numbers.iter().enumerate().map(seed).collect::<Vec<_>>());
+                let bent: f64 = inputs.iter().zip(&twice).map(|(input, x)| curved.by[*input] * x.derivative.derivative).sum();
+                let through = |(k, one): (usize, &Input)| {
+                    let row =
+                        |(l, other): (usize, &Input)| jacobian[k][i] * curved.twice.as_rows()[one.index()][other.index()] * jacobian[l][j];
+                    inputs.iter().enumerate().map(row).sum::<f64>()
+                };
+                hessian[i][j] = bent + inputs.iter().enumerate().map(through).sum::<f64>();
+                hessian[j][i] = hessian[i][j];
+            }
+        }
+        let gradient = self.chain(&jacobian, |input| curved.by[input]);
+        Ok(Expansion { value: curved.value, gradient, hessian })
+    }
+}
+
+fn square(x: f64) -> f64 {
+    x * x
+}
+
+/// Returns the sum of products, in which nothing times infinity is nothing.
+fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(x, y)| if *x == 0.0 || *y == 0.0 { 0.0 } else { x * y }).sum()
+}
+
+fn product(rows: &[Vec<f64>], by: &[f64]) -> Vec<f64> {
+    rows.iter().map(|row| dot(row, by)).collect()
+}
+
+/// Returns the product of two square tables.
+fn times(one: &[Vec<f64>], other: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let n = one.len();
+    let entry = |i: usize, j: usize| (0..n).map(|k| one[i][k] * other[k][j]).sum();
+    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
+}

@@ -1,0 +1,311 @@
+//! What samples say of an uncertain output, with the standard error of each figure.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::points::Filled;
+use super::tally::{Moments, Tally, nearest_turn};
+use super::{Mapping, Points, Uncertain, UncertainNumber};
+use crate::measure::Measure;
+use crate::output::{Output, Outputs};
+use crate::simulation::{Reduce, RefusedSamples, Samples, Simulation};
+
+/// Samples that find where the outputs lie.
+const PILOT: u64 = 1024;
+
+/// Independent parts of points that are not independent within: their differences are the standard errors.
+const PARTS: u64 = 16;
+
+/// Bins of a density.
+const BINS: usize = 60;
+
+/// The probabilities of the quantiles that every output has.
+pub const QUANTILES: [f64; 7] = [0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975];
+
+/// A question to samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonteCarlo {
+    /// The number of samples, refused ones included; with a precision, the greatest.
+    pub samples: u64,
+    /// The seed: the samples depend on nothing else.
+    pub seed: u64,
+    /// Where they lie.
+    pub points: Points,
+    /// The standard error at which the mean of every output is good enough, as a share of its magnitude or of its standard deviation, whichever is greater.
+    pub precision: Option<f64>,
+    /// The probabilities of quantiles beside [`QUANTILES`].
+    pub quantiles: Vec<f64>,
+    /// The statements whose probability is asked for.
+    pub statements: Vec<Threshold>,
+}
+
+impl MonteCarlo {
+    /// Creates a question to so many random samples.
+    #[must_use]
+    pub fn of(samples: u64) -> Self {
+        MonteCarlo { samples, seed: 0, points: Points::Random, precision: None, quantiles: Vec::new(), statements: Vec::new() }
+    }
+}
+
+/// A statement: an output is above or below a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threshold {
+    /// The output.
+    pub of: Output,
+    /// `true` if it is said to be above the value, `false` if below.
+    pub is_above: bool,
+    /// `true` if the value itself counts.
+    pub or_equal: bool,
+    /// The value in SI; an angle counts from the nominal one, within half a turn.
+    pub value: f64,
+}
+
+/// A figure from samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Estimated {
+    /// The figure.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+}
+
+/// The answer of samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampled {
+    /// The samples drawn, refused ones included: fewer than asked for if they were stopped, or if the precision was reached.
+    pub samples: u64,
+    /// Those that physics refuses; all figures are of the others.
+    pub refused: RefusedSamples,
+    /// The outputs, in the order of the question.
+    pub outputs: Vec<SampledOutput>,
+    /// The probability of each statement.
+    pub probabilities: Vec<Estimated>,
+    /// Whether the precision was reached, if one was asked for.
+    pub is_precise: bool,
+}
+
+/// An output of samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SampledOutput {
+    /// The output.
+    pub of: Output,
+    /// Its mean.
+    pub mean: Estimated,
+    /// Its standard deviation.
+    pub sd: Estimated,
+    /// Its third central moment divided by the cube of its standard deviation.
+    pub skewness: f64,
+    /// Its quantiles, each with its probability: [`QUANTILES`] and those asked for, in increasing order.
+    pub quantiles: Vec<(f64, Estimated)>,
+    /// Edges of bins of equal width, one more than bins, between the quantiles of 0.1 % and 99.9 %.
+    pub edges: Vec<f64>,
+    /// The share of the samples in each bin.
+    pub shares: Vec<f64>,
+}
+
+impl Sampled {
+    /// Returns an output.
+    ///
+    /// # Panics
+    ///
+    /// If the question did not have it.
+    pub fn output(&self, of: Output) -> &SampledOutput {
+        let found = self.outputs.iter().find(|output| output.of == of);
+        found.unwrap_or_else(|| panic!("{of} is not among the outputs of the question"))
+    }
+}
+
+/// How many samples fulfill a statement.
+#[derive(Clone, Debug, PartialEq)]
+struct Count {
+    of: Threshold,
+    center: f64,
+    samples: u64,
+    holds: u64,
+}
+
+impl Reduce for Count {
+    fn outputs(&self) -> Vec<Output> {
+        vec![self.of.of]
+    }
+
+    fn take(&mut self, samples: &Samples<'_>) {
+        let Threshold { of, is_above, or_equal, value } = self.of;
+        let turns = of.measure() == Measure::Angle;
+        let holds = |x: &&f64| {
+            let x = if turns { nearest_turn(**x, self.center) } else { **x };
+            (if is_above { x > value } else { x < value }) || (or_equal && x == value)
+        };
+        let column = samples.column(of);
+        self.samples += column.len() as u64;
+        self.holds += column.iter().filter(holds).count() as u64;
+    }
+
+    fn merge(&mut self, later: Self) {
+        self.samples += later.samples;
+        self.holds += later.holds;
+    }
+}
+
+impl Count {
+    fn share(&self) -> f64 {
+        self.holds as f64 / self.samples as f64
+    }
+}
+
+/// The summaries of one run.
+type Summary = (Vec<Tally>, Vec<Count>);
+
+/// A run of samples, or of an independent part of them.
+struct Part {
+    samples: u64,
+    refused: RefusedSamples,
+    summary: Summary,
+}
+
+impl<M: Mapping> Uncertain<M> {
+    /// Draws samples, and returns moments, quantiles and probabilities of outputs, each with its standard error.
+    #[must_use]
+    pub fn monte_carlo(&self, of: &[Output], question: &MonteCarlo) -> Sampled {
+        self.monte_carlo_while(of, question, &|_| true)
+    }
+
+    /// The same, stopped when a function of the number of samples that are done returns `false`: it is called from any thread.
+    #[must_use]
+    pub fn monte_carlo_while(&self, of: &[Output], question: &MonteCarlo, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Sampled {
+        let empty = self.pilot(of, question);
+        let Some(precision) = question.precision else { return self.sampled(question, question.samples, &empty, goes_on) };
+        let mut samples = question.samples.min(16 * PILOT);
+        loop {
+            let found = self.sampled(question, samples, &empty, goes_on);
+            // The standard error falls with the root of the number of samples.
+            let worst = found.outputs.iter().map(|output| relative(&output.mean, &output.sd) / precision).fold(0.0, f64::max);
+            let is_precise = worst <= 1.0;
+            let is_stopped = found.samples < samples;
+            if is_precise || is_stopped || samples >= question.samples {
+                return Sampled { is_precise, ..found };
+            }
+            let wanted = samples as f64 * worst * worst * 1.1;
+            samples = (wanted as u64).clamp(samples + samples / 8, question.samples.max(samples + 1)).min(question.samples);
+        }
+    }
+
+    /// Finds where the outputs lie, and returns summaries without samples.
+    fn pilot(&self, of: &[Output], question: &MonteCarlo) -> Summary {
+        let first = |of: Vec<Tally>| self.part(question, 0, PILOT.min(question.samples), (of, Vec::new()), &|_| true).summary.0;
+        let nominal = self.at(&self.numbers.iter().map(UncertainNumber::nominal).collect::<Vec<_>>());
+        let nominal = Outputs::of(&nominal, &nominal.evaluate()).map(|x| if x.is_finite() { x } else { 0.0 });
+        let about = first(of.iter().map(|of| Tally::of(*of, nominal[*of], 1.0)).collect());
+        let tallies: Vec<Tally> = about
+            .iter()
+            .map(|tally| {
+                let Moments { mean, sd, .. } = tally.moments();
+                Tally::of(tally.output(), mean, sd)
+            })
+            .collect();
+        let count = |of: &Threshold| Count { of: *of, center: nominal[of.of], samples: 0, holds: 0 };
+        (tallies, question.statements.iter().map(count).collect())
+    }
+
+    fn part(&self, question: &MonteCarlo, part: u64, samples: u64, empty: Summary, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Part {
+        let fill = Filled { of: self, points: question.points, seed: question.seed, part };
+        let reduced = Simulation::filled(self.collision, fill).reduce(samples, empty, goes_on);
+        Part { samples: reduced.samples, refused: reduced.refused, summary: reduced.summary }
+    }
+
+    fn sampled(&self, question: &MonteCarlo, samples: u64, empty: &Summary, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Sampled {
+        let several = match question.points {
+            Points::Random => 1,
+            Points::Sobol => PARTS.min(samples.max(1)),
+        };
+        let shares: Vec<u64> = (0..several).map(|part| samples / several + u64::from(part < samples % several)).collect();
+        let mut parts: Vec<Part> = Vec::with_capacity(shares.len());
+        let mut done = 0;
+        for (i, share) in shares.into_iter().enumerate() {
+            let part = self.part(question, i as u64, share, empty.clone(), &|of_part| goes_on(done + of_part));
+            done += part.samples;
+            let is_stopped = part.samples < share;
+            parts.push(part);
+            if is_stopped {
+                break;
+            }
+        }
+        answer(question, parts)
+    }
+}
+
+/// Returns the standard error of a mean as a share of the mean or of the standard deviation.
+fn relative(mean: &Estimated, sd: &Estimated) -> f64 {
+    let scale = if mean.value.abs() > sd.value { mean.value.abs() } else { sd.value };
+    if mean.standard_error == 0.0 { 0.0 } else { mean.standard_error / scale }
+}
+
+/// Returns the figures of all parts together. Their standard errors follow from the sample itself, or from the differences of several parts.
+fn answer(question: &MonteCarlo, parts: Vec<Part>) -> Sampled {
+    let mut levels: Vec<f64> = QUANTILES.into_iter().chain(question.quantiles.iter().copied()).collect();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    let mut refused = RefusedSamples::default();
+    let mut samples = 0;
+    for part in &parts {
+        samples += part.samples;
+        refused.merge(&part.refused);
+    }
+    let whole = parts.iter().map(|part| part.summary.clone()).reduce(|mut whole, later| {
+        whole.merge(later);
+        whole
+    });
+    let (tallies, counts) = whole.unwrap_or_default();
+    let several = (parts.len() > 1).then_some(&parts[..]);
+    let spread = |of: &dyn Fn(&Summary) -> f64| several.map(|parts| error_of_mean(parts.iter().map(|part| of(&part.summary))));
+    let outputs = tallies.iter().enumerate().map(|(i, tally)| {
+        let Moments { mean, sd, skewness, kurtosis } = tally.moments();
+        let n = tally.samples() as f64;
+        let quantile = |p: f64| {
+            let value = tally.quantile(p);
+            let own = || {
+                // The probability has a standard error, and the quantile that of its slope.
+                let error = libm::sqrt(p * (1.0 - p) / n);
+                let (low, high) = ((p - error).max(0.0), (p + error).min(1.0));
+                (tally.quantile(high) - tally.quantile(low)) * (error / (high - low))
+            };
+            let standard_error = spread(&|part| part.0[i].quantile(p)).unwrap_or_else(own);
+            (p, Estimated { value, standard_error })
+        };
+        let (least, greatest) = (tally.quantile(0.001), tally.quantile(0.999));
+        let edges: Vec<f64> = (0..=BINS).map(|bin| least + (greatest - least) * (bin as f64 / BINS as f64)).collect();
+        SampledOutput {
+            of: tally.output(),
+            mean: Estimated { value: mean, standard_error: spread(&|part| part.0[i].moments().mean).unwrap_or(sd / libm::sqrt(n)) },
+            sd: Estimated {
+                value: sd,
+                standard_error: spread(&|part| part.0[i].moments().sd)
+                    .unwrap_or_else(|| if sd == 0.0 { 0.0 } else { sd * libm::sqrt((kurtosis - 1.0) / (4.0 * n)) }),
+            },
+            skewness,
+            quantiles: levels.iter().map(|p| quantile(*p)).collect(),
+            shares: tally.counts(&edges),
+            edges,
+        }
+    });
+    let probability = |(i, count): (usize, &Count)| {
+        let p = count.share();
+        let own = || libm::sqrt(p * (1.0 - p) / count.samples as f64);
+        Estimated { value: p, standard_error: spread(&|part| part.1[i].share()).unwrap_or_else(own) }
+    };
+    Sampled {
+        samples,
+        refused,
+        outputs: outputs.collect(),
+        probabilities: counts.iter().enumerate().map(probability).collect(),
+        is_precise: true,
+    }
+}
+
+/// Returns the standard error of the mean of independent figures.
+fn error_of_mean(figures: impl Iterator<Item = f64> + Clone) -> f64 {
+    let n = figures.clone().count() as f64;
+    let mean = figures.clone().sum::<f64>() / n;
+    libm::sqrt(figures.map(|x| (x - mean) * (x - mean)).sum::<f64>() / (n * (n - 1.0)))
+}

@@ -1,0 +1,294 @@
+//! The distribution of one uncertain number.
+
+use alloc::vec::Vec;
+
+use crate::distribution::Distribution;
+use crate::distribution::quantile::{cumulative, standard};
+use crate::issue::{InputIssue, IssueCollector, Issues, Place};
+
+/// The distribution of an uncertain number, by a formula or by values that were measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum UncertainNumber {
+    /// A distribution that has a formula.
+    Of(Distribution),
+    /// Values, each as likely as any other: draws take them with replacement.
+    Values(Values),
+}
+
+/// Measured values of a number, in increasing order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values(Vec<f64>);
+
+impl Values {
+    /// Creates the distribution of measured values.
+    ///
+    /// # Errors
+    ///
+    /// Each value that is not finite, and fewer than two values.
+    pub fn new(mut values: Vec<f64>) -> Result<Self, Issues<InputIssue>> {
+        let mut found = IssueCollector::<InputIssue>::new();
+        values.iter().for_each(|value| {
+            found.finite(Place::plain("values"), value);
+        });
+        if values.len() < 2 {
+            found.push(InputIssue::too_few(Place::plain("values"), values.len(), 2));
+        }
+        found.finish()?;
+        values.sort_by(f64::total_cmp);
+        Ok(Values(values))
+    }
+
+    /// Returns the values in increasing order.
+    pub fn as_slice(&self) -> &[f64] {
+        &self.0
+    }
+
+    fn mean_of(&self, f: impl Fn(f64) -> f64) -> f64 {
+        self.0.iter().map(|x| f(*x)).sum::<f64>() / self.0.len() as f64
+    }
+}
+
+/// Central moments of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Central {
+    pub(super) second: f64,
+    pub(super) third: f64,
+    pub(super) fourth: f64,
+}
+
+impl From<Distribution> for UncertainNumber {
+    fn from(distribution: Distribution) -> Self {
+        UncertainNumber::Of(distribution)
+    }
+}
+
+impl UncertainNumber {
+    /// Returns the number below which a draw lies with a probability. At 0 and 1 it is an end of the support.
+    pub fn quantile(&self, probability: f64) -> f64 {
+        match self {
+            UncertainNumber::Of(distribution) => distribution.quantile(probability),
+            UncertainNumber::Values(Values(values)) => {
+                let place = (probability * values.len() as f64) as usize;
+                if probability.is_nan() { f64::NAN } else { values[place.min(values.len() - 1)] }
+            }
+        }
+    }
+
+    /// Returns the quantile at which a standard normal number has the same probability below it.
+    pub(super) fn of_score(&self, score: f64) -> f64 {
+        match self {
+            UncertainNumber::Of(Distribution::Normal { mean, sd }) => mean + sd * score,
+            UncertainNumber::Of(Distribution::LogNormal { median, log_sd }) => median * libm::exp(log_sd * score),
+            _ => self.quantile(cumulative(score)),
+        }
+    }
+
+    /// Returns the value that a computation with one number uses; of values their mean.
+    pub fn nominal(&self) -> f64 {
+        match self {
+            UncertainNumber::Of(distribution) => distribution.nominal(),
+            UncertainNumber::Values(_) => self.mean(),
+        }
+    }
+
+    /// Returns the mean; NaN if there is none.
+    pub fn mean(&self) -> f64 {
+        match self {
+            UncertainNumber::Of(distribution) => distribution.mean(),
+            UncertainNumber::Values(values) => values.mean_of(|x| x),
+        }
+    }
+
+    /// Returns the standard deviation; infinite or NaN if there is none.
+    pub fn sd(&self) -> f64 {
+        match self {
+            UncertainNumber::Of(distribution) => distribution.sd(),
+            UncertainNumber::Values(values) => {
+                let mean = self.mean();
+                libm::sqrt(values.mean_of(|x| (x - mean) * (x - mean)))
+            }
+        }
+    }
+
+    /// Returns the range of its values, infinite ends replaced by the quantiles of a normal number at so many standard deviations.
+    pub fn range(&self, deviations: f64) -> (f64, f64) {
+        match self {
+            UncertainNumber::Of(distribution) => {
+                let (least, greatest) = distribution.support();
+                let is_log = matches!(distribution, Distribution::LogNormal { .. });
+                let end = |end: f64, score: f64| if end.is_finite() && !is_log { end } else { self.of_score(score) };
+                (end(least, -deviations), end(greatest, deviations))
+            }
+            UncertainNumber::Values(Values(values)) => (values[0], values[values.len() - 1]),
+        }
+    }
+
+    /// Returns `true` if its range is limited, without a choice of deviations.
+    pub fn is_limited(&self) -> bool {
+        match self {
+            UncertainNumber::Of(distribution) => {
+                let (least, greatest) = distribution.support();
+                least.is_finite() && greatest.is_finite()
+            }
+            UncertainNumber::Values(_) => true,
+        }
+    }
+
+    /// Returns its central moments; infinite or NaN where there are none.
+    pub(super) fn central(&self) -> Central {
+        let second = self.sd() * self.sd();
+        let of = |third: f64, fourth: f64| Central { second, third, fourth };
+        match self {
+            UncertainNumber::Of(Distribution::Normal { .. }) => of(0.0, 3.0 * second * second),
+            UncertainNumber::Of(Distribution::Uniform { .. }) => of(0.0, 1.8 * second * second),
+            UncertainNumber::Of(Distribution::Triangular { min, mode, max }) => {
+                let (a, b, c) = (*min, *max, *mode);
+                of((a + b - 2.0 * c) * (2.0 * a - b - c) * (a - 2.0 * b + c) / 270.0, 2.4 * second * second)
+            }
+            UncertainNumber::Of(Distribution::LogNormal { log_sd, .. }) => {
+                let w = libm::exp(log_sd * log_sd);
+                let skewness = (w + 2.0) * libm::sqrt(w - 1.0);
+                of(skewness * second * self.sd(), (w * w * (w * w + 2.0 * w + 3.0) - 3.0) * second * second)
+            }
+            UncertainNumber::Values(values) => {
+                let mean = self.mean();
+                of(values.mean_of(|x| libm::pow(x - mean, 3.0)), values.mean_of(|x| libm::pow(x - mean, 4.0)))
+            }
+            UncertainNumber::Of(_) if !second.is_finite() => of(f64::NAN, f64::INFINITY),
+            UncertainNumber::Of(_) => {
+                let mean = self.mean();
+                of(self.expected(|x, _| libm::pow(x - mean, 3.0)), self.expected(|x, _| libm::pow(x - mean, 4.0)))
+            }
+        }
+    }
+
+    /// Returns the expected value of a function of the number and its normal score, to about six digits: the trapezoidal rule over scores.
+    fn expected(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
+        /// A step that divides the range, where a density with corners is the hardest.
+        const STEP: f64 = 1.0 / 256.0;
+        const END: i32 = 9 * 256;
+        let at = |k: i32| {
+            let score = f64::from(k) * STEP;
+            libm::exp(-0.5 * score * score) * f(self.of_score(score), score)
+        };
+        (-END..=END).map(at).sum::<f64>() * STEP / libm::sqrt(2.0 * core::f64::consts::PI)
+    }
+
+    /// Returns the first coefficients of its Hermite series in the normal score, x = Σ c_k He_k(z)/√k!, but for the constant.
+    pub(super) fn hermite(&self) -> [f64; TERMS] {
+        if let UncertainNumber::Of(Distribution::Normal { sd, .. }) = self {
+            let mut only = [0.0; TERMS];
+            only[0] = *sd;
+            return only;
+        }
+        core::array::from_fn(|k| self.expected(|x, z| x * normalized_hermite(k + 1, z)))
+    }
+}
+
+/// Number of terms of a Hermite series.
+pub(super) const TERMS: usize = 12;
+
+/// Returns He_k(z)/√k! by its recurrence.
+fn normalized_hermite(k: usize, z: f64) -> f64 {
+    let (mut before, mut here) = (0.0, 1.0);
+    for i in 0..k {
+        let i = i as f64;
+        (before, here) = (here, (z * here - libm::sqrt(i) * before) / libm::sqrt(i + 1.0));
+    }
+    here
+}
+
+/// Returns the covariance of two numbers whose normal scores have a coefficient of correlation: Σ ρ^k c_k d_k.
+pub(super) fn covariance(one: &[f64; TERMS], other: &[f64; TERMS], coefficient: f64) -> f64 {
+    let mut power = 1.0;
+    one.iter()
+        .zip(other)
+        .map(|(c, d)| {
+            power *= coefficient;
+            power * c * d
+        })
+        .sum()
+}
+
+/// Returns the score of a probability.
+pub(super) fn score(probability: f64) -> f64 {
+    standard(probability)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Distribution::{LogNormal, Normal, Triangular, TruncatedNormal, Uniform};
+
+    fn shapes() -> [UncertainNumber; 6] {
+        [
+            Normal { mean: 3.0, sd: 2.0 }.into(),
+            Uniform { min: -1.0, max: 5.0 }.into(),
+            Triangular { min: 1.0, mode: 1.5, max: 4.0 }.into(),
+            LogNormal { median: 20.0, log_sd: 0.4 }.into(),
+            TruncatedNormal { mode: 0.2, scale: 0.5, min: 0.0, max: 1.0 }.into(),
+            UncertainNumber::Values(Values::new(vec![1.0, 2.0, 2.0, 7.0]).expect("values")),
+        ]
+    }
+
+    #[test]
+    fn central_moments_are_those_of_quantiles() {
+        for number in shapes() {
+            let n = 2_000_000;
+            let draws = || (0..n).map(|i| number.quantile((f64::from(i) + 0.5) / f64::from(n)) - number.mean());
+            let Central { second, third, fourth } = number.central();
+            for (k, found) in [(2, second), (3, third), (4, fourth)] {
+                let wanted = draws().map(|x| x.powi(k)).sum::<f64>() / f64::from(n);
+                let scale = number.sd().powi(k);
+                // Two million quantiles lack the end of a long tail.
+                assert!((found - wanted).abs() < 0.005 * scale, "{number:?} {k}: {found} {wanted}");
+            }
+            assert!(draws().sum::<f64>().abs() / f64::from(n) < 1e-4 * number.sd(), "{number:?}");
+        }
+    }
+
+    #[test]
+    fn a_covariance_is_that_of_the_copula() {
+        for one in shapes() {
+            for other in shapes() {
+                for r in [-0.8, 0.3, 0.6] {
+                    let found = covariance(&one.hermite(), &other.hermite(), r);
+                    // The midpoint rule over two independent scores.
+                    let scores = || (0..240).map(|i| (f64::from(i) - 119.5) / 20.0);
+                    let weight = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt() / 20.0;
+                    let term = |z: f64, w: f64| {
+                        let x = one.of_score(z) - one.mean();
+                        let y = other.of_score(r * z + (1.0 - r * r).sqrt() * w) - other.mean();
+                        weight(z) * weight(w) * x * y
+                    };
+                    let wanted: f64 = scores().flat_map(|z| scores().map(move |w| (z, w))).map(|(z, w)| term(z, w)).sum();
+                    // The steps of values make both sides coarse.
+                    let coarse =
+                        if [&one, &other].into_iter().any(|shape| matches!(shape, UncertainNumber::Values(_))) { 0.02 } else { 1e-4 };
+                    assert!((found - wanted).abs() < coarse * one.sd() * other.sd(), "{one:?} {other:?} {r}: {found} {wanted}");
+                }
+            }
+        }
+        let [normal, ..] = shapes();
+        assert_eq!(covariance(&normal.hermite(), &normal.hermite(), 0.25), 1.0);
+    }
+
+    #[test]
+    fn values_are_drawn_as_they_are() {
+        let [.., values] = shapes();
+        assert_eq!([0.0, 0.2, 0.3, 0.74, 0.75, 1.0].map(|p| values.quantile(p)), [1.0, 1.0, 2.0, 2.0, 7.0, 7.0]);
+        assert_eq!((values.nominal(), values.range(3.0), values.is_limited()), (3.0, (1.0, 7.0), true));
+        assert!(Values::new(vec![]).is_err() && Values::new(vec![1.0]).is_err());
+        assert!(Values::new(vec![1.0, f64::NAN]).is_err());
+    }
+
+    #[test]
+    fn ranges_have_limits_or_deviations() {
+        let [normal, uniform, _, log_normal, truncated, _] = shapes();
+        assert_eq!((normal.range(2.0), normal.is_limited()), ((-1.0, 7.0), false));
+        assert_eq!((uniform.range(2.0), uniform.is_limited()), ((-1.0, 5.0), true));
+        assert_eq!(truncated.range(1.0), (0.0, 1.0));
+        let (low, high) = log_normal.range(3.0);
+        assert!((low * high / 400.0 - 1.0).abs() < 1e-14 && (high / 20.0 - 1.2_f64.exp()).abs() < 1e-14 && !log_normal.is_limited());
+    }
+}

@@ -1,0 +1,129 @@
+//! One output of many samples: its moments and quantiles.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use crate::measure::Measure;
+use crate::output::Output;
+use crate::simulation::quantiles::Bins;
+use crate::simulation::{Reduce, Samples};
+
+/// Numbers that are added side by side, so that the sum has the same bits whatever the vector instructions.
+const WIDTH: usize = 8;
+
+/// Distances from the center below this share of the scale count as none.
+const NEAREST: f64 = 1.0 / (1 << 20) as f64;
+
+/// Sums of powers and bins of an output, in a unit in which it is near 1 and about 0.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tally {
+    of: Output,
+    center: f64,
+    scale: f64,
+    samples: u64,
+    sums: [f64; 4],
+    bins: Bins,
+}
+
+/// Moments of an output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Moments {
+    pub(super) mean: f64,
+    pub(super) sd: f64,
+    pub(super) skewness: f64,
+    /// The fourth central moment divided by the square of the variance.
+    pub(super) kurtosis: f64,
+}
+
+impl Tally {
+    /// Creates the summary of no samples of an output that is expected about a center, within a few times a scale of it.
+    pub(super) fn of(of: Output, center: f64, scale: f64) -> Self {
+        let is_usable = center.is_finite() && scale.is_finite() && scale > 0.0;
+        let (center, scale) = if is_usable { (center, scale) } else { (if center.is_finite() { center } else { 0.0 }, 1.0) };
+        Tally { of, center, scale, samples: 0, sums: [0.0; 4], bins: Bins::default() }
+    }
+
+    pub(super) fn output(&self) -> Output {
+        self.of
+    }
+
+    pub(super) fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    /// Returns the moments; NaN where there are too few samples, or one is not finite.
+    pub(super) fn moments(&self) -> Moments {
+        let n = self.samples as f64;
+        let [m, s2, s3, s4] = self.sums.map(|sum| sum / n);
+        let second = s2 - m * m;
+        // Rounding of numbers that are all the same.
+        let second = if second < 0.0 { 0.0 } else { second };
+        let third = s3 - 3.0 * m * s2 + 2.0 * m * m * m;
+        let fourth = s4 - 4.0 * m * s3 + 6.0 * m * m * s2 - 3.0 * m * m * m * m;
+        Moments {
+            mean: self.center + self.scale * m,
+            sd: if self.samples < 2 { f64::NAN } else { self.scale * libm::sqrt(second * (n / (n - 1.0))) },
+            skewness: third / (second * libm::sqrt(second)),
+            kurtosis: fourth / (second * second),
+        }
+    }
+
+    /// Returns the value below which a share of the samples lies.
+    pub(super) fn quantile(&self, share: f64) -> f64 {
+        self.center + self.scale * self.bins.quantile(share)
+    }
+
+    /// Returns the numbers of samples in bins of equal width.
+    pub(super) fn counts(&self, edges: &[f64]) -> Vec<f64> {
+        let below: Vec<f64> = edges.iter().map(|edge| self.bins.share_below((edge - self.center) / self.scale)).collect();
+        below.windows(2).map(|pair| pair[1] - pair[0]).collect()
+    }
+}
+
+impl Reduce for Tally {
+    fn outputs(&self) -> Vec<Output> {
+        vec![self.of]
+    }
+
+    fn take(&mut self, samples: &Samples<'_>) {
+        let column = samples.column(self.of);
+        self.samples += column.len() as u64;
+        let turns = self.of.measure() == Measure::Angle;
+        let (eights, rest) = column.as_chunks::<WIDTH>();
+        let mut sums = [[0.0; WIDTH]; 4];
+        for (chunk, len) in eights.iter().map(|eight| (*eight, WIDTH)).chain(padded(rest, self.center)) {
+            let mut y = [0.0; WIDTH];
+            for i in 0..WIDTH {
+                // An angle counts from the center, so that it does not jump by a turn.
+                let x = if turns { nearest_turn(chunk[i], self.center) } else { chunk[i] };
+                y[i] = (x - self.center) / self.scale;
+                let square = y[i] * y[i];
+                sums[0][i] += y[i];
+                sums[1][i] += square;
+                sums[2][i] += square * y[i];
+                sums[3][i] += square * square;
+            }
+            y[..len].iter().for_each(|y| self.bins.add(if y.abs() < NEAREST { 0.0 } else { *y }));
+        }
+        self.sums.iter_mut().zip(sums).for_each(|(sum, more)| *sum += more.iter().sum::<f64>());
+    }
+
+    fn merge(&mut self, later: Self) {
+        self.samples += later.samples;
+        self.sums.iter_mut().zip(later.sums).for_each(|(sum, more)| *sum += more);
+        self.bins.merge(&later.bins);
+    }
+}
+
+/// Returns the last samples, filled up with numbers at the center, which add nothing to a sum.
+fn padded(rest: &[f64], center: f64) -> Option<([f64; WIDTH], usize)> {
+    let mut eight = [center; WIDTH];
+    eight[..rest.len()].copy_from_slice(rest);
+    (!rest.is_empty()).then_some((eight, rest.len()))
+}
+
+/// Returns an angle less the whole turns between it and another.
+pub(super) fn nearest_turn(angle: f64, other: f64) -> f64 {
+    angle - TAU * libm::round((angle - other) / TAU)
+}
