@@ -115,23 +115,23 @@ pub struct RefusedSamples {
 
 /// Accepted samples with consecutive numbers, but for those refused.
 #[derive(Clone, Copy, Debug)]
-pub struct Samples<'a> {
-    of: &'a [Output],
+pub struct Samples<'a, K = Output> {
+    of: &'a [K],
     columns: &'a [Vec<f64>],
     first: u64,
     /// The place of each among those drawn, unless all are accepted.
     places: Option<&'a [u64]>,
 }
 
-impl<'a> Samples<'a> {
+impl<'a, K: Copy + PartialEq + fmt::Debug> Samples<'a, K> {
     /// Returns the values of an output.
     ///
     /// # Panics
     ///
     /// If the output is not one of [`Reduce::outputs`].
-    pub fn column(&self, output: Output) -> &'a [f64] {
+    pub fn column(&self, output: K) -> &'a [f64] {
         let place = self.of.iter().position(|of| *of == output);
-        place.map(|place| self.columns[place].as_slice()).unwrap_or_else(|| panic!("{output} is not among the outputs of the summary"))
+        place.map(|place| self.columns[place].as_slice()).unwrap_or_else(|| panic!("{output:?} is not among the outputs of the summary"))
     }
 
     /// Returns the number of the sample at a place of the columns.
@@ -140,13 +140,13 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// A summary of samples.
-pub trait Reduce: Clone + Send + Sync {
+/// A summary of samples, of whose outputs a key is the name.
+pub trait Reduce<K = Output>: Clone + Send + Sync {
     /// Returns the outputs that it needs.
-    fn outputs(&self) -> Vec<Output>;
+    fn outputs(&self) -> Vec<K>;
 
     /// Adds samples that follow those it has.
-    fn take(&mut self, samples: &Samples<'_>);
+    fn take(&mut self, samples: &Samples<'_, K>);
 
     /// Adds the summary of samples that follow those it has.
     fn merge(&mut self, later: Self);
@@ -154,14 +154,14 @@ pub trait Reduce: Clone + Send + Sync {
 
 macro_rules! tuples {
     ($($($part:ident $i:tt),+;)+) => {
-        $(impl<$($part: Reduce),+> Reduce for ($($part,)+) {
-            fn outputs(&self) -> Vec<Output> {
+        $(impl<K, $($part: Reduce<K>),+> Reduce<K> for ($($part,)+) {
+            fn outputs(&self) -> Vec<K> {
                 let mut outputs = Vec::new();
                 $(outputs.extend(self.$i.outputs());)+
                 outputs
             }
 
-            fn take(&mut self, samples: &Samples<'_>) {
+            fn take(&mut self, samples: &Samples<'_, K>) {
                 $(self.$i.take(samples);)+
             }
 
@@ -179,12 +179,12 @@ tuples! {
     A 0, B 1, C 2, D 3, E 4;
 }
 
-impl<R: Reduce> Reduce for Vec<R> {
-    fn outputs(&self) -> Vec<Output> {
+impl<K, R: Reduce<K>> Reduce<K> for Vec<R> {
+    fn outputs(&self) -> Vec<K> {
         self.iter().flat_map(R::outputs).collect()
     }
 
-    fn take(&mut self, samples: &Samples<'_>) {
+    fn take(&mut self, samples: &Samples<'_, K>) {
         self.iter_mut().for_each(|part| part.take(samples));
     }
 
@@ -257,20 +257,7 @@ impl<F: Fill> Simulation<F> {
     /// If a [`Fill`] of yours has not written a number for each sample and input.
     #[must_use]
     pub fn reduce<R: Reduce>(&self, samples: u64, empty: R, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Reduced<R> {
-        let mut of = empty.outputs();
-        of.sort_by_key(|output| output.index());
-        of.dedup();
-        let answer = Reduced { samples: 0, refused: RefusedSamples::default(), summary: empty.clone() };
-        let stretch = STRETCH / CHUNK * self.chunk();
-        let stretches = samples.div_ceil(stretch);
-        let range = |i: u64| i * stretch..((i + 1).saturating_mul(stretch)).min(samples);
-        in_order(stretches, answer, |i| self.stretch(&of, range(i), empty.clone()), goes_on)
-    }
-
-    /// Returns the number of samples that are solved together, whole groups of those that belong together.
-    fn chunk(&self) -> u64 {
-        let together = self.fill.together().max(1);
-        (CHUNK / together).max(1) * together
+        reduce(self, samples, empty, goes_on)
     }
 
     fn columns(&self) -> Vec<Vec<f64>> {
@@ -283,44 +270,113 @@ impl<F: Fill> Simulation<F> {
     ///
     /// If a fill has written another number of rows.
     fn batch<'a>(&self, columns: &'a [Vec<f64>], samples: usize) -> Batch<'a> {
-        let batch = Batch::of(self.collision).on(self.instructions).with_rows(samples);
-        self.fill.inputs().iter().zip(columns).fold(batch, |batch, (input, column)| match batch.with(*input, column) {
-            Ok(batch) => batch,
-            Err(unequal) => panic!("a fill has not written {samples} samples: {unequal}"),
-        })
-    }
-
-    /// Summarizes some samples on this thread.
-    fn stretch<R: Reduce>(&self, of: &[Output], samples: Range<u64>, empty: R) -> Reduced<R> {
-        let mut answer = Reduced { samples: samples.end - samples.start, refused: RefusedSamples::default(), summary: empty };
-        let mut columns = self.columns();
-        let mut first = samples.start;
-        while first < samples.end {
-            let end = (first + self.chunk()).min(samples.end);
-            self.fill.fill(first..end, &mut columns);
-            let solved = self.batch(&columns, (end - first) as usize).solve(of);
-            let mut outputs = solved.columns.into_columns();
-            let places = (!solved.refused.is_empty()).then(|| {
-                answer.refused.add(&solved.refused);
-                let mut refused = solved.refused.iter().map(|refused| refused.row as u64).peekable();
-                let places: Vec<u64> = (0..end - first).filter(|place| refused.next_if_eq(place).is_none()).collect();
-                for column in &mut outputs {
-                    *column = places.iter().map(|place| column[*place as usize]).collect();
-                }
-                places
-            });
-            answer.summary.take(&Samples { of, columns: &outputs, first, places: places.as_deref() });
-            first = end;
-        }
-        answer
+        filled(Batch::of(self.collision).on(self.instructions).with_rows(samples), self.fill.inputs(), columns)
     }
 }
 
+/// Returns a batch with columns of inputs.
+///
+/// # Panics
+///
+/// If one has not as many rows as the batch.
+pub(crate) fn filled<'a>(batch: Batch<'a>, inputs: &[Input], columns: &'a [Vec<f64>]) -> Batch<'a> {
+    inputs.iter().zip(columns).fold(batch, |batch, (input, column)| match batch.with(*input, column) {
+        Ok(batch) => batch,
+        Err(unequal) => panic!("not every sample was written: {unequal}"),
+    })
+}
+
+impl<F: Fill> Source for Simulation<F> {
+    type Output = Output;
+
+    fn solve(&self, samples: Range<u64>, of: &[Output]) -> SolvedSamples {
+        let mut columns = self.columns();
+        let rows = (samples.end - samples.start) as usize;
+        self.fill.fill(samples, &mut columns);
+        SolvedSamples::of(&self.batch(&columns, rows), of)
+    }
+}
+
+/// Samples by their numbers, with the outputs of each.
+pub(crate) trait Source: Sync {
+    /// The name of an output.
+    type Output: Copy + PartialEq + fmt::Debug + Sync;
+
+    /// Returns how many samples belong together: they are solved and summarized at once, and their numbers begin at a multiple of it.
+    fn together(&self) -> u64 {
+        1
+    }
+
+    /// Solves some samples.
+    fn solve(&self, samples: Range<u64>, of: &[Self::Output]) -> SolvedSamples;
+}
+
+/// Samples that are solved.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolvedSamples {
+    /// The outputs, a column of all samples for each.
+    pub columns: Vec<Vec<f64>>,
+    /// The samples that are refused, in order, each with the codes of why.
+    pub refused: Vec<(usize, Vec<&'static str>)>,
+}
+
+impl SolvedSamples {
+    /// Solves the rows of a batch.
+    pub(crate) fn of(batch: &Batch<'_>, of: &[Output]) -> Self {
+        let solved = batch.solve(of);
+        let refused = solved.refused.iter().map(|row| (row.row, row.refusals.iter().map(|refusal| refusal.code()).collect()));
+        SolvedSamples { refused: refused.collect(), columns: solved.columns.into_columns() }
+    }
+}
+
+/// Summarizes samples of a source as [`Simulation::reduce`] does.
+pub(crate) fn reduce<S: Source, R: Reduce<S::Output>>(
+    source: &S,
+    samples: u64,
+    empty: R,
+    goes_on: &(dyn Fn(u64) -> bool + Sync),
+) -> Reduced<R> {
+    let mut of: Vec<S::Output> = Vec::new();
+    for output in empty.outputs() {
+        if !of.contains(&output) {
+            of.push(output);
+        }
+    }
+    let answer = Reduced { samples: 0, refused: RefusedSamples::default(), summary: empty.clone() };
+    let together = source.together().max(1);
+    let chunk = (CHUNK / together).max(1) * together;
+    let size = STRETCH / CHUNK * chunk;
+    let range = |i: u64| i * size..((i + 1).saturating_mul(size)).min(samples);
+    in_order(samples.div_ceil(size), answer, |i| stretch(source, &of, chunk, range(i), empty.clone()), goes_on)
+}
+
+/// Summarizes some samples on this thread, a chunk after the other.
+fn stretch<S: Source, R: Reduce<S::Output>>(source: &S, of: &[S::Output], chunk: u64, samples: Range<u64>, empty: R) -> Reduced<R> {
+    let mut answer = Reduced { samples: samples.end - samples.start, refused: RefusedSamples::default(), summary: empty };
+    let mut first = samples.start;
+    while first < samples.end {
+        let end = (first + chunk).min(samples.end);
+        let SolvedSamples { mut columns, refused } = source.solve(first..end, of);
+        let places = (!refused.is_empty()).then(|| {
+            answer.refused.add(&refused);
+            let mut refused = refused.iter().map(|(place, _)| *place as u64).peekable();
+            let places: Vec<u64> = (0..end - first).filter(|place| refused.next_if_eq(place).is_none()).collect();
+            for column in &mut columns {
+                *column = places.iter().map(|place| column[*place as usize]).collect();
+            }
+            places
+        });
+        answer.summary.take(&Samples { of, columns: &columns, first, places: places.as_deref() });
+        first = end;
+    }
+    answer
+}
+
 impl RefusedSamples {
-    fn add(&mut self, rows: &[crate::batch::Refused]) {
-        self.samples += rows.len() as u64;
-        for row in rows {
-            let mut codes: Vec<&'static str> = row.refusals.iter().map(|refusal| refusal.code()).collect();
+    fn add(&mut self, samples: &[(usize, Vec<&'static str>)]) {
+        self.samples += samples.len() as u64;
+        for (_, codes) in samples {
+            let mut codes = codes.clone();
             codes.sort_unstable();
             codes.dedup();
             codes.into_iter().for_each(|code| *self.by_code.entry(code).or_default() += 1);
@@ -333,8 +389,11 @@ impl RefusedSamples {
     }
 }
 
-impl<R: Reduce> Reduced<R> {
-    fn merge(&mut self, later: Self) {
+impl<R> Reduced<R> {
+    fn merge<K>(&mut self, later: Self)
+    where
+        R: Reduce<K>,
+    {
         self.samples += later.samples;
         self.refused.merge(&later.refused);
         self.summary.merge(later.summary);
@@ -343,7 +402,7 @@ impl<R: Reduce> Reduced<R> {
 
 /// Merges the answers of stretches in their order, each computed on a thread of the pool.
 #[cfg(feature = "rayon")]
-fn in_order<R: Reduce>(
+fn in_order<K, R: Reduce<K>>(
     stretches: u64,
     mut answer: Reduced<R>,
     stretch: impl Fn(u64) -> Reduced<R> + Sync,
@@ -379,7 +438,7 @@ fn in_order<R: Reduce>(
 
 /// Merges the answers of stretches in their order.
 #[cfg(not(feature = "rayon"))]
-fn in_order<R: Reduce>(
+fn in_order<K, R: Reduce<K>>(
     stretches: u64,
     mut answer: Reduced<R>,
     stretch: impl Fn(u64) -> Reduced<R>,

@@ -28,12 +28,13 @@
 //! | quantiles, probabilities, densities | [`Uncertain::monte_carlo`] |
 //! | the share of each input in the variance, alone and with others, however curved the output | [`Uncertain::shares`] |
 //!
-//! An uncertain number is an input of the collision, or one that inputs follow from ([`Mapping`]). Correlated numbers have correlated normal scores (a Gaussian
+//! An uncertain number is an input of the collision, or one that inputs follow from ([`Mapping`]); any other function of numbers is a [`Model`]. Correlated numbers have correlated normal scores (a Gaussian
 //! copula). Samples that physics refuses are counted by reason, and never moved to where it would accept them.
 
 mod correlation;
 mod linear;
 mod mapping;
+mod model;
 mod monte_carlo;
 mod number;
 mod points;
@@ -43,6 +44,7 @@ mod tally;
 pub use correlation::NotACorrelation;
 pub use linear::{Linear, SecondOrder};
 pub use mapping::{Direct, Mapping};
+pub use model::{Bend, Mapped, Model, Slope};
 pub use monte_carlo::{Estimated, MonteCarlo, QUANTILES, Sampled, SampledOutput, Threshold};
 pub use number::{UncertainNumber, Values};
 pub use points::Points;
@@ -58,9 +60,8 @@ use correlation::Correlation;
 
 /// A collision with uncertain numbers.
 #[derive(Clone, Debug)]
-pub struct Uncertain<M = Direct> {
-    collision: Collision,
-    mapping: M,
+pub struct Uncertain<M = Mapped<Direct>> {
+    model: M,
     numbers: Vec<UncertainNumber>,
     correlation: Correlation,
 }
@@ -80,24 +81,21 @@ impl Collision {
             distribution.check().map_err(|issues| NotDrawn::Distribution(*input, issues))?;
         }
         let (inputs, distributions): (Vec<Input>, Vec<Distribution>) = inputs.iter().copied().unzip();
-        Ok(Uncertain::new(*self, Direct(inputs), distributions.into_iter().map(UncertainNumber::from).collect()))
+        Ok(Uncertain::new(Mapped::new(*self, Direct(inputs)), distributions.into_iter().map(UncertainNumber::from).collect()))
     }
 }
 
-impl<M: Mapping> Uncertain<M> {
-    /// Creates a collision with uncertain numbers, independent of each other, which determine inputs through a mapping.
+impl<M: Model> Uncertain<M> {
+    /// Creates a model of uncertain numbers, independent of each other.
     ///
     /// # Panics
     ///
-    /// Unless there is one distribution for each number of the mapping, and the collision has its inputs.
+    /// Unless there is one distribution for each number of the model.
     #[must_use]
-    pub fn new(collision: Collision, mapping: M, numbers: Vec<UncertainNumber>) -> Self {
-        assert!(numbers.len() == mapping.numbers(), "{} distributions for {} numbers", numbers.len(), mapping.numbers());
-        for input in mapping.inputs() {
-            assert!(collision.input(*input).is_some(), "{}", NoSuchInput(*input));
-        }
+    pub fn new(model: M, numbers: Vec<UncertainNumber>) -> Self {
+        assert!(numbers.len() == model.numbers(), "{} distributions for {} numbers", numbers.len(), model.numbers());
         let correlation = Correlation::none(numbers.len());
-        Uncertain { collision, mapping, numbers, correlation }
+        Uncertain { model, numbers, correlation }
     }
 
     /// Returns the same with correlations of pairs, each named by the places of its numbers: the coefficients of their normal scores.
@@ -120,9 +118,9 @@ impl<M: Mapping> Uncertain<M> {
         &self.numbers
     }
 
-    /// Returns the collision with given values of the numbers.
-    pub fn at(&self, numbers: &[f64]) -> Collision {
-        self.mapping.apply(&self.collision, numbers)
+    /// Returns the model.
+    pub fn model(&self) -> &M {
+        &self.model
     }
 
     /// Returns the mean of each number.

@@ -16,11 +16,6 @@ pub trait Fill: Sync {
     /// Returns the inputs that it fills, each once.
     fn inputs(&self) -> &[Input];
 
-    /// Returns how many samples belong together: they are summarized at once, and their numbers begin at a multiple of it.
-    fn together(&self) -> u64 {
-        1
-    }
-
     /// Replaces the numbers of each column, that of an input, by those of some samples. The numbers of a sample may depend on nothing but its own number: the
     /// same sample may be asked for more than once, and from any thread.
     fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]);

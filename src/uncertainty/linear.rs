@@ -1,14 +1,10 @@
 //! What first and second derivatives say of an uncertain output.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Mapping, Uncertain};
-use crate::input::Input;
-use crate::output::Output;
+use super::Uncertain;
+use super::model::{Bend, Model, Slope};
 use crate::refusal::Refusals;
-use crate::scalar::Real;
-use crate::sensitivity::dual::Dual;
 
 /// An output to first order, about the means of the numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,23 +34,14 @@ pub struct SecondOrder {
     pub skewness: f64,
 }
 
-/// A function of the numbers about their means.
-struct Expansion {
-    value: f64,
-    gradient: Vec<f64>,
-    hessian: Vec<Vec<f64>>,
-}
-
-impl<M: Mapping> Uncertain<M> {
+impl<M: Model> Uncertain<M> {
     /// Returns an output to first order: exact if it is linear in the numbers.
     ///
     /// # Errors
     ///
-    /// [`Refusals`] of the collision at the means of the numbers.
-    pub fn linear(&self, of: Output) -> Result<Linear, Refusals> {
-        let means = self.means();
-        let sensitive = self.at(&means).sensitivity(of)?;
-        let gradient = self.chain(&self.jacobian(&means), |input| sensitive.by[input]);
+    /// [`Refusals`] of the model at the means of the numbers.
+    pub fn linear(&self, of: M::Output) -> Result<Linear, Refusals> {
+        let Slope { value, by: gradient } = self.model.slope(&self.means(), of)?;
         let covariance = self.correlation.covariance(&self.numbers);
         let along = product(&covariance, &gradient);
         let variance = dot(&gradient, &along);
@@ -65,7 +52,7 @@ impl<M: Mapping> Uncertain<M> {
             libm::sqrt(if left > 0.0 { left } else { 0.0 })
         };
         Ok(Linear {
-            mean: sensitive.value,
+            mean: value,
             sd: libm::sqrt(variance),
             shares: gradient.iter().zip(&along).map(|(g, s)| if *g == 0.0 { 0.0 } else { g * s } / variance).collect(),
             with_half: (0..gradient.len()).map(with_half).collect(),
@@ -78,9 +65,9 @@ impl<M: Mapping> Uncertain<M> {
     ///
     /// # Errors
     ///
-    /// [`Refusals`] of the collision at the means of the numbers.
-    pub fn second_order(&self, of: Output) -> Result<SecondOrder, Refusals> {
-        let Expansion { value, gradient, hessian } = self.expand(of, &self.means())?;
+    /// [`Refusals`] of the model at the means of the numbers.
+    pub fn second_order(&self, of: M::Output) -> Result<SecondOrder, Refusals> {
+        let Bend { value, by: gradient, twice: hessian } = self.model.bend(&self.means(), of)?;
         let covariance = self.correlation.covariance(&self.numbers);
         let curved: Vec<Vec<f64>> = hessian.iter().map(|row| product(&covariance, row)).collect();
         let trace = |power: &[Vec<f64>]| (0..power.len()).map(|i| power[i][i]).sum::<f64>();
@@ -97,59 +84,6 @@ impl<M: Mapping> Uncertain<M> {
         }
         let sd = libm::sqrt(variance);
         Ok(SecondOrder { mean: value + 0.5 * trace(&curved), sd, skewness: third / (variance * sd) })
-    }
-
-    /// Returns the derivatives of each input by each number.
-    fn jacobian(&self, numbers: &[f64]) -> Vec<Vec<f64>> {
-        let by = |j: usize| -> Vec<Dual<f64>> {
-            let seed = |(i, x): (usize, &f64)| Dual { value: *x, derivative: f64::from(u8::from(i == j)) };
-            self.written(&numbers.iter().enumerate().map(seed).collect::<Vec<_>>())
-        };
-        let columns: Vec<Vec<Dual<f64>>> = (0..numbers.len()).map(by).collect();
-        (0..self.mapping.inputs().len()).map(|k| columns.iter().map(|column| column[k].derivative).collect()).collect()
-    }
-
-    fn written<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> Vec<T> {
-        let mut inputs = vec![T::int(0); self.mapping.inputs().len()];
-        self.mapping.write(numbers, &mut inputs);
-        inputs
-    }
-
-    /// Returns a gradient by the numbers, given that by inputs.
-    fn chain(&self, jacobian: &[Vec<f64>], by: impl Fn(Input) -> f64) -> Vec<f64> {
-        let mut gradient = vec![0.0; self.numbers.len()];
-        for (input, row) in self.mapping.inputs().iter().zip(jacobian) {
-            gradient.iter_mut().zip(row).for_each(|(sum, x)| *sum += by(*input) * x);
-        }
-        gradient
-    }
-
-    /// Returns an output with its derivatives by the numbers: Jᵀ H J and the curvature of the mapping itself.
-    fn expand(&self, of: Output, numbers: &[f64]) -> Result<Expansion, Refusals> {
-        let curved = self.at(numbers).curvature(of)?;
-        let inputs = self.mapping.inputs();
-        let jacobian = self.jacobian(numbers);
-        let n = numbers.len();
-        let mut hessian = vec![vec![0.0; n]; n];
-        for i in 0..n {
-            for j in 0..=i {
-                let seed = |(k, x): (usize, &f64)| {
-                    let unit = |at: usize| f64::from(u8::from(k == at));
-                    Dual { value: Dual { value: *x, derivative: unit(i) }, derivative: Dual { value: unit(j), derivative: 0.0 } }
-                };
-                let twice = self.written(&numbers.iter().enumerate().map(seed).collect::<Vec<_>>());
-                let bent: f64 = inputs.iter().zip(&twice).map(|(input, x)| curved.by[*input] * x.derivative.derivative).sum();
-                let through = |(k, one): (usize, &Input)| {
-                    let row =
-                        |(l, other): (usize, &Input)| jacobian[k][i] * curved.twice.as_rows()[one.index()][other.index()] * jacobian[l][j];
-                    inputs.iter().enumerate().map(row).sum::<f64>()
-                };
-                hessian[i][j] = bent + inputs.iter().enumerate().map(through).sum::<f64>();
-                hessian[j][i] = hessian[i][j];
-            }
-        }
-        let gradient = self.chain(&jacobian, |input| curved.by[input]);
-        Ok(Expansion { value: curved.value, gradient, hessian })
     }
 }
 

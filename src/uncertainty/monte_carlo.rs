@@ -2,13 +2,14 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::fmt;
 
+use super::model::Model;
 use super::points::Filled;
 use super::tally::{Moments, Tally, nearest_turn};
-use super::{Mapping, Points, Uncertain, UncertainNumber};
-use crate::measure::Measure;
-use crate::output::{Output, Outputs};
-use crate::simulation::{Reduce, RefusedSamples, Samples, Simulation};
+use super::{Points, Uncertain, UncertainNumber};
+use crate::output::Output;
+use crate::simulation::{Reduce, RefusedSamples, Samples, reduce};
 
 /// Samples that find where the outputs lie.
 const PILOT: u64 = 1024;
@@ -24,7 +25,7 @@ pub const QUANTILES: [f64; 7] = [0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975];
 
 /// A question to samples.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MonteCarlo {
+pub struct MonteCarlo<K = Output> {
     /// The number of samples, refused ones included; with a precision, the greatest.
     pub samples: u64,
     /// The seed: the samples depend on nothing else.
@@ -36,10 +37,10 @@ pub struct MonteCarlo {
     /// The probabilities of quantiles beside [`QUANTILES`].
     pub quantiles: Vec<f64>,
     /// The statements whose probability is asked for.
-    pub statements: Vec<Threshold>,
+    pub statements: Vec<Threshold<K>>,
 }
 
-impl MonteCarlo {
+impl<K> MonteCarlo<K> {
     /// Creates a question to so many random samples.
     #[must_use]
     pub fn of(samples: u64) -> Self {
@@ -49,9 +50,9 @@ impl MonteCarlo {
 
 /// A statement: an output is above or below a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Threshold {
+pub struct Threshold<K = Output> {
     /// The output.
-    pub of: Output,
+    pub of: K,
     /// `true` if it is said to be above the value, `false` if below.
     pub is_above: bool,
     /// `true` if the value itself counts.
@@ -72,13 +73,13 @@ pub struct Estimated {
 
 /// The answer of samples.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sampled {
+pub struct Sampled<K = Output> {
     /// The samples drawn, refused ones included: fewer than asked for if they were stopped, or if the precision was reached.
     pub samples: u64,
     /// Those that physics refuses; all figures are of the others.
     pub refused: RefusedSamples,
     /// The outputs, in the order of the question.
-    pub outputs: Vec<SampledOutput>,
+    pub outputs: Vec<SampledOutput<K>>,
     /// The probability of each statement.
     pub probabilities: Vec<Estimated>,
     /// Whether the precision was reached, if one was asked for.
@@ -87,9 +88,9 @@ pub struct Sampled {
 
 /// An output of samples.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SampledOutput {
+pub struct SampledOutput<K = Output> {
     /// The output.
-    pub of: Output,
+    pub of: K,
     /// Its mean.
     pub mean: Estimated,
     /// Its standard deviation.
@@ -104,37 +105,37 @@ pub struct SampledOutput {
     pub shares: Vec<f64>,
 }
 
-impl Sampled {
+impl<K: Copy + PartialEq + fmt::Debug> Sampled<K> {
     /// Returns an output.
     ///
     /// # Panics
     ///
     /// If the question did not have it.
-    pub fn output(&self, of: Output) -> &SampledOutput {
+    pub fn output(&self, of: K) -> &SampledOutput<K> {
         let found = self.outputs.iter().find(|output| output.of == of);
-        found.unwrap_or_else(|| panic!("{of} is not among the outputs of the question"))
+        found.unwrap_or_else(|| panic!("{of:?} is not among the outputs of the question"))
     }
 }
 
 /// How many samples fulfill a statement.
 #[derive(Clone, Debug, PartialEq)]
-struct Count {
-    of: Threshold,
+struct Count<K> {
+    of: Threshold<K>,
+    is_angle: bool,
     center: f64,
     samples: u64,
     holds: u64,
 }
 
-impl Reduce for Count {
-    fn outputs(&self) -> Vec<Output> {
+impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Count<K> {
+    fn outputs(&self) -> Vec<K> {
         vec![self.of.of]
     }
 
-    fn take(&mut self, samples: &Samples<'_>) {
+    fn take(&mut self, samples: &Samples<'_, K>) {
         let Threshold { of, is_above, or_equal, value } = self.of;
-        let turns = of.measure() == Measure::Angle;
         let holds = |x: &&f64| {
-            let x = if turns { nearest_turn(**x, self.center) } else { **x };
+            let x = if self.is_angle { nearest_turn(**x, self.center) } else { **x };
             (if is_above { x > value } else { x < value }) || (or_equal && x == value)
         };
         let column = samples.column(of);
@@ -148,32 +149,37 @@ impl Reduce for Count {
     }
 }
 
-impl Count {
+impl<K> Count<K> {
     fn share(&self) -> f64 {
         self.holds as f64 / self.samples as f64
     }
 }
 
 /// The summaries of one run.
-type Summary = (Vec<Tally>, Vec<Count>);
+type Summary<K> = (Vec<Tally<K>>, Vec<Count<K>>);
 
 /// A run of samples, or of an independent part of them.
-struct Part {
+struct Part<K> {
     samples: u64,
     refused: RefusedSamples,
-    summary: Summary,
+    summary: Summary<K>,
 }
 
-impl<M: Mapping> Uncertain<M> {
+impl<M: Model> Uncertain<M> {
     /// Draws samples, and returns moments, quantiles and probabilities of outputs, each with its standard error.
     #[must_use]
-    pub fn monte_carlo(&self, of: &[Output], question: &MonteCarlo) -> Sampled {
+    pub fn monte_carlo(&self, of: &[M::Output], question: &MonteCarlo<M::Output>) -> Sampled<M::Output> {
         self.monte_carlo_while(of, question, &|_| true)
     }
 
     /// The same, stopped when a function of the number of samples that are done returns `false`: it is called from any thread.
     #[must_use]
-    pub fn monte_carlo_while(&self, of: &[Output], question: &MonteCarlo, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Sampled {
+    pub fn monte_carlo_while(
+        &self,
+        of: &[M::Output],
+        question: &MonteCarlo<M::Output>,
+        goes_on: &(dyn Fn(u64) -> bool + Sync),
+    ) -> Sampled<M::Output> {
         let empty = self.pilot(of, question);
         let Some(precision) = question.precision else { return self.sampled(question, question.samples, &empty, goes_on) };
         let mut samples = question.samples.min(16 * PILOT);
@@ -192,35 +198,51 @@ impl<M: Mapping> Uncertain<M> {
     }
 
     /// Finds where the outputs lie, and returns summaries without samples.
-    fn pilot(&self, of: &[Output], question: &MonteCarlo) -> Summary {
-        let first = |of: Vec<Tally>| self.part(question, 0, PILOT.min(question.samples), (of, Vec::new()), &|_| true).summary.0;
-        let nominal = self.at(&self.numbers.iter().map(UncertainNumber::nominal).collect::<Vec<_>>());
-        let nominal = Outputs::of(&nominal, &nominal.evaluate()).map(|x| if x.is_finite() { x } else { 0.0 });
-        let about = first(of.iter().map(|of| Tally::of(*of, nominal[*of], 1.0)).collect());
-        let tallies: Vec<Tally> = about
-            .iter()
-            .map(|tally| {
-                let Moments { mean, sd, .. } = tally.moments();
-                Tally::of(tally.output(), mean, sd)
-            })
-            .collect();
-        let count = |of: &Threshold| Count { of: *of, center: nominal[of.of], samples: 0, holds: 0 };
-        (tallies, question.statements.iter().map(count).collect())
+    fn pilot(&self, of: &[M::Output], question: &MonteCarlo<M::Output>) -> Summary<M::Output> {
+        let nominal: Vec<f64> = self.numbers.iter().map(UncertainNumber::nominal).collect();
+        let center = |of: M::Output| Some(self.model.value(&nominal, of)).filter(|x| x.is_finite()).unwrap_or(0.0);
+        let first = of.iter().map(|of| Tally::of(*of, self.model.is_angle(*of), center(*of), 1.0)).collect();
+        let about = self.part(question, 0, PILOT.min(question.samples), (first, Vec::new()), &|_| true).summary.0;
+        let around = |tally: &Tally<M::Output>| {
+            let Moments { mean, sd, .. } = tally.moments();
+            Tally::of(tally.output(), tally.is_angle(), mean, sd)
+        };
+        let count = |of: &Threshold<M::Output>| Count {
+            of: *of,
+            is_angle: self.model.is_angle(of.of),
+            center: center(of.of),
+            samples: 0,
+            holds: 0,
+        };
+        (about.iter().map(around).collect(), question.statements.iter().map(count).collect())
     }
 
-    fn part(&self, question: &MonteCarlo, part: u64, samples: u64, empty: Summary, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Part {
+    fn part(
+        &self,
+        question: &MonteCarlo<M::Output>,
+        part: u64,
+        samples: u64,
+        empty: Summary<M::Output>,
+        goes_on: &(dyn Fn(u64) -> bool + Sync),
+    ) -> Part<M::Output> {
         let fill = Filled { of: self, points: question.points, seed: question.seed, part };
-        let reduced = Simulation::filled(self.collision, fill).reduce(samples, empty, goes_on);
+        let reduced = reduce(&fill, samples, empty, goes_on);
         Part { samples: reduced.samples, refused: reduced.refused, summary: reduced.summary }
     }
 
-    fn sampled(&self, question: &MonteCarlo, samples: u64, empty: &Summary, goes_on: &(dyn Fn(u64) -> bool + Sync)) -> Sampled {
+    fn sampled(
+        &self,
+        question: &MonteCarlo<M::Output>,
+        samples: u64,
+        empty: &Summary<M::Output>,
+        goes_on: &(dyn Fn(u64) -> bool + Sync),
+    ) -> Sampled<M::Output> {
         let several = match question.points {
             Points::Random => 1,
             Points::Sobol => PARTS.min(samples.max(1)),
         };
         let shares: Vec<u64> = (0..several).map(|part| samples / several + u64::from(part < samples % several)).collect();
-        let mut parts: Vec<Part> = Vec::with_capacity(shares.len());
+        let mut parts: Vec<Part<M::Output>> = Vec::with_capacity(shares.len());
         let mut done = 0;
         for (i, share) in shares.into_iter().enumerate() {
             let part = self.part(question, i as u64, share, empty.clone(), &|of_part| goes_on(done + of_part));
@@ -242,7 +264,7 @@ fn relative(mean: &Estimated, sd: &Estimated) -> f64 {
 }
 
 /// Returns the figures of all parts together. Their standard errors follow from the sample itself, or from the differences of several parts.
-fn answer(question: &MonteCarlo, parts: Vec<Part>) -> Sampled {
+fn answer<K: Copy + PartialEq + fmt::Debug + Send + Sync>(question: &MonteCarlo<K>, parts: Vec<Part<K>>) -> Sampled<K> {
     let mut levels: Vec<f64> = QUANTILES.into_iter().chain(question.quantiles.iter().copied()).collect();
     levels.sort_by(f64::total_cmp);
     levels.dedup();
@@ -258,7 +280,7 @@ fn answer(question: &MonteCarlo, parts: Vec<Part>) -> Sampled {
     });
     let (tallies, counts) = whole.unwrap_or_default();
     let several = (parts.len() > 1).then_some(&parts[..]);
-    let spread = |of: &dyn Fn(&Summary) -> f64| several.map(|parts| error_of_mean(parts.iter().map(|part| of(&part.summary))));
+    let spread = |of: &dyn Fn(&Summary<K>) -> f64| several.map(|parts| error_of_mean(parts.iter().map(|part| of(&part.summary))));
     let outputs = tallies.iter().enumerate().map(|(i, tally)| {
         let Moments { mean, sd, skewness, kurtosis } = tally.moments();
         let n = tally.samples() as f64;
@@ -289,7 +311,7 @@ fn answer(question: &MonteCarlo, parts: Vec<Part>) -> Sampled {
             edges,
         }
     });
-    let probability = |(i, count): (usize, &Count)| {
+    let probability = |(i, count): (usize, &Count<K>)| {
         let p = count.share();
         let own = || libm::sqrt(p * (1.0 - p) / count.samples as f64);
         Estimated { value: p, standard_error: spread(&|part| part.1[i].share()).unwrap_or_else(own) }

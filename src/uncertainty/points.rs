@@ -7,12 +7,12 @@ use core::ops::Range;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::Uncertain;
+use super::model::Model;
 use super::number::{UncertainNumber, score};
-use super::{Mapping, Uncertain};
 use crate::distribution::Distribution;
-use crate::input::Input;
-use crate::simulation::Fill;
 use crate::simulation::fill::{write_normals, write_probabilities};
+use crate::simulation::{SolvedSamples, Source};
 
 /// Where samples lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,19 +43,18 @@ pub(super) struct Filled<'a, M> {
     pub(super) part: u64,
 }
 
-impl<M: Mapping> Fill for Filled<'_, M> {
-    fn inputs(&self) -> &[Input] {
-        self.of.mapping.inputs()
-    }
+impl<M: Model> Source for Filled<'_, M> {
+    type Output = M::Output;
 
-    fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]) {
+    fn solve(&self, samples: Range<u64>, of: &[M::Output]) -> SolvedSamples {
+        let rows = (samples.end - samples.start) as usize;
         let mut probabilities: Vec<Vec<f64>> = self.of.numbers.iter().map(|_| Vec::new()).collect();
         self.write_probabilities(samples, &mut probabilities);
-        self.of.write_inputs(&probabilities, columns);
+        self.of.solve(rows, &probabilities, of)
     }
 }
 
-impl<M: Mapping> Filled<'_, M> {
+impl<M: Model> Filled<'_, M> {
     fn write_probabilities(&self, samples: Range<u64>, to: &mut [Vec<f64>]) {
         let random = ChaCha8Rng::seed_from_u64(self.seed);
         for (number, column) in to.iter_mut().enumerate() {
@@ -91,10 +90,9 @@ fn finer(point: f32, random: f64) -> f64 {
     f64::from(point) + PART * (((random * FINEST) as u32 as f64 + 0.5) / FINEST)
 }
 
-impl<M: Mapping> Uncertain<M> {
-    /// Writes the inputs of samples whose numbers have given probabilities: columns of numbers become columns of inputs.
-    pub(super) fn write_inputs(&self, probabilities: &[Vec<f64>], columns: &mut [Vec<f64>]) {
-        let samples = probabilities.first().map_or(0, Vec::len);
+impl<M: Model> Uncertain<M> {
+    /// Solves samples whose numbers have given probabilities.
+    pub(super) fn solve(&self, samples: usize, probabilities: &[Vec<f64>], of: &[M::Output]) -> SolvedSamples {
         let mut numbers: Vec<Vec<f64>> = probabilities.iter().map(|_| vec![0.0; samples]).collect();
         let scores: Vec<Vec<f64>> = probabilities.iter().enumerate().map(|(i, p)| self.scores(i, p)).collect();
         for (i, (number, to)) in self.numbers.iter().zip(&mut numbers).enumerate() {
@@ -109,7 +107,7 @@ impl<M: Mapping> Uncertain<M> {
                 _ => to.iter_mut().zip(&probabilities[i]).for_each(|(to, p)| *to = number.quantile(*p)),
             }
         }
-        self.mapping.write_columns(&mut numbers, columns);
+        self.model.solve(samples, &mut numbers, of)
     }
 
     /// Returns the independent scores of a number that has correlations, and nothing for others.

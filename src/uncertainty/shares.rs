@@ -13,12 +13,12 @@ use core::ops::Range;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
+use super::model::Model;
 use super::monte_carlo::Estimated;
-use super::{Mapping, MonteCarlo, Uncertain};
-use crate::input::Input;
-use crate::output::Output;
+use super::tally::nearest_turn;
+use super::{MonteCarlo, Uncertain};
 use crate::simulation::fill::write_probabilities;
-use crate::simulation::{Fill, Reduce, RefusedSamples, Samples, Simulation};
+use crate::simulation::{Reduce, RefusedSamples, Samples, SolvedSamples, Source, reduce};
 
 /// The shares of numbers, or of groups of them, in the variances of outputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,25 +60,18 @@ struct Mixed<'a, M> {
     seed: u64,
 }
 
-impl<M> Mixed<'_, M> {
-    /// Samples of a pair with its mixtures.
+impl<M: Model> Source for Mixed<'_, M> {
+    type Output = M::Output;
+
+    /// A pair with its mixtures.
     fn together(&self) -> u64 {
         2 + self.groups.len() as u64
     }
-}
 
-impl<M: Mapping> Fill for Mixed<'_, M> {
-    fn inputs(&self) -> &[Input] {
-        self.of.mapping.inputs()
-    }
-
-    fn together(&self) -> u64 {
-        Mixed::together(self)
-    }
-
-    fn fill(&self, samples: Range<u64>, columns: &mut [Vec<f64>]) {
+    fn solve(&self, samples: Range<u64>, of: &[M::Output]) -> SolvedSamples {
+        let rows = (samples.end - samples.start) as usize;
         let random = ChaCha8Rng::seed_from_u64(self.seed);
-        let together = Mixed::together(self);
+        let together = self.together();
         let pairs = samples.start / together..samples.end.div_ceil(together);
         let numbers = self.of.numbers.len();
         let (mut one, mut other) = (Vec::new(), Vec::new());
@@ -97,7 +90,7 @@ impl<M: Mapping> Fill for Mixed<'_, M> {
             samples.clone().map(of_sample).collect()
         });
         let mixed: Vec<Vec<f64>> = mixed.collect();
-        self.of.write_inputs(&mixed, columns);
+        self.of.solve(rows, &mixed, of)
     }
 }
 
@@ -157,20 +150,21 @@ fn square(x: f64) -> f64 {
 
 /// The sums of an output: for each group, those of what has it in common and of what has all others in common.
 #[derive(Clone, Debug, PartialEq)]
-struct Pairs {
-    of: Output,
+struct Pairs<K> {
+    of: K,
+    is_angle: bool,
     center: f64,
     scale: f64,
     together: u64,
     sums: Vec<[Sums; 2]>,
 }
 
-impl Reduce for Pairs {
-    fn outputs(&self) -> Vec<Output> {
+impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Pairs<K> {
+    fn outputs(&self) -> Vec<K> {
         vec![self.of]
     }
 
-    fn take(&mut self, samples: &Samples<'_>) {
+    fn take(&mut self, samples: &Samples<'_, K>) {
         let column = samples.column(self.of);
         let together = self.together as usize;
         let mut start = 0;
@@ -179,7 +173,7 @@ impl Reduce for Pairs {
             let end = (start..column.len()).find(|place| samples.number(*place) / self.together != pair).unwrap_or(column.len());
             // A pair of which a sample is refused has no mixtures to compare.
             if end - start == together {
-                let about = |x: f64| (x - self.center) / self.scale;
+                let about = |x: f64| (if self.is_angle { nearest_turn(x, self.center) } else { x } - self.center) / self.scale;
                 let (one, other) = (about(column[start]), about(column[start + 1]));
                 for (mixture, [alone, others]) in column[start + 2..end].iter().zip(&mut self.sums) {
                     alone.add(other, about(*mixture));
@@ -195,26 +189,26 @@ impl Reduce for Pairs {
     }
 }
 
-impl<M: Mapping> Uncertain<M> {
+impl<M: Model> Uncertain<M> {
     /// Returns the share of each number in the variance of each output, from at most so many samples.
     ///
     /// # Errors
     ///
     /// [`Correlated`] if two numbers are correlated: see [`Self::shares_of_groups`].
-    pub fn shares(&self, of: &[Output], samples: u64, seed: u64) -> Result<Shares, Correlated> {
+    pub fn shares(&self, of: &[M::Output], samples: u64, seed: u64) -> Result<Shares, Correlated> {
         let alone: Vec<Vec<usize>> = (0..self.numbers.len()).map(|number| vec![number]).collect();
         self.shares_of_groups(of, &alone, samples, seed, &|_| true)
     }
 
     /// Returns the share of each group of numbers in the variance of each output, from at most so many samples. `goes_on` stops the samples as in
-    /// [`Simulation::reduce`].
+    /// [`Simulation::reduce`](crate::simulation::Simulation::reduce).
     ///
     /// # Errors
     ///
     /// [`Correlated`] if two numbers of different groups are correlated.
     pub fn shares_of_groups(
         &self,
-        of: &[Output],
+        of: &[M::Output],
         groups: &[Vec<usize>],
         samples: u64,
         seed: u64,
@@ -229,15 +223,22 @@ impl<M: Mapping> Uncertain<M> {
         let fill = Mixed { of: self, groups, seed };
         let together = fill.together();
         let pilot = self.monte_carlo(of, &MonteCarlo { seed, ..MonteCarlo::of(4096) });
-        let empty: Vec<Pairs> = pilot
+        let empty: Vec<Pairs<M::Output>> = pilot
             .outputs
             .iter()
             .map(|output| {
                 let scale = if output.sd.value > 0.0 { output.sd.value } else { 1.0 };
-                Pairs { of: output.of, center: output.mean.value, scale, together, sums: vec![[Sums::default(); 2]; groups.len()] }
+                Pairs {
+                    of: output.of,
+                    is_angle: self.model.is_angle(output.of),
+                    center: output.mean.value,
+                    scale,
+                    together,
+                    sums: vec![[Sums::default(); 2]; groups.len()],
+                }
             })
             .collect();
-        let reduced = Simulation::filled(self.collision, fill).reduce(samples / together * together, empty, goes_on);
+        let reduced = reduce(&fill, samples / together * together, empty, goes_on);
         let share = |[alone, others]: &[Sums; 2]| {
             let others = others.correlation();
             Share { first: alone.correlation(), total: Estimated { value: 1.0 - others.value, ..others } }

@@ -3,9 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use core::fmt;
 
-use crate::measure::Measure;
-use crate::output::Output;
 use crate::simulation::quantiles::Bins;
 use crate::simulation::{Reduce, Samples};
 
@@ -17,8 +16,9 @@ const NEAREST: f64 = 1.0 / (1 << 20) as f64;
 
 /// Sums of powers and bins of an output, in a unit in which it is near 1 and about 0.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tally {
-    of: Output,
+pub(super) struct Tally<K> {
+    of: K,
+    is_angle: bool,
     center: f64,
     scale: f64,
     samples: u64,
@@ -36,15 +36,19 @@ pub(super) struct Moments {
     pub(super) kurtosis: f64,
 }
 
-impl Tally {
+impl<K: Copy> Tally<K> {
     /// Creates the summary of no samples of an output that is expected about a center, within a few times a scale of it.
-    pub(super) fn of(of: Output, center: f64, scale: f64) -> Self {
+    pub(super) fn of(of: K, is_angle: bool, center: f64, scale: f64) -> Self {
         let is_usable = center.is_finite() && scale.is_finite() && scale > 0.0;
         let (center, scale) = if is_usable { (center, scale) } else { (if center.is_finite() { center } else { 0.0 }, 1.0) };
-        Tally { of, center, scale, samples: 0, sums: [0.0; 4], bins: Bins::default() }
+        Tally { of, is_angle, center, scale, samples: 0, sums: [0.0; 4], bins: Bins::default() }
     }
 
-    pub(super) fn output(&self) -> Output {
+    pub(super) fn is_angle(&self) -> bool {
+        self.is_angle
+    }
+
+    pub(super) fn output(&self) -> K {
         self.of
     }
 
@@ -81,22 +85,21 @@ impl Tally {
     }
 }
 
-impl Reduce for Tally {
-    fn outputs(&self) -> Vec<Output> {
+impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Tally<K> {
+    fn outputs(&self) -> Vec<K> {
         vec![self.of]
     }
 
-    fn take(&mut self, samples: &Samples<'_>) {
+    fn take(&mut self, samples: &Samples<'_, K>) {
         let column = samples.column(self.of);
         self.samples += column.len() as u64;
-        let turns = self.of.measure() == Measure::Angle;
         let (eights, rest) = column.as_chunks::<WIDTH>();
         let mut sums = [[0.0; WIDTH]; 4];
         for (chunk, len) in eights.iter().map(|eight| (*eight, WIDTH)).chain(padded(rest, self.center)) {
             let mut y = [0.0; WIDTH];
             for i in 0..WIDTH {
                 // An angle counts from the center, so that it does not jump by a turn.
-                let x = if turns { nearest_turn(chunk[i], self.center) } else { chunk[i] };
+                let x = if self.is_angle { nearest_turn(chunk[i], self.center) } else { chunk[i] };
                 y[i] = (x - self.center) / self.scale;
                 let square = y[i] * y[i];
                 sums[0][i] += y[i];

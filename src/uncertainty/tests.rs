@@ -319,9 +319,9 @@ impl Mapping for Polar {
 #[test]
 fn numbers_that_inputs_follow_from_have_derivatives_of_their_own() {
     let numbers = vec![Normal { mean: 15.0, sd: 0.5 }.into(), Normal { mean: 0.1, sd: 0.02 }.into()];
-    let uncertain = Uncertain::new(oblique(), Polar, numbers);
+    let uncertain = Uncertain::new(Mapped::new(oblique(), Polar), numbers);
     let (linear, second) = (uncertain.linear(DELTA_V).expect("a solution"), uncertain.second_order(DELTA_V).expect("a solution"));
-    let value = |speed: f64, heading: f64| uncertain.at(&[speed, heading]).solve().expect("a solution").one.delta_v_magnitude();
+    let value = |speed: f64, heading: f64| uncertain.model().at(&[speed, heading]).solve().expect("a solution").one.delta_v_magnitude();
     let h = 1e-4;
     for (i, [dv, da]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
         let difference = (value(15.0 + dv, 0.1 + da) - value(15.0 - dv, 0.1 - da)) / (2.0 * h);
