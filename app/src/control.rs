@@ -3,8 +3,8 @@
 use crate::issue::Issues;
 
 /// Receives the progress of a verb and can stop it.
-pub trait Control {
-    /// Called before each step, when `done` of `total` steps are complete. Returning `false` stops the verb.
+pub trait Control: Sync {
+    /// Called before each step, from any thread, when `done` of `total` steps are complete. Returning `false` stops the verb.
     fn goes_on(&self, done: usize, total: usize) -> bool;
 }
 

@@ -128,7 +128,7 @@ const HELD: &str = "a derivative by one input holds the other keys of the file a
                     but not a velocity given by components, and with its mass it changes the yaw inertia of a given radius of gyration";
 
 /// Returns the outputs of most interest.
-fn principal(case: &Case) -> Vec<CaseOutput> {
+pub(crate) fn principal(case: &Case) -> Vec<CaseOutput> {
     use Output::{CriticalImpulseRatio, DeltaVMagnitude, Loss, NormalWork, TangentialWork};
     let mut all: Vec<CaseOutput> = [NormalWork, TangentialWork, Loss, CriticalImpulseRatio].map(CaseOutput::Impact).into();
     for (side, vehicle) in [Side::One, Side::Two].into_iter().zip(&case.inputs.vehicles) {

@@ -16,13 +16,14 @@ use crate::reconstruct::Reconstruction;
 use crate::solve::Solution;
 use crate::stiffness::StiffnessAnswer;
 use crate::sweep::Sweep;
+use crate::uncertainty::Uncertainty;
 use crate::validate::Validation;
 
 /// A name and the function that generates its schema.
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 14] = [
+const SCHEMAS: [Named; 15] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
     ("solve", || schema_for!(Answer<Solution>)),
@@ -31,6 +32,7 @@ const SCHEMAS: [Named; 14] = [
     ("crush", || schema_for!(Answer<CrushAnswer>)),
     ("crash3", || schema_for!(Answer<Comparison>)),
     ("reconstruct", || schema_for!(Answer<Reconstruction>)),
+    ("uncertainty", || schema_for!(Answer<Uncertainty>)),
     ("stiffness", || schema_for!(Answer<StiffnessAnswer>)),
     ("formula", || schema_for!(Formula)),
     ("check", || schema_for!(CheckReport<'static>)),

@@ -50,6 +50,9 @@ pub enum Verb {
     /// Reconstruct speeds and other unknowns from evidence, with their uncertainty.
     #[command(after_help = help::RECONSTRUCT)]
     Reconstruct(Reconstruct),
+    /// Say how uncertain the outputs are, given uncertain inputs: deviations, quantiles, shares, guaranteed bounds.
+    #[command(after_help = help::UNCERTAINTY)]
+    Uncertainty(Uncertainty),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
@@ -143,6 +146,83 @@ pub struct Reconstruct {
     /// Print the verdict, the unknowns and what follows from them alone.
     #[arg(long)]
     pub brief: bool,
+}
+
+/// Arguments of `uncertainty`.
+#[derive(Debug, Args)]
+pub struct Uncertainty {
+    /// The case file with uncertain inputs, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// Outputs, by name or symbol; may be repeated. Default: the principal ones.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub of: Vec<String>,
+    /// Methods; may be repeated. Default: all that apply.
+    #[arg(long, value_enum, value_name = "METHODS", value_delimiter = ',')]
+    pub method: Vec<UncertaintyMethod>,
+    /// Number of samples; with a precision, the greatest.
+    #[arg(long, value_name = "COUNT", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(2..=1_000_000_000_000_000))]
+    pub samples: u64,
+    /// Draw until the standard error of every mean is this share of it, such as 0.1%; of the standard deviation if that is greater.
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub precision: Option<f64>,
+    /// Seed of the samples. The same seed gives the same answer, for any number of threads.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Where the samples lie.
+    #[arg(long, value_enum, default_value_t = SamplePoints::Random)]
+    pub points: SamplePoints,
+    /// Print the probability of a statement, such as "dV1 > 25 mph"; may be repeated.
+    #[arg(long, value_name = "NAME > VALUE")]
+    pub probability: Vec<String>,
+    /// Level of the middle range, between 0 and 1.
+    #[arg(long, default_value_t = 0.95, value_parser = level)]
+    pub level: f64,
+    /// Standard deviations at which `bounds` ends an input without limits.
+    #[arg(long, value_name = "COUNT", default_value_t = 3.0)]
+    pub bounds_sd: f64,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = UncertaintyFormat::Text)]
+    pub format: UncertaintyFormat,
+    /// Units of text, CSV and SVG. Default: those of most values in the case file. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<UnitSystem>,
+}
+
+/// A way to say how uncertain an output is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum UncertaintyMethod {
+    /// First derivatives.
+    Linear,
+    /// First and second derivatives.
+    SecondOrder,
+    /// Samples.
+    MonteCarlo,
+    /// The share of each input in the variance, from samples.
+    Sobol,
+    /// A guaranteed range within the limits of the inputs.
+    Bounds,
+}
+
+/// Where samples lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SamplePoints {
+    /// Independent of each other.
+    Random,
+    /// Scrambled points of Sobol', more even than chance.
+    Sobol,
+}
+
+/// Format of an uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum UncertaintyFormat {
+    /// For people.
+    Text,
+    /// For programs, in SI.
+    Json,
+    /// Comma-separated values, a figure in each row.
+    Csv,
+    /// A chart: densities with quantiles, and shares.
+    Svg,
 }
 
 /// Arguments of `stiffness`.
@@ -305,6 +385,16 @@ fn tolerance(text: &str) -> Result<f64, String> {
     let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
     let is_valid = Options { tolerance: Some(value) }.validate();
     is_valid.map(|()| value).map_err(|issues| format!("{issues}; give a share such as 1e-6"))
+}
+
+/// Parses a share, such as 0.001 or 0.1%.
+fn share(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (text, 1.0),
+    };
+    let value = unit * quantity::finite(number.trim()).map_err(|error| error.to_string())?;
+    if value > 0.0 && value < 1.0 { Ok(value) } else { Err(format!("{text}; it must be above 0 and below 1, such as 0.1%")) }
 }
 
 /// Parses a level of confidence.

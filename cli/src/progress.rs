@@ -1,6 +1,7 @@
 //! Shows the progress of a long computation on a terminal.
 
-use std::cell::{Cell, OnceCell};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -19,22 +20,22 @@ const TEMPLATE: &str = "{wide_bar} {pos} of {len}, {eta} left";
 /// interrupt stops the computation.
 pub struct Progress {
     started: Instant,
-    steps: Cell<usize>,
-    bar: OnceCell<ProgressBar>,
+    steps: AtomicUsize,
+    bar: OnceLock<ProgressBar>,
 }
 
 impl Progress {
     /// Starts a bar for a computation that begins now.
     pub fn new() -> Progress {
-        Progress { started: Instant::now(), steps: Cell::new(0), bar: OnceCell::new() }
+        Progress { started: Instant::now(), steps: AtomicUsize::new(0), bar: OnceLock::new() }
     }
 }
 
 impl Control for Progress {
     fn goes_on(&self, done: usize, total: usize) -> bool {
         interrupt::note();
-        self.steps.set(self.steps.get() + 1);
-        if self.steps.get().is_multiple_of(STEPS_A_LOOK) && self.started.elapsed() > SILENCE {
+        let steps = self.steps.fetch_add(1, Ordering::Relaxed) + 1;
+        if steps.is_multiple_of(STEPS_A_LOOK) && self.started.elapsed() > SILENCE {
             let bar = self.bar.get_or_init(|| styled(ProgressBar::new(total as u64), TEMPLATE).with_elapsed(self.started.elapsed()));
             bar.set_length(total as u64);
             bar.set_position(done as u64);

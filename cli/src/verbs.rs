@@ -7,13 +7,16 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, solve, stiffness, sweep, validate,
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, solve, stiffness, sweep,
+    uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
-use crate::arguments::{self, Arguments, Format, Notation, OfCase, SweepFormat, UnitSystem, Verb};
+use crate::arguments::{
+    self, Arguments, Format, Notation, OfCase, SamplePoints, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
+};
 use crate::exit::Failure;
 use crate::output::CommandOutput;
 use crate::progress::Progress;
@@ -36,6 +39,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Sweep(call) => vary(&call),
         Verb::Batch(call) => batch::run(&call),
         Verb::Reconstruct(call) => look_back(&call),
+        Verb::Uncertainty(call) => doubt(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
@@ -136,6 +140,35 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
         print(&answer, call.format, units)?
     };
     Ok(output.holds(answer.is_answer))
+}
+
+fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let method = |method: &UncertaintyMethod| match method {
+        UncertaintyMethod::Linear => uncertainty::Method::Linear,
+        UncertaintyMethod::SecondOrder => uncertainty::Method::SecondOrder,
+        UncertaintyMethod::MonteCarlo => uncertainty::Method::MonteCarlo,
+        UncertaintyMethod::Sobol => uncertainty::Method::Sobol,
+        UncertaintyMethod::Bounds => uncertainty::Method::Bounds,
+    };
+    let options = uncertainty::Options {
+        of: call.of.clone(),
+        methods: call.method.iter().map(method).collect(),
+        samples: call.samples,
+        seed: call.seed,
+        points_of_sobol: call.points == SamplePoints::Sobol,
+        precision: call.precision,
+        probabilities: call.probability.clone(),
+        level: call.level,
+        bounds_sd: call.bounds_sd,
+    };
+    let answer = in_units(uncertainty::uncertainty(&case, &options, &Progress::new()), units)?;
+    match call.format {
+        UncertaintyFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
+        UncertaintyFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
+        UncertaintyFormat::Csv => csv(page::uncertainty_csv::records(&answer, units).into_iter()).map(CommandOutput::text),
+        UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?)),
+    }
 }
 
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {

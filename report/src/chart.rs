@@ -6,12 +6,14 @@ mod contours;
 mod labels;
 mod lines;
 pub mod paper;
+mod uncertainty;
 
 use planar_impact_app::issue::Issues;
 use planar_impact_app::sweep::Sweep;
 use planar_impact_app::{Answer, Units};
 
 use charted::Charted;
+pub use uncertainty::uncertainty;
 
 const LONGEST_TITLE: usize = 80;
 
@@ -37,5 +39,10 @@ fn title(sweep: &Answer<Sweep>) -> String {
         let fixed = if one.si.len() == 1 { one } else { two };
         title = format!("{title}, {} = {} {}", fixed.parameter, fixed.shown[0], fixed.unit).trim().to_owned();
     }
-    if title.chars().count() <= LONGEST_TITLE { title } else { title.chars().take(LONGEST_TITLE - 1).chain(['…']).collect() }
+    shortened(&title)
+}
+
+/// Returns a title that fits the page.
+fn shortened(title: &str) -> String {
+    if title.chars().count() <= LONGEST_TITLE { title.to_owned() } else { title.chars().take(LONGEST_TITLE - 1).chain(['…']).collect() }
 }

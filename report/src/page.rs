@@ -12,6 +12,8 @@ pub mod solve;
 pub mod stiffness;
 pub mod sweep;
 pub mod sweep_csv;
+pub mod uncertainty;
+pub mod uncertainty_csv;
 pub mod validate;
 
 use planar_impact_app::plain_text::shorten;

@@ -105,24 +105,29 @@ impl Correlation {
     }
 }
 
-/// Returns the Cholesky factor of a matrix with a unit diagonal.
+/// Returns the Cholesky factor of a matrix with a unit diagonal. A number that those before it determine has no entry on the diagonal.
 fn factor(coefficients: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, NotACorrelation> {
-    /// Smallest accepted square on the diagonal of the factor.
+    /// Squares that count as nothing.
     const SINGULAR: f64 = 1e-9;
     let numbers = coefficients.len();
     let mut factor = vec![vec![0.0; numbers]; numbers];
     for i in 0..numbers {
+        let magnitude = |k: &usize| coefficients[i][*k].abs();
+        let worst = || (0..i).max_by(|one, other| magnitude(one).total_cmp(&magnitude(other))).unwrap_or(i);
         for k in 0..i {
             let known: f64 = (0..k).map(|l| factor[i][l] * factor[k][l]).sum();
-            factor[i][k] = (coefficients[i][k] - known) / factor[k][k];
+            let left = coefficients[i][k] - known;
+            if factor[k][k] > 0.0 {
+                factor[i][k] = left / factor[k][k];
+            } else if left * left > SINGULAR {
+                return Err(NotACorrelation::Indefinite(i, worst()));
+            }
         }
         let square = 1.0 - factor[i][..i].iter().map(|entry| entry * entry).sum::<f64>();
-        if square <= SINGULAR {
-            let magnitude = |k: &usize| coefficients[i][*k].abs();
-            let worst = (0..i).max_by(|one, other| magnitude(one).total_cmp(&magnitude(other))).unwrap_or(i);
-            return Err(NotACorrelation::Indefinite(i, worst));
+        if square < -SINGULAR {
+            return Err(NotACorrelation::Indefinite(i, worst()));
         }
-        factor[i][i] = libm::sqrt(square);
+        factor[i][i] = if square > SINGULAR { libm::sqrt(square) } else { 0.0 };
     }
     Ok(factor)
 }
@@ -144,6 +149,10 @@ mod tests {
         assert_eq!([0, 1, 2, 3].map(|i| correlation.is_correlated(i)), [true, true, true, false]);
         assert_eq!(correlation.score(3, |k| [9.0, 9.0, 9.0, 2.0][k]), 2.0);
         assert!(!Correlation::none(3).has_any() && correlation.has_any());
+        let twice = Correlation::of(3, &[(0, 1, 1.0), (0, 2, 0.5), (1, 2, 0.5)]).expect("the same number twice");
+        let scores = |i: usize| twice.score(i, |k| [0.3, 7.0, 1.1][k]);
+        assert_eq!((scores(0), scores(1)), (0.3, 0.3));
+        assert!((scores(2) - (0.15 + 0.75_f64.sqrt() * 1.1)).abs() < 1e-15);
     }
 
     #[test]
@@ -154,7 +163,8 @@ mod tests {
         assert_eq!(refused(&[(0, 1, 1.5)]), NotACorrelation::OutOfRange(0, 1, 1.5));
         assert!(matches!(refused(&[(0, 1, f64::NAN)]), NotACorrelation::OutOfRange(..)));
         assert_eq!(refused(&[(0, 1, 0.5), (1, 0, 0.2)]), NotACorrelation::Twice(1, 0));
-        assert_eq!(refused(&[(0, 1, 1.0)]), NotACorrelation::Indefinite(1, 0));
+        // The same number twice has one correlation with a third.
+        assert_eq!(refused(&[(0, 1, 1.0), (0, 2, 0.5), (1, 2, 0.4)]), NotACorrelation::Indefinite(2, 0));
         // Two correlations of 0.8 need a third of at least 0.28.
         assert_eq!(refused(&[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.27)]), NotACorrelation::Indefinite(2, 0));
         assert!(Correlation::of(3, &[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.29)]).is_ok());

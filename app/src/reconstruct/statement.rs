@@ -6,6 +6,7 @@ use super::question::{Question, measure_of, name_in};
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::quantity::{self, Kind, nearest};
+use crate::statement::Written;
 
 /// A quantity compared with a value.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,14 +40,8 @@ impl Statement {
 
     fn read(text: &str, question: &Question) -> Result<Statement, Issue> {
         let issue = |word: &str, message: &str, help: Option<String>| names::issue("--probability", word, message, help);
-        let Some(place) = text.find(['<', '>']) else {
-            let example = "as in --probability \"vehicle.1.speed > 50 km/h\"".to_owned();
-            return Err(issue(text, "expected NAME > VALUE or NAME < VALUE", Some(example)));
-        };
-        let (name, rest) = (text[..place].trim(), &text[place..]);
-        let is_above = rest.starts_with('>');
         // A single value has no probability, so that `>=` is `>`.
-        let value = rest[1..].strip_prefix('=').unwrap_or(&rest[1..]);
+        let Written { name, is_above, value, .. } = Written::read(text)?;
         let of = named(name, question).ok_or_else(|| {
             let known = question.asked.unknowns.iter().map(|unknown| name_in(unknown.of, &question.case));
             let all: Vec<String> = known.chain(Measurand::all().map(|of| of.name().to_owned())).collect();

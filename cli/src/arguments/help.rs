@@ -50,6 +50,19 @@ More examples:
   planar-impact sweep cli/examples/position-a.toml --vary mu=0:0.6:0.1 --of W_t,dV1 --format csv
   planar-impact sweep case.toml --vary e=0:0.3:0.02 --vary \"v1=30 mph:40 mph:1 mph\" --format svg";
 
+pub(super) const UNCERTAINTY: &str = "\
+Any number of a case file may be uncertain: \"40 mph ± 2 mph\", \"40 mph ± 5 %\", { value, sd },
+{ min, max }, { min, mode, max }, { value, sd, min, max }, { median, factor }, { value, resolution };
+correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples that the physics refuses are counted by
+reason, and never moved. Shares (sobol) are left out if inputs are correlated, or if more than 1 % of
+the samples are refused. Names are those of `planar-impact gradient --help`.
+
+Examples:
+  planar-impact uncertainty cli/examples/uncertain.toml
+  planar-impact uncertainty cli/examples/uncertain.toml --of dV1 --probability \"dV1 > 25 mph\"
+  planar-impact uncertainty cli/examples/uncertain.toml --of dV1,T_L --format svg > uncertainty.svg
+  planar-impact uncertainty cli/examples/uncertain.toml --precision 0.1% --points sobol --format json";
+
 pub(super) const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
   inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),

@@ -1,0 +1,377 @@
+//! The verb `uncertainty`: what the outputs of a case are worth, given its uncertain inputs.
+
+mod answer;
+mod mapping;
+mod model;
+
+use planar_impact::Refusals;
+use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
+
+use crate::answer::Answer;
+use crate::case::{Case, CaseOutput, Parameter};
+use crate::control::Control;
+use crate::gradient::principal;
+use crate::issue::{Cause, Issue, Issues};
+use crate::message::Message;
+use crate::named::{Named, positive_zero};
+use crate::names;
+use crate::notice::{Notice, Notices};
+use crate::quantity::{self, Kind};
+use crate::statement::Written;
+use crate::wording;
+use model::CaseModel;
+
+pub use answer::{
+    Bounds, Density, Linear, MonteCarlo, OutputUncertainty, Probability, RefusedSamples, SecondOrder, Share, UncertainNumber, Uncertainty,
+};
+
+/// A way to say how uncertain an output is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// First derivatives.
+    Linear,
+    /// First and second derivatives.
+    SecondOrder,
+    /// Samples.
+    MonteCarlo,
+    /// Shares in the variance, from samples.
+    Sobol,
+    /// A guaranteed range.
+    Bounds,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Method; 5] = [Method::Linear, Method::SecondOrder, Method::MonteCarlo, Method::Sobol, Method::Bounds];
+}
+
+/// What is asked of the uncertain inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The outputs by name or symbol; the principal ones if empty.
+    pub of: Vec<String>,
+    /// The methods; all that apply if empty.
+    pub methods: Vec<Method>,
+    /// The number of samples; with a precision, the greatest.
+    pub samples: u64,
+    /// Their seed.
+    pub seed: u64,
+    /// `true` for points of Sobol' in place of random ones.
+    pub points_of_sobol: bool,
+    /// The standard error of every mean that is small enough, as a share of the mean or of the standard deviation, whichever is greater.
+    pub precision: Option<f64>,
+    /// Statements whose probability is wanted, such as `dV1 > 25 mph`.
+    pub probabilities: Vec<String>,
+    /// The level of the middle range, whose ends are among the quantiles.
+    pub level: f64,
+    /// The standard deviations at which `bounds` ends inputs without limits.
+    pub bounds_sd: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            of: Vec::new(),
+            methods: Vec::new(),
+            samples: 100_000,
+            seed: 1,
+            points_of_sobol: false,
+            precision: None,
+            probabilities: Vec::new(),
+            level: 0.95,
+            bounds_sd: 3.0,
+        }
+    }
+}
+
+/// Largest share of refused samples with which shares in the variance are meaningful.
+const MOST_REFUSED: f64 = 0.01;
+
+/// Computes the uncertainty of the outputs of a case.
+///
+/// # Errors
+///
+/// A case without an uncertain input, everything wrong with the options, and physics that refuses every sample.
+pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Uncertainty>, Issues> {
+    case.needs_everything()?;
+    let question = Question::read(case, options)?;
+    let mut found = question.found();
+    question.expand(&mut found);
+    question.sample(&mut found, control)?;
+    question.share(&mut found, control)?;
+    let of = question.outputs.iter().zip(found.of).collect();
+    Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
+}
+
+/// What is asked, read and checked.
+struct Question<'a> {
+    case: &'a Case,
+    options: &'a Options,
+    uncertain: Uncertain<CaseModel>,
+    parameters: Vec<Parameter>,
+    outputs: Vec<CaseOutput>,
+    thresholds: Vec<Threshold<CaseOutput>>,
+}
+
+/// The answer as far as it is known.
+struct Found {
+    facts: Uncertainty,
+    of: Vec<OutputUncertainty>,
+    notices: Notices,
+}
+
+impl<'a> Question<'a> {
+    fn read(case: &'a Case, options: &'a Options) -> Result<Self, Issues> {
+        let mut issues = Vec::new();
+        let outputs = names::outputs("--of", &options.of, &case.setup, &mut issues).unwrap_or_else(|| principal(case));
+        let thresholds = options.probabilities.iter().filter_map(|text| threshold(text, case).map_err(|found| issues.extend(found)).ok());
+        let thresholds = thresholds.collect();
+        issues.extend(options.issues());
+        if case.uncertain.inputs.is_empty() {
+            let help = "give one as \"40 mph ± 2 mph\", or as a table such as { min = 0, max = 0.3 }".to_owned();
+            issues.push(Issue::of_call("CASE", "no input of the case is uncertain".to_owned(), Some(help)));
+        }
+        if !issues.is_empty() {
+            return Err(Issues::of_call(issues));
+        }
+        let inputs = &case.uncertain.inputs;
+        let numbers = inputs.iter().map(|input| input.distribution.into()).collect();
+        let place = |parameter: Parameter| inputs.iter().position(|input| input.parameter == parameter);
+        let pairs = case.uncertain.correlations.iter().filter_map(|pair| Some((place(pair.one)?, place(pair.other)?, pair.coefficient)));
+        let uncertain = Uncertain::new(CaseModel::of(case), numbers);
+        let uncertain = uncertain.with_correlations(&pairs.collect::<Vec<_>>()).map_err(Issues::defect)?;
+        let parameters = inputs.iter().map(|input| input.parameter).collect();
+        Ok(Question { case, options, uncertain, parameters, outputs, thresholds })
+    }
+
+    fn asks(&self, method: Method) -> bool {
+        self.options.methods.is_empty() || self.options.methods.contains(&method)
+    }
+
+    fn named<V>(&self, values: impl IntoIterator<Item = V>) -> Named<V> {
+        self.parameters.iter().zip(values).collect()
+    }
+
+    /// Returns the answer before any method.
+    fn found(&self) -> Found {
+        let nominal = self.case.setup.solve().ok();
+        let value = |of: &CaseOutput| nominal.as_ref().and_then(|outputs| outputs.get(*of)).map_or(f64::NAN, positive_zero);
+        let numbers = self.uncertain.numbers().iter().map(|number| {
+            let (least, greatest) = number.range(self.options.bounds_sd);
+            UncertainNumber { value: number.nominal(), mean: number.mean(), sd: number.sd(), range: [least, greatest] }
+        });
+        let mut notices = self.case.notices.clone();
+        if nominal.is_none() {
+            let message = "physics refuses the collision at the nominal values of the inputs, which therefore has no value";
+            notices.0.push(Notice::warning("nominal-refused", "", message));
+        }
+        Found {
+            of: self.outputs.iter().map(|of| OutputUncertainty { value: value(of), ..OutputUncertainty::default() }).collect(),
+            facts: Uncertainty {
+                samples: 0,
+                seed: self.options.seed,
+                refused: RefusedSamples { count: 0, reasons: Named::from_iter(Vec::<(String, u64)>::new()) },
+                inputs: self.named(numbers.collect::<Vec<_>>()),
+                of: Named::from_iter(Vec::<(String, OutputUncertainty)>::new()),
+                probabilities: Named::from_iter(Vec::<(String, Probability)>::new()),
+                outputs: self.outputs.clone(),
+                parameters: self.parameters.clone(),
+                level: self.options.level,
+            },
+            notices,
+        }
+    }
+
+    /// Adds what derivatives say.
+    fn expand(&self, found: &mut Found) {
+        if !self.asks(Method::Linear) && !self.asks(Method::SecondOrder) {
+            return;
+        }
+        let infinite: Vec<String> = self.infinite().map(|parameter| parameter.to_string()).collect();
+        if !infinite.is_empty() {
+            let message =
+                format!("{} has no finite standard deviation: derivatives have none either, and quantiles hold", infinite.join(", "));
+            found.notices.0.push(Notice::warning("infinite-deviation", "", message));
+        }
+        for (of, to) in self.outputs.iter().zip(&mut found.of) {
+            let refused = match self.expand_one(*of, to) {
+                Ok(()) => continue,
+                Err(refusals) => refusals,
+            };
+            let message = Message::from("physics refuses the collision at the means of the inputs, so that there are no derivatives: ");
+            found.notices.0.push(Notice::warning("means-refused", "", message.join(wording::reasons(&refused))));
+            break;
+        }
+    }
+
+    fn infinite(&self) -> impl Iterator<Item = Parameter> + '_ {
+        let is_infinite = |(_, number): &(&Parameter, &library::UncertainNumber)| !number.sd().is_finite();
+        self.parameters.iter().zip(self.uncertain.numbers()).filter(is_infinite).map(|(parameter, _)| *parameter)
+    }
+
+    fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty) -> Result<(), Refusals> {
+        if self.asks(Method::Linear) {
+            let linear = self.uncertain.linear(of)?;
+            to.linear = Some(Linear {
+                mean: positive_zero(linear.mean),
+                sd: linear.sd,
+                shares: self.named(linear.shares),
+                sd_if_halved: self.named(linear.with_half),
+            });
+        }
+        if self.asks(Method::SecondOrder) {
+            let library::SecondOrder { mean, sd, skewness } = self.uncertain.second_order(of)?;
+            to.second_order = Some(SecondOrder { mean: positive_zero(mean), sd, skewness });
+        }
+        Ok(())
+    }
+
+    /// Adds what samples say.
+    fn sample(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
+        if !self.asks(Method::MonteCarlo) && self.thresholds.is_empty() {
+            return Ok(());
+        }
+        let Options { samples, seed, precision, level, points_of_sobol, .. } = *self.options;
+        let question = library::MonteCarlo {
+            samples,
+            seed,
+            precision,
+            points: if points_of_sobol { library::Points::Sobol } else { library::Points::Random },
+            quantiles: ends(level).into(),
+            statements: self.thresholds.clone(),
+        };
+        let goes_on = |done: u64| control.goes_on(saturated(done), saturated(samples));
+        let sampled = self.uncertain.monte_carlo_while(&self.outputs, &question, &goes_on);
+        if !control.goes_on(saturated(sampled.samples), saturated(samples)) {
+            return Err(Issues::interrupted());
+        }
+        if sampled.refused.samples == sampled.samples {
+            return Err(self.nothing_is_possible(&sampled));
+        }
+        for (output, to) in sampled.outputs.iter().zip(&mut found.of).filter(|_| self.asks(Method::MonteCarlo)) {
+            let quantiles =
+                |f: fn(&Estimated) -> f64| output.quantiles.iter().map(|(p, quantile)| (p, f(quantile))).collect::<Named<f64>>();
+            to.monte_carlo = Some(MonteCarlo {
+                mean: positive_zero(output.mean.value),
+                mean_se: output.mean.standard_error,
+                sd: output.sd.value,
+                sd_se: output.sd.standard_error,
+                skewness: output.skewness,
+                quantiles: quantiles(|quantile| positive_zero(quantile.value)),
+                quantiles_se: quantiles(|quantile| quantile.standard_error),
+                density: Density { edges: output.edges.clone(), shares: output.shares.clone() },
+            });
+        }
+        let probability = |found: &Estimated| Probability { value: found.value, se: found.standard_error };
+        found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
+        found.facts.samples = sampled.samples;
+        found.facts.refused = RefusedSamples {
+            count: sampled.refused.samples,
+            reasons: sampled.refused.by_code.iter().map(|(code, count)| (code, *count)).collect(),
+        };
+        if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
+            let message = format!("{samples} samples do not reach the precision of {} %: give more with --samples", 100.0 * precision);
+            found.notices.0.push(Notice::warning("precision-not-reached", "", message));
+        }
+        Ok(())
+    }
+
+    fn nothing_is_possible(&self, sampled: &Sampled<CaseOutput>) -> Issues {
+        let reasons: Vec<String> = sampled.refused.by_code.iter().map(|(code, count)| format!("{code} ({count})")).collect();
+        let message = format!("physics refuses each of {} samples: {}", sampled.samples, reasons.join(", "));
+        let help = "give the inputs distributions within which the vehicles collide".to_owned();
+        let issue = Issue::of_call("CASE", message, Some(help));
+        Issues::without_source(Cause::Physics, vec![issue])
+    }
+
+    /// Adds the share of each input in the variances.
+    fn share(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
+        let is_asked = self.options.methods.contains(&Method::Sobol);
+        if !self.asks(Method::Sobol) || (self.parameters.len() < 2 && !is_asked) {
+            return Ok(());
+        }
+        let left_out = |reason: String| Notice::note("sobol-left-out", "", format!("the shares of Sobol' are left out: {reason}"));
+        let groups: Vec<Vec<usize>> = (0..self.parameters.len()).map(|number| vec![number]).collect();
+        // A fifth of the samples, each with its mixtures.
+        let together = 2 + self.parameters.len() as u64;
+        let samples = (self.options.samples / 5).max(1).saturating_mul(together);
+        let goes_on = |done: u64| control.goes_on(saturated(done), saturated(samples));
+        let shares = match self.uncertain.shares_of_groups(&self.outputs, &groups, samples, self.options.seed, &goes_on) {
+            Ok(shares) => shares,
+            Err(library::Correlated(one, other)) => {
+                let (one, other) = (self.parameters[one], self.parameters[other]);
+                found.notices.0.push(left_out(format!("{one} and {other} are correlated, and have no shares of their own")));
+                return Ok(());
+            }
+        };
+        if !control.goes_on(saturated(shares.samples), saturated(samples)) {
+            return Err(Issues::interrupted());
+        }
+        let refused = shares.refused.samples as f64 / shares.samples as f64;
+        if refused > MOST_REFUSED {
+            let reason = format!(
+                "physics refuses {:.1} % of the samples, which makes the inputs of the others depend on each other",
+                100.0 * refused
+            );
+            found.notices.0.push(left_out(reason));
+            return Ok(());
+        }
+        for (shares, to) in shares.outputs.iter().zip(&mut found.of) {
+            let share = |share: &library::Share| Share {
+                first: share.first.value,
+                first_se: share.first.standard_error,
+                total: share.total.value,
+                total_se: share.total.standard_error,
+            };
+            to.sobol = Some(self.named(shares.iter().map(share)));
+        }
+        Ok(())
+    }
+}
+
+impl Options {
+    fn issues(&self) -> Vec<Issue> {
+        let mut issues = Vec::new();
+        let mut wrong = |option: &str, message: String, help: &str| issues.push(Issue::of_call(option, message, Some(help.to_owned())));
+        if self.samples < 2 {
+            wrong("--samples", format!("{} samples have no standard deviation", self.samples), "give at least 2");
+        }
+        if self.precision.is_some_and(|precision| !(precision > 0.0 && precision < 1.0)) {
+            wrong("--precision", "it must be above 0 and below 1".to_owned(), "for instance 0.1%");
+        }
+        if !(0.5..=0.9999).contains(&self.level) {
+            wrong("--level", format!("{} is not from 0.5 to 0.9999", self.level), "for instance 0.95");
+        }
+        if !(self.bounds_sd > 0.0 && self.bounds_sd <= 40.0) {
+            wrong("--bounds-sd", format!("{} is not above 0 and at most 40", self.bounds_sd), "for instance 3");
+        }
+        issues
+    }
+}
+
+/// Returns the probabilities of the ends of the middle range.
+pub fn ends(level: f64) -> [f64; 2] {
+    // To the digits in which it is written.
+    let tail = ((1.0 - level) * 0.5e12).round() / 1e12;
+    [tail, 1.0 - tail]
+}
+
+/// Parses a statement about an output.
+fn threshold(text: &str, case: &Case) -> Result<Threshold<CaseOutput>, Vec<Issue>> {
+    let Written { name, is_above, or_equal, value } = Written::read(text).map_err(|issue| vec![issue])?;
+    let mut issues = Vec::new();
+    let of = names::outputs("--probability", &[name.to_owned()], &case.setup, &mut issues);
+    let Some([of]) = of.as_deref() else {
+        if issues.is_empty() {
+            issues.push(names::issue("--probability", name, "a statement is about one output", None));
+        }
+        return Err(issues);
+    };
+    let value = quantity::parse_word(value, Kind::from(of.measure()))
+        .map_err(|error| vec![names::issue("--probability", name, &error.message, error.help)])?;
+    Ok(Threshold { of: *of, is_above, or_equal, value: value.si })
+}
+
+fn saturated(count: u64) -> usize {
+    usize::try_from(count).unwrap_or(usize::MAX)
+}

@@ -1,0 +1,110 @@
+//! How the uncertain numbers of a case determine the inputs of its collision.
+
+use planar_impact::uncertainty::Mapping;
+use planar_impact::{ForwardLeft, Heading, Input, Real, Side};
+
+use crate::case::{Inertia, Inputs, Parameter, Velocity};
+
+/// The inputs that the uncertain numbers of a case determine, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaseMapping {
+    numbers: usize,
+    inputs: Vec<Input>,
+    rules: Vec<Rule>,
+}
+
+/// How an input follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rule {
+    /// It is a number itself.
+    Same(usize),
+    /// The component of the speed along x or y.
+    Along { speed: Number, heading: Number, is_x: bool },
+    /// The mass times the square of the radius of gyration.
+    Inertia { mass: Number, radius: Number },
+}
+
+/// An uncertain number by its place, or a certain one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Number {
+    Uncertain(usize),
+    Certain(f64),
+}
+
+impl Number {
+    #[inline(always)]
+    fn of<T: Real + Copy + From<f64>>(self, numbers: &[T]) -> T {
+        match self {
+            Number::Uncertain(place) => numbers[place],
+            Number::Certain(value) => T::from(value),
+        }
+    }
+
+    fn is_uncertain(self) -> bool {
+        matches!(self, Number::Uncertain(_))
+    }
+}
+
+impl CaseMapping {
+    /// Returns the mapping of the uncertain parameters of a case.
+    pub fn of(inputs: &Inputs, parameters: &[Parameter]) -> Self {
+        let number = |parameter: Parameter, value: f64| {
+            let place = parameters.iter().position(|uncertain| *uncertain == parameter);
+            place.map_or(Number::Certain(value), Number::Uncertain)
+        };
+        let mut found: Vec<(Input, Rule)> = Vec::new();
+        for (place, parameter) in parameters.iter().enumerate() {
+            let input = match *parameter {
+                Parameter::Input(input) => input,
+                Parameter::Friction | Parameter::RatioOfCritical => Input::ImpulseRatio,
+                Parameter::MomentOfCritical => Input::Moment,
+                Parameter::RadiusOfGyration(_) | Parameter::Speed(_) | Parameter::Crush(..) => continue,
+            };
+            found.push((input, Rule::Same(place)));
+        }
+        for (side, vehicle) in Side::ALL.into_iter().zip(&inputs.vehicles) {
+            let Some(vehicle) = vehicle else { continue };
+            if let Inertia::Radius(radius) = vehicle.inertia {
+                let (mass, radius) =
+                    (number(Parameter::Input(Input::Mass(side)), vehicle.mass), number(Parameter::RadiusOfGyration(side), radius));
+                if mass.is_uncertain() || radius.is_uncertain() {
+                    found.push((Input::YawInertia(side), Rule::Inertia { mass, radius }));
+                }
+            }
+            if let Velocity::Speed(speed) = vehicle.velocity {
+                let (speed, heading) =
+                    (number(Parameter::Speed(side), speed), number(Parameter::Input(Input::Heading(side)), vehicle.heading));
+                if speed.is_uncertain() || heading.is_uncertain() {
+                    let along = |is_x| Rule::Along { speed, heading, is_x };
+                    found.extend([(Input::VelocityX(side), along(true)), (Input::VelocityY(side), along(false))]);
+                }
+            }
+        }
+        let (inputs, rules) = found.into_iter().unzip();
+        CaseMapping { numbers: parameters.len(), inputs, rules }
+    }
+}
+
+impl Mapping for CaseMapping {
+    fn numbers(&self) -> usize {
+        self.numbers
+    }
+
+    fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    fn write<T: Real + Copy + From<f64>>(&self, numbers: &[T], inputs: &mut [T]) {
+        for (rule, input) in self.rules.iter().zip(inputs) {
+            *input = match *rule {
+                Rule::Same(place) => numbers[place],
+                Rule::Inertia { mass, radius } => mass.of(numbers) * radius.of(numbers).squared(),
+                Rule::Along { speed, heading, is_x } => {
+                    let ahead = ForwardLeft { forward: speed.of(numbers), left: T::int(0) };
+                    let velocity = Heading::from_angle(heading.of(numbers)).to_ground(ahead);
+                    if is_x { velocity.x } else { velocity.y }
+                }
+            };
+        }
+    }
+}

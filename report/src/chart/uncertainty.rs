@@ -1,0 +1,143 @@
+//! The uncertainty of outputs: for each its density with quantiles, and the share of each input as bars.
+
+use plotters::prelude::{Color, LineSeries, PathElement, RGBColor, Rectangle, ShapeStyle};
+
+use planar_impact_app::case::CaseOutput;
+use planar_impact_app::issue::Issues;
+use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Uncertainty, ends};
+use planar_impact_app::units::trim;
+use planar_impact_app::{Answer, Units};
+
+use super::canvas::{Area, Axes, Drawn, WIDTH, page, px, span, with_unit, write};
+use super::shortened;
+
+const PANEL: u32 = px(300);
+/// Width of the bars beside a density.
+const BARS: u32 = px(350);
+/// Number of inputs with a bar.
+const MOST_BARS: usize = 9;
+
+const BLUE: RGBColor = RGBColor(0, 114, 178);
+const VERMILION: RGBColor = RGBColor(213, 94, 0);
+const GRAY: RGBColor = RGBColor(90, 90, 90);
+
+/// Draws the uncertainty of each output: its density and the shares of the inputs.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Result<String, Issues> {
+    let panels: Vec<Panel<'_>> =
+        answer.outputs.iter().zip(answer.of.iter()).map(|(of, (_, found))| Panel { of: *of, found, level: answer.level, units }).collect();
+    page(&shortened(&answer.title), PANEL * panels.len() as u32, |body| {
+        for (panel, area) in panels.iter().zip(body.split_evenly((panels.len(), 1))) {
+            let (density, bars) = area.split_horizontally(WIDTH - BARS);
+            panel.density(&density)?;
+            panel.bars(&bars)?;
+        }
+        Ok(())
+    })
+}
+
+struct Panel<'a> {
+    of: CaseOutput,
+    found: &'a OutputUncertainty,
+    level: f64,
+    units: Units,
+}
+
+impl Panel<'_> {
+    fn name(&self) -> String {
+        with_unit(&self.of.short_name(), self.units.unit(self.of.measure()))
+    }
+
+    /// Draws the density of the samples, the normal density of first derivatives, and lines at the ends of the middle range.
+    fn density(&self, area: &Area<'_>) -> Drawn {
+        let convert = |si: f64| self.units.convert(self.of.measure(), si);
+        let bars: Vec<(f64, f64, f64)> = self.found.monte_carlo.iter().flat_map(|found| rectangles(found, &convert)).collect();
+        let normal: Vec<(f64, f64)> = self.normal(&convert);
+        let x = bars.iter().flat_map(|bar| [bar.0, bar.1]).chain(normal.iter().map(|point| point.0));
+        let y = bars.iter().map(|bar| bar.2).chain(normal.iter().map(|point| point.1)).chain([0.0]);
+        if bars.is_empty() && normal.is_empty() {
+            return write(area, &format!("{} is certain, or has no finite deviation", self.name()), 17, (40, 120));
+        }
+        let (x, height) = (span(x, 0.0), span(y, 0.0).end);
+        let unit = self.units.unit(self.of.measure());
+        let y_name = if unit.is_empty() { "probability density".to_owned() } else { format!("probability per {unit}") };
+        let y = 0.0..1.12 * height;
+        let axes = Axes { x: x.clone(), left: Axes::room(&y), y, x_name: &self.name(), y_name: &y_name };
+        let mut chart = axes.draw(area)?;
+        let filled = bars.iter().map(|(start, end, density)| Rectangle::new([(*start, 0.0), (*end, *density)], BLUE.mix(0.35).filled()));
+        chart.draw_series(filled)?;
+        chart.draw_series(LineSeries::new(normal, ShapeStyle::from(&VERMILION).stroke_width(px(2))))?;
+        if let Some(found) = &self.found.monte_carlo {
+            let [low, high] = ends(self.level);
+            for p in [low, 0.5, high] {
+                let Some(at) = found.quantiles.get(&p.to_string()).map(|si| convert(*si)).filter(|at| x.contains(at)) else { continue };
+                chart.draw_series([PathElement::new([(at, 0.0), (at, 1.06 * height)], ShapeStyle::from(&GRAY).stroke_width(px(1)))])?;
+                let (left, top) = chart.plotting_area().map_coordinate(&(at, 1.06 * height));
+                let (dx, dy) = area.get_base_pixel();
+                let fine = px(1) as i32;
+                write(area, &format!("{} %", trim(100.0 * p)), 14, ((left - dx) / fine - 16, (top - dy) / fine - 14))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the normal density of first derivatives.
+    fn normal(&self, convert: &impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+        let Some(linear) = &self.found.linear else { return Vec::new() };
+        let (mean, sd) = (convert(linear.mean), convert(linear.mean + linear.sd) - convert(linear.mean));
+        let sd = sd.abs();
+        if !(sd > 0.0 && sd.is_finite()) {
+            return Vec::new();
+        }
+        let peak = 1.0 / (sd * (2.0 * std::f64::consts::PI).sqrt());
+        (-70..=70).map(|i| f64::from(i) / 20.0).map(|z| (mean + z * sd, peak * (-0.5 * z * z).exp())).collect()
+    }
+
+    /// Draws the share of each input in the variance, the greatest first.
+    fn bars(&self, area: &Area<'_>) -> Drawn {
+        let fine = px(1) as i32;
+        let mut shares: Vec<(&str, f64, Option<f64>)> = match (&self.found.sobol, &self.found.linear) {
+            (Some(sobol), _) => sobol.iter().map(|(name, share)| (name, share.total, Some(share.first))).collect(),
+            (None, Some(linear)) => linear.shares.iter().map(|(name, share)| (name, *share, None)).collect(),
+            (None, None) => return Ok(()),
+        };
+        shares.retain(|(_, share, _)| share.is_finite());
+        shares.sort_by(|one, other| other.1.abs().total_cmp(&one.1.abs()));
+        let hidden = shares.len().saturating_sub(MOST_BARS);
+        shares.truncate(MOST_BARS);
+        let title = if self.found.sobol.is_some() { "share of the variance: alone, with others" } else { "share of the variance, linear" };
+        write(area, title, 15, (16, 12))?;
+        for (row, (name, share, alone)) in shares.iter().enumerate() {
+            let y = 40 + 26 * row as i32;
+            let length = |share: f64| (130.0 * share.clamp(0.0, 1.0)) as i32;
+            let bar = |share: f64, style: ShapeStyle| {
+                Rectangle::new([(16 * fine, (y + 14) * fine), ((16 + length(share)) * fine, (y + 20) * fine)], style)
+            };
+            area.draw(&bar(*share, BLUE.mix(0.35).filled()))?;
+            area.draw(&bar(alone.unwrap_or(*share), BLUE.filled()))?;
+            write(area, name, 14, (16, y - 2))?;
+            let number = match alone {
+                Some(alone) => format!("{:.1} %, {:.1} %", 100.0 * alone, 100.0 * share),
+                None => format!("{:.1} %", 100.0 * share),
+            };
+            write(area, &number, 14, (232, y + 8))?;
+        }
+        if hidden > 0 {
+            write(area, &format!("{hidden} more are smaller"), 14, (16, 40 + 26 * shares.len() as i32))?;
+        }
+        Ok(())
+    }
+}
+
+/// Returns the bins of a density: start, end and height.
+fn rectangles(found: &MonteCarlo, convert: &impl Fn(f64) -> f64) -> Vec<(f64, f64, f64)> {
+    let edges: Vec<f64> = found.density.edges.iter().map(|edge| convert(*edge)).collect();
+    let bar = |(pair, share): (&[f64], &f64)| {
+        let (start, end) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
+        (start, end, share / (end - start))
+    };
+    edges.windows(2).zip(&found.density.shares).map(bar).filter(|bar| bar.2.is_finite()).collect()
+}

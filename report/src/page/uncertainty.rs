@@ -1,0 +1,222 @@
+//! The page of `uncertainty`: for each output its mean and deviation by each method, its quantiles, and what they are due to.
+
+use planar_impact_app::case::{CaseOutput, Parameter};
+use planar_impact_app::uncertainty::{OutputUncertainty, Probability, UncertainNumber, Uncertainty, ends};
+use planar_impact_app::units::{Measure, Units, trim};
+
+use super::Facts;
+use crate::block::{Block, Table};
+
+/// Number of inputs shown for an output.
+const SHOWN: usize = 10;
+
+impl Facts for Uncertainty {
+    /// The inputs, each output, and the probabilities.
+    fn blocks(&self, units: Units) -> Vec<Block> {
+        let mut blocks = vec![samples_drawn(self), table_of_inputs(self, units)];
+        for (output, (name, found)) in self.outputs.iter().zip(self.of.iter()) {
+            let of = Shown { all: self, of: *output, name, found, units };
+            blocks.extend(of.blocks());
+        }
+        blocks.extend(table_of_probabilities(self));
+        blocks
+    }
+}
+
+/// Says what was sampled, and what of it was refused.
+fn samples_drawn(answer: &Uncertainty) -> Block {
+    if answer.samples == 0 {
+        return Block::paragraph("From derivatives and limits, without samples.");
+    }
+    let reasons: Vec<String> = answer.refused.reasons.iter().map(|(code, count)| format!("{code} {count}")).collect();
+    let refused = match answer.refused.count {
+        0 => "physics refuses none".to_owned(),
+        count => {
+            let share = 100.0 * count as f64 / answer.samples as f64;
+            format!("physics refuses {count} ({share:.2} %: {}), and the figures are of the others", reasons.join(", "))
+        }
+    };
+    Block::paragraph(format!("{} samples (seed {}); {refused}.", answer.samples, answer.seed))
+}
+
+fn table_of_inputs(answer: &Uncertainty, units: Units) -> Block {
+    let row = |(parameter, (name, number)): (&Parameter, (&str, &UncertainNumber))| {
+        let measure = parameter.measure();
+        let shown = |si: f64| if si.is_finite() { with_digits(units, measure, si, number.sd) } else { "none".to_owned() };
+        let range = format!("{} to {}", shown(number.range[0]), shown(number.range[1]));
+        vec![name.to_owned(), shown(number.mean), shown(number.sd), units.unit(measure).to_owned(), range]
+    };
+    let rows = answer.parameters.iter().zip(answer.inputs.iter()).map(row).collect();
+    Table::new(["uncertain input", "mean", "sd", "unit", "limits for bounds"], "lrrll", rows).narrow().with_optional(4).into()
+}
+
+fn table_of_probabilities(answer: &Uncertainty) -> Option<Block> {
+    let row = |(text, found): (&str, &Probability)| vec![text.to_owned(), format!("{:.4}", found.value), format!("{:.4}", found.se)];
+    let rows: Vec<Vec<String>> = answer.probabilities.iter().map(row).collect();
+    (!rows.is_empty()).then(|| Table::new(["statement", "probability", "standard error"], "lrr", rows).into())
+}
+
+/// Formats a value with the decimals of two digits of a deviation.
+pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> String {
+    let deviation = units.convert(measure, sd).abs();
+    let value = units.convert(measure, si);
+    if !(deviation > 0.0 && deviation.is_finite()) || !(1e-9..1e12).contains(&value.abs().max(deviation)) {
+        return units.number(measure, si, 0.0);
+    }
+    let decimals = (1.0 - deviation.log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.decimals$}");
+    // Minus nothing.
+    if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+/// An output with what is found of it.
+struct Shown<'a> {
+    all: &'a Uncertainty,
+    of: CaseOutput,
+    name: &'a str,
+    found: &'a OutputUncertainty,
+    units: Units,
+}
+
+impl Shown<'_> {
+    fn blocks(&self) -> Vec<Block> {
+        let mut blocks = vec![self.heading()];
+        blocks.extend(self.methods());
+        blocks.extend(self.range());
+        blocks.extend(self.inputs());
+        blocks.extend(self.curvature());
+        blocks.extend(self.next_measurement());
+        blocks
+    }
+
+    /// Returns the deviation that sets the digits.
+    fn sd(&self) -> f64 {
+        let of_samples = self.found.monte_carlo.as_ref().map(|found| found.sd);
+        of_samples.or(self.found.linear.as_ref().map(|found| found.sd)).filter(|sd| sd.is_finite()).unwrap_or(0.0)
+    }
+
+    fn number(&self, si: f64) -> String {
+        if si.is_nan() { "none".to_owned() } else { with_digits(self.units, self.of.measure(), si, self.sd()) }
+    }
+
+    fn quantity(&self, si: f64) -> String {
+        format!("{} {}", self.number(si), self.units.unit(self.of.measure())).trim_end().to_owned()
+    }
+
+    fn heading(&self) -> Block {
+        let symbol = self.of.symbol().map(|symbol| format!(" ({symbol})")).unwrap_or_default();
+        let value = if self.found.value.is_nan() { "none".to_owned() } else { self.quantity(self.found.value) };
+        Block::Heading { level: 2, text: format!("{}{symbol} = {value}", self.name) }
+    }
+
+    fn methods(&self) -> Option<Block> {
+        let [low, high] = ends(self.all.level);
+        let mut rows = Vec::new();
+        let none = || vec![String::new(); 3];
+        if let Some(found) = &self.found.linear {
+            rows.push([vec!["linear".to_owned(), self.number(found.mean), self.number(found.sd)], none()].concat());
+        }
+        if let Some(found) = &self.found.second_order {
+            rows.push([vec!["second order".to_owned(), self.number(found.mean), self.number(found.sd)], none()].concat());
+        }
+        if let Some(found) = &self.found.monte_carlo {
+            let quantile = |p: f64| found.quantiles.get(&p.to_string()).map_or_else(String::new, |value| self.number(*value));
+            let of_samples = ["samples".to_owned(), self.number(found.mean), self.number(found.sd)];
+            rows.push(of_samples.into_iter().chain([low, 0.5, high].map(quantile)).collect());
+            let error = |p: f64| found.quantiles_se.get(&p.to_string()).map_or_else(String::new, |value| self.error(*value));
+            let errors = ["standard error".to_owned(), self.error(found.mean_se), self.error(found.sd_se)];
+            rows.push(errors.into_iter().chain([low, 0.5, high].map(error)).collect());
+        }
+        let percent = |p: f64| format!("{} %", trim(100.0 * p));
+        let header = ["method".to_owned(), "mean".to_owned(), "sd".to_owned(), percent(low), "median".to_owned(), percent(high)];
+        (!rows.is_empty()).then(|| Table::new(header, "lrrrrr", rows).into())
+    }
+
+    /// Formats a standard error with two digits of its own.
+    fn error(&self, si: f64) -> String {
+        if si.is_finite() { with_digits(self.units, self.of.measure(), si, si) } else { "none".to_owned() }
+    }
+
+    fn range(&self) -> Vec<Block> {
+        let Some(bounds) = &self.found.bounds else { return Vec::new() };
+        let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
+        let text = format!(
+            "Within the limits of the inputs it is from {} to {}, guaranteed",
+            self.quantity(bounds.low),
+            self.quantity(bounds.high)
+        );
+        let tight = if bounds.is_tight {
+            "both ends are attained".to_owned()
+        } else {
+            let found = format!("values from {} to {} are found", self.quantity(bounds.low_attained), self.quantity(bounds.high_attained));
+            format!("{found}, and nothing tighter than {} is proven", self.error(gap))
+        };
+        vec![Block::item("- ", format!("{text}; {tight}."))]
+    }
+
+    fn inputs(&self) -> Vec<Block> {
+        let (linear, sobol) = (&self.found.linear, &self.found.sobol);
+        let total = |name: &str| sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.total);
+        let share = |name: &str| linear.as_ref().and_then(|linear| linear.shares.get(name)).copied();
+        let mut names: Vec<&str> = self.all.inputs.iter().map(|(name, _)| name).collect();
+        let size = |name: &str| total(name).or(share(name)).filter(|size| !size.is_nan()).unwrap_or(0.0);
+        names.sort_by(|one, other| size(other).abs().total_cmp(&size(one).abs()));
+        let hidden = names.len().saturating_sub(SHOWN);
+        names.truncate(SHOWN);
+        let percent = |share: Option<f64>| {
+            share.map_or_else(String::new, |share| if share.is_nan() { "none".to_owned() } else { format!("{:.1} %", 100.0 * share) })
+        };
+        let row = |name: &&str| {
+            let alone = sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.first);
+            let halved = linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map_or_else(String::new, |sd| self.number(*sd));
+            vec![(*name).to_owned(), percent(share(name)), percent(alone), percent(total(name)), halved]
+        };
+        let rows: Vec<Vec<String>> = names.iter().map(row).collect();
+        if linear.is_none() && sobol.is_none() {
+            return Vec::new();
+        }
+        let table = Table::new(["share of the variance", "linear", "alone", "with others", "sd if halved"], "lrrrr", rows).narrow();
+        let mut blocks = vec![table.into()];
+        if hidden > 0 {
+            blocks.push(Block::item("", format!("{hidden} more inputs have smaller shares (--format json).")));
+        }
+        blocks
+    }
+
+    /// Says how far second order moves the answer.
+    fn curvature(&self) -> Option<Block> {
+        let (linear, second) = (self.found.linear.as_ref()?, self.found.second_order.as_ref()?);
+        let (moved, wider) = (second.mean - linear.mean, second.sd / linear.sd - 1.0);
+        if !moved.is_finite() || !wider.is_finite() {
+            return None;
+        }
+        let share = 100.0 * moved / linear.sd;
+        let text = format!(
+            "Curvature moves the mean by {} ({share:.1} % of the sd), and the sd by {:.1} %; skewness {}.",
+            self.signed(moved),
+            100.0 * wider,
+            if second.skewness.is_finite() { format!("{:.2}", second.skewness) } else { "none".to_owned() },
+        );
+        Some(Block::item("- ", text))
+    }
+
+    fn signed(&self, si: f64) -> String {
+        let unit = self.units.unit(self.of.measure());
+        format!("{} {unit}", self.error(si)).trim_end().to_owned()
+    }
+
+    /// Says which measurement, made twice as precise, narrows the answer most.
+    fn next_measurement(&self) -> Option<Block> {
+        let linear = self.found.linear.as_ref()?;
+        let halved = linear.sd_if_halved.iter().filter(|(_, sd)| sd.is_finite());
+        let (name, sd) = halved.min_by(|one, other| one.1.total_cmp(other.1))?;
+        if !(*sd < linear.sd) || !linear.sd.is_finite() {
+            return None;
+        }
+        let narrower = 100.0 * (1.0 - sd / linear.sd);
+        Some(Block::item(
+            "- ",
+            format!("To narrow it most, measure {name} twice as precisely: the sd falls by {narrower:.0} %, to {}.", self.quantity(*sd)),
+        ))
+    }
+}
