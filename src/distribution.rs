@@ -155,13 +155,8 @@ impl Distribution {
             Uniform { .. } => self.nominal(),
             Triangular { min, mode, max } => mode + ((min - mode) + (max - mode)) / 3.0,
             LogNormal { median, log_sd } => median * libm::exp(0.5 * log_sd * log_sd),
-            StudentT { mean, n, .. } => {
-                if n > 2 {
-                    mean
-                } else {
-                    f64::NAN
-                }
-            }
+            StudentT { mean, n, .. } if n > 2 => mean,
+            StudentT { .. } => f64::NAN,
         }
     }
 
