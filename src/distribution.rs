@@ -7,8 +7,10 @@
 //! | [`Uniform`] | limits | 1/(b − a) |
 //! | [`Triangular`] | limits, mode | rises linearly to the mode, then falls |
 //! | [`LogNormal`] | median, standard deviation of the logarithm | φ(ln(x/m)/s)/(s x) |
+//! | [`StudentT`] | mean, standard deviation and number of measurements | t((x − m) √n/s) √n/s with n − 1 degrees of freedom |
 
 pub(crate) mod quantile;
+pub(crate) mod student;
 
 use crate::issue::{InputIssue, InputIssueKind, IssueCollector, Issues, Place};
 
@@ -66,9 +68,29 @@ pub enum Distribution {
         /// The standard deviation of the natural logarithm, above zero.
         log_sd: f64,
     },
+    /// What a few measurements tell of the mean of a quantity: (x − mean)/(sd/√n) has Student's t distribution with n − 1 degrees of freedom.
+    ///
+    /// The measurements are independent and normal, and nothing else is known of their mean and standard deviation. Three skid tests leave the mean friction
+    /// with an infinite standard deviation, and with this 95 % range:
+    ///
+    /// ```
+    /// use planar_impact::Distribution;
+    /// let friction = Distribution::StudentT { mean: 0.72, sd: 0.03, n: 3 };
+    /// assert_eq!(friction.sd(), f64::INFINITY);
+    /// let half = 4.303 * 0.03 / 3.0_f64.sqrt();
+    /// assert!((friction.quantile(0.975) - (0.72 + half)).abs() < 1e-5);
+    /// ```
+    StudentT {
+        /// The mean of the measurements.
+        mean: f64,
+        /// Their standard deviation with the divisor n − 1, above zero.
+        sd: f64,
+        /// Their number, at least 2.
+        n: u32,
+    },
 }
 
-use Distribution::{LogNormal, Normal, Triangular, TruncatedNormal, Uniform};
+use Distribution::{LogNormal, Normal, StudentT, Triangular, TruncatedNormal, Uniform};
 
 impl Distribution {
     /// Creates the uniform distribution of a number that is recorded in steps: anything within half a step of the value.
@@ -105,22 +127,27 @@ impl Distribution {
                 found.positive(place("median"), &median);
                 found.positive(place("log_sd"), &log_sd);
             }
+            StudentT { mean, sd, n } => {
+                found.finite(place("mean"), &mean);
+                found.positive(place("sd"), &sd);
+                found.within(place("n"), &f64::from(n), 2.0, None);
+            }
         }
         found.finish()
     }
 
-    /// Returns the value that a computation with one number uses: the mean of a normal distribution, the mode of a truncated or a triangular one, the
-    /// median of a log-normal one, the middle of a uniform one.
+    /// Returns the value that a computation with one number uses: the mean of a normal distribution or of measurements, the mode of a truncated or a
+    /// triangular one, the median of a log-normal one, the middle of a uniform one.
     pub fn nominal(&self) -> f64 {
         match *self {
-            Normal { mean, .. } => mean,
+            Normal { mean, .. } | StudentT { mean, .. } => mean,
             TruncatedNormal { mode, .. } | Triangular { mode, .. } => mode,
             Uniform { min, max } => min + 0.5 * (max - min),
             LogNormal { median, .. } => median,
         }
     }
 
-    /// Returns the mean.
+    /// Returns the mean; not a number for [`StudentT`] of two measurements, whose distribution has none.
     pub fn mean(&self) -> f64 {
         match *self {
             Normal { mean, .. } => mean,
@@ -128,10 +155,12 @@ impl Distribution {
             Uniform { .. } => self.nominal(),
             Triangular { min, mode, max } => mode + ((min - mode) + (max - mode)) / 3.0,
             LogNormal { median, log_sd } => median * libm::exp(0.5 * log_sd * log_sd),
+            StudentT { mean, n, .. } if n > 2 => mean,
+            StudentT { .. } => f64::NAN,
         }
     }
 
-    /// Returns the standard deviation.
+    /// Returns the standard deviation; infinite for [`StudentT`] of two or three measurements.
     pub fn sd(&self) -> f64 {
         match *self {
             Normal { sd, .. } => sd,
@@ -142,6 +171,10 @@ impl Distribution {
                 libm::sqrt((rise * rise + rise * fall + fall * fall) / 18.0)
             }
             LogNormal { log_sd, .. } => self.mean() * libm::sqrt(libm::expm1(log_sd * log_sd)),
+            StudentT { sd, n, .. } => {
+                let freedom = degrees_of_freedom(n);
+                if freedom > 2.0 { standard_error(sd, n) * libm::sqrt(freedom / (freedom - 2.0)) } else { f64::INFINITY }
+            }
         }
     }
 
@@ -170,17 +203,31 @@ impl Distribution {
             // The density has the limit 0 at 0, where the logarithm has none.
             LogNormal { .. } if x == 0.0 => f64::NEG_INFINITY,
             LogNormal { median, log_sd } => log_normal_density(libm::log(x / median) / log_sd) - libm::log(log_sd * x),
+            StudentT { mean, sd, n } => {
+                let scale = standard_error(sd, n);
+                student::log_density((x - mean) / scale, degrees_of_freedom(n)) - libm::log(scale)
+            }
         }
     }
 
     /// Returns the least and the greatest possible value, which may be infinite.
     pub fn support(&self) -> (f64, f64) {
         match *self {
-            Normal { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Normal { .. } | StudentT { .. } => (f64::NEG_INFINITY, f64::INFINITY),
             TruncatedNormal { min, max, .. } | Uniform { min, max } | Triangular { min, max, .. } => (min, max),
             LogNormal { .. } => (0.0, f64::INFINITY),
         }
     }
+}
+
+/// Returns the number of degrees of freedom of the standard deviation of n measurements.
+pub(crate) fn degrees_of_freedom(n: u32) -> f64 {
+    f64::from(n) - 1.0
+}
+
+/// Returns the standard deviation of the mean of n measurements.
+pub(crate) fn standard_error(sd: f64, n: u32) -> f64 {
+    sd / libm::sqrt(f64::from(n))
 }
 
 /// Checks limits, and a mode between them.
@@ -261,7 +308,7 @@ impl Truncation {
 mod tests {
     use super::*;
 
-    const ALL: [Distribution; 9] = [
+    const ALL: [Distribution; 11] = [
         Normal { mean: 3.0, sd: 0.5 },
         TruncatedNormal { mode: 1.0, scale: 2.0, min: -1.0, max: 4.0 },
         TruncatedNormal { mode: 1.0, scale: 2.0, min: 1.0, max: 1.5 },
@@ -271,17 +318,24 @@ mod tests {
         Triangular { min: 1.0, mode: 1.0, max: 5.0 },
         LogNormal { median: 2.0, log_sd: 0.25 },
         LogNormal { median: 1e-3, log_sd: 0.7 },
+        StudentT { mean: 0.7, sd: 0.03, n: 6 },
+        StudentT { mean: -20.0, sd: 4.0, n: 40 },
     ];
 
-    /// Returns ∫ f(x) p(x) dx by Simpson's rule, over twelve standard deviations of the variable that is normal.
+    /// Returns ∫ f(x) p(x) dx by Simpson's rule, over twelve standard deviations of the variable that is normal, or for Student's t of u = arsinh((x − m)/s)
+    /// until the second moment of the tails is beyond the last digit.
     fn integral(distribution: &Distribution, f: impl Fn(f64) -> f64) -> f64 {
         const STEPS: usize = 200_000;
-        // x = m e^u, so dx = x du.
-        let median = if let LogNormal { median, .. } = distribution { Some(median) } else { None };
-        let of = |u: f64| median.map_or((u, 1.0), |median| (median * u.exp(), median * u.exp()));
+        // x and dx/du.
+        let of = |u: f64| match *distribution {
+            LogNormal { median, .. } => (median * u.exp(), median * u.exp()),
+            StudentT { mean, sd, .. } => (mean + sd * u.sinh(), sd * u.cosh()),
+            _ => (u, 1.0),
+        };
         let (from, to) = match distribution {
             Normal { mean, sd } => (mean - 12.0 * sd, mean + 12.0 * sd),
             LogNormal { log_sd, .. } => (-12.0 * log_sd, 12.0 * log_sd),
+            StudentT { .. } => (-14.0, 14.0),
             other => other.support(),
         };
         let step = (to - from) / STEPS as f64;
@@ -330,6 +384,16 @@ mod tests {
         close(Triangular { min: 0.0, mode: 1.0, max: 2.0 }.sd(), 6.0_f64.sqrt().recip()); // a symmetric triangle of half-width 1
         close(Uniform { min: 0.0, max: 12.0 }.sd(), 12.0_f64.sqrt());
         close(LogNormal { median: 2.0, log_sd: 1.0 }.mean(), 2.0 * 0.5_f64.exp());
+        // Nine measurements: a third of their standard deviation, times √(8/6).
+        let measured = |n| StudentT { mean: 0.7, sd: 0.03, n };
+        close(measured(9).sd(), 0.01 * (8.0_f64 / 6.0).sqrt());
+        assert_eq!([measured(4).mean(), measured(3).mean(), measured(2).nominal()], [0.7; 3]);
+        assert!(measured(2).mean().is_nan());
+        assert_eq!([measured(2).sd(), measured(3).sd()], [f64::INFINITY; 2]);
+        // The density of Cauchy, 1/(π s) in its middle and half of it at s = 0.03/√2 from there.
+        let cauchy = (std::f64::consts::PI * 0.03 / 2.0_f64.sqrt()).recip();
+        close(measured(2).log_density(0.7).exp(), cauchy);
+        assert!((measured(2).log_density(0.7 + 0.03 / 2.0_f64.sqrt()).exp() / cauchy - 0.5).abs() < 1e-14);
         assert_eq!(Distribution::of_resolution(10.0, 0.5), Uniform { min: 9.75, max: 10.25 });
         assert_eq!(Distribution::of_resolution(10.0, 0.5).nominal(), 10.0);
     }
@@ -365,6 +429,7 @@ mod tests {
                 }
                 Uniform { min, max } => Uniform { min: to(min), max: to(max) },
                 Triangular { min, mode, max } => Triangular { min: to(min), mode: to(mode), max: to(max) },
+                StudentT { mean, sd, n } => StudentT { mean: to(mean), sd: factor * sd, n },
                 LogNormal { .. } => continue,
             };
             assert!((moved.mean() - to(distribution.mean())).abs() < 1e-12 * to(distribution.mean()).abs().max(1.0), "{distribution:?}");
@@ -389,5 +454,8 @@ mod tests {
         );
         assert_eq!(codes(TruncatedNormal { mode: f64::NAN, scale: 0.0, min: 0.0, max: 1.0 }).len(), 2);
         assert_eq!(codes(LogNormal { median: 0.0, log_sd: 0.0 }).len(), 2);
+        assert_eq!(codes(StudentT { mean: f64::NAN, sd: 0.0, n: 1 }).len(), 3);
+        assert_eq!(codes(StudentT { mean: 1.0, sd: 1.0, n: 1 }), ["n OutOfRange { value: 1.0, least: 2.0, greatest: None }"]);
+        assert_eq!(codes(StudentT { mean: 1.0, sd: -1.0, n: 2 }), ["sd NotPositive { value: -1.0 }"]);
     }
 }

@@ -25,6 +25,7 @@ pub use parameter::{Parameter, number as vehicle_number};
 pub(crate) use reader::CaseReader;
 pub use rest::RestInputs;
 pub use setup::Setup;
+pub(crate) use uncertain::MOST_VALUES;
 pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
 pub use vehicle::{Inertia, VehicleInputs, Velocity};
 
@@ -74,7 +75,7 @@ impl Case {
         Case::read(source, CaseReader::default())
     }
 
-    /// The same for a case file that may name files of barrier tests, which `open` reads.
+    /// The same for a case file that may name files of barrier tests or of measured values, which `open` reads.
     ///
     /// # Errors
     ///

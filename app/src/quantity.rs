@@ -150,13 +150,18 @@ impl Conversion {
         Conversion(Unit::parse(unit).ok().map(|unit| unit.size()))
     }
 
-    /// Creates the conversion of a unit that a quantity of this kind was read with.
+    /// Creates the conversion of a unit that a quantity of this kind was read with; that of a number without a dimension may be written as 1.
     ///
     /// # Errors
     ///
     /// Returns an error if the unit measures something else.
     pub fn of(unit: &str, kind: Kind) -> Result<Conversion, QuantityError> {
-        if unit.is_empty() { Ok(Conversion::none()) } else { unit_for(unit, unit, kind).map(|unit| Conversion(Some(unit.size()))) }
+        let is_one = unit == "1" && kind.dimension == Kind::PURE.dimension;
+        if unit.is_empty() || is_one {
+            Ok(Conversion::none())
+        } else {
+            unit_for(unit, unit, kind).map(|unit| Conversion(Some(unit.size())))
+        }
     }
 
     /// Creates the conversion of a number without a unit.

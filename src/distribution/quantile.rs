@@ -3,7 +3,8 @@
 //! That of the normal distribution is algorithm AS 241 (Wichura, "The percentage points of the normal distribution", Applied Statistics 37, 1988), to 16
 //! digits. It has the same bits on every platform.
 
-use super::Distribution::{self, LogNormal, Normal, Triangular, TruncatedNormal, Uniform};
+use super::Distribution::{self, LogNormal, Normal, StudentT, Triangular, TruncatedNormal, Uniform};
+use super::{degrees_of_freedom, standard_error, student};
 
 /// Half the width of the middle range of the normal distribution.
 const MIDDLE: f64 = 0.425;
@@ -37,6 +38,7 @@ impl Distribution {
                 if p * width < rise { min + libm::sqrt(p * width * rise) } else { max - libm::sqrt((1.0 - p) * width * (max - mode)) }
             }
             LogNormal { median, log_sd } => median * libm::exp(log_sd * standard(p)),
+            StudentT { mean, sd, n } => mean + standard_error(sd, n) * student::quantile(p, degrees_of_freedom(n)),
         }
     }
 }
@@ -194,6 +196,9 @@ mod tests {
             Triangular { min: 1.0, mode: 1.5, max: 4.0 },
             Triangular { min: 1.0, mode: 1.0, max: 4.0 },
             LogNormal { median: 20.0, log_sd: 0.4 },
+            StudentT { mean: 0.7, sd: 0.05, n: 2 },
+            StudentT { mean: 0.7, sd: 0.05, n: 3 },
+            StudentT { mean: -7.0, sd: 0.5, n: 12 },
         ];
         for distribution in all {
             let (start, end) = (distribution.quantile(0.1), distribution.quantile(0.9));

@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use super::given::{ReconstructionProblem, Uncertainty};
 use super::measurand::Measurand;
 use super::residuals::Model;
-use crate::distribution::Distribution;
+use crate::distribution::{Distribution, degrees_of_freedom, standard_error, student};
 use crate::least_squares::ParameterBounds;
 
 /// The density of the posterior over the unknowns, up to a factor.
@@ -92,10 +92,38 @@ fn score(shape: &Distribution, x: f64) -> f64 {
             }
         }
         Distribution::TruncatedNormal { mode, scale, .. } => (x - mode) / scale,
+        Distribution::StudentT { mean, sd, n } => {
+            let (t, freedom) = ((x - mean) / standard_error(sd, n), degrees_of_freedom(n));
+            symmetric(of, student::above(-t, freedom), student::above(t, freedom))
+        }
     }
 }
 
 /// Returns the score of the smaller of two probabilities that add up to 1.
 fn symmetric(of: impl Fn(f64) -> f64, below: f64, above: f64) -> f64 {
     if below <= above { of(below) } else { -of(above) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distribution::quantile::standard;
+
+    #[test]
+    fn the_score_of_a_quantile_is_that_of_its_probability() {
+        let shapes = [
+            Distribution::Normal { mean: 3.0, sd: 0.5 },
+            Distribution::Uniform { min: -2.0, max: 1.0 },
+            Distribution::Triangular { min: 1.0, mode: 2.0, max: 5.0 },
+            Distribution::LogNormal { median: 2.0, log_sd: 0.25 },
+            Distribution::StudentT { mean: 0.7, sd: 0.03, n: 3 },
+            Distribution::StudentT { mean: -7.0, sd: 0.5, n: 12 },
+        ];
+        for shape in shapes {
+            for p in [1e-9, 1e-3, 0.02, 0.3, 0.5, 0.7, 0.98, 0.999] {
+                let found = score(&shape, shape.quantile(p));
+                assert!((found - standard(p)).abs() < 1e-6, "{shape:?} {p}: {found}");
+            }
+        }
+    }
 }

@@ -3,11 +3,13 @@
 mod contact;
 mod correlation;
 mod crush;
+mod csv_column;
 mod evidence;
 mod fitted;
 mod implied;
 mod measured;
 mod rest;
+mod sample;
 mod unknown;
 
 use std::cell::{Cell, RefCell};
@@ -17,6 +19,7 @@ use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
 use self::fitted::FittedToTests;
 use self::implied::ImpliedValues;
+use self::measured::Distributed;
 use super::domain::Domain;
 use super::inputs::Inputs;
 use super::knowledge::Knowledge;
@@ -141,9 +144,9 @@ impl CaseReader {
     /// Reads an input that may be uncertain, in another domain than its own.
     fn input_in(&self, field: Field<'_>, parameter: Parameter, domain: Domain) -> Option<f64> {
         let key = field.path().to_owned();
-        let (nominal, distribution) = self.distributed(field, parameter.kind(), domain)?;
+        let Distributed { nominal, distribution, values } = self.distributed(field, parameter.kind(), domain)?;
         if let Some(distribution) = distribution {
-            self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution });
+            self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution, values });
         }
         Some(nominal)
     }

@@ -1,8 +1,13 @@
 //! Uncertain inputs of a case file, and their correlations.
 
+use std::sync::Arc;
+
 use planar_impact::Distribution;
 
 use super::parameter::Parameter;
+
+/// Maximum number of measured values of one input.
+pub(crate) const MOST_VALUES: usize = 1_000_000;
 
 /// An input that the file gives with an uncertainty.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +18,10 @@ pub struct UncertainInput {
     pub key: String,
     /// The value that a computation with one number uses, in SI. The inputs of the case have it.
     pub nominal: f64,
-    /// Its distribution, in SI.
+    /// Its distribution, in SI. For an input with [values](Self::values) it is the normal one with their mean and standard deviation.
     pub distribution: Distribution,
+    /// Measured values in SI, each of which is equally likely; `None` for an input that has its distribution.
+    pub values: Option<Arc<[f64]>>,
 }
 
 /// The coefficient of correlation of two uncertain inputs.
@@ -54,11 +61,30 @@ impl Uncertain {
         self.correlations.iter().find(is_pair).map_or(0.0, |pair| pair.coefficient)
     }
 
-    /// Returns `true` if the matrix of correlations is positive definite: its Cholesky factor exists.
-    pub(super) fn is_positive_definite(&self) -> bool {
+    /// Returns the pairs that no inputs can have together, the strongest correlation first; empty if the matrix of correlations is positive definite.
+    ///
+    /// They are those of a set of inputs none of which can be left out: without any one of them the others have a positive definite matrix.
+    pub(super) fn impossible_pairs(&self) -> Vec<&InputCorrelation> {
+        let inputs: Vec<Parameter> = self.inputs.iter().map(|input| input.parameter).collect();
+        let Some(last) = self.first_dependent(&inputs) else { return Vec::new() };
+        // The leading block that fails, from which every input goes that is not needed for that.
+        let mut set = inputs[..=last].to_vec();
+        let mut next = 0;
+        while next < set.len() && set.len() <= MOST_REDUCED {
+            let mut fewer = set.clone();
+            fewer.remove(next);
+            if self.first_dependent(&fewer).is_some() { set = fewer } else { next += 1 }
+        }
+        let is_in = |pair: &&InputCorrelation| pair.coefficient != 0.0 && [pair.one, pair.other].iter().all(|input| set.contains(input));
+        let mut pairs: Vec<&InputCorrelation> = self.correlations.iter().filter(is_in).collect();
+        pairs.sort_by(|a, b| b.coefficient.abs().total_cmp(&a.coefficient.abs()));
+        pairs
+    }
+
+    /// Returns the place of the first input that leaves the matrix of it and those before it without a Cholesky factor.
+    fn first_dependent(&self, inputs: &[Parameter]) -> Option<usize> {
         /// Smallest accepted square on the diagonal of the factor.
         const SINGULAR: f64 = 1e-9;
-        let inputs: Vec<Parameter> = self.inputs.iter().map(|input| input.parameter).collect();
         let mut factor: Vec<Vec<f64>> = Vec::new();
         for (i, &one) in inputs.iter().enumerate() {
             let mut row: Vec<f64> = Vec::new();
@@ -68,14 +94,17 @@ impl Uncertain {
             }
             let square = 1.0 - row.iter().map(|entry| entry * entry).sum::<f64>();
             if square <= SINGULAR {
-                return false;
+                return Some(i);
             }
             row.push(square.sqrt());
             factor.push(row);
         }
-        true
+        None
     }
 }
+
+/// Maximum number of inputs of a set that is reduced: each of them takes a factor of the matrix of the others.
+const MOST_REDUCED: usize = 64;
 
 #[cfg(test)]
 mod tests {
@@ -83,12 +112,14 @@ mod tests {
     use planar_impact::{Input, Side};
 
     fn uncertain(pairs: &[(usize, usize, f64)]) -> Uncertain {
-        let all = [Input::Mass(Side::One), Input::Mass(Side::Two), Input::Restitution].map(Parameter::Input);
+        let all = [Input::Mass(Side::One), Input::Mass(Side::Two), Input::Restitution, Input::CrushPlane, Input::YawInertia(Side::One)]
+            .map(Parameter::Input);
         let input = |parameter| UncertainInput {
             parameter,
             key: String::new(),
             nominal: 1.0,
             distribution: Distribution::Normal { mean: 1.0, sd: 0.1 },
+            values: None,
         };
         let pair =
             |&(i, k, coefficient): &(usize, usize, f64)| InputCorrelation { one: all[i], other: all[k], coefficient, key: String::new() };
@@ -97,15 +128,33 @@ mod tests {
 
     #[test]
     fn a_matrix_of_correlations_is_positive_definite_or_not() {
+        let is_positive_definite = |pairs: &[(usize, usize, f64)]| uncertain(pairs).impossible_pairs().is_empty();
         // The determinant of a matrix with equal correlations r is (1 − r)² (1 + 2 r).
         for (r, is_definite) in [(0.0, true), (0.999, true), (-0.499, true), (-0.5, false), (-0.501, false), (-0.9, false)] {
-            assert_eq!(uncertain(&[(0, 1, r), (2, 0, r), (1, 2, r)]).is_positive_definite(), is_definite, "{r}");
+            assert_eq!(is_positive_definite(&[(0, 1, r), (2, 0, r), (1, 2, r)]), is_definite, "{r}");
         }
-        assert!(uncertain(&[(0, 2, -0.999)]).is_positive_definite());
+        assert!(is_positive_definite(&[(0, 2, -0.999)]));
         // With two correlations of 0.8 the third is above 2·0.8² − 1 = 0.28.
-        assert!(uncertain(&[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.281)]).is_positive_definite());
-        assert!(!uncertain(&[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.279)]).is_positive_definite());
-        assert!(!uncertain(&[(0, 1, 0.8), (0, 2, 0.8)]).is_positive_definite());
+        assert!(is_positive_definite(&[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.281)]));
+        assert!(!is_positive_definite(&[(0, 1, 0.8), (0, 2, 0.8), (1, 2, 0.279)]));
+        assert!(!is_positive_definite(&[(0, 1, 0.8), (0, 2, 0.8)]));
+    }
+
+    #[test]
+    fn impossible_correlations_are_those_of_the_smallest_set() {
+        let offending = |pairs: &[(usize, usize, f64)]| -> Vec<f64> {
+            uncertain(pairs).impossible_pairs().iter().map(|pair| pair.coefficient).collect()
+        };
+        // The first input goes with the fourth and the fifth, and has no part in the conflict of the others.
+        let others = [(0, 3, 0.99), (0, 4, 0.1)];
+        assert_eq!(offending(&[(1, 2, 0.7), (2, 3, -0.9), (1, 3, 0.8), others[0]])[0], -0.9);
+        assert_eq!(offending(&[(1, 2, 0.7), (2, 4, -0.9), (1, 4, 0.8), others[1]]), [-0.9, 0.8, 0.7]);
+        // A pair that is not given has none.
+        assert_eq!(offending(&[(1, 2, 0.75), (2, 4, 0.8), (0, 3, 0.5)]), [0.8, 0.75]);
+        assert_eq!(offending(&[(0, 1, 0.3), (1, 2, 0.3), (2, 3, 0.3), (3, 4, 0.3)]), [0.0; 0]);
+        // Four inputs of which each three are possible: −1/3 is the least of four, −1/2 that of three.
+        let four: Vec<(usize, usize, f64)> = (0..4).flat_map(|i| (i + 1..4).map(move |k| (i, k, -0.4))).collect();
+        assert_eq!(offending(&four), [-0.4; 6]);
     }
 
     #[test]
@@ -149,11 +198,12 @@ mod tests {
                 TruncatedNormal { mode: 1600.0, scale: 50.0, min: 1500.0, max: 1800.0 },
             ),
             ("{ median = 1600, factor = 1.1 }", 1600.0, Distribution::of_factor(1600.0, 1.1)),
+            ("{ mean = \"1.6 t\", sd = 50, n = 3 }", 1600.0, Distribution::StudentT { mean: 1600.0, sd: 50.0, n: 3 }),
             ("{ value = 1600, resolution = 20 }", 1600.0, Uniform { min: 1590.0, max: 1610.0 }),
         ] {
             let case = read(text, "0.1", "0.2");
             let parameter = Parameter::Input(Input::Mass(Side::One));
-            let input = UncertainInput { parameter, key: "vehicle.1.mass".to_owned(), nominal, distribution };
+            let input = UncertainInput { parameter, key: "vehicle.1.mass".to_owned(), nominal, distribution, values: None };
             assert_eq!(case.uncertain.inputs, [input], "{text}");
             assert_eq!(case.inputs.value(parameter), Ok(nominal), "{text}");
         }

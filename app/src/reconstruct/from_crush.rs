@@ -4,7 +4,9 @@ use planar_impact::Side;
 use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty};
 
+use super::inputs::without_deviation;
 use crate::case::{Case, CrushKey, Known, Parameter, Uncertain};
+use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
@@ -18,6 +20,8 @@ pub struct FromCrush {
     pub unused: Vec<Parameter>,
     /// Explanations.
     pub notices: Vec<Notice>,
+    /// Uncertain numbers of the crush that have no standard deviation.
+    pub issues: Vec<Issue>,
 }
 
 impl FromCrush {
@@ -34,6 +38,11 @@ impl FromCrush {
         let slopes: Vec<Option<Vec<f64>>> = case.knowledge.evidence.iter().map(|known| slopes(case, known, &crush)).collect();
         let is_used = |i: usize| slopes.iter().flatten().any(|slopes| slopes[i] != 0.0);
         found.unused = (0..crush.len()).filter(|&i| !is_used(i)).map(|i| crush[i]).collect();
+        let used = (0..crush.len()).filter(|&i| is_used(i)).filter_map(|i| case.uncertain.of(crush[i]));
+        found.issues = used.filter_map(without_deviation).collect();
+        if !found.issues.is_empty() {
+            return found;
+        }
         let uncertain = &case.uncertain;
         let covariance = |one: &[f64], other: &[f64]| covariance(uncertain, &crush, one, other);
         let mut deviations = vec![0.0; slopes.len()];
@@ -93,8 +102,10 @@ fn slope(case: &Case, side: Side, of: CrushKey) -> f64 {
 fn covariance(uncertain: &Uncertain, parameters: &[Parameter], one: &[f64], other: &[f64]) -> f64 {
     let sd = |parameter: Parameter| uncertain.of(parameter).map_or(0.0, |input| input.distribution.sd());
     let mut sum = 0.0;
-    for (a, i) in parameters.iter().zip(one) {
-        for (b, k) in parameters.iter().zip(other) {
+    // An input that neither depends on may have an infinite standard deviation.
+    let counts = |slope: &f64| *slope != 0.0;
+    for (a, i) in parameters.iter().zip(one).filter(|(_, slope)| counts(slope)) {
+        for (b, k) in parameters.iter().zip(other).filter(|(_, slope)| counts(slope)) {
             sum += i * k * sd(*a) * sd(*b) * uncertain.correlation(*a, *b);
         }
     }
@@ -108,10 +119,15 @@ mod tests {
 
     /// Two vehicles of constant depths, whose crush energy is w (d0 + d1 C)²/2.
     fn case(correlation: &str, evidence: &str) -> Case {
+        case_of("\"1.5 m ± 0.1 m\"", correlation, evidence)
+    }
+
+    /// The same with another width.
+    fn case_of(width: &str, correlation: &str, evidence: &str) -> Case {
         let vehicle = |heading: &str, slope: &str| {
             format!(
                 "[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = {heading}\nspeed = 10\nimpact_center = [2, 0]\n\
-                 [vehicle.crush]\nwidth = \"1.5 m ± 0.1 m\"\ndepths = [0.2, 0.2]\nstiffness = {{ d0 = 90, d1 = {slope} }}\n"
+                 [vehicle.crush]\nwidth = {width}\ndepths = [0.2, 0.2]\nstiffness = {{ d0 = 90, d1 = {slope} }}\n"
             )
         };
         let [one, two] = [vehicle("0", "\"700 N^0.5/m ± 35 N^0.5/m\""), vehicle("3.1", "{ min = 600, max = 900 }")];
@@ -142,6 +158,18 @@ mod tests {
         assert_eq!((one, other), (Measurand::CrushEnergyOf(Side::One), Measurand::CrushEnergyOf(Side::Two)));
         close(coefficient, 0.5 * by_slope[0] * by_slope[1] / (sd[0] * sd[1]));
         assert_eq!((found.unused, found.notices.len()), (vec![], 2));
+    }
+
+    #[test]
+    fn an_infinite_standard_deviation_of_the_crush_matters_where_it_is_used() {
+        let given = |evidence: &str| case_of("{ mean = 1.5, sd = 0.1, n = 3 }", "", evidence);
+        let paths = |found: &FromCrush| found.issues.iter().map(|issue| issue.path.clone()).collect::<Vec<_>>();
+        let mut of_both = given("crush_energy = \"from crush\"");
+        assert_eq!(paths(&FromCrush::of(&mut of_both)), ["vehicle.1.crush.width", "vehicle.2.crush.width"]);
+        let mut of_one = given("vehicle.1.crush_energy = \"from crush\"");
+        assert_eq!(paths(&FromCrush::of(&mut of_one)), ["vehicle.1.crush.width"]);
+        let mut of_none = given("vehicle.1.separation_yaw_rate = \"1 rad/s ± 0.1 rad/s\"");
+        assert_eq!(paths(&FromCrush::of(&mut of_none)), [""; 0]);
     }
 
     #[test]

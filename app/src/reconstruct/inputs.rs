@@ -4,6 +4,7 @@ use planar_impact::Distribution;
 use planar_impact::reconstruct::{PriorCorrelation, Unknown, Variable};
 
 use crate::case::{Case, Domain, Parameter, UncertainInput, variable_of};
+use crate::issue::Issue;
 use crate::notice::Notice;
 
 /// Uncertain inputs as unknowns.
@@ -15,6 +16,8 @@ pub struct InputUnknowns {
     pub correlations: Vec<PriorCorrelation>,
     /// Approximations.
     pub notices: Vec<Notice>,
+    /// Inputs that the search cannot take.
+    pub issues: Vec<Issue>,
 }
 
 impl InputUnknowns {
@@ -23,8 +26,12 @@ impl InputUnknowns {
         let mut found = InputUnknowns::default();
         for input in &case.uncertain.inputs {
             let Some(variable) = variable_of(input.parameter) else { continue };
+            if let Some(issue) = without_deviation(input) {
+                found.issues.push(issue);
+                continue;
+            }
             let unknown = unknown(variable, input);
-            if let Some(shape) = approximated(&input.distribution) {
+            if let Some(shape) = approximated(input) {
                 let name = input.parameter;
                 let message =
                     format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
@@ -74,12 +81,27 @@ fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
     }
 }
 
+/// Returns the issue of an input whose standard deviation is infinite, which no normal distribution has.
+pub(super) fn without_deviation(input: &UncertainInput) -> Option<Issue> {
+    let Distribution::StudentT { n, .. } = input.distribution else { return None };
+    (!input.distribution.sd().is_finite()).then(|| {
+        let message = format!(
+            "{} is the mean of {n} measurements, whose distribution has an infinite standard deviation; `reconstruct` needs a finite one",
+            input.parameter
+        );
+        let help = "measure at least 4 times, or give `value` and an `sd` that allows for so few measurements";
+        Issue::at("infinite-deviation", input.key.clone(), message).with_help(help)
+    })
+}
+
 /// Returns the name of a shape that a normal prior replaces.
-fn approximated(distribution: &Distribution) -> Option<&'static str> {
-    match distribution {
+fn approximated(input: &UncertainInput) -> Option<&'static str> {
+    match input.distribution {
+        _ if input.values.is_some() => Some("given by measured values"),
         Distribution::Normal { .. } | Distribution::TruncatedNormal { .. } | Distribution::Uniform { .. } => None,
         Distribution::Triangular { .. } => Some("triangular"),
         Distribution::LogNormal { .. } => Some("log-normal"),
+        Distribution::StudentT { .. } => Some("t-distributed"),
         _ => Some("of another shape"),
     }
 }
@@ -88,6 +110,7 @@ fn approximated(distribution: &Distribution) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::source::Source;
+    use crate::units::Units;
     use planar_impact::{Input, Side};
 
     fn of(top: &str, mass: &str, speed: &str, restitution: &str) -> InputUnknowns {
@@ -140,6 +163,28 @@ mod tests {
         // A mass is above zero anyway; a speed may be negative, unless its logarithm is normal.
         assert_eq!([(mass.min, mass.max), (speed.min, speed.max)], [(None, None), (Some(0.0), None)]);
         assert_eq!(codes(&found), ["shape-approximated"; 3]);
+    }
+
+    #[test]
+    fn measurements_have_their_mean_and_standard_deviation() {
+        // Of nine measurements the mean has 30/3 · √(8/6); of values the variance is the mean square.
+        let found = of("", "{ mean = 1600, sd = 30, n = 9 }", "{ values = [9, 10, 14] }", "0.1");
+        let [mass, speed] = [0, 1].map(|i| found.unknowns[i].0);
+        assert_eq!((mass.start, mass.shape), (1600.0, Some(Distribution::StudentT { mean: 1600.0, sd: 30.0, n: 9 })));
+        assert!((mass.prior.expect("a prior") - 10.0 * (8.0_f64 / 6.0).sqrt()).abs() < 1e-12);
+        assert_eq!((speed.start, speed.shape, speed.min), (11.0, None, None));
+        assert!((speed.prior.expect("a prior") - (14.0_f64 / 3.0).sqrt()).abs() < 1e-12);
+        assert_eq!((codes(&found), found.issues.len()), (vec!["shape-approximated"; 2], 0));
+        let texts: Vec<String> = found.notices.iter().map(|notice| Units::Si.sentence(&notice.message)).collect();
+        assert!(texts[0].contains("is t-distributed") && texts[1].contains("is given by measured values"), "{texts:?}");
+    }
+
+    #[test]
+    fn an_infinite_standard_deviation_is_refused() {
+        let found = of("", "{ mean = 1600, sd = 30, n = 3 }", "{ mean = 10, sd = 1, n = 4 }", "{ mean = 0.1, sd = 0.01, n = 2 }");
+        let refused: Vec<(&str, &str)> = found.issues.iter().map(|issue| (issue.code, issue.path.as_str())).collect();
+        assert_eq!(refused, [("infinite-deviation", "vehicle.1.mass"), ("infinite-deviation", "contact.restitution")]);
+        assert_eq!(found.unknowns.len(), 1);
     }
 
     #[test]

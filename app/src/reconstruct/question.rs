@@ -74,6 +74,7 @@ impl Question {
             Draft { case, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notices: case.notices.clone() };
         let (mut set, mut certain, mut crush_share) = (Vec::new(), Vec::new(), None);
         let mut issues: Vec<Issue> = knowledge.unknowns.iter().filter_map(|requested| misnamed(case, requested)).collect();
+        issues.extend(of_crush.issues.into_iter().chain(of_inputs.issues));
         for requested in &knowledge.unknowns {
             let start = draft.start(requested);
             // An unknown without uncertainty is known.

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::case::MOST_VALUES;
 use crate::quantity::{Kind, Reach};
 
 /// A number followed by anything that may be a unit.
@@ -119,7 +120,7 @@ fn input(kind: &Kind, name: &str) -> Value {
         "maximum": most,
         "properties": {
             "value": of_kind("The value, or the mean."),
-            "sd": size("Its standard deviation; with `min` and `max` that before truncation."),
+            "sd": size("Its standard deviation; with `min` and `max` that before truncation, with `n` that of the measurements."),
             "relative": pure("Its standard deviation as a share of the value; instead of `sd`."),
             "resolution": size("The step of the record that it was read from: anything within half a step is equally likely."),
             "min": of_kind("Lower limit; anything up to `max` is equally likely, unless there is a `mode` or a `value`."),
@@ -127,6 +128,17 @@ fn input(kind: &Kind, name: &str) -> Value {
             "max": of_kind("Upper limit."),
             "median": of_kind("Median of a log-normal distribution."),
             "factor": pure("Factor, above 1, whose natural logarithm is the standard deviation of the logarithm of the number; with `median`."),
+            "mean": of_kind("Mean of `n` measurements with the standard deviation `sd`: Student's t distribution with n \u{2212} 1 degrees of freedom."),
+            "n": { "type": "integer", "minimum": 2, "maximum": u32::MAX, "description": "Number of measurements; with `mean` and `sd`." },
+            "values": {
+                "type": "array",
+                "items": { "$ref": format!("#/$defs/{name}") },
+                "minItems": 2,
+                "maxItems": MOST_VALUES,
+                "description": "Measured values, each equally likely.",
+            },
+            "file": { "type": "string", "description": "CSV file beside the case whose `column` has measured values, each equally likely." },
+            "column": { "type": "string", "description": "Name of a column of `file`, without its unit, which stands in brackets: `speed [mph]`." },
         },
         "additionalProperties": false,
         "if": { "type": "object" },
@@ -138,6 +150,9 @@ fn input(kind: &Kind, name: &str) -> Value {
             form(&["value", "relative", "min", "max"], &["value", "relative", "min", "max"]),
             form(&["min", "max"], &["min", "mode", "max"]),
             form(&["median", "factor"], &["median", "factor"]),
+            form(&["mean", "sd", "n"], &["mean", "sd", "n"]),
+            form(&["values"], &["values"]),
+            form(&["file", "column"], &["file", "column"]),
         ] },
         "examples": [kind.example],
     })

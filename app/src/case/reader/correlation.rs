@@ -10,13 +10,30 @@ use crate::wording::percent_meant;
 /// What an entry looks like.
 const ENTRY: &str = "an array of two names and their coefficient, such as [\"vehicle.1.mass\", \"vehicle.2.mass\", 0.3]";
 
+/// Maximum number of pairs that a message lists.
+const MOST_PAIRS: usize = 10;
+
+/// Returns the message and the help for correlations that no inputs have.
+fn impossible_together(pairs: &[&InputCorrelation], strongest: &InputCorrelation) -> (String, String) {
+    let mut listed: Vec<String> =
+        pairs.iter().take(MOST_PAIRS).map(|pair| format!("{} and {} {}", pair.one, pair.other, pair.coefficient)).collect();
+    if pairs.len() > MOST_PAIRS {
+        listed.push(format!("{} more pairs", pairs.len() - MOST_PAIRS));
+    }
+    let message = format!("no inputs can have these correlations together, whose matrix is not positive definite: {}", listed.join(", "));
+    let help = format!(
+        "reduce the correlation of {} and {}, or give that of every other pair of these inputs, which is 0 otherwise",
+        strongest.one, strongest.other
+    );
+    (message, help)
+}
+
 impl CaseReader {
     /// Reads the correlations of the uncertain inputs, which have been read before. If not all of them could be, `whole` is `false`, and a name that
     /// is not among them is not reported.
     pub(super) fn correlations(&self, field: Field<'_>, whole: bool) -> Option<Vec<InputCorrelation>> {
-        let place = field.clone();
         let entries = field.items("an array of correlations", 0..=usize::MAX)?;
-        let mut found: Vec<InputCorrelation> = Vec::new();
+        let (mut found, mut places): (Vec<InputCorrelation>, Vec<Field<'_>>) = (Vec::new(), Vec::new());
         let mut sound = true;
         for entry in entries {
             let at = entry.clone();
@@ -34,15 +51,18 @@ impl CaseReader {
                 sound = false;
             } else {
                 found.push(read);
+                places.push(at);
             }
         }
         if !sound || !whole {
             return None;
         }
         let all = Uncertain { inputs: self.uncertain.borrow().clone(), correlations: found };
-        if !all.is_positive_definite() {
-            let help = "make some of them smaller: inputs that go with the same third one go with each other";
-            place.report("no inputs can have these correlations together: their matrix is not positive definite", Some(help.to_owned()));
+        let impossible = all.impossible_pairs();
+        if let Some(strongest) = impossible.first() {
+            let place = places.iter().find(|place| place.path() == strongest.key);
+            let (message, help) = impossible_together(&impossible, strongest);
+            place.inspect(|place| place.report(message, Some(help)));
             return None;
         }
         Some(all.correlations)

@@ -34,7 +34,7 @@ impl CaseReader {
         };
         let field = table.required("tests");
         let (key, place) = (field.path().to_owned(), field.clone());
-        let tests = self.opened(field)?;
+        let tests = self.opened(field, "give d0 and d1 as `planar-impact stiffness` prints them")?;
         let mut all = self.fitted.borrow_mut();
         let known = match all.iter().position(|known| known.tests.text == tests.text) {
             Some(known) if all[known].model != model => {
@@ -61,18 +61,18 @@ impl CaseReader {
             let sds = [known.fit.onset().deviation(), known.fit.slope().deviation()];
             for ((parameter, nominal), sd) in of.into_iter().zip([onset, slope]).zip(sds) {
                 let distribution = Distribution::Normal { mean: nominal, sd };
-                self.uncertain.borrow_mut().push(UncertainInput { parameter, key: key.clone(), nominal, distribution });
+                self.uncertain.borrow_mut().push(UncertainInput { parameter, key: key.clone(), nominal, distribution, values: None });
             }
         }
         Some(known.fit.stiffness)
     }
 
-    fn opened(&self, field: Field<'_>) -> Option<Source> {
+    /// Opens the file that a field names. `instead` is what to do in a case that cannot name one.
+    pub(super) fn opened(&self, field: Field<'_>, instead: &str) -> Option<Source> {
         let place = field.clone();
         let name = field.string()?;
         let Some(open) = &self.open else {
-            let help = "give d0 and d1 as `planar-impact stiffness` prints them".to_owned();
-            place.report("a case that is not read from a file cannot name another one", Some(help));
+            place.report("a case that is not read from a file cannot name another one", Some(instead.to_owned()));
             return None;
         };
         open(name).map_err(|issues| report(&place, &issues)).ok()

@@ -1,9 +1,12 @@
 //! A value and its uncertainty, of evidence and of inputs.
 
+use std::sync::Arc;
+
 use planar_impact::Distribution;
 use planar_impact::reconstruct::Uncertainty;
 
 use super::CaseReader;
+use super::sample::normal_of;
 use crate::case::domain::Domain;
 use crate::document::{Field, Table, Value};
 use crate::quantity::{self, Kind, QuantityError};
@@ -52,6 +55,22 @@ impl Spread {
 
 fn above_zero(size: f64, uncertainty: fn(f64) -> Uncertainty) -> Uncertainty {
     if size > 0.0 { uncertainty(size) } else { Uncertainty::Exact }
+}
+
+/// An input as the file gives it.
+pub(super) struct Distributed {
+    /// The value that a computation with one number uses.
+    pub(super) nominal: f64,
+    /// Its distribution; `None` if it is certain.
+    pub(super) distribution: Option<Distribution>,
+    /// Its measured values, if the file gives them.
+    pub(super) values: Option<Arc<[f64]>>,
+}
+
+impl From<(f64, Option<Distribution>)> for Distributed {
+    fn from((nominal, distribution): (f64, Option<Distribution>)) -> Self {
+        Distributed { nominal, distribution, values: None }
+    }
 }
 
 /// The meaning of a percent sign after a standard deviation.
@@ -133,14 +152,14 @@ impl CaseReader {
         spread
     }
 
-    /// Reads an input that may be uncertain: its nominal value, and its distribution if it has one.
-    pub(super) fn distributed(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<(f64, Option<Distribution>)> {
+    /// Reads an input that may be uncertain.
+    pub(super) fn distributed(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<Distributed> {
         let text = match field.value() {
             Some(Value::Table(_)) => return self.distribution_in(&field.table()?, kind, domain),
             Some(Value::String(text)) => PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)),
             _ => None,
         };
-        let Some((value, deviation)) = text else { return Some((self.certain(field, kind, domain)?, None)) };
+        let Some((value, deviation)) = text else { return Some((self.certain(field, kind, domain)?, None).into()) };
         let is_percent = |text: &str| text.trim().ends_with('%');
         let is_pure = kind.dimension == Kind::PURE.dimension;
         if is_pure && is_percent(deviation) && !is_percent(value) {
@@ -155,7 +174,7 @@ impl CaseReader {
         let measured = self.with_deviation(&field, value, deviation, kind, percent)?;
         let Measured { amount: Amount::Number(value), spread } = measured else { return None };
         let value = self.within(&field, value, kind, domain)?;
-        Some((value, self.distribution_of(&field, value, spread, kind, domain)?))
+        Some((value, self.distribution_of(&field, value, spread, kind, domain)?).into())
     }
 
     /// Returns the distribution of a value with a spread; `Some(None)` if it is exact.
@@ -184,24 +203,42 @@ impl CaseReader {
         })
     }
 
-    fn distribution_in(&self, table: &Table<'_>, kind: Kind, domain: Domain) -> Option<(f64, Option<Distribution>)> {
+    fn distribution_in(&self, table: &Table<'_>, kind: Kind, domain: Domain) -> Option<Distributed> {
         let given: Vec<&'static str> = DISTRIBUTION_KEYS.into_iter().filter(|key| table.has(key)).collect();
         let has = |key: &str| given.contains(&key);
         let number = |key| self.certain(table.required(key), kind, domain);
         // The key that decides what the others mean.
-        let by = ["median", "factor", "value", "mode", "min", "max"].into_iter().find(|key| has(key)).unwrap_or("value");
+        let deciding = ["values", "file", "column", "n", "mean", "median", "factor", "value", "mode", "min", "max"];
+        let by = deciding.into_iter().find(|key| has(key)).unwrap_or("value");
         let allowed: &[&str] = match by {
+            "values" => &["values"],
+            "file" | "column" => &["file", "column"],
+            "n" | "mean" => &["mean", "sd", "n"],
             "median" | "factor" => &["median", "factor"],
             "value" => &["value", "sd", "resolution", "relative", "min", "max"],
             _ => &["min", "mode", "max"],
         };
         let mut sound = true;
         for key in given.iter().filter(|key| !allowed.contains(key)) {
-            let help = format!("with `{by}` go {}", listed(allowed.iter().filter(|key| **key != by)));
+            let help = match listed(allowed.iter().filter(|key| **key != by)) {
+                others if others.is_empty() => format!("give `{by}` alone"),
+                others => format!("with `{by}` go {others}"),
+            };
             table.optional(key).report(format!("`{key}` and `{by}` exclude each other"), Some(help));
             sound = false;
         }
+        let mut values = None;
         let read = match by {
+            "values" | "file" | "column" => {
+                let given =
+                    if by == "values" { self.values_of_list(table, kind, domain) } else { self.values_of_file(table, kind, domain) };
+                given.map(|given| {
+                    let (mean, sd) = normal_of(&given);
+                    values = Some(Arc::from(given));
+                    (mean, Some(Distribution::Normal { mean, sd }))
+                })
+            }
+            "n" | "mean" => self.mean_of_measurements(table, kind, domain),
             "median" | "factor" => {
                 let median = self.certain(table.required("median"), kind, domain);
                 let factor = self.quantity(table.required("factor"), Kind::PURE);
@@ -265,12 +302,14 @@ impl CaseReader {
             }
         };
         table.finish();
-        read.filter(|_| sound)
+        let (nominal, distribution) = read.filter(|_| sound)?;
+        Some(Distributed { nominal, distribution, values })
     }
 }
 
 /// Every key of a table that describes the distribution of an input.
-pub(super) const DISTRIBUTION_KEYS: [&str; 9] = ["value", "sd", "resolution", "relative", "min", "mode", "max", "median", "factor"];
+pub(super) const DISTRIBUTION_KEYS: [&str; 14] =
+    ["value", "sd", "resolution", "relative", "min", "mode", "max", "median", "factor", "mean", "n", "values", "file", "column"];
 
 /// Lists keys as in `` `a`, `b` and `c` ``.
 fn listed<'a>(keys: impl Iterator<Item = &'a &'a str>) -> String {
