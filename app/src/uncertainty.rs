@@ -8,7 +8,7 @@ use planar_impact::Refusals;
 use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
 
 use crate::answer::Answer;
-use crate::case::{Case, CaseOutput, Parameter};
+use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
 use crate::control::Control;
 use crate::gradient::principal;
 use crate::issue::{Cause, Issue, Issues};
@@ -135,7 +135,7 @@ impl<'a> Question<'a> {
             return Err(Issues::of_call(issues));
         }
         let inputs = &case.uncertain.inputs;
-        let numbers = inputs.iter().map(|input| input.distribution.into()).collect();
+        let numbers = inputs.iter().map(number).collect::<Result<_, _>>().map_err(Issues::defect)?;
         let place = |parameter: Parameter| inputs.iter().position(|input| input.parameter == parameter);
         let pairs = case.uncertain.correlations.iter().filter_map(|pair| Some((place(pair.one)?, place(pair.other)?, pair.coefficient)));
         let uncertain = Uncertain::new(CaseModel::of(case), numbers);
@@ -346,6 +346,14 @@ impl Options {
             wrong("--bounds-sd", format!("{} is not above 0 and at most 40", self.bounds_sd), "for instance 3");
         }
         issues
+    }
+}
+
+/// Returns the distribution of an input: of measured values themselves, where the file has them.
+fn number(input: &UncertainInput) -> Result<library::UncertainNumber, planar_impact::Issues<planar_impact::InputIssue>> {
+    match &input.values {
+        Some(values) => library::Values::new(values.to_vec()).map(library::UncertainNumber::Values),
+        None => Ok(input.distribution.into()),
     }
 }
 

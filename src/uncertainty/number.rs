@@ -154,7 +154,12 @@ impl UncertainNumber {
                 let mean = self.mean();
                 of(values.mean_of(|x| libm::pow(x - mean, 3.0)), values.mean_of(|x| libm::pow(x - mean, 4.0)))
             }
-            UncertainNumber::Of(_) if !second.is_finite() => of(f64::NAN, f64::INFINITY),
+            // With ν degrees of freedom moments below the ν-th are finite.
+            UncertainNumber::Of(Distribution::StudentT { n, .. }) => {
+                let freedom = f64::from(*n) - 1.0;
+                let fourth = if freedom > 4.0 { (3.0 + 6.0 / (freedom - 4.0)) * second * second } else { f64::INFINITY };
+                of(if freedom > 3.0 { 0.0 } else { f64::NAN }, fourth)
+            }
             UncertainNumber::Of(_) => {
                 let mean = self.mean();
                 of(self.expected(|x, _| libm::pow(x - mean, 3.0)), self.expected(|x, _| libm::pow(x - mean, 4.0)))
@@ -218,15 +223,16 @@ pub(super) fn score(probability: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Distribution::{LogNormal, Normal, Triangular, TruncatedNormal, Uniform};
+    use Distribution::{LogNormal, Normal, StudentT, Triangular, TruncatedNormal, Uniform};
 
-    fn shapes() -> [UncertainNumber; 6] {
+    fn shapes() -> [UncertainNumber; 7] {
         [
             Normal { mean: 3.0, sd: 2.0 }.into(),
             Uniform { min: -1.0, max: 5.0 }.into(),
             Triangular { min: 1.0, mode: 1.5, max: 4.0 }.into(),
             LogNormal { median: 20.0, log_sd: 0.4 }.into(),
             TruncatedNormal { mode: 0.2, scale: 0.5, min: 0.0, max: 1.0 }.into(),
+            StudentT { mean: 0.7, sd: 0.1, n: 40 }.into(),
             UncertainNumber::Values(Values::new(vec![1.0, 2.0, 2.0, 7.0]).expect("values")),
         ]
     }
@@ -269,6 +275,8 @@ mod tests {
                 }
             }
         }
+        let of_three = UncertainNumber::from(StudentT { mean: 0.7, sd: 0.03, n: 3 }).central();
+        assert!(of_three.second == f64::INFINITY && of_three.third.is_nan() && of_three.fourth == f64::INFINITY);
         let [normal, ..] = shapes();
         assert_eq!(covariance(&normal.hermite(), &normal.hermite(), 0.25), 1.0);
     }
@@ -284,7 +292,7 @@ mod tests {
 
     #[test]
     fn ranges_have_limits_or_deviations() {
-        let [normal, uniform, _, log_normal, truncated, _] = shapes();
+        let [normal, uniform, _, log_normal, truncated, ..] = shapes();
         assert_eq!((normal.range(2.0), normal.is_limited()), ((-1.0, 7.0), false));
         assert_eq!((uniform.range(2.0), uniform.is_limited()), ((-1.0, 5.0), true));
         assert_eq!(truncated.range(1.0), (0.0, 1.0));
