@@ -17,7 +17,7 @@ const COLLISIONS: usize = 1024;
 const SAMPLES: u64 = 1 << 20;
 
 /// The outputs of the group `angles`: velocities, impulse, μ₀ and works, with ΔV and PDOF of both vehicles.
-const SIXTEEN: [Output; 16] = [
+pub const SIXTEEN: [Output; 16] = [
     Output::VelocityX(Side::One),
     Output::VelocityY(Side::One),
     Output::YawRate(Side::One),

@@ -8,6 +8,7 @@
 //! | `batch` | the same collisions in columns, on each set of vector instructions of the machine, beside one after the other; lanes filled and emptied |
 //! | `crush` | a crush energy, the textbook's formula, its derivative, and CRASH3 |
 //! | `reconstruct` | reconstruction with six unknowns, from one start and from 64, and least squares assembled by hand (feature `reconstruct`) |
+//! | `uncertainty` | a million samples of six uncertain inputs: a batch alone, with moments and quantiles, and a plain loop |
 //! | `scalars` | the same definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions; criterion prints the throughput in collisions per second.
@@ -19,6 +20,7 @@ mod hand;
 mod inputs;
 #[cfg(feature = "reconstruct")]
 mod reconstruct;
+mod uncertainty;
 
 use batch::batch;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -31,6 +33,7 @@ use planar_impact::scalar::lanes::Lanes;
 #[cfg(feature = "reconstruct")]
 use reconstruct::reconstruct;
 use std::hint::black_box;
+use uncertainty::uncertainty;
 
 const COLLISIONS: usize = 256;
 
@@ -187,5 +190,5 @@ fn scalars(c: &mut Criterion) {
 #[cfg(not(feature = "reconstruct"))]
 fn reconstruct(_: &mut Criterion) {}
 
-criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush, batch, reconstruct);
+criterion_group!(benches, directions, angles, scalars, derivatives::derivatives, crush::crush, batch, reconstruct, uncertainty);
 criterion_main!(benches);

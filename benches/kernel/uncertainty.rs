@@ -1,0 +1,82 @@
+//! A million samples of six uncertain inputs: 16 outputs of a batch alone; with moments and quantiles of all; and the loop that one would write, with
+//! `rand_distr`.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput};
+use planar_impact::batch::Batch;
+use planar_impact::uncertainty::MonteCarlo;
+use planar_impact::*;
+use rand::SeedableRng;
+use rand_distr::{Distribution as _, Normal};
+
+use super::batch::SIXTEEN;
+use super::inputs;
+
+const SAMPLES: usize = 1_000_000;
+/// Rows of a batch that stay in cache.
+const ROWS: usize = 1920;
+
+pub fn uncertainty(c: &mut Criterion) {
+    let collision = inputs::collision_from_angles(&inputs::cases(1)[0]);
+    let spread = |input: Input, share: f64| {
+        let mean = collision.input(input).expect("an input");
+        (input, Distribution::Normal { mean, sd: share * mean.abs().max(0.1) })
+    };
+    let [one, two] = Side::ALL;
+    let inputs = [
+        spread(Input::VelocityX(one), 0.02),
+        spread(Input::VelocityY(two), 0.02),
+        spread(Input::Mass(one), 0.02),
+        spread(Input::Mass(two), 0.02),
+        spread(Input::CrushPlane, 0.02),
+        spread(Input::Restitution, 0.02),
+    ];
+    let uncertain = collision.uncertain(&inputs).expect("uncertain");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let mut group = c.benchmark_group("uncertainty");
+    group.sample_size(10).throughput(Throughput::Elements(SAMPLES as u64));
+    let columns: Vec<Vec<f64>> =
+        inputs.iter().map(|(_, of)| (0..ROWS).map(|i| of.quantile((i as f64 + 0.5) / ROWS as f64)).collect()).collect();
+    let batch = inputs
+        .iter()
+        .zip(&columns)
+        .fold(Batch::of(collision), |batch, ((input, _), column)| batch.with(*input, column).expect("as many rows"));
+    group.bench_function("batch alone, in cache", |b| {
+        b.iter(|| {
+            for _ in 0..SAMPLES / ROWS {
+                black_box(black_box(&batch).solve(&SIXTEEN));
+            }
+        });
+    });
+    group.bench_function("moments and quantiles", |b| {
+        b.iter(|| pool.install(|| black_box(&uncertain).monte_carlo(&SIXTEEN, &MonteCarlo::of(SAMPLES as u64))));
+    });
+    group.bench_function("plain loop with rand_distr", |b| {
+        let normals = inputs.map(|(input, of)| (input, Normal::new(of.mean(), of.sd()).expect("a normal distribution")));
+        b.iter(|| {
+            let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+            let (mut values, mut sums) = (vec![Vec::with_capacity(SAMPLES); SIXTEEN.len()], [[0.0; 2]; SIXTEEN.len()]);
+            for _ in 0..SAMPLES {
+                let mut sample = collision;
+                for (input, normal) in &normals {
+                    sample.set(*input, normal.sample(&mut random)).expect("an input");
+                }
+                let Ok(impact) = sample.solve() else { continue };
+                for ((of, values), sums) in SIXTEEN.iter().zip(&mut values).zip(&mut sums) {
+                    let x = of.of(&sample, &impact);
+                    values.push(x);
+                    *sums = [sums[0] + x, sums[1] + x * x];
+                }
+            }
+            for column in &mut values {
+                for share in [0.025, 0.5, 0.975] {
+                    let place = (share * column.len() as f64) as usize;
+                    black_box(column.select_nth_unstable_by(place, f64::total_cmp));
+                }
+            }
+            black_box(sums)
+        });
+    });
+    group.finish();
+}
