@@ -23,6 +23,8 @@ mod exact_dual;
 mod extremes;
 #[cfg(feature = "symbols")]
 mod formulas;
+mod interval_boxes;
+mod interval_circular;
 mod intervals;
 mod laws;
 mod limits;
