@@ -12,6 +12,7 @@
 mod angles;
 mod barrier;
 mod batch;
+mod bounds;
 mod check;
 mod crash3;
 mod crush;

@@ -57,7 +57,7 @@ mod cotangent;
 #[cfg(feature = "alloc")]
 mod covariance;
 mod definition;
-mod dual;
+pub(crate) mod dual;
 mod hessian;
 mod impulse_adjoint;
 mod jacobian;

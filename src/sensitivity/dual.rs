@@ -7,15 +7,25 @@ use num_traits::{FromPrimitive, Inv};
 use crate::scalar::{Logic, Ordered, Real, is_zero};
 
 /// A dual number.
+///
+/// On intervals it encloses a function and its derivative over a box. Where a comparison is not decided it has the hull of both derivatives: for a function
+/// that is continuous there, an enclosure of its generalized gradient, so that the mean value theorem holds. It says nothing of a function that jumps.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dual<T> {
-    pub(super) value: T,
-    pub(super) derivative: T,
+pub(crate) struct Dual<T> {
+    pub(crate) value: T,
+    pub(crate) derivative: T,
 }
 
 impl<T: Real> Dual<T> {
-    pub(super) fn constant(value: T) -> Self {
+    pub(crate) fn constant(value: T) -> Self {
         Dual { value, derivative: T::int(0) }
+    }
+}
+
+impl<T: Real + From<f64>> From<f64> for Dual<T> {
+    #[inline(always)]
+    fn from(value: f64) -> Self {
+        Dual::constant(T::from(value))
     }
 }
 
@@ -99,6 +109,11 @@ impl<T: Real<Mask: Logic> + Copy> Ordered for Dual<T> {
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Dual { value: T::select(mask, yes.value, no.value), derivative: T::select(mask, yes.derivative, no.derivative) }
     }
+
+    #[inline(always)]
+    fn finite(&self) -> T::Mask {
+        self.value.finite()
+    }
 }
 
 impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
@@ -117,7 +132,8 @@ impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
     #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
         let is_at_origin = is_zero(&self.value) & is_zero(&x.value);
-        let length_squared = self.value.squared() + x.value.squared();
+        // Of the magnitudes, whose squares are not negative on an interval either.
+        let length_squared = self.value.magnitude().squared() + x.value.magnitude().squared();
         let derivative = (self.derivative * x.value - x.derivative * self.value) / length_squared;
         Dual { value: self.value.arctangent(x.value), derivative: T::select(is_at_origin, T::int(0), derivative) }
     }
