@@ -86,8 +86,8 @@ proptest! {
 }
 
 /// The same a million times.
-#[test]
 #[ignore = "some minutes"]
+#[test]
 fn the_impact_of_a_million_boxes_encloses_that_of_every_point() {
     let config =
         Config { cases: 1_000_000, max_global_rejects: 10_000_000, max_local_rejects: 10_000_000, failure_persistence: None, ..fewer(1) };

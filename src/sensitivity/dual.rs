@@ -185,6 +185,30 @@ mod tests {
     }
 
     #[test]
+    fn on_intervals_a_derivative_encloses_that_at_every_point() {
+        use crate::scalar::interval::Interval;
+        let of = |lower, upper| Interval::new(lower, upper).expect("in order");
+        let seeded = |lower, upper| Dual { value: of(lower, upper), derivative: Interval::from(1.0) };
+        let points = |range: Interval| (0..=20).map(move |i| range.lower() + range.width() * f64::from(i) / 20.0);
+        // Across the cut behind, across an axis, and in a quadrant. The derivative has no cut, and is narrow away from the origin.
+        for (y, x) in [((-0.5, 0.5), (-3.0, -2.0)), ((1.0, 2.0), (-1.0, 1.0)), ((1.0, 2.0), (1.0, 1.0))] {
+            let (y, x) = (seeded(y.0, y.1), of(x.0, x.1));
+            let by_y = y.arctangent(Dual::constant(x)).derivative;
+            assert!(by_y.width() < 2.1, "{by_y}");
+            for (y, x) in points(y.value).flat_map(|y| points(x).map(move |x| (y, x))) {
+                assert!(by_y.contains(x / (x * x + y * y)), "at {y}, {x}: {by_y}");
+            }
+        }
+        assert_eq!(seeded(-1.0, 1.0).arctangent(Dual::constant(of(-1.0, 1.0))).derivative, Interval::ENTIRE);
+        assert_eq!(seeded(0.0, 1.0).square_root().derivative, Interval::ENTIRE);
+        let root = seeded(1.0, 4.0).square_root().derivative;
+        assert!(root.contains(0.5) && root.contains(0.25) && root.width() < 0.26, "{root}");
+        // A comparison that is not decided has both derivatives.
+        assert_eq!(seeded(-1.0, 2.0).magnitude().derivative, of(-1.0, 1.0));
+        assert_eq!(seeded(1.0, 2.0).magnitude().derivative, of(1.0, 1.0));
+    }
+
+    #[test]
     fn there_are_no_derivatives_at_a_root_of_zero_and_an_angle_of_nothing() {
         let zero = Dual { value: 0.0, derivative: 1.0 };
         assert_eq!((zero.square_root().value, zero.square_root().derivative), (0.0, 0.0));
