@@ -3,7 +3,7 @@
 use crate::rational::Rational;
 use crate::strategies::config;
 use num_traits::{FromPrimitive, Inv};
-use planar_impact::scalar::interval::Interval;
+use planar_impact::scalar::interval::{Interval, Truth};
 use planar_impact::*;
 use proptest::prelude::*;
 
@@ -91,14 +91,15 @@ proptest! {
                 prop_assert!(y == 0.0 || holds(one / other, &p / &q), "{} / {}", one, other);
                 prop_assert!(holds(one.squared(), &p * &p) && holds(one.half(), p / exact(2.0)), "{}", one);
                 prop_assert!(one.magnitude().contains(x.abs()) && one.hull(other).contains(x) && one.hull(other).contains(y));
-                match one.less(&other) {
+                match one.less(&other).decided() {
                     Some(less) => prop_assert_eq!(less, x < y),
                     None => prop_assert!(wide_x[0] < wide_y[1] && wide_y[0] <= wide_x[1], "{} and {} are in order", one, other),
                 }
             }
         }
         let select = |mask| Interval::select(mask, one, other);
-        prop_assert_eq!([select(Some(true)), select(Some(false)), select(None)], [one, other, one.hull(other)]);
+        prop_assert_eq!([select(Truth::TRUE), select(Truth::FALSE), select(Truth::UNKNOWN)], [one, other, one.hull(other)]);
+        prop_assert_eq!(one.finite().is_certain(), one.lower().is_finite() && one.upper().is_finite());
         prop_assert_eq!(one.encloses(&other), one.hull(other) == one);
         prop_assert!(one.encloses(&one));
     }

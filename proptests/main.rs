@@ -12,6 +12,7 @@
 mod angles;
 mod barrier;
 mod batch;
+mod bounds;
 mod check;
 mod crash3;
 mod crush;
@@ -23,6 +24,8 @@ mod exact_dual;
 mod extremes;
 #[cfg(feature = "symbols")]
 mod formulas;
+mod interval_boxes;
+mod interval_circular;
 mod intervals;
 mod laws;
 mod limits;

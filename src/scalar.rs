@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | [`Field`] | everything that needs only + − × ÷: all of the mechanics | f32, f64, every dual number, rationals, complex numbers, [`Lanes`](lanes::Lanes), [`Interval`](interval::Interval) |
 //! | [`Ordered`] | comparing two numbers to select one of two results: the friction limit | all of these except complex numbers |
-//! | [`Real`] | angles as input, magnitudes or directions as output | floats, dual numbers, lanes, symbols |
+//! | [`Real`] | angles as input, magnitudes or directions as output | floats, dual numbers, lanes, intervals, symbols |
 //! | [`Power`] | in addition to the three: powers with any exponent, for one law of crush | floats, dual numbers |
 //!
 //! A function requires the lowest level that it needs. The first two are blanket implementations over `num-traits` and `core`, so a number type of another
@@ -113,6 +113,17 @@ pub trait Ordered: Field {
     fn magnitude(self) -> Self {
         let mask = self.less(&Self::int(0));
         Self::select(mask, -self.clone(), self)
+    }
+
+    /// Returns the mask of whether it is a finite number.
+    #[inline(always)]
+    fn finite(&self) -> Self::Mask
+    where
+        Self::Mask: Logic,
+    {
+        // Zero for every finite number, and NaN for the others.
+        let nothing = self.clone() - self.clone();
+        nothing.less(&Self::int(1)) & Self::int(-1).less(&nothing)
     }
 }
 

@@ -5,7 +5,7 @@ mod mapping;
 mod model;
 
 use planar_impact::Refusals;
-use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
+use planar_impact::uncertainty::{self as library, Estimated, RefusedPart, Sampled, Search, Threshold, Uncertain};
 
 use crate::answer::Answer;
 use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
@@ -99,6 +99,7 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     question.expand(&mut found);
     question.sample(&mut found, control)?;
     question.share(&mut found, control)?;
+    question.bound(&mut found, control)?;
     let of = question.outputs.iter().zip(found.of).collect();
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
 }
@@ -324,6 +325,50 @@ impl<'a> Question<'a> {
                 total_se: share.total.standard_error,
             };
             to.sobol = Some(self.named(shares.iter().map(share)));
+        }
+        Ok(())
+    }
+}
+
+/// Cells that a search for the bounds of an output may divide: a fraction of a second.
+const CELLS: usize = 20_000;
+
+impl Question<'_> {
+    /// Adds guaranteed ranges.
+    fn bound(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
+        if !self.asks(Method::Bounds) {
+            return Ok(());
+        }
+        let (impact, search) = (self.uncertain.model().impact(), Search { cells: CELLS, ..Search::default() });
+        let ranges = self.uncertain.ranges(self.options.bounds_sd);
+        for (place, (of, to)) in self.outputs.iter().zip(&mut found.of).enumerate() {
+            let CaseOutput::Impact(output) = *of else {
+                let message = format!("{of} has no guaranteed bounds: they are of outputs of the impact");
+                found.notices.0.push(Notice::note("no-bounds", of.to_string(), message));
+                continue;
+            };
+            let total = CELLS * self.outputs.len();
+            let goes_on = |cells: u64| control.goes_on(CELLS * place + saturated(cells), total);
+            let range = library::bounds(impact.collision(), impact.mapping(), &ranges, output, &search, &goes_on);
+            control.proceed(CELLS * (place + 1), total)?;
+            match range {
+                Ok(range) => {
+                    to.bounds = Some(Bounds {
+                        low: positive_zero(range.low),
+                        high: positive_zero(range.high),
+                        low_attained: positive_zero(range.low_attained),
+                        high_attained: positive_zero(range.high_attained),
+                        at_low: self.named(range.at_low),
+                        at_high: self.named(range.at_high),
+                        is_tight: range.is_tight,
+                        is_whole: range.refused == RefusedPart::None,
+                    });
+                }
+                Err(reason) => {
+                    let message = format!("{of} has no guaranteed bounds: {reason}");
+                    found.notices.0.push(Notice::warning("no-bounds", of.to_string(), message));
+                }
+            }
         }
         Ok(())
     }

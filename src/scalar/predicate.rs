@@ -42,9 +42,7 @@ pub(crate) fn tolerance<T: Ordered<Mask: Logic>>() -> T {
 
 #[inline(always)]
 pub(crate) fn is_finite<T: Ordered<Mask: Logic>>(x: &T) -> T::Mask {
-    // Zero for every finite number, and NaN for the others.
-    let nothing = x.clone() - x.clone();
-    nothing.less(&T::int(1)) & T::int(-1).less(&nothing)
+    x.finite()
 }
 
 #[inline(always)]

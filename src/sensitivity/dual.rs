@@ -7,6 +7,9 @@ use num_traits::{FromPrimitive, Inv};
 use crate::scalar::{Logic, Ordered, Real, is_zero};
 
 /// A dual number.
+///
+/// On intervals it encloses a function and its derivative over a box. Where a comparison is not decided it has the hull of both derivatives: for a function
+/// that is continuous there, an enclosure of its generalized gradient, so that the mean value theorem holds. It says nothing of a function that jumps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dual<T> {
     pub(crate) value: T,
@@ -20,6 +23,7 @@ impl<T: Real> Dual<T> {
 }
 
 impl<T: Real + From<f64>> From<f64> for Dual<T> {
+    #[inline(always)]
     fn from(value: f64) -> Self {
         Dual::constant(T::from(value))
     }
@@ -105,6 +109,11 @@ impl<T: Real<Mask: Logic> + Copy> Ordered for Dual<T> {
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Dual { value: T::select(mask, yes.value, no.value), derivative: T::select(mask, yes.derivative, no.derivative) }
     }
+
+    #[inline(always)]
+    fn finite(&self) -> T::Mask {
+        self.value.finite()
+    }
 }
 
 impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
@@ -123,7 +132,8 @@ impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
     #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
         let is_at_origin = is_zero(&self.value) & is_zero(&x.value);
-        let length_squared = self.value.squared() + x.value.squared();
+        // Of the magnitudes, whose squares are not negative on an interval either.
+        let length_squared = self.value.magnitude().squared() + x.value.magnitude().squared();
         let derivative = (self.derivative * x.value - x.derivative * self.value) / length_squared;
         Dual { value: self.value.arctangent(x.value), derivative: T::select(is_at_origin, T::int(0), derivative) }
     }
@@ -172,6 +182,30 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn on_intervals_a_derivative_encloses_that_at_every_point() {
+        use crate::scalar::interval::Interval;
+        let of = |lower, upper| Interval::new(lower, upper).expect("in order");
+        let seeded = |lower, upper| Dual { value: of(lower, upper), derivative: Interval::from(1.0) };
+        let points = |range: Interval| (0..=20).map(move |i| range.lower() + range.width() * f64::from(i) / 20.0);
+        // Across the cut behind, across an axis, and in a quadrant. The derivative has no cut, and is narrow away from the origin.
+        for (y, x) in [((-0.5, 0.5), (-3.0, -2.0)), ((1.0, 2.0), (-1.0, 1.0)), ((1.0, 2.0), (1.0, 1.0))] {
+            let (y, x) = (seeded(y.0, y.1), of(x.0, x.1));
+            let by_y = y.arctangent(Dual::constant(x)).derivative;
+            assert!(by_y.width() < 2.1, "{by_y}");
+            for (y, x) in points(y.value).flat_map(|y| points(x).map(move |x| (y, x))) {
+                assert!(by_y.contains(x / (x * x + y * y)), "at {y}, {x}: {by_y}");
+            }
+        }
+        assert_eq!(seeded(-1.0, 1.0).arctangent(Dual::constant(of(-1.0, 1.0))).derivative, Interval::ENTIRE);
+        assert_eq!(seeded(0.0, 1.0).square_root().derivative, Interval::ENTIRE);
+        let root = seeded(1.0, 4.0).square_root().derivative;
+        assert!(root.contains(0.5) && root.contains(0.25) && root.width() < 0.26, "{root}");
+        // A comparison that is not decided has both derivatives.
+        assert_eq!(seeded(-1.0, 2.0).magnitude().derivative, of(-1.0, 1.0));
+        assert_eq!(seeded(1.0, 2.0).magnitude().derivative, of(1.0, 1.0));
     }
 
     #[test]

@@ -68,8 +68,31 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
             & !impact.gains_energy()
     }
 
+    /// Returns the same in exact arithmetic: of a box of collisions whose directions follow from angles, without the conditions that only rounding violates.
+    #[cfg(feature = "uncertainty")]
+    pub(crate) fn is_possible_exactly(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
+        self.parties().into_iter().fold(always::<T>(), |all, party| match party {
+            Party::Barrier => all,
+            Party::Vehicle(vehicle) => all & is_positive(&vehicle.mass) & is_positive(&vehicle.yaw_inertia),
+        }) & self.has_sound_parameters()
+            & self.is_closing(contact)
+            & self.has_possible_ratio(contact)
+            & contact.is_pushed_by(&impact.impulse)
+            & self.is_within_critical(contact, impact)
+            & !impact.gains_energy()
+    }
+
     #[inline(always)]
     fn has_sound_inputs(&self) -> T::Mask {
+        has_sound_inputs(&self.one)
+            & has_sound_inputs(&self.two)
+            & is_direction(&self.crush_plane.cos, &self.crush_plane.sin)
+            & self.has_sound_parameters()
+    }
+
+    /// Returns `true` if the restitution, the ratio and the moment are within their limits.
+    #[inline(always)]
+    fn has_sound_parameters(&self) -> T::Mask {
         let ratio = match &self.impulse_ratio {
             ImpulseRatio::Critical => always::<T>(),
             ImpulseRatio::Given(ratio) => is_finite(ratio),
@@ -81,12 +104,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
             Moment::Given(moment) => is_finite(moment),
             Moment::OfCritical(fraction) => is_between(fraction, 0, 1),
         };
-        has_sound_inputs(&self.one)
-            & has_sound_inputs(&self.two)
-            & is_direction(&self.crush_plane.cos, &self.crush_plane.sin)
-            & is_between(&self.restitution, 0, 1)
-            & ratio
-            & moment
+        is_between(&self.restitution, 0, 1) & ratio & moment
     }
 
     /// Returns `true` if the approach along the normal and the offset of the centers of mass along it have opposite signs, and are not just rounding of their

@@ -183,6 +183,8 @@ pub struct Bounds {
     pub at_high: Named<f64>,
     /// Whether the values found are within the requested gap of the ends; if not, nothing tighter is proven.
     pub is_tight: bool,
+    /// Whether it is proven that physics refuses nothing within the limits. If not, the range is that of what it accepts.
+    pub is_whole: bool,
 }
 
 /// The probability of a statement.

@@ -1,0 +1,263 @@
+//! Branch and bound for the least value of an objective over a box.
+
+use alloc::collections::BinaryHeap;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use super::RefusedPart;
+use super::objective::{Attained, Objective, middle, middle_of};
+use crate::scalar::Ordered;
+use crate::scalar::interval::Interval;
+use crate::sensitivity::dual::Dual;
+use crate::uncertainty::Mapping;
+
+/// Width, as a share of the range, below which a cell of which physics may refuse a part is not divided.
+const SMALLEST: f64 = 1e-10;
+
+/// Widest enclosure of a point that is taken for the rounding of its value, as a share of it or in SI. A wider one is that of a formula near a pole.
+const ROUNDING: f64 = 1e-9;
+
+/// Cells between two questions whether the search goes on.
+const STRIDE: usize = 256;
+
+/// The result of a search.
+pub(super) struct Minimum {
+    /// No value is below it.
+    pub(super) bound: f64,
+    /// The least value found.
+    pub(super) attained: Attained,
+    pub(super) is_tight: bool,
+    pub(super) cells: usize,
+}
+
+struct Cell {
+    ranges: Vec<Interval>,
+    bound: f64,
+    /// Whether physics refuses no part of it.
+    is_possible: bool,
+    /// The number to divide, or `None` if the cell is too small.
+    divide: Option<usize>,
+}
+
+impl Ord for Cell {
+    /// The cell with the least bound is the greatest: it comes first.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound)
+    }
+}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Cell {}
+
+/// Returns half of the width of a range; the width itself may overflow.
+fn half_width(range: Interval) -> f64 {
+    0.5 * range.upper() - 0.5 * range.lower()
+}
+
+fn is_divisible(range: Interval) -> bool {
+    let middle = middle_of(range);
+    range.lower() < middle && middle < range.upper()
+}
+
+/// Returns the two halves of a cell.
+fn halves(ranges: &[Interval], by: usize) -> [Vec<Interval>; 2] {
+    let middle = middle_of(ranges[by]);
+    let half = |lower, upper| {
+        let mut half = ranges.to_vec();
+        half[by] = Interval::new(lower, upper).unwrap_or(half[by]);
+        half
+    };
+    [half(ranges[by].lower(), middle), half(middle, ranges[by].upper())]
+}
+
+/// Returns the widest number of a cell beside the whole box, that can be divided.
+fn widest(ranges: &[Interval], whole: &[Interval]) -> Option<(usize, f64)> {
+    let share = |i: usize| half_width(ranges[i]) / half_width(whole[i]);
+    let divisible = (0..ranges.len()).filter(|&i| is_divisible(ranges[i]));
+    divisible.map(|i| (i, share(i))).max_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// Finds out which part of a box physics refuses, and a point that it accepts, within a number of cells.
+pub(super) fn refused_part<M: Mapping>(of: &Objective<'_, M>, whole: &[Interval], cells: usize) -> (RefusedPart, Option<Vec<f64>>) {
+    let mut open = alloc::vec![whole.to_vec()];
+    let mut accepted = None;
+    let (mut any_refused, mut all_refused, mut spent) = (false, true, 0);
+    while let Some(cell) = open.pop() {
+        let truth = of.is_possible(&cell);
+        any_refused |= truth.is_excluded();
+        all_refused &= truth.is_excluded();
+        if truth.is_excluded() {
+            continue;
+        }
+        let point = middle(&cell);
+        match of.at(&point) {
+            Some(_) if accepted.is_none() => accepted = Some(point),
+            Some(_) => (),
+            None => any_refused = true,
+        }
+        if truth.is_certain() {
+            continue;
+        }
+        let by = widest(&cell, whole).filter(|_| spent < cells && !(any_refused && accepted.is_some()));
+        let Some((by, _)) = by else { return (RefusedPart::Some, accepted) };
+        spent += 1;
+        open.extend(halves(&cell, by));
+    }
+    let part = match (all_refused, any_refused) {
+        (true, _) => RefusedPart::All,
+        (false, true) => RefusedPart::Some,
+        (false, false) => RefusedPart::None,
+    };
+    (part, accepted)
+}
+
+/// Finds the least value over a box, from a point that physics accepts, to within a distance.
+pub(super) fn minimum<M: Mapping>(
+    of: &Objective<'_, M>,
+    whole: &[Interval],
+    start: Attained,
+    is_possible: bool,
+    within: f64,
+    budget: usize,
+    goes_on: &dyn Fn(u64) -> bool,
+) -> Minimum {
+    let mut search = Minimization { of, whole, rounding: 0.0, best: start, open: BinaryHeap::new() };
+    search.measure_rounding();
+    search.enter(whole.to_vec(), is_possible);
+    let mut cells = 0;
+    let is_tight = loop {
+        let Some(first) = search.open.peek() else { break true };
+        // The bound of the first cell is the least of all.
+        if search.best.value - first.bound <= within + search.rounding {
+            break true;
+        }
+        let Some(by) = first.divide else { break false };
+        if cells == budget || (cells % STRIDE == STRIDE - 1 && !goes_on(cells as u64)) {
+            break false;
+        }
+        let Some(cell) = search.open.pop() else { break true };
+        cells += 1;
+        for half in halves(&cell.ranges, by) {
+            search.enter(half, cell.is_possible);
+        }
+    };
+    // Cells that are no longer open have no value below the best one.
+    let bound = search.open.peek().map_or(search.best.value, |first| first.bound.min(search.best.value));
+    let is_tight = is_tight && within >= 0.0;
+    Minimum { bound, attained: search.best, is_tight, cells }
+}
+
+struct Minimization<'a, 'b, M> {
+    of: &'a Objective<'b, M>,
+    whole: &'a [Interval],
+    /// The width of the enclosure at the best point, if it is no more than rounding.
+    rounding: f64,
+    best: Attained,
+    open: BinaryHeap<Cell>,
+}
+
+impl<M: Mapping> Minimization<'_, '_, M> {
+    fn measure_rounding(&mut self) {
+        let point: Vec<Interval> = self.best.point.iter().copied().map(Interval::from).collect();
+        let width = self.of.value_over(&point).width();
+        self.rounding = if width <= ROUNDING * self.best.value.abs().max(1.0) { width } else { 0.0 };
+    }
+
+    /// Takes a point if physics accepts it and it is better than the best one.
+    fn consider(&mut self, point: Vec<f64>) {
+        if let Some(value) = self.of.at(&point)
+            && value < self.best.value
+        {
+            self.best = Attained { point, value };
+            self.of.improve(&mut self.best, self.whole);
+            self.measure_rounding();
+        }
+    }
+
+    /// Bounds a cell and adds it to the open ones, unless it has no accepted point or none better than the best one.
+    fn enter(&mut self, mut ranges: Vec<Interval>, mut is_possible: bool) {
+        loop {
+            let over = self.of.over(&ranges);
+            if over.is_possible.is_excluded() {
+                return;
+            }
+            is_possible |= over.is_possible.is_certain();
+            let mut bound = over.value.lower();
+            let mut slopes = alloc::vec![Interval::default(); ranges.len()];
+            let mut has_slopes = over.is_continuous;
+            let mut numbers: Vec<Dual<Interval>> = ranges.iter().copied().map(Dual::constant).collect();
+            for i in 0..ranges.len() {
+                if has_slopes && ranges[i].width() > 0.0 {
+                    let slope = self.of.slope_over(&mut numbers, i);
+                    bound = bound.max(slope.value.lower());
+                    slopes[i] = slope.derivative;
+                    has_slopes &= slope.derivative.finite().is_certain();
+                }
+            }
+            let mut divide = widest(&ranges, self.whole);
+            if !is_possible && divide.is_some_and(|(_, share)| share < SMALLEST) {
+                divide = None;
+            }
+            let mut point = middle(&ranges);
+            if has_slopes {
+                // The center at which the theorem of the mean has the greatest bound.
+                for (x, (range, slope)) in point.iter_mut().zip(ranges.iter().zip(&slopes)) {
+                    *x = best_center(*range, *slope);
+                }
+                let center: Vec<Interval> = point.iter().copied().map(Interval::from).collect();
+                let at_center = self.of.value_over(&center);
+                let sum = (0..ranges.len()).fold(at_center, |sum, i| sum + slopes[i] * (ranges[i] - center[i]));
+                bound = bound.max(sum.lower());
+                let effect = |i: usize| half_width(ranges[i]) * slopes[i].magnitude().upper();
+                let most = (0..ranges.len()).filter(|&i| is_divisible(ranges[i])).max_by(|&i, &j| effect(i).total_cmp(&effect(j)));
+                divide = divide.and(most.map(|i| (i, effect(i))));
+            }
+            if bound >= self.best.value {
+                return;
+            }
+            self.consider(point);
+            if has_slopes && is_possible && hold_monotone(&mut ranges, &slopes) {
+                continue;
+            }
+            self.open.push(Cell { ranges, bound, is_possible, divide: divide.map(|(i, _)| i) });
+            return;
+        }
+    }
+}
+
+/// Returns the center about which the mean value theorem has the greatest lower bound (Baumann): the end to which the function falls where it is monotone.
+fn best_center(range: Interval, slope: Interval) -> f64 {
+    if slope.lower() >= 0.0 {
+        range.lower()
+    } else if slope.upper() <= 0.0 {
+        range.upper()
+    } else {
+        let share = slope.upper() / (slope.upper() - slope.lower());
+        let center = share * range.lower() + (1.0 - share) * range.upper();
+        if center.is_nan() { middle_of(range) } else { center.clamp(range.lower(), range.upper()) }
+    }
+}
+
+/// Holds each number in which the objective is monotone at the end where it is least, and returns `true` if there is one.
+fn hold_monotone(ranges: &mut [Interval], slopes: &[Interval]) -> bool {
+    let mut holds = false;
+    for (range, slope) in ranges.iter_mut().zip(slopes) {
+        let is_monotone = slope.lower() >= 0.0 || slope.upper() <= 0.0;
+        if range.width() > 0.0 && is_monotone {
+            *range = Interval::from(best_center(*range, *slope));
+            holds = true;
+        }
+    }
+    holds
+}
