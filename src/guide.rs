@@ -7,6 +7,10 @@ pub mod sensitivities {}
 #[doc = include_str!("guide/batches.md")]
 pub mod batches {}
 
+#[cfg(feature = "uncertainty")]
+#[doc = include_str!("guide/uncertainty.md")]
+pub mod uncertainty {}
+
 #[doc = include_str!("guide/crush.md")]
 pub mod crush {}
 

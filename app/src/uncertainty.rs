@@ -317,14 +317,16 @@ impl<'a> Question<'a> {
             found.notices.0.push(left_out(reason));
             return Ok(());
         }
-        for (shares, to) in shares.outputs.iter().zip(&mut found.of) {
-            let share = |share: &library::Share| Share {
+        for ((shares, of), to) in shares.outputs.iter().zip(&self.outputs).zip(&mut found.of) {
+            let limits = self.uncertain.shares_at_most(*of, self.options.seed).map_err(Issues::defect)?;
+            let share = |(share, limit): (&library::Share, Option<Estimated>)| Share {
                 first: share.first.value,
                 first_se: share.first.standard_error,
                 total: share.total.value,
                 total_se: share.total.standard_error,
+                total_at_most: limit.map(|limit| limit.value),
             };
-            to.sobol = Some(self.named(shares.iter().map(share)));
+            to.sobol = Some(self.named(shares.iter().zip(limits).map(share)));
         }
         Ok(())
     }

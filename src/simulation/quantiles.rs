@@ -22,14 +22,17 @@ pub struct Quantiles {
 /// How many numbers are in each bin.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Bins {
-    below_zero: Window,
+    /// Those above zero, and those below.
+    signed: [Window; 2],
     zero: u64,
-    above_zero: Window,
     not_a_number: u64,
     range: Option<[f64; 2]>,
 }
 
-/// The bins of one sign from the first to the last that has a number.
+/// Bins by which a window grows.
+const STEP: usize = 4 << BITS;
+
+/// The bins of one sign from about the first to about the last that has a number.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Window {
     first: usize,
@@ -51,7 +54,7 @@ impl Quantiles {
     /// If the summary does not have the output.
     pub fn quantile(&self, of: Output, share: f64) -> f64 {
         let place = self.of.iter().position(|output| *output == of);
-        self.found[place.unwrap_or_else(|| panic!("{of} is not among the outputs of the summary"))].quantile(share)
+        self.found[place.unwrap_or_else(|| panic!("{of} is not among the outputs of the summary"))].sorted().quantile(share)
     }
 }
 
@@ -62,7 +65,7 @@ impl Reduce for Quantiles {
 
     fn take(&mut self, samples: &Samples<'_>) {
         for (of, bins) in self.of.iter().zip(&mut self.found) {
-            samples.column(*of).iter().for_each(|x| bins.add(*x));
+            bins.add(samples.column(*of));
         }
     }
 
@@ -72,102 +75,136 @@ impl Reduce for Quantiles {
 }
 
 impl Bins {
-    pub(crate) fn add(&mut self, x: f64) {
-        if x.is_nan() {
-            self.not_a_number += 1;
-            return;
-        }
-        match &mut self.range {
-            Some([least, greatest]) => {
-                *least = if x < *least { x } else { *least };
-                *greatest = if x > *greatest { x } else { *greatest };
+    pub(crate) fn add(&mut self, numbers: &[f64]) {
+        for x in numbers {
+            let x = *x;
+            let window = &mut self.signed[usize::from(x.is_sign_negative())];
+            // Neither zero nor what is not a number is in a window.
+            match window.counts.get_mut(bin(x.abs()).wrapping_sub(window.first)) {
+                Some(count) => *count += 1,
+                None if x.is_nan() => self.not_a_number += 1,
+                None if x == 0.0 => self.zero += 1,
+                None => window.add(bin(x.abs()), 1),
             }
-            none => *none = Some([x; 2]),
         }
-        if x == 0.0 {
-            self.zero += 1;
-        } else if x < 0.0 {
-            self.below_zero.add(bin(-x), 1);
-        } else {
-            self.above_zero.add(bin(x), 1);
-        }
+        self.widen(ends(numbers));
     }
 
-    pub(crate) fn merge(&mut self, later: &Bins) {
-        self.below_zero.merge(&later.below_zero);
-        self.zero += later.zero;
-        self.above_zero.merge(&later.above_zero);
-        self.not_a_number += later.not_a_number;
-        self.range = match (self.range, later.range) {
+    /// Takes in the ends of other numbers.
+    fn widen(&mut self, ends: Option<[f64; 2]>) {
+        self.range = match (self.range, ends) {
             (Some([a, b]), Some([c, d])) => Some([if c < a { c } else { a }, if d > b { d } else { b }]),
-            (own, later) => own.or(later),
+            (own, others) => own.or(others),
         };
     }
 
-    /// Returns each bin that has a number, in order: its ends, and how many.
-    fn in_order(&self) -> impl Iterator<Item = ([f64; 2], u64)> + Clone + '_ {
-        let below = self.below_zero.bins().rev().map(|(bin, count)| ([-edge(bin + 1), -edge(bin)], count));
-        let above = self.above_zero.bins().map(|(bin, count)| ([edge(bin), edge(bin + 1)], count));
-        below.chain([([0.0; 2], self.zero)]).chain(above).filter(|(_, count)| *count > 0)
+    pub(crate) fn merge(&mut self, later: &Bins) {
+        self.signed.iter_mut().zip(&later.signed).for_each(|(window, later)| window.merge(later));
+        self.zero += later.zero;
+        self.not_a_number += later.not_a_number;
+        self.widen(later.range);
+    }
+
+    /// Returns the numbers in order, from which quantiles are read.
+    pub(crate) fn sorted(&self) -> Sorted {
+        let [above, below] = &self.signed;
+        let below = below.bins().rev().map(|(bin, count)| ([-edge(bin + 1), -edge(bin)], count));
+        let above = above.bins().map(|(bin, count)| ([edge(bin), edge(bin + 1)], count));
+        let mut before = 0;
+        let bins = below.chain([([0.0; 2], self.zero)]).chain(above).filter(|(_, count)| *count > 0).map(|(ends, count)| {
+            before += count;
+            (ends, before - count, count)
+        });
+        Sorted { bins: bins.collect(), range: self.range.filter(|_| self.not_a_number == 0) }
+    }
+}
+
+/// Bins in order.
+pub(crate) struct Sorted {
+    /// The ends of a bin, the numbers before it, and those in it.
+    bins: Vec<([f64; 2], u64, u64)>,
+    /// The least and the greatest number; nothing if there is none, or one is not a number.
+    range: Option<[f64; 2]>,
+}
+
+impl Sorted {
+    fn count(&self) -> u64 {
+        self.bins.last().map_or(0, |(_, before, count)| before + count)
     }
 
     /// Returns the share of the numbers that are less than a number; those of a bin are taken as evenly spread in it.
     #[cfg(feature = "uncertainty")]
     pub(crate) fn share_below(&self, x: f64) -> f64 {
-        let (mut below, mut all) = (0.0, 0.0);
-        for ([start, end], count) in self.in_order() {
-            let share = if x >= end { 1.0 } else { ((x - start) / (end - start)).max(0.0) };
-            (below, all) = (below + share * count as f64, all + count as f64);
-        }
-        below / all
+        let place = self.bins.partition_point(|([_, end], ..)| *end <= x);
+        let below = match self.bins.get(place) {
+            Some(([start, end], before, count)) if *start < x => *before as f64 + *count as f64 * ((x - start) / (end - start)),
+            Some((_, before, _)) => *before as f64,
+            None => self.count() as f64,
+        };
+        below / self.count() as f64
     }
 
     pub(crate) fn quantile(&self, share: f64) -> f64 {
-        let Some([least, greatest]) = self.range.filter(|_| self.not_a_number == 0 && (0.0..=1.0).contains(&share)) else {
-            return f64::NAN;
-        };
+        let (Some([least, greatest]), true) = (self.range, (0.0..=1.0).contains(&share)) else { return f64::NAN };
         // The ends are known.
         if share == 0.0 || share == 1.0 {
             return if share == 0.0 { least } else { greatest };
         }
-        let all = self.in_order();
-        let samples: u64 = all.clone().map(|(_, count)| count).sum();
         // The rank of the sample, from 0, between two of them if need be.
-        let rank = share * (samples - 1) as f64;
-        let mut before = 0;
-        for ([start, end], count) in all {
-            // The samples of a bin are taken as evenly spread in it.
-            let place = (rank - before as f64 + 0.5) / count as f64;
-            if place <= 1.0 || before + count == samples {
-                let (start, end) = (if start < least { least } else { start }, if end > greatest { greatest } else { end });
-                return if start == end { start } else { start + place.clamp(0.0, 1.0) * (end - start) };
-            }
-            before += count;
-        }
-        greatest
+        let rank = share * (self.count() - 1) as f64;
+        // The samples of a bin are taken as evenly spread in it.
+        let place = |before: u64, count: u64| (rank - before as f64 + 0.5) / count as f64;
+        let at = self.bins.partition_point(|(_, before, count)| place(*before, *count) > 1.0).min(self.bins.len() - 1);
+        let ([start, end], before, count) = self.bins[at];
+        let (start, end) = (if start < least { least } else { start }, if end > greatest { greatest } else { end });
+        if start == end { start } else { start + place(before, count).clamp(0.0, 1.0) * (end - start) }
     }
+}
+
+/// Returns the least and the greatest of some numbers, or nothing if none is one.
+fn ends(numbers: &[f64]) -> Option<[f64; 2]> {
+    const WIDTH: usize = 8;
+    let (mut least, mut greatest) = ([f64::INFINITY; WIDTH], [f64::NEG_INFINITY; WIDTH]);
+    let (eights, rest) = numbers.as_chunks::<WIDTH>();
+    for eight in eights {
+        for i in 0..WIDTH {
+            least[i] = if eight[i] < least[i] { eight[i] } else { least[i] };
+            greatest[i] = if eight[i] > greatest[i] { eight[i] } else { greatest[i] };
+        }
+    }
+    let least = least.iter().chain(rest).fold(f64::INFINITY, |least, x| if *x < least { *x } else { least });
+    let greatest = greatest.iter().chain(rest).fold(f64::NEG_INFINITY, |greatest, x| if *x > greatest { *x } else { greatest });
+    (least <= greatest).then_some([least, greatest])
 }
 
 impl Window {
     fn add(&mut self, bin: usize, count: u64) {
+        self.reach(bin);
+        self.counts[bin - self.first] += count;
+    }
+
+    /// Extends the window to a bin, by whole steps so that it is seldom moved.
+    fn reach(&mut self, bin: usize) {
+        let start = bin / STEP * STEP;
         if self.counts.is_empty() {
-            self.first = bin;
+            self.first = start;
         } else if bin < self.first {
-            self.counts.splice(0..0, core::iter::repeat_n(0, self.first - bin));
-            self.first = bin;
+            self.counts.splice(0..0, core::iter::repeat_n(0, self.first - start));
+            self.first = start;
         }
-        let place = bin - self.first;
-        if place >= self.counts.len() {
-            self.counts.resize(place + 1, 0);
+        if bin - self.first >= self.counts.len() {
+            self.counts.resize(start + STEP - self.first, 0);
         }
-        self.counts[place] += count;
     }
 
     fn merge(&mut self, later: &Window) {
-        // The ends first, so that the window grows once.
-        let bins = later.bins().filter(|(_, count)| *count > 0);
-        bins.clone().rev().take(1).chain(bins.clone().take(1)).for_each(|(bin, _)| self.add(bin, 0));
-        bins.for_each(|(bin, count)| self.add(bin, count));
+        if later.counts.is_empty() {
+            return;
+        }
+        self.reach(later.first + later.counts.len() - 1);
+        self.reach(later.first);
+        let own = &mut self.counts[later.first - self.first..];
+        own.iter_mut().zip(&later.counts).for_each(|(count, later)| *count += later);
     }
 
     fn bins(&self) -> impl DoubleEndedIterator<Item = (usize, u64)> + Clone + '_ {

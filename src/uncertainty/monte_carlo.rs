@@ -6,7 +6,7 @@ use core::fmt;
 
 use super::model::Model;
 use super::points::Filled;
-use super::tally::{Moments, Tally, nearest_turn};
+use super::tally::{Moments, Sorted, Tally, nearest_turn};
 use super::{Points, Uncertain, UncertainNumber};
 use crate::output::Output;
 use crate::simulation::{Reduce, RefusedSamples, Samples, reduce};
@@ -284,18 +284,21 @@ fn answer<K: Copy + PartialEq + fmt::Debug + Send + Sync>(question: &MonteCarlo<
     let outputs = tallies.iter().enumerate().map(|(i, tally)| {
         let Moments { mean, sd, skewness, kurtosis } = tally.moments();
         let n = tally.samples() as f64;
+        let sorted = tally.sorted();
+        let parts: Option<Vec<Sorted>> = several.map(|parts| parts.iter().map(|part| part.summary.0[i].sorted()).collect());
         let quantile = |p: f64| {
-            let value = tally.quantile(p);
+            let value = sorted.quantile(p);
             let own = || {
                 // The probability has a standard error, and the quantile that of its slope.
                 let error = libm::sqrt(p * (1.0 - p) / n);
                 let (low, high) = ((p - error).max(0.0), (p + error).min(1.0));
-                (tally.quantile(high) - tally.quantile(low)) * (error / (high - low))
+                (sorted.quantile(high) - sorted.quantile(low)) * (error / (high - low))
             };
-            let standard_error = spread(&|part| part.0[i].quantile(p)).unwrap_or_else(own);
+            let of_parts = parts.as_ref().map(|parts| error_of_mean(parts.iter().map(|part| part.quantile(p))));
+            let standard_error = of_parts.unwrap_or_else(own);
             (p, Estimated { value, standard_error })
         };
-        let (least, greatest) = (tally.quantile(0.001), tally.quantile(0.999));
+        let (least, greatest) = (sorted.quantile(0.001), sorted.quantile(0.999));
         let edges: Vec<f64> = (0..=BINS).map(|bin| least + (greatest - least) * (bin as f64 / BINS as f64)).collect();
         SampledOutput {
             of: tally.output(),
@@ -307,7 +310,7 @@ fn answer<K: Copy + PartialEq + fmt::Debug + Send + Sync>(question: &MonteCarlo<
             },
             skewness,
             quantiles: levels.iter().map(|p| quantile(*p)).collect(),
-            shares: tally.counts(&edges),
+            shares: sorted.shares(&edges),
             edges,
         }
     });

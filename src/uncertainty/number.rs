@@ -79,6 +79,8 @@ impl UncertainNumber {
         match self {
             UncertainNumber::Of(Distribution::Normal { mean, sd }) => mean + sd * score,
             UncertainNumber::Of(Distribution::LogNormal { median, log_sd }) => median * libm::exp(log_sd * score),
+            // The same above the mean as below it, where small probabilities have all their digits.
+            UncertainNumber::Of(Distribution::StudentT { mean, .. }) if score > 0.0 => 2.0 * mean - self.quantile(cumulative(-score)),
             _ => self.quantile(cumulative(score)),
         }
     }
@@ -131,6 +133,21 @@ impl UncertainNumber {
                 least.is_finite() && greatest.is_finite()
             }
             UncertainNumber::Values(_) => true,
+        }
+    }
+
+    /// Returns a number C for which the variance of any function f of it is at most C times the mean of f′² (a Poincaré constant), or `None` if there is none.
+    pub(super) fn poincare(&self) -> Option<f64> {
+        // Payne and Weinberger: any density with a concave logarithm between limits has that of the uniform one at most.
+        let between = |min: f64, max: f64| (max - min) * (max - min) / (core::f64::consts::PI * core::f64::consts::PI);
+        match self {
+            UncertainNumber::Of(Distribution::Normal { sd, .. }) => Some(sd * sd),
+            UncertainNumber::Of(Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. }) => {
+                Some(between(*min, *max))
+            }
+            // Truncation does not widen a normal density.
+            UncertainNumber::Of(Distribution::TruncatedNormal { scale, min, max, .. }) => Some(between(*min, *max).min(scale * scale)),
+            UncertainNumber::Of(_) | UncertainNumber::Values(_) => None,
         }
     }
 

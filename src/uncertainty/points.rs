@@ -55,7 +55,7 @@ impl<M: Model> Source for Filled<'_, M> {
 }
 
 impl<M: Model> Filled<'_, M> {
-    fn write_probabilities(&self, samples: Range<u64>, to: &mut [Vec<f64>]) {
+    pub(super) fn write_probabilities(&self, samples: Range<u64>, to: &mut [Vec<f64>]) {
         let random = ChaCha8Rng::seed_from_u64(self.seed);
         for (number, column) in to.iter_mut().enumerate() {
             write_probabilities(&random, number as u64, samples.clone(), column);
@@ -93,6 +93,11 @@ fn finer(point: f32, random: f64) -> f64 {
 impl<M: Model> Uncertain<M> {
     /// Solves samples whose numbers have given probabilities.
     pub(super) fn solve(&self, samples: usize, probabilities: &[Vec<f64>], of: &[M::Output]) -> SolvedSamples {
+        self.model.solve(samples, &mut self.draw(samples, probabilities), of)
+    }
+
+    /// Returns the numbers of samples that have given probabilities, a column of each.
+    pub(super) fn draw(&self, samples: usize, probabilities: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let mut numbers: Vec<Vec<f64>> = probabilities.iter().map(|_| vec![0.0; samples]).collect();
         let scores: Vec<Vec<f64>> = probabilities.iter().enumerate().map(|(i, p)| self.scores(i, p)).collect();
         for (i, (number, to)) in self.numbers.iter().zip(&mut numbers).enumerate() {
@@ -107,7 +112,7 @@ impl<M: Model> Uncertain<M> {
                 _ => to.iter_mut().zip(&probabilities[i]).for_each(|(to, p)| *to = number.quantile(*p)),
             }
         }
-        self.model.solve(samples, &mut numbers, of)
+        numbers
     }
 
     /// Returns the independent scores of a number that has correlations, and nothing for others.

@@ -15,8 +15,9 @@ use rand_chacha::ChaCha8Rng;
 
 use super::model::Model;
 use super::monte_carlo::Estimated;
+use super::points::Filled;
 use super::tally::nearest_turn;
-use super::{MonteCarlo, Uncertain};
+use super::{MonteCarlo, Points, Uncertain, UncertainNumber};
 use crate::simulation::fill::write_probabilities;
 use crate::simulation::{Reduce, RefusedSamples, Samples, SolvedSamples, Source, reduce};
 
@@ -189,7 +190,48 @@ impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Pairs<K> {
     }
 }
 
+/// Samples of slopes: each takes as long as many of an output.
+const SLOPES: usize = 1000;
+
 impl<M: Model> Uncertain<M> {
+    /// Returns, for each number, what its share with others in the variance of an output is at most: C E f′² of the variance, with C the Poincaré constant of its
+    /// distribution (Sobol' and Kucherenko, "Derivative based global sensitivity measures", Mathematics and Computers in Simulation 79, 2009). `None` for a
+    /// distribution that has no such constant: a log-normal one, Student's t, and measured values.
+    ///
+    /// # Errors
+    ///
+    /// [`Correlated`] if two numbers are correlated.
+    pub fn shares_at_most(&self, of: M::Output, seed: u64) -> Result<Vec<Option<Estimated>>, Correlated> {
+        let alone: Vec<Vec<usize>> = (0..self.numbers.len()).map(|number| vec![number]).collect();
+        self.check_groups(&alone)?;
+        let pilot = self.monte_carlo(&[of], &MonteCarlo { seed, ..MonteCarlo::of(16_384) });
+        let sd = pilot.output(of).sd.value;
+        let points = Filled { of: self, points: Points::Random, seed, part: 0 };
+        let mut probabilities: Vec<Vec<f64>> = self.numbers.iter().map(|_| Vec::new()).collect();
+        points.write_probabilities(0..SLOPES as u64, &mut probabilities);
+        let columns = self.draw(SLOPES, &probabilities);
+        let sample = |i: usize| columns.iter().map(|column| column[i]).collect::<Vec<f64>>();
+        let slopes: Vec<Vec<f64>> = (0..SLOPES).filter_map(|i| self.model.slope(&sample(i), of).ok()).map(|slope| slope.by).collect();
+        let n = slopes.len() as f64;
+        let limit = |(place, number): (usize, &UncertainNumber)| {
+            let factor = number.poincare()? / (sd * sd);
+            let mean = slopes.iter().map(|by| square(by[place])).sum::<f64>() / n;
+            let spread = slopes.iter().map(|by| square(square(by[place]) - mean)).sum::<f64>() / n;
+            Some(Estimated { value: factor * mean, standard_error: factor * libm::sqrt(spread / n) })
+        };
+        Ok(self.numbers.iter().enumerate().map(limit).collect())
+    }
+
+    fn check_groups(&self, groups: &[Vec<usize>]) -> Result<(), Correlated> {
+        let group = |number: usize| groups.iter().position(|group| group.contains(&number));
+        for one in 0..self.numbers.len() {
+            if let Some(other) = (0..one).find(|other| self.correlation.coefficient(one, *other) != 0.0 && group(one) != group(*other)) {
+                return Err(Correlated(other, one));
+            }
+        }
+        Ok(())
+    }
+
     /// Returns the share of each number in the variance of each output, from at most so many samples.
     ///
     /// # Errors
@@ -214,12 +256,7 @@ impl<M: Model> Uncertain<M> {
         seed: u64,
         goes_on: &(dyn Fn(u64) -> bool + Sync),
     ) -> Result<Shares, Correlated> {
-        let group = |number: usize| groups.iter().position(|group| group.contains(&number));
-        for one in 0..self.numbers.len() {
-            if let Some(other) = (0..one).find(|other| self.correlation.coefficient(one, *other) != 0.0 && group(one) != group(*other)) {
-                return Err(Correlated(other, one));
-            }
-        }
+        self.check_groups(groups)?;
         let fill = Mixed { of: self, groups, seed };
         let together = fill.together();
         let pilot = self.monte_carlo(of, &MonteCarlo { seed, ..MonteCarlo::of(4096) });

@@ -2,10 +2,11 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use core::fmt;
 
-use crate::simulation::quantiles::Bins;
+use crate::batch::{Instructions, Vectors};
+use crate::simulation::quantiles::{self, Bins};
 use crate::simulation::{Reduce, Samples};
 
 /// Numbers that are added side by side, so that the sum has the same bits whatever the vector instructions.
@@ -73,13 +74,27 @@ impl<K: Copy> Tally<K> {
         }
     }
 
+    /// Returns the samples in order.
+    pub(super) fn sorted(&self) -> Sorted {
+        Sorted { center: self.center, scale: self.scale, bins: self.bins.sorted() }
+    }
+}
+
+/// Samples in order.
+pub(super) struct Sorted {
+    center: f64,
+    scale: f64,
+    bins: quantiles::Sorted,
+}
+
+impl Sorted {
     /// Returns the value below which a share of the samples lies.
     pub(super) fn quantile(&self, share: f64) -> f64 {
         self.center + self.scale * self.bins.quantile(share)
     }
 
-    /// Returns the numbers of samples in bins of equal width.
-    pub(super) fn counts(&self, edges: &[f64]) -> Vec<f64> {
+    /// Returns the shares of the samples between edges.
+    pub(super) fn shares(&self, edges: &[f64]) -> Vec<f64> {
         let below: Vec<f64> = edges.iter().map(|edge| self.bins.share_below((edge - self.center) / self.scale)).collect();
         below.windows(2).map(|pair| pair[1] - pair[0]).collect()
     }
@@ -93,23 +108,16 @@ impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Tally<K> {
     fn take(&mut self, samples: &Samples<'_, K>) {
         let column = samples.column(self.of);
         self.samples += column.len() as u64;
-        let (eights, rest) = column.as_chunks::<WIDTH>();
-        let mut sums = [[0.0; WIDTH]; 4];
-        for (chunk, len) in eights.iter().map(|eight| (*eight, WIDTH)).chain(padded(rest, self.center)) {
-            let mut y = [0.0; WIDTH];
-            for i in 0..WIDTH {
-                // An angle counts from the center, so that it does not jump by a turn.
-                let x = if self.is_angle { nearest_turn(chunk[i], self.center) } else { chunk[i] };
-                y[i] = (x - self.center) / self.scale;
-                let square = y[i] * y[i];
-                sums[0][i] += y[i];
-                sums[1][i] += square;
-                sums[2][i] += square * y[i];
-                sums[3][i] += square * square;
-            }
-            y[..len].iter().for_each(|y| self.bins.add(if y.abs() < NEAREST { 0.0 } else { *y }));
+        let mut powers = Powers { column, center: self.center, per_scale: 1.0 / self.scale, away: vec![0.0; column.len()], sums: [0.0; 4] };
+        let turned: Vec<f64>;
+        if self.is_angle && column.iter().any(|x| (x - self.center).abs() > PI) {
+            // An angle counts from the center, so that it does not jump by a turn.
+            turned = column.iter().map(|x| nearest_turn(*x, self.center)).collect();
+            powers.column = &turned;
         }
-        self.sums.iter_mut().zip(sums).for_each(|(sum, more)| *sum += more.iter().sum::<f64>());
+        Instructions::best().run(&mut powers);
+        self.sums.iter_mut().zip(powers.sums).for_each(|(sum, more)| *sum += more);
+        self.bins.add(&powers.away);
     }
 
     fn merge(&mut self, later: Self) {
@@ -119,11 +127,43 @@ impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Tally<K> {
     }
 }
 
-/// Returns the last samples, filled up with numbers at the center, which add nothing to a sum.
-fn padded(rest: &[f64], center: f64) -> Option<([f64; WIDTH], usize)> {
-    let mut eight = [center; WIDTH];
-    eight[..rest.len()].copy_from_slice(rest);
-    (!rest.is_empty()).then_some((eight, rest.len()))
+/// The distance of samples from a center, with the sums of its powers.
+struct Powers<'a> {
+    column: &'a [f64],
+    center: f64,
+    per_scale: f64,
+    /// The distances; nothing where they are below [`NEAREST`].
+    away: Vec<f64>,
+    sums: [f64; 4],
+}
+
+impl Vectors for Powers<'_> {
+    #[inline(always)]
+    fn compute(&mut self) {
+        let mut sums = [[0.0; WIDTH]; 4];
+        let (eights, rest) = self.column.as_chunks::<WIDTH>();
+        let (to_eights, to_rest) = self.away.as_chunks_mut::<WIDTH>();
+        for (eight, to) in eights.iter().zip(to_eights) {
+            for i in 0..WIDTH {
+                let y = (eight[i] - self.center) * self.per_scale;
+                let square = y * y;
+                sums[0][i] += y;
+                sums[1][i] += square;
+                sums[2][i] += square * y;
+                sums[3][i] += square * square;
+                to[i] = if y.abs() < NEAREST { 0.0 } else { y };
+            }
+        }
+        for (i, (x, to)) in rest.iter().zip(to_rest).enumerate() {
+            let y = (x - self.center) * self.per_scale;
+            let square = y * y;
+            for (sums, power) in sums.iter_mut().zip([y, square, square * y, square * square]) {
+                sums[i] += power;
+            }
+            *to = if y.abs() < NEAREST { 0.0 } else { y };
+        }
+        self.sums = sums.map(|sums| sums.iter().sum());
+    }
 }
 
 /// Returns an angle less the whole turns between it and another.

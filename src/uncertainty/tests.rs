@@ -121,6 +121,33 @@ fn a_product_has_the_moments_of_a_product() {
 }
 
 #[test]
+fn a_share_is_at_most_what_the_slope_says() {
+    // Of a linear output the limit of a normal number is its share, that of a uniform one 12/π² of it.
+    let inputs = [
+        (V, Normal { mean: 15.0, sd: 1.0 }),
+        (Input::VelocityX(Two), Uniform { min: -8.0, max: 0.0 }),
+        (E, LogNormal { median: 0.1, log_sd: 0.1 }),
+    ];
+    let uncertain = oblique().uncertain(&inputs[..2]).expect("uncertain");
+    let of = Output::YawRate(Two);
+    let (linear, limits) = (uncertain.linear(of).expect("a solution"), uncertain.shares_at_most(of, 5).expect("independent"));
+    for (limit, (share, factor)) in limits.iter().zip(linear.shares.iter().zip([1.0, 12.0 / std::f64::consts::PI.powi(2)])) {
+        let found = limit.expect("a limit");
+        assert!((found.value - share * factor).abs() < 0.03 * share, "{found:?} {share}");
+    }
+    let curved = oblique().uncertain(&inputs).expect("uncertain");
+    let (limits, shares) = (curved.shares_at_most(Output::Loss, 5).expect("independent"), curved.shares(&[Output::Loss], 200_000, 5));
+    let shares = shares.expect("independent");
+    assert!(limits[2].is_none());
+    for (limit, share) in limits[..2].iter().zip(&shares.outputs[0]) {
+        let limit = limit.expect("a limit");
+        assert!(share.total.value < limit.value + 4.0 * limit.standard_error.hypot(share.total.standard_error), "{share:?} {limit:?}");
+    }
+    let tied = uncertain.with_correlations(&[(0, 1, 0.1)]).expect("a correlation");
+    assert_eq!(tied.shares_at_most(of, 5), Err(Correlated(0, 1)));
+}
+
+#[test]
 fn shapes_that_are_not_normal_count_to_second_order() {
     // Loss ½ m (1 − e²) v²: curved in both.
     let inputs = [(V, LogNormal { median: 15.0, log_sd: 0.1 }), (E, Uniform { min: 0.0, max: 0.2 })];

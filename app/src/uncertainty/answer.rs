@@ -164,6 +164,8 @@ pub struct Share {
     /// Its standard error.
     #[schemars(with = "Option<f64>")]
     pub total_se: f64,
+    /// What `total` is at most, from derivatives at samples; `null` for a distribution without such a limit.
+    pub total_at_most: Option<f64>,
 }
 
 /// The guaranteed range of an output: `low` is at most its least value, and that at most `low_attained`; the same for the greatest.
