@@ -185,14 +185,18 @@ impl<'a> Question<'a> {
 
     /// Adds what derivatives say.
     fn expand(&self, found: &mut Found) {
-        if !self.asks(Method::Linear) && !self.asks(Method::SecondOrder) {
-            return;
-        }
         let infinite: Vec<String> = self.infinite().map(|parameter| parameter.to_string()).collect();
         if !infinite.is_empty() {
-            let message =
-                format!("{} has no finite standard deviation: derivatives have none either, and quantiles hold", infinite.join(", "));
+            let message = format!(
+                "{} has no finite standard deviation, and neither has what depends on it: only quantiles and probabilities of samples hold",
+                infinite.join(", ")
+            );
             found.notices.0.push(Notice::warning("infinite-deviation", "", message));
+        }
+        // Without means of the inputs there is no place for derivatives.
+        let has_means = self.uncertain.means().iter().all(|mean| mean.is_finite());
+        if !has_means || (!self.asks(Method::Linear) && !self.asks(Method::SecondOrder)) {
+            return;
         }
         for (of, to) in self.outputs.iter().zip(&mut found.of) {
             let refused = match self.expand_one(*of, to) {
@@ -292,6 +296,10 @@ impl<'a> Question<'a> {
             return Ok(());
         }
         let left_out = |reason: String| Notice::note("sobol-left-out", "", format!("the shares of Sobol' are left out: {reason}"));
+        if self.infinite().next().is_some() {
+            found.notices.0.push(left_out("an infinite variance has none".to_owned()));
+            return Ok(());
+        }
         let groups: Vec<Vec<usize>> = (0..self.parameters.len()).map(|number| vec![number]).collect();
         // A fifth of the samples, each with its mixtures.
         let together = 2 + self.parameters.len() as u64;

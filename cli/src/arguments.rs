@@ -50,7 +50,7 @@ pub enum Verb {
     /// Reconstruct speeds and other unknowns from evidence, with their uncertainty.
     #[command(after_help = help::RECONSTRUCT)]
     Reconstruct(Reconstruct),
-    /// Say how uncertain the outputs are, given uncertain inputs: deviations, quantiles, shares, guaranteed bounds.
+    /// Say how uncertain the outputs are, given uncertain inputs.
     #[command(after_help = help::UNCERTAINTY)]
     Uncertainty(Uncertainty),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
@@ -171,7 +171,7 @@ pub struct Uncertainty {
     /// Where the samples lie.
     #[arg(long, value_enum, default_value_t = SamplePoints::Random)]
     pub points: SamplePoints,
-    /// Print the probability of a statement, such as "dV1 > 25 mph"; may be repeated.
+    /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
     /// Level of the middle range, between 0 and 1.

@@ -2,7 +2,7 @@
 //!
 //! One test binary, because each one would link the program's dependencies again. `bad_inputs` holds inputs that must
 //! be refused, `check` the findings in results of other programs, `examples` the examples of the manual, `reference`,
-//! `gradient` and `crush` the numbers of an independent solver, and `pins` every number of the output.
+//! `gradient`, `crush` and `uncertainty` the numbers of an independent solver, and `pins` every number of the output.
 
 #[path = "main/answers.rs"]
 mod answers;
@@ -44,5 +44,7 @@ mod schema;
 mod stiffness;
 #[path = "main/sweep.rs"]
 mod sweep;
+#[path = "main/uncertainty.rs"]
+mod uncertainty;
 #[path = "main/warnings.rs"]
 mod warnings;

@@ -45,8 +45,11 @@ impl<M: Model> Uncertain<M> {
         let covariance = self.correlation.covariance(&self.numbers);
         let along = product(&covariance, &gradient);
         let variance = dot(&gradient, &along);
-        // Half the deviation of a number: three quarters of its variance go, and half of its covariances.
+        // Half the deviation of a number: three quarters of its variance go, and half of its covariances. Half of an infinite one is infinite.
         let with_half = |i: usize| {
+            if !variance.is_finite() {
+                return variance;
+            }
             let (own, others) = (square(gradient[i]) * covariance[i][i], gradient[i] * along[i]);
             let left = variance - 0.75 * own - (others - own);
             libm::sqrt(if left > 0.0 { left } else { 0.0 })

@@ -316,8 +316,13 @@ fn answer<K: Copy + PartialEq + fmt::Debug + Send + Sync>(question: &MonteCarlo<
     });
     let probability = |(i, count): (usize, &Count<K>)| {
         let p = count.share();
-        let own = || libm::sqrt(p * (1.0 - p) / count.samples as f64);
-        Estimated { value: p, standard_error: spread(&|part| part.1[i].share()).unwrap_or_else(own) }
+        let n = count.samples as f64;
+        // That none or all of the samples fulfill a statement does not make it certain: the next one may be the first.
+        let least = (1.0 - 1.0 / n) / n;
+        let variance = p * (1.0 - p);
+        let own = || libm::sqrt(if variance > least { variance } else { least } / n);
+        let of_parts = spread(&|part| part.1[i].share()).filter(|error| *error > 0.0);
+        Estimated { value: p, standard_error: of_parts.unwrap_or_else(own) }
     };
     Sampled {
         samples,

@@ -6,7 +6,7 @@ use crate::process::{run, workspace};
 use crate::schema::{branches, cases, errors, files_in, schema, validator};
 
 /// The verbs that take a case and units, each with the options that extend its answer.
-const OF_CASES: [(&str, &[&str]); 10] = [
+const OF_CASES: [(&str, &[&str]); 12] = [
     ("solve", &[]),
     ("gradient", &[]),
     ("gradient", &["--of", "T_L,dV1", "--wrt", "Gamma,e,m1", "--second"]),
@@ -15,6 +15,8 @@ const OF_CASES: [(&str, &[&str]); 10] = [
     ("crush", &[]),
     ("crash3", &[]),
     ("reconstruct", &["--starts", "4"]),
+    ("uncertainty", &["--samples", "2000"]),
+    ("uncertainty", &["--samples", "500", "--of", "T_L,dV1", "--probability", "dV1 > 18 mph", "--method", "linear,monte-carlo"]),
     ("formula", &["W_n", "--case"]),
     ("formula", &["dV1", "--wrt", "Gamma", "--case"]),
 ];
@@ -77,6 +79,7 @@ fn the_schema_of_a_verb_describes_its_answers() {
         ("solve", 9),
         ("stiffness", 2),
         ("sweep", 10),
+        ("uncertainty", 10),
         ("validate", 1),
     ];
     for (verb, least) in least {

@@ -115,3 +115,14 @@ fn an_interrupted_check_leaves_a_whole_document() {
 fn an_interrupted_search_prints_nothing() {
     interrupted(&["reconstruct", "cli/examples/reconstruct/two-cars.toml", "--starts", "10000"], false);
 }
+
+#[test]
+fn interrupted_samples_print_nothing() {
+    let call = ["uncertainty", "cli/examples/uncertain.toml", "--samples", "1000000000000"];
+    for more in [&[][..], &["--points", "sobol"], &["--format", "json", "--precision", "0.00001%"]] {
+        interrupted(&[&call[..], more].concat(), false);
+    }
+    // The example has correlated inputs, and no shares of its own.
+    let shares = ["uncertainty", "cli/examples/uncertainty/differences.toml", "--method", "sobol", "--samples", "1000000000000"];
+    interrupted(&shares, false);
+}

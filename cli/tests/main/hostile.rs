@@ -9,6 +9,7 @@ fn formats(verb: &str) -> &'static [&'static str] {
     match verb {
         "check" => &["text", "json", "junit", "sarif"],
         "sweep" => &["text", "csv", "json", "svg"],
+        "uncertainty" => &["text", "csv", "json", "svg"],
         "formula" => &["text", "latex", "rust", "json"],
         _ => &["text", "json"],
     }
@@ -45,7 +46,7 @@ fn example(name: &str) -> String {
     std::fs::read_to_string(workspace().join("cli/examples").join(name)).expect("an example")
 }
 
-const OF_CASES: [&str; 6] = ["solve", "gradient", "crush", "crash3", "reconstruct", "stiffness"];
+const OF_CASES: [&str; 7] = ["solve", "gradient", "crush", "crash3", "reconstruct", "uncertainty", "stiffness"];
 
 #[test]
 fn reproducers_print_nothing_active() {
@@ -77,6 +78,9 @@ fn texts_of_a_case_file_are_cleaned() {
     }
     let runs = clean_runs(&folder, "sweep", &["--vary", "e=0:0.1:0.1", "case.toml"]);
     assert!(runs.iter().all(|run| run.status == 0));
+    folder.write("uncertain.toml", example("uncertain.toml").replace("sedan", &escaped).replace("Oblique", &escaped).as_bytes());
+    let uncertain = clean_runs(&folder, "uncertainty", &["--samples", "1000", "uncertain.toml"]);
+    assert!(uncertain.iter().all(|run| run.status == 0));
     clean_runs(&folder, "formula", &["W_n", "--case", "case.toml"]);
     let solved = run(folder.path(), &["solve", "--format", "json", "case.toml"]);
     let solution: Value = serde_json::from_str(&solved.out).expect("JSON");
@@ -134,6 +138,13 @@ fn names_of_files_and_words_of_calls_are_cleaned() {
         [ACTIVE.to_owned(), format!("{ACTIVE}=0:1:1"), format!("e=0:1:{ACTIVE}"), format!("e={ACTIVE}:1:1"), format!("m1=1 {ACTIVE}:2:1")]
     {
         clean_runs(&folder, "sweep", &[&name, "--vary", &vary]);
+    }
+    folder.write("uncertain.toml", example("uncertain.toml").as_bytes());
+    for words in [["--of", ACTIVE], ["--probability", ACTIVE], ["--precision", ACTIVE], ["--method", ACTIVE], ["--points", ACTIVE]] {
+        clean_runs(&folder, "uncertainty", &[&["uncertain.toml"], &words[..]].concat());
+    }
+    for statement in [format!("{ACTIVE} > 1"), format!("dV1 > {ACTIVE}"), format!("dV1 > 1 {ACTIVE}"), format!("dV1{ACTIVE} > 1 mph")] {
+        clean_runs(&folder, "uncertainty", &["uncertain.toml", "--probability", &statement]);
     }
     clean_runs(&folder, "formula", &[ACTIVE]);
     clean_runs(&folder, "check", &[&records, "--tolerance", ACTIVE]);
@@ -238,6 +249,13 @@ fn long_names_are_not_repeated() {
         &["sweep", "case.toml", "--vary", &format!("e=0:1:{long}")],
         &["sweep", "case.toml", "--vary", "e=0:1:1", "--of", &long],
         &["reconstruct", "case.toml", "--seed", &long],
+        &["uncertainty", "case.toml", "--of", &long],
+        &["uncertainty", "case.toml", "--probability", &long],
+        &["uncertainty", "case.toml", "--probability", &format!("{long} > 1")],
+        &["uncertainty", "case.toml", "--probability", &format!("dV1 > {long}")],
+        &["uncertainty", "case.toml", "--precision", &long],
+        &["uncertainty", "case.toml", "--bounds-sd", &long],
+        &["uncertainty", "case.toml", "--method", &long],
         &["formula", &long],
         &["formula", "W_n", "--wrt", &long],
         &["check", "--tolerance", &long, "case.toml"],

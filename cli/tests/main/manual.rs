@@ -19,7 +19,7 @@ fn verbs() -> Vec<String> {
     let lines = listed.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let verbs: Vec<String> =
         lines.filter_map(|line| line.split_whitespace().next()).filter(|verb| *verb != "help").map(str::to_owned).collect();
-    let known = ["solve", "gradient", "sweep", "batch", "check", "validate", "prove", "formula", "completions", "man"];
+    let known = ["solve", "gradient", "sweep", "batch", "uncertainty", "check", "validate", "prove", "formula", "completions", "man"];
     assert!(known.iter().all(|verb| verbs.iter().any(|found| found == verb)), "{verbs:?}");
     verbs
 }
@@ -48,7 +48,7 @@ fn every_example_of_the_help_runs_as_printed() {
         let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
         folder.write(&name, &fs::read(&path).expect("the example can be read"));
     }
-    for kind in ["batch", "check", "tests", "reconstruct"] {
+    for kind in ["batch", "check", "tests", "reconstruct", "uncertainty"] {
         for file in fs::read_dir(workspace().join("cli/examples").join(kind)).expect("a folder") {
             let path = file.expect("an entry").path();
             let name = format!("cli/examples/{kind}/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));

@@ -39,6 +39,7 @@ pub fn files_in(folder: &str) -> Vec<PathBuf> {
 pub fn cases() -> Vec<PathBuf> {
     let mut paths = examples();
     paths.extend(files_in("cli/examples/reconstruct"));
+    paths.extend(files_in("cli/examples/uncertainty"));
     paths
 }
 

@@ -10,12 +10,13 @@ use planar_impact_app::{Answer, Units};
 
 use super::canvas::{Area, Axes, Drawn, WIDTH, page, px, span, with_unit, write};
 use super::shortened;
+use crate::page::uncertainty::percent;
 
 const PANEL: u32 = px(300);
 /// Width of the bars beside a density.
 const BARS: u32 = px(350);
 /// Number of inputs with a bar.
-const MOST_BARS: usize = 9;
+const MOST_BARS: usize = 8;
 
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
@@ -34,6 +35,7 @@ pub fn uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Result<String,
             let (density, bars) = area.split_horizontally(WIDTH - BARS);
             panel.density(&density)?;
             panel.bars(&bars)?;
+            panel.legend(&bars)?;
         }
         Ok(())
     })
@@ -84,6 +86,23 @@ impl Panel<'_> {
         Ok(())
     }
 
+    /// Names what the density is made of, in the lower corner beside it.
+    fn legend(&self, area: &Area<'_>) -> Drawn {
+        /// Height of the legend in its panel, in pixels.
+        const Y: i32 = 276;
+        let fine = px(1) as i32;
+        if self.found.monte_carlo.is_some() {
+            area.draw(&Rectangle::new([(16 * fine, (Y + 3) * fine), (36 * fine, (Y + 13) * fine)], BLUE.mix(0.35).filled()))?;
+            write(area, "samples", 14, (42, Y))?;
+        }
+        if !self.normal(&|si| si).is_empty() {
+            let line = [(116 * fine, (Y + 8) * fine), (136 * fine, (Y + 8) * fine)];
+            area.draw(&PathElement::new(line, ShapeStyle::from(&VERMILION).stroke_width(px(2))))?;
+            write(area, "normal, of the linear mean and sd", 14, (142, Y))?;
+        }
+        Ok(())
+    }
+
     /// Returns the normal density of first derivatives.
     fn normal(&self, convert: &impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
         let Some(linear) = &self.found.linear else { return Vec::new() };
@@ -120,13 +139,13 @@ impl Panel<'_> {
             area.draw(&bar(alone.unwrap_or(*share), BLUE.filled()))?;
             write(area, name, 14, (16, y - 2))?;
             let number = match alone {
-                Some(alone) => format!("{:.1} %, {:.1} %", 100.0 * alone, 100.0 * share),
-                None => format!("{:.1} %", 100.0 * share),
+                Some(alone) => format!("{}, {}", percent(*alone), percent(*share)),
+                None => percent(*share),
             };
-            write(area, &number, 14, (232, y + 8))?;
+            write(area, &number, 14, (232, y - 2))?;
         }
         if hidden > 0 {
-            write(area, &format!("{hidden} more are smaller"), 14, (16, 40 + 26 * shares.len() as i32))?;
+            write(area, &format!("and {hidden} with smaller shares"), 14, (16, 40 + 26 * shares.len() as i32))?;
         }
         Ok(())
     }

@@ -1,5 +1,7 @@
 //! The page of `uncertainty`: for each output its mean and deviation by each method, its quantiles, and what they are due to.
 
+use std::iter;
+
 use planar_impact_app::case::{CaseOutput, Parameter};
 use planar_impact_app::uncertainty::{OutputUncertainty, Probability, UncertainNumber, Uncertainty, ends};
 use planar_impact_app::units::{Measure, Units, trim};
@@ -33,7 +35,9 @@ fn samples_drawn(answer: &Uncertainty) -> Block {
         0 => "physics refuses none".to_owned(),
         count => {
             let share = 100.0 * count as f64 / answer.samples as f64;
-            format!("physics refuses {count} ({share:.2} %: {}), and the figures are of the others", reasons.join(", "))
+            // Few are not none.
+            let decimals = (-share.log10().floor()).clamp(2.0, 12.0) as usize;
+            format!("physics refuses {count} ({share:.decimals$} %: {}), and the figures are of the others", reasons.join(", "))
         }
     };
     Block::paragraph(format!("{} samples (seed {}); {refused}.", answer.samples, answer.seed))
@@ -51,7 +55,11 @@ fn table_of_inputs(answer: &Uncertainty, units: Units) -> Block {
 }
 
 fn table_of_probabilities(answer: &Uncertainty) -> Option<Block> {
-    let row = |(text, found): (&str, &Probability)| vec![text.to_owned(), format!("{:.4}", found.value), format!("{:.4}", found.se)];
+    let row = |(text, found): (&str, &Probability)| {
+        // Two digits of the standard error, and at least four decimals.
+        let decimals = if found.se > 0.0 { (1.0 - found.se.log10().floor()).clamp(4.0, 12.0) as usize } else { 4 };
+        vec![text.to_owned(), format!("{:.decimals$}", found.value), format!("{:.decimals$}", found.se)]
+    };
     let rows: Vec<Vec<String>> = answer.probabilities.iter().map(row).collect();
     (!rows.is_empty()).then(|| Table::new(["statement", "probability", "standard error"], "lrr", rows).into())
 }
@@ -67,6 +75,26 @@ pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> S
     let text = format!("{value:.decimals$}");
     // Minus nothing.
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+/// Formats a share in percent.
+pub(crate) fn percent(share: f64) -> String {
+    let text = format!("{:.1} %", 100.0 * share);
+    match text.as_str() {
+        _ if !share.is_finite() => "none".to_owned(),
+        "-0.0 %" => "0.0 %".to_owned(),
+        _ => text,
+    }
+}
+
+/// Formats a skewness.
+fn skewness(value: f64) -> String {
+    let text = format!("{value:.2}");
+    match text.as_str() {
+        _ if !value.is_finite() => "none".to_owned(),
+        "-0.00" => "0.00".to_owned(),
+        _ => text,
+    }
 }
 
 /// An output with what is found of it.
@@ -96,7 +124,7 @@ impl Shown<'_> {
     }
 
     fn number(&self, si: f64) -> String {
-        if si.is_nan() { "none".to_owned() } else { with_digits(self.units, self.of.measure(), si, self.sd()) }
+        if si.is_finite() { with_digits(self.units, self.of.measure(), si, self.sd()) } else { "none".to_owned() }
     }
 
     fn quantity(&self, si: f64) -> String {
@@ -112,7 +140,9 @@ impl Shown<'_> {
     fn methods(&self) -> Option<Block> {
         let [low, high] = ends(self.all.level);
         let mut rows = Vec::new();
-        let none = || vec![String::new(); 3];
+        // Only samples have quantiles.
+        let has_samples = self.found.monte_carlo.is_some();
+        let none = || vec![String::new(); if has_samples { 3 } else { 0 }];
         if let Some(found) = &self.found.linear {
             rows.push([vec!["linear".to_owned(), self.number(found.mean), self.number(found.sd)], none()].concat());
         }
@@ -129,7 +159,8 @@ impl Shown<'_> {
         }
         let percent = |p: f64| format!("{} %", trim(100.0 * p));
         let header = ["method".to_owned(), "mean".to_owned(), "sd".to_owned(), percent(low), "median".to_owned(), percent(high)];
-        (!rows.is_empty()).then(|| Table::new(header, "lrrrrr", rows).into())
+        let (columns, align) = if has_samples { (6, "lrrrrr") } else { (3, "lrr") };
+        (!rows.is_empty()).then(|| Table::new(header.into_iter().take(columns), align, rows).into())
     }
 
     /// Formats a standard error with two digits of its own.
@@ -163,20 +194,29 @@ impl Shown<'_> {
         names.sort_by(|one, other| size(other).abs().total_cmp(&size(one).abs()));
         let hidden = names.len().saturating_sub(SHOWN);
         names.truncate(SHOWN);
-        let percent = |share: Option<f64>| {
-            share.map_or_else(String::new, |share| if share.is_nan() { "none".to_owned() } else { format!("{:.1} %", 100.0 * share) })
-        };
+        let cell = |share: Option<f64>| share.map_or_else(String::new, percent);
         let row = |name: &&str| {
             let alone = sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.first);
             let halved = linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map_or_else(String::new, |sd| self.number(*sd));
-            vec![(*name).to_owned(), percent(share(name)), percent(alone), percent(total(name)), halved]
+            let of_derivatives = linear.is_some().then(|| [cell(share(name)), halved]).into_iter().flatten();
+            let of_samples = sobol.is_some().then(|| [cell(alone), cell(total(name))]).into_iter().flatten();
+            iter::once((*name).to_owned()).chain(of_derivatives).chain(of_samples).collect()
         };
         let rows: Vec<Vec<String>> = names.iter().map(row).collect();
-        if linear.is_none() && sobol.is_none() {
-            return Vec::new();
-        }
-        let table = Table::new(["share of the variance", "linear", "alone", "with others", "sd if halved"], "lrrrr", rows).narrow();
+        let (header, columns): (&[&str], &str) = match (linear, sobol) {
+            (None, None) => return Vec::new(),
+            (Some(_), None) => (&["share of the variance", "linear", "sd if halved"], "lrr"),
+            (None, Some(_)) => (&["share of the variance", "alone", "with others"], "lrr"),
+            (Some(_), Some(_)) => (&["share of the variance", "linear", "sd if halved", "alone", "with others"], "lrrrr"),
+        };
+        let table = Table::new(header.iter().map(|name| (*name).to_owned()), columns, rows).narrow();
         let mut blocks = vec![table.into()];
+        let errors = sobol.iter().flat_map(|shares| shares.iter()).flat_map(|(_, share)| [share.first_se, share.total_se]);
+        let worst = errors.filter(|error| error.is_finite()).fold(0.0, f64::max);
+        if sobol.is_some() {
+            let text = format!("Shares alone and with others have standard errors of at most {}.", percent(worst));
+            blocks.push(Block::item("- ", text));
+        }
         if hidden > 0 {
             blocks.push(Block::item("", format!("{hidden} more inputs have smaller shares (--format json).")));
         }
@@ -190,12 +230,12 @@ impl Shown<'_> {
         if !moved.is_finite() || !wider.is_finite() {
             return None;
         }
-        let share = 100.0 * moved / linear.sd;
         let text = format!(
-            "Curvature moves the mean by {} ({share:.1} % of the sd), and the sd by {:.1} %; skewness {}.",
+            "Curvature moves the mean by {} ({} of the sd), and the sd by {}; skewness {}.",
             self.signed(moved),
-            100.0 * wider,
-            if second.skewness.is_finite() { format!("{:.2}", second.skewness) } else { "none".to_owned() },
+            percent(moved / linear.sd),
+            percent(wider),
+            skewness(second.skewness),
         );
         Some(Block::item("- ", text))
     }

@@ -291,6 +291,7 @@ pub(super) const BAD: &[Bad] = &[
 
 #[test]
 fn uncertain_inputs_that_are_refused() {
+    check_with(BAD, &["uncertainty", "--samples", "1000"]);
     check(BAD);
     check_with(BAD, &["reconstruct"]);
 }

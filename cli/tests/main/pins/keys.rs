@@ -47,6 +47,9 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
     all.extend(
         reconstructions.chain(more).chain([verdicts::out_of_bounds()]).map(|case| ("reconstruct", document("reconstruct", &case, &[]))),
     );
+    let uncertain = references("uncertainty.jsonl").into_iter().map(|reference| reference["case"].clone()).chain([case("uncertain.toml")]);
+    let options = ["--of", "dV1", "--samples", "1000", "--probability", "dV1 > 5 m/s"];
+    all.extend(uncertain.map(|case| ("uncertainty", document("uncertainty", &case, &options))));
     all.extend(["malibu", "struble-welsh"].map(|name| ("stiffness", document("stiffness", &case(&format!("tests/{name}.toml")), &[]))));
     let printed = |arguments: &[&str]| serde_json::from_str::<Value>(&run(&workspace(), arguments).out).expect("JSON");
     for (verb, format) in [("check", "json"), ("sarif", "sarif")] {
@@ -58,7 +61,11 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
 
 /// Collects the path of every value, with a star in place of names.
 fn walk(value: &Value, path: &str, found: &mut BTreeSet<String>) {
-    let is_name = |key: &str| key.contains('.') || key == "crush_energy" && (path.starts_with("evidence") || path.starts_with("influence"));
+    let is_name = |key: &str| {
+        key.contains(['.', ' '])
+            || path == "refused.reasons"
+            || key == "crush_energy" && (path.starts_with("evidence") || path.starts_with("influence"))
+    };
     match value {
         Value::Object(entries) => entries.iter().for_each(|(key, inner)| {
             let key = if is_name(key) { "*" } else { key };
@@ -134,6 +141,15 @@ fn schemas_titles_and_notes() {
     for verb in ["solve", "gradient", "crush", "crash3"] {
         let notes = document(verb, &bare, &[])["notes"].to_string();
         assert!(notes.contains("mass") && notes.contains("1180"), "{verb}: {notes}");
+    }
+    // And that it takes uncertain inputs at their nominal values.
+    let uncertain = case("uncertain.toml");
+    for (verb, arguments) in [("solve", &[][..]), ("sweep", &["--vary", "e=0:0.2:0.1"])] {
+        let found = document(verb, &uncertain, arguments);
+        let [message] = array(&found["messages"]) else { panic!("{verb}: one message") };
+        assert_eq!((&message["code"], &message["severity"], &message["path"]), (&json!("nominal-values"), &json!("note"), &json!("")));
+        assert_eq!((array(&message["figures"]).len(), &found["notes"]), (0, &json!([message["text"]])), "{verb}");
+        assert!(["vehicle.1.mass", "contact.crush_plane"].iter().all(|name| message["text"].to_string().contains(name)), "{message}");
     }
     for (verb, found) in DOCUMENTS.iter().filter(|(verb, _)| !["sarif"].contains(verb)) {
         assert_eq!(found["schema"], 1, "{verb}");

@@ -15,6 +15,7 @@ mod solve_page;
 mod stated;
 mod stiffness;
 mod sweep;
+mod uncertainty;
 mod units;
 mod verdicts;
 

@@ -163,12 +163,12 @@ fn csv_and_page_are_the_document_in_their_units() {
 }
 
 /// Returns the value of an attribute of an element on one line.
-fn attribute<'a>(line: &'a str, name: &str) -> &'a str {
+pub(super) fn attribute<'a>(line: &'a str, name: &str) -> &'a str {
     line.split(&format!(" {name}=\"")).nth(1).and_then(|rest| rest.split('"').next()).unwrap_or("")
 }
 
 /// Returns the linear map through the first and the last label of an axis of a panel, after checking the labels between them.
-fn axis(lines: &[&str], anchor: &str, place: &str, inside: impl Fn(f64) -> bool) -> impl Fn(f64) -> f64 {
+pub(super) fn axis(lines: &[&str], anchor: &str, place: &str, inside: impl Fn(f64) -> bool) -> impl Fn(f64) -> f64 {
     let coordinate = |line: &str, name: &str| attribute(line, name).parse::<f64>().expect("a coordinate");
     let labels = lines.windows(2).filter(|pair| pair[0].starts_with("<text") && attribute(pair[0], "text-anchor") == anchor);
     let labels = labels.filter(|pair| inside(coordinate(pair[0], "y")) && !pair[0].contains("rotate"));

@@ -1,0 +1,422 @@
+//! The verb `uncertainty`: every case of an independent computation, the same bytes for any number of threads, and the exit status.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::process::{Folder, Run, planar_impact, run, run_with_input, workspace};
+
+/// Relative tolerance of what derivatives say: that of difference quotients and of a quadrature.
+const TOLERANCE: f64 = 1e-6;
+
+/// Standard errors by which two estimates may differ.
+const ERRORS: f64 = 4.0;
+
+const EXAMPLE: &str = "cli/examples/uncertain.toml";
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+fn object(value: &Value) -> &serde_json::Map<String, Value> {
+    value.as_object().unwrap_or_else(|| panic!("{value} is no object"))
+}
+
+fn answered(run: &Run) -> Value {
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+fn of_example(arguments: &[&str]) -> Value {
+    answered(&run(&workspace(), &[&["uncertainty", EXAMPLE, "--format", "json"], arguments].concat()))
+}
+
+/// The codes of the messages of an answer.
+fn codes(answer: &Value) -> Vec<&str> {
+    answer["messages"].as_array().into_iter().flatten().filter_map(|message| message["code"].as_str()).collect()
+}
+
+/// Compares numbers of an answer with those of a reference, and collects the differences.
+#[derive(Default)]
+struct Comparison {
+    faults: Vec<String>,
+    /// The squares of all differences of estimates, in their standard errors.
+    squares: Vec<f64>,
+}
+
+impl Comparison {
+    fn same(&mut self, found: &Value, wanted: &Value, what: &str) {
+        let (found, wanted) = (found.as_f64().unwrap_or(f64::NAN), number(wanted));
+        // A share near 0 is the difference of others.
+        if !((found - wanted).abs() <= TOLERANCE * wanted.abs().max(1e-3)) {
+            self.faults.push(format!("{what}: {found}, not {wanted}"));
+        }
+    }
+
+    /// Compares two estimates, each with its standard error.
+    fn alike(&mut self, found: f64, error: f64, wanted: &Value, what: &str) {
+        let (wanted, of_wanted) = (number(&wanted[0]), number(&wanted[1]));
+        // What is certain has no error.
+        let errors = if found == wanted { 0.0 } else { (found - wanted).abs() / error.hypot(of_wanted) };
+        if !(errors <= ERRORS) {
+            self.faults.push(format!("{what}: {found} ± {error}, not {wanted} ± {of_wanted}: {errors:.1} standard errors"));
+        }
+        self.squares.push(errors * errors);
+    }
+
+    fn proportion(&mut self, count: &Value, samples: f64, wanted: &Value, what: &str) {
+        let share = count.as_f64().unwrap_or(0.0) / samples;
+        let variance = (share * (1.0 - share)).max(1.0 / samples) / samples;
+        self.alike(share, variance.sqrt(), wanted, what);
+    }
+
+    fn output(&mut self, found: &Value, wanted: &Value, what: &str) {
+        for key in ["mean", "sd"] {
+            self.same(&found["linear"][key], &wanted["linear"][key], &format!("{what}: linear {key}"));
+        }
+        for key in ["shares", "sd_if_halved"] {
+            assert_eq!(object(&found["linear"][key]).len(), object(&wanted["linear"][key]).len(), "{what} {key}");
+            for (input, wanted) in object(&wanted["linear"][key]) {
+                self.same(&found["linear"][key][input], wanted, &format!("{what}: linear {key} {input}"));
+            }
+        }
+        for (key, wanted) in object(&wanted["second_order"]) {
+            self.same(&found["second_order"][key], wanted, &format!("{what}: second order {key}"));
+        }
+        let samples = &found["monte_carlo"];
+        for key in ["mean", "sd"] {
+            let wanted = &wanted["monte_carlo"][key];
+            self.alike(number(&samples[key]), number(&samples[format!("{key}_se")]), wanted, &format!("{what}: {key} of samples"));
+        }
+        // The skewness has no standard error of its own; that of the reference is of twenty times as many samples.
+        let skewness = &wanted["monte_carlo"]["skewness"];
+        let error = 5.0 * number(&skewness[1]);
+        self.alike(number(&samples["skewness"]), error, skewness, &format!("{what}: skewness of samples"));
+        for (p, wanted) in object(&wanted["monte_carlo"]["quantiles"]) {
+            let error = number(&samples["quantiles_se"][p]);
+            self.alike(number(&samples["quantiles"][p]), error, wanted, &format!("{what}: quantile {p}"));
+        }
+        let shares = wanted.get("sobol").map(object);
+        assert_eq!(found.get("sobol").map(|found| object(found).len()), shares.map(serde_json::Map::len), "{what}: shares of Sobol'");
+        for (input, wanted) in shares.into_iter().flatten() {
+            for key in ["first", "total"] {
+                let share = &found["sobol"][input];
+                self.alike(number(&share[key]), number(&share[format!("{key}_se")]), &wanted[key], &format!("{what}: {key} {input}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_case_of_the_independent_computation() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/uncertainty.jsonl");
+    let text = std::fs::read_to_string(path).expect("the cases can be read");
+    let mut all = Comparison::default();
+    let mut refused = BTreeSet::new();
+    for line in text.lines() {
+        let reference: Value = serde_json::from_str(line).expect("each line is JSON");
+        let title = reference["case"]["title"].as_str().expect("a title").to_owned();
+        let names: Vec<&str> = object(&reference["of"]).keys().map(String::as_str).collect();
+        let names = names.join(",");
+        let mut call = vec!["uncertainty", "-", "--format", "json", "--of", &names];
+        object(&reference["probabilities"]).keys().for_each(|statement| call.extend(["--probability", statement]));
+        let found = answered(&run_with_input(&call, &reference["case"].to_string()));
+        assert_eq!((&found["samples"], &found["title"]), (&json!(100_000), &reference["case"]["title"]));
+        let samples = number(&found["samples"]);
+        let reasons = object(&reference["refused"]["reasons"]);
+        // A reason that a reference of two million samples has a few times may be missing.
+        let common = reasons.iter().filter(|(_, share)| number(&share[0]) > 1e-4).map(|(code, _)| code);
+        refused.extend(common.cloned());
+        let known = |code: &String| reasons.contains_key(code);
+        assert!(object(&found["refused"]["reasons"]).keys().all(known), "{title}: {}", found["refused"]);
+        for (code, share) in reasons {
+            all.proportion(&found["refused"]["reasons"][code], samples, share, &format!("{title}: refused {code}"));
+        }
+        all.proportion(&found["refused"]["count"], samples, &reference["refused"]["share"], &format!("{title}: refused"));
+        for (statement, wanted) in object(&reference["probabilities"]) {
+            let probability = &found["probabilities"][statement];
+            all.alike(number(&probability["value"]), number(&probability["se"]), wanted, &format!("{title}: {statement}"));
+        }
+        assert_eq!(object(&found["of"]).len(), object(&reference["of"]).len());
+        for (output, wanted) in object(&reference["of"]) {
+            // Where an output stands alone, its plain name is enough.
+            let plain = output.strip_prefix("result.").unwrap_or(output);
+            all.output(&found["of"][plain], wanted, &format!("{title}: {output}"));
+        }
+    }
+    assert!(all.faults.is_empty(), "{} faults\n{}", all.faults.len(), all.faults.join("\n"));
+    // Standard errors that are too wide would hide a fault: the differences of estimates are about one of them.
+    let mean = all.squares.iter().sum::<f64>() / all.squares.len() as f64;
+    assert!((0.5..1.5).contains(&mean), "{mean} of {} differences", all.squares.len());
+    assert_eq!(text.lines().count(), 6, "the file is cut off");
+    assert_eq!(refused, BTreeSet::from(["out-of-range".to_owned(), "separating".to_owned()]));
+}
+
+#[test]
+fn any_number_of_threads_prints_the_same() {
+    for arguments in [&["--format", "json"][..], &["--format", "json", "--points", "sobol"], &["--precision", "0.5%"], &["--format", "csv"]]
+    {
+        let printed = ["1", "2", "3"].map(|threads| {
+            let call = ["uncertainty", EXAMPLE, "--samples", "20011", "--of", "dV1,T_L"];
+            let output = planar_impact(&workspace()).args(call).args(arguments).env("RAYON_NUM_THREADS", threads).output();
+            Run::of(output.expect("the program starts")).out
+        });
+        assert!(printed[0] == printed[1] && printed[0] == printed[2] && printed[0].len() > 1000, "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_seed_is_of_the_samples() {
+    let call = |seed| of_example(&["--of", "dV1", "--samples", "5000", "--seed", seed]);
+    let [one, other, again] = ["1", "2", "1"].map(call);
+    let mean = |answer: &Value| number(&answer["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"]["mean"]);
+    let error = number(&one["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"]["mean_se"]);
+    assert_eq!((&one, &other["seed"]), (&again, &json!(2)));
+    assert!(mean(&one) != mean(&other) && (mean(&one) - mean(&other)).abs() < 6.0 * error);
+    assert_eq!(one["of"]["vehicle.1.delta_v_magnitude"]["linear"], other["of"]["vehicle.1.delta_v_magnitude"]["linear"]);
+}
+
+#[test]
+fn a_standard_error_is_the_deviation_of_many_seeds() {
+    let found: Vec<Value> = (0..40)
+        .map(|seed: u32| {
+            let call = ["--of", "dV1", "--samples", "1000", "--method", "monte-carlo", "--probability", "dV1 > 18 mph"];
+            of_example(&[&call[..], &["--seed", &seed.to_string()]].concat())
+        })
+        .collect();
+    let samples = |answer: &Value| answer["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"].clone();
+    let of = |value: &dyn Fn(&Value) -> f64| found.iter().map(value).collect::<Vec<f64>>();
+    for (what, values, errors) in [
+        ("mean", of(&|answer| number(&samples(answer)["mean"])), of(&|answer| number(&samples(answer)["mean_se"]))),
+        ("sd", of(&|answer| number(&samples(answer)["sd"])), of(&|answer| number(&samples(answer)["sd_se"]))),
+        ("median", of(&|answer| number(&samples(answer)["quantiles"]["0.5"])), of(&|a| number(&samples(a)["quantiles_se"]["0.5"]))),
+        (
+            "probability",
+            of(&|answer| number(&answer["probabilities"]["dV1 > 18 mph"]["value"])),
+            of(&|answer| number(&answer["probabilities"]["dV1 > 18 mph"]["se"])),
+        ),
+    ] {
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        let sd = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
+        let claimed = errors.iter().sum::<f64>() / n;
+        // Forty seeds have their deviation to a ninth: three of those.
+        assert!((0.66..1.5).contains(&(sd / claimed)), "{what}: {sd} of seeds, {claimed} claimed");
+    }
+}
+
+#[test]
+fn a_precision_sets_the_number_of_samples() {
+    let call =
+        |precision: &str, most: &str| of_example(&["--of", "dV1", "--precision", precision, "--samples", most, "--method", "monte-carlo"]);
+    let fine = call("0.02%", "2000000");
+    let found = &fine["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"];
+    assert!(number(&found["mean_se"]) <= 0.0002 * number(&found["mean"]), "{found}");
+    assert!((number(&fine["samples"]) - 116_000.0).abs() < 30_000.0, "(0.53/7.77/0.0002)²: {}", fine["samples"]);
+    assert_eq!(codes(&fine), [""; 0]);
+    let coarse = call("0.01%", "50000");
+    assert_eq!((&coarse["samples"], codes(&coarse)), (&json!(50_000), vec!["precision-not-reached"]));
+}
+
+#[test]
+fn finite_differences_are_near_the_linear_deviation() {
+    let file = "cli/examples/uncertainty/differences.toml";
+    let linear = answered(&run(&workspace(), &["uncertainty", file, "--of", "dV1", "--method", "linear", "--format", "json"]));
+    let found = &linear["of"]["vehicle.1.delta_v_magnitude"]["linear"];
+    let mut variance = 0.0;
+    for (name, input) in object(&linear["inputs"]) {
+        let [value, sd] = ["value", "sd"].map(|key| number(&input[key]));
+        let vary = format!("{name}={}:{}:{}", value - sd, value + sd, 2.0 * sd);
+        let swept = answered(&run(&workspace(), &["sweep", file, "--vary", &vary, "--of", "dV1", "--format", "json"]));
+        let values = swept["of"]["vehicle.1.delta_v_magnitude"].as_array().expect("values");
+        assert_eq!(values.len(), 2, "{vary}");
+        let part = 0.5 * (number(&values[1]) - number(&values[0]));
+        variance += part * part;
+        assert!((part * part / number(&found["sd"]).powi(2) - number(&found["shares"][name])).abs() < 0.03, "{name}: {part}");
+    }
+    assert!((variance.sqrt() / number(&found["sd"]) - 1.0).abs() < 0.02, "{} {}", variance.sqrt(), found["sd"]);
+}
+
+#[test]
+fn the_guide_shows_what_is_printed() {
+    let guide = std::fs::read_to_string(workspace().join("cli/README.md")).expect("the guide");
+    let section = guide.split("### From the literature").nth(1).and_then(|rest| rest.split("\n## ").next()).expect("the section");
+    let mut blocks = 0;
+    for block in section.split("```sh\n").skip(1) {
+        let (line, rest) = block.split_once("\n```").expect("a command");
+        let shown = rest.split("```text\n").nth(1).and_then(|rest| rest.split("\n```").next()).expect("what it prints");
+        // Quoted is the statement alone, the last word.
+        let (plain, quoted) = line.split_once(" \"").map_or((line, None), |(plain, quoted)| (plain, Some(quoted.trim_end_matches('"'))));
+        let words: Vec<&str> = plain.split(' ').skip(1).chain(quoted).collect();
+        let run = run(&workspace(), &words);
+        assert_eq!((run.status, run.err.as_str()), (0, ""), "{line}");
+        let mut printed = run.out.lines();
+        for line in shown.lines().filter(|line| !line.is_empty()) {
+            assert!(printed.any(|found| found == line), "not printed, or not in this order: {line}\n{}", run.out);
+        }
+        blocks += 1;
+    }
+    assert_eq!(blocks, 4);
+}
+
+#[test]
+fn correlations_change_what_they_should() {
+    let sd = |name: &str| {
+        let file = format!("cli/examples/uncertainty/{name}.toml");
+        let call = ["uncertainty", &file, "--of", "vehicle.1.crush_energy,dV1,T_L", "--format", "json", "--method", "linear"];
+        let answer = answered(&run(&workspace(), &call));
+        ["vehicle.1.crush_energy", "vehicle.1.delta_v_magnitude", "energy.loss"].map(|of| number(&answer["of"][of]["linear"]["sd"]))
+    };
+    let (independent, correlated) = (sd("independent"), sd("correlated"));
+    // E = w (A²/(2 B) + A C + B C²/2), each over the width: its derivatives by hand at depths near 0.37 m have the same sign, which a negative
+    // correlation offsets. ΔV depends on m2/(m1 + m2), and the loss on m1 m2/(m1 + m2).
+    assert!(independent[0] > 2.0 * correlated[0] && independent[1] > 2.0 * correlated[1] && independent[2] < 0.8 * correlated[2]);
+    let read = |name: &str| {
+        let text = std::fs::read_to_string(workspace().join(format!("cli/examples/uncertainty/{name}.toml"))).expect("the example");
+        let mut case: toml::Table = toml::from_str(&text).expect("TOML");
+        (case.remove("title"), case.remove("correlation").is_some(), case)
+    };
+    let (one, other) = (read("independent"), read("correlated"));
+    assert_eq!((one.1, other.1, &one.2), (false, true, &other.2), "all else is the same");
+}
+
+/// A car into a wall, with one uncertain input each.
+fn wall(mass: &str, speed: &str, restitution: &str) -> String {
+    format!(
+        "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = \"2000 kg m^2\"\nheading = \"0 deg\"\nspeed = {speed}\n\
+         impact_center = [\"2 m\", \"0.5 m\"]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = \"0 deg\"\nrestitution = {restitution}\n"
+    )
+}
+
+#[test]
+fn what_is_left_out_or_refused_is_noted() {
+    let printed = |case: &str, arguments: &[&str]| {
+        let json = answered(&run_with_input(&[&["uncertainty", "-", "--format", "json", "--of", "dV1"], arguments].concat(), case));
+        let text = run_with_input(&[&["uncertainty", "-", "--of", "dV1"], arguments].concat(), case).out;
+        let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        for message in json["messages"].as_array().into_iter().flatten() {
+            let said = message["text"].as_str().expect("words");
+            assert!(flat.contains(said), "the text does not say: {said}\n{text}");
+        }
+        json
+    };
+    let (mass, speed, e) = ("\"1200 kg\"", "\"10 m/s\"", "0.1");
+    // Sound.
+    let plain = printed(&wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", e), &[]);
+    assert_eq!(codes(&plain), [""; 0]);
+    assert!(plain["of"]["vehicle.1.delta_v_magnitude"]["sobol"].is_object());
+    // One input has the whole variance, which needs no samples.
+    let one = printed(&wall(mass, "\"10 m/s ± 1 m/s\"", e), &[]);
+    assert!(one["of"]["vehicle.1.delta_v_magnitude"].get("sobol").is_none());
+    assert!(
+        printed(&wall(mass, "\"10 m/s ± 1 m/s\"", e), &["--method", "sobol"])["of"]["vehicle.1.delta_v_magnitude"]["sobol"].is_object()
+    );
+    // Correlated inputs, and more than a hundredth refused.
+    let correlated =
+        wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", e).replace("schema = 1", "schema = 1\ncorrelation = [[\"m1\", \"v1\", 0.5]]");
+    assert_eq!(codes(&printed(&correlated, &[])), ["sobol-left-out"]);
+    let refused = wall("\"1200 kg ± 50 kg\"", speed, "\"0.1 ± 0.05\"");
+    assert_eq!(codes(&printed(&refused, &[])), ["sobol-left-out"]);
+    assert!(printed(&refused, &[])["refused"]["reasons"]["out-of-range"].as_u64() > Some(1000));
+    // Three measurements have no finite deviation, two not even a mean.
+    let measured = |n: u32| wall(mass, &format!("{{ mean = \"10 m/s\", sd = \"1 m/s\", n = {n} }}"), e);
+    let of_three = printed(&measured(3), &[]);
+    assert_eq!(codes(&of_three), ["infinite-deviation"]);
+    let found = &of_three["of"]["vehicle.1.delta_v_magnitude"];
+    assert_eq!((&found["linear"]["sd"], &of_three["inputs"]["vehicle.1.speed"]["sd"]), (&Value::Null, &Value::Null));
+    assert_eq!(found["linear"]["sd_if_halved"]["vehicle.1.speed"], Value::Null, "half of it is infinite too");
+    assert!(found["monte_carlo"]["quantiles"]["0.975"].is_f64(), "{found}");
+    let of_two = printed(&measured(2), &[]);
+    assert_eq!((codes(&of_two), &of_two["inputs"]["vehicle.1.speed"]["mean"]), (vec!["infinite-deviation"], &Value::Null));
+    assert!(of_two["of"]["vehicle.1.delta_v_magnitude"].get("linear").is_none());
+    let with_mass = measured(3).replace(mass, "\"1200 kg ± 50 kg\"");
+    assert_eq!(codes(&printed(&with_mass, &[])), ["infinite-deviation", "sobol-left-out"]);
+    // The nominal value of a triangular input is refused, its mean is not; and the other way round.
+    let moving =
+        |min: &str, mode: &str, max: &str| wall(mass, &format!("{{ min = \"{min} m/s\", mode = \"{mode} m/s\", max = \"{max} m/s\" }}"), e);
+    let nominal = printed(&moving("-1", "-0.5", "9"), &[]);
+    assert_eq!(codes(&nominal), ["nominal-refused"]);
+    assert_eq!(nominal["of"]["vehicle.1.delta_v_magnitude"]["value"], Value::Null);
+    let means = printed(&moving("-9", "0.5", "1"), &[]);
+    assert_eq!(codes(&means), ["means-refused"]);
+    assert!(means["of"]["vehicle.1.delta_v_magnitude"].get("linear").is_none());
+    assert!(means["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"].is_object());
+}
+
+#[test]
+fn methods_are_those_asked_for() {
+    let keys = |arguments: &[&str]| -> Vec<String> {
+        let case = wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", "0.1");
+        let call = [&["uncertainty", "-", "--format", "json", "--of", "dV1", "--samples", "1000"], arguments].concat();
+        let answer = answered(&run_with_input(&call, &case));
+        let has_samples = answer["samples"].as_u64() > Some(0);
+        object(&answer["of"]["vehicle.1.delta_v_magnitude"]).keys().cloned().chain(has_samples.then(|| "samples".to_owned())).collect()
+    };
+    for (method, key, is_sampled) in [
+        ("linear", "linear", false),
+        ("second-order", "second_order", false),
+        ("monte-carlo", "monte_carlo", true),
+        ("sobol", "sobol", false),
+    ] {
+        let mut wanted: BTreeSet<&str> = BTreeSet::from(["value", key]);
+        wanted.extend(is_sampled.then_some("samples"));
+        let found = keys(&["--method", method]);
+        assert_eq!(found.iter().map(String::as_str).collect::<BTreeSet<_>>(), wanted, "{method}");
+    }
+    let both = keys(&["--method", "linear,sobol"]);
+    assert!(both.contains(&"linear".to_owned()) && both.contains(&"sobol".to_owned()) && both.len() == 3, "{both:?}");
+    // A probability needs samples.
+    assert!(keys(&["--method", "linear", "--probability", "dV1 > 10 m/s"]).contains(&"samples".to_owned()));
+}
+
+#[test]
+fn wrong_calls_are_refused() {
+    let folder = Folder::new();
+    folder.write("uncertain.toml", &std::fs::read(workspace().join(EXAMPLE)).expect("the example"));
+    folder.write("certain.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1").as_bytes());
+    folder.write("backward.toml", wall("\"1200 kg\"", "\"-10 m/s ± 1 m/s\"", "0.1").as_bytes());
+    folder.write("beyond.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1\nimpulse_ratio = \"0.5 ± 0.01\"").as_bytes());
+    folder.write("outside.toml", wall("\"1200 kg\"", "\"10 m/s\"", "\"-0.5 ± 0.05\"").as_bytes());
+    let calls: [(&[&str], i32, &[&str]); 26] = [
+        (&["certain.toml"], 2, &["no input of the case is uncertain", "± 2 mph"]),
+        (&["uncertain.toml", "--of", "dV3"], 2, &["dV3"]),
+        (&["uncertain.toml", "--of", "e1"], 2, &["--of"]),
+        (&["uncertain.toml", "--precision", "0"], 2, &["must be above 0 and below 1", "0.1%"]),
+        (&["uncertain.toml", "--precision", "100%"], 2, &["must be above 0 and below 1"]),
+        (&["uncertain.toml", "--precision", "nan"], 2, &["--precision"]),
+        (&["uncertain.toml", "--level", "0"], 2, &["from 0.5 to 0.9999"]),
+        (&["uncertain.toml", "--level", "1"], 2, &["from 0.5 to 0.9999"]),
+        (&["uncertain.toml", "--bounds-sd", "0"], 2, &["--bounds-sd"]),
+        (&["uncertain.toml", "--bounds-sd=-1"], 2, &["--bounds-sd"]),
+        (&["uncertain.toml", "--bounds-sd", "nan"], 2, &["--bounds-sd"]),
+        (&["uncertain.toml", "--samples", "1"], 2, &["--samples"]),
+        (&["uncertain.toml", "--samples", "1e6"], 2, &["--samples"]),
+        (&["uncertain.toml", "--method", "guess"], 2, &["invalid value 'guess'"]),
+        (&["uncertain.toml", "--points", "grid"], 2, &["invalid value 'grid'"]),
+        (&["uncertain.toml", "--probability", "dV1"], 2, &["expected NAME > VALUE"]),
+        (&["uncertain.toml", "--probability", "dV1 = 3 m/s"], 2, &["expected NAME > VALUE"]),
+        (&["uncertain.toml", "--probability", "dV3 > 3 m/s"], 2, &["dV3"]),
+        (&["uncertain.toml", "--probability", "all > 3 m/s"], 2, &["a statement is about one output"]),
+        (&["uncertain.toml", "--probability", "dV1 > 3 kg"], 2, &["a mass"]),
+        (&["uncertain.toml", "--probability", "dV1 > fast"], 2, &["fast"]),
+        (&["uncertain.toml", "--probability", "dV1 > "], 2, &["--probability"]),
+        (&["uncertain.toml", "--probability", "> 3 m/s"], 2, &["--probability"]),
+        (&["backward.toml"], 3, &["physics refuses each of 100000 samples", "separating (100000)"]),
+        (&["beyond.toml"], 3, &["physics refuses each of 100000 samples", "beyond-critical (100000)"]),
+        (&["outside.toml"], 2, &["contact.restitution", "must be from 0 to 1"]),
+    ];
+    let mut faults = String::new();
+    for (arguments, status, says) in calls {
+        let run = run(folder.path(), &[&["uncertainty"], arguments].concat());
+        let is_said =
+            says.iter().all(|words| run.err.contains(words)) && ["panicked", "defect"].iter().all(|words| !run.err.contains(words));
+        if run.status != status || !run.out.is_empty() || !is_said {
+            faults += &format!("{arguments:?}: {}\n{}\n{}\n", run.status, run.out, run.err);
+        }
+    }
+    assert!(faults.is_empty(), "{faults}");
+    // Everything wrong at once.
+    let run = run(folder.path(), &["uncertainty", "uncertain.toml", "--of", "dV3", "--bounds-sd", "0", "--probability", "dV4 > 1 m/s"]);
+    assert!(["dV3", "dV4", "--bounds-sd"].iter().all(|words| run.err.contains(words)), "{}", run.err);
+}
