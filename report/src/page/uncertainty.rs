@@ -171,11 +171,9 @@ impl Shown<'_> {
     fn range(&self) -> Vec<Block> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
         let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
-        let text = format!(
-            "Within the limits of the inputs it is from {} to {}, guaranteed",
-            self.quantity(bounds.low),
-            self.quantity(bounds.high)
-        );
+        let accepted = if bounds.is_whole { "" } else { ", where physics accepts the collision," };
+        let (low, high) = (self.quantity(bounds.low), self.quantity(bounds.high));
+        let text = format!("Within the limits of the inputs{accepted} it is from {low} to {high}, guaranteed");
         let tight = if bounds.is_tight {
             "both ends are attained".to_owned()
         } else {

@@ -2,6 +2,7 @@
 //!
 //! `../../reference/keys.csv` has a line for each key of each verb's JSON, with the test in this or another module that checks it.
 
+mod bounds;
 mod check;
 mod damage;
 mod formula;
