@@ -79,7 +79,7 @@ impl UncertainNumber {
         match self {
             UncertainNumber::Of(Distribution::Normal { mean, sd }) => mean + sd * score,
             UncertainNumber::Of(Distribution::LogNormal { median, log_sd }) => median * libm::exp(log_sd * score),
-            // The same above the mean as below it, where small probabilities have all their digits.
+            // By symmetry, because a probability near 1 has lost the digits of a long tail.
             UncertainNumber::Of(Distribution::StudentT { mean, .. }) if score > 0.0 => 2.0 * mean - self.quantile(cumulative(-score)),
             _ => self.quantile(cumulative(score)),
         }
@@ -186,14 +186,7 @@ impl UncertainNumber {
 
     /// Returns the expected value of a function of the number and its normal score, to about six digits: the trapezoidal rule over scores.
     fn expected(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
-        /// A step that divides the range, where a density with corners is the hardest.
-        const STEP: f64 = 1.0 / 256.0;
-        const END: i32 = 9 * 256;
-        let at = |k: i32| {
-            let score = f64::from(k) * STEP;
-            libm::exp(-0.5 * score * score) * f(self.of_score(score), score)
-        };
-        (-END..=END).map(at).sum::<f64>() * STEP / libm::sqrt(2.0 * core::f64::consts::PI)
+        scores().map(|(score, weight)| weight * f(self.of_score(score), score)).sum()
     }
 
     /// Returns the first coefficients of its Hermite series in the normal score, x = Σ c_k He_k(z)/√k!, but for the constant.
@@ -203,21 +196,48 @@ impl UncertainNumber {
             only[0] = *sd;
             return only;
         }
-        core::array::from_fn(|k| self.expected(|x, z| x * normalized_hermite(k + 1, z)))
+        let mut found = [0.0; TERMS];
+        if let UncertainNumber::Values(Values(values)) = self {
+            // A step at z adds ∫ He_k φ from z on, which is He_{k−1}(z) φ(z).
+            for (i, pair) in values.windows(2).enumerate() {
+                let z = standard((i + 1) as f64 / values.len() as f64);
+                let step = (pair[1] - pair[0]) * libm::exp(-0.5 * z * z) / libm::sqrt(2.0 * core::f64::consts::PI);
+                let polynomials = core::iter::once(1.0).chain(normalized_hermite(z));
+                found.iter_mut().zip(polynomials).enumerate().for_each(|(k, (to, at_z))| *to += step * at_z / libm::sqrt((k + 1) as f64));
+            }
+            return found;
+        }
+        for (score, weight) in scores() {
+            let weighted = weight * self.of_score(score);
+            found.iter_mut().zip(normalized_hermite(score)).for_each(|(to, at_score)| *to += weighted * at_score);
+        }
+        found
     }
 }
 
-/// Number of terms of a Hermite series.
-pub(super) const TERMS: usize = 12;
+/// Returns normal scores with their weights: the trapezoidal rule.
+fn scores() -> impl Iterator<Item = (f64, f64)> {
+    /// A step that divides the range, where a density with corners is the hardest.
+    const STEP: f64 = 1.0 / 256.0;
+    const END: i32 = 9 * 256;
+    let unit = STEP / libm::sqrt(2.0 * core::f64::consts::PI);
+    (-END..=END).map(move |k| {
+        let score = f64::from(k) * STEP;
+        (score, unit * libm::exp(-0.5 * score * score))
+    })
+}
 
-/// Returns He_k(z)/√k! by its recurrence.
-fn normalized_hermite(k: usize, z: f64) -> f64 {
+/// Number of terms of a Hermite series: those of measured values, which have steps, fall slowly, and all count where two numbers are closely correlated.
+pub(super) const TERMS: usize = 96;
+
+/// Returns He_k(z)/√k! for k = 1, 2 and so on by its recurrence.
+fn normalized_hermite(z: f64) -> impl Iterator<Item = f64> {
     let (mut before, mut here) = (0.0, 1.0);
-    for i in 0..k {
+    (0..TERMS).map(move |i| {
         let i = i as f64;
         (before, here) = (here, (z * here - libm::sqrt(i) * before) / libm::sqrt(i + 1.0));
-    }
-    here
+        here
+    })
 }
 
 /// Returns the covariance of two numbers whose normal scores have a coefficient of correlation: Σ ρ^k c_k d_k.
@@ -291,6 +311,14 @@ mod tests {
                     assert!((found - wanted).abs() < coarse * one.sd() * other.sd(), "{one:?} {other:?} {r}: {found} {wanted}");
                 }
             }
+        }
+        // The signs of two normal scores, and two uniform numbers, have covariances with a formula.
+        let signs = UncertainNumber::Values(Values::new(vec![-1.0, 1.0]).expect("values")).hermite();
+        let uniform = UncertainNumber::from(Uniform { min: 0.0, max: 1.0 }).hermite();
+        for r in [-0.95, -0.5, 0.2, 0.9] {
+            let found = [covariance(&signs, &signs, r), covariance(&uniform, &uniform, r)];
+            let wanted = [2.0 / core::f64::consts::PI * libm::asin(r), 0.5 / core::f64::consts::PI * libm::asin(0.5 * r)];
+            assert!((found[0] - wanted[0]).abs() < 1e-4 && (found[1] - wanted[1]).abs() < 1e-7, "{r}: {found:?} {wanted:?}");
         }
         let of_three = UncertainNumber::from(StudentT { mean: 0.7, sd: 0.03, n: 3 }).central();
         assert!(of_three.second == f64::INFINITY && of_three.third.is_nan() && of_three.fourth == f64::INFINITY);

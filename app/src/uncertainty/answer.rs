@@ -171,9 +171,11 @@ pub struct Share {
 /// The guaranteed range of an output: `low` is at most its least value, and that at most `low_attained`; the same for the greatest.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Bounds {
-    /// No value is less.
+    /// No value is less; `null` if nothing is proven.
+    #[schemars(with = "Option<f64>")]
     pub low: f64,
-    /// No value is greater.
+    /// No value is greater; `null` if nothing is proven.
+    #[schemars(with = "Option<f64>")]
     pub high: f64,
     /// The least value found.
     pub low_attained: f64,

@@ -172,13 +172,13 @@ impl Shown<'_> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
         let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
         let accepted = if bounds.is_whole { "" } else { ", where physics accepts the collision," };
-        let (low, high) = (self.quantity(bounds.low), self.quantity(bounds.high));
-        let text = format!("Within the limits of the inputs{accepted} it is from {low} to {high}, guaranteed");
+        let end = |si: f64| if si.is_finite() { self.quantity(si) } else { "no limit that is proven".to_owned() };
+        let text = format!("Within the limits of the inputs{accepted} it is from {} to {}, guaranteed", end(bounds.low), end(bounds.high));
         let tight = if bounds.is_tight {
             "both ends are attained".to_owned()
         } else {
             let found = format!("values from {} to {} are found", self.quantity(bounds.low_attained), self.quantity(bounds.high_attained));
-            format!("{found}, and nothing tighter than {} is proven", self.error(gap))
+            if gap.is_finite() { format!("{found}, and nothing tighter than {} is proven", self.error(gap)) } else { found }
         };
         vec![Block::item("- ", format!("{text}; {tight}."))]
     }

@@ -230,6 +230,7 @@ fn figure<'a>(output: &'a Value, method: &str, name: &str) -> (&'a Value, &'a Va
             let share = &output["sobol"][input.trim_start_matches("of ")];
             (&share[kind], &share[format!("{kind}_se")])
         }
+        ("bounds", _) => (&output["bounds"][name.replace(' ', "_")], NONE),
         _ => panic!("{method} has no figure {name}"),
     }
 }
@@ -237,7 +238,8 @@ fn figure<'a>(output: &'a Value, method: &str, name: &str) -> (&'a Value, &'a Va
 /// Counts the numbers of an output, without the bins of its density.
 fn count(output: &Value) -> usize {
     let shares = output.get("sobol").map_or(0, |shares| 2 * object(shares).len());
-    1 + 2 + 2 * object(&output["linear"]["shares"]).len() + 3 + 3 + object(&output["monte_carlo"]["quantiles"]).len() + shares
+    let bounds = output.get("bounds").map_or(0, |_| 4);
+    1 + 2 + 2 * object(&output["linear"]["shares"]).len() + 3 + 3 + object(&output["monte_carlo"]["quantiles"]).len() + shares + bounds
 }
 
 #[test]
