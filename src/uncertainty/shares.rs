@@ -295,11 +295,12 @@ mod tests {
         let random = ChaCha8Rng::seed_from_u64(11);
         let mut columns = vec![Vec::new(); 2 * N];
         columns.iter_mut().enumerate().for_each(|(i, column)| write_probabilities(&random, i as u64, 0..100_000, column));
+        let row = |from: usize, k: usize| -> [f64; N] { core::array::from_fn(|j| columns[from + j][k]) };
         core::array::from_fn(|i| {
             let [mut alone, mut others] = [Sums::default(); 2];
             for k in 0..columns[0].len() {
-                let (one, other) = (core::array::from_fn(|j| columns[j][k]), core::array::from_fn(|j| columns[N + j][k]));
-                let mut mixture: [f64; N] = one;
+                let (one, other) = (row(0, k), row(N, k));
+                let mut mixture = one;
                 mixture[i] = other[i];
                 alone.add(f(other) - center, f(mixture) - center);
                 others.add(f(one) - center, f(mixture) - center);

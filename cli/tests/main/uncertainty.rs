@@ -49,7 +49,8 @@ impl Comparison {
     fn same(&mut self, found: &Value, wanted: &Value, what: &str) {
         let (found, wanted) = (found.as_f64().unwrap_or(f64::NAN), number(wanted));
         // A share near 0 is the difference of others.
-        if !((found - wanted).abs() <= TOLERANCE * wanted.abs().max(1e-3)) {
+        let is_same = (found - wanted).abs() <= TOLERANCE * wanted.abs().max(1e-3);
+        if !is_same {
             self.faults.push(format!("{what}: {found}, not {wanted}"));
         }
     }
@@ -59,7 +60,7 @@ impl Comparison {
         let (wanted, of_wanted) = (number(&wanted[0]), number(&wanted[1]));
         // What is certain has no error.
         let errors = if found == wanted { 0.0 } else { (found - wanted).abs() / error.hypot(of_wanted) };
-        if !(errors <= ERRORS) {
+        if errors.is_nan() || errors > ERRORS {
             self.faults.push(format!("{what}: {found} ± {error}, not {wanted} ± {of_wanted}: {errors:.1} standard errors"));
         }
         self.squares.push(errors * errors);

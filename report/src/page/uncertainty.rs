@@ -68,7 +68,8 @@ fn table_of_probabilities(answer: &Uncertainty) -> Option<Block> {
 pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> String {
     let deviation = units.convert(measure, sd).abs();
     let value = units.convert(measure, si);
-    if !(deviation > 0.0 && deviation.is_finite()) || !(1e-9..1e12).contains(&value.abs().max(deviation)) {
+    let has_digits = deviation > 0.0 && deviation.is_finite() && (1e-9..1e12).contains(&value.abs().max(deviation));
+    if !has_digits {
         return units.number(measure, si, 0.0);
     }
     let decimals = (1.0 - deviation.log10().floor()).clamp(0.0, 12.0) as usize;
@@ -248,7 +249,8 @@ impl Shown<'_> {
         let linear = self.found.linear.as_ref()?;
         let halved = linear.sd_if_halved.iter().filter(|(_, sd)| sd.is_finite());
         let (name, sd) = halved.min_by(|one, other| one.1.total_cmp(other.1))?;
-        if !(*sd < linear.sd) || !linear.sd.is_finite() {
+        let narrows = *sd < linear.sd && linear.sd.is_finite();
+        if !narrows {
             return None;
         }
         let narrower = 100.0 * (1.0 - sd / linear.sd);
