@@ -153,8 +153,9 @@ fn every_number_of_contact_and_energy() {
 
 /// Returns the numbers in the sentences below the tables.
 fn numbers_below(text: &str) -> Vec<String> {
-    let words = text.rsplit_once("\n\n").expect("words below the tables").1;
-    let words = words.split("Note:").next().unwrap_or(words);
+    // Notes come last, some in a paragraph of their own.
+    let before_notes = text.split("\nNote:").next().unwrap_or(text).trim_end();
+    let words = before_notes.rsplit_once("\n\n").expect("words below the tables").1;
     let tokens = words.split_whitespace().map(|token| token.trim_matches(['(', ')', ',', ';', '.']));
     tokens.filter(|token| printed(token).is_some()).map(str::to_owned).collect()
 }
