@@ -79,7 +79,10 @@ fn a_summary_is_that_of_its_samples() {
     let mean = |x: &[f64]| x.iter().sum::<f64>() / n;
     for one in OF {
         let x = column(one);
-        let deviations = |x: &[f64]| x.iter().map(|value| value - mean(x)).collect::<Vec<f64>>();
+        let deviations = |x: &[f64]| {
+            let mean = mean(x);
+            x.iter().map(|value| value - mean).collect::<Vec<f64>>()
+        };
         for other in OF {
             let y = column(other);
             let product: f64 = deviations(&x).iter().zip(deviations(&y)).map(|(x, y)| x * y).sum();
