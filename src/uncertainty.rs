@@ -70,6 +70,8 @@ pub struct Uncertain<M = Mapped<Direct>> {
     model: M,
     numbers: Vec<UncertainNumber>,
     correlation: Correlation,
+    /// The covariances of the numbers themselves, which take a series for each that is correlated.
+    covariance: Vec<Vec<f64>>,
 }
 
 impl Collision {
@@ -101,7 +103,8 @@ impl<M: Model> Uncertain<M> {
     pub fn new(model: M, numbers: Vec<UncertainNumber>) -> Self {
         assert!(numbers.len() == model.numbers(), "{} distributions for {} numbers", numbers.len(), model.numbers());
         let correlation = Correlation::none(numbers.len());
-        Uncertain { model, numbers, correlation }
+        let covariance = correlation.covariance(&numbers);
+        Uncertain { model, numbers, correlation, covariance }
     }
 
     /// Returns the same with correlations of pairs, each named by the places of its numbers: the coefficients of their normal scores.
@@ -111,7 +114,8 @@ impl<M: Model> Uncertain<M> {
     /// [`NotACorrelation`] if a coefficient is out of range, or if no numbers have these correlations.
     pub fn with_correlations(self, pairs: &[(usize, usize, f64)]) -> Result<Self, NotACorrelation> {
         let correlation = Correlation::of(self.numbers.len(), pairs)?;
-        Ok(Uncertain { correlation, ..self })
+        let covariance = correlation.covariance(&self.numbers);
+        Ok(Uncertain { correlation, covariance, ..self })
     }
 
     /// Returns `true` if any two numbers are correlated.

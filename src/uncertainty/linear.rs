@@ -42,8 +42,8 @@ impl<M: Model> Uncertain<M> {
     /// [`Refusals`] of the model at the means of the numbers.
     pub fn linear(&self, of: M::Output) -> Result<Linear, Refusals> {
         let Slope { value, by: gradient } = self.model.slope(&self.means(), of)?;
-        let covariance = self.correlation.covariance(&self.numbers);
-        let along = product(&covariance, &gradient);
+        let covariance = &self.covariance;
+        let along = product(covariance, &gradient);
         let variance = dot(&gradient, &along);
         // Half the deviation of a number: three quarters of its variance go, and half of its covariances. Half of an infinite one is infinite.
         let with_half = |i: usize| {
@@ -71,11 +71,11 @@ impl<M: Model> Uncertain<M> {
     /// [`Refusals`] of the model at the means of the numbers.
     pub fn second_order(&self, of: M::Output) -> Result<SecondOrder, Refusals> {
         let Bend { value, by: gradient, twice: hessian } = self.model.bend(&self.means(), of)?;
-        let covariance = self.correlation.covariance(&self.numbers);
-        let curved: Vec<Vec<f64>> = hessian.iter().map(|row| product(&covariance, row)).collect();
+        let covariance = &self.covariance;
+        let curved: Vec<Vec<f64>> = hessian.iter().map(|row| product(covariance, row)).collect();
         let trace = |power: &[Vec<f64>]| (0..power.len()).map(|i| power[i][i]).sum::<f64>();
         let squared = times(&curved, &curved);
-        let along = product(&covariance, &gradient);
+        let along = product(covariance, &gradient);
         let mut variance = dot(&gradient, &along) + 0.5 * trace(&squared);
         let mut third = 3.0 * dot(&along, &product(&hessian, &along)) + trace(&times(&squared, &curved));
         // What the shapes of the numbers add to normal ones.

@@ -22,6 +22,6 @@ pub fn records(sweep: &Sweep, units: Units) -> impl Iterator<Item = Vec<String>>
 }
 
 /// Formats the shortest decimal that parses to the same number; empty for NaN.
-fn digits(value: f64) -> String {
+pub(super) fn digits(value: f64) -> String {
     if value.is_finite() { format!("{value:?}") } else { String::new() }
 }

@@ -3,6 +3,8 @@
 use planar_impact_app::uncertainty::{OutputUncertainty, Uncertainty};
 use planar_impact_app::units::Units;
 
+use super::sweep_csv::digits;
+
 /// Returns the records: a header, the figures of each output, then the probabilities.
 pub fn records(answer: &Uncertainty, units: Units) -> Vec<Vec<String>> {
     let mut rows = vec![["name", "unit", "method", "figure", "value", "standard error"].map(str::to_owned).into()];
@@ -60,9 +62,4 @@ fn figures(found: &OutputUncertainty, row: &mut impl FnMut(&str, &str, f64, f64,
         row("bounds", "low attained", bounds.low_attained, NONE, true);
         row("bounds", "high attained", bounds.high_attained, NONE, true);
     }
-}
-
-/// Formats the shortest decimal that parses to the same number; empty for none.
-fn digits(value: f64) -> String {
-    if value.is_finite() { format!("{value:?}") } else { String::new() }
 }
