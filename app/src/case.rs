@@ -22,7 +22,7 @@ pub use inputs::{ContactInputs, Inputs};
 pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_of};
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 pub use parameter::{Parameter, number as vehicle_number};
-pub(crate) use reader::CaseReader;
+pub(crate) use reader::{CaseReader, one_of};
 pub use rest::RestInputs;
 pub use setup::Setup;
 pub(crate) use uncertain::MOST_VALUES;
