@@ -84,6 +84,8 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     }
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
+    }
+    if answer.verdict == Verdict::Contradicted {
         notices.0.extend(slips::of(&question, answer.best().chi_square, &|| control.goes_on(0, 1)));
     }
     let of: Vec<Measurand> =

@@ -108,7 +108,8 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if the approach along the normal and the offset of the centers of mass along it have opposite signs, and are not just rounding of their
-    /// terms. Point masses, whose impact centers are their centers of mass, have no side on which they lie: any approach along the normal closes.
+    /// terms. Two point masses, whose impact centers are their centers of mass, have no sides: any
+    /// approach along the normal closes.
     #[inline(always)]
     pub(super) fn is_closing(&self, contact: &Contact<T>) -> T::Mask {
         let (one, two) = (&contact.one, &contact.two);
@@ -120,7 +121,9 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
         let (approach, offset) = (&contact.approach.n, contact.offset().n);
         let moves = (speeds * rounding()).less(&approach.clone().magnitude());
         let apart = (arms.clone() * rounding()).less(&offset.clone().magnitude());
-        moves & (is_zero(&arms) | (apart & (is_positive(approach) ^ is_positive(&offset))))
+        let is_pair = self.one.vehicle().is_some() && self.two.vehicle().is_some();
+        let are_points = if is_pair { is_zero(&arms) } else { !always::<T>() };
+        moves & (are_points | (apart & (is_positive(approach) ^ is_positive(&offset))))
     }
 
     /// Returns `true` if a given ratio lets the vehicles separate, or if a fraction of the critical ratio is one and that ratio exists.

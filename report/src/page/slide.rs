@@ -14,7 +14,10 @@ const MOST_ROWS: usize = 16;
 impl Facts for Slides {
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = vec![rests(self, units).into()];
-        blocks.extend(self.vehicles.iter().map(|vehicle| path(vehicle, units).into()));
+        for vehicle in &self.vehicles {
+            blocks.push(Block::paragraph(format!("The path of {}:", shorten(&vehicle.name, NAME_WIDTH))));
+            blocks.push(path(vehicle, units).into());
+        }
         blocks
     }
 }
@@ -72,7 +75,7 @@ fn path(vehicle: &VehicleSlide, units: Units) -> Table {
     };
     let in_unit = |what: &str, measure| format!("{what} {}", units.unit(measure));
     let header = [
-        format!("{}: t {}", shorten(&vehicle.name, NAME_WIDTH), units.unit(Measure::Time)),
+        in_unit("t", Measure::Time),
         in_unit("x", Measure::Length),
         in_unit("y", Measure::Length),
         in_unit("heading", Measure::Angle),
