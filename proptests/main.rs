@@ -29,6 +29,7 @@ mod interval_circular;
 mod intervals;
 mod laws;
 mod limits;
+mod momentum;
 mod noise;
 mod paper;
 mod rational;
@@ -42,6 +43,7 @@ mod refusals;
 mod rest;
 mod scalars;
 mod simulation;
+mod skid;
 #[cfg(feature = "symbols")]
 mod source;
 mod strategies;

@@ -85,6 +85,7 @@ pub mod measure;
 #[cfg(feature = "alloc")]
 pub mod message;
 pub mod moment;
+pub mod momentum;
 #[cfg(feature = "approx")]
 pub mod nearness;
 pub mod output;
@@ -101,6 +102,8 @@ pub mod scalar;
 pub mod sensitivity;
 #[cfg(feature = "simulation")]
 pub mod simulation;
+#[cfg(feature = "alloc")]
+pub mod skid;
 pub mod solve;
 #[cfg(feature = "uncertainty")]
 pub mod uncertainty;

@@ -75,7 +75,7 @@ pub use measurand::Measurand;
 pub use posterior::{NoPosterior, Posterior, Sampling};
 pub use solution::{Estimate, Fitted, Solution, Symmetric};
 pub use solve_error::{SolveError, Stop};
-pub use variable::Variable;
+pub use variable::{Axis, Variable};
 pub use verdict::{Answer, Verdict};
 
 pub use crate::least_squares::Bound;

@@ -70,7 +70,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
         Ok(impact)
     }
 
-    fn check_inputs(&self) -> Result<(), Refusals<T>> {
+    pub(crate) fn check_inputs(&self) -> Result<(), Refusals<T>> {
         let mut issues = IssueCollector::<Refusal<T>>::new();
         check_party(&mut issues, Side::One, &self.one);
         check_party(&mut issues, Side::Two, &self.two);

@@ -212,6 +212,7 @@ impl Plan {
                 yaw_rate: 0.0,
                 impact_center: ForwardLeft { forward: 0.0, left: 0.0 },
                 crush: self.crush[i].clone(),
+                braking: None,
             })
         };
         let [ratio, share, friction] = self.contact.ratio;

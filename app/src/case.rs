@@ -1,9 +1,11 @@
 //! From a case file to the collision it describes.
 
+mod braking;
 mod crush;
 mod domain;
 mod inputs;
 mod knowledge;
+mod model;
 mod outputs;
 mod parameter;
 mod reader;
@@ -15,15 +17,17 @@ mod vehicle;
 use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
 
+pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 pub use crush::Crush;
 pub use crush::{CrushInputs, CrushKey, FormKey, StiffnessInputs};
 pub use domain::Domain;
 pub use inputs::{ContactInputs, Inputs};
 pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_of};
+pub use model::ContactModel;
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 pub use parameter::{Parameter, number as vehicle_number};
 pub(crate) use reader::{CaseReader, one_of};
-pub use rest::RestInputs;
+pub use rest::{RestInputs, RestOfVehicle};
 pub use setup::Setup;
 pub(crate) use uncertain::MOST_VALUES;
 pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
@@ -53,10 +57,14 @@ pub struct Case {
     pub setup: Setup,
     /// The collision alone.
     pub collision: Collision,
+    /// What determines the impulse.
+    pub model: ContactModel,
     /// The bracket of the crush plane, where the file gives the surfaces that meet.
     pub bracket: Option<CrushPlaneBracket>,
     /// Evidence and unknowns.
     pub knowledge: Knowledge,
+    /// `true` if the file says where on the scene the vehicles met.
+    pub has_scene: bool,
     /// The path of each vehicle to rest; `None` if the file does not give it.
     pub rest: Option<RestInputs>,
     /// The units that most of its quantities are in.
@@ -97,8 +105,10 @@ impl Case {
             uncertain: read.uncertain,
             collision: setup.collision,
             setup,
+            model: read.model,
             bracket: read.bracket,
             knowledge: read.knowledge,
+            has_scene: read.has_scene,
             rest: read.rest,
             units,
             notices: Notices(given.notices.into_inner()),
@@ -129,8 +139,13 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// Each number that is unknown.
+    /// Each number that is unknown; a contact that momentum alone determines.
     pub fn needs_everything(&self) -> Result<(), Issues> {
+        if self.model.is_momentum() {
+            let message = "momentum alone does not determine how the vehicles separate, and this verb needs that";
+            let help = "`planar-impact reconstruct` finds speeds by momentum; for this verb leave `model` out and give `crush_plane` and `restitution`";
+            return Err(self.unfit([Issue::at("by-momentum", "contact.model", message).with_help(help)]));
+        }
         self.needs(|_| true)
     }
 
@@ -160,7 +175,7 @@ impl Case {
     /// The same case with another collision, which its inputs make to the last rounding.
     pub fn with_collision(&self, values: &[(Parameter, f64)], collision: Collision) -> Case {
         let case = self.with(values);
-        Case { setup: Setup { collision, crush: case.setup.crush.clone() }, collision, ..case }
+        Case { setup: Setup { collision, ..case.setup.clone() }, collision, ..case }
     }
 
     /// Warnings about a result that is possible and deserves a second look.

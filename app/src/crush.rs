@@ -143,7 +143,7 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
 /// Returns the surface and the direction of the principal force of each vehicle, as `crash3` takes them; `None` where they follow from a collision that is not
 /// known, or that has no common velocity.
 fn directions_of_force(case: &Case) -> [Option<(Surface, ForceDirection)>; 2] {
-    let is_known = case.knowledge.left_out.is_empty();
+    let is_known = case.knowledge.left_out.is_empty() && !case.model.is_momentum();
     let has_common_velocity = is_known && case.collision.at_common_velocity().solve().is_ok();
     let pair = case.setup.investigated(DamagedPair::of_collision(&case.collision, [0.0; 2]));
     [(pair.one, 0), (pair.two, 1)].map(|(damaged, i)| {

@@ -28,6 +28,7 @@ pub mod prove;
 pub mod quantity;
 pub mod reconstruct;
 pub mod schema;
+pub mod slide;
 pub mod solve;
 pub mod source;
 pub mod statement;

@@ -4,20 +4,26 @@ mod answer;
 pub mod diagnostics;
 mod from_crush;
 mod from_rest;
+mod from_skids;
 mod inputs;
 mod posterior;
 mod question;
+mod slips;
 mod solve_error;
 mod statement;
 
-use planar_impact::reconstruct::{Estimate, Measurand, Sampling, Search, Solution, Verdict};
+use planar_impact::momentum::approach_speeds;
+use planar_impact::reconstruct::{Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict};
+use planar_impact::{Impact, Input, Side};
 
 use crate::answer::Answer;
 use crate::case::{Case, Parameter};
 use crate::control::Control;
 use crate::crash3::Comparison;
 use crate::issue::Issues;
+use crate::message::Message;
 use crate::notice::Notice;
+use crate::units::Measure;
 use answer::Solved;
 use posterior::Drawn;
 use question::{Question, key_of};
@@ -67,14 +73,20 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
     let answer = question.asked.solve_while(&search, &|done, total| control.goes_on(done, total));
     let answer = answer.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
-    let solved = solved(&question.case, answer.best());
+    let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     let (mut diagnostics, mut crash3) = (Vec::new(), None);
     // If an unknown is not determined, the best solution is one of many.
-    if answer.verdict != Verdict::Undetermined {
+    if answer.verdict != Verdict::Undetermined && !question.case.model.is_momentum() {
         diagnostics = diagnostics::of(&question, &solved, answer.best());
         crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
-        notices.0.extend(solved.warnings(&answer.best().impact));
+        notices.0.extend(solved.warnings(&impact));
+    }
+    if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
+        notices.0.extend(by_momentum(&question));
+    }
+    if answer.verdict == Verdict::Contradicted {
+        notices.0.extend(slips::of(&question, answer.best().chi_square, &|| control.goes_on(0, 1)));
     }
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
@@ -86,16 +98,59 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     } else {
         None
     };
-    let solved =
-        Solved { question: &question, answer: &answer, intervals, level: options.level, search, case: &solved, diagnostics, crash3, drawn };
+    let solved = Solved {
+        question: &question,
+        answer: &answer,
+        impact,
+        intervals,
+        level: options.level,
+        search,
+        case: &solved,
+        diagnostics,
+        crash3,
+        drawn,
+    };
     Ok(Answer::new(&case.title, solved.reconstruction(), notices))
 }
 
-/// Returns the case with the values of a solution.
-fn solved(case: &Case, solution: &Solution) -> Case {
+/// Returns the case with the values of a solution, and its impact. Momentum alone has no crush plane: the normal is along the impulse.
+fn solved(case: &Case, solution: &Solution) -> (Case, Impact) {
     let value = |estimate: &Estimate| Some((key_of(estimate.of, case)?, estimate.value));
-    let values: Vec<(Parameter, f64)> = solution.unknowns.iter().filter_map(value).collect();
-    case.with_collision(&values, solution.collision)
+    let mut values: Vec<(Parameter, f64)> = solution.unknowns.iter().filter_map(value).collect();
+    if !case.model.is_momentum() {
+        return (case.with_collision(&values, solution.collision), solution.impact);
+    }
+    let impulse = solution.impact.impulse_on_ground;
+    let collision = solution.collision.along_impulse(impulse);
+    let of_contact = [(Input::CrushPlane, impulse.y.atan2(impulse.x)), (Input::Restitution, collision.restitution)];
+    values.extend(of_contact.map(|(input, value)| (Parameter::Input(input), value)));
+    (case.with_collision(&values, collision), collision.impact_by(impulse))
+}
+
+/// Returns the speeds that momentum alone gives, if the evidence has the velocities after the impact and both speeds are unknown.
+fn by_momentum(question: &Question) -> Option<Notice> {
+    /// Least sine of the angle between the headings: nearly parallel ones leave one speed open.
+    const LEAST: f64 = 0.05;
+    let [one, two] = question.asked.collision.parties();
+    let (one, two) = (one.vehicle()?, two.vehicle()?);
+    let [after_1, after_2] = question.case.knowledge.separation();
+    let is_unknown = |of: Variable| question.asked.unknowns.iter().any(|unknown| unknown.of == of);
+    let turned = Side::ALL.into_iter().any(|side| is_unknown(Variable::Input(Input::Heading(side))));
+    let apart = one.heading.cos * two.heading.sin - one.heading.sin * two.heading.cos;
+    if question.case.model.is_momentum()
+        || turned
+        || apart.abs() < LEAST
+        || !Side::ALL.into_iter().all(|side| is_unknown(Variable::Speed(side)))
+    {
+        return None;
+    }
+    let [v1, v2] = approach_speeds([one, two], [after_1?, after_2?]);
+    let message = Message::from("momentum alone gives vehicle.1.speed ")
+        .figure(Measure::RoadSpeed, v1)
+        .text(" and vehicle.2.speed ")
+        .figure(Measure::RoadSpeed, v2)
+        .text(": `model = \"momentum\"` in [contact] has their intervals");
+    Some(Notice::note("by-momentum", "contact", message))
 }
 
 /// Runs CRASH3 with the crush of every vehicle, or else with the crush energy of the evidence or of the solution.

@@ -13,6 +13,7 @@ use crate::formula::Formula;
 use crate::gradient::Gradient;
 use crate::prove::ProofReport;
 use crate::reconstruct::Reconstruction;
+use crate::slide::Slides;
 use crate::solve::Solution;
 use crate::stiffness::StiffnessAnswer;
 use crate::sweep::Sweep;
@@ -23,7 +24,7 @@ use crate::validate::Validation;
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 15] = [
+const SCHEMAS: [Named; 16] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
     ("solve", || schema_for!(Answer<Solution>)),
@@ -32,6 +33,7 @@ const SCHEMAS: [Named; 15] = [
     ("crush", || schema_for!(Answer<CrushAnswer>)),
     ("crash3", || schema_for!(Answer<Comparison>)),
     ("reconstruct", || schema_for!(Answer<Reconstruction>)),
+    ("slide", || schema_for!(Answer<Slides>)),
     ("uncertainty", || schema_for!(Answer<Uncertainty>)),
     ("stiffness", || schema_for!(Answer<StiffnessAnswer>)),
     ("formula", || schema_for!(Formula)),

@@ -1,11 +1,12 @@
 //! The verb `solve`: how two vehicles leave a collision, and the energy it takes.
 
+use planar_impact::skid::{self, braking};
 use planar_impact::{Admissible, Impact, Law, Nt, Party, Response, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, Crash3Outputs, CrushOutputs};
+use crate::case::{BrakingInputs, Case, Crash3Outputs, CrushOutputs};
 use crate::control::Control;
 use crate::crush_plane_bracket::Bracket;
 use crate::issue::Issues;
@@ -37,7 +38,8 @@ pub struct Vehicle {
     pub before: Motion,
     /// Velocity after the impact along x and y, in m/s.
     pub velocity: [f64; 2],
-    /// Yaw rate after the impact, in rad/s.
+    /// Yaw rate after the impact, in rad/s; `null` where momentum alone does not determine it.
+    #[schemars(with = "Option<f64>")]
     pub yaw_rate: f64,
     /// Change of velocity along x and y, in m/s.
     pub delta_v: [f64; 2],
@@ -51,12 +53,63 @@ pub struct Vehicle {
     /// Speed at which the crush energy is the vehicle's kinetic energy, in m/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equivalent_energy_speed: Option<f64>,
+    /// Its braking before the impact, where the case has its skids.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub braking: Option<Braking>,
     /// Mean depth of the crush in m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_depth: Option<f64>,
     /// Results of CRASH3, where every vehicle has its crush.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crash3: Option<Crash3>,
+}
+
+/// The braking of a vehicle before the impact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Braking {
+    /// Speed when it began to brake, in m/s.
+    pub speed: f64,
+    /// Speed at the impact, in m/s.
+    pub impact_speed: f64,
+    /// Distance of the skids, as on a plan, and of the reaction before them, in m.
+    pub distance: f64,
+    /// Time from the perception, or without a reaction time from the first skid, to the impact, in s.
+    pub time: f64,
+    /// Distance covered in the reaction time, in m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reaction_distance: Option<f64>,
+    /// The skids, in their order along the road.
+    pub skids: Vec<Skid>,
+}
+
+/// The motion over a skid.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Skid {
+    /// Speed at its start, in m/s.
+    pub start: f64,
+    /// Speed at its end, in m/s.
+    pub end: f64,
+    /// Deceleration along the road, in m/s².
+    pub deceleration: f64,
+    /// Duration in s.
+    pub time: f64,
+}
+
+impl Braking {
+    fn of(inputs: &BrakingInputs, impact_speed: f64) -> Self {
+        let skids = braking(&inputs.skids, impact_speed, inputs.gravity);
+        let speed = skids.first().map_or(impact_speed, |first| first.start);
+        let reaction_distance = inputs.reaction_time.map(|time| speed * time);
+        let of_skid = |part: &skid::Braking| Skid { start: part.start, end: part.end, deceleration: part.deceleration, time: part.time };
+        Braking {
+            speed,
+            impact_speed,
+            distance: inputs.skids.iter().map(|skid| skid.length).sum::<f64>() + reaction_distance.unwrap_or(0.0),
+            time: skids.iter().map(|part| part.time).sum::<f64>() + inputs.reaction_time.unwrap_or(0.0),
+            reaction_distance,
+            skids: skids.iter().map(of_skid).collect(),
+        }
+    }
 }
 
 /// A motion.
@@ -86,9 +139,13 @@ pub struct Crash3 {
 /// The contact of the two vehicles.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Contact {
+    /// `momentum` where momentum alone determines the impulse: the normal is then along it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<&'static str>,
     /// Angle Γ of the crush plane in rad, as the case gives it.
     pub crush_plane: f64,
-    /// Coefficient of restitution e.
+    /// Coefficient of restitution e; `null` where momentum alone leaves no approach along the impulse.
+    #[schemars(with = "Option<f64>")]
     pub restitution: f64,
     /// Impulse ratio μ.
     pub impulse_ratio: f64,
@@ -221,7 +278,13 @@ impl Solution {
         let crush = case.setup.crush_outputs();
         let crash3 = case.setup.crash3_outputs(&crush);
         let parties = [(&case.collision.one, &impact.one), (&case.collision.two, &impact.two)];
-        let vehicle = |i: usize| Vehicle::of(&case.names[i], parties[i].0, parties[i].1, crush[i].as_ref(), crash3[i].as_ref());
+        let vehicle = |i: usize| {
+            let vehicle = Vehicle::of(&case.names[i], parties[i].0, parties[i].1, crush[i].as_ref(), crash3[i].as_ref());
+            let speed = parties[i].0.motion().velocity.length();
+            let inputs = case.inputs.vehicles[i].as_ref().and_then(|vehicle| vehicle.braking.as_ref());
+            let vehicle = Vehicle { braking: inputs.map(|inputs| Braking::of(inputs, speed)), ..vehicle };
+            if case.model.is_angular() { vehicle } else { Vehicle { yaw_rate: f64::NAN, ..vehicle } }
+        };
         let has_moment = case.collision.moment != planar_impact::Moment::None;
         Solution {
             vehicles: [vehicle(0), vehicle(1)],
@@ -272,6 +335,7 @@ impl Vehicle {
             crush_energy: crush.map(|crush| crush.energy),
             equivalent_energy_speed: crush.map(|crush| crush.equivalent_speed),
             mean_depth: crush.map(|crush| crush.mean_depth),
+            braking: None,
             crash3: crash3.map(Crash3::of),
         }
     }
@@ -303,6 +367,7 @@ impl Contact {
         };
         let has_moment = collision.moment != planar_impact::Moment::None;
         Contact {
+            model: case.model.is_momentum().then_some("momentum"),
             crush_plane: case.inputs.contact.crush_plane,
             restitution: collision.restitution,
             impulse_ratio: positive_zero(impact.impulse_ratio()),
@@ -319,7 +384,7 @@ impl Contact {
             },
             approach: components(impact.approach),
             separation: components(impact.separation),
-            no_energy_gain: collision.admissible().as_ref().map(EnergyBounds::of),
+            no_energy_gain: collision.admissible().as_ref().filter(|_| !case.model.is_momentum()).map(EnergyBounds::of),
         }
     }
 }

@@ -53,6 +53,9 @@ pub enum Verb {
     /// Say how uncertain the outputs are, given uncertain inputs.
     #[command(after_help = help::UNCERTAINTY)]
     Uncertainty(Uncertainty),
+    /// Follow the vehicles from separation to rest: path, headings, wheel tracks.
+    #[command(after_help = help::SLIDE)]
+    Slide(Slide),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
@@ -226,6 +229,30 @@ pub enum UncertaintyFormat {
     Csv,
     /// A chart: densities with quantiles, and shares.
     Svg,
+}
+
+/// Arguments of `slide`.
+#[derive(Debug, Args)]
+pub struct Slide {
+    /// The case file with [rest], TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = SlideFormat::Text)]
+    pub format: SlideFormat,
+    /// Units of text and CSV. Default: those of most values in the case file. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<UnitSystem>,
+}
+
+/// Format of a slide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SlideFormat {
+    /// For people.
+    Text,
+    /// Comma-separated values, a state of the motion in each row.
+    Csv,
+    /// For programs, in SI.
+    Json,
 }
 
 /// Arguments of `stiffness`.

@@ -7,7 +7,7 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, solve, stiffness, sweep,
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, slide, solve, stiffness, sweep,
     uncertainty, validate,
 };
 use planar_impact_report::chart;
@@ -15,7 +15,8 @@ use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, Format, Notation, OfCase, SamplePoints, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
+    self, Arguments, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem,
+    Verb,
 };
 use crate::exit::Failure;
 use crate::output::CommandOutput;
@@ -40,6 +41,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Batch(call) => batch::run(&call),
         Verb::Reconstruct(call) => look_back(&call),
         Verb::Uncertainty(call) => doubt(&call),
+        Verb::Slide(call) => follow(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
@@ -168,6 +170,16 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         UncertaintyFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
         UncertaintyFormat::Csv => csv(page::uncertainty_csv::records(&answer, units).into_iter()).map(CommandOutput::text),
         UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?)),
+    }
+}
+
+fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let answer = in_units(slide::slide(&case, &(), &Progress::new()), units)?;
+    match call.format {
+        SlideFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
+        SlideFormat::Csv => csv(page::slide::records(&answer, units).into_iter()).map(CommandOutput::text),
+        SlideFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
     }
 }
 

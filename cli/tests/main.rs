@@ -10,6 +10,8 @@ mod answers;
 mod bad_inputs;
 #[path = "main/batch.rs"]
 mod batch;
+#[path = "main/casework.rs"]
+mod casework;
 #[path = "main/check/mod.rs"]
 mod check;
 #[path = "main/crush.rs"]

@@ -8,6 +8,7 @@ pub mod gradient;
 pub mod prove;
 pub mod reconstruct;
 pub mod rules;
+pub mod slide;
 pub mod solve;
 pub mod stiffness;
 pub mod sweep;

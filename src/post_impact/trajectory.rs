@@ -45,6 +45,23 @@ pub struct Rest {
     pub path: Vec<TrajectoryState>,
 }
 
+impl Rest {
+    /// Returns the length of the path of the center of mass, in m: the integral of its speed, by Simpson's rule over the steps of the integration.
+    pub fn distance(&self) -> f64 {
+        let step = |pair: &[TrajectoryState]| {
+            let ([from, to], duration) = ([&pair[0], &pair[1]], pair[1].time - pair[0].time);
+            if duration <= 0.0 {
+                return 0.0;
+            }
+            let [start, end] = [from, to].map(|state| state.motion.velocity);
+            // The middle of the cubic that has both places and velocities.
+            let middle = (to.pose.position - from.pose.position) * (1.5 / duration) - (start + end) * 0.25;
+            duration / 6.0 * (start.length() + 4.0 * middle.length() + end.length())
+        };
+        self.path.windows(2).map(step).sum::<f64>() + (self.pose.position - self.last.pose.position).length()
+    }
+}
+
 /// A state of the equations of motion: the pose, the motion, and the energy dissipated, followed optionally by derivatives of the first six.
 pub(super) trait Moving: State<f64> {
     fn passing(&self, time: f64) -> TrajectoryState {

@@ -1,8 +1,8 @@
 //! A vehicle on four wheels, as it slides to rest.
 
 use super::tire::{Restraint, Tires};
-use crate::frame::{ForwardLeft, Xy};
-use crate::scalar::Field;
+use crate::frame::{ForwardLeft, Heading, Xy};
+use crate::scalar::{Field, Real};
 
 /// Position and heading of a vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -127,6 +127,16 @@ pub(super) struct Standing<T> {
     pub wheel: Wheel<T>,
     pub place: ForwardLeft<T>,
     pub load: T,
+}
+
+impl<T: Real> SlidingVehicle<T> {
+    /// Returns where its wheels stand in a pose, in ground axes and m.
+    pub fn wheel_places(&self, pose: &Pose<T>) -> Wheels<Xy<T>> {
+        let heading = Heading::from_angle(pose.heading.clone());
+        let [front_left, front_right, rear_left, rear_right] =
+            self.standing(T::int(0)).map(|standing| pose.position.clone() + heading.to_ground(standing.place));
+        Wheels { front_left, front_right, rear_left, rear_right }
+    }
 }
 
 impl<T: Field> SlidingVehicle<T> {

@@ -24,9 +24,12 @@ impl ReconstructionProblem {
         self.crush_share.is_some() || self.unknowns.iter().any(|unknown| unknown.of == Variable::CrushShare)
     }
 
-    /// Returns `true` if the unknowns make a quantity known: the collision has it, and the share in the crush energy, if it takes one.
+    /// Returns `true` if the unknowns make a quantity known: the collision has it, and the share in the crush energy or the skid speed, if it takes one.
     pub fn determines(&self, of: Measurand) -> bool {
-        of.is_in(&self.collision) && (!of.needs_share(&self.collision) || self.has_crush_share())
+        let has_skid = |side: Side| {
+            self.skid_speeds[side as usize].is_some() || self.unknowns.iter().any(|unknown| unknown.of == Variable::SkidSpeed(side))
+        };
+        of.is_in(&self.collision) && (!of.needs_share(&self.collision) || self.has_crush_share()) && of.skid().is_none_or(has_skid)
     }
 
     /// Checks that the problem is well posed.
@@ -59,7 +62,7 @@ fn unknowns(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
         if question.unknowns[..i].iter().any(|other| other.of == of) {
             found.push(ReconstructionIssue::UnknownTwice(of));
         }
-        if !of.is_in(&question.collision) {
+        if !of.is_in(&question.collision) || (question.is_by_momentum() && Measurand::Variable(of).is_of_contact()) {
             found.push(ReconstructionIssue::NotInCase(of));
         }
         if let Variable::Speed(side) = of
@@ -136,6 +139,10 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
         }
         if of.needs_share(&question.collision) && !question.has_crush_share() {
             found.push(ReconstructionIssue::ShareUnknown(of));
+        }
+        let lacks_skid = of.skid().is_some() && of.is_in(&question.collision) && !question.determines(of);
+        if lacks_skid || (question.is_by_momentum() && of.is_of_contact()) {
+            found.push(ReconstructionIssue::NothingToMeasure(of));
         }
         let mut numbers = IssueCollector::<InputIssue>::new();
         let at = Place::of(of.name(), of.measure());

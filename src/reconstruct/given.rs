@@ -1,7 +1,8 @@
 //! The problem: a collision, its unknowns, and the evidence.
 
 use super::measurand::Measurand;
-use super::variable::Variable;
+use super::scene::Scene;
+use super::variable::{Axis, Variable};
 use crate::collision::Collision;
 use crate::distribution::Distribution;
 
@@ -111,6 +112,8 @@ pub struct ReconstructionProblem {
     pub holds_radius_of_gyration: [bool; 2],
     /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
+    /// The skid speed of vehicle 1 and of vehicle 2 ([`Variable::SkidSpeed`]), if it is known.
+    pub skid_speeds: [Option<f64>; 2],
 }
 
 /// Settings of the search.
@@ -182,7 +185,45 @@ impl ReconstructionProblem {
             drives_along_heading: [false; 2],
             holds_radius_of_gyration: [false; 2],
             crush_share: None,
+            skid_speeds: [None; 2],
         }
+    }
+
+    /// Solves by momentum alone: adds both components of the impulse to the unknowns, in place of what restitution, impulse ratio and crush plane say of it.
+    /// The search starts at a common velocity. Without yaw inertia or impact center take any inertia, and an impact center at the center of mass.
+    ///
+    /// ```
+    /// use planar_impact::reconstruct::*;
+    /// use planar_impact::*;
+    ///
+    /// // 4220 lb eastbound and 3875 lb northbound; speeds in mph, velocities after to 1 mph.
+    /// let [east, north] = [0.0, std::f64::consts::FRAC_PI_2].map(Heading::from_angle);
+    /// let one = Vehicle::new(4220.0, 1.0).with_heading(east).with_speed(30.0);
+    /// let two = Vehicle::new(3875.0, 1.0).with_heading(north).with_speed(30.0);
+    /// let after = [(Output::VelocityX(Side::One), 14.0), (Output::VelocityY(Side::One), 16.0),
+    ///     (Output::VelocityX(Side::Two), 12.0), (Output::VelocityY(Side::Two), 19.0)];
+    /// let problem = ReconstructionProblem::of(Collision::new(one, two))
+    ///     .unknown(Variable::Speed(Side::One), 30.0)
+    ///     .unknown(Variable::Speed(Side::Two), 30.0)
+    ///     .by_momentum();
+    /// let problem = after.into_iter().fold(problem, |problem, (of, value)| {
+    ///     problem.evidence(Measurand::Output(of), value, Uncertainty::StandardDeviation(1.0))
+    /// });
+    /// let answer = problem.solve(&Search::default())?;
+    /// let speeds = &answer.best().unknowns;
+    /// assert!((speeds[0].value - 25.02).abs() < 0.01 && (speeds[1].value - 36.42).abs() < 0.01);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    #[must_use]
+    pub fn by_momentum(self) -> Self {
+        let start = Scene::of(&self).place(&self.unknowns.iter().map(|unknown| unknown.start).collect::<Vec<f64>>());
+        let impulse = start.collision.at_common_velocity().evaluate().impulse_on_ground;
+        self.unknown(Variable::Impulse(Axis::X), impulse.x).unknown(Variable::Impulse(Axis::Y), impulse.y)
+    }
+
+    /// Returns `true` if momentum alone determines the impact.
+    pub fn is_by_momentum(&self) -> bool {
+        self.unknowns.iter().any(|unknown| matches!(unknown.of, Variable::Impulse(_)))
     }
 
     /// Adds an unknown without bounds of its own.

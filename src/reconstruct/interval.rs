@@ -90,13 +90,16 @@ impl ReconstructionProblem {
     }
 
     /// Returns what is derived from the unknowns and asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, ratio, and
-    /// where their shares in the crush energy are known, the equivalent energy speed of each vehicle.
+    /// where they are known, the equivalent energy speed of each vehicle and its speed when it began to brake. Momentum alone has no closing speed along the
+    /// normal, no works and no ratio.
     pub fn derived(&self) -> impl Iterator<Item = Measurand> {
+        let sides = [Side::One, Side::Two];
         let of_vehicles =
             [Side::One, Side::Two].into_iter().flat_map(|side| [Output::DeltaVMagnitude(side), Output::PrincipalDirectionOfForce(side)]);
-        let speeds = [Side::One, Side::Two].map(Measurand::EquivalentEnergySpeed);
+        let speeds = sides.map(Measurand::EquivalentEnergySpeed).into_iter().chain(sides.map(Measurand::BrakingSpeed));
         let of_contact = [Output::Loss, Output::NormalWork, Output::TangentialWork, Output::ImpulseRatio];
         let outputs = of_vehicles.chain(of_contact).map(Measurand::Output);
-        [Measurand::ClosingSpeed].into_iter().chain(outputs).chain(speeds).filter(|of| self.determines(*of))
+        let all = [Measurand::ClosingSpeed].into_iter().chain(outputs).chain(speeds);
+        all.filter(|of| self.determines(*of) && (!self.is_by_momentum() || !of.is_of_contact()))
     }
 }

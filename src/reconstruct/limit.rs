@@ -3,7 +3,7 @@
 use super::placed::Placed;
 use super::variable::Variable;
 use crate::collision::Collision;
-use crate::contact::Contact;
+use crate::frame::Nt;
 use crate::impact::Impact;
 use crate::law::ImpulseRatio;
 use crate::least_squares::Bound;
@@ -59,6 +59,11 @@ impl Margins {
     /// Creates the margins on the side of a collision that the mechanics accepts, in its sizes.
     pub(super) fn around(placed: &Placed<f64>, impact: &Impact) -> Self {
         let contact = placed.collision.contact();
+        if placed.impulse.is_some() {
+            let velocity = impact.approach.length().max(1.0);
+            let impulse = impact.impulse.length().max(velocity / contact.compliance.nn);
+            return Margins { limits: vec![Limit::Energy], side: 1.0, velocity, impulse, energy: impulse * velocity, distance: 1.0 };
+        }
         let velocity = impact.approach.n.abs().max(1.0);
         let impulse = impact.impulse.n.abs().max(velocity / contact.compliance.nn);
         let mut limits = vec![Limit::Closing, Limit::Closing, Limit::Tension, Limit::Energy];
@@ -68,7 +73,18 @@ impl Margins {
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
         let offset = contact.offset().n;
-        Margins { limits, side: 1_f64.copysign(offset), velocity, impulse, energy: impulse * velocity, distance: offset.abs().max(0.1) }
+        // Point masses have no side on which they lie.
+        if contact.one.arm == Nt::zero() && contact.two.arm == Nt::zero() {
+            limits.remove(1);
+        }
+        Margins {
+            limits,
+            side: -1_f64.copysign(impact.approach.n),
+            velocity,
+            impulse,
+            energy: impulse * velocity,
+            distance: offset.abs().max(0.1),
+        }
     }
 
     pub(super) fn limit(&self, index: usize) -> Limit {
@@ -76,19 +92,25 @@ impl Margins {
     }
 
     /// Returns the margins of a collision, in the order of [`Margins::limit`].
-    pub(super) fn of<T: Real + From<f64>>(&self, collision: &Collision<T>, contact: &Contact<T>, impact: &Impact<T>) -> Vec<T> {
+    pub(super) fn of<T: Real + From<f64>>(&self, collision: &Collision<T>, impact: &Impact<T>) -> Vec<T> {
         /// Least approach velocity and offset, as a share: at zero there is no collision, and close to it nothing but rounding.
         const LEAST: f64 = 1e-4;
         /// Least of the rest, beyond rounding.
         const ROUNDING: f64 = 1e-7;
         let over = |value: T, unit: f64, least: f64| value * T::from(unit.recip()) - T::from(least);
+        if self.limits == [Limit::Energy] {
+            return vec![over(impact.loss(), self.energy, ROUNDING)];
+        }
+        let contact = &collision.contact();
         let sticking = collision.sticking_impulse(contact);
         let mut margins = vec![
             over(impact.approach.n.clone(), -self.side * self.velocity, LEAST),
-            over(contact.offset().n, self.side * self.distance, LEAST),
             over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING),
             over(impact.loss(), self.energy, ROUNDING),
         ];
+        if self.limits[1] == Limit::Closing {
+            margins.insert(1, over(contact.offset().n, self.side * self.distance, LEAST));
+        }
         match collision.impulse_ratio {
             ImpulseRatio::Given(_) => {
                 let along = impact.impulse.t.clone() * sticking.t.clone();

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::placed::Placed;
-use super::variable::{Variable, party};
+use super::variable::{Axis, Variable, party};
 use crate::collision::Collision;
 use crate::crush::speed_of_energy;
 use crate::impact::{Impact, Response};
@@ -42,6 +42,8 @@ pub enum Measurand {
     SeparationDirection(Side),
     /// Direction of the approach velocity, whatever the heading, for instance from tire marks of a sliding car: the angle from x, counter-clockwise, in rad.
     ApproachDirection(Side),
+    /// Speed of a vehicle when it began to brake before the impact, in m/s: √(v² + s²) of its speed v at the impact and its skid speed s.
+    BrakingSpeed(Side),
     /// Change of velocity along the vehicle, forward positive, in m/s: the longitudinal ΔV of an event data recorder.
     DeltaVForward(Side),
     /// Change of velocity across the vehicle, positive to its left, in m/s: the lateral ΔV of an event data recorder, which is positive to the right.
@@ -49,7 +51,7 @@ pub enum Measurand {
 }
 
 /// Names that are not those of an output or an input.
-const NAMES: [(&str, Measurand); 28] = {
+const NAMES: [(&str, Measurand); 30] = {
     use Measurand as M;
     use Side::{One, Two};
     [
@@ -74,6 +76,8 @@ const NAMES: [(&str, Measurand); 28] = {
         ("vehicle.2.approach_direction", M::ApproachDirection(Two)),
         ("vehicle.2.delta_v_forward", M::DeltaVForward(Two)),
         ("vehicle.2.delta_v_left", M::DeltaVLeft(Two)),
+        ("before.vehicle.1.braking_speed", M::BrakingSpeed(One)),
+        ("before.vehicle.2.braking_speed", M::BrakingSpeed(Two)),
         ("contact.closing_speed", M::ClosingSpeed),
         ("contact.restitution", M::Variable(Variable::Input(Input::Restitution))),
         ("contact.impulse_ratio", M::Output(Output::ImpulseRatio)),
@@ -104,7 +108,7 @@ impl Measurand {
             Measurand::Output(output) => output.measure(),
             Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) => Measure::Energy,
             Measurand::SeparationDirection(_) | Measurand::ApproachDirection(_) => Measure::Angle,
-            Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => Measure::Speed,
+            Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) | Measurand::BrakingSpeed(_) => Measure::Speed,
             Measurand::DeltaVForward(_) | Measurand::DeltaVLeft(_) | Measurand::EquivalentEnergySpeed(_) => Measure::Speed,
         }
     }
@@ -134,6 +138,7 @@ impl Measurand {
                 SeparationSpeed(side),
                 SeparationDirection(side),
                 ApproachDirection(side),
+                BrakingSpeed(side),
                 DeltaVForward(side),
                 DeltaVLeft(side),
             ]
@@ -149,7 +154,7 @@ impl Measurand {
             Output(output) => output.side(),
             CrushEnergy | ClosingSpeed => None,
             CrushEnergyOf(side) | EquivalentEnergySpeed(side) | SeparationSpeed(side) | SeparationDirection(side) => Some(side),
-            ApproachDirection(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
+            ApproachDirection(side) | BrakingSpeed(side) | DeltaVForward(side) | DeltaVLeft(side) => Some(side),
         }
     }
 
@@ -171,6 +176,9 @@ impl Measurand {
             (Side::Two, ..) => (T::int(1) - placed.crush_share.clone()) * crush_energy(),
         };
         Some(match self {
+            Measurand::Variable(Variable::Impulse(Axis::X)) => impact.impulse_on_ground.x.clone(),
+            Measurand::Variable(Variable::Impulse(Axis::Y)) => impact.impulse_on_ground.y.clone(),
+            Measurand::Variable(Variable::SkidSpeed(side)) => placed.skids[side as usize].clone()?,
             Measurand::Variable(variable) => variable.of(collision, &placed.crush_share)?,
             Measurand::Output(output) => output.of(collision, impact),
             Measurand::CrushEnergy => crush_energy(),
@@ -187,6 +195,10 @@ impl Measurand {
             Measurand::ApproachDirection(side) => {
                 let velocity = &party(collision, side).vehicle()?.motion.velocity;
                 velocity.y.clone().arctangent(velocity.x.clone())
+            }
+            Measurand::BrakingSpeed(side) => {
+                let before = &party(collision, side).vehicle()?.motion.velocity;
+                (before.clone().length_squared() + placed.skids[side as usize].clone()?.squared()).square_root()
             }
             Measurand::DeltaVForward(side) => response(side).delta_v_in_vehicle.forward.clone(),
             Measurand::DeltaVLeft(side) => response(side).delta_v_in_vehicle.left.clone(),
@@ -206,6 +218,31 @@ impl Measurand {
         matches!(self, Measurand::CrushEnergyOf(_) | Measurand::EquivalentEnergySpeed(_)) && Variable::CrushShare.is_in(collision)
     }
 
+    /// Returns `true` if it needs the normal of the contact, which momentum alone does not have.
+    pub fn is_of_contact(self) -> bool {
+        use Output::{CriticalImpulseRatio, ImpulseRatio, NormalImpulse, NormalWork, Restitution, TangentialImpulse, TangentialWork};
+        match self {
+            Measurand::ClosingSpeed | Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) | Measurand::EquivalentEnergySpeed(_) => true,
+            Measurand::Variable(Variable::Input(Input::Restitution | Input::ImpulseRatio | Input::CrushPlane | Input::Moment)) => true,
+            Measurand::Variable(Variable::CrushShare) => true,
+            Measurand::Output(output) => {
+                matches!(
+                    output,
+                    Restitution | ImpulseRatio | CriticalImpulseRatio | NormalImpulse | TangentialImpulse | NormalWork | TangentialWork
+                )
+            }
+            _ => false,
+        }
+    }
+
+    /// Returns the vehicle whose skid speed it takes, if it takes one.
+    pub(super) fn skid(self) -> Option<Side> {
+        match self {
+            Measurand::BrakingSpeed(side) | Measurand::Variable(Variable::SkidSpeed(side)) => Some(side),
+            _ => None,
+        }
+    }
+
     /// Returns the period of an angle, or `None` if it is not an angle.
     pub(super) fn period(self) -> Option<f64> {
         match self {
@@ -222,7 +259,7 @@ impl Measurand {
         use Output::*;
         match self {
             Measurand::CrushEnergy | Measurand::CrushEnergyOf(_) | Measurand::ClosingSpeed | Measurand::SeparationSpeed(_) => true,
-            Measurand::EquivalentEnergySpeed(_) => true,
+            Measurand::EquivalentEnergySpeed(_) | Measurand::BrakingSpeed(_) | Measurand::Variable(Variable::SkidSpeed(_)) => true,
             Measurand::Variable(Variable::Input(input)) => matches!(input, Input::Mass(_) | Input::YawInertia(_) | Input::Restitution),
             Measurand::Variable(Variable::CrushShare) => true,
             Measurand::Output(output) => matches!(output, DeltaVMagnitude(_) | EnergyBefore | EnergyAfter | Loss),

@@ -1,6 +1,10 @@
 //! A collision with values for its unknowns.
 
 use crate::collision::Collision;
+use crate::frame::Xy;
+use crate::impact::Impact;
+use crate::refusal::Refusals;
+use crate::scalar::Real;
 
 /// A collision with values for its unknowns.
 #[derive(Clone, Copy, Debug)]
@@ -8,4 +12,28 @@ pub(super) struct Placed<T> {
     pub(super) collision: Collision<T>,
     /// The share of vehicle 1 in the crush energy.
     pub(super) crush_share: T,
+    /// The impulse on vehicle 1, in a problem of momentum alone.
+    pub(super) impulse: Option<Xy<T>>,
+    /// The speed that each vehicle would have lost in braking before the impact, had it come to rest.
+    pub(super) skids: [Option<T>; 2],
+}
+
+impl<T: Real> Placed<T> {
+    /// Computes the impact, whether or not the mechanics accepts it.
+    pub(super) fn evaluate(&self) -> Impact<T> {
+        match &self.impulse {
+            Some(impulse) => self.collision.impact_by(impulse.clone()),
+            None => self.collision.evaluate(),
+        }
+    }
+}
+
+impl Placed<f64> {
+    /// Computes the impact if the mechanics accepts it.
+    pub(super) fn solve(&self) -> Result<Impact, Refusals> {
+        match self.impulse {
+            Some(impulse) => self.collision.solve_by(impulse),
+            None => self.collision.solve(),
+        }
+    }
 }

@@ -219,7 +219,7 @@ impl Posterior {
         let of: Vec<Measurand> = of.iter().copied().filter(|of| self.question.determines(*of)).collect();
         let values = |unknowns: &[f64]| -> Vec<f64> {
             let placed = model.place(unknowns);
-            let impact = placed.collision.evaluate();
+            let impact = placed.evaluate();
             of.iter().map(|of| model.value(*of, unknowns, &placed, &impact).unwrap_or(f64::NAN)).collect()
         };
         // An unknown angle is not wrapped.

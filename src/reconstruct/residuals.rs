@@ -56,7 +56,7 @@ impl<'a> Model<'a> {
     /// Returns the collision at given unknowns and its impact.
     pub(super) fn solve(&self, unknowns: &[f64]) -> Result<(Placed<f64>, Impact), Refusals> {
         let placed = self.scene.place(unknowns);
-        let impact = placed.collision.solve()?;
+        let impact = placed.solve()?;
         Ok((placed, impact))
     }
 
@@ -88,7 +88,7 @@ impl<'a> Model<'a> {
     /// Returns the computed values of the evidence at given unknowns, whether or not the mechanics accepts the collision.
     fn evaluated<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> Vec<T> {
         let placed = self.scene.place(unknowns);
-        self.measured(&placed, &placed.collision.evaluate())
+        self.measured(&placed, &placed.evaluate())
     }
 
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.

@@ -2,8 +2,9 @@
 
 use super::given::ReconstructionProblem;
 use super::placed::Placed;
-use super::variable::{Variable, party};
+use super::variable::{Axis, Variable, party};
 use crate::collision::Collision;
+use crate::frame::Xy;
 use crate::input::{Input, Side};
 use crate::scalar::Real;
 use crate::vehicle::Party;
@@ -17,6 +18,8 @@ pub(super) struct Scene {
     /// The square of the radius of gyration of a vehicle that keeps it.
     gyrations: [Option<f64>; 2],
     crush_share: f64,
+    /// The skid speed of a vehicle, if it is known.
+    skids: [Option<f64>; 2],
 }
 
 impl Scene {
@@ -36,17 +39,26 @@ impl Scene {
             speeds: [speed(Side::One), speed(Side::Two)],
             gyrations: [gyration(Side::One), gyration(Side::Two)],
             crush_share: question.crush_share.unwrap_or(0.5),
+            skids: question.skid_speeds,
         }
     }
 
     /// Returns the collision for given values of the unknowns, in their order.
     pub(super) fn place<T: Real + Copy + From<f64>>(&self, values: &[T]) -> Placed<T> {
-        let mut placed = Placed { collision: self.base.map(T::from), crush_share: T::from(self.crush_share) };
+        let mut placed = Placed {
+            collision: self.base.map(T::from),
+            crush_share: T::from(self.crush_share),
+            impulse: None,
+            skids: self.skids.map(|speed| speed.map(T::from)),
+        };
         let mut speeds = self.speeds.map(|speed| speed.map(T::from));
         let mut gyrations = self.gyrations.map(|square| square.map(T::from));
         for (variable, &value) in self.variables.iter().zip(values) {
             match *variable {
                 Variable::CrushShare => placed.crush_share = value,
+                Variable::Impulse(Axis::X) => placed.impulse.get_or_insert_with(Xy::zero).x = value,
+                Variable::Impulse(Axis::Y) => placed.impulse.get_or_insert_with(Xy::zero).y = value,
+                Variable::SkidSpeed(side) => placed.skids[side as usize] = Some(value),
                 Variable::Speed(side) => speeds[side as usize] = Some(value),
                 Variable::RadiusOfGyration(side) => gyrations[side as usize] = Some(value.squared()),
                 // An input that the collision does not have is reported by the check of the problem.
@@ -78,7 +90,7 @@ fn turn<T: Real + Copy>(party: &mut Party<T>, gyration: Option<T>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
+    use crate::frame::{CrushPlane, ForwardLeft, Heading};
     use crate::law::{ImpulseRatio, Law};
     use crate::moment::Moment;
     use crate::reconstruct::{Correlation, Measurand, PriorCorrelation, Search, Uncertainty};

@@ -8,6 +8,7 @@ use crate::input::{Input, Side};
 use crate::law::ImpulseRatio;
 use crate::measure::Measure;
 use crate::moment::Moment;
+use crate::output::Output;
 use crate::scalar::Real;
 use crate::vehicle::{Party, Vehicle};
 
@@ -29,6 +30,21 @@ pub enum Variable {
     RadiusOfGyration(Side),
     /// The share of vehicle 1 in the crush energy. Stiffness determines it, not the mechanics.
     CrushShare,
+    /// A component of the impulse on vehicle 1 in ground axes. With it among the unknowns momentum alone determines the impact, and restitution, impulse ratio
+    /// and crush plane take no part: see [`ReconstructionProblem::by_momentum`](super::ReconstructionProblem::by_momentum).
+    Impulse(Axis),
+    /// The speed from which the braking of a vehicle before the impact would have brought it to rest: √(2 Σ a s) of the decelerations and distances of its
+    /// skids. Tire marks and friction determine it, not the mechanics.
+    SkidSpeed(Side),
+}
+
+/// An axis of the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// The x axis.
+    X,
+    /// The y axis.
+    Y,
 }
 
 impl Variable {
@@ -41,6 +57,10 @@ impl Variable {
             Variable::RadiusOfGyration(Side::One) => "vehicle.1.radius_of_gyration",
             Variable::RadiusOfGyration(Side::Two) => "vehicle.2.radius_of_gyration",
             Variable::CrushShare => "contact.crush_share",
+            Variable::Impulse(Axis::X) => Output::ImpulseX.name(),
+            Variable::Impulse(Axis::Y) => Output::ImpulseY.name(),
+            Variable::SkidSpeed(Side::One) => "before.vehicle.1.skid_speed",
+            Variable::SkidSpeed(Side::Two) => "before.vehicle.2.skid_speed",
         }
     }
 
@@ -48,9 +68,10 @@ impl Variable {
     pub fn measure(self) -> Measure {
         match self {
             Variable::Input(input) => input.measure(),
-            Variable::Speed(_) => Measure::Speed,
+            Variable::Speed(_) | Variable::SkidSpeed(_) => Measure::Speed,
             Variable::RadiusOfGyration(_) => Measure::Length,
             Variable::CrushShare => Measure::Ratio,
+            Variable::Impulse(_) => Measure::Impulse,
         }
     }
 
@@ -67,8 +88,8 @@ impl Variable {
     /// Returns its vehicle, or `None` if it does not belong to one.
     pub fn side(self) -> Option<Side> {
         match self {
-            Variable::Speed(side) | Variable::RadiusOfGyration(side) => Some(side),
-            Variable::CrushShare => None,
+            Variable::Speed(side) | Variable::RadiusOfGyration(side) | Variable::SkidSpeed(side) => Some(side),
+            Variable::CrushShare | Variable::Impulse(_) => None,
             Variable::Input(input) => input.side(),
         }
     }
@@ -80,6 +101,7 @@ impl Variable {
             Variable::Speed(side) => party(collision, side).vehicle().map(speed),
             Variable::RadiusOfGyration(side) => party(collision, side).vehicle().map(Vehicle::radius_of_gyration),
             Variable::CrushShare => Some(crush_share.clone()),
+            Variable::Impulse(_) | Variable::SkidSpeed(_) => None,
         }
     }
 
@@ -103,6 +125,7 @@ impl Variable {
                 (0.0, f64::INFINITY)
             }
             Variable::Input(Input::Mass(_) | Input::YawInertia(_)) | Variable::RadiusOfGyration(_) => (f64::MIN_POSITIVE, f64::INFINITY),
+            Variable::SkidSpeed(_) => (0.0, f64::INFINITY),
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
@@ -110,7 +133,11 @@ impl Variable {
     /// Returns a significant change, in its unit.
     pub(super) fn scale(self, collision: &Collision, value: f64) -> f64 {
         match self {
-            Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
+            Variable::Speed(_)
+            | Variable::SkidSpeed(_)
+            | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_) | Input::YawRate(_)) => 1.0,
+            // That of a change of velocity by 1 m/s.
+            Variable::Impulse(_) => reduced_mass(collision),
             Variable::Input(Input::Mass(_) | Input::YawInertia(_)) | Variable::RadiusOfGyration(_) => {
                 (0.1 * value.abs()).max(f64::MIN_POSITIVE)
             }
@@ -122,7 +149,8 @@ impl Variable {
     /// Returns the distance of other starts from the given one if no bound determines it.
     pub(super) fn spread(self, collision: &Collision, value: f64) -> f64 {
         match self {
-            Variable::Speed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => 20.0,
+            Variable::Speed(_) | Variable::SkidSpeed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => 20.0,
+            Variable::Impulse(_) => 20.0 * reduced_mass(collision),
             Variable::Input(Input::YawRate(_)) => 5.0,
             Variable::Input(Input::Heading(_)) => PI,
             Variable::Input(Input::CrushPlane) => FRAC_PI_2,
@@ -135,7 +163,7 @@ impl Variable {
     /// Returns `true` if the collision has it.
     pub(super) fn is_in(self, collision: &Collision) -> bool {
         match self {
-            Variable::CrushShare => collision.one.vehicle().is_some() && collision.two.vehicle().is_some(),
+            Variable::CrushShare | Variable::Impulse(_) => collision.one.vehicle().is_some() && collision.two.vehicle().is_some(),
             Variable::Input(Input::ImpulseRatio) => collision.impulse_ratio != ImpulseRatio::Critical,
             Variable::Input(Input::Moment) => collision.moment != Moment::None,
             _ => self.side().is_none_or(|side| party(collision, side).vehicle().is_some()),
@@ -149,6 +177,12 @@ pub(super) fn party<T>(collision: &Collision<T>, side: Side) -> &Party<T> {
         Side::One => &collision.one,
         Side::Two => &collision.two,
     }
+}
+
+/// Returns the mass that determines the relative motion of both vehicles, in kg.
+fn reduced_mass(collision: &Collision) -> f64 {
+    let inverse = |party: &Party| party.vehicle().map_or(0.0, |vehicle| vehicle.mass.recip());
+    (inverse(&collision.one) + inverse(&collision.two)).recip()
 }
 
 /// Returns the speed of a vehicle along its heading.

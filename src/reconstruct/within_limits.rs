@@ -32,11 +32,9 @@ pub(super) struct WithinLimits<'a> {
 /// What is computed at a point, in the order evidence, margins, fixed quantity.
 fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fixed: Option<Fixed>, point: &[T]) -> Vec<T> {
     let placed = model.place(point);
-    let contact = placed.collision.contact();
-    let (impulse, moment) = placed.collision.impulse(&contact);
-    let impact = placed.collision.impact_of(&contact, impulse, moment);
+    let impact = placed.evaluate();
     let mut all = model.measured(&placed, &impact);
-    all.extend(margins.of(&placed.collision, &contact, &impact));
+    all.extend(margins.of(&placed.collision, &impact));
     all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
     all
 }

@@ -108,7 +108,8 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if the approach along the normal and the offset of the centers of mass along it have opposite signs, and are not just rounding of their
-    /// terms.
+    /// terms. Two point masses, whose impact centers are their centers of mass, have no sides: any
+    /// approach along the normal closes.
     #[inline(always)]
     pub(super) fn is_closing(&self, contact: &Contact<T>) -> T::Mask {
         let (one, two) = (&contact.one, &contact.two);
@@ -119,8 +120,10 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
         let arms = sum_of_magnitudes(&one.arm) + sum_of_magnitudes(&two.arm);
         let (approach, offset) = (&contact.approach.n, contact.offset().n);
         let moves = (speeds * rounding()).less(&approach.clone().magnitude());
-        let apart = (arms * rounding()).less(&offset.clone().magnitude());
-        moves & apart & (is_positive(approach) ^ is_positive(&offset))
+        let apart = (arms.clone() * rounding()).less(&offset.clone().magnitude());
+        let is_pair = self.one.vehicle().is_some() && self.two.vehicle().is_some();
+        let are_points = if is_pair { is_zero(&arms) } else { !always::<T>() };
+        moves & (are_points | (apart & (is_positive(approach) ^ is_positive(&offset))))
     }
 
     /// Returns `true` if a given ratio lets the vehicles separate, or if a fraction of the critical ratio is one and that ratio exists.
@@ -184,7 +187,7 @@ impl<T: Ordered<Mask: Logic>> Contact<T> {
 impl<T: Ordered<Mask: Logic>> Impact<T> {
     /// Returns `true` if no number of the impact has overflowed.
     #[inline(always)]
-    pub(super) fn is_finite(&self) -> T::Mask {
+    pub(crate) fn is_finite(&self) -> T::Mask {
         let has_delta_v = |response: &Response<T>| is_finite(&response.delta_v.clone().length_squared());
         is_finite(&self.impulse.n)
             & is_finite(&self.impulse.t)
@@ -202,7 +205,7 @@ impl<T: Ordered<Mask: Logic>> Impact<T> {
 
     /// Returns `true` if more energy is gained than rounding explains.
     #[inline(always)]
-    pub(super) fn gains_energy(&self) -> T::Mask {
+    pub(crate) fn gains_energy(&self) -> T::Mask {
         let exchanged = self.work.n.clone().magnitude()
             + self.work.t.clone().magnitude()
             + self.work.m.clone().magnitude()

@@ -31,6 +31,8 @@ pub struct Texts<'a> {
     pub iihs: &'a str,
     /// Measured full-frontal barrier tests.
     pub nhtsa: &'a str,
+    /// Worked examples and staged collisions.
+    pub worked: &'a str,
 }
 
 impl Texts<'static> {
@@ -50,6 +52,7 @@ impl Texts<'static> {
             bounds: include_str!("../data/bounds.csv"),
             iihs: include_str!("../data/iihs.csv"),
             nhtsa: include_str!("../data/nhtsa.csv"),
+            worked: include_str!("../data/worked.csv"),
         }
     }
 }

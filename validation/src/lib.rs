@@ -26,7 +26,7 @@ pub use data::{DataError, Texts};
 pub use entries::{Given, Nature};
 pub use figure::{Axis, Curve, Figure, Point, Style};
 pub use ledger::{Bound, LARGEST_SLACK, Misprint};
-pub use measured::{Coefficient, Frontal, Measured, MeasuredProblem, Reading, RootMeanSquare, SmallOverlap};
+pub use measured::{Coefficient, Frontal, Measured, MeasuredProblem, Reading, RootMeanSquare, SmallOverlap, Worked};
 pub use problem::Problem;
 pub use report::{Counts, Report, TableReport};
 pub use sheet::Printed;
@@ -76,7 +76,7 @@ pub fn run_on(texts: &Texts<'_>) -> Result<Report, DataError> {
     let figures = figure::all(&geometry, &series, &found);
     let entries = [table_1, table_2, table_3, table_4, table_5, table_6, table_b1, table_b2];
     let tables = tables::TABLES.iter().zip(entries).map(|(expected, entries)| TableReport::judged(expected, entries, &ledger)).collect();
-    let measured = Measured::read(texts.iihs, texts.nhtsa)?;
+    let measured = Measured::read(texts.iihs, texts.nhtsa, texts.worked)?;
     Ok(Report { tables, statements, bounds: ledger.bounds, misprints: ledger.misprints, chain, figures, measured })
 }
 

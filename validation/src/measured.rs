@@ -1,4 +1,4 @@
-//! The second stage: tests not in the paper, computed and compared with measurements.
+//! The second stage: tests not in the paper, computed and compared with measurements; and the third: worked examples of the field.
 //!
 //! This stage does not judge how well the paper is reproduced, and fits nothing: errors are reported as they are. A
 //! run fails if nothing can be computed, if a vehicle turns the wrong way, if a published coefficient is not
@@ -6,6 +6,7 @@
 
 mod frontal;
 mod small_overlap;
+mod worked;
 
 use crate::data::DataError;
 use crate::sheet::{Printed, Row};
@@ -13,6 +14,7 @@ use std::fmt;
 
 pub use frontal::{Coefficient, Frontal};
 pub use small_overlap::SmallOverlap;
+pub use worked::Worked;
 
 /// The measured tests of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +23,8 @@ pub struct Measured {
     pub small_overlap: Vec<SmallOverlap>,
     /// Full-frontal barrier tests: stiffness and crush energy.
     pub frontal: Vec<Frontal>,
+    /// Worked examples and staged collisions of the field.
+    pub worked: Vec<Worked>,
 }
 
 /// A measured number compared with the computed one.
@@ -69,6 +73,13 @@ pub enum MeasuredProblem {
         test: String,
         /// The coefficient.
         coefficient: Coefficient,
+    },
+    /// A number worked by hand does not come out to its digits.
+    Worked {
+        /// The example.
+        example: String,
+        /// The number.
+        reading: Reading,
     },
     /// There are no tests of one kind.
     None {
@@ -128,11 +139,11 @@ impl RootMeanSquare {
 }
 
 impl Measured {
-    pub(crate) fn read(iihs: &str, nhtsa: &str) -> Result<Self, DataError> {
-        Ok(Measured { small_overlap: small_overlap::read(iihs)?, frontal: frontal::read(nhtsa)? })
+    pub(crate) fn read(iihs: &str, nhtsa: &str, worked: &str) -> Result<Self, DataError> {
+        Ok(Measured { small_overlap: small_overlap::read(iihs)?, frontal: frontal::read(nhtsa)?, worked: worked::read(worked)? })
     }
 
-    /// Returns every reading with the name of its test.
+    /// Returns every reading of a measured test, with its name.
     pub fn readings(&self) -> impl Iterator<Item = (&str, &Reading)> {
         let overlap =
             self.small_overlap.iter().flat_map(|test| [&test.delta_v, &test.yaw_rate].map(|reading| (test.test.as_str(), reading)));
@@ -142,7 +153,7 @@ impl Measured {
     /// Returns the failures; empty if everything holds.
     pub fn problems(&self) -> Vec<MeasuredProblem> {
         let name = |test: &str| test.to_owned();
-        let kinds = [("small-overlap", self.small_overlap.len()), ("full-frontal", self.frontal.len())];
+        let kinds = [("small-overlap", self.small_overlap.len()), ("full-frontal", self.frontal.len()), ("worked", self.worked.len())];
         let missing = kinds.into_iter().filter(|kind| kind.1 == 0);
         let mut problems: Vec<_> = missing.map(|(kind, _)| MeasuredProblem::None { kind }).collect();
         for test in self.small_overlap.iter().filter(|test| !test.turns_as_measured()) {
@@ -156,6 +167,13 @@ impl Measured {
                 problems.push(MeasuredProblem::Coefficient { test: name(&test.test), coefficient: coefficient.clone() });
             }
         }
+        for Worked { example, reading, .. } in self.worked.iter().filter(|worked| !worked.holds()) {
+            let (example, reading) = (name(example), reading.clone());
+            problems.push(match reading.recorded {
+                Some(_) => MeasuredProblem::NotAsRecorded { test: example, reading },
+                None => MeasuredProblem::Worked { example, reading },
+            });
+        }
         let names: Vec<&str> =
             self.small_overlap.iter().map(|t| t.test.as_str()).chain(self.frontal.iter().map(|t| t.test.as_str())).collect();
         for (_, test) in names.iter().enumerate().filter(|(which, test)| names[..*which].contains(test)) {
@@ -167,9 +185,14 @@ impl Measured {
 
 /// Returns the error recorded in a row, which requires a reason.
 fn recorded(file: &'static str, row: &Row<'_>, column: &'static str) -> Result<Option<Printed>, DataError> {
+    recorded_as(file, row, column, "reason")
+}
+
+/// The same with the name of the column that has the reason.
+fn recorded_as(file: &'static str, row: &Row<'_>, column: &'static str, reason: &'static str) -> Result<Option<Printed>, DataError> {
     let recorded = row.number_if_any(column)?;
-    if recorded.is_some() && row.text("reason")?.is_empty() {
-        return Err(DataError::UnknownWord { file, column: "reason", field: String::new() });
+    if recorded.is_some() && row.text(reason)?.is_empty() {
+        return Err(DataError::UnknownWord { file, column: reason, field: String::new() });
     }
     Ok(recorded)
 }
@@ -190,6 +213,16 @@ impl fmt::Display for MeasuredProblem {
             MeasuredProblem::Coefficient { test, coefficient } => {
                 let published = coefficient.published.as_ref().map_or("", Printed::text);
                 write!(f, "{test}: {} is {}, published was {published}", coefficient.name, coefficient.computed)
+            }
+            MeasuredProblem::Worked { example, reading } => {
+                write!(
+                    f,
+                    "{example}: {} is {}, published was {} {}",
+                    reading.quantity,
+                    reading.computed,
+                    reading.measured.text(),
+                    reading.unit
+                )
             }
             MeasuredProblem::None { kind } => write!(f, "there are no {kind} tests"),
             MeasuredProblem::Repeated { test } => write!(f, "{test} stands there twice"),

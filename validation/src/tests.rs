@@ -25,11 +25,41 @@ fn run_owned(alter: impl FnOnce(&mut Owned)) -> Result<Report, DataError> {
         bounds: texts.bounds.into(),
         iihs: texts.iihs.into(),
         nhtsa: texts.nhtsa.into(),
+        worked: texts.worked.into(),
     };
     alter(&mut owned);
-    let Owned { table_1, table_2, table_3, table_4, table_5, table_6, table_b1, table_b2, geometry, misprints, bounds, iihs, nhtsa } =
-        &owned;
-    run_on(&Texts { table_1, table_2, table_3, table_4, table_5, table_6, table_b1, table_b2, geometry, misprints, bounds, iihs, nhtsa })
+    let Owned {
+        table_1,
+        table_2,
+        table_3,
+        table_4,
+        table_5,
+        table_6,
+        table_b1,
+        table_b2,
+        geometry,
+        misprints,
+        bounds,
+        iihs,
+        nhtsa,
+        worked,
+    } = &owned;
+    run_on(&Texts {
+        table_1,
+        table_2,
+        table_3,
+        table_4,
+        table_5,
+        table_6,
+        table_b1,
+        table_b2,
+        geometry,
+        misprints,
+        bounds,
+        iihs,
+        nhtsa,
+        worked,
+    })
 }
 
 struct Owned {
@@ -46,6 +76,7 @@ struct Owned {
     bounds: String,
     iihs: String,
     nhtsa: String,
+    worked: String,
 }
 
 /// Replaces a text that must occur exactly once.
@@ -192,7 +223,7 @@ fn a_report_of_nothing_does_not_hold() {
         misprints: vec![],
         chain: vec![],
         figures: vec![],
-        measured: Measured { small_overlap: vec![], frontal: vec![] },
+        measured: Measured { small_overlap: vec![], frontal: vec![], worked: vec![] },
     };
     assert!(!nothing.holds());
     // Eight tables, the statements, the chain, the figures, both kinds of measured tests.

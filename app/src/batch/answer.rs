@@ -265,8 +265,8 @@ fn needed(wrt: &[Parameter]) -> Vec<Input> {
             Parameter::RadiusOfGyration(side) => add(Input::YawInertia(side)),
             Parameter::Friction | Parameter::RatioOfCritical => add(Input::ImpulseRatio),
             Parameter::MomentOfCritical => add(Input::Moment),
-            // Nothing of the impact depends on the crush.
-            Parameter::Crush(..) => (),
+            // Nothing of the impact depends on crush and skids.
+            Parameter::Crush(..) | Parameter::Skid(..) => (),
         }
     }
     all
@@ -405,7 +405,7 @@ impl Rows {
             Parameter::Input(Input::Moment) => given(form.moment == MomentForm::Given, Input::Moment),
             Parameter::MomentOfCritical => given(form.moment == MomentForm::OfCritical, Input::Moment),
             Parameter::Input(input) => given(true, input),
-            Parameter::Crush(..) => Some(Vec::new()),
+            Parameter::Crush(..) | Parameter::Skid(..) => Some(Vec::new()),
         }
     }
 }

@@ -255,6 +255,7 @@ impl Row<'_> {
                 left: self.number(of.center[1], default.left, input(Input::ImpactCenterLeft)),
             },
             crush: None,
+            braking: None,
         })
     }
 

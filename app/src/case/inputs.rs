@@ -2,6 +2,7 @@
 
 use planar_impact::{ImpulseRatio, Input, Law, Moment, Side};
 
+use super::braking::BrakingInputs;
 use super::parameter::{self, Parameter};
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 
@@ -46,6 +47,7 @@ impl Inputs {
             if let Some(crush) = &vehicle.crush {
                 all.extend(crush.keys().into_iter().map(|key| Parameter::Crush(side, key)));
             }
+            all.extend(vehicle.braking.iter().flat_map(BrakingInputs::keys).map(|key| Parameter::Skid(side, key)));
         }
         all.extend([Input::CrushPlane, Input::Restitution, Input::ImpulseRatio].map(Parameter::Input));
         if ratio_parameter(&self.contact.impulse_ratio) != Parameter::Input(Input::ImpulseRatio) {
@@ -192,6 +194,7 @@ mod tests {
                 surface: None,
                 pdof: None,
             }),
+            braking: None,
         }
     }
 

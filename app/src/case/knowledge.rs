@@ -95,7 +95,7 @@ pub fn parameter_of(variable: Variable) -> Option<Parameter> {
         Variable::Input(input) => Some(Parameter::Input(input)),
         Variable::Speed(side) => Some(Parameter::Speed(side)),
         Variable::RadiusOfGyration(side) => Some(Parameter::RadiusOfGyration(side)),
-        Variable::CrushShare => None,
+        Variable::CrushShare | Variable::Impulse(_) | Variable::SkidSpeed(_) => None,
     }
 }
 
@@ -107,7 +107,7 @@ pub fn variable_of(parameter: Parameter) -> Option<Variable> {
         Parameter::RadiusOfGyration(side) => Some(Variable::RadiusOfGyration(side)),
         Parameter::Friction | Parameter::RatioOfCritical => Some(Variable::Input(Input::ImpulseRatio)),
         Parameter::MomentOfCritical => Some(Variable::Input(Input::Moment)),
-        Parameter::Crush(..) => None,
+        Parameter::Crush(..) | Parameter::Skid(..) => None,
     }
 }
 

@@ -22,6 +22,8 @@ pub enum CaseOutput {
     MeanDepth(Side),
     /// A CRASH3 result for the vehicle.
     Crash3(Side, Crash3Key),
+    /// Speed of the vehicle when it began to brake before the impact.
+    BrakingSpeed(Side),
 }
 
 /// A CRASH3 result for a vehicle.
@@ -61,6 +63,7 @@ pub struct CaseOutputs<T = f64> {
     pub(super) impact: Outputs<T>,
     pub(super) crush: [Option<CrushOutputs<T>>; 2],
     pub(super) crash3: [Option<Crash3Outputs<T>>; 2],
+    pub(super) braking_speeds: [Option<T>; 2],
 }
 
 /// Results from the crush of one vehicle.
@@ -120,6 +123,7 @@ impl<T: Real> CaseOutputs<T> {
             CaseOutput::EquivalentEnergySpeed(side) => crush(side).map(|crush| crush.equivalent_speed.clone()),
             CaseOutput::MeanDepth(side) => crush(side).map(|crush| crush.mean_depth.clone()),
             CaseOutput::Crash3(side, key) => self.crash3[side as usize].as_ref().map(|crash3| crash3.get(key)),
+            CaseOutput::BrakingSpeed(side) => self.braking_speeds[side as usize].clone(),
         }
     }
 }
@@ -149,6 +153,9 @@ impl CaseOutput {
     pub fn named(name: &str) -> Option<CaseOutput> {
         if let Some(output) = Output::named(name) {
             return Some(CaseOutput::Impact(output));
+        }
+        if let Some((side, "braking_speed")) = name.strip_prefix("before.").and_then(super::parameter::of_vehicle) {
+            return Some(CaseOutput::BrakingSpeed(side));
         }
         let (side, key) = super::parameter::of_vehicle(name)?;
         match key {
@@ -188,7 +195,7 @@ impl CaseOutput {
         match self {
             CaseOutput::Impact(output) => output.measure(),
             CaseOutput::CrushEnergy(_) => Measure::Energy,
-            CaseOutput::EquivalentEnergySpeed(_) => Measure::Speed,
+            CaseOutput::EquivalentEnergySpeed(_) | CaseOutput::BrakingSpeed(_) => Measure::Speed,
             CaseOutput::MeanDepth(_) => Measure::Length,
             CaseOutput::Crash3(_, key) => match key {
                 Crash3Key::Pdof => Measure::Angle,
@@ -209,6 +216,7 @@ impl fmt::Display for CaseOutput {
             CaseOutput::EquivalentEnergySpeed(side) => vehicle(f, side, "equivalent_energy_speed"),
             CaseOutput::MeanDepth(side) => vehicle(f, side, "mean_depth"),
             CaseOutput::Crash3(side, key) => vehicle(f, side, &format!("crash3.{}", key.name())),
+            CaseOutput::BrakingSpeed(side) => write!(f, "before.vehicle.{}.braking_speed", number(*side)),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use planar_impact::{Input, Side};
 
+use super::braking::SkidKey;
 use super::crush::CrushKey;
 use super::domain::Domain;
 use crate::quantity::Kind;
@@ -22,6 +23,8 @@ pub enum Parameter {
     Speed(Side),
     /// A number of the crush.
     Crush(Side, CrushKey),
+    /// A number of a skid before the impact.
+    Skid(Side, SkidKey),
     /// The coefficient of friction that limits the impulse ratio.
     Friction,
     /// The fraction of the critical impulse ratio.
@@ -47,6 +50,9 @@ impl Parameter {
         if let Some(parameter) = of_vehicles.find(|parameter| parameter.symbol() == Some(name)) {
             return Some(parameter);
         }
+        if let Some((side, key)) = name.strip_prefix("before.").and_then(of_vehicle) {
+            return SkidKey::named(key.strip_prefix("skid.")?).map(|key| Parameter::Skid(side, key));
+        }
         let (side, key) = of_vehicle(name)?;
         match key {
             "speed" => Some(Parameter::Speed(side)),
@@ -71,7 +77,7 @@ impl Parameter {
     pub fn side(self) -> Option<Side> {
         match self {
             Parameter::Input(input) => input.side(),
-            Parameter::RadiusOfGyration(side) | Parameter::Speed(side) | Parameter::Crush(side, _) => Some(side),
+            Parameter::RadiusOfGyration(side) | Parameter::Speed(side) | Parameter::Crush(side, _) | Parameter::Skid(side, _) => Some(side),
             _ => None,
         }
     }
@@ -88,6 +94,7 @@ impl Parameter {
             Parameter::Speed(_) => Measure::Speed,
             Parameter::RadiusOfGyration(_) => Measure::Length,
             Parameter::Crush(_, key) => key.measure(),
+            Parameter::Skid(_, key) => key.measure(),
             Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
         }
     }
@@ -97,6 +104,7 @@ impl Parameter {
         match self {
             Parameter::Input(Input::Mass(_) | Input::YawInertia(_)) | Parameter::RadiusOfGyration(_) => Domain::Positive,
             Parameter::Crush(_, key) => key.domain(),
+            Parameter::Skid(_, key) => key.domain(),
             Parameter::Friction => Domain::NotNegative,
             Parameter::Input(Input::Restitution) | Parameter::MomentOfCritical => Domain::Fraction,
             _ => Domain::Any,
@@ -126,6 +134,7 @@ impl fmt::Display for Parameter {
             Parameter::RadiusOfGyration(side) => vehicle(f, side, "radius_of_gyration"),
             Parameter::Speed(side) => vehicle(f, side, "speed"),
             Parameter::Crush(side, key) => vehicle(f, side, &format!("crush.{key}")),
+            Parameter::Skid(side, key) => write!(f, "before.vehicle.{}.skid.{key}", number(*side)),
             Parameter::Friction => f.write_str("contact.friction"),
             Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
             Parameter::MomentOfCritical => f.write_str("contact.moment.of_critical"),
@@ -136,6 +145,7 @@ impl fmt::Display for Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::braking::SkidNumber;
     use crate::case::crush::FormKey;
 
     #[test]
@@ -150,15 +160,21 @@ mod tests {
             all.extend(keys.into_iter().chain(of_zones).chain(of_forms).map(|key| Parameter::Crush(side, key)));
         }
         all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
+        all.extend(SkidNumber::ALL.map(|of| Parameter::Skid(Side::Two, SkidKey { skid: 3, of })));
         for parameter in all {
             assert_eq!(Parameter::named(&parameter.to_string()), Some(parameter));
-            assert_eq!(parameter.side().is_some(), parameter.to_string().starts_with("vehicle."), "{parameter}");
+            assert_eq!(parameter.side().is_some(), parameter.to_string().contains("vehicle."), "{parameter}");
             // A value in the unit of its measure can be parsed as its kind.
             let unit = crate::units::Units::Us.unit(parameter.measure());
             assert!(crate::quantity::parse(&format!("1 {unit}"), parameter.kind()).is_ok(), "{parameter}");
         }
         assert_eq!(Parameter::named("k2"), Some(Parameter::RadiusOfGyration(Side::Two)));
         assert_eq!(Parameter::named("Gamma"), Some(Parameter::Input(Input::CrushPlane)));
+        for unknown in
+            ["before.vehicle.1.skid.0.length", "before.vehicle.1.skid.+1.length", "before.vehicle.1.mass", "before.vehicle.1.skid.1"]
+        {
+            assert_eq!(Parameter::named(unknown), None, "{unknown}");
+        }
         for unknown in ["vehicle.1.crush.zones.d0", "vehicle.1.crush.zones.0.d0", "vehicle.1.crush.zones.1.C", "vehicle.1.crush."] {
             assert_eq!(Parameter::named(unknown), None, "{unknown}");
         }

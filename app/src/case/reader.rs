@@ -1,5 +1,6 @@
 //! Reads a case file key by key.
 
+mod before;
 mod contact;
 mod correlation;
 mod crush;
@@ -8,6 +9,7 @@ mod evidence;
 mod fitted;
 mod implied;
 mod measured;
+mod momentum;
 mod rest;
 mod sample;
 mod unknown;
@@ -20,9 +22,11 @@ use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 use self::fitted::FittedToTests;
 use self::implied::ImpliedValues;
 use self::measured::Distributed;
+use self::momentum::ANY_INERTIA;
 use super::domain::Domain;
 use super::inputs::Inputs;
 use super::knowledge::Knowledge;
+use super::model::ContactModel;
 use super::parameter::Parameter;
 use super::rest::RestInputs;
 use super::uncertain::{Uncertain, UncertainInput};
@@ -39,8 +43,10 @@ pub(super) struct Read {
     pub(super) title: String,
     pub(super) names: [String; 2],
     pub(super) inputs: Inputs,
+    pub(super) model: ContactModel,
     pub(super) bracket: Option<CrushPlaneBracket>,
     pub(super) knowledge: Knowledge,
+    pub(super) has_scene: bool,
     pub(super) rest: Option<RestInputs>,
     pub(super) uncertain: Uncertain,
 }
@@ -207,20 +213,34 @@ impl CaseReader {
         // Keep notices in file order: these usually come last.
         let notices = self.notices.take();
         let implied = ImpliedValues::of(&evidence, &unknowns, whole);
-        let vehicles = self.vehicles(root, &implied);
-        let contact = root.required("contact").table().and_then(|contact| self.contact(&contact, &implied));
+        let contact = root.required("contact").table();
+        let is_momentum = contact.as_ref().is_some_and(Self::is_momentum);
+        let vehicles = self.vehicles(root, &implied, is_momentum);
+        let contact = contact.and_then(|contact| self.contact(&contact, &implied, is_momentum));
         self.notices.borrow_mut().extend(notices);
         let correlations =
             root.has("correlation").then(|| self.correlations(root.optional("correlation"), vehicles.is_some() && contact.is_some()));
+        let impact_point = root.has("scene").then(|| self.impact_point(root));
         let rest = root.has("rest").then(|| {
             let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
-            self.rest(root, vehicles)
+            self.rest(root, vehicles, impact_point.flatten())
         });
+        let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
-        if gravity == Some(None) {
+        if gravity == Some(None) || !spins {
             return None;
         }
-        let ([(name_1, one), (name_2, two)], (contact, bracket)) = (vehicles?, contact?);
+        if let Some(impact_point) = impact_point {
+            impact_point?;
+        }
+        let ([(name_1, mut one), (name_2, mut two)], (contact, bracket)) = (vehicles?, contact?);
+        if root.has("before") {
+            self.before(root, [&mut one, &mut two])?;
+        }
+        let model = match is_momentum {
+            true => ContactModel::Momentum { angular: self.is_angular(root, [&mut one, &mut two])? },
+            false => ContactModel::ImpulseRatio,
+        };
         let evidence = self.settle(&evidence, [&one, &two]);
         let inputs = Inputs { vehicles: [one, two], contact };
         let mut correlations = correlations.unwrap_or(Some(Vec::new()))?;
@@ -233,7 +253,25 @@ impl CaseReader {
             Some(rest) => Some(rest?),
             None => None,
         };
-        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, bracket, knowledge, rest, uncertain })
+        (whole && agrees).then_some(Read {
+            title,
+            names: [name_1, name_2],
+            inputs,
+            model,
+            bracket,
+            knowledge,
+            has_scene: impact_point.is_some(),
+            rest,
+            uncertain,
+        })
+    }
+
+    /// Reads where on the scene the vehicles met.
+    fn impact_point(&self, root: &Table<'_>) -> Option<Xy> {
+        let scene = root.optional("scene").table()?;
+        let point = self.pair(scene.required("impact_point"), Kind::LENGTH);
+        scene.finish();
+        point.map(|[x, y]| Xy { x, y })
     }
 
     /// Reads an optional table as a list.
@@ -241,7 +279,7 @@ impl CaseReader {
         if root.has(key) { root.optional(key).table().and_then(|table| read(self, &table)) } else { Some(Vec::new()) }
     }
 
-    fn vehicles(&self, root: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<[(String, Option<VehicleInputs>); 2]> {
+    fn vehicles(&self, root: &Table<'_>, implied: &ImpliedValues<'_>, is_momentum: bool) -> Option<[(String, Option<VehicleInputs>); 2]> {
         let field = root.required("vehicle");
         let place = root.optional("vehicle");
         let tables = field.array_of_tables()?;
@@ -252,12 +290,18 @@ impl CaseReader {
                 Some("a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned()),
             );
         }
-        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1, implied)).collect();
+        let read: Vec<_> = tables.iter().enumerate().map(|(i, table)| self.party(table, i + 1, implied, is_momentum)).collect();
         let both: Option<Vec<_>> = read.into_iter().collect();
         both?.try_into().ok()
     }
 
-    fn party(&self, table: &Table<'_>, number: usize, implied: &ImpliedValues<'_>) -> Option<(String, Option<VehicleInputs>)> {
+    fn party(
+        &self,
+        table: &Table<'_>,
+        number: usize,
+        implied: &ImpliedValues<'_>,
+        is_momentum: bool,
+    ) -> Option<(String, Option<VehicleInputs>)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         if table.has("barrier") {
             // If `barrier` is neither true nor false, the other keys cannot be judged.
@@ -267,12 +311,12 @@ impl CaseReader {
             }
         }
         let side = if number == 2 { Side::Two } else { Side::One };
-        let vehicle = self.vehicle(table, side, implied);
+        let vehicle = self.vehicle(table, side, implied, is_momentum);
         table.finish();
         vehicle.map(|vehicle| (name, Some(vehicle)))
     }
 
-    fn vehicle(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<VehicleInputs> {
+    fn vehicle(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>, is_momentum: bool) -> Option<VehicleInputs> {
         let or = |key, input: fn(Side) -> Input, read: &dyn Fn(Field<'_>) -> Option<f64>| match implied.of_key(table, key, input(side)) {
             Some(value) => value,
             None => read(table.required(key)),
@@ -286,13 +330,14 @@ impl CaseReader {
         let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| input(side));
         let impact_center = match implied.of_pair(table, "impact_center", center.map(Variable::Input)) {
             Some(pair) => pair,
+            None if is_momentum && !table.has("impact_center") => Some([0.0, 0.0]),
             None => self.inputs(table.required("impact_center"), center),
         };
         let yaw_rate = match implied.of_optional(table, "yaw_rate", Input::YawRate(side), 0.0) {
             Some(value) => Some(value),
             None => self.input(table.required("yaw_rate"), Parameter::Input(Input::YawRate(side))),
         };
-        let inertia = self.inertia(table, side, implied);
+        let inertia = if is_momentum && !has_inertia(table) { Some(ANY_INERTIA) } else { self.inertia(table, side, implied) };
         let velocity = self.velocity(table, side, implied);
         let crush = table.has("crush").then(|| self.crush(table.optional("crush"), side));
         let [forward, left] = impact_center?;
@@ -307,6 +352,7 @@ impl CaseReader {
                 Some(crush) => Some(crush?),
                 None => None,
             },
+            braking: None,
         })
     }
 
@@ -352,6 +398,11 @@ impl CaseReader {
             _ => self.inputs(table.required("velocity"), components).map(|[x, y]| Velocity::Components(Xy { x, y })),
         }
     }
+}
+
+/// Returns `true` if a vehicle has a yaw inertia.
+fn has_inertia(vehicle: &Table<'_>) -> bool {
+    vehicle.has("yaw_inertia") || vehicle.has("radius_of_gyration")
 }
 
 /// Returns which of two keys the table has; it must have exactly one.

@@ -1,6 +1,6 @@
 //! Rest positions of a case file, and the separation velocities computed from them.
 
-use planar_impact::post_impact::{Method, NoSeparation, RestEvidence, Separation, Slide};
+use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separation, Slide};
 
 use super::Case;
 use crate::issue::{Issue, Issues};
@@ -17,20 +17,18 @@ pub struct RestInputs {
 pub struct RestOfVehicle {
     /// The vehicle and the ground it slides on.
     pub slide: Slide,
-    /// Separation pose and rest pose.
-    pub evidence: RestEvidence,
+    /// The pose at separation.
+    pub separation: Pose,
+    /// Separation pose and rest pose; `None` if the file does not say where it came to rest.
+    pub evidence: Option<RestEvidence>,
     /// Method that computes its separation.
     pub method: Method,
 }
 
 impl RestOfVehicle {
-    /// Computes its separation from its rest position.
-    ///
-    /// # Errors
-    ///
-    /// Returns the reason if the separation cannot be determined.
-    pub fn separation(&self) -> Result<Separation, NoSeparation> {
-        self.slide.separation(&self.evidence, self.method)
+    /// Computes its separation from its rest position, or returns the reason why that cannot be determined; `None` without a rest position.
+    pub fn separation(&self) -> Option<Result<Separation, NoSeparation>> {
+        Some(self.slide.separation(self.evidence.as_ref()?, self.method))
     }
 }
 
@@ -44,9 +42,14 @@ impl Case {
         let Some(rest) = &self.rest else { return Ok([None, None]) };
         let mut issues = Vec::new();
         let separations = [0, 1].map(|i| {
-            let separation = rest.vehicles[i].as_ref()?.separation();
+            let path = format!("rest.vehicle.{}", i + 1);
+            let Some(separation) = rest.vehicles[i].as_ref()?.separation() else {
+                let help = "give `position` and `heading` at rest; `slide` alone does without them";
+                issues.push(Issue::at("missing-key", path, "missing: where it came to rest").with_help(help));
+                return None;
+            };
             let issue = |why: NoSeparation| {
-                let issue = Issue::at("no-separation", format!("rest.vehicle.{}", i + 1), why.to_string());
+                let issue = Issue::at("no-separation", path.clone(), why.to_string());
                 issues.push(help(&why).map_or(issue.clone(), |help| issue.with_help(help)));
             };
             separation.map_err(issue).ok()

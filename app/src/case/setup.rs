@@ -23,6 +23,8 @@ pub struct Setup<T = f64> {
     pub collision: Collision<T>,
     /// The crush of vehicle 1 and of vehicle 2.
     pub crush: [Option<Crush<T>>; 2],
+    /// The speed from which the skids before the impact bring vehicle 1 and vehicle 2 to rest.
+    pub skid_speeds: [Option<T>; 2],
 }
 
 impl Inputs {
@@ -31,6 +33,10 @@ impl Inputs {
     pub fn setup<T: Real + From<f64>>(&self, mut by: impl FnMut(Parameter) -> T) -> Setup<T> {
         let mut vehicle = |i: usize, side| self.vehicles[i].as_ref().map(|vehicle| on_scalar(vehicle, side, &mut by));
         let (one, two) = (vehicle(0, Side::One).unzip(), vehicle(1, Side::Two).unzip());
+        let skid_speeds = Side::ALL.map(|side| {
+            let braking = self.vehicles[side as usize].as_ref()?.braking.as_ref()?;
+            Some(braking.skid_speed(|key| by(Parameter::Skid(side, key))))
+        });
         let party = |vehicle: Option<Vehicle<T>>| vehicle.map_or(Party::Barrier, Party::Vehicle);
         let contact = &self.contact;
         let mut plus = |value: f64, parameter| T::from(value) + by(parameter);
@@ -45,6 +51,7 @@ impl Inputs {
                 moment: contact.moment.map(|value| plus(value, moment_parameter(&contact.moment))),
             },
             crush: [one.1.flatten(), two.1.flatten()],
+            skid_speeds,
         }
     }
 
@@ -99,7 +106,21 @@ impl<T: Real<Mask = bool>> Setup<T> {
     /// Computes the outputs of a solved impact.
     pub fn outputs_of(&self, impact: &Impact<T>) -> CaseOutputs<T> {
         let crush = self.crush_outputs();
-        CaseOutputs { impact: Outputs::of(&self.collision, impact), crash3: self.crash3_outputs(&crush), crush }
+        CaseOutputs {
+            impact: Outputs::of(&self.collision, impact),
+            crash3: self.crash3_outputs(&crush),
+            braking_speeds: self.braking_speeds(),
+            crush,
+        }
+    }
+
+    /// Computes the speed of each vehicle when it began to brake; `None` without skids.
+    fn braking_speeds(&self) -> [Option<T>; 2] {
+        let parties = self.collision.parties();
+        std::array::from_fn(|i| {
+            let (vehicle, skid) = (parties[i].vehicle()?, self.skid_speeds[i].clone()?);
+            Some((vehicle.motion.velocity.clone().length_squared() + skid.squared()).square_root())
+        })
     }
 
     /// Computes the crush outputs of each vehicle; `None` if its stations or depths are impossible.
@@ -169,6 +190,8 @@ impl Setup {
                 }
             }
         }
+        let braking = Side::ALL.into_iter().filter(|side| self.skid_speeds[*side as usize].is_some());
+        all.extend(braking.map(CaseOutput::BrakingSpeed));
         all
     }
 
@@ -191,6 +214,9 @@ impl Setup {
                 if self.crush[side as usize].is_none() =>
             {
                 Some(format!("vehicle {} has no crush in this case", number(side)))
+            }
+            CaseOutput::BrakingSpeed(side) if self.skid_speeds[side as usize].is_none() => {
+                Some(format!("vehicle {} has no skids in this case", number(side)))
             }
             CaseOutput::Crash3(..) if !self.has_crash3() => Some("CRASH3 needs the crush of both vehicles".to_owned()),
             _ => None,

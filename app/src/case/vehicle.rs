@@ -2,6 +2,7 @@
 
 use planar_impact::{ForwardLeft, Heading, Input, Xy};
 
+use super::braking::BrakingInputs;
 use super::crush::CrushInputs;
 use super::parameter::Parameter;
 
@@ -22,6 +23,8 @@ pub struct VehicleInputs {
     pub impact_center: ForwardLeft,
     /// The crush, if the file has it.
     pub crush: Option<CrushInputs>,
+    /// Its braking before the impact, if the file has it.
+    pub braking: Option<BrakingInputs>,
 }
 
 /// Form in which a file gives a yaw inertia.
@@ -88,6 +91,7 @@ impl VehicleInputs {
                 Inertia::Yaw(_) => return Err("the case gives `yaw_inertia` instead".to_owned()),
             },
             Parameter::Crush(_, key) => crush()?.value(key)?,
+            Parameter::Skid(_, key) => self.braking.as_ref().ok_or("the vehicle has no skids in this case")?.value(key)?,
             _ => return Err("it belongs to the contact".to_owned()),
         })
     }
@@ -114,6 +118,11 @@ impl VehicleInputs {
                 }
             }
             (Parameter::Crush(_, key), Some(crush)) => crush.set(key, value),
+            (Parameter::Skid(_, key), _) => {
+                if let Some(braking) = &mut self.braking {
+                    braking.set(key, value);
+                }
+            }
             _ => unreachable!("a value can be set"),
         }
     }

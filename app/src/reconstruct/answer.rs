@@ -223,6 +223,8 @@ pub struct Influence<'a> {
 pub(super) struct Solved<'a> {
     pub(super) question: &'a Question,
     pub(super) answer: &'a planar_impact::reconstruct::Answer,
+    /// The impact of the best solution.
+    pub(super) impact: planar_impact::Impact,
     /// Those of the unknowns, then those of what follows from them.
     pub(super) intervals: Vec<planar_impact::reconstruct::Interval>,
     /// Their level of confidence.
@@ -300,7 +302,7 @@ impl Solved<'_> {
             diagnostics: self.diagnostics.clone(),
             crash3: self.crash3.clone(),
             solution: (answer.verdict != Verdict::Undetermined)
-                .then(|| Answer::new(&self.case.title, solve::Solution::of(self.case, &best.impact), Notices::default())),
+                .then(|| Answer::new(&self.case.title, solve::Solution::of(self.case, &self.impact), Notices::default())),
             impulse_ratio_is_fraction: matches!(self.case.collision.impulse_ratio, planar_impact::ImpulseRatio::OfCritical(_)),
         }
     }

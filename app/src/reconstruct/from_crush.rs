@@ -99,7 +99,7 @@ fn slope(case: &Case, side: Side, of: CrushKey) -> f64 {
 }
 
 /// Returns the covariance of two numbers with the given derivatives by uncertain parameters.
-fn covariance(uncertain: &Uncertain, parameters: &[Parameter], one: &[f64], other: &[f64]) -> f64 {
+pub(super) fn covariance(uncertain: &Uncertain, parameters: &[Parameter], one: &[f64], other: &[f64]) -> f64 {
     let sd = |parameter: Parameter| uncertain.of(parameter).map_or(0.0, |input| input.distribution.sd());
     let mut sum = 0.0;
     // An input that neither depends on may have an infinite standard deviation.

@@ -1,8 +1,8 @@
 //! Converts rest positions into evidence of the separation velocities.
 
-use planar_impact::Side;
 use planar_impact::post_impact::{Separation, SeparationEvidence};
-use planar_impact::reconstruct::Correlation;
+use planar_impact::reconstruct::{Correlation, Measurand};
+use planar_impact::{Output, Side};
 
 use crate::case::{Case, Known, vehicle_number};
 use crate::issue::{Issue, Issues};
@@ -34,7 +34,12 @@ impl FromRest {
         }
         // From here on it is treated as any other evidence.
         case.rest = None;
-        let SeparationEvidence { evidence, correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
+        let SeparationEvidence { mut evidence, mut correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
+        if !case.model.is_angular() {
+            let spins = |of: Measurand| matches!(of, Measurand::Output(Output::YawRate(_)));
+            evidence.retain(|piece| !spins(piece.of));
+            correlations.retain(|pair| !spins(pair.one) && !spins(pair.other));
+        }
         for piece in evidence {
             let key = piece.of.side().map_or_else(|| "rest".to_owned(), key);
             case.knowledge.evidence.push(Known {
@@ -76,7 +81,7 @@ fn unfit(case: &Case, i: usize, separation: &Separation) -> Option<Issue> {
         let message = "the rest position does not determine the uncertainty of the separation";
         return Some(Issue::at("no-separation", path, message).with_help("give the separation velocity as evidence instead"));
     }
-    let given = case.rest.as_ref()?.vehicles[i].as_ref().map(|rest| rest.evidence)?;
+    let given = case.rest.as_ref()?.vehicles[i].as_ref().and_then(|rest| rest.evidence)?;
     let miss = separation.miss_beyond(&given)?;
     let message = Message::from("the slide that ends nearest misses the rest position by ")
         .figure(Measure::Length, miss.position.length())

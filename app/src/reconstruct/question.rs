@@ -1,10 +1,11 @@
 //! Converts a case into the problem that the library solves.
 
 use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Uncertainty, Unknown, Variable, crush_share};
-use planar_impact::{ImpulseRatio, Input, Moment, Side};
+use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
 use super::from_crush::FromCrush;
 use super::from_rest::FromRest;
+use super::from_skids::FromSkids;
 use super::inputs::InputUnknowns;
 use crate::case::{Case, Inertia, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
 use crate::issue::{Issue, Issues};
@@ -68,14 +69,21 @@ impl Question {
         // Without a question and evidence there is nothing to learn of the inputs.
         let is_asked = !case.knowledge.unknowns.is_empty() || !case.knowledge.evidence.is_empty();
         let of_inputs = if is_asked { InputUnknowns::of(&case) } else { InputUnknowns::default() };
+        let of_skids = FromSkids::of(&case);
         let case = &case;
         let knowledge = &case.knowledge;
         let mut draft =
             Draft { case, unknowns: Vec::new(), evidence: Vec::new(), places: Places::default(), notices: case.notices.clone() };
         let (mut set, mut certain, mut crush_share) = (Vec::new(), Vec::new(), None);
         let mut issues: Vec<Issue> = knowledge.unknowns.iter().filter_map(|requested| misnamed(case, requested)).collect();
-        issues.extend(of_crush.issues.into_iter().chain(of_inputs.issues));
+        issues.extend(of_crush.issues.into_iter().chain(of_inputs.issues).chain(of_skids.issues));
+        issues.extend(knowledge.evidence.iter().filter_map(|known| beyond_momentum(case, known)));
         for requested in &knowledge.unknowns {
+            if case.model.is_momentum() && Measurand::Variable(requested.of).is_of_contact() {
+                let message = format!("{} is not solved for: momentum alone does not take it", requested.of.name());
+                draft.notices.0.push(Notice::note("not-used-by-momentum", requested.key.clone(), message));
+                continue;
+            }
             let start = draft.start(requested);
             // An unknown without uncertainty is known.
             if requested.prior == Some(0.0) {
@@ -97,8 +105,9 @@ impl Question {
         }
         draft.notices.0.extend(of_crush.notices.into_iter().chain(of_inputs.notices));
         draft.notices.0.extend(at_nominal_values(of_crush.unused));
-        let inputs: Vec<Variable> = of_inputs.unknowns.iter().map(|(unknown, _)| unknown.of).collect();
-        for (unknown, key) in of_inputs.unknowns {
+        let beside: Vec<(Unknown, String)> = of_inputs.unknowns.into_iter().chain(of_skids.unknowns).collect();
+        let inputs: Vec<Variable> = beside.iter().map(|(unknown, _)| unknown.of).collect();
+        for (unknown, key) in beside {
             draft.places.unknowns.push((unknown.of, key));
             draft.unknowns.push(unknown);
         }
@@ -132,15 +141,16 @@ impl Question {
             unknowns: draft.unknowns,
             evidence: draft.evidence,
             correlations,
-            prior_correlations: of_inputs.correlations,
+            prior_correlations: of_inputs.correlations.into_iter().chain(of_skids.correlation).collect(),
+            skid_speeds: of_skids.known,
             drives_along_heading,
             holds_radius_of_gyration,
             crush_share,
             ..ReconstructionProblem::of(settled.collision)
         };
         Ok(Question {
+            asked: if settled.model.is_momentum() { asked.by_momentum() } else { asked },
             case: settled,
-            asked,
             inputs,
             certain,
             places: draft.places,
@@ -165,6 +175,26 @@ fn misnamed(case: &Case, requested: &RequestedUnknown) -> Option<Issue> {
     let help = "leave it out of [contact], or name the unknown as the contact gives it";
     (!is_there)
         .then(|| Issue::at("conflict", requested.key.clone(), format!("the contact gives the {given} in another way")).with_help(help))
+}
+
+/// Returns an issue if evidence cannot be used with momentum alone.
+fn beyond_momentum(case: &Case, known: &Known) -> Option<Issue> {
+    if !case.model.is_momentum() {
+        return None;
+    }
+    let name = known.of.name();
+    let issue = |message: String, help: &'static str| Some(Issue::at("by-momentum", known.key.clone(), message).with_help(help));
+    match known.of {
+        of if of.is_of_contact() => issue(
+            format!("momentum alone says nothing of {name}"),
+            "leave it out, or leave `model` out and give `crush_plane` and `restitution`",
+        ),
+        Measurand::Output(Output::YawRate(_)) if !case.model.is_angular() => issue(
+            format!("{name} needs angular momentum"),
+            "give `yaw_inertia` and `impact_center` of both vehicles, or leave the yaw rate out",
+        ),
+        _ => None,
+    }
 }
 
 /// The question under construction.

@@ -158,6 +158,7 @@ fn not_in_case(question: &Question, of: Variable) -> Issue {
             issue("the contact is at the critical impulse ratio, which follows from the other inputs".to_owned()).with_help(help)
         }
         Variable::CrushShare => issue("a barrier has no crush to share".to_owned()),
+        Variable::Impulse(_) => issue("a barrier takes any momentum".to_owned()),
         _ => issue(format!("the collision has no {}", of.name())),
     }
 }

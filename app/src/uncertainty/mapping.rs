@@ -58,7 +58,7 @@ impl CaseMapping {
                 Parameter::Input(input) => input,
                 Parameter::Friction | Parameter::RatioOfCritical => Input::ImpulseRatio,
                 Parameter::MomentOfCritical => Input::Moment,
-                Parameter::RadiusOfGyration(_) | Parameter::Speed(_) | Parameter::Crush(..) => continue,
+                Parameter::RadiusOfGyration(_) | Parameter::Speed(_) | Parameter::Crush(..) | Parameter::Skid(..) => continue,
             };
             found.push((input, Rule::Same(place)));
         }

@@ -35,20 +35,20 @@ impl CaseModel {
         self.inputs.set_all(&values)
     }
 
-    /// Returns why the numbers of a crush are impossible.
+    /// Returns why the numbers of a crush or of skids are impossible.
     fn unfit(&self, numbers: &[f64], setup: &Setup) -> Option<&'static str> {
-        let of_crush = self.parameters.iter().zip(numbers).filter(|(parameter, _)| matches!(parameter, Parameter::Crush(..)));
-        let outside =
-            of_crush.map(|(parameter, value)| (parameter.domain(), value)).find(|(domain, value)| domain.wanted(**value).is_some());
+        let beside = self.parameters.iter().zip(numbers).filter(|(parameter, _)| is_beside_impact(**parameter));
+        let outside = beside.map(|(parameter, value)| (parameter.domain(), value)).find(|(domain, value)| domain.wanted(**value).is_some());
         match outside {
             Some((Domain::Positive, _)) => Some("not-positive"),
             Some(_) => Some("out-of-range"),
+            None if setup.skid_speeds.iter().flatten().any(|speed| speed.is_nan()) => Some("not-slowing"),
             None => setup.crush.iter().flatten().find_map(Crush::unfit).map(|_| "no-crush"),
         }
     }
 
-    fn has_crush(&self) -> bool {
-        self.parameters.iter().any(|parameter| matches!(parameter, Parameter::Crush(..)))
+    fn has_numbers_beside_impact(&self) -> bool {
+        self.parameters.iter().copied().any(is_beside_impact)
     }
 
     /// Returns an output with its derivatives by duals.
@@ -61,6 +61,11 @@ impl CaseModel {
         };
         Slope { value, by: self.parameters.iter().map(by).collect() }
     }
+}
+
+/// Returns `true` for a number that the impact does not depend on.
+fn is_beside_impact(parameter: Parameter) -> bool {
+    matches!(parameter, Parameter::Crush(..) | Parameter::Skid(..))
 }
 
 /// Returns an output that is one of the impact.
@@ -91,7 +96,7 @@ impl Model for CaseModel {
 
     fn solve(&self, samples: usize, numbers: &mut [Vec<f64>], of: &[CaseOutput]) -> SolvedSamples {
         let outputs: Vec<Output> = of.iter().copied().filter_map(of_impact).collect();
-        let needs_setups = outputs.len() < of.len() || self.has_crush();
+        let needs_setups = outputs.len() < of.len() || self.has_numbers_beside_impact();
         let columns = if needs_setups { numbers.to_vec() } else { Vec::new() };
         let SolvedSamples { columns: solved, mut refused } = self.impact.solve(samples, numbers, &outputs);
         let mut solved = solved.into_iter();

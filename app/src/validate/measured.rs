@@ -1,6 +1,6 @@
 //! The measured tests in the JSON answer.
 
-use planar_impact_validation::{Frontal, Reading, RootMeanSquare, SmallOverlap};
+use planar_impact_validation::{Frontal, Reading, RootMeanSquare, SmallOverlap, Worked};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -13,6 +13,24 @@ pub(super) struct Measured<'a> {
     small_overlap_root_mean_square: RootMeanSquares,
     /// Full-frontal barrier tests.
     full_frontal: Vec<FrontalEntry<'a>>,
+    /// Worked examples and staged collisions of the field.
+    worked: Vec<WorkedEntry<'a>>,
+}
+
+/// A published number of a worked example.
+#[derive(Serialize, JsonSchema)]
+struct WorkedEntry<'a> {
+    /// The example.
+    example: &'a str,
+    /// The quantity.
+    quantity: &'a str,
+    /// The number; an error is recorded where it was measured.
+    #[serde(flatten)]
+    reading: ReadingEntry<'a>,
+    /// `true` if it comes out to its digits, or with its recorded error.
+    holds: bool,
+    /// Where it is from.
+    source: &'a str,
 }
 
 /// A measured quantity and its computed value.
@@ -139,6 +157,7 @@ impl<'a> Measured<'a> {
                 kudlich_slibar: Errors::of(SmallOverlap::kudlich_slibar_root_mean_squares(tests)),
             },
             full_frontal: measured.frontal.iter().map(FrontalEntry::of).collect(),
+            worked: measured.worked.iter().map(WorkedEntry::of).collect(),
         }
     }
 }
@@ -175,6 +194,18 @@ impl<'a> SmallOverlapEntry<'a> {
             yaw_rate: reading(&test.yaw_rate, test.kudlich_slibar_yaw_rate),
             turns_as_measured: test.turns_as_measured(),
             reason: &test.reason,
+        }
+    }
+}
+
+impl<'a> WorkedEntry<'a> {
+    fn of(worked: &'a Worked) -> Self {
+        WorkedEntry {
+            example: &worked.example,
+            quantity: worked.reading.quantity,
+            reading: ReadingEntry::of(&worked.reading),
+            holds: worked.holds(),
+            source: &worked.source,
         }
     }
 }

@@ -64,6 +64,17 @@ Examples:
   planar-impact uncertainty cli/examples/uncertain.toml --of dV1,T_L --format svg > uncertainty.svg
   planar-impact uncertainty cli/examples/uncertain.toml --precision 0.1% --points sobol";
 
+pub(super) const SLIDE: &str = r#"The ground and the wheels are those of [rest]; `position` and `heading` at rest may be left out. A
+vehicle separates with the motion of the solved impact, or with the one that [evidence] gives:
+separation_velocity and separation_yaw_rate. Places are on the scene if the file says where the
+vehicles met, and else counted from where each separated:
+  [scene]
+  impact_point = ["12.3 m", "4.1 m"]
+
+Examples:
+  planar-impact slide cli/examples/slide.toml
+  planar-impact slide cli/examples/slide.toml --format csv > path.csv"#;
+
 pub(super) const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
   inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),

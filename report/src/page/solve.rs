@@ -23,6 +23,7 @@ fn vehicles(solution: &Solution, units: Units) -> Table {
     let row = |what: &str, measure: Measure, scale: f64, value: fn(&Vehicle) -> f64| {
         let cell = |vehicle: &Vehicle| match vehicle.barrier {
             true => "fixed".to_owned(),
+            false if value(vehicle).is_nan() => "-".to_owned(),
             false => units.number(measure, value(vehicle), scale),
         };
         let [one, two] = solution.vehicles.each_ref().map(cell);
@@ -41,8 +42,16 @@ fn vehicles(solution: &Solution, units: Units) -> Table {
     rows.extend(units.on_the_road(Measure::Speed).map(|road| row("", road, speed, |v| v.delta_v_magnitude)));
     rows.push(row("PDOF, clockwise from ahead", Measure::Angle, 1.0, |v| v.pdof));
     rows.extend(crush(solution, units));
+    rows.extend(braking(solution, units));
     let [one, two] = heads(solution.vehicles.each_ref().map(|vehicle| vehicle.name.as_str()));
     Table::new(["".to_owned(), "unit".to_owned(), one, two], "llrr", rows)
+}
+
+/// Renders a quantity that only some vehicles have.
+fn of_some(solution: &Solution, units: Units, what: &str, measure: Measure, value: fn(&Vehicle) -> Option<f64>) -> Vec<String> {
+    let cell = |vehicle: &Vehicle| value(vehicle).map_or("-".to_owned(), |value| units.number(measure, value, 0.0));
+    let [one, two] = solution.vehicles.each_ref().map(cell);
+    vec![what.to_owned(), units.unit(measure).to_owned(), one, two]
 }
 
 /// Renders crush energy and equivalent speed; nothing if no vehicle has a crush.
@@ -50,15 +59,25 @@ fn crush(solution: &Solution, units: Units) -> Vec<Vec<String>> {
     if solution.vehicles.iter().all(|vehicle| vehicle.crush_energy.is_none()) {
         return Vec::new();
     }
-    let row = |what: &str, measure: Measure, value: fn(&Vehicle) -> Option<f64>| {
-        let cell = |vehicle: &Vehicle| value(vehicle).map_or("-".to_owned(), |value| units.number(measure, value, 0.0));
-        let [one, two] = solution.vehicles.each_ref().map(cell);
-        vec![what.to_owned(), units.unit(measure).to_owned(), one, two]
-    };
     vec![
-        row("crush: mean depth", Measure::Length, |v| v.mean_depth),
-        row("       crush energy", Measure::Energy, |v| v.crush_energy),
-        row("       equivalent speed", Measure::Speed, |v| v.equivalent_energy_speed),
+        of_some(solution, units, "crush: mean depth", Measure::Length, |v| v.mean_depth),
+        of_some(solution, units, "       crush energy", Measure::Energy, |v| v.crush_energy),
+        of_some(solution, units, "       equivalent speed", Measure::Speed, |v| v.equivalent_energy_speed),
+    ]
+}
+
+/// Renders the braking before the impact; nothing if no vehicle has skids.
+fn braking(solution: &Solution, units: Units) -> Vec<Vec<String>> {
+    if solution.vehicles.iter().all(|vehicle| vehicle.braking.is_none()) {
+        return Vec::new();
+    }
+    let row = |what: &str, measure, value| of_some(solution, units, what, measure, value);
+    vec![
+        row("braking: speed at its start", Measure::Speed, |v| Some(v.braking.as_ref()?.speed)),
+        row("", Measure::RoadSpeed, |v| Some(v.braking.as_ref()?.speed)),
+        row("         speed at the impact", Measure::RoadSpeed, |v| Some(v.braking.as_ref()?.impact_speed)),
+        row("         distance to the impact", Measure::Length, |v| Some(v.braking.as_ref()?.distance)),
+        row("         time to the impact", Measure::Time, |v| Some(v.braking.as_ref()?.time)),
     ]
 }
 
@@ -110,6 +129,13 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
         ImpulseRatioGiven::OfCritical => format!("{} of critical", given("").trim()),
         ImpulseRatioGiven::Friction => given("limited by friction"),
     };
+    if contact.model.is_some() {
+        let along = units.quantity(Measure::Angle, contact.crush_plane);
+        let restitution = if contact.restitution.is_finite() { ratio(contact.restitution) } else { "none".to_owned() };
+        return vec![Block::Verbatim(format!(
+            "By momentum alone. The normal is along the impulse, at {along} from x;\nrestitution along it, between the impact centers: {restitution}."
+        ))];
+    }
     let law = match contact.tangential_law {
         TangentialLaw::Brach => "Brach",
         TangentialLaw::KudlichSlibar => "Kudlich-Slibar",

@@ -104,3 +104,26 @@ fn root_mean_squares_are_over_the_tests() {
     let [delta_v, yaw_rate] = SmallOverlap::kudlich_slibar_root_mean_squares(&tests);
     assert!((delta_v.percent - of(4.24, 5.84, 7.94)).abs() < 0.01 && (yaw_rate.percent - of(25.59, 0.84, 12.06)).abs() < 0.01);
 }
+
+#[test]
+fn worked_examples_come_out_to_their_digits_and_staged_ones_with_their_error() {
+    let measured = run().expect("embedded").measured;
+    let names: Vec<&str> = measured.worked.iter().map(|worked| worked.example.as_str()).collect();
+    assert_eq!(names, ["intersection", "intersection", "locked", "pushed", "GBB", "GBB"]);
+    assert!(measured.worked.iter().all(|worked| worked.holds() && worked.reading.recorded.is_some() == (worked.example == "GBB")));
+    for (from, to, example) in [(",25.0,,", ",25.1,,", "intersection"), (",20.4,,", ",20.5,,", "locked"), (",0.40,", ",0.41,", "pushed")] {
+        let found = problems(|texts| swap(&mut texts.worked, from, to));
+        assert!(matches!(of(&found)[..], [MeasuredProblem::Worked { example: found, .. }] if found == example), "{found:?}");
+        assert!(found[0].to_string().contains("published was"), "{found:?}");
+    }
+    let found = problems(|texts| swap(&mut texts.worked, ",3.1,-4.7,", ",3.1,4.7,"));
+    assert!(matches!(of(&found)[..], [MeasuredProblem::NotAsRecorded { test, .. }] if test == "GBB"), "{found:?}");
+    assert!(
+        run_owned(|texts| swap(
+            &mut texts.worked,
+            ",3.1,-4.7,\"staged rear-end collision: the measured changes of momentum differ by 8.5 %\"",
+            ",3.1,-4.7,"
+        ))
+        .is_err()
+    );
+}

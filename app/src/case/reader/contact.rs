@@ -9,13 +9,26 @@ use crate::case::domain::Domain;
 use crate::case::inputs::ContactInputs;
 use crate::case::parameter::Parameter;
 use crate::document::{Entry, Field, Table, Value};
+use crate::notice::Notice;
 use crate::quantity::Kind;
 use crate::units::trim;
 use crate::units::{Measure, Units};
 
+/// The keys of a contact with restitution and impulse ratio.
+const OF_IMPULSE_RATIO: [&str; 7] = ["crush_plane", "surfaces", "restitution", "impulse_ratio", "friction", "tangential_law", "moment"];
+
 impl CaseReader {
     /// Reads the contact, and the crush-plane bracket if the plane is derived from two surfaces.
-    pub(super) fn contact(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+    pub(super) fn contact(
+        &self,
+        table: &Table<'_>,
+        implied: &ImpliedValues<'_>,
+        is_momentum: bool,
+    ) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+        table.optional("model").choice(&["impulse-ratio", "momentum"]);
+        if is_momentum {
+            return self.without_contact(table);
+        }
         let crush_plane = self.crush_plane(table, implied);
         let restitution = match implied.of_key(table, "restitution", Input::Restitution) {
             Some(value) => value,
@@ -31,6 +44,23 @@ impl CaseReader {
         let (crush_plane, bracket) = crush_plane?;
         let contact = ContactInputs { crush_plane, restitution: restitution?, impulse_ratio: impulse_ratio?, law, moment: moment? };
         Some((contact, bracket))
+    }
+
+    /// Returns `true` if momentum alone determines the impulse.
+    pub(super) fn is_momentum(table: &Table<'_>) -> bool {
+        matches!(table.optional("model").value(), Some(Value::String(model)) if model == "momentum")
+    }
+
+    /// Reads the contact of a case that momentum alone determines: whatever else it gives takes no part.
+    fn without_contact(&self, table: &Table<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
+        let given: Vec<&str> = OF_IMPULSE_RATIO.into_iter().filter(|key| table.has(key)).collect();
+        if !given.is_empty() {
+            let message = format!("momentum alone takes no {}", given.join(", "));
+            self.notices.borrow_mut().push(Notice::note("not-used-by-momentum", "contact", message));
+        }
+        table.finish();
+        let (impulse_ratio, law, moment) = (ImpulseRatio::Critical, Law::Brach, Moment::None);
+        Some((ContactInputs { crush_plane: 0.0, restitution: 0.0, impulse_ratio, law, moment }, None))
     }
 
     /// Reads the angle of the crush plane, and its bracket if the angle is derived from the surfaces in contact.

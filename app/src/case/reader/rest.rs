@@ -1,9 +1,9 @@
 //! The keys of `[rest]`, the rest positions.
 
-use planar_impact::Xy;
 use planar_impact::post_impact::{
     Area, Ground, MOST_FRICTION, Method, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel, Wheels,
 };
+use planar_impact::{Heading, Xy};
 
 use super::measured::{Amount, Measured};
 use super::{CaseReader, one_of};
@@ -31,7 +31,12 @@ struct GivenGround {
 
 impl CaseReader {
     /// Reads `[rest]`. Reads it even if the vehicles are invalid, to report its own issues.
-    pub(super) fn rest(&self, root: &Table<'_>, vehicles: Option<[Option<&VehicleInputs>; 2]>) -> Option<RestInputs> {
+    pub(super) fn rest(
+        &self,
+        root: &Table<'_>,
+        vehicles: Option<[Option<&VehicleInputs>; 2]>,
+        impact_point: Option<Xy>,
+    ) -> Option<RestInputs> {
         let rest = root.optional("rest").table()?;
         let ground = self.ground(&rest);
         let tables = rest.required("vehicle").table();
@@ -46,7 +51,7 @@ impl CaseReader {
                 field.report(format!("vehicle {number} is a fixed barrier, which stays where it is"), None);
                 return None;
             }
-            self.rest_of(&field.table()?, vehicles.and_then(|vehicles| vehicles[i]), ground.as_ref()).map(Some)
+            self.rest_of(&field.table()?, vehicles.and_then(|vehicles| vehicles[i]), ground.as_ref(), impact_point).map(Some)
         });
         tables.finish();
         if !tables.has("1") && !tables.has("2") {
@@ -134,31 +139,51 @@ impl CaseReader {
         Some(Area::HalfPlane { from: Xy { x, y }, toward: Xy { x: toward.cos(), y: toward.sin() } })
     }
 
-    fn rest_of(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>, ground: Option<&GivenGround>) -> Option<RestOfVehicle> {
-        let separation = self.separation_pose(table, inputs);
-        let position = self.position_at_rest(table.required("position"));
-        let heading = self.uncertain(table.required("heading"), Measure::Angle, "135 deg ± 5 deg");
+    fn rest_of(
+        &self,
+        table: &Table<'_>,
+        inputs: Option<&VehicleInputs>,
+        ground: Option<&GivenGround>,
+        impact_point: Option<Xy>,
+    ) -> Option<RestOfVehicle> {
+        let separation = self.separation_pose(table, inputs, impact_point);
+        // Only a slide forward does without the rest pose.
+        let pose = (table.has("position") || table.has("heading")).then(|| {
+            let position = self.position_at_rest(table.required("position"));
+            let heading = self.uncertain(table.required("heading"), Measure::Angle, "135 deg ± 5 deg");
+            position.zip(heading)
+        });
         let vehicle = self.sliding_vehicle(table, inputs);
         let method = match table.optional("method").choice(&["slide", "closed-form"]) {
             Some("closed-form") => Method::ClosedForm,
             _ => Method::Slide,
         };
         table.finish();
-        let ([(x, x_deviation), (y, y_deviation)], (heading, heading_deviation)) = (position?, heading?);
         let GivenGround { ground, friction_deviation } = ground?;
-        let evidence = RestEvidence {
-            separation: separation?,
-            rest: Pose { position: Xy { x, y }, heading },
-            position_deviation: Xy { x: x_deviation, y: y_deviation },
-            heading_deviation,
-            friction_deviation: *friction_deviation,
+        let separation = separation?;
+        let evidence = match pose {
+            Some(pose) => {
+                let ([(x, x_deviation), (y, y_deviation)], (heading, heading_deviation)) = pose?;
+                Some(RestEvidence {
+                    separation,
+                    rest: Pose { position: Xy { x, y }, heading },
+                    position_deviation: Xy { x: x_deviation, y: y_deviation },
+                    heading_deviation,
+                    friction_deviation: *friction_deviation,
+                })
+            }
+            None => None,
         };
-        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, evidence, method })
+        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, separation, evidence, method })
     }
 
-    /// Reads the separation pose; the default is the origin with the heading of the case.
-    fn separation_pose(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<Pose> {
+    /// Reads the separation pose. The default is the heading of the case and the place at the impact, which follows from the impact point on the scene and the
+    /// impact center; without an impact point it is the origin.
+    fn separation_pose(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>, impact_point: Option<Xy>) -> Option<Pose> {
         let mut pose = Pose { position: Xy::zero(), heading: inputs.map_or(0.0, |inputs| inputs.heading) };
+        if let (Some(impact_point), Some(inputs)) = (impact_point, inputs) {
+            pose.position = impact_point - Heading::from_angle(inputs.heading).to_ground(inputs.impact_center);
+        }
         if !table.has("separation") {
             return Some(pose);
         }

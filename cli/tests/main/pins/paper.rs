@@ -181,6 +181,39 @@ fn hold_error(of: &Value, measured: f64, what: &str) {
     close(number(&of["percent"]), 100.0 * error / measured, 1e-9, what);
 }
 
+/// Momentum of one axis each, a common velocity, two that slide together, and ΔV = (1 + e) v m'/(m + m').
+#[test]
+fn worked_examples_are_those_by_hand() {
+    let (mph, gravity) = (0.44704, 9.80665);
+    let along = 45.0 * 0.5_f64.sqrt();
+    let together = 1.2 * 5.5 / (950.0 + 770.0);
+    let by_hand = [
+        ("intersection", "speed 1", 14.0 + 3875.0 / 4220.0 * 12.0),
+        ("intersection", "speed 2", 4220.0 / 3875.0 * 16.0 + 19.0),
+        ("locked", "speed after", f64::hypot(-3.0 * along + 60.0, 3.0 * along) / 5.0),
+        ("pushed", "speed 1", 3300.0 / 900.0 * f64::sqrt(2.0 * gravity * 0.40 * 4.6)),
+        ("GBB", "delta-V 1", together * 770.0),
+        ("GBB", "delta-V 2", together * 950.0),
+    ];
+    assert!((by_hand[2].2 * mph - 9.12).abs() < 0.005, "in m/s");
+    let found = printed_by("validate")["measured"]["worked"].clone();
+    assert_eq!(array(&found).len(), by_hand.len());
+    for ((worked, row), (example, quantity, want)) in array(&found).iter().zip(data("worked")).zip(by_hand) {
+        assert_eq!((&worked["example"], &worked["quantity"]), (&json!(example), &json!(quantity)));
+        assert_eq!(
+            (&worked["unit"], &worked["measured"], &worked["source"]),
+            (&json!(row["unit"]), &json!(row["published"]), &json!(row["source"]))
+        );
+        close(number(&worked["computed"]), want, 1e-8 * want, example);
+        hold_error(worked, parsed(&row["published"]), example);
+        let is_staged = !row["recorded"].is_empty();
+        assert_eq!(worked["recorded_percent"], if is_staged { json!(parsed(&row["recorded"])) } else { Value::Null });
+        let percent = number(&worked["percent"]);
+        close(percent, 100.0 * (want / parsed(&row["published"]) - 1.0), 1e-6, example);
+        assert_eq!((&worked["holds"], &worked["within_digits"]), (&json!(true), &json!(!is_staged)));
+    }
+}
+
 #[test]
 fn measured_tests_are_those_of_solve_and_stiffness() {
     let found = printed_by("validate")["measured"].clone();

@@ -1,6 +1,6 @@
 //! The measured tests: computed values, measured values and their differences.
 
-use planar_impact_validation::{Coefficient, Frontal, Measured, Reading, RootMeanSquare, SmallOverlap};
+use planar_impact_validation::{Coefficient, Frontal, Measured, Reading, RootMeanSquare, SmallOverlap, Worked};
 
 use crate::block::{Block, Table};
 
@@ -12,7 +12,32 @@ pub fn blocks(measured: &Measured) -> Vec<Block> {
     ];
     blocks.extend(small_overlap(&measured.small_overlap));
     blocks.extend(measured.frontal.iter().flat_map(frontal));
+    blocks.extend(worked(&measured.worked));
     blocks
+}
+
+fn worked(all: &[Worked]) -> [Block; 2] {
+    let row = |worked: &Worked| {
+        let reading = &worked.reading;
+        let record = reading.recorded.as_ref().map_or_else(|| "digits".to_owned(), |recorded| recorded.text().to_owned());
+        vec![
+            worked.example.clone(),
+            reading.quantity.to_owned(),
+            reading.unit.to_owned(),
+            reading.measured.text().to_owned(),
+            format!("{:.2}", reading.computed),
+            format!("{:+.2}", reading.percent()),
+            record,
+        ]
+    };
+    [
+        Block::paragraph(
+            "Worked examples and staged collisions of the field. record: the error when a staged collision was added, in %; an example worked by hand \
+             must come out to its digits.",
+        ),
+        Table::new(["example", "quantity", "unit", "published", "computed", "%", "record"], "lllrrrr", all.iter().map(row).collect())
+            .into(),
+    ]
 }
 
 fn small_overlap(tests: &[SmallOverlap]) -> Vec<Block> {
@@ -121,7 +146,8 @@ mod tests {
     fn every_error_is_shown() {
         let measured = planar_impact_validation::run().expect("the tables can be read").measured;
         let text = render(&blocks(&measured));
-        for (test, reading) in measured.readings() {
+        let worked = measured.worked.iter().map(|worked| (worked.example.as_str(), &worked.reading));
+        for (test, reading) in measured.readings().chain(worked) {
             assert!(text.contains(test) && text.contains(&format!("{:+.2}", reading.percent())), "{test}\n{text}");
         }
         assert!(text.lines().all(|line| line.chars().count() <= 80), "80 columns");

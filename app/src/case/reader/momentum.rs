@@ -1,0 +1,59 @@
+//! Vehicles of a case that momentum alone determines.
+
+use planar_impact::{ForwardLeft, Input};
+
+use super::{CaseReader, has_inertia};
+use crate::case::parameter::Parameter;
+use crate::case::vehicle::{Inertia, VehicleInputs};
+use crate::document::Table;
+use crate::notice::Notice;
+
+/// Inertia of a vehicle whose yaw does not take part: any will do.
+pub(super) const ANY_INERTIA: Inertia = Inertia::Radius(1.0);
+
+impl CaseReader {
+    /// Returns `true` if each vehicle that slides to rest has a yaw inertia, and reports those that have none.
+    pub(super) fn rests_have_inertia(&self, root: &Table<'_>) -> bool {
+        let (Some(rest), Some(vehicles)) = (root.optional("rest").table(), root.optional("vehicle").array_of_tables()) else { return true };
+        let Some(rests) = rest.optional("vehicle").table() else { return true };
+        let mut all = true;
+        for (key, vehicle) in ["1", "2"].into_iter().zip(&vehicles) {
+            if rests.has(key) && !has_inertia(vehicle) {
+                let help = "give `yaw_inertia` or `radius_of_gyration`, or its separation velocity in place of its rest".to_owned();
+                rests.optional(key).report("its slide to rest needs its yaw inertia", Some(help));
+                all = false;
+            }
+        }
+        all
+    }
+
+    /// Returns `true` if both vehicles have a yaw inertia and an impact center, so that the impulse also changes their yaw rates. Otherwise it makes both point
+    /// masses. Reports a barrier, which takes any momentum.
+    pub(super) fn is_angular(&self, root: &Table<'_>, vehicles: [&mut Option<VehicleInputs>; 2]) -> Option<bool> {
+        let tables = root.optional("vehicle").array_of_tables()?;
+        if vehicles.iter().any(|vehicle| vehicle.is_none()) {
+            let help = "give the barrier a contact: `crush_plane` and `restitution`, without `model`".to_owned();
+            root.optional("vehicle").report("momentum alone needs two vehicles: a barrier takes any momentum", Some(help));
+            return None;
+        }
+        if tables.iter().all(|table| table.has("impact_center") && has_inertia(table)) {
+            return Some(true);
+        }
+        if tables.iter().any(|table| table.has("impact_center") || has_inertia(table)) {
+            let message = "yaw inertia and impact center take part only if both vehicles give both: the vehicles are point masses here";
+            self.notices.borrow_mut().push(Notice::note("point-masses", "vehicle", message));
+        }
+        for vehicle in vehicles.into_iter().flatten() {
+            (vehicle.inertia, vehicle.impact_center) = (ANY_INERTIA, ForwardLeft { forward: 0.0, left: 0.0 });
+        }
+        let takes_part = |parameter: Parameter| {
+            use Input::{ImpactCenterForward, ImpactCenterLeft, YawInertia};
+            !matches!(
+                parameter,
+                Parameter::RadiusOfGyration(_) | Parameter::Input(ImpactCenterForward(_) | ImpactCenterLeft(_) | YawInertia(_))
+            )
+        };
+        self.uncertain.borrow_mut().retain(|input| takes_part(input.parameter));
+        Some(false)
+    }
+}

@@ -1,0 +1,61 @@
+//! Skid speeds before the impact, with their uncertainty to first order.
+
+use planar_impact::Side;
+use planar_impact::num_dual::Dual64;
+use planar_impact::reconstruct::{PriorCorrelation, Unknown, Variable};
+
+use super::from_crush::covariance;
+use super::inputs::without_deviation;
+use crate::case::{Case, Parameter, SkidKey, vehicle_number};
+use crate::issue::Issue;
+
+/// Skid speeds of the vehicles that braked before the impact.
+#[derive(Default)]
+pub struct FromSkids {
+    /// Those that are certain.
+    pub known: [Option<f64>; 2],
+    /// Those of uncertain skids, each with its path in the file.
+    pub unknowns: Vec<(Unknown, String)>,
+    /// Their correlation, where both vehicles have one.
+    pub correlation: Option<PriorCorrelation>,
+    /// Numbers of skids that have no standard deviation.
+    pub issues: Vec<Issue>,
+}
+
+impl FromSkids {
+    /// Computes the skid speeds of a case.
+    pub fn of(case: &Case) -> Self {
+        let mut found = FromSkids::default();
+        let of_skids = case.uncertain.inputs.iter().filter(|input| matches!(input.parameter, Parameter::Skid(..)));
+        let parameters: Vec<Parameter> = of_skids.clone().map(|input| input.parameter).collect();
+        found.issues = of_skids.filter_map(without_deviation).collect();
+        if !found.issues.is_empty() {
+            return found;
+        }
+        let mut uncertain = Vec::new();
+        for side in Side::ALL {
+            let braking = case.inputs.vehicles[side as usize].as_ref().and_then(|vehicle| vehicle.braking.as_ref());
+            let Some(braking) = braking else { continue };
+            let by = |key: SkidKey| braking.skid_speed(|other| Dual64::new(0.0, if other == key { 1.0 } else { 0.0 })).eps;
+            let slope = |parameter: &Parameter| match *parameter {
+                Parameter::Skid(of, key) if of == side => by(key),
+                _ => 0.0,
+            };
+            let (speed, slopes): (f64, Vec<f64>) = (braking.skid_speed(|_| 0.0), parameters.iter().map(slope).collect());
+            let sd = covariance(&case.uncertain, &parameters, &slopes, &slopes).sqrt();
+            if sd > 0.0 {
+                let of = Variable::SkidSpeed(side);
+                let path = format!("before.vehicle.{}", vehicle_number(side));
+                found.unknowns.push((Unknown { prior: Some(sd), ..Unknown::free(of, speed) }, path));
+                uncertain.push((of, sd, slopes));
+            } else {
+                found.known[side as usize] = Some(speed);
+            }
+        }
+        if let [(one, sd_1, by_1), (other, sd_2, by_2)] = &uncertain[..] {
+            let coefficient = covariance(&case.uncertain, &parameters, by_1, by_2) / (sd_1 * sd_2);
+            found.correlation = (coefficient != 0.0).then_some(PriorCorrelation { one: *one, other: *other, coefficient });
+        }
+        found
+    }
+}

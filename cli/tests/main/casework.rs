@@ -1,0 +1,397 @@
+//! Ordinary casework: momentum alone, skids before the impact, slides to rest on the scene, slips of input.
+//!
+//! The reference is the closed form of each question, written out here.
+
+use serde_json::Value;
+
+use crate::process::{Folder, run, run_with_input, workspace};
+
+const GRAVITY: f64 = 9.80665;
+const MPH: f64 = 0.44704;
+const FOOT: f64 = 0.3048;
+
+fn json_of(call: &[&str], case: &str) -> Value {
+    let run = run_with_input(&[call, &["-", "--format", "json"]].concat(), case);
+    assert_eq!((run.status, run.err.as_str()), (0, ""), "{case}");
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[track_caller]
+fn close(got: &Value, want: f64, tolerance: f64) {
+    let got = number(got);
+    assert!((got - want).abs() <= tolerance * want.abs().max(1e-3), "{got}, not {want}");
+}
+
+fn example(name: &str) -> String {
+    std::fs::read_to_string(workspace().join("cli/examples").join(name)).expect("an example")
+}
+
+fn reproducer(name: &str) -> String {
+    std::fs::read_to_string(workspace().join("cli/tests/reproducers").join(name)).expect("a reproducer")
+}
+
+/// Words of a page without its line breaks.
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// v₁ = V₁x + (m₂/m₁) V₂x and v₂ = (m₁/m₂) V₁y + V₂y, with the errors of each velocity of 1 mph.
+#[test]
+fn momentum_is_the_parallelogram_of_momenta() {
+    let answer = json_of(&["reconstruct"], &example("reconstruct/momentum.toml"));
+    let ratio = 3875.0 / 4220.0;
+    let (v1, v2) = (14.0 + ratio * 12.0, 16.0 / ratio + 19.0);
+    let (sd_1, sd_2) = (1_f64.hypot(ratio), 1_f64.hypot(1.0 / ratio));
+    for (name, value, sd) in [("vehicle.1.speed", v1, sd_1), ("vehicle.2.speed", v2, sd_2)] {
+        let unknown = &answer["unknown"][name];
+        close(&unknown["value"], value * MPH, 1e-9);
+        close(&unknown["sd"], sd * MPH, 1e-9);
+        // The 0.975 quantile of the normal distribution.
+        close(&unknown["interval"]["low"], (value - 1.959_963_984_540_054 * sd) * MPH, 1e-6);
+        close(&unknown["interval"]["high"], (value + 1.959_963_984_540_054 * sd) * MPH, 1e-6);
+    }
+    assert!((v1 - 25.0).abs() < 0.05 && (v2 - 36.4).abs() < 0.05, "the published answer");
+    // The impulse is the change of vehicle 1's momentum; the loss is that of translation.
+    let pound = 0.453_592_37;
+    let (m1, m2) = (4220.0 * pound, 3875.0 * pound);
+    let impulse = [m1 * (14.0 - v1) * MPH, m1 * 16.0 * MPH];
+    close(&answer["unknown"]["contact.impulse.x"]["value"], impulse[0], 1e-9);
+    close(&answer["unknown"]["contact.impulse.y"]["value"], impulse[1], 1e-9);
+    let squares = |a: f64, b: f64| (a * a + b * b) * MPH * MPH;
+    let loss = 0.5 * (m1 * (squares(v1, 0.0) - squares(14.0, 16.0)) + m2 * (squares(v2, 0.0) - squares(12.0, 19.0)));
+    close(&answer["derived"]["energy.loss"]["value"], loss, 1e-9);
+    close(&answer["derived"]["vehicle.1.delta_v_magnitude"]["value"], impulse[0].hypot(impulse[1]) / m1, 1e-9);
+    // Clockwise from ahead: the push on vehicle 1 comes from its front right, that on vehicle 2 is the opposite.
+    let pdof = (impulse[1]).atan2(-impulse[0]);
+    close(&answer["derived"]["vehicle.1.pdof"]["value"], pdof, 1e-9);
+    assert_eq!(answer["derived"].get("energy.normal_work"), None, "no normal, no work of it");
+    let solution = &answer["solution"];
+    assert_eq!(solution["contact"]["model"], "momentum");
+    close(&solution["contact"]["crush_plane"], impulse[1].atan2(impulse[0]), 1e-9);
+    close(&solution["contact"]["impulse"]["normal"], impulse[0].hypot(impulse[1]), 1e-9);
+    assert!(solution["vehicles"][0]["yaw_rate"].is_null(), "point masses do not say how they turn");
+    // Skids on a grade: v² + 2 g (0.7 + 0.02) 60 ft.
+    let skid = (2.0 * GRAVITY * 0.72 * 60.0 * FOOT).sqrt();
+    close(&answer["derived"]["before.vehicle.1.braking_speed"]["value"], (v1 * MPH).hypot(skid), 1e-9);
+    let sd_skid = 2.0 * GRAVITY * 60.0 * FOOT * 0.05 / (2.0 * skid);
+    close(&answer["unknown"]["before.vehicle.1.skid_speed"]["sd"], sd_skid, 1e-9);
+    let sd = (v1 * MPH * sd_1 * MPH).hypot(skid * sd_skid) / (v1 * MPH).hypot(skid);
+    close(&answer["derived"]["before.vehicle.1.braking_speed"]["sd"], sd, 1e-9);
+}
+
+/// With yaw inertia and impact center of both, the impulse changes the yaw rates: I ω = r × P.
+#[test]
+fn angular_momentum_takes_part_where_both_vehicles_give_it() {
+    let case = reproducer("momentum_alone.toml").replace("crush_plane = \"0 deg\"", "model = \"momentum\"");
+    let answer = json_of(&["reconstruct"], &case);
+    let solution = &answer["solution"];
+    let impulse = [number(&solution["contact"]["impulse"]["x"]), number(&solution["contact"]["impulse"]["y"])];
+    let inertia = 1.355_817_948_331_400_4; // slug ft², in kg m²
+    // Vehicle 1 heads along x, with its impact center 6 ft ahead; vehicle 2 along y, with it 2 ft ahead and 3 ft to the left.
+    close(&solution["vehicles"][0]["yaw_rate"], 6.0 * FOOT * impulse[1] / (2600.0 * inertia), 1e-9);
+    close(&solution["vehicles"][1]["yaw_rate"], (2.0 * impulse[0] + 3.0 * impulse[1]) * FOOT / (2300.0 * inertia), 1e-9);
+    let notes = answer["notes"].to_string();
+    assert!(
+        notes.contains("contact.restitution is not solved for") && notes.contains("contact.impulse_ratio is not solved for"),
+        "{notes}"
+    );
+    // A yaw rate is evidence then, and only then.
+    let with_yaw = |case: &str| case.replace("[evidence]\n", "[evidence]\nvehicle.1.separation_yaw_rate = \"400 deg/s ± 5 deg/s\"\n");
+    assert_eq!(json_of(&["reconstruct"], &with_yaw(&case))["degrees_of_freedom"], 1);
+    let refused = run_with_input(&["reconstruct", "-"], &with_yaw(&case.replace("impact_center = [\"2 ft\", \"3 ft\"]\n", "")));
+    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
+    assert!(flat(&refused.err).contains("vehicle.1.separation_yaw_rate needs angular momentum"), "{}", refused.err);
+}
+
+#[test]
+fn a_contact_that_contradicts_the_evidence_leaves_what_momentum_says() {
+    let path = "cli/tests/reproducers/momentum_alone.toml";
+    let run = run(&workspace(), &["reconstruct", path]);
+    assert_eq!(run.status, 1);
+    let text = flat(&run.out);
+    assert!(text.contains("momentum alone gives vehicle.1.speed 25.0 mph and vehicle.2.speed 36.4 mph"), "{}", run.out);
+    assert!(text.contains("`model = \"momentum\"` in [contact]"), "{}", run.out);
+}
+
+/// In truth the impact center of vehicle 2 lies to the left.
+#[test]
+fn an_impact_center_on_the_wrong_side_is_named() {
+    let run = run(&workspace(), &["reconstruct", "cli/tests/reproducers/wrong_side.toml"]);
+    assert_eq!(run.status, 1);
+    let text = flat(&run.out);
+    assert!(
+        text.contains("check vehicle.2.impact_center: with the impact center of vehicle 2 at left = 0.80 m, the mirror image,"),
+        "{text}"
+    );
+    assert!(text.contains("with a chi-square of 0.0 in place of 310.3"), "{text}");
+    assert_eq!(text.matches("check vehicle").count(), 1, "no other slip explains it: {text}");
+}
+
+/// Each slip in a case whose truth is known is named at its key, and first.
+#[test]
+fn slips_are_named() {
+    let truth = "schema = 1\n\
+        [[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"10 deg\"\nimpact_center = [2, 0.3]\n\
+        [[vehicle]]\nmass = 1300\nyaw_inertia = 2000\nheading = \"100 deg\"\nimpact_center = [0.6, 0.8]\n\
+        [contact]\ncrush_plane = \"5 deg\"\nrestitution = 0.08\n";
+    let moving = truth.replacen("impact_center", "speed = 15\nimpact_center", 1).replace("[0.6", "[0.6").replacen(
+        "mass = 1300",
+        "speed = 9\nmass = 1300",
+        1,
+    );
+    let solved = json_of(&["solve"], &moving);
+    let after = |i: usize, key: &str| solved["vehicles"][i][key].clone();
+    let evidence = |yaw: f64, speed: f64| {
+        let velocity = |i: usize| {
+            let [x, y] = [0, 1].map(|k| number(&after(i, "velocity")[k]) * if i == 0 { 1.0 } else { speed });
+            format!("[\"{x} m/s ± 0.1 m/s\", \"{y} m/s ± 0.1 m/s\"]")
+        };
+        let yaw_rate = |i: usize| number(&after(i, "yaw_rate")) * if i == 0 { yaw } else { 1.0 };
+        format!(
+            "[evidence]\nvehicle.1.separation_velocity = {}\nvehicle.2.separation_velocity = {}\n\
+             vehicle.1.separation_yaw_rate = \"{} rad/s ± 0.05 rad/s\"\nvehicle.2.separation_yaw_rate = \"{} rad/s ± 0.05 rad/s\"\n\
+             vehicle.2.speed = \"{} m/s ± 0.1 m/s\"\n[unknown]\nvehicle.1.speed = 12\n",
+            velocity(0),
+            velocity(1),
+            yaw_rate(0),
+            yaw_rate(1),
+            9.0 * speed,
+        )
+    };
+    let sound = evidence(1.0, 1.0);
+    assert_eq!(json_of(&["reconstruct"], &format!("{truth}{sound}"))["verdict"], "agrees");
+    let slips = [
+        (truth.replace("[2, 0.3]", "[2, -0.3]"), sound.clone(), "vehicle.1.impact_center", "the mirror image"),
+        (
+            truth.replace("10 deg", "0 d").replace("\"100 deg", "\"10 deg").replace("\"0 d\"", "\"100 deg\""),
+            sound.clone(),
+            "vehicle.1.heading",
+            "exchanged",
+        ),
+        (truth.replace("mass = 1300", "mass = 2866.009"), sound.clone(), "vehicle.2.mass", "pounds taken for kilograms"),
+        (truth.to_owned(), evidence(-1.0, 1.0), "vehicle.1.separation_yaw_rate", "the other way round"),
+        (truth.to_owned(), evidence(57.295_779_513, 1.0), "vehicle.1.separation_yaw_rate", "degrees taken for radians"),
+    ];
+    for (case, evidence, path, words) in slips {
+        let run = run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{case}{evidence}"));
+        assert_eq!(run.status, 1, "{words}: {}", run.err);
+        let answer: Value = serde_json::from_str(&run.out).expect("JSON");
+        let found = answer["messages"].as_array().expect("messages").iter().find(|message| message["code"] == "possible-slip");
+        let found = found.unwrap_or_else(|| panic!("{words}: {}", answer["messages"]));
+        assert_eq!((found["path"].as_str(), found["severity"].as_str()), (Some(path), Some("warning")));
+        assert!(found["text"].as_str().expect("a sentence").contains(words), "{found}");
+    }
+}
+
+/// 3000 lb at 45 mph to the north-west and 2000 lb at 30 mph to the east lock together: published as 20.4 mph.
+#[test]
+fn point_masses_lock_together() {
+    let answer = json_of(&["solve"], &reproducer("coincident_centers.toml"));
+    let along = 45.0 * 0.5_f64.sqrt();
+    let common = [(-3.0 * along + 2.0 * 30.0) / 5.0 * MPH, 3.0 * along / 5.0 * MPH];
+    for i in 0..2 {
+        for (k, common) in common.into_iter().enumerate() {
+            close(&answer["vehicles"][i]["velocity"][k], common, 1e-12);
+        }
+    }
+    assert!((common[0].hypot(common[1]) / MPH - 20.4).abs() < 0.05);
+    let apart =
+        run_with_input(&["solve", "-"], &reproducer("coincident_centers.toml").replacen("[\"0 m\", \"0 m\"]", "[\"0 m\", \"-1 m\"]", 1));
+    assert_eq!(apart.status, 3, "a body has sides: {}", apart.out);
+}
+
+/// 14 m at 0.7, then 6 m of grass at 0.45 on a grade of 2 % with brakes on 80 %.
+const SKIDS: &str = "\n[before.vehicle.1]\nskid = [{ length = \"14 m\", friction = \"0.7 ± 0.05\" }, \
+    { length = \"6 m\", friction = 0.45, grade = \"2 %\", braking = 0.8 }]\nreaction_time = \"1.5 s\"\n";
+
+#[test]
+fn skids_give_the_speed_before_them() {
+    let case = example("slide.toml") + SKIDS;
+    let answer = json_of(&["solve"], &case);
+    let braking = &answer["vehicles"][0]["braking"];
+    let (end, grass) = (55.0 / 3.6, 0.45 * 0.8 + 0.02);
+    let middle = f64::hypot(end, (2.0 * GRAVITY * grass * 6.0).sqrt());
+    let start = f64::hypot(middle, (2.0 * GRAVITY * 0.7 * 14.0).sqrt());
+    close(&braking["speed"], start, 1e-12);
+    close(&braking["impact_speed"], end, 1e-12);
+    for (i, (from, to)) in [(start, middle), (middle, end)].into_iter().enumerate() {
+        close(&braking["skids"][i]["start"], from, 1e-12);
+        close(&braking["skids"][i]["end"], to, 1e-12);
+    }
+    let slope = 0.02_f64.hypot(1.0);
+    close(&braking["skids"][0]["deceleration"], 0.7 * GRAVITY, 1e-12);
+    close(&braking["skids"][1]["deceleration"], grass * GRAVITY / slope, 1e-12);
+    let times = [(start - middle) / (0.7 * GRAVITY), (middle - end) / (grass * GRAVITY / slope)];
+    close(&braking["skids"][0]["time"], times[0], 1e-9);
+    close(&braking["skids"][1]["time"], times[1], 1e-9);
+    close(&braking["time"], times[0] + times[1] + 1.5, 1e-9);
+    close(&braking["reaction_distance"], 1.5 * start, 1e-12);
+    close(&braking["distance"], 20.0 + 1.5 * start, 1e-12);
+    assert!(answer["vehicles"][1].get("braking").is_none());
+    let text = run_with_input(&["solve", "-"], &case).out;
+    for (what, unit, value) in
+        [("speed at its start", "m/s", "21.69"), ("distance to the impact", "m", "52.53"), ("time to the impact", "s", "2.605")]
+    {
+        assert!(text.lines().any(|line| line.contains(what) && line.contains(unit) && line.contains(value)), "{what} {value}: {text}");
+    }
+    // The derivative by the friction of the first skid is g L / v.
+    let gradient = json_of(&["gradient", "--of", "before.vehicle.1.braking_speed", "--wrt", "before.vehicle.1.skid.1.friction"], &case);
+    let slope = &gradient["of"]["before.vehicle.1.braking_speed"]["d"]["before.vehicle.1.skid.1.friction"];
+    close(slope, GRAVITY * 14.0 / start, 1e-12);
+    let uncertain = json_of(&["uncertainty", "--of", "before.vehicle.1.braking_speed", "--method", "linear"], &case);
+    close(&uncertain["of"]["before.vehicle.1.braking_speed"]["linear"]["sd"], 0.05 * GRAVITY * 14.0 / start, 1e-12);
+}
+
+/// A known speed at the start of the skids is evidence of that at the impact.
+#[test]
+fn a_speed_before_the_skids_gives_that_at_the_impact() {
+    let unknown = example("slide.toml").replace("speed = \"55 km/h\"\n", "") + SKIDS;
+    let case = unknown.replace(" ± 0.05", "")
+        + "[evidence]\nbefore.vehicle.1.braking_speed = \"80 km/h ± 2 km/h\"\n[unknown]\nvehicle.1.speed = \"50 km/h\"\n";
+    let case = case.split("[rest]").next().expect("a case").to_owned() + &case[case.find("[before").expect("skids")..];
+    let answer = json_of(&["reconstruct"], &case);
+    let lost = 2.0 * GRAVITY * (0.7 * 14.0 + 0.38 * 6.0);
+    let speed = ((80.0 / 3.6_f64).powi(2) - lost).sqrt();
+    close(&answer["unknown"]["vehicle.1.speed"]["value"], speed, 1e-9);
+    close(&answer["unknown"]["vehicle.1.speed"]["sd"], 2.0 / 3.6 * (80.0 / 3.6) / speed, 1e-9);
+}
+
+/// The slide of a braked vehicle without yaw is that of a block: v²/(2 μ g) in v/(μ g).
+#[test]
+fn a_straight_slide_is_that_of_a_block() {
+    let case = "schema = 1\n\
+        [[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 15\nimpact_center = [2, 0]\n\
+        [[vehicle]]\nmass = 1200\nyaw_inertia = 2000\nheading = 0\nspeed = 5\nimpact_center = [-2, 0]\n\
+        [contact]\ncrush_plane = 0\nrestitution = 0.2\n\
+        [scene]\nimpact_point = [10, -3]\n\
+        [rest]\nfriction = 0.6\n\
+        [rest.vehicle.1]\nfront_axle = 1.2\nrear_axle = 1.4\ntrack = 1.5\n\
+        wheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }\n";
+    let (solved, slid) = (json_of(&["solve"], case), json_of(&["slide"], case));
+    let speed = number(&solved["vehicles"][0]["velocity"][0]);
+    let (distance, time) = (speed * speed / (2.0 * 0.6 * GRAVITY), speed / (0.6 * GRAVITY));
+    let [vehicle] = &slid["vehicles"].as_array().expect("a list")[..] else { panic!("one vehicle has wheels") };
+    assert_eq!((&vehicle["vehicle"], &vehicle["separation_from"]), (&Value::from(1), &Value::from("solve")));
+    close(&vehicle["rest"]["position"][0], 10.0 - 2.0 + distance, 1e-5);
+    close(&vehicle["rest"]["position"][1], -3.0, 1e-9);
+    close(&vehicle["distance"], distance, 1e-5);
+    // Tires that hardly slip any more brake less: the last centimeters take a little longer.
+    close(&vehicle["time"], time, 1e-3);
+    let path = vehicle["path"].as_array().expect("states");
+    let (first, last) = (&path[0], &path[path.len() - 1]);
+    close(&first["vx"], speed, 1e-12);
+    close(&first["x"], 8.0, 1e-12);
+    assert_eq!(first["wheels"], serde_json::json!([[9.2, -2.25], [9.2, -3.75], [6.6, -2.25], [6.6, -3.75]]));
+    assert_eq!((&last["vx"], &last["vy"], &last["yaw_rate"]), (&Value::from(0.0), &Value::from(0.0), &Value::from(0.0)));
+    assert_eq!((&last["x"], &last["t"]), (&vehicle["rest"]["position"][0], &vehicle["time"]));
+    // Halfway through, by energy.
+    let state = &path[path.len() / 2];
+    let left = speed * speed - 2.0 * 0.6 * GRAVITY * (number(&state["x"]) - 8.0);
+    close(&state["vx"], left.sqrt(), 1e-3);
+    // A vehicle that separates as the evidence says needs no impact.
+    let given = case.replace("speed = 15\n", "").replace("[scene]", "[evidence]\nvehicle.1.separation_velocity = [\"6 m/s\", \"0 m/s\"]\nvehicle.1.separation_yaw_rate = 0\n[unknown]\nvehicle.1.speed = 10\n[scene]");
+    let given = json_of(&["slide"], &given);
+    assert_eq!(given["vehicles"][0]["separation_from"], "given");
+    close(&given["vehicles"][0]["distance"], 36.0 / (1.2 * GRAVITY), 1e-4);
+}
+
+/// The forward slide ends where the inverse began, and the scene moves every place alike.
+#[test]
+fn the_slide_forward_is_the_inverse_of_the_slide_back() {
+    let case = example("slide.toml");
+    let slid = json_of(&["slide"], &case);
+    let solved = json_of(&["solve"], &case);
+    let text = run_with_input(&["slide", "-"], &case).out;
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let mut back = case.replace("speed = \"55 km/h\"\n", "").replace("speed = \"30 km/h\"\n", "");
+    for (i, table) in ["[rest.vehicle.1]\n", "[rest.vehicle.2]\n"].into_iter().enumerate() {
+        let rest = &slid["vehicles"][i]["rest"];
+        let [x, y] = [0, 1].map(|k| number(&rest["position"][k]));
+        let heading = number(&rest["heading"]);
+        let pose = format!("position = [\"{x} m ± 0.3 m\", \"{y} m ± 0.3 m\"]\nheading = \"{heading} rad ± 0.05 rad\"\n");
+        back = back.replace(table, &format!("{table}{pose}"));
+    }
+    let back = back + "[unknown]\nvehicle.1.speed = \"40 km/h\"\nvehicle.2.speed = \"40 km/h\"\n";
+    let found = run_with_input(&["reconstruct", "-", "--format", "json"], &back);
+    let found: Value = serde_json::from_str(&found.out).expect("JSON");
+    close(&found["unknown"]["vehicle.1.speed"]["value"], 55.0 / 3.6, 1e-6);
+    close(&found["unknown"]["vehicle.2.speed"]["value"], 30.0 / 3.6, 1e-6);
+    for (i, axis) in [(0, "x"), (0, "y"), (1, "x"), (1, "y")] {
+        let given = &found["evidence"][format!("vehicle.{}.separation_velocity.{axis}", i + 1)]["given"];
+        close(given, number(&solved["vehicles"][i]["velocity"][usize::from(axis == "y")]), 1e-6);
+    }
+    // With the rest poses in the file, `slide` says how far it misses them; another scene misses them by its shift.
+    let known =
+        case.replace("[rest.vehicle.1]\n", "[rest.vehicle.1]\nposition = [\"1 m ± 1 m\", \"2 m ± 1 m\"]\nheading = \"3 rad ± 1 rad\"\n");
+    let shifted = known.replace("[\"12.3 m\", \"4.1 m\"]", "[\"13.3 m\", \"2.1 m\"]").replace("[\"0 m\", \"6 m\"]", "[\"0 m\", \"4 m\"]");
+    let shifted = &json_of(&["slide"], &shifted)["vehicles"][0];
+    let rest = &slid["vehicles"][0]["rest"];
+    close(&shifted["miss"]["position"][0], number(&rest["position"][0]) + 1.0 - 1.0, 1e-6);
+    close(&shifted["miss"]["position"][1], number(&rest["position"][1]) - 2.0 - 2.0, 1e-6);
+    close(&shifted["miss"]["heading"], number(&rest["heading"]) - 3.0, 1e-6);
+}
+
+#[test]
+fn a_slide_as_csv_has_every_state() {
+    let path = "cli/examples/slide.toml";
+    let (csv, json) =
+        (run(&workspace(), &["slide", path, "--format", "csv", "--units", "us"]), json_of(&["slide"], &example("slide.toml")));
+    assert_eq!((csv.status, csv.err.as_str()), (0, ""));
+    let rows: Vec<Vec<&str>> = csv.out.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][..5], ["vehicle", "t [s]", "x [ft]", "y [ft]", "heading [deg]"]);
+    assert_eq!(rows[0][14..], ["rear_right.x [ft]", "rear_right.y [ft]"]);
+    let mut rows = rows[1..].iter();
+    for vehicle in json["vehicles"].as_array().expect("a list") {
+        for state in vehicle["path"].as_array().expect("states") {
+            let row: Vec<f64> = rows.next().expect("a row").iter().map(|cell| cell.parse().expect("a number")).collect();
+            close(&Value::from(row[0]), number(&vehicle["vehicle"]), 0.0);
+            close(&Value::from(row[2] * FOOT), number(&state["x"]), 1e-12);
+            close(&Value::from(row[4].to_radians()), number(&state["heading"]), 1e-12);
+            close(&Value::from(row[7].to_radians()), number(&state["yaw_rate"]), 1e-12);
+            close(&Value::from(row[15] * FOOT), number(&state["wheels"][3][1]), 1e-12);
+        }
+    }
+    assert!(rows.next().is_none());
+}
+
+#[test]
+fn casework_that_cannot_be_used_is_refused_at_its_place() {
+    let momentum = example("reconstruct/momentum.toml");
+    let slide = example("slide.toml");
+    let skids = |skid: &str| format!("{}\n[before.vehicle.1]\nskid = [{skid}]\n", slide.trim_end());
+    let barrier = "[[vehicle]]\nname = \"wall\"\nbarrier = true\n\n[contact]";
+    let bad: [(&str, String, i32, &[&str]); 17] = [
+        ("solve", momentum.clone(), 2, &["contact.model", "momentum alone does not determine how the vehicles separate", "planar-impact reconstruct"]),
+        ("gradient", momentum.clone(), 2, &["contact.model"]),
+        ("uncertainty", momentum.clone(), 2, &["contact.model"]),
+        ("slide", momentum.clone(), 2, &["missing: the ground and the wheels"]),
+        ("reconstruct", momentum.replace("\"momentum\"", "\"magic\""), 2, &["contact.model", "\"momentum\""]),
+        ("reconstruct", momentum.replace("model = \"momentum\"", "modle = \"momentum\""), 2, &["did you mean `model`"]),
+        ("reconstruct", momentum.replace("[evidence]\n", "[evidence]\ncrush_energy = \"50 kJ\"\n"), 2, &["evidence.crush_energy", "momentum alone says nothing of crush_energy"]),
+        ("reconstruct", momentum.replace("[[vehicle]]\nname = \"northbound\"\nmass = \"3875 lb\"\nheading = \"90 deg\"\n\n[contact]", barrier).replace("vehicle.2.separation", "vehicle.1.separation_yaw_rate = 1\n#").replace("vehicle.2.speed", "#"), 2, &["momentum alone needs two vehicles"]),
+        ("reconstruct", momentum.replace("[before.vehicle.1]", "[rest]\nfriction = 0.7\n[rest.vehicle.1]\nposition = [\"1 m ± 1 m\", \"2 m ± 1 m\"]\nheading = \"3 rad ± 1 rad\"\nfront_axle = 1\nrear_axle = 1\ntrack = 1\nwheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }\n[before.vehicle.1]"), 2, &["rest.vehicle.1", "needs its yaw inertia"]),
+        ("solve", skids("{ length = \"14 m\", friction = 0.01, grade = -0.02 }"), 2, &["before.vehicle.1.skid.1", "does not slow down", "-0.01"]),
+        ("solve", skids("{ length = \"0 m\", friction = 0.7 }, { length = \"14 m\", friction = -1, braking = 1.5 }"), 2, &["skid.1.length", "above zero", "skid.2.friction", "skid.2.braking", "from 0 to 1"]),
+        ("solve", skids("{ length = \"14 kg\", friction = 0.7, surface = \"wet\" }"), 2, &["skid.1.length", "a length is expected", "skid.1.surface: unknown key"]),
+        ("solve", skids(""), 2, &["before.vehicle.1.skid", "expected 1 to 32"]),
+        ("solve", slide.clone() + "\n[before.vehicle.3]\nskid = []\n", 2, &["before.vehicle.3: unknown key"]),
+        ("solve", skids("{ length = 1, friction = 0.7 }") + "reaction_time = \"-1 s\"\n", 2, &["reaction_time", "below zero"]),
+        ("slide", slide.replace("[\"12.3 m\", \"4.1 m\"]", "[\"12.3 m\"]"), 2, &["scene.impact_point"]),
+        ("reconstruct", slide.replace("speed = \"55 km/h\"\n", "") + "[unknown]\nvehicle.1.speed = 10\n", 2, &["rest.vehicle.1", "missing: where it came to rest"]),
+    ];
+    for (verb, case, status, words) in bad {
+        let folder = Folder::new();
+        let path = folder.write("case.toml", case.as_bytes());
+        let run = run(&workspace(), &[verb, path.to_str().expect("a plain path")]);
+        assert_eq!((run.status, run.out.as_str()), (status, ""), "{verb} {words:?}: {}", run.err);
+        let text = flat(&run.err);
+        for word in words {
+            assert!(text.contains(word), "{word}: {}", run.err);
+        }
+        assert!(text.contains("case.toml"), "it has a place: {}", run.err);
+    }
+}
