@@ -34,6 +34,7 @@ pub mod source;
 pub mod statement;
 pub mod stiffness;
 pub mod sweep;
+pub mod template;
 pub mod uncertainty;
 pub mod units;
 pub mod validate;

@@ -26,6 +26,13 @@ pub struct Arguments {
 /// The verb to run.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
+    /// Print a case file to begin with, with every optional key explained.
+    #[command(after_help = "Examples:\n  planar-impact new\n  planar-impact new --kind head-on > case.toml")]
+    New {
+        /// The kind of collision.
+        #[arg(long, default_value = "t-bone", value_parser = planar_impact_app::template::kinds())]
+        kind: String,
+    },
     /// Solve a collision: final velocities, impulse, delta-V, energy.
     #[command(after_help = help::CASE)]
     Solve(OfCase),

@@ -8,7 +8,7 @@ use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
     Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, slide, solve, stiffness, sweep,
-    uncertainty, validate,
+    template, uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
@@ -33,6 +33,7 @@ const MOST_ROWS: usize = 20_000;
 /// Returns everything wrong with the call or the files, or why there is no answer.
 pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
     match verb {
+        Verb::New { kind } => template::of(&kind).map_or(Err(Failure::Defect), |text| Ok(CommandOutput::text(text.to_owned()))),
         Verb::Solve(call) => of_case(&call, solve::solve),
         Verb::Crush(call) => of_case(&call, crush::crush),
         Verb::Crash3(call) => of_case(&call, crash3::crash3),

@@ -30,6 +30,8 @@ mod guideline;
 mod hostile;
 #[path = "main/manual.rs"]
 mod manual;
+#[path = "main/new.rs"]
+mod new;
 #[path = "main/pins/mod.rs"]
 mod pins;
 #[path = "main/process.rs"]

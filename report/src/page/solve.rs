@@ -72,13 +72,14 @@ fn braking(solution: &Solution, units: Units) -> Vec<Vec<String>> {
         return Vec::new();
     }
     let row = |what: &str, measure, value| of_some(solution, units, what, measure, value);
-    vec![
-        row("braking: speed at its start", Measure::Speed, |v| Some(v.braking.as_ref()?.speed)),
-        row("", Measure::RoadSpeed, |v| Some(v.braking.as_ref()?.speed)),
+    let mut rows = vec![row("braking: speed at its start", Measure::Speed, |v| Some(v.braking.as_ref()?.speed))];
+    rows.extend(units.on_the_road(Measure::Speed).map(|road| row("", road, |v| Some(v.braking.as_ref()?.speed))));
+    rows.extend([
         row("         speed at the impact", Measure::RoadSpeed, |v| Some(v.braking.as_ref()?.impact_speed)),
         row("         distance to the impact", Measure::Length, |v| Some(v.braking.as_ref()?.distance)),
         row("         time to the impact", Measure::Time, |v| Some(v.braking.as_ref()?.time)),
-    ]
+    ]);
+    rows
 }
 
 fn contact(solution: &Solution, units: Units) -> Table {
