@@ -104,6 +104,28 @@ impl Distribution {
         LogNormal { median, log_sd: libm::log(factor) }
     }
 
+    /// Returns the distribution of the number divided by `divisor`, which is above zero.
+    ///
+    /// ```
+    /// use planar_impact::Distribution;
+    /// let weight = Distribution::Uniform { min: 9806.65, max: 19613.3 };
+    /// assert_eq!(weight.over(9.80665), Distribution::Uniform { min: 1000.0, max: 2000.0 });
+    /// ```
+    #[must_use]
+    pub fn over(self, divisor: f64) -> Self {
+        let over = |value: f64| value / divisor;
+        match self {
+            Normal { mean, sd } => Normal { mean: over(mean), sd: over(sd) },
+            TruncatedNormal { mode, scale, min, max } => {
+                TruncatedNormal { mode: over(mode), scale: over(scale), min: over(min), max: over(max) }
+            }
+            Uniform { min, max } => Uniform { min: over(min), max: over(max) },
+            Triangular { min, mode, max } => Triangular { min: over(min), mode: over(mode), max: over(max) },
+            LogNormal { median, log_sd } => LogNormal { median: over(median), log_sd },
+            StudentT { mean, sd, n } => StudentT { mean: over(mean), sd: over(sd), n },
+        }
+    }
+
     /// Checks the parameters.
     ///
     /// # Errors

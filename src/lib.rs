@@ -134,7 +134,7 @@ pub use input::{Input, NoSuchInput, Side};
 pub use issue::Issue;
 pub use issue::{InputIssue, InputIssueKind, Issues};
 pub use law::{ImpulseRatio, Law};
-pub use measure::Measure;
+pub use measure::{Measure, STANDARD_GRAVITY};
 #[cfg(feature = "alloc")]
 pub use message::{Message, Part};
 pub use moment::{Moment, MomentCompliance};

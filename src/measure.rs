@@ -55,6 +55,9 @@ pub enum Measure {
     Ratio,
 }
 
+/// Standard acceleration of gravity in m/s², exact by definition (third General Conference on Weights and Measures, 1901).
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
 /// The name and the SI unit of each measure, in the order of [`Measure::ALL`].
 const NAMES: [(Measure, &str, &str); 21] = [
     (Measure::Mass, "mass", "kg"),

@@ -18,9 +18,6 @@ use alloc::vec::Vec;
 
 use crate::scalar::Real;
 
-/// Standard gravity, in m/s² (3rd General Conference on Weights and Measures, 1901).
-pub const STANDARD_GRAVITY: f64 = 9.80665;
-
 /// A distance over which a vehicle brakes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -71,7 +68,8 @@ impl<T: Real> Skid<T> {
 /// Returns the speed from which skids bring a vehicle to rest, in m/s: √(2 g Σ (μ b + G) L). Zero without skids.
 ///
 /// ```
-/// use planar_impact::skid::{STANDARD_GRAVITY, Skid, skid_speed};
+/// use planar_impact::STANDARD_GRAVITY;
+/// use planar_impact::skid::{Skid, skid_speed};
 /// // 22 m on asphalt, then 8 m on grass.
 /// let skids = [(22.0, 0.7), (8.0, 0.45)].map(|(length, friction)| Skid { length, friction, grade: 0.0, braking: 1.0 });
 /// assert!((skid_speed(&skids, STANDARD_GRAVITY) - 19.304).abs() < 1e-3);

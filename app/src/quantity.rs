@@ -1,8 +1,9 @@
 //! A number with its unit, checked for its dimension and for a plausible size.
 //!
-//! A string includes its unit: `"2564 lb"`, `"-10deg"`, `"1434.9 lbf s^2 ft"`. A bare number is in SI. The grammar of
-//! units is in `quantity/unit.rs`.
+//! A string includes its unit: `"2564 lb"`, `"-10deg"`, `"1434.9 lbf s^2 ft"`, `"5 ft 2 in"`. A bare number is in SI. The
+//! grammar of units is in `quantity/unit.rs`.
 
+mod compound;
 mod kind;
 mod number;
 mod unit;
@@ -11,8 +12,10 @@ mod wording;
 
 pub use kind::{Kind, Reach};
 pub use number::finite;
+pub(crate) use unit::symbol;
 pub use wording::{excerpt, nearest};
 
+use compound::FeetAndInches;
 use unit::Unit;
 use wide::Wide;
 
@@ -27,6 +30,8 @@ pub struct Quantity {
     pub unit: String,
     /// `true` if the file gave no unit.
     pub bare: bool,
+    /// `true` if `lb` was read as the pound-force, which alone measures this quantity, and the unit is not one in which a pound is customarily a force.
+    pub pound_force: bool,
 }
 
 /// The error of a text that is not a quantity of the required kind.
@@ -69,18 +74,21 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
         let help = "give the value alone".to_owned();
         return Err(QuantityError::with_help(format!("{} has a standard deviation, and this number takes none", excerpt(text)), help));
     }
-    let (value, written) = number::split(text)?;
-    let si = if !written.is_empty() {
-        unit_for(text, written, kind)?.to_si(value)
-    } else if kind.dimension == Kind::PURE.dimension {
-        value
+    let (value, written, conversion) = if let Some(length) = FeetAndInches::read(text)? {
+        let inches = FeetAndInches::UNIT;
+        (length.inches(), inches, Conversion::in_text(text, inches, kind)?)
     } else {
-        return Err(without_unit(text, kind));
+        let (value, written) = number::split(text)?;
+        if written.is_empty() && kind.dimension != Kind::PURE.dimension {
+            return Err(without_unit(text, kind));
+        }
+        (value, written, Conversion::in_text(text, written, kind)?)
     };
+    let si = conversion.to_si(value);
     if (si == 0.0 && value != 0.0) || !kind.domain.holds(si) {
         return Err(beyond(text, si, kind));
     }
-    Ok(Quantity { si, value, unit: written.to_owned(), bare: false })
+    Ok(Quantity { si, value, unit: written.to_owned(), bare: false, pound_force: conversion.pound_force })
 }
 
 /// Reads a value and its uncertainty, each with its unit; a unit that follows only one of them applies to both, as in `12 ± 1 ft/s`.
@@ -89,8 +97,18 @@ pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
 ///
 /// As [`parse`], for either of them.
 pub fn parse_pair(value: &str, deviation: &str, kind: Kind) -> Result<[Quantity; 2], QuantityError> {
-    let unit = |text: &str| number::split(text.trim()).map(|(_, unit)| unit.to_owned());
+    let unit = |text: &str| match FeetAndInches::read(text.trim())? {
+        Some(_) => Ok(FeetAndInches::UNIT.to_owned()),
+        None => number::split(text.trim()).map(|(_, unit)| unit.to_owned()),
+    };
     let (of_value, of_deviation) = (unit(value)?, unit(deviation)?);
+    if let Some(lone) = [(value, deviation, &of_value), (deviation, value, &of_deviation)]
+        .into_iter()
+        .find_map(|(lone, other, unit)| (unit.is_empty() && FeetAndInches::read(other.trim()) != Ok(None)).then_some(lone))
+    {
+        let message = format!("{} has no unit beside a length in feet and inches", excerpt(lone.trim()));
+        return Err(QuantityError::with_help(message, "write the unit of both numbers, as in `5 ft 2 in ± 1 in`".to_owned()));
+    }
     let has_unit = kind.dimension != Kind::PURE.dimension;
     let with = |text: &str, own: &str, other: &str| match own {
         // A percent sign after one of two pure numbers applies to that number only.
@@ -109,7 +127,7 @@ pub fn parse_pair(value: &str, deviation: &str, kind: Kind) -> Result<[Quantity;
 /// Returns an error if the value is so implausible that it was probably meant in another unit.
 pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityError> {
     if kind.bare.holds(value) {
-        return Ok(Quantity { si: value, value, unit: kind.si.to_owned(), bare: true });
+        return Ok(Quantity { si: value, value, unit: kind.si.to_owned(), bare: true, pound_force: false });
     }
     let digits: String = text.chars().filter(|c| *c != '_').take(40).collect();
     if kind.si.is_empty() {
@@ -142,12 +160,17 @@ pub fn parse_word(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
 
 /// A unit parsed once to convert many values.
 #[derive(Debug, Clone, Copy)]
-pub struct Conversion(Option<Wide>);
+pub struct Conversion {
+    /// `None` if the unit is invalid.
+    size: Option<Wide>,
+    /// `true` if `lb` is read as the pound-force, and that deserves a note.
+    pub pound_force: bool,
+}
 
 impl Conversion {
     /// Creates the conversion of a unit. `ft lb` means a mass times a length here; the energy is `ft lbf`.
     pub fn to(unit: &str) -> Conversion {
-        Conversion(Unit::parse(unit).ok().map(|unit| unit.size()))
+        Conversion { size: Unit::parse(unit).ok().map(|unit| unit.size()), pound_force: false }
     }
 
     /// Creates the conversion of a unit that a quantity of this kind was read with; that of a number without a dimension may be written as 1.
@@ -157,47 +180,42 @@ impl Conversion {
     /// Returns an error if the unit measures something else.
     pub fn of(unit: &str, kind: Kind) -> Result<Conversion, QuantityError> {
         let is_one = unit == "1" && kind.dimension == Kind::PURE.dimension;
-        if unit.is_empty() || is_one {
-            Ok(Conversion::none())
-        } else {
-            unit_for(unit, unit, kind).map(|unit| Conversion(Some(unit.size())))
+        Conversion::in_text(unit, if is_one { "" } else { unit }, kind)
+    }
+
+    /// Parses the unit `written` at the end of `text`, and checks that it measures what `kind` requires. A pound is a force where only that does.
+    fn in_text(text: &str, written: &str, kind: Kind) -> Result<Conversion, QuantityError> {
+        if written.is_empty() {
+            return Ok(Conversion::none());
         }
+        let unit = Unit::parse(written)?;
+        if unit.dimension() == kind.dimension {
+            return Ok(Conversion { size: Some(unit.size()), pound_force: false });
+        }
+        let forced = unit.with_pound_force();
+        if forced.dimension() == kind.dimension {
+            // A foot-pound or inch-pound is a unit of energy by custom.
+            return Ok(Conversion { size: Some(forced.size()), pound_force: kind.dimension != Kind::ENERGY.dimension });
+        }
+        let found = Kind::ALL.iter().find(|other| other.dimension == unit.dimension());
+        let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
+        Err(QuantityError::new(format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example)))
     }
 
     /// Creates the conversion of a number without a unit.
     pub fn none() -> Conversion {
-        Conversion(Some(Wide::new(1.0)))
+        Conversion { size: Some(Wide::new(1.0)), pound_force: false }
     }
 
     /// Converts a value in this unit to SI, with exactly the result of reading the same text in a file; NaN if the unit was invalid.
     pub fn to_si(self, value: f64) -> f64 {
-        self.0.map_or(f64::NAN, |size| Wide::new(value).times(size).value())
+        self.size.map_or(f64::NAN, |size| Wide::new(value).times(size).value())
     }
 
     /// Converts a value in SI to this unit; NaN if the unit was invalid.
     pub fn of_si(self, si: f64) -> f64 {
-        self.0.map_or(f64::NAN, |size| Wide::new(si).over(size).value())
+        self.size.map_or(f64::NAN, |size| Wide::new(si).over(size).value())
     }
-}
-
-/// Parses the unit `written` at the end of `text`, and checks that it measures what `kind` requires.
-fn unit_for(text: &str, written: &str, kind: Kind) -> Result<Unit, QuantityError> {
-    let unit = Unit::parse(written)?;
-    if unit.dimension() == kind.dimension {
-        return Ok(unit);
-    }
-    let forced = unit.with_pound_force();
-    if kind.dimension == Kind::ENERGY.dimension && unit.is_foot_pound() {
-        return Ok(forced);
-    }
-    let found = Kind::ALL.iter().find(|other| other.dimension == unit.dimension());
-    let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
-    let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
-    if forced.dimension() == kind.dimension {
-        let help = "`lb` is a mass; the force is `lbf`".to_owned();
-        return Err(QuantityError::with_help(message, help));
-    }
-    Err(QuantityError::new(message))
 }
 
 fn without_unit(text: &str, kind: Kind) -> QuantityError {

@@ -2,7 +2,7 @@
 
 use planar_impact::{Message, Part};
 
-use crate::quantity::{Conversion, Kind};
+use crate::quantity::{Conversion, Kind, symbol};
 
 pub use planar_impact::Measure;
 
@@ -13,6 +13,8 @@ pub enum Units {
     Us,
     /// Meters, kilograms, seconds; ΔV also in kilometers per hour.
     Si,
+    /// As SI, but speeds in miles per hour.
+    Uk,
 }
 
 /// Returns the kind of quantity in which values of a measure are written.
@@ -45,10 +47,10 @@ impl From<Measure> for Kind {
 impl Units {
     /// Returns the system that a unit belongs to, if only one uses it.
     pub fn of(unit: &str) -> Option<Units> {
-        const US: [&str; 14] = ["ft", "in", "yd", "mi", "lb", "lbs", "lbm", "lbf", "slug", "slugs", "mph", "fps", "psi", "kip"];
-        const SI: [&str; 17] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph", "kmh"];
-        let mut symbols = unit.split(|c: char| !c.is_alphabetic()).filter(|symbol| !symbol.is_empty());
-        symbols.find_map(|symbol| match symbol {
+        const US: [&str; 11] = ["ft", "in", "yd", "mi", "lb", "lbf", "slug", "mph", "fps", "psi", "kip"];
+        const SI: [&str; 16] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph"];
+        let names = unit.split(|c: char| !c.is_alphabetic()).filter(|name| !name.is_empty());
+        names.filter_map(symbol).find_map(|symbol| match symbol {
             us if US.contains(&us) => Some(Units::Us),
             si if SI.contains(&si) => Some(Units::Si),
             _ => None,
@@ -57,42 +59,44 @@ impl Units {
 
     /// Returns the unit in which a measure is printed; empty for a pure number.
     pub fn unit(self, measure: Measure) -> &'static str {
-        match (measure, self) {
-            (Measure::Speed, Units::Us) => "ft/s",
-            (Measure::Speed, Units::Si) => "m/s",
-            (Measure::RoadSpeed, Units::Us) => "mph",
-            (Measure::RoadSpeed, Units::Si) => "km/h",
-            (Measure::YawRate, _) => "deg/s",
-            (Measure::Angle, _) => "deg",
-            (Measure::Length, Units::Us) => "ft",
-            (Measure::Length, Units::Si) => "m",
-            (Measure::Impulse, Units::Us) => "lbf s",
-            (Measure::Impulse, Units::Si) => "N s",
-            (Measure::MomentImpulse, Units::Us) => "lbf s ft",
-            (Measure::MomentImpulse, Units::Si) => "N m s",
-            (Measure::Energy, Units::Us) => "ft lb",
-            (Measure::Energy, Units::Si) => "J",
-            (Measure::Mass, Units::Us) => "lb",
-            (Measure::Mass, Units::Si) => "kg",
-            (Measure::YawInertia, Units::Us) => "lbf s^2 ft",
-            (Measure::YawInertia, Units::Si) => "kg m^2",
-            (Measure::RootForce, Units::Us) => "lbf^0.5",
-            (Measure::RootForce, Units::Si) => "N^0.5",
-            (Measure::RootForcePerLength, Units::Us) => "lbf^0.5/ft",
-            (Measure::RootForcePerLength, Units::Si) => "N^0.5/m",
-            (Measure::SpeedPerLength, Units::Us) => "mph/in",
-            (Measure::SpeedPerLength, Units::Si) => "1/s",
-            (Measure::ForcePerWidth, Units::Us) => "lbf/in",
-            (Measure::ForcePerWidth, Units::Si) => "N/m",
-            (Measure::ForcePerArea, Units::Us) => "lbf/in^2",
-            (Measure::ForcePerArea, Units::Si) => "N/m^2",
-            (Measure::Force, Units::Us) => "lbf",
-            (Measure::Force, Units::Si) => "N",
-            (Measure::Area, Units::Us) => "ft^2",
-            (Measure::Acceleration, Units::Us) => "ft/s^2",
-            (Measure::InverseMass, Units::Us) => "1/lb",
-            (Measure::Time | Measure::Area | Measure::Acceleration | Measure::InverseMass | Measure::Ratio, _) => measure.si_unit(),
+        match (self, measure) {
+            (Units::Us, _) => Units::customary(measure),
+            (_, Measure::YawRate) => "deg/s",
+            (_, Measure::Angle) => "deg",
+            (Units::Uk, Measure::Speed | Measure::RoadSpeed) => "mph",
+            (_, Measure::RoadSpeed) => "km/h",
+            _ => measure.si_unit(),
         }
+    }
+
+    fn customary(measure: Measure) -> &'static str {
+        match measure {
+            Measure::Speed => "ft/s",
+            Measure::RoadSpeed => "mph",
+            Measure::YawRate => "deg/s",
+            Measure::Angle => "deg",
+            Measure::Length => "ft",
+            Measure::Impulse => "lbf s",
+            Measure::MomentImpulse => "lbf s ft",
+            Measure::Energy => "ft lb",
+            Measure::Mass => "lb",
+            Measure::YawInertia => "lbf s^2 ft",
+            Measure::RootForce => "lbf^0.5",
+            Measure::RootForcePerLength => "lbf^0.5/ft",
+            Measure::SpeedPerLength => "mph/in",
+            Measure::ForcePerWidth => "lbf/in",
+            Measure::ForcePerArea => "lbf/in^2",
+            Measure::Force => "lbf",
+            Measure::Area => "ft^2",
+            Measure::Acceleration => "ft/s^2",
+            Measure::InverseMass => "1/lb",
+            Measure::Time | Measure::Ratio => measure.si_unit(),
+        }
+    }
+
+    /// Returns the measure in which a page repeats a value: a speed, if speeds on the road have another unit.
+    pub fn on_the_road(self, measure: Measure) -> Option<Measure> {
+        (measure == Measure::Speed && self.unit(measure) != self.unit(Measure::RoadSpeed)).then_some(Measure::RoadSpeed)
     }
 
     /// Converts a value in SI to a number in this system.
@@ -217,10 +221,21 @@ mod tests {
     #[test]
     fn every_unit_converts() {
         for measure in Measure::ALL {
-            for units in [Units::Us, Units::Si] {
+            for units in [Units::Us, Units::Si, Units::Uk] {
                 assert!(units.convert(measure, 1.0).is_finite(), "{measure:?}");
             }
         }
         assert_eq!(Units::Us.convert(Measure::Speed, 0.3048), 1.0); // the international foot
+    }
+
+    #[test]
+    fn uk_is_si_with_miles_per_hour() {
+        for measure in Measure::ALL {
+            let is_speed = [Measure::Speed, Measure::RoadSpeed].contains(&measure);
+            let unit = if is_speed { "mph" } else { Units::Si.unit(measure) };
+            assert_eq!(Units::Uk.unit(measure), unit, "{measure:?}");
+        }
+        assert_eq!(Units::Uk.quantity(Measure::RoadSpeed, 44.704), "100.0 mph"); // 1609.344 m/3600 s
+        assert_eq!([Units::Us, Units::Si, Units::Uk].map(|units| units.on_the_road(Measure::Speed).is_some()), [true, true, false]);
     }
 }

@@ -45,7 +45,7 @@ fn without_rounding(message: &Message) -> Message {
 
 /// Returns a hint for a missing mass: a barrier may be meant.
 pub fn barrier_instead(key: &str) -> Option<String> {
-    key.ends_with("mass").then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
+    ["mass", "weight"].iter().any(|mass| key.ends_with(mass)).then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
 }
 
 /// Returns a hint for a coefficient above 1: a percentage may be meant.

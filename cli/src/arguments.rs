@@ -93,6 +93,8 @@ pub enum UnitSystem {
     Us,
     /// Meters, kilograms, seconds; ΔV also in kilometers per hour.
     Si,
+    /// As SI, but speeds in miles per hour.
+    Uk,
 }
 
 impl From<UnitSystem> for Units {
@@ -100,6 +102,7 @@ impl From<UnitSystem> for Units {
         match system {
             UnitSystem::Us => Units::Us,
             UnitSystem::Si => Units::Si,
+            UnitSystem::Uk => Units::Uk,
         }
     }
 }

@@ -48,5 +48,7 @@ mod stiffness;
 mod sweep;
 #[path = "main/uncertainty.rs"]
 mod uncertainty;
+#[path = "main/units.rs"]
+mod units;
 #[path = "main/warnings.rs"]
 mod warnings;

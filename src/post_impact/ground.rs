@@ -58,7 +58,7 @@ impl Area {
 impl Ground {
     /// Creates ground with the same friction everywhere.
     pub const fn uniform(friction: f64) -> Ground {
-        Ground { friction, regions: Vec::new(), contact_length: 0.2, gravity: 9.80665 }
+        Ground { friction, regions: Vec::new(), contact_length: 0.2, gravity: crate::STANDARD_GRAVITY }
     }
 }
 

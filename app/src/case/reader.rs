@@ -58,6 +58,8 @@ pub(crate) struct CaseReader {
     uncertain: RefCell<Vec<UncertainInput>>,
     open: Option<Open>,
     fitted: RefCell<Vec<FittedToTests>>,
+    /// The `gravity` of the case, if the file gives it.
+    gravity: Cell<Option<f64>>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
@@ -75,13 +77,17 @@ impl CaseReader {
 
     /// Returns the value in SI and records its unit.
     fn take(&self, path: &str, quantity: Quantity) -> f64 {
-        let Quantity { si, unit, bare, .. } = quantity;
+        let Quantity { si, unit, bare, pound_force, .. } = quantity;
         if bare && !unit.is_empty() {
             self.notices.borrow_mut().push(Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")));
         }
+        if pound_force {
+            let message = format!("{path}: `lb` is taken as the pound-force, lbf, because a force is meant");
+            self.notices.borrow_mut().push(Notice::note("pound-force-assumed", path, message));
+        }
         match Units::of(&unit) {
             Some(Units::Us) => self.us.update(|count| count + 1),
-            Some(Units::Si) => self.si.update(|count| count + 1),
+            Some(_) => self.si.update(|count| count + 1),
             None => (),
         }
         si
@@ -150,11 +156,17 @@ impl CaseReader {
     /// Reads an input that may be uncertain, in another domain than its own.
     fn input_in(&self, field: Field<'_>, parameter: Parameter, domain: Domain) -> Option<f64> {
         let key = field.path().to_owned();
-        let Distributed { nominal, distribution, values } = self.distributed(field, parameter.kind(), domain)?;
+        let read = self.distributed(field, parameter.kind(), domain)?;
+        Some(self.keep(parameter, key, read))
+    }
+
+    /// Keeps the distribution of an input, if it has one. Returns its nominal value.
+    fn keep(&self, parameter: Parameter, key: String, read: Distributed) -> f64 {
+        let Distributed { nominal, distribution, values } = read;
         if let Some(distribution) = distribution {
             self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution, values });
         }
-        Some(nominal)
+        nominal
     }
 
     /// Reads an array of two inputs that may be uncertain.
@@ -191,6 +203,8 @@ impl CaseReader {
     pub(super) fn case(&self, root: &Table<'_>) -> Option<Read> {
         let schema = root.required("schema").integer(1..=1);
         let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let gravity = root.has("gravity").then(|| self.positive(root.optional("gravity"), Kind::ACCELERATION));
+        self.gravity.set(gravity.flatten());
         let evidence = self.part(root, "evidence", CaseReader::evidence);
         let unknowns = self.part(root, "unknown", CaseReader::unknowns);
         // If evidence or unknowns are invalid, a key that they may replace is not reported missing.
@@ -213,7 +227,7 @@ impl CaseReader {
         });
         let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
-        if !spins {
+        if !spins || gravity == Some(None) {
             return None;
         }
         if let Some(impact_point) = impact_point {
@@ -307,7 +321,11 @@ impl CaseReader {
             Some(value) => value,
             None => read(table.required(key)),
         };
-        let mass = or("mass", Input::Mass, &|field| self.input(field, Parameter::Input(Input::Mass(side))));
+        let mass = if table.has("weight") {
+            self.weight(table, side)
+        } else {
+            or("mass", Input::Mass, &|field| self.input(field, Parameter::Input(Input::Mass(side))))
+        };
         let heading = or("heading", Input::Heading, &|field| self.input(field, Parameter::Input(Input::Heading(side))));
         let center = [Input::ImpactCenterForward, Input::ImpactCenterLeft].map(|input| input(side));
         let impact_center = match implied.of_pair(table, "impact_center", center.map(Variable::Input)) {
@@ -336,6 +354,20 @@ impl CaseReader {
             },
             braking: None,
         })
+    }
+
+    /// Reads the mass of a vehicle that gives its weight instead.
+    fn weight(&self, table: &Table<'_>, side: Side) -> Option<f64> {
+        let field = table.required("weight");
+        let key = field.path().to_owned();
+        let mass = self.mass_of_weight(field, self.gravity());
+        (one_of(table, "mass", "weight") == Some("weight")).then_some(())?;
+        Some(self.keep(Parameter::Input(Input::Mass(side)), key, mass?))
+    }
+
+    /// Returns the acceleration of gravity in m/s²: that of the case, or the standard one.
+    fn gravity(&self) -> f64 {
+        self.gravity.get().unwrap_or(planar_impact::STANDARD_GRAVITY)
     }
 
     fn inertia(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>) -> Option<Inertia> {

@@ -4,7 +4,7 @@ use planar_impact::check::ResolutionGroup;
 
 use super::complaint::Complaints;
 use crate::document::{Node, Value};
-use crate::quantity::{self, Kind, excerpt, nearest};
+use crate::quantity::{Conversion, Kind, excerpt, nearest};
 
 /// The size in SI of the unit of each measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,5 +131,5 @@ pub fn size_of(unit: &str, kind: Kind) -> Result<f64, String> {
     if is_pure && matches!(unit, "" | "1" | "-") {
         return Ok(1.0);
     }
-    quantity::parse(&format!("1 {unit}"), kind).map(|one| one.si).map_err(|error| error.to_string())
+    Conversion::of(unit, kind).map(|conversion| conversion.to_si(1.0)).map_err(|error| error.to_string())
 }

@@ -79,10 +79,13 @@ impl Kind {
     pub const PURE: Kind = Kind::new("a pure number", Dimension::new(0, 0, 0, 0), "", "0.3", 1e6);
     /// A duration: up to 1e6 s.
     pub const DURATION: Kind = Kind::new("a duration", Dimension::new(0, 0, 1, 0), "s", "100 ms", 1e6);
-    /// An acceleration: up to 1e9 m/s².
-    pub const ACCELERATION: Kind = Kind::new("an acceleration", Dimension::new(0, 1, -2, 0), "m/s^2", "9.8 m/s^2", 1e9);
+    /// An acceleration: up to 1e9 m/s², without a unit 30.
+    pub const ACCELERATION: Kind =
+        Kind::new("an acceleration", Dimension::new(0, 1, -2, 0), "m/s^2", "9.8 m/s^2", 1e9).bare(30.0, "ft/s^2");
     /// A force: up to 1e15 N.
     pub const FORCE: Kind = Kind::new("a force", Dimension::new(1, 1, -2, 0), "N", "20 kN", 1e15);
+    /// A weight: 1e-2 to 1e10 N, without a unit 1 to 1e7.
+    pub const WEIGHT: Kind = Kind::new("a weight", Dimension::new(1, 1, -2, 0), "N", "2564 lbf", 1e10).positive((1.0, 1e7), (1e-2, 1e10));
     /// An impulse: up to 1e15 N s.
     pub const IMPULSE: Kind = Kind::new("an impulse", Dimension::new(1, 1, -1, 0), "N s", "5000 N s", 1e15);
     /// A moment impulse: up to 1e15 N m s.
@@ -104,7 +107,7 @@ impl Kind {
     pub const SPEED_PER_LENGTH: Kind = Kind::new("a speed per length", Dimension::new(0, 0, -1, 0), "m/s/m", "1.4 mph/in", 1e9);
 
     /// Every kind.
-    pub(crate) const ALL: [Kind; 18] = [
+    pub(crate) const ALL: [Kind; 19] = [
         Kind::MASS,
         Kind::LENGTH,
         Kind::SPEED,
@@ -115,6 +118,7 @@ impl Kind {
         Kind::DURATION,
         Kind::ACCELERATION,
         Kind::FORCE,
+        Kind::WEIGHT,
         Kind::IMPULSE,
         Kind::MOMENT_IMPULSE,
         Kind::ENERGY,

@@ -65,15 +65,33 @@ fn number_length(text: &str) -> usize {
     end
 }
 
-/// Returns an error for a decimal comma or a thousands separator immediately after the digits.
+/// Returns an error for a decimal comma or thousands separators after the digits.
 fn separated(digits: &str, rest: &str) -> Option<QuantityError> {
-    let separator = rest.chars().next().filter(|c| matches!(c, ',' | '_' | '\''))?;
-    let tail: String = rest[1..].chars().take_while(char::is_ascii_digit).take(20).collect();
-    let message = format!("`{separator}` has no place in the number of {}", excerpt(&format!("{digits}{rest}")));
-    let joined = format!("{digits}{tail}");
-    let help = match (separator, tail.len()) {
-        (',', 3) => format!("write {joined} or {digits}.{tail}"),
-        (',', 1..) => format!("write {digits}.{tail}"),
+    let separator = rest.chars().next().filter(|c| matches!(c, ',' | '_' | '\'') || c.is_whitespace())?;
+    let mut groups = Vec::new();
+    let mut tail = rest;
+    while let Some(after) = tail.strip_prefix(separator) {
+        let count = after.bytes().take_while(u8::is_ascii_digit).count();
+        if count == 0 {
+            break;
+        }
+        groups.push(&after[..count]);
+        tail = &after[count..];
+    }
+    let are_thousands = !groups.is_empty() && groups.iter().all(|group| group.len() == 3);
+    // A unit may begin with 1, as 1/s, and inches follow the mark of feet: 5'11".
+    if !are_thousands && (separator.is_whitespace() || separator == '\'') {
+        return None;
+    }
+    let fraction = number_length(tail);
+    let fraction = if tail.starts_with('.') { &tail[..fraction] } else { "" };
+    let joined = format!("{digits}{}{fraction}", groups.concat());
+    let name = if separator.is_whitespace() { "a space".to_owned() } else { format!("`{separator}`") };
+    let message = format!("{name} has no place in the number of {}", excerpt(&format!("{digits}{rest}")));
+    let help = match (separator, &groups[..]) {
+        (',', [one]) if digits.contains('.') => format!("write {}.{one}", digits.replace('.', "")),
+        (',', [one]) if are_thousands && fraction.is_empty() => format!("write {joined} or {digits}.{one}"),
+        (',', [one]) if !are_thousands => format!("write {digits}.{one}"),
         _ => format!("write {joined}"),
     };
     Some(QuantityError::with_help(message, help))
@@ -123,6 +141,14 @@ mod tests {
         assert_eq!(message("1,5 m"), "`,` has no place in the number of `1,5 m` (write 1.5)");
         assert_eq!(message("1,500 lb"), "`,` has no place in the number of `1,500 lb` (write 1500 or 1.500)");
         assert_eq!(message("1_500 lb"), "`_` has no place in the number of `1_500 lb` (write 1500)");
+        assert_eq!(message("1,234,567.5 N"), "`,` has no place in the number of `1,234,567.5 N` (write 1234567.5)");
+        assert_eq!(message("1,500.25 lb"), "`,` has no place in the number of `1,500.25 lb` (write 1500.25)");
+        assert_eq!(message("2.564,5 kg"), "`,` has no place in the number of `2.564,5 kg` (write 2564.5)");
+        assert_eq!(message("1 200 kg"), "a space has no place in the number of `1 200 kg` (write 1200)");
+        assert_eq!(message("1\u{a0}200\u{a0}300 kg"), "a space has no place in the number of `1\u{a0}200\u{a0}300 kg` (write 1200300)");
+        assert_eq!(message("1'500 lb"), "`'` has no place in the number of `1'500 lb` (write 1500)");
+        assert_eq!(split("3 1/s"), Ok((3.0, "1/s")));
+        assert_eq!(split("5'11\""), Ok((5.0, "'11\"")));
         assert_eq!(message("ten ft"), "`ten ft` does not begin with a number");
         assert_eq!(message("−5 deg"), "`−5 deg` does not begin with a number (write an ordinary minus sign, `-`)");
         assert_eq!(message("."), "`.` does not begin with a number");

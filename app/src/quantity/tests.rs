@@ -13,7 +13,14 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::MASS, "7000 mg", 0.007),
     (Kind::MASS, "1.3 t", 1300.0),
     (Kind::MASS, "79.7 slug", 1163.1340640953472),
+    (Kind::MASS, "2564 pounds", 1163.01083668),
+    (Kind::MASS, "2564 Lbs", 1163.01083668),
+    (Kind::MASS, "1.3 tonne", 1300.0),
+    (Kind::MASS, "79.7 slugs", 1163.1340640953472),
     (Kind::LENGTH, "5.47 m", 5.47),
+    (Kind::LENGTH, "5.47 metres", 5.47),
+    (Kind::LENGTH, "5.47 feet", 1.667256),
+    (Kind::LENGTH, "33.3 inches", 0.84582),
     (Kind::LENGTH, "12.3 cm", 0.123),
     (Kind::LENGTH, "12.3 mm", 0.0123),
     (Kind::LENGTH, "0.7 km", 700.0),
@@ -29,7 +36,10 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::SPEED, "13.7 m/s", 13.7),
     (Kind::SPEED, "50 km/h", 13.88888888888889),
     (Kind::SPEED, "50 kph", 13.88888888888889),
+    (Kind::SPEED, "50 kmh", 13.88888888888889),
+    (Kind::SPEED, "50 km/hr", 13.88888888888889),
     (Kind::SPEED, "35 mph", 15.6464),
+    (Kind::SPEED, "35 MPH", 15.6464),
     (Kind::SPEED, "40 ft/s", 12.192),
     (Kind::SPEED, "40ft/s", 12.192),
     (Kind::SPEED, "40 fps", 12.192),
@@ -38,6 +48,7 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::SPEED, "7 in/ms", 177.8),
     (Kind::ANGLE, "-10 deg", -0.17453292519943295),
     (Kind::ANGLE, "40°", 0.6981317007977318),
+    (Kind::ANGLE, "40 degrees", 0.6981317007977318),
     (Kind::ANGLE, "1.5 rad", 1.5),
     (Kind::ANGLE, "0.3 rev", 1.8849555921538759),
     (Kind::YAW_RATE, "33.3 deg/s", 0.5811946409141118),
@@ -50,6 +61,8 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::FORCE, "3.3 N", 3.3),
     (Kind::FORCE, "3.3 kN", 3300.0),
     (Kind::FORCE, "3.3 lbf", 14.67913133035965),
+    (Kind::FORCE, "3.3 lb", 14.67913133035965),
+    (Kind::FORCE, "3.3 kip", 14679.13133035965),
     (Kind::IMPULSE, "5000 N s", 5000.0),
     (Kind::IMPULSE, "1234.5 lbf s", 5491.329584039087),
     (Kind::ENERGY, "3.3 J", 3.3),
@@ -61,6 +74,8 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::ENERGY, "7 N m", 7.0),
     (Kind::YAW_INERTIA, "2000 kg m^2", 2000.0),
     (Kind::YAW_INERTIA, "1434.9 lbf s^2 ft", 1945.4631740607265),
+    (Kind::YAW_INERTIA, "1434.9 lb ft s^2", 1945.4631740607265),
+    (Kind::YAW_INERTIA, "1434.9 lb-sec^2-ft", 1945.4631740607265),
     (Kind::YAW_INERTIA, "1434.9 lbf s^2 in", 162.1219311717272),
     (Kind::YAW_INERTIA, "1434.9 slug ft^2", 1945.4631740607265),
     (Kind::YAW_INERTIA, "1434.9 slug·ft²", 1945.4631740607265),
@@ -68,6 +83,7 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::STIFFNESS, "3.3 N/m", 3.3),
     (Kind::STIFFNESS, "3.3 N/cm", 330.0),
     (Kind::STIFFNESS, "317 lbf/in", 55515.20677313301),
+    (Kind::STIFFNESS, "317 lb/in", 55515.20677313301),
     (Kind::STIFFNESS, "3.3 kN/mm", 3300000.0),
     (Kind::STIFFNESS_PER_WIDTH, "3.3 N/m^2", 3.3),
     (Kind::STIFFNESS_PER_WIDTH, "3.3 Pa", 3.3),
@@ -76,7 +92,9 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::STIFFNESS_PER_WIDTH, "57 lbf/in^2", 393001.1657105966),
     (Kind::STIFFNESS_PER_WIDTH, "57 lbf/in/in", 393001.1657105966),
     (Kind::STIFFNESS_PER_WIDTH, "57 psi", 393001.1657105966),
+    (Kind::STIFFNESS_PER_WIDTH, "57 lb/in^2", 393001.1657105966),
     (Kind::ROOT_FORCE, "91.3 lbf^0.5", 192.55907258841583),
+    (Kind::ROOT_FORCE, "91.3 lb^0.5", 192.55907258841583),
     (Kind::ROOT_FORCE, "91.3 N^0.5", 91.3),
     (Kind::ROOT_FORCE_PER_LENGTH, "162.8 lbf^0.5/ft", 1126.5037608341058),
     (Kind::ROOT_FORCE_PER_LENGTH, "9.1 lbf^0.5/in", 755.6155447363903),
@@ -141,13 +159,26 @@ fn another_dimension_is_refused() {
         error("54321 ft lb", Kind::YAW_INERTIA), // a mass times a length
         "`54321 ft lb` is in kg m; a yaw inertia is expected, such as \"2000 kg m^2\""
     );
-    assert_eq!(
-        error("300 lb/in", Kind::STIFFNESS),
-        "`300 lb/in` is in kg m^-1; a stiffness (force per length) is expected, such as \
-         \"300 lbf/in\" (`lb` is a mass; the force is `lbf`)"
-    );
     assert_eq!(error("3 kg", Kind::PURE), "`3 kg` is a mass; a pure number is expected, such as \"0.3\"");
     assert!(error("5 kn", Kind::FORCE).contains("is a speed")); // a knot, not a kilonewton
+}
+
+#[test]
+fn a_pound_is_a_force_where_only_that_fits() {
+    let forced = |text: &str, kind| parse(text, kind).map(|read| read.pound_force);
+    for (text, kind) in [("300 lb/in", Kind::STIFFNESS), ("12 lb ft s^2", Kind::YAW_INERTIA), ("2564 lbs", Kind::FORCE)] {
+        assert_eq!(forced(text, kind), Ok(true), "{text}");
+        let [value, deviation] = parse_pair(text, "7", kind).expect("a pair");
+        assert!(value.pound_force && deviation.pound_force);
+    }
+    // As written, or a foot-pound of energy.
+    for (text, kind) in
+        [("300 lbf/in", Kind::STIFFNESS), ("46200 lb ft^2", Kind::YAW_INERTIA), ("2564 lb", Kind::MASS), ("9 ft lb", Kind::ENERGY)]
+    {
+        assert_eq!(forced(text, kind), Ok(false), "{text}");
+    }
+    assert_eq!(error("300 lb/in", Kind::STIFFNESS_PER_WIDTH).split(';').next(), Some("`300 lb/in` is in kg m^-1")); // right as neither
+    assert_eq!(error("12 lb ft", Kind::YAW_INERTIA).split(';').next(), Some("`12 lb ft` is in kg m"));
 }
 
 #[test]
@@ -158,7 +189,7 @@ fn a_string_needs_a_unit() {
          (a string needs a unit; a number without quotes is in m/s)"
     );
     assert_eq!(error(" ", Kind::MASS), "the string is empty; expected a mass, such as \"1500 kg\"");
-    assert_eq!(error("1 500 kg", Kind::MASS), "unknown unit `500`");
+    assert_eq!(error("1 2000 kg", Kind::MASS), "unknown unit `2000`");
     assert_eq!(error("40 mhp", Kind::SPEED), "unknown unit `mhp` (did you mean `mph`?)");
 }
 

@@ -54,23 +54,31 @@ impl std::fmt::Display for Dimension {
     }
 }
 
-/// A named unit of `numerator / denominator` SI units, both exact, times π if `pi` is set.
+/// A unit of `numerator / denominator` SI units, both exact, times π if `pi` is set.
 #[derive(Debug)]
 struct Named {
-    name: &'static str,
+    /// Its symbol, then the other names that people write.
+    names: &'static [&'static str],
     dimension: Dimension,
     numerator: f64,
     denominator: f64,
     pi: bool,
 }
 
-const fn named(dimension: Dimension, name: &'static str, numerator: f64, denominator: f64) -> Named {
-    Named { name, dimension, numerator, denominator, pi: false }
+impl Named {
+    /// Returns its symbol.
+    fn symbol(&self) -> &'static str {
+        self.names[0]
+    }
+}
+
+const fn named(dimension: Dimension, names: &'static [&'static str], numerator: f64, denominator: f64) -> Named {
+    Named { names, dimension, numerator, denominator, pi: false }
 }
 
 /// Creates a unit of `numerator / denominator` times π.
-const fn of_pi(dimension: Dimension, name: &'static str, numerator: f64, denominator: f64) -> Named {
-    Named { name, dimension, numerator, denominator, pi: true }
+const fn of_pi(dimension: Dimension, names: &'static [&'static str], numerator: f64, denominator: f64) -> Named {
+    Named { names, dimension, numerator, denominator, pi: true }
 }
 
 const PURE: Dimension = Dimension::new(0, 0, 0, 0);
@@ -88,54 +96,65 @@ const PRESSURE: Dimension = Dimension::new(1, -1, -2, 0);
 /// The pound-force in units of 1e-13 N: 0.453 592 37 kg × 9.806 65 m/s², exactly.
 const POUND_FORCE: f64 = 45_359_237.0 * 980_665.0;
 
-/// All unit names. The factors of the international yard and pound (1959), the standard gravity (1901) and the
-/// international knot are exact by definition.
+/// All units. The factors of the international yard and pound (1959), the standard gravity (1901) and the international
+/// knot are exact by definition. `ton` is absent because it is three units.
+#[rustfmt::skip]
 const NAMED: &[Named] = &[
-    named(MASS, "kg", 1.0, 1.0),
-    named(MASS, "g", 1.0, 1e3),
-    named(MASS, "mg", 1.0, 1e6),
-    named(MASS, "t", 1e3, 1.0),
-    named(MASS, "lb", 45_359_237.0, 1e8),
-    named(MASS, "lbs", 45_359_237.0, 1e8),
-    named(MASS, "lbm", 45_359_237.0, 1e8),
-    named(MASS, "slug", POUND_FORCE, 3048e9), // lbf s²/ft
-    named(LENGTH, "m", 1.0, 1.0),
-    named(LENGTH, "cm", 1.0, 1e2),
-    named(LENGTH, "mm", 1.0, 1e3),
-    named(LENGTH, "km", 1e3, 1.0),
-    named(LENGTH, "in", 254.0, 1e4),
-    named(LENGTH, "ft", 3048.0, 1e4),
-    named(LENGTH, "yd", 9144.0, 1e4),
-    named(LENGTH, "mi", 1_609_344.0, 1e3),
-    named(TIME, "s", 1.0, 1.0),
-    named(TIME, "sec", 1.0, 1.0),
-    named(TIME, "ms", 1.0, 1e3),
-    named(TIME, "min", 60.0, 1.0),
-    named(TIME, "h", 3600.0, 1.0),
-    named(SPEED, "kph", 1e3, 3600.0),
-    named(SPEED, "mph", 1_609_344.0, 36e5),
-    named(SPEED, "fps", 3048.0, 1e4),
-    named(SPEED, "kn", 1852.0, 3600.0),
-    named(ANGLE, "rad", 1.0, 1.0),
-    of_pi(ANGLE, "deg", 1.0, 180.0),
-    of_pi(ANGLE, "°", 1.0, 180.0),
-    of_pi(ANGLE, "rev", 2.0, 1.0),
-    of_pi(YAW_RATE, "rpm", 2.0, 60.0),
-    named(ACCELERATION, "g0", 980_665.0, 1e5),
-    named(FORCE, "N", 1.0, 1.0),
-    named(FORCE, "kN", 1e3, 1.0),
-    named(FORCE, "lbf", POUND_FORCE, 1e13),
-    named(ENERGY, "J", 1.0, 1.0),
-    named(ENERGY, "kJ", 1e3, 1.0),
-    named(PRESSURE, "Pa", 1.0, 1.0),
-    named(PRESSURE, "kPa", 1e3, 1.0),
-    named(PRESSURE, "MPa", 1e6, 1.0),
-    named(PRESSURE, "psi", POUND_FORCE, 1e5 * 254.0 * 254.0), // lbf/in²
-    named(PURE, "%", 1.0, 1e2),
+    named(MASS, &["kg", "kgs", "kilogram", "kilograms"], 1.0, 1.0),
+    named(MASS, &["g", "gram", "grams"], 1.0, 1e3),
+    named(MASS, &["mg"], 1.0, 1e6),
+    named(MASS, &["t", "tonne", "tonnes"], 1e3, 1.0),
+    named(MASS, &["lb", "lbs", "lbm", "pound", "pounds"], 45_359_237.0, 1e8),
+    named(MASS, &["slug", "slugs"], POUND_FORCE, 3048e9), // lbf s²/ft
+    named(LENGTH, &["m", "meter", "meters", "metre", "metres"], 1.0, 1.0),
+    named(LENGTH, &["cm", "centimeter", "centimeters", "centimetre", "centimetres"], 1.0, 1e2),
+    named(LENGTH, &["mm", "millimeter", "millimeters", "millimetre", "millimetres"], 1.0, 1e3),
+    named(LENGTH, &["km", "kilometer", "kilometers", "kilometre", "kilometres"], 1e3, 1.0),
+    named(LENGTH, &["in", "inch", "inches"], 254.0, 1e4),
+    named(LENGTH, &["ft", "foot", "feet"], 3048.0, 1e4),
+    named(LENGTH, &["yd", "yard", "yards"], 9144.0, 1e4),
+    named(LENGTH, &["mi", "mile", "miles"], 1_609_344.0, 1e3),
+    named(TIME, &["s", "sec", "secs", "second", "seconds"], 1.0, 1.0),
+    named(TIME, &["ms", "msec", "millisecond", "milliseconds"], 1.0, 1e3),
+    named(TIME, &["min", "mins", "minute", "minutes"], 60.0, 1.0),
+    named(TIME, &["h", "hr", "hrs", "hour", "hours"], 3600.0, 1.0),
+    named(SPEED, &["kph", "kmh", "kmph"], 1e3, 3600.0),
+    named(SPEED, &["mph"], 1_609_344.0, 36e5),
+    named(SPEED, &["fps"], 3048.0, 1e4),
+    named(SPEED, &["kn", "knot", "knots"], 1852.0, 3600.0),
+    named(ANGLE, &["rad", "radian", "radians"], 1.0, 1.0),
+    of_pi(ANGLE, &["deg", "degs", "degree", "degrees", "°"], 1.0, 180.0),
+    of_pi(ANGLE, &["rev", "revs", "revolution", "revolutions"], 2.0, 1.0),
+    of_pi(YAW_RATE, &["rpm"], 2.0, 60.0),
+    named(ACCELERATION, &["g0"], 980_665.0, 1e5),
+    named(FORCE, &["N", "newton", "newtons"], 1.0, 1.0),
+    named(FORCE, &["kN", "kilonewton", "kilonewtons"], 1e3, 1.0),
+    named(FORCE, &["lbf"], POUND_FORCE, 1e13),
+    named(FORCE, &["kip", "kips"], POUND_FORCE, 1e10),
+    named(ENERGY, &["J", "joule", "joules"], 1.0, 1.0),
+    named(ENERGY, &["kJ", "kilojoule", "kilojoules"], 1e3, 1.0),
+    named(ENERGY, &["MJ", "megajoule", "megajoules"], 1e6, 1.0),
+    named(PRESSURE, &["Pa", "pascal", "pascals"], 1.0, 1.0),
+    named(PRESSURE, &["kPa", "kilopascal", "kilopascals"], 1e3, 1.0),
+    named(PRESSURE, &["MPa", "megapascal", "megapascals"], 1e6, 1.0),
+    named(PRESSURE, &["psi"], POUND_FORCE, 1e5 * 254.0 * 254.0), // lbf/in²
+    named(PURE, &["%"], 1.0, 1e2),
 ];
 
+/// Symbols whose capitals count: m is a thousandth and M a million, kn a knot and kN a force.
+const CAPITALS_COUNT: [&str; 7] = ["mg", "mm", "ms", "MJ", "MPa", "kn", "kN"];
+
+/// Finds a unit by one of its names. Capitals count only in names of one letter and in [`CAPITALS_COUNT`].
 fn find(name: &str) -> Option<&'static Named> {
-    NAMED.iter().find(|named| named.name == name)
+    let is_name = |known: &&str| *known == name;
+    let is_in_capitals = |known: &&str| name.len() > 1 && known.eq_ignore_ascii_case(name) && !CAPITALS_COUNT.contains(known);
+    let with = |is: &dyn Fn(&&str) -> bool| NAMED.iter().find(|named| named.names.iter().any(is));
+    with(&is_name).or_else(|| with(&is_in_capitals))
+}
+
+/// Returns the symbol of a unit with this name.
+pub(crate) fn symbol(name: &str) -> Option<&'static str> {
+    find(name).map(Named::symbol)
 }
 
 /// A unit as written: named units with their exponents in halves.
@@ -148,11 +167,6 @@ impl Unit {
         self.0.iter().fold(PURE, |product, (named, halves)| product.times_power(named.dimension, *halves))
     }
 
-    /// Converts `value` in this unit to SI.
-    pub(super) fn to_si(&self, value: f64) -> f64 {
-        Wide::new(value).times(self.size()).value()
-    }
-
     /// Returns the size of this unit in SI.
     pub(super) fn size(&self) -> Wide {
         let one = Wide::new(1.0);
@@ -163,17 +177,9 @@ impl Unit {
         })
     }
 
-    /// Returns `true` for `ft lb`, which practitioners write for the energy ft lbf.
-    pub(super) fn is_foot_pound(&self) -> bool {
-        matches!(&self.0[..], [(foot, 2), (pound, 2)] if foot.name == "ft" && pound.name == "lb")
-    }
-
     /// Returns this unit with each pound-mass replaced by a pound-force.
     pub(super) fn with_pound_force(&self) -> Unit {
-        let forced = |named: &'static Named| match named.name {
-            "lb" | "lbs" => find("lbf").unwrap_or(named),
-            _ => named,
-        };
+        let forced = |named: &'static Named| if named.symbol() == "lb" { find("lbf").unwrap_or(named) } else { named };
         Unit(self.0.iter().map(|(named, halves)| (forced(named), *halves)).collect())
     }
 
@@ -228,7 +234,8 @@ fn superscript(c: char) -> Option<char> {
 /// Reads the exponent at the start of `text`, in halves (one if absent), and returns the text after it.
 fn exponent(text: &str) -> Result<(i16, &str), QuantityError> {
     let (digits, rest) = if let Some(tail) = text.strip_prefix('^') {
-        let end = tail.find(|c: char| !matches!(c, '+' | '-' | '.' | '0'..='9')).unwrap_or(tail.len());
+        let sign = usize::from(tail.starts_with(['+', '-']));
+        let end = tail[sign..].find(|c: char| !matches!(c, '.' | '0'..='9')).map_or(tail.len(), |end| sign + end);
         (tail[..end].to_owned(), &tail[end..])
     } else {
         let end = text.find(|c| superscript(c).is_none()).unwrap_or(text.len());
@@ -255,10 +262,14 @@ fn unknown(name: &str, unit: &str) -> QuantityError {
     let message = format!("unknown unit {}", excerpt(name));
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if let Some(named) = find(stem).filter(|_| stem != name) {
-        let meant = format!("did you mean `{}^{}`?", named.name, &name[stem.len()..]);
+        let meant = format!("did you mean `{}^{}`?", named.symbol(), &name[stem.len()..]);
         return QuantityError::with_help(message, meant);
     }
-    match nearest(name, NAMED.iter().map(|named| named.name)) {
+    if ["ton", "tons"].contains(&name.to_lowercase().as_str()) {
+        let tons = "a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`";
+        return QuantityError::with_help(message, tons.to_owned());
+    }
+    match nearest(name, NAMED.iter().flat_map(|named| named.names).copied()) {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),
     }
@@ -294,6 +305,7 @@ mod tests {
         assert_eq!(dimension("m/s/s"), ACCELERATION);
         assert_eq!(dimension("kg*m^-1*s^-2"), PRESSURE);
         assert_eq!(dimension("ft-lbf"), ENERGY);
+        assert_eq!(dimension("lbf-s^2-ft"), Dimension::new(1, 2, 0, 0));
         assert_eq!(dimension("1/s"), Dimension::new(0, 0, -1, 0));
         assert_eq!(dimension("1 / s/m"), Dimension::new(0, -1, -1, 0));
         assert_eq!(Dimension::halves(1, -1, -2, 0).to_string(), "kg^0.5 m^-0.5 s^-1");
@@ -302,7 +314,8 @@ mod tests {
     #[test]
     fn bad_units() {
         assert_eq!(message("mhp"), "unknown unit `mhp` (did you mean `mph`?)");
-        assert_eq!(message("KG"), "unknown unit `KG` (did you mean `kg`?)");
+        assert_eq!(message("KN"), "unknown unit `KN` (did you mean `kN`?)"); // a knot or a kilonewton
+        assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
         assert_eq!(message("furlong"), "unknown unit `furlong`");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");
@@ -323,8 +336,28 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for (i, named) in NAMED.iter().enumerate() {
-            assert!(NAMED[..i].iter().all(|other| other.name != named.name), "{}", named.name);
+        let names: Vec<&str> = NAMED.iter().flat_map(|named| named.names).copied().collect();
+        for (i, name) in names.iter().enumerate() {
+            assert!(!names[..i].contains(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn capitals_never_select_another_unit() {
+        let names = || NAMED.iter().flat_map(|named| named.names.iter().map(move |name| (named, *name)));
+        for (named, name) in names() {
+            for written in [name.to_uppercase(), name.to_lowercase()] {
+                let others = names().filter(|(other, known)| other.names != named.names && known.eq_ignore_ascii_case(&written));
+                if find(&written).is_some_and(|found| !found.names.contains(&written.as_str())) {
+                    assert_eq!(others.count(), 0, "{written}");
+                }
+            }
+        }
+        for refused in ["M", "S", "T", "G", "n", "Mg", "MS", "MM", "mPa", "mpa", "mJ", "Kn", "KN"] {
+            assert!(find(refused).is_none(), "{refused}");
+        }
+        for (written, is) in [("MPH", "mph"), ("Lbs", "lb"), ("KG", "kg"), ("Km", "km"), ("IN", "in"), ("Feet", "ft"), ("LBF", "lbf")] {
+            assert_eq!(symbol(written), Some(is));
         }
     }
 }

@@ -7,6 +7,8 @@ use crate::quantity::{Kind, Reach};
 
 /// A number followed by anything that may be a unit.
 const WITH_UNIT: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*([^\s\d.,_']|1\s*/)";
+/// The same for a length, which may be in feet and inches: 5' 2".
+const LENGTH: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[^\s\d.,_]";
 /// A number, perhaps in percent.
 const PURE: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)";
 
@@ -40,7 +42,11 @@ fn name(kind: &Kind) -> String {
 }
 
 fn pattern(kind: &Kind) -> &'static str {
-    if kind.si.is_empty() { PURE } else { WITH_UNIT }
+    match kind.si {
+        "" => PURE,
+        "m" => LENGTH,
+        _ => WITH_UNIT,
+    }
 }
 
 fn quantity(kind: &Kind, _: &str) -> Value {

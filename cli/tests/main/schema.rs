@@ -143,6 +143,16 @@ fn wrong_cases_do_not_validate() {
         change(&mut case, pointer, value.clone());
         assert!(!validator.is_valid(&case), "{pointer} = {value}");
     }
+    for (pointer, value) in [("/gravity", json!("32.2 ft/s^2")), ("/vehicle/0/impact_center", json!(["6' 4.2\"", "0 m"]))] {
+        let mut case = sound.clone();
+        change(&mut case, pointer, value.clone());
+        assert!(validator.is_valid(&case), "{pointer} = {value}: {:?}", errors(&validator, &case));
+    }
+    let mut weighed = sound.clone();
+    change(&mut weighed, "/vehicle/0/weight", json!({"value": "2564 lbf", "sd": "10 lbf"}));
+    assert!(!validator.is_valid(&weighed), "mass and weight");
+    change(&mut weighed, "/vehicle/0/mass", json!(null));
+    assert_eq!(errors(&validator, &weighed), [""; 0]);
     // Without evidence, nothing replaces a missing key.
     for pointer in ["mass", "yaw_inertia", "heading", "speed", "impact_center"].map(|key| format!("/vehicle/1/{key}")) {
         let mut case = sound.clone();

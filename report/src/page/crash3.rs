@@ -45,8 +45,8 @@ fn vehicles(damage: &Damage, units: Units) -> Table {
         of("moment arm of the force", Measure::Length, |vehicle| vehicle.moment_arm),
         of("effective mass factor", Measure::Ratio, |vehicle| vehicle.effective_mass_factor),
         of("delta-V", Measure::Speed, |vehicle| vehicle.delta_v_magnitude),
-        of("", Measure::RoadSpeed, |vehicle| vehicle.delta_v_magnitude),
     ];
+    rows.extend(units.on_the_road(Measure::Speed).map(|road| of("", road, |vehicle| vehicle.delta_v_magnitude)));
     if damage.vehicles.iter().any(|vehicle| vehicle.reconstruction.is_some()) {
         let unit = units.unit(Measure::Speed);
         let back = |what: &str, value: fn(&Reconstruction) -> f64| {

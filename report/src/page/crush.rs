@@ -67,7 +67,7 @@ fn vehicles(answer: &CrushAnswer, units: Units) -> Table {
     }
     rows.push(of("crush energy E_C", Measure::Energy, |vehicle| vehicle.crush_energy));
     rows.push(of("equivalent energy speed", Measure::Speed, |vehicle| vehicle.equivalent_energy_speed));
-    rows.push(of("", Measure::RoadSpeed, |vehicle| vehicle.equivalent_energy_speed));
+    rows.extend(units.on_the_road(Measure::Speed).map(|road| of("", road, |vehicle| vehicle.equivalent_energy_speed)));
     let [one, two] = heads(answer.names.each_ref().map(String::as_str));
     Table::new(["crush".to_owned(), "unit".to_owned(), one, two], "llrr", rows)
 }

@@ -38,9 +38,9 @@ fn vehicles(solution: &Solution, units: Units) -> Table {
         row("        velocity y", Measure::Speed, speed, |v| v.velocity[1]),
         row("        yaw rate", Measure::YawRate, 1.0, |v| v.yaw_rate),
         row("delta-V", Measure::Speed, speed, |v| v.delta_v_magnitude),
-        row("", Measure::RoadSpeed, speed, |v| v.delta_v_magnitude),
-        row("PDOF, clockwise from ahead", Measure::Angle, 1.0, |v| v.pdof),
     ];
+    rows.extend(units.on_the_road(Measure::Speed).map(|road| row("", road, speed, |v| v.delta_v_magnitude)));
+    rows.push(row("PDOF, clockwise from ahead", Measure::Angle, 1.0, |v| v.pdof));
     rows.extend(crush(solution, units));
     rows.extend(braking(solution, units));
     let [one, two] = heads(solution.vehicles.each_ref().map(|vehicle| vehicle.name.as_str()));

@@ -1,7 +1,7 @@
 //! The keys of `[before]`: what the vehicles did before the impact.
 
 use planar_impact::Side;
-use planar_impact::skid::{STANDARD_GRAVITY, Skid};
+use planar_impact::skid::Skid;
 
 use super::CaseReader;
 use crate::case::braking::{BrakingInputs, SkidKey, SkidNumber};
@@ -50,7 +50,7 @@ impl CaseReader {
             Some(time) => Some(time?),
             None => None,
         };
-        Some(BrakingInputs { skids: skids?, reaction_time, gravity: STANDARD_GRAVITY })
+        Some(BrakingInputs { skids: skids?, reaction_time, gravity: self.gravity() })
     }
 
     fn skids(&self, field: Field<'_>, side: Side) -> Option<Vec<Skid>> {

@@ -73,6 +73,22 @@ impl From<(f64, Option<Distribution>)> for Distributed {
     }
 }
 
+impl Distributed {
+    /// Returns the same input divided by a number above zero.
+    fn over(self, divisor: f64) -> Self {
+        if let Some(values) = self.values {
+            return Distributed::of_values(values.iter().map(|value| value / divisor).collect());
+        }
+        let distribution = self.distribution.map(|distribution| distribution.over(divisor));
+        (distribution.map_or(self.nominal / divisor, |distribution| distribution.nominal()), distribution).into()
+    }
+
+    fn of_values(values: Arc<[f64]>) -> Self {
+        let (mean, sd) = normal_of(&values);
+        Distributed { nominal: mean, distribution: Some(Distribution::Normal { mean, sd }), values: Some(values) }
+    }
+}
+
 /// The meaning of a percent sign after a standard deviation.
 #[derive(Clone, Copy, PartialEq)]
 enum Percent {
@@ -152,6 +168,17 @@ impl CaseReader {
         spread
     }
 
+    /// Reads the mass of a vehicle from its weight, which may be uncertain.
+    pub(super) fn mass_of_weight(&self, field: Field<'_>, gravity: f64) -> Option<Distributed> {
+        let place = field.clone();
+        let mass = self.distributed(field, Kind::WEIGHT, Domain::Positive)?.over(gravity);
+        if !Kind::MASS.domain.holds(mass.nominal) {
+            place.report(format!("with a gravity of {gravity} m/s^2 it makes {} kg, which is no mass of a vehicle", mass.nominal), None);
+            return None;
+        }
+        Some(mass)
+    }
+
     /// Reads an input that may be uncertain.
     pub(super) fn distributed(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<Distributed> {
         let text = match field.value() {
@@ -227,17 +254,12 @@ impl CaseReader {
             table.optional(key).report(format!("`{key}` and `{by}` exclude each other"), Some(help));
             sound = false;
         }
-        let mut values = None;
+        if ["values", "file", "column"].contains(&by) {
+            let values = if by == "values" { self.values_of_list(table, kind, domain) } else { self.values_of_file(table, kind, domain) };
+            table.finish();
+            return values.filter(|_| sound).map(|values| Distributed::of_values(values.into()));
+        }
         let read = match by {
-            "values" | "file" | "column" => {
-                let given =
-                    if by == "values" { self.values_of_list(table, kind, domain) } else { self.values_of_file(table, kind, domain) };
-                given.map(|given| {
-                    let (mean, sd) = normal_of(&given);
-                    values = Some(Arc::from(given));
-                    (mean, Some(Distribution::Normal { mean, sd }))
-                })
-            }
             "n" | "mean" => self.mean_of_measurements(table, kind, domain),
             "median" | "factor" => {
                 let median = self.certain(table.required("median"), kind, domain);
@@ -302,8 +324,7 @@ impl CaseReader {
             }
         };
         table.finish();
-        let (nominal, distribution) = read.filter(|_| sound)?;
-        Some(Distributed { nominal, distribution, values })
+        read.filter(|_| sound).map(Distributed::from)
     }
 }
 

@@ -75,14 +75,25 @@ impl CaseReader {
             }
             holds
         });
-        let gravity = rest.has("gravity").then(|| self.positive(rest.optional("gravity"), Kind::ACCELERATION));
+        let gravity = if rest.has("gravity") { self.gravity_of_rest(rest.optional("gravity")) } else { Some(self.gravity()) };
         let regions = if rest.has("regions") { self.regions(rest.optional("regions")) } else { Some(Vec::new()) };
         let friction = friction?;
-        let mut ground = Ground { regions: regions?, ..Ground::uniform(friction.value) };
-        if let Some(gravity) = gravity {
-            ground.gravity = gravity?;
-        }
+        let ground = Ground { regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
         Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })
+    }
+
+    /// Reads the gravity of `[rest]`, which must not contradict that of the case.
+    fn gravity_of_rest(&self, field: Field<'_>) -> Option<f64> {
+        let place = field.clone();
+        let gravity = self.positive(field, Kind::ACCELERATION)?;
+        match self.gravity.get() {
+            Some(other) if (gravity - other).abs() > 1e-9 * other => {
+                let message = format!("it is {gravity} m/s^2, and the `gravity` of the case is {other} m/s^2");
+                place.report(message, Some("give one of them".to_owned()));
+                None
+            }
+            _ => Some(gravity),
+        }
     }
 
     fn regions(&self, field: Field<'_>) -> Option<Vec<Region>> {

@@ -153,7 +153,7 @@ fn read_cell(cell: &str, unit: Option<(&str, Conversion)>, kind: Kind) -> Result
     if !kind.domain.holds(si) {
         return Err(QuantityError { message: format!("{cell} {unit} is out of range for {}", kind.name), help: None });
     }
-    Ok(Quantity { si, value, unit: unit.to_owned(), bare: false })
+    Ok(Quantity { si, value, unit: unit.to_owned(), bare: false, pound_force: conversion.pound_force })
 }
 
 /// Returns the mean of values and the standard deviation of one that is drawn from them.

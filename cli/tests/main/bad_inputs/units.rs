@@ -67,7 +67,8 @@ pub const BAD: &[Bad] = &[
     // Unknown and unfinished units.
     wrong("unknown unit", &[("2564 lb", "2564 stone")], 6, &["vehicle.1.mass", "unknown unit `stone`"]),
     wrong("unit misspelled", &[("40 ft/s", "40 mhp")], 9, &["vehicle.1.speed", "did you mean `mph`"]),
-    wrong("unit in the wrong case", &[("2564 lb", "1163 KG")], 6, &["vehicle.1.mass", "unknown unit `KG`", "`kg`"]),
+    wrong("unit with the prefix of another", &[("2564 lb", "1163 Mg")], 6, &["vehicle.1.mass", "unknown unit `Mg`", "`mg`"]),
+    wrong("a ton", &[("2564 lb", "1.2 ton")], 6, &["vehicle.1.mass", "unknown unit `ton`", "write `lb`, `kg` or `tonne`"]),
     wrong("words behind the unit", &[("2564 lb", "2564 lb or so")], 6, &["vehicle.1.mass", "unknown unit `or`"]),
     wrong("unit that ends in a slash", &[("40 ft/s", "40 ft/")], 9, &["vehicle.1.speed", "missing in `ft/`"]),
     wrong("two slashes", &[("40 ft/s", "40 ft//s")], 9, &["vehicle.1.speed", "missing in `ft//s`"]),
@@ -80,6 +81,8 @@ pub const BAD: &[Bad] = &[
     // Accepted.
     wrong("restitution in percent", &[("= 0.1\n", "= \"15 %\"\n")], 0, &[]).ends(0),
     wrong("no space before the unit", &[("2564 lb", "2564lb")], 0, &[]).ends(0),
+    wrong("unit in capitals", &[("2564 lb", "1163 KG")], 0, &[]).ends(0),
+    wrong("feet and inches", &[("6.3499 ft", "6 ft 4.2 in")], 0, &[]).ends(0),
     wrong("plus sign", &[("40 ft/s", "+40 ft/s")], 0, &[]).ends(0),
 ];
 

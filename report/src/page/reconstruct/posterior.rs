@@ -15,7 +15,7 @@ pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let derived = answer.derived.iter().map(|(name, derived)| (name, derived.measure, derived.posterior.as_ref()));
     let all = unknown.chain(derived).filter_map(|(name, measure, posterior)| Some((name, measure, posterior?)));
     let rows = all.flat_map(|(name, measure, posterior)| {
-        let road = (measure == Measure::Speed).then(|| row("", Measure::RoadSpeed, posterior, units));
+        let road = units.on_the_road(measure).map(|road| row("", road, posterior, units));
         [Some(row(name, measure, posterior, units)), road].into_iter().flatten()
     });
     let header = ["posterior", "mean", "+/- sd", "median", &from(answer), "to", "unit"];

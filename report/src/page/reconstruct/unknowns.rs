@@ -85,7 +85,7 @@ impl<'a> Row<'a> {
 fn table(head: &str, answer: &Reconstruction, rows: Vec<(&str, Row<'_>)>, units: Units) -> Block {
     let cells = |(name, row): (&str, Row<'_>)| {
         let first = row.cells(name, row.measure, units);
-        let road = (row.measure == Measure::Speed).then(|| row.cells("", Measure::RoadSpeed, units));
+        let road = units.on_the_road(row.measure).map(|road| row.cells("", road, units));
         [Some(first), road].into_iter().flatten()
     };
     Table::new([head, "value", "+/- sd", &from(answer), "to", "unit"], "lrrrrl", rows.into_iter().flat_map(cells).collect()).narrow().into()
