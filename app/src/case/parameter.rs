@@ -22,6 +22,8 @@ pub enum Parameter {
     Speed(Side),
     /// A number of the crush.
     Crush(Side, CrushKey),
+    /// How many standard deviations a restitution over the closing speed is above its mean.
+    RestitutionScatter,
     /// The coefficient of friction that limits the impulse ratio.
     Friction,
     /// The fraction of the critical impulse ratio.
@@ -37,6 +39,7 @@ impl Parameter {
             return Some(Parameter::Input(input));
         }
         match name {
+            "contact.restitution.scatter" => return Some(Parameter::RestitutionScatter),
             "contact.friction" => return Some(Parameter::Friction),
             "contact.impulse_ratio.of_critical" => return Some(Parameter::RatioOfCritical),
             "contact.moment.of_critical" => return Some(Parameter::MomentOfCritical),
@@ -88,7 +91,9 @@ impl Parameter {
             Parameter::Speed(_) => Measure::Speed,
             Parameter::RadiusOfGyration(_) => Measure::Length,
             Parameter::Crush(_, key) => key.measure(),
-            Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
+            Parameter::RestitutionScatter | Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => {
+                Measure::Ratio
+            }
         }
     }
 
@@ -126,6 +131,7 @@ impl fmt::Display for Parameter {
             Parameter::RadiusOfGyration(side) => vehicle(f, side, "radius_of_gyration"),
             Parameter::Speed(side) => vehicle(f, side, "speed"),
             Parameter::Crush(side, key) => vehicle(f, side, &format!("crush.{key}")),
+            Parameter::RestitutionScatter => f.write_str("contact.restitution.scatter"),
             Parameter::Friction => f.write_str("contact.friction"),
             Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
             Parameter::MomentOfCritical => f.write_str("contact.moment.of_critical"),
@@ -149,7 +155,7 @@ mod tests {
             let of_forms = FormKey::ALL.into_iter().flat_map(|key| [Form(key), ZoneForm(2, key)]);
             all.extend(keys.into_iter().chain(of_zones).chain(of_forms).map(|key| Parameter::Crush(side, key)));
         }
-        all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
+        all.extend([Parameter::RestitutionScatter, Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
         for parameter in all {
             assert_eq!(Parameter::named(&parameter.to_string()), Some(parameter));
             assert_eq!(parameter.side().is_some(), parameter.to_string().starts_with("vehicle."), "{parameter}");

@@ -9,6 +9,7 @@ mod fitted;
 mod implied;
 mod measured;
 mod rest;
+mod restitution;
 mod sample;
 mod unknown;
 

@@ -8,6 +8,7 @@ use super::{CaseReader, one_of};
 use crate::case::domain::Domain;
 use crate::case::inputs::ContactInputs;
 use crate::case::parameter::Parameter;
+use crate::case::restitution::Restitution;
 use crate::document::{Entry, Field, Table, Value};
 use crate::quantity::Kind;
 use crate::units::trim;
@@ -18,8 +19,8 @@ impl CaseReader {
     pub(super) fn contact(&self, table: &Table<'_>, implied: &ImpliedValues<'_>) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
         let crush_plane = self.crush_plane(table, implied);
         let restitution = match implied.of_key(table, "restitution", Input::Restitution) {
-            Some(value) => value,
-            None => self.input(table.required("restitution"), Parameter::Input(Input::Restitution)),
+            Some(value) => value.map(Restitution::Given),
+            None => self.restitution(table.required("restitution")),
         };
         let impulse_ratio = self.impulse_ratio(table, implied);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {

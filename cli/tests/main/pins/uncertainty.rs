@@ -11,11 +11,11 @@ use crate::process::run_with_input;
 fn cases() -> Vec<(Value, Vec<&'static str>)> {
     let mut all: Vec<(Value, Vec<&str>)> =
         vec![(case("uncertain.toml"), vec!["--of", "dV1,T_L,mu0,pdof1", "--probability", "dV1 > 18 mph"])];
-    let outputs = ["dV1,W_n,Omega2", "dV1,T_L", "dV1,T_L", "vehicle.1.crush_energy,dV1,mu", "mu,W_t", "pdof1,dV1"];
+    let outputs = ["dV1,W_n,Omega2", "dV1,T_L", "dV1,T_L", "vehicle.1.crush_energy,dV1,mu", "mu,W_t", "pdof1,dV1", "dV1,W_n", "dV2"];
     for (reference, of) in references("uncertainty.jsonl").into_iter().zip(outputs) {
         all.push((reference["case"].clone(), vec!["--of", of, "--level", "0.9"]));
     }
-    for name in ["differences", "sampled", "independent", "correlated"] {
+    for name in ["differences", "sampled", "independent", "correlated", "closing-speed"] {
         all.push((
             case(&format!("uncertainty/{name}.toml")),
             vec!["--of", "dV2", "--probability", "dV2 <= 4 m/s", "--probability", "T_L > 40 kJ"],
