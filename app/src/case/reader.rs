@@ -11,6 +11,7 @@ mod implied;
 mod measured;
 mod momentum;
 mod rest;
+mod restitution;
 mod sample;
 mod unknown;
 

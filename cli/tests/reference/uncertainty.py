@@ -93,6 +93,21 @@ def measured(values):
     return Uncertain({"values": values}, Values(values))
 
 
+class Curve:
+    """A restitution over the closing speed in km/h: its mean and its standard deviation at points, with lines between."""
+
+    def __init__(self, points, sd):
+        self.speeds, self.means, self.sd = [p[0] for p in points], [p[1] for p in points], sd
+        self.scatter = Uncertain(None, stats.norm(0, 1))
+
+    def at(self, speed, scatter):
+        over = lambda values: np.interp(speed / KMH, self.speeds, values)
+        return over(self.means) + scatter * over(self.sd if isinstance(self.sd, list) else [self.sd] * len(self.speeds))
+
+    def written(self):
+        return {"closing_speed": [f"{speed} km/h" for speed in self.speeds], "restitution": self.means, "sd": self.sd}
+
+
 DEG, KMH = math.pi / 180, 1 / 3.6
 
 
@@ -108,7 +123,7 @@ def collide(case, at):
     number = lambda name, certain: at[name] if name in at else certain
     wrong = {"out-of-range": False, "not-positive": False}
     outputs = {}
-    gamma, e = number("contact.crush_plane", contact.get("crush_plane")), number("contact.restitution", contact.get("restitution"))
+    gamma = number("contact.crush_plane", contact.get("crush_plane"))
     for i, vehicle in enumerate(case["vehicle"], 1):
         name = f"vehicle.{i}."
         if vehicle.get("barrier"):
@@ -138,6 +153,9 @@ def collide(case, at):
     (r1n, r1t), (r2n, r2t) = (rotated(x, y, -gamma) for x, y in arm)
     points = [(vx - w * ry, vy + w * rx) for (vx, vy, w), (rx, ry) in zip(speed, arm)]
     vn, vt = rotated(points[1][0] - points[0][0], points[1][1] - points[0][1], -gamma)
+    e = number("contact.restitution", contact.get("restitution"))
+    if isinstance(e, Curve):
+        e = e.at(np.abs(vn), number("contact.restitution.scatter", 0.0))
     (w1, j1), (w2, j2) = weights
     knn = w1 + w2 + j1 * r1t ** 2 + j2 * r2t ** 2
     knt = -(j1 * r1n * r1t + j2 * r2n * r2t)
@@ -166,7 +184,7 @@ def collide(case, at):
     after_n, after_t = vn - (knn * pn + knt * pt), vt - (knt * pn + ktt * pt)
     wn, wt = -0.5 * pn * (vn + after_n), -0.5 * pt * (vt + after_t)
     px, py = rotated(pn, pt, gamma)
-    outputs.update({"contact.critical_impulse_ratio": critical, "result.contact.impulse_ratio": mu, "energy.normal_work": wn,
+    outputs.update({"result.contact.restitution": e + 0 * critical, "contact.critical_impulse_ratio": critical, "result.contact.impulse_ratio": mu, "energy.normal_work": wn,
                     "energy.tangential_work": wt, "energy.loss": -(wn + wt)})
     for i, (sign, (w, j), (vx, vy, rate), (rx, ry), theta) in enumerate(zip((1, -1), weights, speed, arm, heading), 1):
         outputs[f"vehicle.{i}.delta_v_magnitude"] = w * np.hypot(px, py)
@@ -196,6 +214,9 @@ def numbers_of(case):
         if isinstance(value, Uncertain):
             found[name] = value
             return value.mean()
+        if isinstance(value, Curve):
+            found[f"{name}.scatter"] = value.scatter
+            return value
         if isinstance(value, tuple):                     # a certain number: how it is written, and in SI
             return value[1]
         if isinstance(value, dict):
@@ -214,6 +235,8 @@ def numbers_of(case):
 def written(value):
     if isinstance(value, Uncertain):
         return value.written
+    if isinstance(value, Curve):
+        return value.written()
     if isinstance(value, tuple):
         return value[0]
     if isinstance(value, dict):
@@ -438,6 +461,17 @@ def main():
          "impact_center": [m(2.0), m(0.1)]}],
         "contact": {"crush_plane": deg(0), "restitution": uniform(0.1, 0.3, "")}},
         ["vehicle.1.pdof", one], [(one, "km/h", KMH, 25, ">")])
+    # A restitution that falls with the closing speed, which lies on both sides of a point: with the same scatter everywhere, and so much that some per cent
+    # of the samples have a restitution below 0.
+    for title, curve, sobol in [("closing speed", Curve([(20, 0.3), (50, 0.2), (90, 0.12)], 0.015), True),
+                                ("closing speed with scatter", Curve([(10, 0.35), (45, 0.12), (70, 0.08)], [0.1, 0.06, 0.04]), False)]:
+        reference({"title": title, "vehicle": [
+            {"mass": normal(1450, 40, "kg"), "radius_of_gyration": m(1.3), "heading": deg(5), "speed": normal(40, 6, "km/h", KMH),
+             "impact_center": [m(1.9), normal(0.3, 0.1, "m")]},
+            {"mass": kg(1700), "radius_of_gyration": m(1.4), "heading": normal(170, 4, "deg", DEG), "speed": uniform(8, 16, "km/h", KMH),
+             "impact_center": [m(2.0), m(-0.2)]}],
+            "contact": {"crush_plane": uniform(-5, 5, "deg", DEG), "restitution": curve}},
+            [one, "energy.loss", "result.contact.restitution"], [("result.contact.restitution", "", 1.0, 0.2, ">")], sobol=sobol)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,7 @@
-//! The uncertainty of outputs: for each its density with quantiles, and the share of each input as bars.
+//! The uncertainty of outputs: for each its density with quantiles, the share of each input as bars, its mean and deviation by each method, and its
+//! guaranteed range.
+
+mod intervals;
 
 use plotters::prelude::{Color, LineSeries, PathElement, RGBColor, Rectangle, ShapeStyle};
 
@@ -11,8 +14,10 @@ use planar_impact_app::{Answer, Units};
 use super::canvas::{Area, Axes, Drawn, WIDTH, page, px, span, with_unit, write};
 use super::shortened;
 use crate::page::uncertainty::percent;
+use intervals::Interval;
 
-const PANEL: u32 = px(300);
+/// Height of a density with the bars beside it.
+const DENSITY: u32 = px(300);
 /// Width of the bars beside a density.
 const BARS: u32 = px(350);
 /// Number of inputs with a bar.
@@ -22,7 +27,7 @@ const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
 const GRAY: RGBColor = RGBColor(90, 90, 90);
 
-/// Draws the uncertainty of each output: its density and the shares of the inputs.
+/// Draws the uncertainty of each output: its density and the shares of the inputs, its mean and deviation by each method, and its guaranteed range.
 ///
 /// # Errors
 ///
@@ -30,12 +35,12 @@ const GRAY: RGBColor = RGBColor(90, 90, 90);
 pub fn uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Result<String, Issues> {
     let panels: Vec<Panel<'_>> =
         answer.outputs.iter().zip(answer.of.iter()).map(|(of, (_, found))| Panel { of: *of, found, level: answer.level, units }).collect();
-    page(&shortened(&answer.title), PANEL * panels.len() as u32, |body| {
-        for (panel, area) in panels.iter().zip(body.split_evenly((panels.len(), 1))) {
-            let (density, bars) = area.split_horizontally(WIDTH - BARS);
-            panel.density(&density)?;
-            panel.bars(&bars)?;
-            panel.legend(&bars)?;
+    page(&shortened(&answer.title), panels.iter().map(Panel::height).sum(), |body| {
+        let mut rest = body.clone();
+        for panel in &panels {
+            let (area, below) = rest.split_vertically(panel.height());
+            panel.draw(area)?;
+            rest = below;
         }
         Ok(())
     })
@@ -49,6 +54,38 @@ struct Panel<'a> {
 }
 
 impl Panel<'_> {
+    fn height(&self) -> u32 {
+        self.density_height() + self.intervals().iter().map(|(_, rows)| intervals::height(rows)).sum::<u32>()
+    }
+
+    /// Returns the height of the density and the bars, of which bounds have neither.
+    fn density_height(&self) -> u32 {
+        let OutputUncertainty { linear, monte_carlo, sobol, .. } = self.found;
+        if linear.is_some() || monte_carlo.is_some() || sobol.is_some() { DENSITY } else { 0 }
+    }
+
+    /// Returns what each chart of intervals shows, and its rows.
+    fn intervals(&self) -> Vec<(&'static str, Vec<Interval>)> {
+        let of = intervals::Rows { of: self.of, found: self.found, units: self.units };
+        [("mean ± sd", of.methods()), ("range", of.range())].into_iter().filter(|(_, rows)| !rows.is_empty()).collect()
+    }
+
+    fn draw(&self, area: Area<'_>) -> Drawn {
+        let (top, mut rest) = area.split_vertically(self.density_height());
+        if self.density_height() > 0 {
+            let (density, bars) = top.split_horizontally(WIDTH - BARS);
+            self.density(&density)?;
+            self.bars(&bars)?;
+            self.legend(&bars)?;
+        }
+        for (what, rows) in self.intervals() {
+            let (area, below) = rest.split_vertically(intervals::height(&rows));
+            intervals::draw(&area, &rows, &format!("{what} of {}", self.name()))?;
+            rest = below;
+        }
+        Ok(())
+    }
+
     fn name(&self) -> String {
         with_unit(&self.of.short_name(), self.units.unit(self.of.measure()))
     }

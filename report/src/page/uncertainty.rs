@@ -78,6 +78,18 @@ pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> S
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }
 }
 
+/// Formats a value of an output with the decimals of two digits of its deviation.
+fn number(found: &OutputUncertainty, units: Units, measure: Measure, si: f64) -> String {
+    let of_samples = found.monte_carlo.as_ref().map(|found| found.sd);
+    let sd = of_samples.or(found.linear.as_ref().map(|found| found.sd)).filter(|sd| sd.is_finite()).unwrap_or(0.0);
+    if si.is_finite() { with_digits(units, measure, si, sd) } else { "none".to_owned() }
+}
+
+/// Formats a value of an output with its unit.
+pub(crate) fn quantity(found: &OutputUncertainty, units: Units, measure: Measure, si: f64) -> String {
+    format!("{} {}", number(found, units, measure, si), units.unit(measure)).trim_end().to_owned()
+}
+
 /// Formats a share in percent.
 pub(crate) fn percent(share: f64) -> String {
     let text = format!("{:.1} %", 100.0 * share);
@@ -88,8 +100,13 @@ pub(crate) fn percent(share: f64) -> String {
     }
 }
 
+/// Returns the words of an end of a guaranteed range.
+pub(crate) fn end(si: f64, quantity: impl FnOnce() -> String) -> String {
+    if si.is_finite() { quantity() } else { "no limit that is proven".to_owned() }
+}
+
 /// Formats a skewness.
-fn skewness(value: f64) -> String {
+pub(crate) fn skewness(value: f64) -> String {
     let text = format!("{value:.2}");
     match text.as_str() {
         _ if !value.is_finite() => "none".to_owned(),
@@ -118,18 +135,12 @@ impl Shown<'_> {
         blocks
     }
 
-    /// Returns the deviation that sets the digits.
-    fn sd(&self) -> f64 {
-        let of_samples = self.found.monte_carlo.as_ref().map(|found| found.sd);
-        of_samples.or(self.found.linear.as_ref().map(|found| found.sd)).filter(|sd| sd.is_finite()).unwrap_or(0.0)
-    }
-
     fn number(&self, si: f64) -> String {
-        if si.is_finite() { with_digits(self.units, self.of.measure(), si, self.sd()) } else { "none".to_owned() }
+        number(self.found, self.units, self.of.measure(), si)
     }
 
     fn quantity(&self, si: f64) -> String {
-        format!("{} {}", self.number(si), self.units.unit(self.of.measure())).trim_end().to_owned()
+        quantity(self.found, self.units, self.of.measure(), si)
     }
 
     fn heading(&self) -> Block {
@@ -173,8 +184,8 @@ impl Shown<'_> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
         let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
         let accepted = if bounds.is_whole { "" } else { ", where physics accepts the collision," };
-        let end = |si: f64| if si.is_finite() { self.quantity(si) } else { "no limit that is proven".to_owned() };
-        let text = format!("Within the limits of the inputs{accepted} it is from {} to {}, guaranteed", end(bounds.low), end(bounds.high));
+        let [low, high] = [bounds.low, bounds.high].map(|si| end(si, || self.quantity(si)));
+        let text = format!("Within the limits of the inputs{accepted} it is from {low} to {high}, guaranteed");
         let tight = if bounds.is_tight {
             "both ends are attained".to_owned()
         } else {
