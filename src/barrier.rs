@@ -8,6 +8,7 @@
 //! | repeated tests of one vehicle | the energies add up: EES = √Σ (1 − e²) v_n² (Eq 9) | [`TestSeries`] |
 //! | several tests with their standard deviations | E* = √(2 E_C/w) of each, and the covariance of these | [`Observations`] |
 //! | E* of several crushes | d₀ and d₁ with covariance and residuals, and the resulting uncertainty of E_C | [`StiffnessFit`] |
+//! | the stiffness of several vehicles of a class | its mean and its spread between them | [`RandomEffects`] |
 //! | forces over time | baseline, filter of a channel frequency class, impulse with its variance | [`Record`], [`ChannelFilter`] |
 //! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
 //! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
@@ -43,6 +44,8 @@
 //! # Ok::<(), planar_impact::barrier::TestIssues>(())
 //! ```
 //!
+//! A speed b₀ that leaves no crush may be known from elsewhere: [`StiffnessFit::with_onset`] holds d₀ = b₀ √(m/w) and fits d₁ alone, for which one test is enough.
+//!
 //! # No corrections
 //!
 //! Nothing is clamped, reordered or left out. A negative d₀ is returned as it is, and [`StiffnessFit::findings`] reports it; a restitution outside 0 to 1 is
@@ -74,6 +77,7 @@ mod kinematics;
 mod line_fit;
 mod lowess;
 mod observation;
+mod pooled;
 mod profile_fit;
 mod record;
 mod series;
@@ -90,6 +94,7 @@ pub use issue::{TestIssue, TestIssues};
 pub use kinematics::{MeasuredContact, PointOfVehicle, heading_at_separation, restitution};
 pub use lowess::{LocalLine, Lowess, Smoothed};
 pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
+pub use pooled::RandomEffects;
 pub use record::{Clock, Record, Window};
 pub use series::TestSeries;
 pub use test::BarrierTest;

@@ -9,11 +9,13 @@
 //! | `moments` | K₁, K₂, K₃ of a profile |
 //! | `stiffness` | the linear law: as d₀, d₁, as A, B, G and as b₀, b₁ |
 //! | `zones` | a stiffness that changes along the width |
+//! | `force` | the force at the end of the crush |
 //! | `law` | force and energy of a law of crush |
 //! | `quadrature` | energy of a law without a formula for a profile |
 //! | `nonlinear` | other laws: constant force, saturation, power |
 //! | `speed` | equivalent speed of an energy |
 
+mod force;
 mod law;
 mod measuring_line;
 mod moments;
@@ -24,6 +26,7 @@ mod speed;
 mod stiffness;
 mod zones;
 
+pub use force::{MOST_FORCE_IMBALANCE, force_factor, force_imbalance};
 pub use law::CrushLaw;
 pub use measuring_line::MeasuringLine;
 pub use moments::ProfileMoments;

@@ -333,7 +333,7 @@ impl Planar {
 }
 
 /// Returns the name of a surface in a case file.
-fn name_of(surface: Surface) -> &'static str {
+pub(crate) fn name_of(surface: Surface) -> &'static str {
     match surface {
         Surface::Front => "front",
         Surface::Right => "right",

@@ -1,16 +1,19 @@
 //! The verb `crush`: computes crush energy and equivalent speed from residual crush.
 
-use planar_impact::Input;
-use planar_impact::crush::{CrushStiffness, ForceLine, ProfileMoments};
+use planar_impact::crash3::{DamagedPair, Surface, force_correction};
+use planar_impact::crush::{CrushStiffness, ForceLine, MOST_FORCE_IMBALANCE, ProfileMoments, force_imbalance};
 use planar_impact::reconstruct::Variable;
+use planar_impact::{ForceDirection, Input};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
 use crate::case::{Case, Crush, CrushOutputs};
 use crate::control::Control;
+use crate::crash3::name_of;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
+use crate::notice::Notice;
 
 /// The crush of both vehicles, in SI and radians.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -19,6 +22,9 @@ pub struct CrushAnswer {
     pub names: [String; 2],
     /// The crush of each vehicle; `null` for a vehicle without crush, zeros for a barrier.
     pub vehicles: [Option<VehicleCrush>; 2],
+    /// By how much the larger of the forces at the PDOF exceeds the smaller, as a share of the smaller: 0 by Newton's third law, and at most 1 by EDCRASH's
+    /// diagnostics; `null` unless both are known.
+    pub force_imbalance: Option<f64>,
 }
 
 /// The crush of a vehicle.
@@ -37,6 +43,8 @@ pub struct VehicleCrush {
     /// Moments K1, K2, K3 of the profile, in m, m², m³.
     #[serde(rename = "K")]
     pub moments: [f64; 3],
+    /// Form factor: the mean of the squared depths over the square of their mean, 1 for a uniform crush; `null` without crush.
+    pub form_factor: Option<f64>,
     /// Stiffness; `null` if each zone has its own.
     #[serde(flatten)]
     pub stiffness: Stiffness,
@@ -44,6 +52,14 @@ pub struct VehicleCrush {
     pub crush_energy: f64,
     /// Speed at which the crush energy is the vehicle's kinetic energy, in m/s.
     pub equivalent_energy_speed: f64,
+    /// Force normal to the surface at the end of the crush, the integral of A + B C over the width, in N; `null` without crush.
+    pub crush_force: Option<f64>,
+    /// Principal direction of force in rad that `crush_force_at_pdof` is for: that of the file, or of the common-velocity impulse; `null` if neither is known.
+    pub pdof: Option<f64>,
+    /// The surface from whose perpendicular the angle of the force is taken; `null` without `pdof`.
+    pub surface: Option<&'static str>,
+    /// The force along the PDOF, in N: `crush_force` over the cosine of the angle; `null` if the force does not point into the surface.
+    pub crush_force_at_pdof: Option<f64>,
     /// Depth beyond which the force is constant, in m, if the file gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saturation: Option<f64>,
@@ -107,12 +123,35 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
     }
     let outputs = case.setup.crush_outputs();
     let parties = case.collision.parties();
+    let directions = directions_of_force(case);
     let vehicle = |i: usize| match (parties[i].vehicle(), &case.setup.crush[i], &outputs[i]) {
         (None, ..) => Some(VehicleCrush { name: case.names[i].clone(), barrier: true, ..VehicleCrush::default() }),
-        (Some(_), Some(crush), Some(outputs)) => Some(VehicleCrush::of(&case.names[i], crush, outputs)),
+        (Some(_), Some(crush), Some(outputs)) => Some(VehicleCrush::of(&case.names[i], crush, outputs).at(directions[i])),
         _ => None,
     };
-    Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles: [vehicle(0), vehicle(1)] }, []))
+    let vehicles = [vehicle(0), vehicle(1)];
+    let [one, two] = vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.crush_force_at_pdof));
+    let force_imbalance = one.zip(two).map(|(one, two)| force_imbalance([one, two]));
+    let warning = force_imbalance.filter(|imbalance| *imbalance > MOST_FORCE_IMBALANCE).map(|_| {
+        let message = "the crush forces on the two vehicles, which are one and the same, differ by more than EDCRASH's diagnostics accept; check stiffness, \
+                       depths and pdof of both";
+        Notice::warning("crush-forces-not-balanced", "vehicle", message)
+    });
+    Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles, force_imbalance }, warning))
+}
+
+/// Returns the surface and the direction of the principal force of each vehicle, as `crash3` takes them; `None` where they follow from a collision that is not
+/// known, or that has no common velocity.
+fn directions_of_force(case: &Case) -> [Option<(Surface, ForceDirection)>; 2] {
+    let is_known = case.knowledge.left_out.is_empty() && !case.model.is_momentum();
+    let has_common_velocity = is_known && case.collision.at_common_velocity().solve().is_ok();
+    let pair = case.setup.investigated(DamagedPair::of_collision(&case.collision, [0.0; 2]));
+    [(pair.one, 0), (pair.two, 1)].map(|(damaged, i)| {
+        let crush = case.setup.crush[i].as_ref()?;
+        let has_direction = crush.force_direction.is_some() || has_common_velocity;
+        let has_surface = crush.surface.is_some() || is_known;
+        damaged.filter(|_| has_direction && has_surface).map(|damaged| (damaged.surface, damaged.force_direction))
+    })
 }
 
 impl VehicleCrush {
@@ -126,18 +165,34 @@ impl VehicleCrush {
             crush_energy: positive_zero(zones[i].crush_energy(moments)),
         };
         let one = zones.len() == 1;
+        let is_crushed = outputs.mean_depth > 0.0;
+        let mean_square = outputs.moments.third / outputs.moments.first;
         VehicleCrush {
             name: name.to_owned(),
-            barrier: false,
             width: crush.profile.width(),
             depths: crush.profile.depths().len(),
             mean_depth: positive_zero(outputs.mean_depth),
             moments: of_moments(outputs.moments),
+            form_factor: is_crushed.then(|| mean_square / (outputs.mean_depth * outputs.mean_depth)),
+            crush_force: is_crushed.then(|| crush.force()),
             stiffness: if one { Stiffness::of(&zones[0]) } else { Stiffness::none() },
             crush_energy: positive_zero(outputs.energy),
             equivalent_energy_speed: positive_zero(outputs.equivalent_speed),
             saturation: crush.saturation,
             zones: if one { Vec::new() } else { crush.zones.moments(&crush.profile).enumerate().map(zone).collect() },
+            ..VehicleCrush::default()
+        }
+    }
+
+    /// Adds the force along a principal direction of force.
+    fn at(self, direction: Option<(Surface, ForceDirection)>) -> Self {
+        let Some((surface, origin)) = direction else { return self };
+        let along = self.crush_force.zip(force_correction(surface, &origin)).map(|(force, factor)| force * factor);
+        VehicleCrush {
+            pdof: Some(positive_zero(origin.direction())),
+            surface: Some(name_of(surface)),
+            crush_force_at_pdof: along.filter(|force| force.is_finite()),
+            ..self
         }
     }
 }

@@ -1,13 +1,13 @@
 //! The verb `stiffness`: crush stiffness from barrier tests.
 
+mod pooled;
+mod series;
 mod test_file;
 
 use planar_impact::barrier::{
-    BarrierTest, CovarianceBasis, CrushModel, FitFinding, MeasuredTest, Observations, Residual, StiffnessFit, TestIssue, TestIssues,
-    TestSeries,
+    BarrierTest, CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessFit, TestIssue, TestIssues, TestSeries,
 };
 use planar_impact::crush::{CrushStiffness, ForceLine, crush_intensity};
-use planar_impact::{InputIssue, InputIssueKind, Issue as _};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -19,6 +19,9 @@ use crate::named::positive_zero;
 use crate::notice::Notice;
 use crate::units::Measure;
 
+use series::Unfitted;
+
+pub use pooled::{OfVehicle, Pooled, PooledNumber};
 pub use test_file::{Prediction, TestFile, Tested};
 
 /// Barrier tests with the stiffness fitted to them, in SI.
@@ -26,8 +29,18 @@ pub use test_file::{Prediction, TestFile, Tested};
 pub struct StiffnessAnswer {
     /// The tests in the order of the file.
     pub tests: Vec<Test>,
-    /// Fits on mean depths and on the profiles; empty for one test.
+    /// Why the fits are no stiffness, or may not be one; empty if they are.
+    pub headlines: Vec<Sentence>,
+    /// Fits on mean depths and on the profiles; empty for one test, unless the file holds b0.
     pub fits: Vec<Fit>,
+    /// The same with each test as that of a new car, for vehicles whose tests cannot be repeated tests of one car; absent unless there are such vehicles.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub fits_as_new_cars: Vec<Fit>,
+    /// The stiffness of the class, if two or more vehicles have a stiffness of their own.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub pooled: Vec<Pooled>,
     /// `true` if the file gives standard deviations.
     pub has_deviations: bool,
 }
@@ -88,7 +101,7 @@ pub struct Fit {
     pub forms: Forms,
     /// Sum of the squares of the standardised residuals.
     pub chi_square: f64,
-    /// Number of tests minus two.
+    /// Number of tests minus the number of fitted coefficients.
     pub degrees_of_freedom: usize,
     /// E* of each test compared with the fit.
     pub residuals: Vec<Residuals>,
@@ -153,79 +166,96 @@ pub struct Predicted {
 /// Every reason for which the tests do not determine a stiffness.
 pub fn stiffness(file: &TestFile, _: &(), _: &dyn Control) -> Result<Answer<StiffnessAnswer>, Issues> {
     if file.onset.is_none() && file.count() < 2 {
-        let help = "give a second test, or assume the speed that leaves no crush: onset = \"2 m/s\" under [fit]";
+        let help = "give a second test, or assume the speed that leaves no crush: b0 = \"2 m/s\" under [fit], or onset";
         return Err(file.unfit([Issue::at("too-few", "vehicle", "one test cannot determine stiffness").with_help(help)]));
     }
-    fit(file).map_err(|problems| file.unfit(problems.iter().map(issue)))
+    fit(file).map_err(|problems| file.unfit(problems))
 }
 
-fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<TestIssue>> {
-    let series: Vec<&[MeasuredTest]> = file.vehicles.iter().map(|vehicle| vehicle.tests.as_slice()).collect();
-    let all = |problems: TestIssues| problems.as_slice().to_vec();
-    let observations = Observations::of_tests(&series).map_err(all)?;
+fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
+    let series = file.series();
+    let observations = series.observations()?;
     let (mut tests, mut problems) = (Vec::with_capacity(file.count()), Vec::new());
-    for (i, (vehicle, measured)) in file.vehicles.iter().zip(&series).enumerate() {
-        let series = TestSeries::new(measured.iter().map(|measured| measured.test).collect::<Vec<_>>()).map_err(all)?;
-        let numbers = series.crush_energies().into_iter().zip(series.equivalent_energy_speeds());
-        for (k, (test, (crush_energy, equivalent_energy_speed))) in series.tests().iter().zip(numbers).enumerate() {
-            let mut test = Test::of(&vehicle.name, test, crush_energy, equivalent_energy_speed);
+    for (i, (list, place)) in series.lists.iter().zip(&series.places).enumerate() {
+        let of_list =
+            TestSeries::new(list.iter().map(|measured| measured.test).collect::<Vec<_>>()).map_err(|wrong| series.issues(&wrong))?;
+        let numbers = of_list.crush_energies().into_iter().zip(of_list.equivalent_energy_speeds());
+        for (k, (test, (crush_energy, equivalent_energy_speed))) in of_list.tests().iter().zip(numbers).enumerate() {
+            let mut test = Test::of(&file.vehicles[place.vehicle].name, test, crush_energy, equivalent_energy_speed);
             if let Some(onset) = file.onset.filter(|_| k == 0)
-                && let Err(wrong) = test.alone(&measured[k].test, onset)
+                && let Err(wrong) = test.alone(&list[k].test, onset)
             {
-                problems.extend(all(wrong.of_test(i, k)));
+                problems.extend(series.issues(&wrong.of_test(i, k)));
             }
             tests.push(test);
         }
     }
     let mut notices = file.notices.clone();
-    let both = || -> Result<_, TestIssues> {
-        Ok(vec![fitted(file, &observations, CrushModel::MeanDepth)?, fitted(file, &observations, CrushModel::Profile)?])
-    };
-    let fits = match both() {
-        _ if file.count() < 2 => Vec::new(),
-        Ok(fits) => fits,
-        Err(wrong) if file.onset.is_some() && matches!(wrong.as_slice(), [TestIssue::OneDepth { .. }]) => {
-            let message = "all tests have the same mean depth: no line can be fitted through them";
-            notices.0.push(Notice::note("one-depth", "vehicle", message));
-            Vec::new()
-        }
-        Err(wrong) => {
-            problems.extend(all(wrong));
-            Vec::new()
+    let mut note = |code, message: &'static str| notices.0.push(Notice::note(code, "vehicle", message));
+    let fits = if file.count() < 2 && !file.holds_onset {
+        Vec::new()
+    } else {
+        match file.fits(&observations) {
+            Ok(fits) => fits,
+            Err(Unfitted::OnsetOfEach) => {
+                note(
+                    "onset-of-each",
+                    "the tests have different masses per width, so that b0 makes another d0 in each: there is no fit to all of them",
+                );
+                Vec::new()
+            }
+            Err(Unfitted::Issues(wrong)) if file.onset.is_some() && matches!(wrong.as_slice(), [TestIssue::OneDepth { .. }]) => {
+                note("one-depth", "all tests have the same mean depth: no line can be fitted through them");
+                Vec::new()
+            }
+            Err(Unfitted::Issues(wrong)) => {
+                problems.extend(series.issues(&wrong));
+                Vec::new()
+            }
         }
     };
     if !problems.is_empty() {
         return Err(problems);
     }
-    let fits = fits.iter().map(|fit| Fit::of(file, fit)).collect();
-    Ok(Answer::new(&file.title, StiffnessAnswer { tests, fits, has_deviations: file.has_deviations }, notices))
-}
-
-/// Fits the stiffness to the tests of a file.
-fn fitted(file: &TestFile, observations: &Observations, model: CrushModel) -> Result<StiffnessFit, TestIssues> {
-    let fit = match model {
-        CrushModel::MeanDepth => StiffnessFit::on_mean_depth(observations)?,
-        CrushModel::Profile => StiffnessFit::on_profiles(observations)?,
+    let suspected = file.not_one_car();
+    let fits_as_new_cars = if suspected.is_empty() {
+        Vec::new()
+    } else {
+        let as_new = file.series_with(|vehicle| suspected.iter().any(|car| car.vehicle == vehicle));
+        file.fits(&as_new.observations()?).unwrap_or_default()
     };
-    // Without standard deviations all tests have equal weight, and only the residuals give the scatter.
-    Ok(if file.has_deviations { fit } else { fit.rescaled().unwrap_or(fit) })
+    let negative = fits.iter().flat_map(|fit| fit.findings().into_iter().filter(is_negative).map(|finding| negative_fit(fit, &finding)));
+    let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).map(Sentence).collect();
+    let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit)).collect();
+    let answer = StiffnessAnswer {
+        tests,
+        headlines,
+        pooled: file.pooled(),
+        fits: of_file(fits),
+        fits_as_new_cars: of_file(fits_as_new_cars),
+        has_deviations: file.has_deviations,
+    };
+    Ok(Answer::new(&file.title, answer, notices))
 }
 
-impl TestFile {
-    /// Fits the stiffness to two or more tests.
-    ///
-    /// # Errors
-    ///
-    /// Every reason for which the tests do not determine a stiffness.
-    pub(crate) fn fit(&self, model: CrushModel) -> Result<StiffnessFit, Issues> {
-        let series: Vec<&[MeasuredTest]> = self.vehicles.iter().map(|vehicle| vehicle.tests.as_slice()).collect();
-        let fit = Observations::of_tests(&series).and_then(|observations| fitted(self, &observations, model));
-        fit.map_err(|problems| self.unfit(problems.as_slice().iter().map(issue)))
-    }
+/// Returns `true` if a finding makes a fit no stiffness.
+pub(crate) fn is_negative(finding: &FitFinding) -> bool {
+    matches!(finding, FitFinding::NegativeOnset(_) | FitFinding::NegativeSlope(_))
+}
 
-    /// Returns `true` if the file or the residuals of a fit give the scatter of the tests.
-    pub(crate) fn is_uncertain(&self, fit: &StiffnessFit) -> bool {
-        self.has_deviations || fit.degrees_of_freedom > 0
+/// Describes a fit with a negative coefficient.
+fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
+    Message::from(format!("no stiffness fitted on {}: ", model_name(fit.model)))
+        .join(message(finding))
+        .text("; A = d0 d1 is ")
+        .figure(Measure::ForcePerWidth, ForceLine::from(fit.stiffness).onset)
+}
+
+/// Returns the name of a model of the crush in answers.
+fn model_name(model: CrushModel) -> &'static str {
+    match model {
+        CrushModel::MeanDepth => "mean depth",
+        CrushModel::Profile => "profile",
     }
 }
 
@@ -286,7 +316,8 @@ impl Fit {
             d1_d1: fit.covariance.slope,
             d0_sd: fit.onset().deviation(),
             d1_sd: fit.slope().deviation(),
-            correlation: positive_zero(fit.covariance.correlation()),
+            // A coefficient that is held is correlated with nothing.
+            correlation: if fit.covariance.onset > 0.0 { positive_zero(fit.covariance.correlation()) } else { 0.0 },
         };
         let prediction = file.prediction.as_ref().map(|asked| {
             let energy = fit.energy_at(asked.depth, asked.width);
@@ -294,10 +325,7 @@ impl Fit {
             Predicted { depth: asked.depth, width: asked.width, crush_energy: positive_zero(energy.value), sd }
         });
         Fit {
-            model: match fit.model {
-                CrushModel::MeanDepth => "mean depth",
-                CrushModel::Profile => "profile",
-            },
+            model: model_name(fit.model),
             forms: Forms::of(fit.stiffness),
             chi_square: positive_zero(fit.chi_square),
             degrees_of_freedom: fit.degrees_of_freedom,
@@ -319,46 +347,4 @@ pub(crate) fn message(finding: &FitFinding) -> Message {
         }
         other => other.to_string().into(),
     }
-}
-
-/// Locates an issue of the library at its key in the file.
-fn issue(issue: &TestIssue) -> Issue {
-    let help = match issue {
-        TestIssue::Input(InputIssue { kind: InputIssueKind::OutOfOrder { .. }, .. }) => {
-            Some("list the tests of one vehicle in their order, each with all its crush")
-        }
-        TestIssue::OneDepth { .. } | TestIssue::Input(InputIssue { kind: InputIssueKind::TooFew { .. }, .. }) => {
-            Some("or assume an onset: onset = \"2 m/s\" under [fit]")
-        }
-        TestIssue::Input(InputIssue { at, .. }) if ["variance", "pivot of the covariance"].contains(&at.name) => {
-            Some("the standard deviations leave no doubt of E*: give a scatter above zero")
-        }
-        _ => None,
-    };
-    // The path gives its place, counted from 1.
-    let message = match issue {
-        TestIssue::Input(issue) => issue.sentence(issue.at.name),
-        other => other.message(),
-    };
-    Issue { help: help.map(Message::from), ..Issue::at(issue.code(), path(issue), message) }
-}
-
-/// Returns the path in the file that an issue refers to.
-fn path(issue: &TestIssue) -> String {
-    let place = match (issue, issue.place()) {
-        (TestIssue::OnsetTooFast { .. }, _) => return "fit.onset".to_owned(),
-        (_, Some(place)) => place,
-        (_, None) => return "vehicle".to_owned(),
-    };
-    let (Some(series), Some(index)) = (place.series, place.index) else {
-        return "vehicle".to_owned();
-    };
-    let key = match place.name {
-        "mass" | "speed" | "restitution" | "width" | "scatter" => format!(".{}", place.name),
-        "speed_deviation" => ".speed_sd".to_owned(),
-        "restitution_deviation" => ".restitution_sd".to_owned(),
-        "mean depth" => ".depths".to_owned(),
-        _ => String::new(),
-    };
-    format!("vehicle.{}.test.{}{key}", series + 1, index + 1)
 }

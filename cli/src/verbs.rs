@@ -187,7 +187,7 @@ fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {
     let file = TestFile::parse(files::source(&call.tests)?)?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = in_units(stiffness::stiffness(&file, &(), &Progress::new()), units)?;
-    print(&answer, call.format, units)
+    Ok(print(&answer, call.format, units)?.holds(answer.headlines.is_empty()))
 }
 
 fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {

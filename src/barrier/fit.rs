@@ -4,6 +4,7 @@ use super::estimate::Estimate;
 use super::fitted::{Residual, StiffnessCovariance};
 use super::issue::{TestIssue, TestIssues};
 use super::observation::Observations;
+use super::profile_fit::Free;
 use super::{line_fit, profile_fit};
 use crate::crush::{CrushStiffness, ProfileMoments};
 use crate::issue::{IssueCollector, Place};
@@ -157,10 +158,46 @@ impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
     pub fn on_profiles(observations: &Observations<T>) -> Result<Self, TestIssues<T>> {
         let weight = line_fit::ready(observations)?;
         let (start, _) = line_fit::line(observations, &weight);
-        let (stiffness, covariance) = profile_fit::settle(observations, &weight, start)?;
+        let (stiffness, covariance) = profile_fit::settle(observations, &weight, start, Free::Both)?;
         let fitted = |crush: &ProfileMoments<T>| profile_fit::intensity(&stiffness, crush);
         let (residuals, chi_square) = line_fit::residuals(observations, &weight, fitted);
         Self::of(stiffness, covariance, CrushModel::Profile, residuals, chi_square).within_range()
+    }
+
+    /// Fits d₁ to one or more tests with d₀ held, in √N: that of a speed b₀ in m/s that leaves no crush is b₀ √(m/w).
+    ///
+    /// ```
+    /// use planar_impact::barrier::{BarrierTest, CrushModel, MeasuredTest, Observations, StiffnessFit};
+    /// use planar_impact::crush::ProfileMoments;
+    /// // Malibu 2008, NHTSA test 6268; b₀ is assumed to be 2.2 m/s.
+    /// let crush = ProfileMoments::of(1.478, &[0.265, 0.474, 0.504, 0.505, 0.475, 0.310]).unwrap();
+    /// let test = BarrierTest { mass: 1779.0, speed: 15.6, restitution: 0.0, crush };
+    /// let measured = MeasuredTest { test, speed_deviation: 0.0, restitution_deviation: 0.0, scatter: 10.0 };
+    /// let onset = 2.2 * (1779.0 / 1.478_f64).sqrt();
+    /// let fit = StiffnessFit::with_onset(&Observations::of_tests(&[[measured]])?, onset, CrushModel::Profile)?;
+    /// assert!((fit.stiffness.slope - test.stiffness(2.2)?.slope).abs() < 1e-9);
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If there is no test, a test has no depth, the covariance is not positive definite, or the fit does not converge.
+    pub fn with_onset(observations: &Observations<T>, onset: T, model: CrushModel) -> Result<Self, TestIssues<T>> {
+        let weight = line_fit::ready_for_slope(observations)?;
+        let (slope, variance) = line_fit::slope(observations, &weight, &onset);
+        let line = CrushStiffness { onset, slope };
+        let (stiffness, covariance) = match model {
+            CrushModel::MeanDepth => (line, StiffnessCovariance { onset: T::int(0), between: T::int(0), slope: variance }),
+            CrushModel::Profile => profile_fit::settle(observations, &weight, line, Free::Slope)?,
+        };
+        let fitted = |crush: &ProfileMoments<T>| match model {
+            CrushModel::MeanDepth => stiffness.crush_intensity(crush.mean_depth()),
+            CrushModel::Profile => profile_fit::intensity(&stiffness, crush),
+        };
+        let (residuals, chi_square) = line_fit::residuals(observations, &weight, fitted);
+        let degrees_of_freedom = residuals.len() - 1;
+        let fit = Self::of(stiffness, covariance, model, residuals, chi_square);
+        StiffnessFit { degrees_of_freedom, ..fit }.within_range()
     }
 }
 

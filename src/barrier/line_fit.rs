@@ -5,7 +5,8 @@ use super::issue::{TestIssue, TestIssues};
 use super::observation::{Observations, Point};
 use super::weight::{Weight, dot};
 use crate::crush::{CrushStiffness, ProfileMoments};
-use crate::issue::{InputIssue, Place};
+use crate::issue::{InputIssue, IssueCollector, Place};
+use crate::measure::Measure;
 use crate::scalar::{Field, Ordered, slack};
 use alloc::vec::Vec;
 
@@ -29,6 +30,17 @@ pub(super) fn ready<T: Ordered<Mask = bool>>(observations: &Observations<T>) -> 
     Weight::of(&observations.covariance, |i| observations.points[i].place)
 }
 
+/// Checks that a slope can be fitted to the observations, and returns their weight.
+pub(super) fn ready_for_slope<T: Ordered<Mask = bool>>(observations: &Observations<T>) -> Result<Weight<T>, TestIssues<T>> {
+    let mut issues = IssueCollector::<TestIssue<T>>::new();
+    issues.at_least(Place::plain("tests"), observations.len(), 1);
+    for point in &observations.points {
+        issues.positive(point.place.named("mean depth", Measure::Length), &point.crush.mean_depth());
+    }
+    issues.finish()?;
+    Weight::of(&observations.covariance, |i| observations.points[i].place)
+}
+
 /// Fits the weighted line through the mean depths, and computes its covariance.
 pub(super) fn line<T: Field>(observations: &Observations<T>, weight: &Weight<T>) -> (CrushStiffness<T>, StiffnessCovariance<T>) {
     let points = &observations.points;
@@ -49,6 +61,16 @@ pub(super) fn line<T: Field>(observations: &Observations<T>, weight: &Weight<T>)
         slope: spread.inv(),
     };
     (CrushStiffness { onset: intensity - slope.clone() * depth, slope }, covariance)
+}
+
+/// Fits the slope of the weighted line through the mean depths whose onset is held, and computes its variance.
+pub(super) fn slope<T: Field>(observations: &Observations<T>, weight: &Weight<T>, onset: &T) -> (T, T) {
+    let points = &observations.points;
+    let depths: Vec<T> = points.iter().map(|point| point.crush.mean_depth()).collect();
+    let above: Vec<T> = points.iter().map(|point| point.intensity.clone() - onset.clone()).collect();
+    let weighed = weight.times(&depths);
+    let information = dot(&weighed, &depths);
+    (dot(&weighed, &above) / information.clone(), information.inv())
 }
 
 /// Computes the residual of each test, and χ².

@@ -33,6 +33,16 @@ impl<T: Field> Symmetric<T> {
         self.first.clone() * self.second.clone() - self.between.clone().squared()
     }
 
+    /// Returns the covariance of the coefficients whose information this is.
+    fn covariance(&self, free: Free) -> StiffnessCovariance<T> {
+        if free == Free::Slope {
+            return StiffnessCovariance { onset: T::int(0), between: T::int(0), slope: self.second.clone().inv() };
+        }
+        let determinant = self.determinant();
+        let share = |entry: &T| entry.clone() / determinant.clone();
+        StiffnessCovariance { onset: share(&self.second), between: -share(&self.between), slope: share(&self.first) }
+    }
+
     fn solve(&self, first: T, second: T) -> CrushStiffness<T> {
         let determinant = self.determinant();
         CrushStiffness {
@@ -42,11 +52,19 @@ impl<T: Field> Symmetric<T> {
     }
 }
 
+/// The coefficients that a fit may change.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Free {
+    Both,
+    Slope,
+}
+
 /// Computes the best fit near a start, and its covariance.
 pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
     observations: &Observations<T>,
     weight: &Weight<T>,
     start: CrushStiffness<T>,
+    free: Free,
 ) -> Result<(CrushStiffness<T>, StiffnessCovariance<T>), TestIssues<T>> {
     let mut stiffness = start;
     let mut settled_for = 0;
@@ -54,16 +72,9 @@ pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
     for steps in 0..STEPS {
         let local = Local::at(observations, weight, &stiffness).ok_or(TestIssue::NotConverged { steps })?;
         if settled_for > STEPS_OF_DERIVATIVES {
-            let determinant = local.information.determinant();
-            let share = |entry: T| entry / determinant.clone();
-            let covariance = StiffnessCovariance {
-                onset: share(local.information.second),
-                between: share(-local.information.between),
-                slope: share(local.information.first),
-            };
-            return Ok((stiffness, covariance));
+            return Ok((stiffness, local.information.covariance(free)));
         }
-        let step = local.step();
+        let step = local.step(free);
         let size = |s: &CrushStiffness<T>| s.onset.clone().magnitude() + (s.slope.clone() * depth.clone()).magnitude();
         let small = !(size(&stiffness) * slack()).less(&size(&step));
         settled_for = if small { settled_for + 1 } else { 0 };
@@ -116,7 +127,11 @@ impl<T: Real + Ordered<Mask = bool>> Local<T> {
     }
 
     /// Returns the Newton step, or the Gauss–Newton step if the sum of squares is not convex there.
-    fn step(&self) -> CrushStiffness<T> {
+    fn step(&self, free: Free) -> CrushStiffness<T> {
+        if free == Free::Slope {
+            let second = if is_positive(&self.curvature.second) { &self.curvature.second } else { &self.information.second };
+            return CrushStiffness { onset: T::int(0), slope: self.downhill.1.clone() / second.clone() };
+        }
         let upwards = is_positive(&self.curvature.first) && is_positive(&self.curvature.determinant());
         let matrix = if upwards { &self.curvature } else { &self.information };
         matrix.solve(self.downhill.0.clone(), self.downhill.1.clone())
@@ -166,7 +181,7 @@ mod tests {
         };
         let observations = Observations::independent(&[observe(0.0), observe(1.0)]).expect("good numbers");
         let weight = Weight::of(&observations.covariance, |i| observations.points[i].place).expect("positive");
-        let end = settle(&observations, &weight, CrushStiffness { onset: 0.0, slope: 1.0 });
+        let end = settle(&observations, &weight, CrushStiffness { onset: 0.0, slope: 1.0 }, Free::Both);
         assert_eq!(end.map(|_| ()), Err(TestIssue::NotConverged { steps: 0 }.into()));
     }
 }

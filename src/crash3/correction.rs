@@ -1,8 +1,9 @@
 //! The energy correction for a force that is not perpendicular to the crushed surface.
 
 use super::Surface;
+use crate::crush::force_factor;
 use crate::impact::ForceDirection;
-use crate::scalar::{Field, Ordered};
+use crate::scalar::{Field, Ordered, Real, is_positive};
 
 /// Largest value of the correction factor.
 const CAP: i32 = 2;
@@ -27,6 +28,21 @@ pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceDirection<T
     // Above the limit, divide by one: the result is discarded.
     let square = T::select(below.clone(), along.squared(), T::int(1));
     T::select(below, length_squared / square, T::int(CAP))
+}
+
+/// Returns 1/cos α, by which the principal force exceeds its component perpendicular to the surface, or `None` if it does not point into the surface. Unlike
+/// the correction of the energy it has no limit.
+///
+/// ```
+/// use planar_impact::ForceDirection;
+/// use planar_impact::crash3::{Surface, force_correction};
+/// let from_ahead_and_right = ForceDirection { ahead: 4.0, right: 3.0 };
+/// assert_eq!(force_correction(Surface::Front, &from_ahead_and_right), Some(1.25));
+/// assert_eq!(force_correction(Surface::Left, &from_ahead_and_right), None);
+/// ```
+pub fn force_correction<T: Real + Ordered<Mask = bool>>(surface: Surface, origin: &ForceDirection<T>) -> Option<T> {
+    let Parts { along, length_squared } = Parts::of(surface, origin);
+    is_positive(&along).then(|| force_factor(along, length_squared.square_root()))
 }
 
 /// A force relative to a surface.
@@ -60,6 +76,8 @@ mod tests {
             for length in [1e-3, 1.0, 7e4] {
                 let origin = ForceDirection { ahead: ahead * length, right: right * length };
                 assert_relative_eq!(energy_correction(Surface::Front, &origin), expected, max_relative = 1e-14);
+                let force = force_correction(Surface::Front, &origin).expect("it points into the front");
+                assert_relative_eq!(force * force, expected, max_relative = 1e-14);
             }
         }
         for degrees in [45.1, 89.0, 90.0, 120.0, 180.0, -60.0] {

@@ -55,6 +55,23 @@ impl<T: Ordered> Saturating<T> {
     fn slope(&self) -> T {
         ForceLine::from(self.stiffness.clone()).slope
     }
+
+    /// Returns ∫ (C − C_s) dw over the part of a segment that is deeper than C_s.
+    pub(super) fn area_beyond(&self, segment: &Segment<T>) -> T {
+        let (from, to) = (self.beyond(&segment.from), self.beyond(&segment.to));
+        let share = self.share_beyond(segment, &from, &to);
+        (segment.width.clone() * (from + to) * share).half()
+    }
+
+    /// Returns the share of the width that is deeper than C_s, where some of it is, from the depths of its ends beyond C_s.
+    fn share_beyond(&self, segment: &Segment<T>, from: &T, to: &T) -> T {
+        let deep = T::select(from.less(to), to.clone(), from.clone());
+        // If only one end is beyond C_s, the ratio of the width beyond to the whole is the ratio of the depth beyond to the difference of the depths.
+        let reach = (segment.to.clone() - segment.from.clone()).magnitude();
+        let crosses = deep.less(&reach);
+        let share = deep / T::select(T::int(0).less(&reach), reach, T::int(1));
+        T::select(crosses, share, T::int(1))
+    }
 }
 
 impl<T: Ordered> CrushLaw<T> for Saturating<T> {
@@ -71,13 +88,9 @@ impl<T: Ordered> CrushLaw<T> for Saturating<T> {
     /// Returns the energy of the linear law, less ½ B (C − C_s)² over the part that is deeper than C_s.
     fn energy_of_segment(&self, segment: &Segment<T>) -> T {
         let (from, to) = (self.beyond(&segment.from), self.beyond(&segment.to));
-        let deep = T::select(from.less(&to), to.clone(), from.clone());
+        let share = self.share_beyond(segment, &from, &to);
         let squares = from.clone().squared() + from * to.clone() + to.squared();
-        // If only one end is beyond C_s, the ratio of the width beyond to the whole is the ratio of the depth beyond to the difference of the depths.
-        let reach = (segment.to.clone() - segment.from.clone()).magnitude();
-        let crosses = deep.less(&reach);
-        let share = deep / T::select(T::int(0).less(&reach), reach, T::int(1));
-        let over = self.slope() * squares * T::select(crosses, share, T::int(1)) / T::int(6);
+        let over = self.slope() * squares * share / T::int(6);
         CrushLaw::energy_of_segment(&self.stiffness, segment) - segment.width.clone() * over
     }
 }

@@ -139,12 +139,9 @@ impl Question {
 impl Damage {
     /// Creates the damage from a crush profile and the stiffness along it.
     pub fn of(profile: &Profile, zones: &StiffnessZones) -> Self {
-        let lines = zones.moments(profile).zip(zones.zones()).map(|(moments, zone)| (moments, ForceLine::from(*zone)));
-        let (force, stiffness) = lines.fold((0.0, 0.0), |(force, stiffness), (moments, line)| {
-            (force + line.onset * moments.width() + line.slope * moments.second, stiffness + line.slope * moments.width())
-        });
-        let damage =
-            Damage { crush_energy: zones.crush_energy(profile), force: Some(force), stiffness: Some(stiffness), force_direction: None };
+        let slopes = zones.moments(profile).zip(zones.zones()).map(|(moments, zone)| ForceLine::from(*zone).slope * moments.width());
+        let (force, stiffness) = (Some(zones.crush_force(profile)), Some(slopes.sum()));
+        let damage = Damage { crush_energy: zones.crush_energy(profile), force, stiffness, force_direction: None };
         // A profile without depth implies no force, and did not test its stiffness.
         if profile.depths().iter().all(|depth| *depth <= 0.0) { damage.without_force() } else { damage }
     }

@@ -265,6 +265,16 @@ impl<T: Real> Crush<T> {
     }
 }
 
+impl Crush {
+    /// Computes the force normal to the surface at the end of the crush.
+    pub fn force(&self) -> f64 {
+        match self.saturation {
+            None => self.zones.crush_force(&self.profile),
+            Some(depth) => Saturating { stiffness: self.zones.zones()[0], depth }.crush_force(&self.profile),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -407,7 +407,7 @@ fn has_inertia(vehicle: &Table<'_>) -> bool {
 }
 
 /// Returns which of two keys the table has; it must have exactly one.
-fn one_of(table: &Table<'_>, first: &'static str, second: &'static str) -> Option<&'static str> {
+pub(crate) fn one_of(table: &Table<'_>, first: &'static str, second: &'static str) -> Option<&'static str> {
     match (table.has(first), table.has(second)) {
         (true, true) => {
             table.optional(second).report(format!("`{first}` and `{second}` exclude each other"), Some("give one of them".to_owned()));

@@ -149,12 +149,16 @@ impl<T: Real<Mask = bool>> Setup<T> {
         if lacks(&self.collision.one, &energies[0]) || lacks(&self.collision.two, &energies[1]) {
             return None;
         }
-        let pair = DamagedPair::of_collision(&self.collision, energies.map(|energy| energy.unwrap_or_else(|| T::int(0))));
+        Some(self.investigated(DamagedPair::of_collision(&self.collision, energies.map(|energy| energy.unwrap_or_else(|| T::int(0))))))
+    }
+
+    /// Replaces surfaces and directions of force by those that the file gives.
+    pub(crate) fn investigated(&self, pair: DamagedPair<T>) -> DamagedPair<T> {
         let found = self.crush.each_ref().map(|crush| Investigated {
             surface: crush.as_ref().and_then(|crush| crush.surface),
             force_direction: crush.as_ref().and_then(|crush| crush.force_direction.clone()),
         });
-        Some(pair.with_investigated(&self.collision, found))
+        pair.with_investigated(&self.collision, found)
     }
 
     /// Computes the CRASH3 results of each vehicle; `None` if a vehicle has no crush.

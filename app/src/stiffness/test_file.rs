@@ -2,7 +2,7 @@
 
 use planar_impact::barrier::{BarrierTest, MeasuredTest};
 
-use crate::case::CaseReader;
+use crate::case::{CaseReader, one_of};
 use crate::document::{Document, Table};
 use crate::issue::{Cause, Issue, Issues};
 use crate::notice::Notices;
@@ -22,6 +22,8 @@ pub struct TestFile {
     pub vehicles: Vec<Tested>,
     /// The speed assumed to leave no crush.
     pub onset: Option<f64>,
+    /// `true` if a fit holds that speed.
+    pub holds_onset: bool,
     /// The flat crush whose energy the fit predicts, if given.
     pub prediction: Option<Prediction>,
     /// `true` if the file gives any standard deviation.
@@ -38,6 +40,8 @@ pub struct Tested {
     pub name: String,
     /// Its tests.
     pub tests: Vec<MeasuredTest>,
+    /// `true` if each test was of a new car, `false` if all were of one car; `None` if the file does not say, which means one car.
+    pub new_cars: Option<bool>,
 }
 
 /// A flat crush whose energy is to be predicted.
@@ -73,9 +77,9 @@ impl TestFile {
         let document = Document::parse(source)?;
         let reader = CaseReader::default();
         let read = document.read(|root| reader.tests(root))?;
-        let ReadFile { title, vehicles, onset, prediction, has_deviations } = read;
+        let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, prediction }, has_deviations } = read;
         let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
-        Ok(TestFile { document, title, vehicles, onset, prediction, has_deviations, units, notices })
+        Ok(TestFile { document, title, vehicles, onset, holds_onset, prediction, has_deviations, units, notices })
     }
 
     /// Returns the number of tests.
@@ -93,9 +97,16 @@ impl TestFile {
 struct ReadFile {
     title: String,
     vehicles: Vec<Tested>,
-    onset: Option<f64>,
-    prediction: Option<Prediction>,
+    fit: ReadFit,
     has_deviations: bool,
+}
+
+/// The keys of `[fit]`.
+#[derive(Default)]
+struct ReadFit {
+    onset: Option<f64>,
+    holds_onset: bool,
+    prediction: Option<Prediction>,
 }
 
 impl CaseReader {
@@ -109,12 +120,12 @@ impl CaseReader {
         let fit = root.has("fit").then(|| root.optional("fit").table().and_then(|table| self.fit(&table)));
         let has_deviations = deviations.finish();
         schema?;
-        let (onset, prediction) = match fit {
+        let fit = match fit {
             Some(fit) => fit?,
-            None => (None, None),
+            None => ReadFit::default(),
         };
-        let vehicles: Vec<(String, Vec<Read>)> = vehicles?.into_iter().collect::<Option<_>>()?;
-        let count: usize = vehicles.iter().map(|(_, tests)| tests.len()).sum();
+        let vehicles: Vec<(String, Option<bool>, Vec<Read>)> = vehicles?.into_iter().collect::<Option<_>>()?;
+        let count: usize = vehicles.iter().map(|(.., tests)| tests.len()).sum();
         if count > MOST_TESTS {
             root.optional("vehicle").report(format!("{count} tests exceed the limit of {MOST_TESTS}"), None);
             return None;
@@ -126,13 +137,16 @@ impl CaseReader {
             // If the file gives none, any equal scatter for all tests will do.
             scatter: read.scatter.unwrap_or(if has_deviations { 0.0 } else { 1.0 }),
         };
-        let vehicles = vehicles.into_iter().map(|(name, tests)| Tested { name, tests: tests.into_iter().map(measured).collect() });
-        let vehicles = vehicles.collect();
-        Some(ReadFile { title, vehicles, onset, prediction, has_deviations })
+        let tested = |(name, new_cars, tests): (String, Option<bool>, Vec<Read>)| {
+            let tests = tests.into_iter().map(measured).collect();
+            Tested { name, tests, new_cars }
+        };
+        Some(ReadFile { title, vehicles: vehicles.into_iter().map(tested).collect(), fit, has_deviations })
     }
 
-    fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Vec<Read>)> {
+    fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Option<bool>, Vec<Read>)> {
         let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        let new_cars = table.has("new_cars").then(|| table.optional("new_cars").boolean());
         let field = table.required("test");
         let place = field.clone();
         let tests = field.array_of_tables();
@@ -144,13 +158,17 @@ impl CaseReader {
         }
         let read: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
         tests.into_iter().for_each(|test| deviations.add(test));
-        Some((name, read.into_iter().collect::<Option<_>>()?))
+        let new_cars = match new_cars {
+            Some(new_cars) => Some(new_cars?),
+            None => None,
+        };
+        Some((name, new_cars, read.into_iter().collect::<Option<_>>()?))
     }
 
     fn test(&self, table: &Table<'_>) -> Option<Read> {
         let mass = self.positive(table.required("mass"), Kind::MASS);
         let speed = self.positive(table.required("speed"), Kind::SPEED);
-        let restitution = self.coefficient(table.required("restitution"), 1.0);
+        let restitution = self.restitution(table, speed);
         let profile = self.profile(table);
         let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
         let speed_sd = deviation("speed_sd", Kind::SPEED);
@@ -166,8 +184,27 @@ impl CaseReader {
         Some(Read { test, speed_sd: known(speed_sd)?, restitution_sd: known(restitution_sd)?, scatter: known(scatter)? })
     }
 
-    fn fit(&self, table: &Table<'_>) -> Option<(Option<f64>, Option<Prediction>)> {
-        let onset = table.has("onset").then(|| self.not_negative(table.optional("onset"), Kind::SPEED));
+    /// Reads the restitution of a test, or the speed at which the vehicle rebounds: e = v'/v.
+    fn restitution(&self, table: &Table<'_>, speed: Option<f64>) -> Option<f64> {
+        if !table.has("rebound_speed") {
+            return self.coefficient(table.required("restitution"), 1.0);
+        }
+        let field = table.required("rebound_speed");
+        let rebound = self.not_negative(field.clone(), Kind::SPEED);
+        (one_of(table, "restitution", "rebound_speed") == Some("rebound_speed")).then_some(())?;
+        let (rebound, speed) = (rebound?, speed?);
+        if rebound > speed {
+            field.report(format!("it is {rebound} m/s; it must not be above the speed of the test, {speed} m/s"), None);
+            return None;
+        }
+        Some(rebound / speed)
+    }
+
+    fn fit(&self, table: &Table<'_>) -> Option<ReadFit> {
+        let holds_onset = table.has("b0");
+        let key = if holds_onset || table.has("onset") { one_of(table, "onset", "b0") } else { None };
+        let is_both = holds_onset && key == Some("onset");
+        let onset = key.map(|key| self.not_negative(table.optional(key), Kind::SPEED));
         let asked = table.has("depth") || table.has("width");
         let prediction = asked.then(|| {
             let (depth, width) =
@@ -183,7 +220,7 @@ impl CaseReader {
             Some(prediction) => Some(prediction?),
             None => None,
         };
-        Some((onset, prediction))
+        (!is_both).then_some(ReadFit { onset, holds_onset, prediction })
     }
 }
 

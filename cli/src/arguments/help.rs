@@ -169,20 +169,24 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   schema = 1
   [[vehicle]]
   name = "sedan"
-  [[vehicle.test]]                   # one or more, in order: their energies add up
+  new_cars = true                    # each test was of a new car; else they were of one car
+  [[vehicle.test]]                   # one or more; those of one car in order: energies add up
   mass = "1500 kg"
   speed = "15.6 m/s"                 # normal to the barrier
-  restitution = 0.1                  # the crush keeps 1 - e^2 of the energy
+  restitution = 0.1                  # or rebound_speed; the crush keeps 1 - e^2 of the energy
   width = "1.5 m"                    # or stations
   depths = ["0.3 m", "0.5 m"]        # total crush after the test
   speed_sd = "0.1 m/s"               # standard deviations, each optional
   restitution_sd = 0.03
   scatter = "10 N^0.5"               # of E* from causes other than speed or restitution
   [fit]                              # optional
-  onset = "2 m/s"                    # b0, assumed: the stiffness from each first test alone
+  b0 = "2 m/s"                       # speed that leaves no crush, held: fits d1 alone; or
+  onset = "2 m/s"                    # assumed, for the stiffness from each first test alone
   depth = "0.4 m"                    # of a profile, for the uncertainty of its E_C
   width = "1.5 m"
 Without standard deviations all tests have equal weight, and the scatter is that of the residuals.
+A negative d0 or d1, and tests that cannot be of one car, are said first, with exit status 1.
+Vehicles that have a stiffness each are pooled to a class: mean, and spread between vehicles.
 The energy of a test is 1/2 m (1 - e^2) v^2: the normal through the impact center has to meet
 the center of mass. With an offset, part of the energy goes into yaw.
 

@@ -305,3 +305,84 @@ fn inertias_that_rounding_decides_are_refused() {
         );
     }
 }
+
+/// A head-on impact with a pdof of each vehicle.
+const FORCES: &str = r#"schema = 1
+[[vehicle]]
+mass = "1500 kg"
+yaw_inertia = "2000 kg m^2"
+heading = "0 deg"
+speed = "15 m/s"
+impact_center = ["2 m", "0 m"]
+[vehicle.crush]
+width = "1.5 m"
+depths = ["20 cm", "50 cm", "30 cm"]
+stiffness = { A = "50 kN/m", B = "500 kN/m^2" }
+pdof = "30 deg"
+surface = "front"
+[[vehicle]]
+mass = "1200 kg"
+yaw_inertia = "1600 kg m^2"
+heading = "180 deg"
+speed = "15 m/s"
+impact_center = ["2 m", "0 m"]
+[vehicle.crush]
+width = "1.2 m"
+depths = ["10 cm", "10 cm"]
+stiffness = { A = "40 kN/m", B = "400 kN/m^2" }
+pdof = "-20 deg"
+[contact]
+crush_plane = "0 deg"
+restitution = 0.1
+"#;
+
+#[test]
+fn the_crush_force_by_hand() {
+    let document = json(&run_with_input(&["crush", "-", "--format", "json"], FORCES));
+    let [one, two] = [&document["vehicles"][0], &document["vehicles"][1]];
+    let is =
+        |value: &Value, wanted: f64| assert!((value.as_f64().expect("a number") / wanted - 1.0).abs() < 1e-12, "{value}, not {wanted}");
+    // The means of depth and of its square: (0.35 + 0.4)/2 m, and by Simpson's rule, exact for parabolas, (0.13 + 0.49/3)/2 m².
+    let (mean, mean_square) = (0.375, (0.13 + 0.49 / 3.0) / 2.0);
+    is(&one["form_factor"], mean_square / (mean * mean));
+    is(&one["crush_force"], 1.5 * (50e3 + 500e3 * mean));
+    is(&one["crush_force_at_pdof"], 1.5 * (50e3 + 500e3 * mean) / 30_f64.to_radians().cos());
+    assert_eq!((&one["surface"], &two["surface"]), (&"front".into(), &"front".into()));
+    is(&one["pdof"], 30_f64.to_radians());
+    is(&two["form_factor"], 1.0);
+    is(&two["crush_force"], 1.2 * 80e3);
+    is(&two["crush_force_at_pdof"], 1.2 * 80e3 / 20_f64.to_radians().cos());
+    let (larger, smaller) = (356_250.0 / 30_f64.to_radians().cos(), 96e3 / 20_f64.to_radians().cos());
+    is(&document["force_imbalance"], larger / smaller - 1.0);
+    assert!(document["messages"].as_array().expect("messages").iter().any(|message| message["code"] == "crush-forces-not-balanced"));
+    // The same forces, but for the angle of the crush plane of 0, are those of reconstruct's diagnosis.
+    let unknown = format!("{}\n[evidence]\ncrush_energy = \"from crush\"\n[unknown]\nvehicle.1.speed = {{ start = \"15 m/s\" }}\n", FORCES);
+    let reconstruct: Value = serde_json::from_str(&run_with_input(&["reconstruct", "-", "--format", "json"], &unknown).out).expect("JSON");
+    let diagnosis =
+        reconstruct["diagnostics"].as_array().expect("diagnostics").iter().find(|finding| finding["name"] == "balance of crush forces");
+    is(&diagnosis.expect("a balance")["figure"], larger / smaller - 1.0);
+}
+
+#[test]
+fn a_force_that_is_not_known_is_null() {
+    let vehicle = |case: &str, i: usize| json(&run_with_input(&["crush", "-", "--format", "json"], case))["vehicles"][i].clone();
+    let uncrushed = vehicle(&FORCES.replace("\"20 cm\", \"50 cm\", \"30 cm\"", "0, 0"), 0);
+    for key in ["form_factor", "crush_force", "crush_force_at_pdof"] {
+        assert_eq!(uncrushed[key], Value::Null, "{key}");
+    }
+    let from_behind = vehicle(&FORCES.replace("pdof = \"30 deg\"", "pdof = \"170 deg\""), 0);
+    assert!(from_behind["crush_force"].is_number() && from_behind["crush_force_at_pdof"] == Value::Null, "{from_behind}");
+    // Without a pdof it is that of the common-velocity impulse, here central, unless that is not known.
+    let without = FORCES.replace("pdof = \"30 deg\"\n", "").replace("surface = \"front\"\n", "");
+    let central = vehicle(&without, 0);
+    assert!(
+        central["pdof"].as_f64().is_some_and(|pdof| pdof.abs() < 1e-12) && central["crush_force"] == central["crush_force_at_pdof"],
+        "{central}"
+    );
+    let unknown = without.replacen("speed = \"15 m/s\"\n", "", 1) + "[unknown]\nvehicle.1.speed = { start = \"15 m/s\" }\n";
+    let open = vehicle(&unknown, 0);
+    assert!(open["pdof"] == Value::Null && open["crush_force"].is_number() && open["crush_force_at_pdof"] == Value::Null, "{open}");
+    // Beyond a saturation the force grows no more.
+    let saturated = vehicle(&FORCES.replace("B = \"500 kN/m^2\" }", "B = \"500 kN/m^2\", saturation = \"0.1 m\" }"), 0);
+    assert!((saturated["crush_force"].as_f64().expect("a force") - 1.5 * (50e3 + 500e3 * 0.1)).abs() < 1e-6, "{saturated}");
+}

@@ -19,7 +19,7 @@ fn number(value: &Value) -> f64 {
 }
 
 /// 1 lbf^0.5 in N^0.5, and 1 ft lbf in J.
-const ROOT_POUND: f64 = 2.109_118_866_413_4;
+const ROOT_POUND: f64 = 2.109_080_751_242_2;
 const FOOT_POUND: f64 = 1.355_817_948_331_4;
 
 #[test]
@@ -180,7 +180,187 @@ fn findings_are_said_in_the_units_of_the_report() {
         |units: &str| run_with_input(&["stiffness", "-", "--units", units], &falling).out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(finding("si").contains("d1 is -") && finding("si").contains("N^0.5/m, below zero"), "{}", finding("si"));
     assert!(finding("us").contains("lbf^0.5/ft, below zero") && !finding("us").contains("N^0.5"), "{}", finding("us"));
-    let document = json(&falling);
+    let document = doubted(&falling);
     let said = document["fits"][0]["findings"][0].as_str().expect("a finding").to_owned();
     assert!(said.contains("N^0.5/m, below zero: the structure would take less energy the deeper it is crushed"), "{said}");
+}
+
+fn reproducer(name: &str) -> String {
+    std::fs::read_to_string(workspace().join("cli/tests/reproducers").join(name)).expect("a reproducer")
+}
+
+/// Runs the verb on tests that make no stiffness, or may not.
+fn doubted(text: &str) -> Value {
+    let run = run_with_input(&["stiffness", "-", "--format", "json"], text);
+    assert_eq!((run.status, run.err.as_str()), (1, ""), "{}", run.out);
+    serde_json::from_str(&run.out).expect("JSON")
+}
+
+/// The line of least squares through E* = v √(m (1 − e²)/w) of the new cars, at 0.3, 0.4 and 0.5 m.
+fn line_of_new_cars() -> (f64, f64) {
+    let intensities =
+        [(40.0, 0.15), (48.0, 0.13), (56.0, 0.12)].map(|(speed, e): (f64, f64)| speed / 3.6 * (1200.0 * (1.0 - e * e) / 1.4).sqrt());
+    let slope = (intensities[2] - intensities[0]) / 0.2;
+    (intensities.iter().sum::<f64>() / 3.0 - 0.4 * slope, slope)
+}
+
+#[test]
+fn new_cars_taken_as_one_are_recognized() {
+    let text = reproducer("new_cars_as_one.toml");
+    let document = doubted(&text);
+    let headline = document["headlines"][0].as_str().expect("a headline");
+    for says in ["car: as repeated tests of one car", "d0 is -20", "as tests of new cars d0 is 12", "new_cars = true"] {
+        assert!(headline.contains(says), "{says}: {headline}");
+    }
+    let (onset, slope) = line_of_new_cars();
+    assert!(number(&document["fits"][0]["d0"]) < 0.0 && (100.0..150.0).contains(&onset));
+    let as_new = &document["fits_as_new_cars"][0];
+    assert!((number(&as_new["d0"]) / onset - 1.0).abs() < 1e-9 && (number(&as_new["d1"]) / slope - 1.0).abs() < 1e-9, "{as_new}");
+    // The page says it before any table.
+    let page = run_with_input(&["stiffness", "-"], &text);
+    assert!(
+        page.status == 1 && page.out.find("new_cars = true") < page.out.find("v_n") && page.out.contains("as new cars, on"),
+        "{}",
+        page.out
+    );
+    // As the file may say.
+    let said = |new_cars: &str| text.replace("name = \"car\"\n", &format!("name = \"car\"\nnew_cars = {new_cars}\n"));
+    let new = json(&said("true"));
+    assert_eq!((&new["headlines"], &new["fits"]), (&serde_json::json!([]), &document["fits_as_new_cars"]));
+    assert!(
+        (number(&new["tests"][1]["crush_energy"]) - 600.0 * (1.0 - 0.13 * 0.13) * (48.0_f64 / 3.6).powi(2)).abs() < 1e-6,
+        "of this test alone"
+    );
+    let one = doubted(&said("false"));
+    assert_eq!((&one["fits"], one.get("fits_as_new_cars")), (&document["fits"], None));
+    assert!(one["headlines"][0].as_str().is_some_and(|headline| headline.starts_with("no stiffness fitted on mean depth: d0 is -")));
+    // New cars come in any order, and an issue with one has its place.
+    let mut parts: Vec<String> = said("true").split("[[vehicle.test]]").map(str::to_owned).collect();
+    parts.swap(1, 3);
+    assert!((number(&json(&parts.join("[[vehicle.test]]"))["fits"][0]["d0"]) / onset - 1.0).abs() < 1e-9);
+    let elastic = run_with_input(&["stiffness", "-"], &said("true").replace("restitution = 0.13", "restitution = 1"));
+    assert!(elastic.status == 2 && elastic.err.contains("vehicle.1.test.2: crush energy"), "{}", elastic.err);
+    // Repeated tests of one car stay repeated tests of one car.
+    assert_eq!(json(&example("struble-welsh.toml"))["headlines"], serde_json::json!([]));
+}
+
+#[test]
+fn a_negative_coefficient_is_a_headline() {
+    let document = doubted(&reproducer("negative_A.toml"));
+    for (i, model) in ["mean depth", "profile"].into_iter().enumerate() {
+        let headline = document["headlines"][i].as_str().expect("a headline");
+        assert!(
+            headline.starts_with(&format!("no stiffness fitted on {model}: d1 is -")) && headline.contains("A = d0 d1 is -"),
+            "{headline}"
+        );
+    }
+    assert!(
+        (number(&document["fits"][0]["A"]) + 597_421.0).abs() < 1.0 || (number(&document["fits"][1]["A"]) + 597_421.0).abs() < 1.0,
+        "{document}"
+    );
+    // A case that takes its stiffness from such tests is refused.
+    let falling = one_depth("").replacen("[0.4, 0.4]", "[0.5, 0.5]", 1).replace("speed = 16", "speed = 20");
+    assert!(doubted(&falling)["headlines"][0].as_str().is_some_and(|headline| headline.contains("d1 is -")));
+}
+
+/// Three vehicles of a class with one test each, and a scatter of E*; `pooled.py` has the same.
+fn class(scatter: &str) -> String {
+    let test = |(mass, width, speed, e, depth): (f64, f64, f64, f64, f64)| {
+        format!(
+            "[[vehicle]]\n[[vehicle.test]]\nmass = {mass}\nspeed = {speed}\nrestitution = {e}\nwidth = {width}\ndepths = [{depth}, {depth}]\n{scatter}\n"
+        )
+    };
+    let tests = [(1500.0, 1.5, 15.0, 0.1, 0.40), (1600.0, 1.6, 14.0, 0.15, 0.45), (1300.0, 1.4, 16.0, 0.12, 0.38)].map(test);
+    format!("schema = 1\n{}[fit]\nb0 = \"2 m/s\"\n", tests.concat())
+}
+
+#[test]
+fn vehicles_of_a_class_are_pooled() {
+    // Mean, its standard deviation, and the standard deviation between vehicles: cli/tests/reference/pooled.py.
+    for (scatter, d1) in [
+        ("scatter = 10", [988.643_086_996_892_18, 82.883_580_356_071_789, 141.441_195_234_104_5]),
+        ("scatter = 60", [972.231_501_046_525_41, 84.527_757_326_221_959, 11.233_862_339_256_445]),
+    ] {
+        let document = json(&class(scatter));
+        for pooled in document["pooled"].as_array().expect("two models") {
+            for (key, wanted) in ["mean", "mean_sd", "between_sd"].into_iter().zip(d1) {
+                assert!((number(&pooled["d1"][key]) - wanted).abs() <= 1e-9 * wanted, "{scatter}: {key}: {pooled}");
+            }
+            // d0 = b0 √(m/w) is held, and differs by the vehicle alone.
+            let onsets = [1500.0 / 1.5, 1600.0 / 1.6, 1300.0 / 1.4].map(|share: f64| 2.0 * share.sqrt());
+            let mean = onsets.iter().sum::<f64>() / 3.0;
+            let sd = (onsets.iter().map(|onset| (onset - mean).powi(2)).sum::<f64>() / 2.0).sqrt();
+            assert!(
+                (number(&pooled["d0"]["mean"]) / mean - 1.0).abs() < 1e-12 && (number(&pooled["d0"]["between_sd"]) / sd - 1.0).abs() < 1e-9
+            );
+            assert_eq!((pooled["vehicles"][2]["name"].as_str(), number(&pooled["vehicles"][2]["d0_sd"])), (Some("vehicle 3"), 0.0));
+            let own_sd: f64 = scatter.trim_start_matches("scatter = ").parse().expect("a number");
+            assert!((number(&pooled["vehicles"][2]["d1_sd"]) / (own_sd / 0.38) - 1.0).abs() < 1e-12, "{pooled}");
+        }
+    }
+    let page = run_with_input(&["stiffness", "-", "--units", "si"], &class("scatter = 10"));
+    assert!(page.status == 0 && page.out.contains("sd between vehicles") && page.out.contains("Paule and Mandel"), "{}", page.out);
+    assert!(page.out.lines().all(|line| line.chars().count() <= 80), "{}", page.out);
+    // With an assumed onset each single test has a stiffness as well; without any, none has.
+    let assumed = doubted(&class("").replace("b0 =", "onset ="));
+    assert_eq!(assumed["pooled"].as_array().map(Vec::len), Some(2));
+    let free = class("").replace("b0 = \"2 m/s\"\n", "");
+    let run = run_with_input(&["stiffness", "-", "--format", "json"], &free);
+    assert!(run.status < 2 && !run.out.contains("\"pooled\""), "{}", run.out);
+}
+
+#[test]
+fn a_held_b0_fits_d1_alone() {
+    let held = example("malibu.toml").replace("onset =", "b0 =");
+    let document = json(&held);
+    let fits = document["fits"].as_array().expect("fits");
+    assert_eq!(fits.len(), 2);
+    for (fit, alone) in fits.iter().zip(["on_mean_depth", "on_profile"]) {
+        for key in ["d0", "d1", "A", "B", "G"] {
+            assert!((number(&fit[key]) / number(&document["tests"][0][alone][key]) - 1.0).abs() < 1e-9, "{alone} {key}: {fit}");
+        }
+        assert_eq!((fit["degrees_of_freedom"].as_u64(), &fit["covariance"]), (Some(0), &Value::Null));
+    }
+    // Three tests of one car by hand: d1 = Σ C (E* − d0)/Σ C² where the tests weigh alike.
+    let bare: String = example("struble-welsh.toml")
+        .lines()
+        .filter(|line| !line.contains("_sd") && !line.contains("scatter"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let series = json(&bare.replace("[fit]", "[fit]\nb0 = \"10 ft/s\""));
+    let onset = 10.0 * (101.91_f64 / 5.0).sqrt();
+    let (depths, intensities) = ([0.1062, 0.5203, 1.0768], [73.9587, 150.8325, 223.6984]);
+    let squares: f64 = depths.iter().map(|depth| depth * depth).sum();
+    let slope = depths.iter().zip(intensities).map(|(depth, intensity)| depth * (intensity - onset)).sum::<f64>() / squares;
+    let fit = &series["fits"][0];
+    assert!(
+        (number(&fit["d0"]) / ROOT_POUND / onset - 1.0).abs() < 1e-6 && (number(&fit["d1"]) / ROOT_POUND * 0.3048 - slope).abs() < 0.01,
+        "{fit}"
+    );
+    let covariance = &fit["covariance"];
+    assert_eq!((fit["degrees_of_freedom"].as_u64(), number(&covariance["d0_sd"]), number(&covariance["correlation"])), (Some(2), 0.0, 0.0));
+    // Vehicles of other masses per width have no common fit.
+    let document = json(&class("scatter = 10"));
+    assert_eq!(document["fits"], serde_json::json!([]));
+    assert!(document["messages"].as_array().expect("messages").iter().any(|message| message["code"] == "onset-of-each"));
+    let both = run_with_input(&["stiffness", "-"], &held.replace("\nb0 =", "\nonset = 2\nb0 ="));
+    assert!(both.status == 2 && both.err.contains("fit.b0: `onset` and `b0` exclude each other"), "{}", both.err);
+}
+
+#[test]
+fn a_rebound_speed_gives_the_restitution() {
+    let by_speed = example("malibu.toml").replace("restitution = 0\n", "rebound_speed = \"1.95 m/s\"\n");
+    assert!(by_speed.contains("rebound_speed"));
+    let document = json(&by_speed);
+    let (speed, rebound) = (15.6_f64, 1.95_f64);
+    assert!((number(&document["tests"][0]["restitution"]) - rebound / speed).abs() < 1e-15);
+    let energy = 0.5 * 1779.0 * (speed * speed - rebound * rebound);
+    assert!((number(&document["tests"][0]["crush_energy"]) / energy - 1.0).abs() < 1e-12);
+    let refused = |from: &str, to: &str| run_with_input(&["stiffness", "-"], &by_speed.replace(from, to)).err;
+    assert!(
+        refused("1.95 m/s", "15.7 m/s")
+            .contains("vehicle.1.test.1.rebound_speed: it is 15.7 m/s; it must not be above the speed of the test")
+    );
+    assert!(refused("1.95 m/s", "-1 m/s").contains("below zero"));
+    assert!(refused("rebound_speed", "restitution = 0.1\nrebound_speed").contains("`restitution` and `rebound_speed` exclude each other"));
 }

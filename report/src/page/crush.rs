@@ -4,6 +4,8 @@ use planar_impact_app::crush::{CrushAnswer, Stiffness, VehicleCrush};
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::units::{Measure, Units};
 
+use planar_impact::crush::MOST_FORCE_IMBALANCE;
+
 use super::{Facts, NAME_WIDTH, heads};
 use crate::block::{Block, Table};
 
@@ -12,7 +14,16 @@ impl Facts for CrushAnswer {
         let mut blocks = vec![vehicles(self, units).into()];
         blocks
             .extend(self.vehicles.iter().flatten().filter(|vehicle| !vehicle.zones.is_empty()).map(|vehicle| zones(vehicle, units).into()));
-        blocks.push(Block::paragraph("E_C = d0^2 K1 + d0 d1 K2 + d1^2 K3, with the depth linear between two stations."));
+        blocks.push(Block::paragraph(
+            "E_C = d0^2 K1 + d0 d1 K2 + d1^2 K3, with the depth linear between two stations. The normal force is the integral of A + B C over the \
+             width; at the PDOF it is divided by the cosine of the angle from the perpendicular of the surface, as in CRASH3.",
+        ));
+        blocks.extend(self.force_imbalance.map(|imbalance| {
+            let (percent, most) = (100.0 * imbalance, 100.0 * MOST_FORCE_IMBALANCE);
+            Block::paragraph(format!(
+                "Balance of crush forces: the larger exceeds the smaller by {percent:.0} %; EDCRASH's diagnostics accept {most:.0} %."
+            ))
+        }));
         blocks
     }
 }
@@ -54,6 +65,7 @@ fn vehicles(answer: &CrushAnswer, units: Units) -> Table {
         moment("K1 = w/2", 1),
         moment("K2", 2),
         moment("K3", 3),
+        row("form factor", "", &|vehicle| vehicle.form_factor.map_or("-".to_owned(), |factor| units.number(Measure::Ratio, factor, 0.0))),
     ];
     for (name, measure, value) in FORMS {
         rows.push(row(name, units.unit(measure), &|vehicle| {
@@ -65,6 +77,13 @@ fn vehicles(answer: &CrushAnswer, units: Units) -> Table {
             vehicle.saturation.map_or("-".to_owned(), |depth| units.number(Measure::Length, depth, 0.0))
         }));
     }
+    let known = |what: &str, measure: Measure, value: fn(&VehicleCrush) -> Option<f64>| {
+        row(what, units.unit(measure), &|vehicle| value(vehicle).map_or("-".to_owned(), |value| units.number(measure, value, 0.0)))
+    };
+    rows.push(known("crush force, normal", Measure::Force, |vehicle| vehicle.crush_force));
+    rows.push(known("             at the PDOF", Measure::Force, |vehicle| vehicle.crush_force_at_pdof));
+    rows.push(known("PDOF, clockwise from ahead", Measure::Angle, |vehicle| vehicle.pdof));
+    rows.push(row("surface", "", &|vehicle| vehicle.surface.unwrap_or("-").to_owned()));
     rows.push(of("crush energy E_C", Measure::Energy, |vehicle| vehicle.crush_energy));
     rows.push(of("equivalent energy speed", Measure::Speed, |vehicle| vehicle.equivalent_energy_speed));
     rows.extend(units.on_the_road(Measure::Speed).map(|road| of("", road, |vehicle| vehicle.equivalent_energy_speed)));

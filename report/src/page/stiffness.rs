@@ -1,5 +1,6 @@
 //! The page of `stiffness`.
 
+use planar_impact_app::message::Sentence;
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::stiffness::{Fit, Forms, StiffnessAnswer, Test};
 use planar_impact_app::units::{Measure, Units};
@@ -11,9 +12,13 @@ impl Facts for StiffnessAnswer {
     /// The tests, the stiffness from each alone and from all, with its uncertainty.
     fn blocks(&self, units: Units) -> Vec<Block> {
         let page = Page { answer: self, units };
-        let mut blocks = vec![page.tests().into()];
+        let headline = |headline: &Sentence| Block::item("! ", format!("{}.", units.sentence(&headline.0)));
+        let mut blocks: Vec<Block> = self.headlines.iter().map(headline).collect();
+        blocks.push(page.tests().into());
         blocks.extend(page.alone().map(Block::from));
-        blocks.extend(page.fits());
+        blocks.extend(page.fits(&self.fits, "fitted on"));
+        blocks.extend(page.fits(&self.fits_as_new_cars, "as new cars, on"));
+        blocks.extend(page.pooled());
         blocks
     }
 }
@@ -89,31 +94,57 @@ impl Page<'_> {
         Table::new(header, "lrrrrr", rows).narrow()
     }
 
-    fn fits(&self) -> Vec<Block> {
-        let fits = &self.answer.fits;
+    fn fits(&self, fits: &[Fit], what: &str) -> Vec<Block> {
         let Some(first) = fits.first() else { return Vec::new() };
         let forms = fits.iter().map(|fit| self.forms(fit.model, &fit.forms)).collect();
         let header = std::iter::once("fit").chain(fits.iter().map(|fit| fit.model));
         let uncertainty = match &first.covariance {
             Some(covariance) => format!("; ± is one standard deviation, by the {}", covariance.basis),
-            None => "; two tests without standard deviations do not give their scatter".to_owned(),
+            None => "; as many tests as coefficients, without standard deviations, do not give their scatter".to_owned(),
         };
         let mut blocks = vec![
-            self.table_of_forms("fitted on", forms).into(),
-            Table::new(header, "lrr", self.estimates(first)).into(),
+            self.table_of_forms(what, forms).into(),
+            Table::new(header, "lrr", self.estimates(fits, first)).into(),
             Block::paragraph(format!("Weighted least squares of E* = sqrt(2 E_C/w) against the crush{uncertainty}.")),
         ];
         for fit in fits {
-            let item = |text: String| Block::item("! ", format!("fitted on {}: {text}.", fit.model));
+            let item = |text: String| Block::item("! ", format!("{what} {}: {text}.", fit.model));
             blocks.extend(fit.findings.iter().map(|finding| item(self.units.sentence(&finding.0))));
         }
         blocks
     }
 
-    fn estimates(&self, first: &Fit) -> Vec<Vec<String>> {
-        let row = |what: String, value: &dyn Fn(&Fit) -> String| -> Vec<String> {
-            std::iter::once(what).chain(self.answer.fits.iter().map(value)).collect()
+    /// Renders the stiffness of the class, and of each vehicle in it.
+    fn pooled(&self) -> Vec<Block> {
+        let (onset, slope) = (Measure::RootForce, Measure::RootForcePerLength);
+        let with_sd = |measure, value, sd| match sd {
+            0.0 => self.number(measure, value),
+            sd => format!("{} ± {}", self.number(measure, value), self.number(measure, sd)),
         };
+        let mut blocks: Vec<Block> = Vec::new();
+        for pooled in &self.answer.pooled {
+            let mut rows: Vec<Vec<String>> = pooled
+                .vehicles
+                .iter()
+                .map(|of| vec![shorten(&of.name, 20), with_sd(onset, of.d0, of.d0_sd), with_sd(slope, of.d1, of.d1_sd)])
+                .collect();
+            let (d0, d1) = (&pooled.d0, &pooled.d1);
+            rows.push(vec!["mean of the class".to_owned(), with_sd(onset, d0.mean, d0.mean_sd), with_sd(slope, d1.mean, d1.mean_sd)]);
+            rows.push(vec!["sd between vehicles".to_owned(), self.number(onset, d0.between_sd), self.number(slope, d1.between_sd)]);
+            let header = [format!("class, on {}", pooled.model), self.head("d0", onset), self.head("d1", slope)];
+            blocks.push(Table::new(header, "lrr", rows).into());
+        }
+        if !blocks.is_empty() {
+            let text = "Random effects by Paule and Mandel (1982): d0 and d1 of each vehicle are drawn from a class and known with their own error. Without \
+                        an error of each, the spread between vehicles includes the scatter of their tests.";
+            blocks.push(Block::paragraph(text));
+        }
+        blocks
+    }
+
+    fn estimates(&self, fits: &[Fit], first: &Fit) -> Vec<Vec<String>> {
+        let row =
+            |what: String, value: &dyn Fn(&Fit) -> String| -> Vec<String> { std::iter::once(what).chain(fits.iter().map(value)).collect() };
         let with_sd = |measure, value, sd: Option<f64>| {
             let value = self.number(measure, value);
             sd.map_or(value.clone(), |sd| format!("{value} ± {}", self.number(measure, sd)))

@@ -111,3 +111,32 @@ fn of_flat_profiles_both_models_are_one() {
     assert_relative_eq!(line.covariance.between, profiles.covariance.between, max_relative = 1e-12);
     assert_eq!((line.model, profiles.model), (CrushModel::MeanDepth, CrushModel::Profile));
 }
+
+#[test]
+fn with_its_onset_held_a_fit_has_one_coefficient() {
+    // By hand: depths 1, 2 with deviations 1, 2 above an onset of 4: d1 = (6 + 2 · 16/4)/(1 + 4/4) = 7, variance ½, and residuals −1 and 2.
+    let observations = Observations::independent(&[flat(1.0, 10.0, 1.0), flat(2.0, 20.0, 2.0)]).expect("good numbers");
+    for model in [CrushModel::MeanDepth, CrushModel::Profile] {
+        let fit = StiffnessFit::with_onset(&observations, 4.0, model).expect("two depths");
+        assert_relative_eq!(fit.stiffness.slope, 7.0, max_relative = 1e-14);
+        assert_eq!((fit.stiffness.onset, fit.covariance.onset, fit.covariance.between, fit.degrees_of_freedom), (4.0, 0.0, 0.0, 1));
+        assert_relative_eq!(fit.covariance.slope, 0.5, max_relative = 1e-14);
+        assert_relative_eq!(fit.chi_square, 2.0, max_relative = 1e-13);
+    }
+    let uneven = [(0.2, 0.9, 7.0), (0.5, 0.1, 4.0), (1.2, 0.4, 11.0)].map(|(one, other, intensity)| Observation {
+        crush: ProfileMoments::of(2.0, &[one, other]).expect("two depths"),
+        intensity,
+        deviation: 1.0,
+    });
+    let observations = Observations::independent(&uneven).expect("good numbers");
+    let best = StiffnessFit::with_onset(&observations, 3.0, CrushModel::Profile).expect("it converges");
+    let chi_square = |slope: f64| {
+        let intensity = |crush: &ProfileMoments| (CrushStiffness { onset: 3.0, slope }.crush_energy(*crush) / crush.first).sqrt();
+        uneven.iter().map(|each| (each.intensity - intensity(&each.crush)).powi(2)).sum::<f64>()
+    };
+    let slope = best.stiffness.slope;
+    assert_relative_eq!(best.chi_square, chi_square(slope), max_relative = 1e-12);
+    assert!(chi_square(slope + 1e-4) > best.chi_square && chi_square(slope - 1e-4) > best.chi_square);
+    let none = Observations::independent(&[flat(0.0, 10.0, 1.0)]).expect("good numbers");
+    assert_eq!(StiffnessFit::with_onset(&none, 4.0, CrushModel::MeanDepth).expect_err("no depth").len(), 1);
+}

@@ -1,6 +1,7 @@
 //! Forces implied by the crush of the two vehicles.
 
 use super::{Damage, Figure, Finding, Limit, Meaning, Question};
+use crate::crush::{MOST_FORCE_IMBALANCE, force_factor, force_imbalance};
 use crate::frame::Xy;
 use crate::impact::ForceDirection;
 use crate::reconstruct::Solution;
@@ -12,7 +13,7 @@ const NEEDS_BOTH: &str = "not checked: it needs the crush of two vehicles, with 
 
 /// Checks Newton's third law: the forces at the end of both crushes are the same.
 pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Finding {
-    let limit = Limit::AtMost(Figure::Share(1.0));
+    let limit = Limit::AtMost(Figure::Share(MOST_FORCE_IMBALANCE));
     let source = "EDCRASH's run-time diagnostics: 100 %, here of the smaller force";
     let forces = damage.map(|damage| damage.and_then(|damage| Some((damage, damage.force?))));
     let [Some(one), Some(two)] = forces else { return Finding::not_checked(Question::ForceBalance, limit, source, NEEDS_BOTH) };
@@ -20,7 +21,6 @@ pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Find
         // The force along the surface adds to the force normal to it.
         normal * slant(solution, party, &damage)
     });
-    let (less, more) = (principal[0].min(principal[1]), principal[0].max(principal[1]));
     let stiffer = if principal[0] > principal[1] { 1 } else { 2 };
     let meaning = Meaning::of("the crush of vehicle 1 implies ")
         .figure(Figure::Force(principal[0]))
@@ -30,7 +30,7 @@ pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Find
             "; the forces are one and the same, so where they differ much, stiffness or depths are wrong: those of vehicle {stiffer} are too large or those of the other \
              too small"
         ));
-    Finding::new(Question::ForceBalance, Figure::Share((more - less) / less), limit, source, meaning)
+    Finding::new(Question::ForceBalance, Figure::Share(force_imbalance(principal)), limit, source, meaning)
 }
 
 /// Returns 1/cos α of the force on a vehicle, α from the normal of the crushed surface, for which the crush plane is used because the forces of both are
@@ -38,7 +38,7 @@ pub(super) fn balance(solution: &Solution, damage: &[Option<Damage>; 2]) -> Find
 fn slant(solution: &Solution, party: &Party, damage: &Damage) -> f64 {
     let along = |force: Xy| {
         let contact = solution.collision.crush_plane.to_contact(force);
-        contact.length() / contact.n.abs()
+        force_factor(contact.n.abs(), contact.length())
     };
     let read_off = damage.force_direction.and_then(|origin| push(party, origin));
     let slant = along(read_off.unwrap_or(solution.impact.impulse_on_ground));

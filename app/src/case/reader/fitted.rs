@@ -1,7 +1,7 @@
 //! The key `stiffness.tests`: a stiffness that is fitted to the barrier tests of another file, with its covariance.
 
 use planar_impact::Distribution;
-use planar_impact::barrier::{CrushModel, FitFinding, StiffnessFit};
+use planar_impact::barrier::{CrushModel, StiffnessFit};
 use planar_impact::crush::CrushStiffness;
 
 use super::CaseReader;
@@ -12,7 +12,7 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::source::Source;
-use crate::stiffness::{TestFile, message};
+use crate::stiffness::{TestFile, is_negative, message};
 use crate::units::{Measure, Units};
 
 /// A stiffness fitted to the tests of a file, and what has it.
@@ -50,7 +50,6 @@ impl CaseReader {
             }
         };
         known.of.push((of, key.clone()));
-        let is_negative = |finding: &FitFinding| matches!(finding, FitFinding::NegativeOnset(_) | FitFinding::NegativeSlope(_));
         if let Some(finding) = known.fit.findings().into_iter().find(is_negative) {
             place.report(Units::Si.sentence(&message(&finding)), Some("`planar-impact stiffness` shows the fit".to_owned()));
             return None;
@@ -59,7 +58,7 @@ impl CaseReader {
         let CrushStiffness { onset, slope } = known.fit.stiffness;
         if known.is_uncertain {
             let sds = [known.fit.onset().deviation(), known.fit.slope().deviation()];
-            for ((parameter, nominal), sd) in of.into_iter().zip([onset, slope]).zip(sds) {
+            for ((parameter, nominal), sd) in of.into_iter().zip([onset, slope]).zip(sds).filter(|(_, sd)| *sd > 0.0) {
                 let distribution = Distribution::Normal { mean: nominal, sd };
                 self.uncertain.borrow_mut().push(UncertainInput { parameter, key: key.clone(), nominal, distribution, values: None });
             }
@@ -102,6 +101,9 @@ impl FittedToTests {
         let between = self.fit.covariance.correlation();
         let inputs: Vec<(usize, Parameter, &str)> =
             self.of.iter().flat_map(|(of, key)| of.iter().enumerate().map(move |(i, parameter)| (i, *parameter, key.as_str()))).collect();
+        // A d0 that is held is certain.
+        let is_held = self.fit.covariance.onset <= 0.0;
+        let inputs: Vec<_> = inputs.into_iter().filter(|(i, ..)| !is_held || *i == 1).collect();
         let pairs = inputs.iter().enumerate().flat_map(|(i, one)| inputs[i + 1..].iter().map(move |other| (one, other)));
         pairs
             .map(|(one, other)| InputCorrelation {

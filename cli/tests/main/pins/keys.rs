@@ -53,6 +53,10 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
     all.extend(uncertain.map(|case| ("uncertainty", document("uncertainty", &case, &options))));
     all.extend(["malibu", "struble-welsh"].map(|name| ("stiffness", document("stiffness", &case(&format!("tests/{name}.toml")), &[]))));
     let printed = |arguments: &[&str]| serde_json::from_str::<Value>(&run(&workspace(), arguments).out).expect("JSON");
+    all.extend(
+        ["new_cars_as_one", "negative_A"]
+            .map(|name| ("stiffness", printed(&["stiffness", &format!("cli/tests/reproducers/{name}.toml"), "--format", "json"]))),
+    );
     for (verb, format) in [("check", "json"), ("sarif", "sarif")] {
         all.extend(RECORDS.map(|name| (verb, printed(&["check", &format!("cli/examples/check/{name}"), "--format", format]))));
     }
