@@ -16,6 +16,7 @@ from scipy import stats
 SAMPLES = 2_000_000
 PAIRS = 400_000
 BATCHES = 50
+SUBSETS = 50_000
 QUANTILES = (0.025, 0.25, 0.5, 0.75, 0.975)
 SEED = 20240607
 
@@ -306,7 +307,53 @@ def proportion(count, n):
     return [float(p), float(math.sqrt(max(p * (1 - p), 1 / n) / n))]
 
 
-def reference(made, of, probabilities, correlations=(), sobol=True, second_order=True):
+def shapley_effects(case, names, numbers, correlations, of, centers):
+    """The Shapley effects of all inputs on each output, by every subset of them.
+
+    The value of a subset is the covariance of two outputs that have it in common, and all else independent of each other given it.
+    """
+    rng = np.random.default_rng(SEED + 1)
+    n, factor = len(names), factor_of(names, correlations)
+    matrix, scores = factor @ factor.T, rng.standard_normal((SUBSETS, len(names))) @ factor.T
+
+    def run(z):
+        drawn = {name: numbers[name].shape.ppf(stats.norm.cdf(z[:, i])) for i, name in enumerate(names)}
+        outputs, bad = collide(case, drawn)
+        assert not bad, "a case with effects is refused nowhere"
+        return np.array([about(outputs[output], centers[output], output.endswith("pdof")) - centers[output] for output in of])
+
+    first = run(scores)
+    first_mean = first.mean(axis=1, keepdims=True)
+    added = np.zeros((n, len(of), SUBSETS))
+    for subset in range(1, 1 << n):
+        inside = [i for i in range(n) if subset >> i & 1]
+        outside = [i for i in range(n) if not subset >> i & 1]
+        if outside:
+            known = np.linalg.solve(matrix[np.ix_(inside, inside)], matrix[np.ix_(inside, outside)]).T
+            rest = np.linalg.cholesky(matrix[np.ix_(outside, outside)] - known @ matrix[np.ix_(inside, outside)])
+            other = scores.copy()
+            other[:, outside] = scores[:, inside] @ known.T + rng.standard_normal((SUBSETS, len(outside))) @ rest.T
+            second = run(other)
+        else:
+            second = first
+        value = (first - first_mean) * (second - second.mean(axis=1, keepdims=True))
+        size = len(inside)
+        for i in range(n):
+            if i in inside:
+                added[i] += value * (math.factorial(size - 1) * math.factorial(n - size) / math.factorial(n))
+            else:
+                added[i] -= value * (math.factorial(size) * math.factorial(n - size - 1) / math.factorial(n))
+    variance = first.var(axis=1)
+    found = {}
+    for k, output in enumerate(of):
+        spread = (first[k] - first_mean[k]) ** 2
+        effects = added[:, k].mean(axis=1) / variance[k]
+        errors = (added[:, k] - effects[:, None] * spread).std(axis=1) / math.sqrt(SUBSETS) / variance[k]
+        found[output] = {name: [float(effects[i]), float(errors[i])] for i, name in enumerate(names)}
+    return found
+
+
+def reference(made, of, probabilities, correlations=(), sobol=True, second_order=True, shapley=False):
     rng = np.random.default_rng(SEED)
     case, numbers = numbers_of(made)
     names = list(numbers)
@@ -392,6 +439,10 @@ def reference(made, of, probabilities, correlations=(), sobol=True, second_order
                                   for p, q, r in zip(*(np.array_split(x, BATCHES) for x in (u, v, w)))])
                 mean, error = parts.mean(axis=0), parts.std(axis=0, ddof=1) / math.sqrt(BATCHES)
                 answer["of"][output]["sobol"][name] = {"first": [float(mean[0]), float(error[0])], "total": [float(mean[1]), float(error[1])]}
+    if shapley:
+        centers = {output: answer["of"][output]["linear"]["mean"] for output in of}
+        for output, effects in shapley_effects(case, names, numbers, correlations, of, centers).items():
+            answer["of"][output]["shapley"] = effects
     file = {"schema": 1, "title": made["title"], **({"correlation": [list(pair) for pair in correlations]} if correlations else {}),
             "vehicle": written(made["vehicle"]), "contact": written(made["contact"])}
     print(json.dumps({"case": file, **answer}, ensure_ascii=False), flush=True)
@@ -425,7 +476,7 @@ def main():
         "contact": {"crush_plane": normal(4, 3, "deg", DEG), "restitution": truncated(0.1, 0.08, 0, 0.4, "")}},
         [one, two, "energy.loss"], [(two, "km/h", KMH, 36, ">")],
         [("vehicle.1.mass", "vehicle.2.mass", 0.7), ("vehicle.1.speed", "vehicle.2.speed", -0.6), ("vehicle.1.mass", "contact.restitution", 0.3)],
-        sobol=False)
+        sobol=False, shapley=True)
     # Some per cent refused: a restitution below nothing, a pair that separates.
     reference({"title": "near refusal", "vehicle": [
         {"mass": normal(1500, 80, "kg"), "radius_of_gyration": m(1.35), "heading": deg(0), "speed": normal(60, 4, "km/h", KMH),

@@ -7,7 +7,7 @@ use plotters::prelude::{Color, LineSeries, PathElement, RGBColor, Rectangle, Sha
 
 use planar_impact_app::case::CaseOutput;
 use planar_impact_app::issue::Issues;
-use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Uncertainty, ends};
+use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Share, Uncertainty, ends};
 use planar_impact_app::units::trim;
 use planar_impact_app::{Answer, Units};
 
@@ -60,8 +60,8 @@ impl Panel<'_> {
 
     /// Returns the height of the density and the bars, of which bounds have neither.
     fn density_height(&self) -> u32 {
-        let OutputUncertainty { linear, monte_carlo, sobol, .. } = self.found;
-        if linear.is_some() || monte_carlo.is_some() || sobol.is_some() { DENSITY } else { 0 }
+        let OutputUncertainty { linear, monte_carlo, sobol, shapley, .. } = self.found;
+        if linear.is_some() || monte_carlo.is_some() || sobol.is_some() || shapley.is_some() { DENSITY } else { 0 }
     }
 
     /// Returns what each chart of intervals shows, and its rows.
@@ -155,16 +155,21 @@ impl Panel<'_> {
     /// Draws the share of each input in the variance, the greatest first.
     fn bars(&self, area: &Area<'_>) -> Drawn {
         let fine = px(1) as i32;
-        let mut shares: Vec<(&str, f64, Option<f64>)> = match (&self.found.sobol, &self.found.linear) {
-            (Some(sobol), _) => sobol.iter().map(|(name, share)| (name, share.total, Some(share.first))).collect(),
-            (None, Some(linear)) => linear.shares.iter().map(|(name, share)| (name, *share, None)).collect(),
-            (None, None) => return Ok(()),
+        let OutputUncertainty { linear, sobol, shapley, .. } = self.found;
+        let (title, mut shares): (_, Vec<(_, f64, Option<f64>)>) = if let Some(sobol) = sobol {
+            let share = |(name, share): (_, &Share)| (name, share.total, Some(share.first));
+            ("share of the variance: alone, with others", sobol.iter().map(share).collect())
+        } else if let Some(shapley) = shapley {
+            ("share of the variance: Shapley effects", shapley.iter().map(|(name, found)| (name, found.effect, None)).collect())
+        } else if let Some(linear) = linear {
+            ("share of the variance, linear", linear.shares.iter().map(|(name, share)| (name, *share, None)).collect())
+        } else {
+            return Ok(());
         };
         shares.retain(|(_, share, _)| share.is_finite());
         shares.sort_by(|one, other| other.1.abs().total_cmp(&one.1.abs()));
         let hidden = shares.len().saturating_sub(MOST_BARS);
         shares.truncate(MOST_BARS);
-        let title = if self.found.sobol.is_some() { "share of the variance: alone, with others" } else { "share of the variance, linear" };
         write(area, title, 15, (16, 12))?;
         for (row, (name, share, alone)) in shares.iter().enumerate() {
             let y = 40 + 26 * row as i32;

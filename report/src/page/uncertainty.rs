@@ -100,6 +100,16 @@ pub(crate) fn percent(share: f64) -> String {
     }
 }
 
+/// Returns the greatest of some standard errors; `None` without any.
+fn worst(errors: impl Iterator<Item = f64>) -> Option<f64> {
+    errors.map(|error| if error.is_finite() { error } else { 0.0 }).reduce(f64::max)
+}
+
+/// Says how precise some parts of the variance are.
+fn said(what: &str, worst: f64) -> Block {
+    Block::item("- ", format!("{what} have standard errors of at most {}.", percent(worst)))
+}
+
 /// Returns the words of an end of a guaranteed range.
 pub(crate) fn end(si: f64, quantity: impl FnOnce() -> String) -> String {
     if si.is_finite() { quantity() } else { "no limit that is proven".to_owned() }
@@ -196,37 +206,38 @@ impl Shown<'_> {
     }
 
     fn inputs(&self) -> Vec<Block> {
-        let (linear, sobol) = (&self.found.linear, &self.found.sobol);
-        let total = |name: &str| sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.total);
+        let OutputUncertainty { linear, sobol, shapley, .. } = self.found;
         let share = |name: &str| linear.as_ref().and_then(|linear| linear.shares.get(name)).copied();
+        let of_sobol = |name: &str| sobol.as_ref().and_then(|shares| shares.get(name));
+        let effect = |name: &str| shapley.as_ref().and_then(|effects| effects.get(name)).map(|found| found.effect);
+        let total = |name: &str| of_sobol(name).map(|found| found.total);
+        let cell = |share: Option<f64>| share.map_or_else(String::new, percent);
+        let halved = |name: &str| linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map(|sd| self.number(*sd));
+        type Column<'a> = (&'static str, bool, &'a dyn Fn(&str) -> String);
+        let columns: [Column<'_>; 5] = [
+            ("linear", linear.is_some(), &|name| cell(share(name))),
+            ("sd if halved", linear.is_some(), &|name| halved(name).unwrap_or_default()),
+            ("alone", sobol.is_some(), &|name| cell(of_sobol(name).map(|found| found.first))),
+            ("with others", sobol.is_some(), &|name| cell(total(name))),
+            ("Shapley", shapley.is_some(), &|name| cell(effect(name))),
+        ];
+        let columns: Vec<Column<'_>> = columns.into_iter().filter(|(_, is_there, _)| *is_there).collect();
+        if columns.is_empty() {
+            return Vec::new();
+        }
         let mut names: Vec<&str> = self.all.inputs.iter().map(|(name, _)| name).collect();
-        let size = |name: &str| total(name).or(share(name)).filter(|size| !size.is_nan()).unwrap_or(0.0);
+        let size = |name: &str| total(name).or(effect(name)).or(share(name)).filter(|size| !size.is_nan()).unwrap_or(0.0);
         names.sort_by(|one, other| size(other).abs().total_cmp(&size(one).abs()));
         let hidden = names.len().saturating_sub(SHOWN);
         names.truncate(SHOWN);
-        let cell = |share: Option<f64>| share.map_or_else(String::new, percent);
-        let row = |name: &&str| {
-            let alone = sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.first);
-            let halved = linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map_or_else(String::new, |sd| self.number(*sd));
-            let of_derivatives = linear.is_some().then(|| [cell(share(name)), halved]).into_iter().flatten();
-            let of_samples = sobol.is_some().then(|| [cell(alone), cell(total(name))]).into_iter().flatten();
-            iter::once((*name).to_owned()).chain(of_derivatives).chain(of_samples).collect()
-        };
-        let rows: Vec<Vec<String>> = names.iter().map(row).collect();
-        let (header, columns): (&[&str], &str) = match (linear, sobol) {
-            (None, None) => return Vec::new(),
-            (Some(_), None) => (&["share of the variance", "linear", "sd if halved"], "lrr"),
-            (None, Some(_)) => (&["share of the variance", "alone", "with others"], "lrr"),
-            (Some(_), Some(_)) => (&["share of the variance", "linear", "sd if halved", "alone", "with others"], "lrrrr"),
-        };
-        let table = Table::new(header.iter().map(|name| (*name).to_owned()), columns, rows).narrow();
-        let mut blocks = vec![table.into()];
+        let row = |name: &&str| iter::once((*name).to_owned()).chain(columns.iter().map(|(_, _, cell)| cell(name))).collect();
+        let header = iter::once("share of the variance").chain(columns.iter().map(|(name, ..)| *name)).map(str::to_owned);
+        let align = format!("l{}", "r".repeat(columns.len()));
+        let mut blocks = vec![Table::new(header, &align, names.iter().map(row).collect()).narrow().into()];
         let errors = sobol.iter().flat_map(|shares| shares.iter()).flat_map(|(_, share)| [share.first_se, share.total_se]);
-        let worst = errors.filter(|error| error.is_finite()).fold(0.0, f64::max);
-        if sobol.is_some() {
-            let text = format!("Shares alone and with others have standard errors of at most {}.", percent(worst));
-            blocks.push(Block::item("- ", text));
-        }
+        blocks.extend(worst(errors).map(|worst| said("Shares alone and with others", worst)));
+        let errors = shapley.iter().flat_map(|effects| effects.iter()).map(|(_, effect)| effect.se);
+        blocks.extend(worst(errors).map(|worst| said("Shapley effects", worst)));
         if hidden > 0 {
             blocks.push(Block::item("", format!("{hidden} more inputs have smaller shares (--format json).")));
         }

@@ -233,6 +233,10 @@ fn figure<'a>(output: &'a Value, method: &str, name: &str) -> (&'a Value, &'a Va
             let share = &output["sobol"][input.trim_start_matches("of ")];
             (&share[kind], &share[format!("{kind}_se")])
         }
+        ("shapley", Some(("effect", input))) => {
+            let found = &output["shapley"][input.trim_start_matches("of ")];
+            (&found["effect"], &found["se"])
+        }
         ("bounds", _) => (&output["bounds"][name.replace(' ', "_")], NONE),
         _ => panic!("{method} has no figure {name}"),
     }
@@ -259,7 +263,7 @@ fn every_number_of_the_table() {
             assert_eq!(rows.len(), wanted, "a row for each number");
             for row in &rows {
                 let what = row.iter().collect::<Vec<_>>().join(",");
-                let is_share = row[3].contains("share of ") || &row[2] == "sobol" || &row[3] == "skewness";
+                let is_share = row[3].contains("share of ") || ["sobol", "shapley"].contains(&&row[2]) || &row[3] == "skewness";
                 assert!(!is_share || row[1].is_empty(), "{what}");
                 let (value, error) = if &row[3] == "probability" {
                     let probability = &answer["probabilities"][&row[0]];
@@ -277,6 +281,57 @@ fn every_number_of_the_table() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn every_shapley_effect() {
+    let reference = &references("uncertainty.jsonl")[1];
+    assert_eq!(reference["case"]["title"], "correlated");
+    let call = |format: &str| {
+        let methods = "linear,monte-carlo,shapley";
+        let all = ["uncertainty", "-", "--of", "dV1", "--samples", "20000", "--method", methods, "--units", "si", "--format", format];
+        let run = run_with_input(&all, &reference["case"].to_string());
+        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        run.out
+    };
+    let answer: Value = serde_json::from_str(&call("json")).expect("JSON");
+    let (name, output) = object(&answer["of"]).iter().next().expect("an output");
+    let effects = object(&output["shapley"]);
+    close(effects.values().map(|found| number(&found["effect"])).sum(), 1.0, 1e-12, "all of the variance");
+    let page = call("text");
+    let found = tables(&page);
+    let table = found.iter().find(|table| table.head[0] == "share of the variance").expect("a table");
+    assert_eq!(table.head, ["share of the variance", "linear", "sd if halved", "Shapley"]);
+    let rows: Vec<&Vec<String>> = table.rows.iter().filter(|row| effects.contains_key(&row[0])).collect();
+    let size = |row: &[String]| number(&effects[&row[0]]["effect"]).abs();
+    assert!(rows.len() == effects.len() && rows.windows(2).all(|pair| size(pair[0]) >= size(pair[1])), "the greatest first");
+    rows.iter().for_each(|row| hold_percent(&row[3], number(&effects[&row[0]]["effect"]), &row[0]));
+    let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let worst = after(&flat, "Shapley effects have standard errors of at most ").split(' ').next().expect("a word");
+    hold_percent(worst, effects.values().map(|found| number(&found["se"])).fold(0.0, f64::max), "the standard errors");
+    let text = call("csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).records().map(|row| row.expect("a row")).collect::<Vec<_>>();
+    let rows: Vec<&csv::StringRecord> = rows.iter().filter(|row| &row[2] == "shapley").collect();
+    assert_eq!(rows.len(), effects.len());
+    for row in rows {
+        let (effect, error) = figure(&answer["of"][name], &row[2], &row[3]);
+        assert!(row[1].is_empty(), "an effect has no unit");
+        for (cell, want) in [(&row[4], effect), (&row[5], error)] {
+            close(cell.parse().expect("a number"), number(want), 1e-13 * number(want).abs(), &row[3]);
+        }
+    }
+    // Of the chart: a name, and on its line the number.
+    let chart = call("svg");
+    let lines: Vec<&str> = chart.lines().collect();
+    let texts: Vec<(&str, &str)> = lines.windows(2).filter(|pair| pair[0].starts_with("<text")).map(|pair| (pair[0], pair[1])).collect();
+    assert!(texts.iter().any(|(_, words)| *words == "share of the variance: Shapley effects"));
+    for (input, found) in effects {
+        let row = texts.iter().find(|(_, words)| words == input).unwrap_or_else(|| panic!("no bar of {input}"));
+        let cell = texts.iter().find(|(line, words)| {
+            words.ends_with(" %") && attribute(line, "y") == attribute(row.0, "y") && attribute(line, "x") != attribute(row.0, "x")
+        });
+        hold_percent(cell.expect("a number").1, number(&found["effect"]), input);
     }
 }
 
