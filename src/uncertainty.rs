@@ -29,6 +29,7 @@
 //! | how far does the curvature move them, and how skewed is the output | [`Uncertain::second_order`] |
 //! | quantiles, probabilities, densities | [`Uncertain::monte_carlo`] |
 //! | the share of each input in the variance, alone and with others, however curved the output | [`Uncertain::shares`] |
+//! | the part of each number in the variance, correlated or not | [`Uncertain::shapley`] |
 //! | a range that no value leaves, within the limits of the numbers | [`bounds`], [`Uncertain::bounds`] |
 //!
 //! An uncertain number is an input of the collision, or one that inputs follow from ([`Mapping`]); any other function of numbers is a [`Model`]. Correlated numbers have correlated normal scores (a Gaussian
@@ -42,6 +43,7 @@ mod model;
 mod monte_carlo;
 mod number;
 mod points;
+mod shapley;
 mod shares;
 mod tally;
 
@@ -53,6 +55,7 @@ pub use model::{Bend, Mapped, Model, Slope};
 pub use monte_carlo::{Estimated, MonteCarlo, QUANTILES, Sampled, SampledOutput, Threshold};
 pub use number::{UncertainNumber, Values};
 pub use points::Points;
+pub use shapley::ShapleyEffects;
 pub use shares::{Correlated, Share, Shares};
 
 use alloc::vec::Vec;

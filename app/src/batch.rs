@@ -16,7 +16,8 @@ pub use header::Header;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{
-    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, VehicleInputs, Velocity, parameter_of, vehicle_number,
+    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, VehicleInputs, Velocity, parameter_of,
+    vehicle_number,
 };
 use crate::issue::{Issue, Issues};
 use crate::names;
@@ -83,6 +84,7 @@ impl Plan {
         };
         plan.missing(&mut issues);
         plan.impossible(&mut issues);
+        plan.scatter(&mut issues);
         let template = plan.template();
         let setup = template.as_given();
         plan.outputs = names::outputs("--of", &options.of, &setup, &mut issues).unwrap_or_else(|| setup.outputs());
@@ -174,10 +176,15 @@ impl Plan {
         let (contact, default) = (&self.contact, &self.defaults);
         let needed = [
             (contact.crush_plane.is_some() || default.crush_plane.is_some(), "contact.crush_plane"),
-            (contact.restitution.is_some() || default.restitution.is_some(), "contact.restitution"),
+            (contact.restitution.is_some() || default.restitution.is_some() || default.has_curve, "contact.restitution"),
             (contact.ratio.iter().any(Option::is_some) || default.impulse_ratio.is_some(), "contact.impulse_ratio"),
         ];
         issues.extend(needed.into_iter().filter(|(is_there, _)| !is_there).map(|(_, name)| missing(name)));
+        if contact.restitution.is_none() && default.has_curve {
+            let message = "the case gives it over the closing speed, which the rows of a table do not follow";
+            let help = "add the column, or give a number in the case; `uncertainty` and `sweep` follow the curve";
+            issues.push(Issue::at("missing-column", "contact.restitution", message).with_help(help));
+        }
     }
 
     /// Reports columns of what the case does not have.
@@ -195,6 +202,14 @@ impl Plan {
                 };
                 issues.extend(why.map(|why| Issue::at("not-in-case", self.inputs[*column].key.to_string(), why)));
             }
+        }
+    }
+
+    /// Reports the scatter of a restitution over the closing speed, which no row has.
+    fn scatter(&self, issues: &mut Vec<Issue>) {
+        for column in self.inputs.iter().filter(|column| column.key == Key::Parameter(Parameter::RestitutionScatter)) {
+            let message = "the rows of a table do not follow a restitution over the closing speed";
+            issues.push(Issue::at("not-in-case", column.key.to_string(), message).with_help("give `contact.restitution`"));
         }
     }
 
@@ -225,7 +240,7 @@ impl Plan {
             vehicles: [vehicle(0), vehicle(1)],
             contact: ContactInputs {
                 crush_plane: 0.0,
-                restitution: 0.0,
+                restitution: Restitution::Given(0.0),
                 impulse_ratio: given.or(self.defaults.impulse_ratio).unwrap_or(ImpulseRatio::Critical),
                 law: self.defaults.law,
                 moment: moment.or(self.defaults.moment).unwrap_or(Moment::None),
@@ -282,7 +297,8 @@ impl Defaults {
         Defaults {
             vehicles: [vehicle(0, Side::One), vehicle(1, Side::Two)],
             crush_plane: is_known(Input::CrushPlane).then_some(contact.crush_plane),
-            restitution: is_known(Input::Restitution).then_some(contact.restitution),
+            restitution: contact.restitution.given().filter(|_| is_known(Input::Restitution)),
+            has_curve: contact.restitution.given().is_none(),
             impulse_ratio: is_known(Input::ImpulseRatio).then_some(contact.impulse_ratio),
             law: contact.law,
             moment: is_known(Input::Moment).then_some(contact.moment),

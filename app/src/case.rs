@@ -10,6 +10,7 @@ mod outputs;
 mod parameter;
 mod reader;
 mod rest;
+mod restitution;
 mod setup;
 mod uncertain;
 mod vehicle;
@@ -28,6 +29,7 @@ pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutput
 pub use parameter::{Parameter, number as vehicle_number};
 pub(crate) use reader::{CaseReader, one_of};
 pub use rest::{RestInputs, RestOfVehicle};
+pub use restitution::{CurvePoint, Restitution, RestitutionCurve, closing_speed};
 pub use setup::Setup;
 pub(crate) use uncertain::MOST_VALUES;
 pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
@@ -149,6 +151,23 @@ impl Case {
         self.needs(|_| true)
     }
 
+    /// Refuses a case that gives the restitution over the closing speed, for a verb that needs a number.
+    ///
+    /// # Errors
+    ///
+    /// The restitution, with the number that the curve has at the closing speed of the file.
+    pub fn needs_one_restitution(&self) -> Result<(), Issues> {
+        if self.inputs.contact.restitution.given().is_some() {
+            return Ok(());
+        }
+        let path = "contact.restitution";
+        let help = "give a number, here or as an unknown with a range, such as contact.restitution = { start = 0.1, min = 0, max = 0.3 }; \
+                    `uncertainty` and `sweep` follow the curve";
+        let issue =
+            Issue::at("restitution-of-curve", path, "it is given over the closing speed, which is not known before it is solved for");
+        Err(self.unfit([issue.with_help(help)]))
+    }
+
     /// Solves its collision.
     ///
     /// # Errors
@@ -162,7 +181,24 @@ impl Case {
     /// Wraps the facts of a verb that uses one number for each input into an answer, with the notices of the case and further ones.
     pub fn answer<T>(&self, facts: T, further: impl IntoIterator<Item = Notice>) -> Answer<T> {
         let nominal = at_nominal_values(self.uncertain.inputs.iter().map(|input| input.parameter));
-        Answer::new(&self.title, facts, Notices(self.notices.0.iter().cloned().chain(nominal).chain(further).collect()))
+        let notices = self.notices.0.iter().cloned().chain(nominal).chain(self.restitution_of_curve()).chain(further);
+        Answer::new(&self.title, facts, Notices(notices.collect()))
+    }
+
+    /// Returns the notice of a restitution that follows the closing speed: its value, and whether the curve has points about that speed.
+    fn restitution_of_curve(&self) -> Option<Notice> {
+        let Restitution::OfClosingSpeed(curve) = &self.inputs.contact.restitution else { return None };
+        let (speed, [first, last]) = (closing_speed(&self.collision), curve.range());
+        let value = Message::from("contact.restitution is ")
+            .figure(Measure::Ratio, self.collision.restitution)
+            .text(", that of its curve at the closing speed of ")
+            .figure(Measure::Speed, speed);
+        let path = "contact.restitution";
+        if (first..=last).contains(&speed) {
+            return Some(Notice::note("restitution-of-curve", path, value.text("; it follows the inputs that change this speed")));
+        }
+        let range = value.text(", beyond its points from ").figure(Measure::Speed, first).text(" to ").figure(Measure::Speed, last);
+        Some(Notice::warning("restitution-beyond-curve", path, range.text(", where it is constant")))
     }
 
     /// The same case with other values of some parameters, each of which [can be set](Inputs::can_set).

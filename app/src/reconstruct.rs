@@ -68,6 +68,7 @@ impl Default for Options {
 /// Everything wrong with the question, or why no search converges.
 pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
     control.proceed(0, 1)?;
+    case.needs_one_restitution()?;
     let question = Question::of(case)?;
     let statements = Statement::read_all(&options.probabilities, &question)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };

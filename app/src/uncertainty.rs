@@ -22,7 +22,8 @@ use crate::wording;
 use model::CaseModel;
 
 pub use answer::{
-    Bounds, Density, Linear, MonteCarlo, OutputUncertainty, Probability, RefusedSamples, SecondOrder, Share, UncertainNumber, Uncertainty,
+    Bounds, Density, Linear, MonteCarlo, OutputUncertainty, Probability, RefusedSamples, SecondOrder, ShapleyEffect, Share,
+    UncertainNumber, Uncertainty,
 };
 
 /// A way to say how uncertain an output is.
@@ -36,13 +37,15 @@ pub enum Method {
     MonteCarlo,
     /// Shares in the variance, from samples.
     Sobol,
+    /// Parts of the variance, of correlated inputs too, from samples.
+    Shapley,
     /// A guaranteed range.
     Bounds,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Method; 5] = [Method::Linear, Method::SecondOrder, Method::MonteCarlo, Method::Sobol, Method::Bounds];
+    pub const ALL: [Method; 6] = [Method::Linear, Method::SecondOrder, Method::MonteCarlo, Method::Sobol, Method::Shapley, Method::Bounds];
 }
 
 /// What is asked of the uncertain inputs.
@@ -99,6 +102,7 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     question.expand(&mut found);
     question.sample(&mut found, control)?;
     question.share(&mut found, control)?;
+    question.divide(&mut found, control)?;
     question.bound(&mut found, control)?;
     let of = question.outputs.iter().zip(found.of).collect();
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
@@ -297,7 +301,7 @@ impl<'a> Question<'a> {
         }
         let left_out = |reason: String| Notice::note("sobol-left-out", "", format!("the shares of Sobol' are left out: {reason}"));
         if self.infinite().next().is_some() {
-            found.notices.0.push(left_out("an infinite variance has none".to_owned()));
+            found.notices.0.push(left_out(INFINITE.to_owned()));
             return Ok(());
         }
         let groups: Vec<Vec<usize>> = (0..self.parameters.len()).map(|number| vec![number]).collect();
@@ -309,19 +313,16 @@ impl<'a> Question<'a> {
             Ok(shares) => shares,
             Err(library::Correlated(one, other)) => {
                 let (one, other) = (self.parameters[one], self.parameters[other]);
-                found.notices.0.push(left_out(format!("{one} and {other} are correlated, and have no shares of their own")));
+                let reason =
+                    format!("{one} and {other} are correlated, and have no shares of their own; Shapley effects divide what they share");
+                found.notices.0.push(left_out(reason));
                 return Ok(());
             }
         };
         if !control.goes_on(saturated(shares.samples), saturated(samples)) {
             return Err(Issues::interrupted());
         }
-        let refused = shares.refused.samples as f64 / shares.samples as f64;
-        if refused > MOST_REFUSED {
-            let reason = format!(
-                "physics refuses {:.1} % of the samples, which makes the inputs of the others depend on each other",
-                100.0 * refused
-            );
+        if let Some(reason) = too_many_refused(shares.refused.samples, shares.samples) {
             found.notices.0.push(left_out(reason));
             return Ok(());
         }
@@ -335,6 +336,50 @@ impl<'a> Question<'a> {
                 total_at_most: limit.map(|limit| limit.value),
             };
             to.sobol = Some(self.named(shares.iter().zip(limits).map(share)));
+        }
+        Ok(())
+    }
+}
+
+/// Why an infinite variance has no parts.
+const INFINITE: &str = "an infinite variance has none";
+
+/// Returns why the parts of a variance mean nothing, if too many samples are refused.
+fn too_many_refused(refused: u64, samples: u64) -> Option<String> {
+    let share = refused as f64 / samples as f64;
+    let reason =
+        || format!("physics refuses {:.1} % of the samples, which makes the inputs of the others depend on each other", 100.0 * share);
+    (share > MOST_REFUSED).then(reason)
+}
+
+impl Question<'_> {
+    /// Adds the Shapley effects of the inputs: by default only where correlated inputs have no shares of Sobol'.
+    fn divide(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
+        let is_needed = self.options.methods.is_empty() && self.uncertain.is_correlated();
+        if !is_needed && !self.options.methods.contains(&Method::Shapley) {
+            return Ok(());
+        }
+        let mut leave_out = |reason: &str| {
+            found.notices.0.push(Notice::note("shapley-left-out", "", format!("the Shapley effects are left out: {reason}")));
+        };
+        if self.infinite().next().is_some() {
+            leave_out(INFINITE);
+            return Ok(());
+        }
+        // A fifth of the samples, each with its steps.
+        let samples = (self.options.samples / 5).max(1).saturating_mul(1 + self.parameters.len() as u64);
+        let goes_on = |done: u64| control.goes_on(saturated(done), saturated(samples));
+        let effects = self.uncertain.shapley_while(&self.outputs, samples, self.options.seed, &goes_on);
+        if !control.goes_on(saturated(effects.samples), saturated(samples)) {
+            return Err(Issues::interrupted());
+        }
+        if let Some(reason) = too_many_refused(effects.refused.samples, effects.samples) {
+            leave_out(&reason);
+            return Ok(());
+        }
+        for (effects, to) in effects.outputs.iter().zip(&mut found.of) {
+            let effect = |effect: &Estimated| ShapleyEffect { effect: effect.value, se: effect.standard_error };
+            to.shapley = Some(self.named(effects.iter().map(effect)));
         }
         Ok(())
     }

@@ -212,6 +212,8 @@ pub enum UncertaintyMethod {
     MonteCarlo,
     /// The share of each input in the variance, from samples.
     Sobol,
+    /// The part of each input in the variance, correlated or not, from samples.
+    Shapley,
     /// A guaranteed range within the limits of the inputs.
     Bounds,
 }

@@ -152,6 +152,7 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         UncertaintyMethod::SecondOrder => uncertainty::Method::SecondOrder,
         UncertaintyMethod::MonteCarlo => uncertainty::Method::MonteCarlo,
         UncertaintyMethod::Sobol => uncertainty::Method::Sobol,
+        UncertaintyMethod::Shapley => uncertainty::Method::Shapley,
         UncertaintyMethod::Bounds => uncertainty::Method::Bounds,
     };
     let options = uncertainty::Options {

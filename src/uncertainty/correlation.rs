@@ -69,7 +69,8 @@ impl Correlation {
             }
             (coefficients[one][other], coefficients[other][one]) = (r, r);
         }
-        let factor = factor(&coefficients)?;
+        let (factor, sound) = factor(numbers, |i, k| coefficients[i][k]);
+        sound?;
         Ok(Correlation { coefficients, factor })
     }
 
@@ -86,6 +87,12 @@ impl Correlation {
     #[inline(always)]
     pub(super) fn score(&self, number: usize, independent: impl Fn(usize) -> f64) -> f64 {
         self.factor[number][..=number].iter().enumerate().map(|(k, entry)| entry * independent(k)).sum()
+    }
+
+    /// Returns the factor for the numbers in another order, in which each has a place.
+    pub(super) fn factor_in(&self, order: &[usize]) -> Vec<Vec<f64>> {
+        // A matrix that has a factor in one order has one in any.
+        factor(order.len(), |i, k| self.coefficients[order[i]][order[k]]).0
     }
 
     /// Returns the coefficient of a pair.
@@ -106,31 +113,35 @@ impl Correlation {
     }
 }
 
-/// Returns the Cholesky factor of a matrix with a unit diagonal. A number that those before it determine has no entry on the diagonal.
-fn factor(coefficients: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, NotACorrelation> {
+/// Returns the Cholesky factor of a matrix with a unit diagonal, and whether its square is the matrix. A number that those before it determine has no entry on the
+/// diagonal.
+fn factor(numbers: usize, coefficient: impl Fn(usize, usize) -> f64) -> (Vec<Vec<f64>>, Result<(), NotACorrelation>) {
     /// Squares that count as nothing.
     const SINGULAR: f64 = 1e-9;
-    let numbers = coefficients.len();
+    let mut sound = Ok(());
     let mut factor = vec![vec![0.0; numbers]; numbers];
     for i in 0..numbers {
-        let magnitude = |k: &usize| coefficients[i][*k].abs();
-        let worst = || (0..i).max_by(|one, other| magnitude(one).total_cmp(&magnitude(other))).unwrap_or(i);
+        let magnitude = |k: &usize| coefficient(i, *k).abs();
+        let indefinite = || {
+            let worst = (0..i).max_by(|one, other| magnitude(one).total_cmp(&magnitude(other)));
+            Err(NotACorrelation::Indefinite(i, worst.unwrap_or(i)))
+        };
         for k in 0..i {
             let known: f64 = (0..k).map(|l| factor[i][l] * factor[k][l]).sum();
-            let left = coefficients[i][k] - known;
+            let left = coefficient(i, k) - known;
             if factor[k][k] > 0.0 {
                 factor[i][k] = left / factor[k][k];
             } else if left * left > SINGULAR {
-                return Err(NotACorrelation::Indefinite(i, worst()));
+                sound = sound.and_then(|()| indefinite());
             }
         }
         let square = 1.0 - factor[i][..i].iter().map(|entry| entry * entry).sum::<f64>();
         if square < -SINGULAR {
-            return Err(NotACorrelation::Indefinite(i, worst()));
+            sound = sound.and_then(|()| indefinite());
         }
         factor[i][i] = if square > SINGULAR { libm::sqrt(square) } else { 0.0 };
     }
-    Ok(factor)
+    (factor, sound)
 }
 
 #[cfg(test)]

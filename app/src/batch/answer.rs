@@ -265,8 +265,8 @@ fn needed(wrt: &[Parameter]) -> Vec<Input> {
             Parameter::RadiusOfGyration(side) => add(Input::YawInertia(side)),
             Parameter::Friction | Parameter::RatioOfCritical => add(Input::ImpulseRatio),
             Parameter::MomentOfCritical => add(Input::Moment),
-            // Nothing of the impact depends on crush and skids.
-            Parameter::Crush(..) | Parameter::Skid(..) => (),
+            // Nothing of the impact depends on crush and skids, and no row has a restitution over the closing speed.
+            Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) => (),
         }
     }
     all
@@ -334,7 +334,7 @@ impl Rows {
             }));
         }
         set(Input::CrushPlane, contact.crush_plane);
-        set(Input::Restitution, contact.restitution);
+        set(Input::Restitution, contact.restitution.given().unwrap_or(f64::NAN));
         let (ratio, number) = match contact.impulse_ratio {
             ImpulseRatio::Critical => (RatioForm::Critical, 0.0),
             ImpulseRatio::Given(ratio) => (RatioForm::Given, ratio),
@@ -405,6 +405,7 @@ impl Rows {
             Parameter::Input(Input::Moment) => given(form.moment == MomentForm::Given, Input::Moment),
             Parameter::MomentOfCritical => given(form.moment == MomentForm::OfCritical, Input::Moment),
             Parameter::Input(input) => given(true, input),
+            Parameter::RestitutionScatter => None,
             Parameter::Crush(..) | Parameter::Skid(..) => Some(Vec::new()),
         }
     }

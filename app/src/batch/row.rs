@@ -3,7 +3,7 @@
 use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side, Xy};
 
 use super::column::{Cell, Column, InputColumn, Key, law_of};
-use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, VehicleInputs, Velocity};
+use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, VehicleInputs, Velocity};
 use crate::message::Message;
 use crate::wording::joined;
 
@@ -16,6 +16,8 @@ pub struct Defaults {
     pub crush_plane: Option<f64>,
     /// The coefficient of restitution.
     pub restitution: Option<f64>,
+    /// Whether the case gives it over the closing speed.
+    pub has_curve: bool,
     /// The impulse ratio.
     pub impulse_ratio: Option<ImpulseRatio>,
     /// The law of the tangential impulse.
@@ -311,7 +313,7 @@ impl Row<'_> {
         let law = self.given(of.law).map_or(default.law, law_of);
         ContactInputs {
             crush_plane: self.number(of.crush_plane, default.crush_plane, || Parameter::Input(Input::CrushPlane)),
-            restitution: self.number(of.restitution, default.restitution, || Parameter::Input(Input::Restitution)),
+            restitution: Restitution::Given(self.number(of.restitution, default.restitution, || Parameter::Input(Input::Restitution))),
             impulse_ratio: self.impulse_ratio(of, default),
             law,
             moment: self.moment(of, default),

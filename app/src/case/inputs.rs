@@ -4,6 +4,7 @@ use planar_impact::{ImpulseRatio, Input, Law, Moment, Side};
 
 use super::braking::BrakingInputs;
 use super::parameter::{self, Parameter};
+use super::restitution::Restitution;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 
 /// The numbers of a case file, in SI.
@@ -21,7 +22,7 @@ pub struct ContactInputs {
     /// The angle of the crush plane.
     pub crush_plane: f64,
     /// The coefficient of restitution.
-    pub restitution: f64,
+    pub restitution: Restitution,
     /// The impulse ratio.
     pub impulse_ratio: ImpulseRatio,
     /// The law of the tangential impulse.
@@ -49,7 +50,13 @@ impl Inputs {
             }
             all.extend(vehicle.braking.iter().flat_map(BrakingInputs::keys).map(|key| Parameter::Skid(side, key)));
         }
-        all.extend([Input::CrushPlane, Input::Restitution, Input::ImpulseRatio].map(Parameter::Input));
+        all.extend([Input::CrushPlane, Input::Restitution].map(Parameter::Input));
+        if let Restitution::OfClosingSpeed(curve) = &self.contact.restitution
+            && curve.has_scatter()
+        {
+            all.push(Parameter::RestitutionScatter);
+        }
+        all.push(Parameter::Input(Input::ImpulseRatio));
         if ratio_parameter(&self.contact.impulse_ratio) != Parameter::Input(Input::ImpulseRatio) {
             all.push(ratio_parameter(&self.contact.impulse_ratio));
         }
@@ -86,7 +93,14 @@ impl Inputs {
         }
         match parameter {
             Parameter::Input(Input::CrushPlane) => Ok(contact.crush_plane),
-            Parameter::Input(Input::Restitution) => Ok(contact.restitution),
+            Parameter::Input(Input::Restitution) => Ok(match contact.restitution {
+                Restitution::Given(value) => value,
+                Restitution::OfClosingSpeed(_) => self.as_given().collision.restitution,
+            }),
+            Parameter::RestitutionScatter => match &contact.restitution {
+                Restitution::OfClosingSpeed(curve) if curve.has_scatter() => Ok(curve.scatter),
+                _ => Err("the case has no restitution over the closing speed with a standard deviation".to_owned()),
+            },
             Parameter::Input(Input::Moment) | Parameter::MomentOfCritical => match contact.moment {
                 Moment::None => Err("the case has no moment impulse".to_owned()),
                 Moment::Given(x) | Moment::OfCritical(x) if moment_parameter(&contact.moment) == parameter => Ok(x),
@@ -128,7 +142,12 @@ impl Inputs {
         let contact = &mut self.contact;
         match parameter {
             Parameter::Input(Input::CrushPlane) => contact.crush_plane = value,
-            Parameter::Input(Input::Restitution) => contact.restitution = value,
+            Parameter::Input(Input::Restitution) => contact.restitution = Restitution::Given(value),
+            Parameter::RestitutionScatter => {
+                if let Restitution::OfClosingSpeed(curve) = &mut contact.restitution {
+                    curve.scatter = value;
+                }
+            }
             Parameter::Input(Input::ImpulseRatio) => contact.impulse_ratio = ImpulseRatio::Given(value),
             Parameter::RatioOfCritical => contact.impulse_ratio = ImpulseRatio::OfCritical(value),
             Parameter::Friction => contact.impulse_ratio = ImpulseRatio::LimitedByFriction(value),
@@ -203,7 +222,7 @@ mod tests {
         let two = vehicle(Inertia::Yaw(5.0), Velocity::Components(Xy { x: -3.0, y: 1.0 }));
         let contact = ContactInputs {
             crush_plane: 0.1,
-            restitution: 0.2,
+            restitution: Restitution::Given(0.2),
             impulse_ratio: ImpulseRatio::LimitedByFriction(0.3),
             law: Law::Brach,
             moment: Moment::OfCritical(0.5),

@@ -99,7 +99,7 @@ pub fn parameter_of(variable: Variable) -> Option<Parameter> {
     }
 }
 
-/// Returns the variable of a reconstruction that a parameter of the case is, or `None` for a number of the crush.
+/// Returns the variable of a reconstruction that a parameter of the case is, or `None` for a number of the crush and the scatter of a restitution.
 pub fn variable_of(parameter: Parameter) -> Option<Variable> {
     match parameter {
         Parameter::Input(input) => Some(Variable::Input(input)),
@@ -107,7 +107,7 @@ pub fn variable_of(parameter: Parameter) -> Option<Variable> {
         Parameter::RadiusOfGyration(side) => Some(Variable::RadiusOfGyration(side)),
         Parameter::Friction | Parameter::RatioOfCritical => Some(Variable::Input(Input::ImpulseRatio)),
         Parameter::MomentOfCritical => Some(Variable::Input(Input::Moment)),
-        Parameter::Crush(..) | Parameter::Skid(..) => None,
+        Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) => None,
     }
 }
 

@@ -25,6 +25,8 @@ pub enum Parameter {
     Crush(Side, CrushKey),
     /// A number of a skid before the impact.
     Skid(Side, SkidKey),
+    /// How many standard deviations a restitution over the closing speed is above its mean.
+    RestitutionScatter,
     /// The coefficient of friction that limits the impulse ratio.
     Friction,
     /// The fraction of the critical impulse ratio.
@@ -40,6 +42,7 @@ impl Parameter {
             return Some(Parameter::Input(input));
         }
         match name {
+            "contact.restitution.scatter" => return Some(Parameter::RestitutionScatter),
             "contact.friction" => return Some(Parameter::Friction),
             "contact.impulse_ratio.of_critical" => return Some(Parameter::RatioOfCritical),
             "contact.moment.of_critical" => return Some(Parameter::MomentOfCritical),
@@ -95,7 +98,9 @@ impl Parameter {
             Parameter::RadiusOfGyration(_) => Measure::Length,
             Parameter::Crush(_, key) => key.measure(),
             Parameter::Skid(_, key) => key.measure(),
-            Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => Measure::Ratio,
+            Parameter::RestitutionScatter | Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => {
+                Measure::Ratio
+            }
         }
     }
 
@@ -135,6 +140,7 @@ impl fmt::Display for Parameter {
             Parameter::Speed(side) => vehicle(f, side, "speed"),
             Parameter::Crush(side, key) => vehicle(f, side, &format!("crush.{key}")),
             Parameter::Skid(side, key) => write!(f, "before.vehicle.{}.skid.{key}", number(*side)),
+            Parameter::RestitutionScatter => f.write_str("contact.restitution.scatter"),
             Parameter::Friction => f.write_str("contact.friction"),
             Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
             Parameter::MomentOfCritical => f.write_str("contact.moment.of_critical"),
@@ -159,7 +165,7 @@ mod tests {
             let of_forms = FormKey::ALL.into_iter().flat_map(|key| [Form(key), ZoneForm(2, key)]);
             all.extend(keys.into_iter().chain(of_zones).chain(of_forms).map(|key| Parameter::Crush(side, key)));
         }
-        all.extend([Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
+        all.extend([Parameter::RestitutionScatter, Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical]);
         all.extend(SkidNumber::ALL.map(|of| Parameter::Skid(Side::Two, SkidKey { skid: 3, of })));
         for parameter in all {
             assert_eq!(Parameter::named(&parameter.to_string()), Some(parameter));

@@ -11,6 +11,7 @@ mod implied;
 mod measured;
 mod momentum;
 mod rest;
+mod restitution;
 mod sample;
 mod unknown;
 
@@ -227,7 +228,7 @@ impl CaseReader {
         });
         let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
-        if gravity == Some(None) || !spins {
+        if !spins || gravity == Some(None) {
             return None;
         }
         if let Some(impact_point) = impact_point {

@@ -2,7 +2,7 @@
 //!
 //! Varying a parameter leaves the other keys of the file unchanged: the velocity of a vehicle given by its speed
 //! turns with its heading, one given as components does not; a vehicle given by its radius of gyration changes its
-//! yaw inertia with its mass.
+//! yaw inertia with its mass; a restitution over the closing speed follows whatever changes that speed.
 
 use planar_impact::crash3::{DamagedPair, Investigated};
 use planar_impact::crush::speed_of_energy;
@@ -14,6 +14,7 @@ use super::crush::Crush;
 use super::inputs::{Inputs, moment_parameter, ratio_parameter};
 use super::outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 use super::parameter::{Parameter, number};
+use super::restitution::Restitution;
 use super::vehicle::{Inertia, VehicleInputs, Velocity};
 
 /// A collision and the crush that the file reports, on any scalar type.
@@ -40,19 +41,23 @@ impl Inputs {
         let party = |vehicle: Option<Vehicle<T>>| vehicle.map_or(Party::Barrier, Party::Vehicle);
         let contact = &self.contact;
         let mut plus = |value: f64, parameter| T::from(value) + by(parameter);
-        Setup {
-            collision: Collision {
-                one: party(one.0),
-                two: party(two.0),
-                crush_plane: CrushPlane::from_angle(plus(contact.crush_plane, Parameter::Input(Input::CrushPlane))),
-                restitution: plus(contact.restitution, Parameter::Input(Input::Restitution)),
-                impulse_ratio: contact.impulse_ratio.map(|value| plus(value, ratio_parameter(&contact.impulse_ratio))),
-                law: contact.law,
-                moment: contact.moment.map(|value| plus(value, moment_parameter(&contact.moment))),
-            },
-            crush: [one.1.flatten(), two.1.flatten()],
-            skid_speeds,
-        }
+        let crush_plane = CrushPlane::from_angle(plus(contact.crush_plane, Parameter::Input(Input::CrushPlane)));
+        let collision = Collision::new(party(one.0), party(two.0)).with_crush_plane(crush_plane);
+        let restitution = match &contact.restitution {
+            Restitution::Given(value) => plus(*value, Parameter::Input(Input::Restitution)),
+            Restitution::OfClosingSpeed(curve) => {
+                let scatter = plus(curve.scatter, Parameter::RestitutionScatter);
+                curve.of(&collision, scatter) + plus(0.0, Parameter::Input(Input::Restitution))
+            }
+        };
+        let collision = Collision {
+            restitution,
+            impulse_ratio: contact.impulse_ratio.map(|value| plus(value, ratio_parameter(&contact.impulse_ratio))),
+            law: contact.law,
+            moment: contact.moment.map(|value| plus(value, moment_parameter(&contact.moment))),
+            ..collision
+        };
+        Setup { collision, crush: [one.1.flatten(), two.1.flatten()], skid_speeds }
     }
 
     /// Returns the setup with the values of the file.

@@ -168,7 +168,7 @@ impl CaseReader {
     fn test(&self, table: &Table<'_>) -> Option<Read> {
         let mass = self.positive(table.required("mass"), Kind::MASS);
         let speed = self.positive(table.required("speed"), Kind::SPEED);
-        let restitution = self.restitution(table, speed);
+        let restitution = self.restitution_of_test(table, speed);
         let profile = self.profile(table);
         let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
         let speed_sd = deviation("speed_sd", Kind::SPEED);
@@ -185,7 +185,7 @@ impl CaseReader {
     }
 
     /// Reads the restitution of a test, or the speed at which the vehicle rebounds: e = v'/v.
-    fn restitution(&self, table: &Table<'_>, speed: Option<f64>) -> Option<f64> {
+    fn restitution_of_test(&self, table: &Table<'_>, speed: Option<f64>) -> Option<f64> {
         if !table.has("rebound_speed") {
             return self.coefficient(table.required("restitution"), 1.0);
         }

@@ -75,6 +75,9 @@ pub struct OutputUncertainty {
     /// The share of each input in the variance, from samples: indices of Sobol'.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sobol: Option<Named<Share>>,
+    /// The part of each input in the variance, from samples: Shapley effects.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shapley: Option<Named<ShapleyEffect>>,
     /// The guaranteed range over all inputs within their limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bounds: Option<Bounds>,
@@ -166,6 +169,18 @@ pub struct Share {
     pub total_se: f64,
     /// What `total` is at most, from derivatives at samples; `null` for a distribution without such a limit.
     pub total_at_most: Option<f64>,
+}
+
+/// The Shapley effect of an input on an output: its part of the variance, in which what inputs share by correlation or interaction is divided evenly. The effects
+/// of an output add up to 1; `null` for an output that is certain.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ShapleyEffect {
+    /// The effect.
+    #[schemars(with = "Option<f64>")]
+    pub effect: f64,
+    /// Its standard error.
+    #[schemars(with = "Option<f64>")]
+    pub se: f64,
 }
 
 /// The guaranteed range of an output: `low` is at most its least value, and that at most `low_attained`; the same for the greatest.

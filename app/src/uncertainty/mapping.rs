@@ -1,9 +1,9 @@
 //! How the uncertain numbers of a case determine the inputs of its collision.
 
 use planar_impact::uncertainty::Mapping;
-use planar_impact::{ForwardLeft, Heading, Input, Real, Side};
+use planar_impact::{Collision, ForwardLeft, Heading, Input, NoSuchInput, Real, Side};
 
-use crate::case::{Inertia, Inputs, Parameter, Velocity};
+use crate::case::{Inertia, Inputs, Parameter, Restitution, RestitutionCurve, Velocity};
 
 /// The inputs that the uncertain numbers of a case determine, and how.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,16 @@ pub struct CaseMapping {
     numbers: usize,
     inputs: Vec<Input>,
     rules: Vec<Rule>,
+    /// What the restitution follows from, the last of the inputs; `None` if it is a number.
+    of_closing_speed: Option<OfClosingSpeed>,
+}
+
+/// A restitution over the closing speed, and the inputs that this speed has apart from the uncertain numbers.
+#[derive(Clone, Debug, PartialEq)]
+struct OfClosingSpeed {
+    curve: RestitutionCurve,
+    scatter: Number,
+    base: Collision,
 }
 
 /// How an input follows.
@@ -58,7 +68,11 @@ impl CaseMapping {
                 Parameter::Input(input) => input,
                 Parameter::Friction | Parameter::RatioOfCritical => Input::ImpulseRatio,
                 Parameter::MomentOfCritical => Input::Moment,
-                Parameter::RadiusOfGyration(_) | Parameter::Speed(_) | Parameter::Crush(..) | Parameter::Skid(..) => continue,
+                Parameter::RestitutionScatter
+                | Parameter::RadiusOfGyration(_)
+                | Parameter::Speed(_)
+                | Parameter::Crush(..)
+                | Parameter::Skid(..) => continue,
             };
             found.push((input, Rule::Same(place)));
         }
@@ -80,8 +94,16 @@ impl CaseMapping {
                 }
             }
         }
-        let (inputs, rules) = found.into_iter().unzip();
-        CaseMapping { numbers: parameters.len(), inputs, rules }
+        let (mut of_rules, rules): (Vec<Input>, Vec<Rule>) = found.into_iter().unzip();
+        let of_closing_speed = match &inputs.contact.restitution {
+            Restitution::Given(_) => None,
+            Restitution::OfClosingSpeed(curve) => {
+                of_rules.push(Input::Restitution);
+                let scatter = number(Parameter::RestitutionScatter, curve.scatter);
+                Some(OfClosingSpeed { curve: curve.clone(), scatter, base: inputs.as_given().collision })
+            }
+        };
+        CaseMapping { numbers: parameters.len(), inputs: of_rules, rules, of_closing_speed }
     }
 }
 
@@ -95,7 +117,7 @@ impl Mapping for CaseMapping {
     }
 
     fn write<T: Real + Copy + From<f64>>(&self, numbers: &[T], inputs: &mut [T]) {
-        for (rule, input) in self.rules.iter().zip(inputs) {
+        for (rule, input) in self.rules.iter().zip(&mut *inputs) {
             *input = match *rule {
                 Rule::Same(place) => numbers[place],
                 Rule::Inertia { mass, radius } => mass.of(numbers) * radius.of(numbers).squared(),
@@ -105,6 +127,13 @@ impl Mapping for CaseMapping {
                     if is_x { velocity.x } else { velocity.y }
                 }
             };
+        }
+        if let (Some(of), Some((restitution, others))) = (&self.of_closing_speed, inputs.split_last_mut()) {
+            let mut collision = of.base.map(T::from);
+            for (input, value) in self.inputs.iter().zip(others) {
+                collision.set(*input, *value).unwrap_or_else(|none: NoSuchInput| panic!("{none}"));
+            }
+            *restitution = of.curve.of(&collision, of.scatter.of(numbers));
         }
     }
 }

@@ -55,13 +55,15 @@ Any number of a case file may be uncertain: \"40 mph ± 2 mph\", \"40 mph ± 5 %
 { min, max }, { min, mode, max }, { value, sd, min, max }, { median, factor }, { value, resolution },
 { mean, sd, n } of n measurements, { values } or { file, column } that were measured.
 correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples that the physics refuses are counted by
-reason, and never moved. Shares (sobol) are left out if inputs are correlated, or if more than 1 % of
-the samples are refused. Names are those of `planar-impact gradient --help`.
+reason, and never moved. Shares (sobol) are left out if inputs are correlated, which have Shapley effects
+(shapley) instead; both if more than 1 % of the samples are refused. Names are those of
+`planar-impact gradient --help`.
 
 Examples:
   planar-impact uncertainty cli/examples/uncertain.toml
   planar-impact uncertainty cli/examples/uncertain.toml --of dV1 --probability \"dV1 > 18 mph\"
   planar-impact uncertainty cli/examples/uncertain.toml --of dV1,T_L --format svg > uncertainty.svg
+  planar-impact uncertainty cli/examples/uncertain.toml --of dV1 --method linear,shapley
   planar-impact uncertainty cli/examples/uncertain.toml --precision 0.1% --points sobol";
 
 pub(super) const SLIDE: &str = r#"The ground and the wheels are those of [rest]; `position` and `heading` at rest may be left out. A

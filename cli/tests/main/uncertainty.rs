@@ -106,6 +106,12 @@ impl Comparison {
                 self.alike(number(&share[key]), number(&share[format!("{key}_se")]), &wanted[key], &format!("{what}: {key} {input}"));
             }
         }
+        let effects = wanted.get("shapley").map(object);
+        assert_eq!(found.get("shapley").map(|found| object(found).len()), effects.map(serde_json::Map::len), "{what}: Shapley effects");
+        for (input, wanted) in effects.into_iter().flatten() {
+            let effect = &found["shapley"][input];
+            self.alike(number(&effect["effect"]), number(&effect["se"]), wanted, &format!("{what}: Shapley effect of {input}"));
+        }
     }
 }
 
@@ -120,7 +126,9 @@ fn every_case_of_the_independent_computation() {
         let title = reference["case"]["title"].as_str().expect("a title").to_owned();
         let names: Vec<&str> = object(&reference["of"]).keys().map(String::as_str).collect();
         let names = names.join(",");
-        let mut call = vec!["uncertainty", "-", "--format", "json", "--of", &names, "--method", "linear,second-order,monte-carlo,sobol"];
+        let has_effects = object(&reference["of"]).values().any(|output| output.get("shapley").is_some());
+        let methods = ["linear,second-order,monte-carlo,sobol", "linear,second-order,monte-carlo,sobol,shapley"][usize::from(has_effects)];
+        let mut call = vec!["uncertainty", "-", "--format", "json", "--of", &names, "--method", methods];
         object(&reference["probabilities"]).keys().for_each(|statement| call.extend(["--probability", statement]));
         let found = answered(&run_with_input(&call, &reference["case"].to_string()));
         assert_eq!((&found["samples"], &found["title"]), (&json!(100_000), &reference["case"]["title"]));
@@ -150,7 +158,7 @@ fn every_case_of_the_independent_computation() {
     // Standard errors that are too wide would hide a fault: the differences of estimates are about one of them.
     let mean = all.squares.iter().sum::<f64>() / all.squares.len() as f64;
     assert!((0.5..1.5).contains(&mean), "{mean} of {} differences", all.squares.len());
-    assert_eq!(text.lines().count(), 6, "the file is cut off");
+    assert_eq!(text.lines().count(), 8, "the file is cut off");
     assert_eq!(refused, BTreeSet::from(["out-of-range".to_owned(), "separating".to_owned()]));
 }
 
@@ -258,7 +266,7 @@ fn the_guide_shows_what_is_printed() {
         }
         blocks += 1;
     }
-    assert_eq!(blocks, 4);
+    assert_eq!(blocks, 5);
 }
 
 #[test]
@@ -316,14 +324,25 @@ fn what_is_left_out_or_refused_is_noted() {
     // Correlated inputs, and more than a hundredth refused.
     let correlated =
         wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", e).replace("schema = 1", "schema = 1\ncorrelation = [[\"m1\", \"v1\", 0.5]]");
-    assert_eq!(codes(&printed(&correlated, &[])), ["sobol-left-out"]);
+    let divided = printed(&correlated, &[]);
+    assert_eq!(codes(&divided), ["sobol-left-out"]);
+    assert!(divided["messages"][0]["text"].as_str().is_some_and(|text| text.contains("Shapley effects divide what they share")));
+    // ΔV does not depend on the mass alone, but the mass is correlated with the speed: (1 − ρ²/2) and ρ²/2 of the variance.
+    let effects = &divided["of"]["vehicle.1.delta_v_magnitude"]["shapley"];
+    for (input, wanted) in [("vehicle.1.speed", 0.875), ("vehicle.1.mass", 0.125)] {
+        let [effect, error] = ["effect", "se"].map(|key| number(&effects[input][key]));
+        assert!((effect - wanted).abs() < 4.0 * error && error < 0.01, "{input}: {effect} ± {error}");
+    }
+    assert!(plain["of"]["vehicle.1.delta_v_magnitude"].get("shapley").is_none(), "shares of Sobol' are enough");
     let refused = wall("\"1200 kg ± 50 kg\"", speed, "\"0.1 ± 0.05\"");
     assert_eq!(codes(&printed(&refused, &[])), ["sobol-left-out"]);
+    assert_eq!(codes(&printed(&refused, &["--method", "shapley"])), ["shapley-left-out"]);
     assert!(printed(&refused, &[])["refused"]["reasons"]["out-of-range"].as_u64() > Some(1000));
     // Three measurements have no finite deviation, two not even a mean.
     let measured = |n: u32| wall(mass, &format!("{{ mean = \"10 m/s\", sd = \"1 m/s\", n = {n} }}"), e);
     let of_three = printed(&measured(3), &[]);
     assert_eq!(codes(&of_three), ["infinite-deviation"]);
+    assert_eq!(codes(&printed(&measured(3), &["--method", "linear,shapley"])), ["infinite-deviation", "shapley-left-out"]);
     let found = &of_three["of"]["vehicle.1.delta_v_magnitude"];
     assert_eq!((&found["linear"]["sd"], &of_three["inputs"]["vehicle.1.speed"]["sd"]), (&Value::Null, &Value::Null));
     assert_eq!(found["linear"]["sd_if_halved"]["vehicle.1.speed"], Value::Null, "half of it is infinite too");
@@ -359,6 +378,7 @@ fn methods_are_those_asked_for() {
         ("second-order", "second_order", false),
         ("monte-carlo", "monte_carlo", true),
         ("sobol", "sobol", false),
+        ("shapley", "shapley", false),
     ] {
         let mut wanted: BTreeSet<&str> = BTreeSet::from(["value", key]);
         wanted.extend(is_sampled.then_some("samples"));

@@ -16,6 +16,7 @@ from scipy import stats
 SAMPLES = 2_000_000
 PAIRS = 400_000
 BATCHES = 50
+SUBSETS = 50_000
 QUANTILES = (0.025, 0.25, 0.5, 0.75, 0.975)
 SEED = 20240607
 
@@ -93,6 +94,21 @@ def measured(values):
     return Uncertain({"values": values}, Values(values))
 
 
+class Curve:
+    """A restitution over the closing speed in km/h: its mean and its standard deviation at points, with lines between."""
+
+    def __init__(self, points, sd):
+        self.speeds, self.means, self.sd = [p[0] for p in points], [p[1] for p in points], sd
+        self.scatter = Uncertain(None, stats.norm(0, 1))
+
+    def at(self, speed, scatter):
+        over = lambda values: np.interp(speed / KMH, self.speeds, values)
+        return over(self.means) + scatter * over(self.sd if isinstance(self.sd, list) else [self.sd] * len(self.speeds))
+
+    def written(self):
+        return {"closing_speed": [f"{speed} km/h" for speed in self.speeds], "restitution": self.means, "sd": self.sd}
+
+
 DEG, KMH = math.pi / 180, 1 / 3.6
 
 
@@ -108,7 +124,7 @@ def collide(case, at):
     number = lambda name, certain: at[name] if name in at else certain
     wrong = {"out-of-range": False, "not-positive": False}
     outputs = {}
-    gamma, e = number("contact.crush_plane", contact.get("crush_plane")), number("contact.restitution", contact.get("restitution"))
+    gamma = number("contact.crush_plane", contact.get("crush_plane"))
     for i, vehicle in enumerate(case["vehicle"], 1):
         name = f"vehicle.{i}."
         if vehicle.get("barrier"):
@@ -138,6 +154,9 @@ def collide(case, at):
     (r1n, r1t), (r2n, r2t) = (rotated(x, y, -gamma) for x, y in arm)
     points = [(vx - w * ry, vy + w * rx) for (vx, vy, w), (rx, ry) in zip(speed, arm)]
     vn, vt = rotated(points[1][0] - points[0][0], points[1][1] - points[0][1], -gamma)
+    e = number("contact.restitution", contact.get("restitution"))
+    if isinstance(e, Curve):
+        e = e.at(np.abs(vn), number("contact.restitution.scatter", 0.0))
     (w1, j1), (w2, j2) = weights
     knn = w1 + w2 + j1 * r1t ** 2 + j2 * r2t ** 2
     knt = -(j1 * r1n * r1t + j2 * r2n * r2t)
@@ -166,7 +185,7 @@ def collide(case, at):
     after_n, after_t = vn - (knn * pn + knt * pt), vt - (knt * pn + ktt * pt)
     wn, wt = -0.5 * pn * (vn + after_n), -0.5 * pt * (vt + after_t)
     px, py = rotated(pn, pt, gamma)
-    outputs.update({"contact.critical_impulse_ratio": critical, "result.contact.impulse_ratio": mu, "energy.normal_work": wn,
+    outputs.update({"result.contact.restitution": e + 0 * critical, "contact.critical_impulse_ratio": critical, "result.contact.impulse_ratio": mu, "energy.normal_work": wn,
                     "energy.tangential_work": wt, "energy.loss": -(wn + wt)})
     for i, (sign, (w, j), (vx, vy, rate), (rx, ry), theta) in enumerate(zip((1, -1), weights, speed, arm, heading), 1):
         outputs[f"vehicle.{i}.delta_v_magnitude"] = w * np.hypot(px, py)
@@ -196,6 +215,9 @@ def numbers_of(case):
         if isinstance(value, Uncertain):
             found[name] = value
             return value.mean()
+        if isinstance(value, Curve):
+            found[f"{name}.scatter"] = value.scatter
+            return value
         if isinstance(value, tuple):                     # a certain number: how it is written, and in SI
             return value[1]
         if isinstance(value, dict):
@@ -214,6 +236,8 @@ def numbers_of(case):
 def written(value):
     if isinstance(value, Uncertain):
         return value.written
+    if isinstance(value, Curve):
+        return value.written()
     if isinstance(value, tuple):
         return value[0]
     if isinstance(value, dict):
@@ -283,7 +307,53 @@ def proportion(count, n):
     return [float(p), float(math.sqrt(max(p * (1 - p), 1 / n) / n))]
 
 
-def reference(made, of, probabilities, correlations=(), sobol=True, second_order=True):
+def shapley_effects(case, names, numbers, correlations, of, centers):
+    """The Shapley effects of all inputs on each output, by every subset of them.
+
+    The value of a subset is the covariance of two outputs that have it in common, and all else independent of each other given it.
+    """
+    rng = np.random.default_rng(SEED + 1)
+    n, factor = len(names), factor_of(names, correlations)
+    matrix, scores = factor @ factor.T, rng.standard_normal((SUBSETS, len(names))) @ factor.T
+
+    def run(z):
+        drawn = {name: numbers[name].shape.ppf(stats.norm.cdf(z[:, i])) for i, name in enumerate(names)}
+        outputs, bad = collide(case, drawn)
+        assert not bad, "a case with effects is refused nowhere"
+        return np.array([about(outputs[output], centers[output], output.endswith("pdof")) - centers[output] for output in of])
+
+    first = run(scores)
+    first_mean = first.mean(axis=1, keepdims=True)
+    added = np.zeros((n, len(of), SUBSETS))
+    for subset in range(1, 1 << n):
+        inside = [i for i in range(n) if subset >> i & 1]
+        outside = [i for i in range(n) if not subset >> i & 1]
+        if outside:
+            known = np.linalg.solve(matrix[np.ix_(inside, inside)], matrix[np.ix_(inside, outside)]).T
+            rest = np.linalg.cholesky(matrix[np.ix_(outside, outside)] - known @ matrix[np.ix_(inside, outside)])
+            other = scores.copy()
+            other[:, outside] = scores[:, inside] @ known.T + rng.standard_normal((SUBSETS, len(outside))) @ rest.T
+            second = run(other)
+        else:
+            second = first
+        value = (first - first_mean) * (second - second.mean(axis=1, keepdims=True))
+        size = len(inside)
+        for i in range(n):
+            if i in inside:
+                added[i] += value * (math.factorial(size - 1) * math.factorial(n - size) / math.factorial(n))
+            else:
+                added[i] -= value * (math.factorial(size) * math.factorial(n - size - 1) / math.factorial(n))
+    variance = first.var(axis=1)
+    found = {}
+    for k, output in enumerate(of):
+        spread = (first[k] - first_mean[k]) ** 2
+        effects = added[:, k].mean(axis=1) / variance[k]
+        errors = (added[:, k] - effects[:, None] * spread).std(axis=1) / math.sqrt(SUBSETS) / variance[k]
+        found[output] = {name: [float(effects[i]), float(errors[i])] for i, name in enumerate(names)}
+    return found
+
+
+def reference(made, of, probabilities, correlations=(), sobol=True, second_order=True, shapley=False):
     rng = np.random.default_rng(SEED)
     case, numbers = numbers_of(made)
     names = list(numbers)
@@ -369,6 +439,10 @@ def reference(made, of, probabilities, correlations=(), sobol=True, second_order
                                   for p, q, r in zip(*(np.array_split(x, BATCHES) for x in (u, v, w)))])
                 mean, error = parts.mean(axis=0), parts.std(axis=0, ddof=1) / math.sqrt(BATCHES)
                 answer["of"][output]["sobol"][name] = {"first": [float(mean[0]), float(error[0])], "total": [float(mean[1]), float(error[1])]}
+    if shapley:
+        centers = {output: answer["of"][output]["linear"]["mean"] for output in of}
+        for output, effects in shapley_effects(case, names, numbers, correlations, of, centers).items():
+            answer["of"][output]["shapley"] = effects
     file = {"schema": 1, "title": made["title"], **({"correlation": [list(pair) for pair in correlations]} if correlations else {}),
             "vehicle": written(made["vehicle"]), "contact": written(made["contact"])}
     print(json.dumps({"case": file, **answer}, ensure_ascii=False), flush=True)
@@ -402,7 +476,7 @@ def main():
         "contact": {"crush_plane": normal(4, 3, "deg", DEG), "restitution": truncated(0.1, 0.08, 0, 0.4, "")}},
         [one, two, "energy.loss"], [(two, "km/h", KMH, 36, ">")],
         [("vehicle.1.mass", "vehicle.2.mass", 0.7), ("vehicle.1.speed", "vehicle.2.speed", -0.6), ("vehicle.1.mass", "contact.restitution", 0.3)],
-        sobol=False)
+        sobol=False, shapley=True)
     # Some per cent refused: a restitution below nothing, a pair that separates.
     reference({"title": "near refusal", "vehicle": [
         {"mass": normal(1500, 80, "kg"), "radius_of_gyration": m(1.35), "heading": deg(0), "speed": normal(60, 4, "km/h", KMH),
@@ -438,6 +512,17 @@ def main():
          "impact_center": [m(2.0), m(0.1)]}],
         "contact": {"crush_plane": deg(0), "restitution": uniform(0.1, 0.3, "")}},
         ["vehicle.1.pdof", one], [(one, "km/h", KMH, 25, ">")])
+    # A restitution that falls with the closing speed, which lies on both sides of a point: with the same scatter everywhere, and so much that some per cent
+    # of the samples have a restitution below 0.
+    for title, curve, sobol in [("closing speed", Curve([(20, 0.3), (50, 0.2), (90, 0.12)], 0.015), True),
+                                ("closing speed with scatter", Curve([(10, 0.35), (45, 0.12), (70, 0.08)], [0.1, 0.06, 0.04]), False)]:
+        reference({"title": title, "vehicle": [
+            {"mass": normal(1450, 40, "kg"), "radius_of_gyration": m(1.3), "heading": deg(5), "speed": normal(40, 6, "km/h", KMH),
+             "impact_center": [m(1.9), normal(0.3, 0.1, "m")]},
+            {"mass": kg(1700), "radius_of_gyration": m(1.4), "heading": normal(170, 4, "deg", DEG), "speed": uniform(8, 16, "km/h", KMH),
+             "impact_center": [m(2.0), m(-0.2)]}],
+            "contact": {"crush_plane": uniform(-5, 5, "deg", DEG), "restitution": curve}},
+            [one, "energy.loss", "result.contact.restitution"], [("result.contact.restitution", "", 1.0, 0.2, ">")], sobol=sobol)
 
 
 if __name__ == "__main__":

@@ -61,6 +61,7 @@ pub struct Axes<'a> {
     pub x: Span<f64>,
     pub y: Span<f64>,
     pub x_name: &'a str,
+    /// Empty for rows, which have words of their own in place of numbers.
     pub y_name: &'a str,
     /// Width available for the numbers and the name of y, in pixels.
     pub left: u32,
@@ -92,9 +93,11 @@ impl Axes<'_> {
             .x_label_area_size(px(48))
             .y_label_area_size(px(self.left))
             .build_cartesian_2d(self.x.clone(), self.y.clone())?;
-        chart
-            .configure_mesh()
-            .light_line_style(WHITE.mix(0.0))
+        let mut mesh = chart.configure_mesh();
+        if self.y_name.is_empty() {
+            mesh.disable_y_mesh();
+        }
+        mesh.light_line_style(WHITE.mix(0.0))
             .bold_line_style(GRID.stroke_width(FINE))
             .axis_style(BLACK.stroke_width(FINE))
             .set_all_tick_mark_size(px(5))
@@ -103,7 +106,7 @@ impl Axes<'_> {
             .x_desc(self.x_name)
             .y_desc(self.y_name)
             .x_labels(self.x_count(&x_digits, area))
-            .y_labels(8)
+            .y_labels(if self.y_name.is_empty() { 0 } else { 8 })
             .x_label_formatter(&|value| x_digits.write(*value))
             .y_label_formatter(&|value| y_digits.write(*value))
             .draw()?;

@@ -1,18 +1,23 @@
-//! The uncertainty of outputs: for each its density with quantiles, and the share of each input as bars.
+//! The uncertainty of outputs: for each its density with quantiles, the share of each input as bars, its mean and deviation by each method, and its
+//! guaranteed range.
+
+mod intervals;
 
 use plotters::prelude::{Color, LineSeries, PathElement, RGBColor, Rectangle, ShapeStyle};
 
 use planar_impact_app::case::CaseOutput;
 use planar_impact_app::issue::Issues;
-use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Uncertainty, ends};
+use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Share, Uncertainty, ends};
 use planar_impact_app::units::trim;
 use planar_impact_app::{Answer, Units};
 
 use super::canvas::{Area, Axes, Drawn, WIDTH, page, px, span, with_unit, write};
 use super::shortened;
 use crate::page::uncertainty::percent;
+use intervals::Interval;
 
-const PANEL: u32 = px(300);
+/// Height of a density with the bars beside it.
+const DENSITY: u32 = px(300);
 /// Width of the bars beside a density.
 const BARS: u32 = px(350);
 /// Number of inputs with a bar.
@@ -22,7 +27,7 @@ const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
 const GRAY: RGBColor = RGBColor(90, 90, 90);
 
-/// Draws the uncertainty of each output: its density and the shares of the inputs.
+/// Draws the uncertainty of each output: its density and the shares of the inputs, its mean and deviation by each method, and its guaranteed range.
 ///
 /// # Errors
 ///
@@ -30,12 +35,12 @@ const GRAY: RGBColor = RGBColor(90, 90, 90);
 pub fn uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Result<String, Issues> {
     let panels: Vec<Panel<'_>> =
         answer.outputs.iter().zip(answer.of.iter()).map(|(of, (_, found))| Panel { of: *of, found, level: answer.level, units }).collect();
-    page(&shortened(&answer.title), PANEL * panels.len() as u32, |body| {
-        for (panel, area) in panels.iter().zip(body.split_evenly((panels.len(), 1))) {
-            let (density, bars) = area.split_horizontally(WIDTH - BARS);
-            panel.density(&density)?;
-            panel.bars(&bars)?;
-            panel.legend(&bars)?;
+    page(&shortened(&answer.title), panels.iter().map(Panel::height).sum(), |body| {
+        let mut rest = body.clone();
+        for panel in &panels {
+            let (area, below) = rest.split_vertically(panel.height());
+            panel.draw(area)?;
+            rest = below;
         }
         Ok(())
     })
@@ -49,6 +54,38 @@ struct Panel<'a> {
 }
 
 impl Panel<'_> {
+    fn height(&self) -> u32 {
+        self.density_height() + self.intervals().iter().map(|(_, rows)| intervals::height(rows)).sum::<u32>()
+    }
+
+    /// Returns the height of the density and the bars, of which bounds have neither.
+    fn density_height(&self) -> u32 {
+        let OutputUncertainty { linear, monte_carlo, sobol, shapley, .. } = self.found;
+        if linear.is_some() || monte_carlo.is_some() || sobol.is_some() || shapley.is_some() { DENSITY } else { 0 }
+    }
+
+    /// Returns what each chart of intervals shows, and its rows.
+    fn intervals(&self) -> Vec<(&'static str, Vec<Interval>)> {
+        let of = intervals::Rows { of: self.of, found: self.found, units: self.units };
+        [("mean ± sd", of.methods()), ("range", of.range())].into_iter().filter(|(_, rows)| !rows.is_empty()).collect()
+    }
+
+    fn draw(&self, area: Area<'_>) -> Drawn {
+        let (top, mut rest) = area.split_vertically(self.density_height());
+        if self.density_height() > 0 {
+            let (density, bars) = top.split_horizontally(WIDTH - BARS);
+            self.density(&density)?;
+            self.bars(&bars)?;
+            self.legend(&bars)?;
+        }
+        for (what, rows) in self.intervals() {
+            let (area, below) = rest.split_vertically(intervals::height(&rows));
+            intervals::draw(&area, &rows, &format!("{what} of {}", self.name()))?;
+            rest = below;
+        }
+        Ok(())
+    }
+
     fn name(&self) -> String {
         with_unit(&self.of.short_name(), self.units.unit(self.of.measure()))
     }
@@ -118,16 +155,21 @@ impl Panel<'_> {
     /// Draws the share of each input in the variance, the greatest first.
     fn bars(&self, area: &Area<'_>) -> Drawn {
         let fine = px(1) as i32;
-        let mut shares: Vec<(&str, f64, Option<f64>)> = match (&self.found.sobol, &self.found.linear) {
-            (Some(sobol), _) => sobol.iter().map(|(name, share)| (name, share.total, Some(share.first))).collect(),
-            (None, Some(linear)) => linear.shares.iter().map(|(name, share)| (name, *share, None)).collect(),
-            (None, None) => return Ok(()),
+        let OutputUncertainty { linear, sobol, shapley, .. } = self.found;
+        let (title, mut shares): (_, Vec<(_, f64, Option<f64>)>) = if let Some(sobol) = sobol {
+            let share = |(name, share): (_, &Share)| (name, share.total, Some(share.first));
+            ("share of the variance: alone, with others", sobol.iter().map(share).collect())
+        } else if let Some(shapley) = shapley {
+            ("share of the variance: Shapley effects", shapley.iter().map(|(name, found)| (name, found.effect, None)).collect())
+        } else if let Some(linear) = linear {
+            ("share of the variance, linear", linear.shares.iter().map(|(name, share)| (name, *share, None)).collect())
+        } else {
+            return Ok(());
         };
         shares.retain(|(_, share, _)| share.is_finite());
         shares.sort_by(|one, other| other.1.abs().total_cmp(&one.1.abs()));
         let hidden = shares.len().saturating_sub(MOST_BARS);
         shares.truncate(MOST_BARS);
-        let title = if self.found.sobol.is_some() { "share of the variance: alone, with others" } else { "share of the variance, linear" };
         write(area, title, 15, (16, 12))?;
         for (row, (name, share, alone)) in shares.iter().enumerate() {
             let y = 40 + 26 * row as i32;

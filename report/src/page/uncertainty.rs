@@ -78,6 +78,18 @@ pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> S
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }
 }
 
+/// Formats a value of an output with the decimals of two digits of its deviation.
+fn number(found: &OutputUncertainty, units: Units, measure: Measure, si: f64) -> String {
+    let of_samples = found.monte_carlo.as_ref().map(|found| found.sd);
+    let sd = of_samples.or(found.linear.as_ref().map(|found| found.sd)).filter(|sd| sd.is_finite()).unwrap_or(0.0);
+    if si.is_finite() { with_digits(units, measure, si, sd) } else { "none".to_owned() }
+}
+
+/// Formats a value of an output with its unit.
+pub(crate) fn quantity(found: &OutputUncertainty, units: Units, measure: Measure, si: f64) -> String {
+    format!("{} {}", number(found, units, measure, si), units.unit(measure)).trim_end().to_owned()
+}
+
 /// Formats a share in percent.
 pub(crate) fn percent(share: f64) -> String {
     let text = format!("{:.1} %", 100.0 * share);
@@ -88,8 +100,23 @@ pub(crate) fn percent(share: f64) -> String {
     }
 }
 
+/// Returns the greatest of some standard errors; `None` without any.
+fn worst(errors: impl Iterator<Item = f64>) -> Option<f64> {
+    errors.map(|error| if error.is_finite() { error } else { 0.0 }).reduce(f64::max)
+}
+
+/// Says how precise some parts of the variance are.
+fn said(what: &str, worst: f64) -> Block {
+    Block::item("- ", format!("{what} have standard errors of at most {}.", percent(worst)))
+}
+
+/// Returns the words of an end of a guaranteed range.
+pub(crate) fn end(si: f64, quantity: impl FnOnce() -> String) -> String {
+    if si.is_finite() { quantity() } else { "no limit that is proven".to_owned() }
+}
+
 /// Formats a skewness.
-fn skewness(value: f64) -> String {
+pub(crate) fn skewness(value: f64) -> String {
     let text = format!("{value:.2}");
     match text.as_str() {
         _ if !value.is_finite() => "none".to_owned(),
@@ -118,18 +145,12 @@ impl Shown<'_> {
         blocks
     }
 
-    /// Returns the deviation that sets the digits.
-    fn sd(&self) -> f64 {
-        let of_samples = self.found.monte_carlo.as_ref().map(|found| found.sd);
-        of_samples.or(self.found.linear.as_ref().map(|found| found.sd)).filter(|sd| sd.is_finite()).unwrap_or(0.0)
-    }
-
     fn number(&self, si: f64) -> String {
-        if si.is_finite() { with_digits(self.units, self.of.measure(), si, self.sd()) } else { "none".to_owned() }
+        number(self.found, self.units, self.of.measure(), si)
     }
 
     fn quantity(&self, si: f64) -> String {
-        format!("{} {}", self.number(si), self.units.unit(self.of.measure())).trim_end().to_owned()
+        quantity(self.found, self.units, self.of.measure(), si)
     }
 
     fn heading(&self) -> Block {
@@ -173,8 +194,8 @@ impl Shown<'_> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
         let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
         let accepted = if bounds.is_whole { "" } else { ", where physics accepts the collision," };
-        let end = |si: f64| if si.is_finite() { self.quantity(si) } else { "no limit that is proven".to_owned() };
-        let text = format!("Within the limits of the inputs{accepted} it is from {} to {}, guaranteed", end(bounds.low), end(bounds.high));
+        let [low, high] = [bounds.low, bounds.high].map(|si| end(si, || self.quantity(si)));
+        let text = format!("Within the limits of the inputs{accepted} it is from {low} to {high}, guaranteed");
         let tight = if bounds.is_tight {
             "both ends are attained".to_owned()
         } else {
@@ -185,37 +206,38 @@ impl Shown<'_> {
     }
 
     fn inputs(&self) -> Vec<Block> {
-        let (linear, sobol) = (&self.found.linear, &self.found.sobol);
-        let total = |name: &str| sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.total);
+        let OutputUncertainty { linear, sobol, shapley, .. } = self.found;
         let share = |name: &str| linear.as_ref().and_then(|linear| linear.shares.get(name)).copied();
+        let of_sobol = |name: &str| sobol.as_ref().and_then(|shares| shares.get(name));
+        let effect = |name: &str| shapley.as_ref().and_then(|effects| effects.get(name)).map(|found| found.effect);
+        let total = |name: &str| of_sobol(name).map(|found| found.total);
+        let cell = |share: Option<f64>| share.map_or_else(String::new, percent);
+        let halved = |name: &str| linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map(|sd| self.number(*sd));
+        type Column<'a> = (&'static str, bool, &'a dyn Fn(&str) -> String);
+        let columns: [Column<'_>; 5] = [
+            ("linear", linear.is_some(), &|name| cell(share(name))),
+            ("sd if halved", linear.is_some(), &|name| halved(name).unwrap_or_default()),
+            ("alone", sobol.is_some(), &|name| cell(of_sobol(name).map(|found| found.first))),
+            ("with others", sobol.is_some(), &|name| cell(total(name))),
+            ("Shapley", shapley.is_some(), &|name| cell(effect(name))),
+        ];
+        let columns: Vec<Column<'_>> = columns.into_iter().filter(|(_, is_there, _)| *is_there).collect();
+        if columns.is_empty() {
+            return Vec::new();
+        }
         let mut names: Vec<&str> = self.all.inputs.iter().map(|(name, _)| name).collect();
-        let size = |name: &str| total(name).or(share(name)).filter(|size| !size.is_nan()).unwrap_or(0.0);
+        let size = |name: &str| total(name).or(effect(name)).or(share(name)).filter(|size| !size.is_nan()).unwrap_or(0.0);
         names.sort_by(|one, other| size(other).abs().total_cmp(&size(one).abs()));
         let hidden = names.len().saturating_sub(SHOWN);
         names.truncate(SHOWN);
-        let cell = |share: Option<f64>| share.map_or_else(String::new, percent);
-        let row = |name: &&str| {
-            let alone = sobol.as_ref().and_then(|shares| shares.get(name)).map(|share| share.first);
-            let halved = linear.as_ref().and_then(|linear| linear.sd_if_halved.get(name)).map_or_else(String::new, |sd| self.number(*sd));
-            let of_derivatives = linear.is_some().then(|| [cell(share(name)), halved]).into_iter().flatten();
-            let of_samples = sobol.is_some().then(|| [cell(alone), cell(total(name))]).into_iter().flatten();
-            iter::once((*name).to_owned()).chain(of_derivatives).chain(of_samples).collect()
-        };
-        let rows: Vec<Vec<String>> = names.iter().map(row).collect();
-        let (header, columns): (&[&str], &str) = match (linear, sobol) {
-            (None, None) => return Vec::new(),
-            (Some(_), None) => (&["share of the variance", "linear", "sd if halved"], "lrr"),
-            (None, Some(_)) => (&["share of the variance", "alone", "with others"], "lrr"),
-            (Some(_), Some(_)) => (&["share of the variance", "linear", "sd if halved", "alone", "with others"], "lrrrr"),
-        };
-        let table = Table::new(header.iter().map(|name| (*name).to_owned()), columns, rows).narrow();
-        let mut blocks = vec![table.into()];
+        let row = |name: &&str| iter::once((*name).to_owned()).chain(columns.iter().map(|(_, _, cell)| cell(name))).collect();
+        let header = iter::once("share of the variance").chain(columns.iter().map(|(name, ..)| *name)).map(str::to_owned);
+        let align = format!("l{}", "r".repeat(columns.len()));
+        let mut blocks = vec![Table::new(header, &align, names.iter().map(row).collect()).narrow().into()];
         let errors = sobol.iter().flat_map(|shares| shares.iter()).flat_map(|(_, share)| [share.first_se, share.total_se]);
-        let worst = errors.filter(|error| error.is_finite()).fold(0.0, f64::max);
-        if sobol.is_some() {
-            let text = format!("Shares alone and with others have standard errors of at most {}.", percent(worst));
-            blocks.push(Block::item("- ", text));
-        }
+        blocks.extend(worst(errors).map(|worst| said("Shares alone and with others", worst)));
+        let errors = shapley.iter().flat_map(|effects| effects.iter()).map(|(_, effect)| effect.se);
+        blocks.extend(worst(errors).map(|worst| said("Shapley effects", worst)));
         if hidden > 0 {
             blocks.push(Block::item("", format!("{hidden} more inputs have smaller shares (--format json).")));
         }

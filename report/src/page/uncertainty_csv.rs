@@ -56,6 +56,9 @@ fn figures(found: &OutputUncertainty, row: &mut impl FnMut(&str, &str, f64, f64,
         row("sobol", &format!("first of {input}"), share.first, share.first_se, false);
         row("sobol", &format!("total of {input}"), share.total, share.total_se, false);
     }
+    for (input, share) in found.shapley.iter().flat_map(|effects| effects.iter()) {
+        row("shapley", &format!("effect of {input}"), share.effect, share.se, false);
+    }
     if let Some(bounds) = &found.bounds {
         row("bounds", "low", bounds.low, NONE, true);
         row("bounds", "high", bounds.high, NONE, true);

@@ -1,9 +1,8 @@
 //! The third stage: worked examples and staged collisions of the field, by momentum, common velocity and skids.
 
-use planar_impact::STANDARD_GRAVITY;
 use planar_impact::momentum::approach_speeds;
 use planar_impact::skid::{Skid, skid_speed};
-use planar_impact::{Collision, Heading, Impact, ImpulseRatio, Motion, Vehicle, Xy};
+use planar_impact::{Collision, Heading, Impact, ImpulseRatio, Motion, STANDARD_GRAVITY, Vehicle, Xy};
 
 use super::{Reading, recorded_as};
 use crate::data::DataError;

@@ -8,6 +8,7 @@ use super::{CaseReader, one_of};
 use crate::case::domain::Domain;
 use crate::case::inputs::ContactInputs;
 use crate::case::parameter::Parameter;
+use crate::case::restitution::Restitution;
 use crate::document::{Entry, Field, Table, Value};
 use crate::notice::Notice;
 use crate::quantity::Kind;
@@ -31,8 +32,8 @@ impl CaseReader {
         }
         let crush_plane = self.crush_plane(table, implied);
         let restitution = match implied.of_key(table, "restitution", Input::Restitution) {
-            Some(value) => value,
-            None => self.input(table.required("restitution"), Parameter::Input(Input::Restitution)),
+            Some(value) => value.map(Restitution::Given),
+            None => self.restitution(table.required("restitution")),
         };
         let impulse_ratio = self.impulse_ratio(table, implied);
         let law = match table.optional("tangential_law").choice(&["brach", "kudlich-slibar"]) {
@@ -60,7 +61,7 @@ impl CaseReader {
         }
         table.finish();
         let (impulse_ratio, law, moment) = (ImpulseRatio::Critical, Law::Brach, Moment::None);
-        Some((ContactInputs { crush_plane: 0.0, restitution: 0.0, impulse_ratio, law, moment }, None))
+        Some((ContactInputs { crush_plane: 0.0, restitution: Restitution::Given(0.0), impulse_ratio, law, moment }, None))
     }
 
     /// Reads the angle of the crush plane, and its bracket if the angle is derived from the surfaces in contact.

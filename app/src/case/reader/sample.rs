@@ -8,7 +8,7 @@ use super::CaseReader;
 use super::csv_column::CsvColumn;
 use crate::case::domain::Domain;
 use crate::case::uncertain::MOST_VALUES;
-use crate::document::Table;
+use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, Quantity, QuantityError, nearest};
 use crate::source::Source;
@@ -47,20 +47,24 @@ impl CaseReader {
             place.report(too_many(items.len()), Some(FEWER.to_owned()));
             return None;
         }
+        let values = self.each(items, kind, domain)?;
+        enough(&values, kind).map_err(|(message, help)| place.report(message, Some(help))).ok()?;
+        Some(values)
+    }
+
+    /// Reads the items of an array, with one note for all numbers without a unit.
+    pub(super) fn each(&self, items: Vec<Field<'_>>, kind: Kind, domain: Domain) -> Option<Vec<f64>> {
         let is_noted = Cell::new(false);
         let read: Vec<Option<f64>> = items
             .into_iter()
             .map(|item| {
                 let at = item.clone();
                 let quantity = item.quantity(kind)?;
-                // One note for all numbers without a unit.
                 let si = if quantity.bare && is_noted.replace(true) { quantity.si } else { self.take(at.path(), quantity) };
                 self.within(&at, si, kind, domain)
             })
             .collect();
-        let values: Vec<f64> = read.into_iter().collect::<Option<_>>()?;
-        enough(&values, kind).map_err(|(message, help)| place.report(message, Some(help))).ok()?;
-        Some(values)
+        read.into_iter().collect()
     }
 
     /// Reads `file` and `column`: the values of a column of a CSV file, in SI.

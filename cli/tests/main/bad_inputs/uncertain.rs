@@ -42,6 +42,35 @@ const fn restitution(name: &'static str, edit: &'static [(&'static str, &'static
 }
 
 pub(super) const BAD: &[Bad] = &[
+    restitution(
+        "a curve whose closing speeds fall",
+        &[(E, "restitution = { closing_speed = [\"9 m/s\", \"5 m/s\"], restitution = [0.1, 0.3] }")],
+        &["contact.restitution.closing_speed.2: the closing speed is not above the one before it", "in the order of their closing speeds"],
+    ),
+    restitution(
+        "a curve of one point",
+        &[(E, "restitution = { closing_speed = [\"9 m/s\"], restitution = [0.1] }")],
+        &["contact.restitution.closing_speed: a curve needs at least two points; it has 1", "restitution = 0.2"],
+    ),
+    restitution(
+        "a curve with a restitution above 1",
+        &[(E, "restitution = { closing_speed = [\"5 m/s\", \"9 m/s\"], restitution = [1.3, 0.1] }")],
+        &["contact.restitution.restitution.1: it is 1.3; it must be from 0 to 1"],
+    ),
+    restitution(
+        "a curve with a negative deviation",
+        &[(E, "restitution = { closing_speed = [\"5 m/s\", \"9 m/s\"], restitution = [0.3, 0.1], sd = -0.1 }")],
+        &["contact.restitution.sd: it is -0.1; it must be from 0 to 1"],
+    ),
+    restitution(
+        "a curve of other lengths",
+        &[(E, "restitution = { closing_speed = [\"5 m/s\", \"9 m/s\"], restitution = [0.3, 0.2, 0.1], sd = [0.1, 0.1, 0.1] }")],
+        &[
+            "contact.restitution.restitution: it has 3 values for 2 closing speeds",
+            "contact.restitution.sd: it has 3 values",
+            "give one for each",
+        ],
+    ),
     mass("an input with a deviation in m", &[(MASS, "mass = \"2564 lb ± 5 m\"")], &["vehicle.1.mass", "`5 m` is a length; a mass"]),
     mass("an input with a negative deviation", &[(MASS, "mass = \"2564 lb ± -5 lb\"")], &["the standard deviation is below zero"]),
     mass("an input with a negative share", &[(MASS, "mass = \"2564 lb ± -5 %\"")], &["the standard deviation is below zero"]),

@@ -63,8 +63,8 @@ fn headers() {
     both(&HEADER.replace("\"planar-impact-record/1\"", "1"), &["found a number"]);
     both("\"schema\": \"planar-impact-record/1\"", &["`units` is missing"]);
     both(&HEADER.replace("\"angle\": \"deg\"", "\"angel\": \"deg\""), &["did you mean `angle`?", "`angle` is missing"]);
-    both(&HEADER.replace("\"deg\"", "\"degrees\""), &["units.angle: unknown unit `degrees`"]);
-    both(&HEADER.replace("\"kg\"", "\"m\""), &["units.mass: `1 m` is a length"]);
+    both(&HEADER.replace("\"deg\"", "\"gradians\""), &["units.angle: unknown unit `gradians`"]);
+    both(&HEADER.replace("\"kg\"", "\"m\""), &["units.mass: `m` is a length"]);
     both(&HEADER.replace("\"kg\"", "1"), &["expected the name of a unit; found a number"]);
     both(&format!("{HEADER}, \"tools\": 1"), &["did you mean `tool`?"]);
     both(&format!("{HEADER}, \"tool\": {{\"nam\": 1}}"), &["unknown key `nam`"]);
@@ -106,7 +106,7 @@ fn tables() {
     refused("a.csv", b"id,b1.mas\n,kg\na,1\n", &["unknown column `b1.mas`; did you mean `b1.mass`?"]);
     refused("a.csv", b"id,B1.Mass\n,kg\na,1\n", &["unknown column `B1.Mass`; did you mean `b1.mass`?"]);
     refused("a.csv", b"id,b1.mass,b1.mass\n,kg,kg\na,1,1\n", &["stands twice"]);
-    refused("a.csv", b"id,b1.mass\n,m\na,1\n", &["b1.mass: `1 m` is a length"]);
+    refused("a.csv", b"id,b1.mass\n,m\na,1\n", &["b1.mass: `m` is a length"]);
     refused("a.csv", b"id,b1.mass,b2.mass\n,kg,\na,1,1\n", &["b2.mass: the unit of a mass is missing"]);
     refused("a.csv", b"id,b1.mass\n,kg,kg\na,1\n", &["3 fields and that of columns 2"]);
     refused("a.csv", b"id,b1.mass\nkg,kg\na,1\n", &["id: it is a text and has no unit"]);

@@ -4,6 +4,7 @@
 
 mod bounds;
 mod check;
+mod closing_speed;
 mod damage;
 mod formula;
 mod gradient_page;

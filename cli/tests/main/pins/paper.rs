@@ -184,7 +184,7 @@ fn hold_error(of: &Value, measured: f64, what: &str) {
 /// Momentum of one axis each, a common velocity, two that slide together, and ΔV = (1 + e) v m'/(m + m').
 #[test]
 fn worked_examples_are_those_by_hand() {
-    let (mph, gravity) = (0.44704, 9.80665);
+    let gravity = 9.80665;
     let along = 45.0 * 0.5_f64.sqrt();
     let together = 1.2 * 5.5 / (950.0 + 770.0);
     let by_hand = [
@@ -195,7 +195,6 @@ fn worked_examples_are_those_by_hand() {
         ("GBB", "delta-V 1", together * 770.0),
         ("GBB", "delta-V 2", together * 950.0),
     ];
-    assert!((by_hand[2].2 * mph - 9.12).abs() < 0.005, "in m/s");
     let found = printed_by("validate")["measured"]["worked"].clone();
     assert_eq!(array(&found).len(), by_hand.len());
     for ((worked, row), (example, quantity, want)) in array(&found).iter().zip(data("worked")).zip(by_hand) {

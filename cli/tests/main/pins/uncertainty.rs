@@ -11,11 +11,11 @@ use crate::process::run_with_input;
 fn cases() -> Vec<(Value, Vec<&'static str>)> {
     let mut all: Vec<(Value, Vec<&str>)> =
         vec![(case("uncertain.toml"), vec!["--of", "dV1,T_L,mu0,pdof1", "--probability", "dV1 > 18 mph"])];
-    let outputs = ["dV1,W_n,Omega2", "dV1,T_L", "dV1,T_L", "vehicle.1.crush_energy,dV1,mu", "mu,W_t", "pdof1,dV1"];
+    let outputs = ["dV1,W_n,Omega2", "dV1,T_L", "dV1,T_L", "vehicle.1.crush_energy,dV1,mu", "mu,W_t", "pdof1,dV1", "dV1,W_n", "dV2"];
     for (reference, of) in references("uncertainty.jsonl").into_iter().zip(outputs) {
         all.push((reference["case"].clone(), vec!["--of", of, "--level", "0.9"]));
     }
-    for name in ["differences", "sampled", "independent", "correlated"] {
+    for name in ["differences", "sampled", "independent", "correlated", "closing-speed"] {
         all.push((
             case(&format!("uncertainty/{name}.toml")),
             vec!["--of", "dV2", "--probability", "dV2 <= 4 m/s", "--probability", "T_L > 40 kJ"],
@@ -233,6 +233,10 @@ fn figure<'a>(output: &'a Value, method: &str, name: &str) -> (&'a Value, &'a Va
             let share = &output["sobol"][input.trim_start_matches("of ")];
             (&share[kind], &share[format!("{kind}_se")])
         }
+        ("shapley", Some(("effect", input))) => {
+            let found = &output["shapley"][input.trim_start_matches("of ")];
+            (&found["effect"], &found["se"])
+        }
         ("bounds", _) => (&output["bounds"][name.replace(' ', "_")], NONE),
         _ => panic!("{method} has no figure {name}"),
     }
@@ -259,7 +263,7 @@ fn every_number_of_the_table() {
             assert_eq!(rows.len(), wanted, "a row for each number");
             for row in &rows {
                 let what = row.iter().collect::<Vec<_>>().join(",");
-                let is_share = row[3].contains("share of ") || &row[2] == "sobol" || &row[3] == "skewness";
+                let is_share = row[3].contains("share of ") || ["sobol", "shapley"].contains(&&row[2]) || &row[3] == "skewness";
                 assert!(!is_share || row[1].is_empty(), "{what}");
                 let (value, error) = if &row[3] == "probability" {
                     let probability = &answer["probabilities"][&row[0]];
@@ -281,10 +285,212 @@ fn every_number_of_the_table() {
 }
 
 #[test]
+fn every_shapley_effect() {
+    let reference = &references("uncertainty.jsonl")[1];
+    assert_eq!(reference["case"]["title"], "correlated");
+    let call = |format: &str| {
+        let methods = "linear,monte-carlo,shapley";
+        let all = ["uncertainty", "-", "--of", "dV1", "--samples", "20000", "--method", methods, "--units", "si", "--format", format];
+        let run = run_with_input(&all, &reference["case"].to_string());
+        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        run.out
+    };
+    let answer: Value = serde_json::from_str(&call("json")).expect("JSON");
+    let (name, output) = object(&answer["of"]).iter().next().expect("an output");
+    let effects = object(&output["shapley"]);
+    close(effects.values().map(|found| number(&found["effect"])).sum(), 1.0, 1e-12, "all of the variance");
+    let page = call("text");
+    let found = tables(&page);
+    let table = found.iter().find(|table| table.head[0] == "share of the variance").expect("a table");
+    assert_eq!(table.head, ["share of the variance", "linear", "sd if halved", "Shapley"]);
+    let rows: Vec<&Vec<String>> = table.rows.iter().filter(|row| effects.contains_key(&row[0])).collect();
+    let size = |row: &[String]| number(&effects[&row[0]]["effect"]).abs();
+    assert!(rows.len() == effects.len() && rows.windows(2).all(|pair| size(pair[0]) >= size(pair[1])), "the greatest first");
+    rows.iter().for_each(|row| hold_percent(&row[3], number(&effects[&row[0]]["effect"]), &row[0]));
+    let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let worst = after(&flat, "Shapley effects have standard errors of at most ").split(' ').next().expect("a word");
+    hold_percent(worst, effects.values().map(|found| number(&found["se"])).fold(0.0, f64::max), "the standard errors");
+    let text = call("csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).records().map(|row| row.expect("a row")).collect::<Vec<_>>();
+    let rows: Vec<&csv::StringRecord> = rows.iter().filter(|row| &row[2] == "shapley").collect();
+    assert_eq!(rows.len(), effects.len());
+    for row in rows {
+        let (effect, error) = figure(&answer["of"][name], &row[2], &row[3]);
+        assert!(row[1].is_empty(), "an effect has no unit");
+        for (cell, want) in [(&row[4], effect), (&row[5], error)] {
+            close(cell.parse().expect("a number"), number(want), 1e-13 * number(want).abs(), &row[3]);
+        }
+    }
+    // Of the chart: a name, and on its line the number.
+    let chart = call("svg");
+    let lines: Vec<&str> = chart.lines().collect();
+    let texts: Vec<(&str, &str)> = lines.windows(2).filter(|pair| pair[0].starts_with("<text")).map(|pair| (pair[0], pair[1])).collect();
+    assert!(texts.iter().any(|(_, words)| *words == "share of the variance: Shapley effects"));
+    for (input, found) in effects {
+        let row = texts.iter().find(|(_, words)| words == input).unwrap_or_else(|| panic!("no bar of {input}"));
+        let cell = texts.iter().find(|(line, words)| {
+            words.ends_with(" %") && attribute(line, "y") == attribute(row.0, "y") && attribute(line, "x") != attribute(row.0, "x")
+        });
+        hold_percent(cell.expect("a number").1, number(&found["effect"]), input);
+    }
+}
+
+/// Heights of the title, of a density, of a row of intervals and of their axis, in chart coordinates of an eighth of a pixel.
+const TITLE: f64 = 8.0 * 40.0;
+const HEIGHT: f64 = 8.0 * 300.0;
+const ROW: f64 = 8.0 * 24.0;
+const AXIS: f64 = 8.0 * 68.0;
+
+/// A chart of intervals: its lines between two heights.
+struct Intervals<'a> {
+    lines: &'a [&'a str],
+    from: f64,
+    to: f64,
+}
+
+impl Intervals<'_> {
+    fn coordinate(line: &str, name: &str) -> f64 {
+        attribute(line, name).parse().expect("a coordinate")
+    }
+
+    fn inside(&self, y: f64) -> bool {
+        (self.from..self.to).contains(&y)
+    }
+
+    /// Returns the texts that begin left of a place, with what is between it and their heights.
+    fn texts(&self) -> Vec<(f64, f64, &str)> {
+        let pairs = self.lines.windows(2).filter(|pair| pair[0].starts_with("<text"));
+        let at = pairs.map(|pair| (Self::coordinate(pair[0], "x"), Self::coordinate(pair[0], "y"), pair[1]));
+        at.filter(|(_, y, _)| self.inside(*y)).collect()
+    }
+
+    /// Returns the horizontal lines of a color, from left to right, and the bars of an opacity, each as start, end and height.
+    fn spans(&self, color: &str, opacity: &str) -> Vec<[f64; 3]> {
+        let ends = |line: &&str| {
+            let points = attribute(line, "points").split_whitespace().map(|pair| pair.split_once(',').expect("a pair"));
+            let points: Vec<[f64; 2]> = points.map(|(x, y)| [x, y].map(|word| word.parse().expect("a number"))).collect();
+            let [[x, y], [to, end]] = points[..] else { return None };
+            (y == end && self.inside(y) && x != to).then_some([x, to, y])
+        };
+        let is_line = |line: &&&str| line.starts_with("<polyline") && attribute(line, "stroke") == color;
+        let lines = self.lines.iter().filter(is_line).filter_map(ends);
+        let is_bar = |line: &&&str| line.starts_with("<rect") && attribute(line, "fill") == color && attribute(line, "opacity") == opacity;
+        let bars = self.lines.iter().filter(is_bar).map(|line| {
+            let [x, width, y, height] = ["x", "width", "y", "height"].map(|name| Self::coordinate(line, name));
+            [x, x + width, y + 0.5 * height]
+        });
+        lines.chain(bars).filter(|[_, _, y]| self.inside(*y)).collect()
+    }
+
+    fn circles(&self) -> Vec<[f64; 2]> {
+        let all = self.lines.iter().filter(|line| line.starts_with("<circle"));
+        all.map(|line| ["cx", "cy"].map(|name| Self::coordinate(line, name))).filter(|[_, y]| self.inside(*y)).collect()
+    }
+}
+
+/// Checks the words behind an interval: each number to its digits, in its unit.
+fn hold_all(words: &str, wanted: &[f64], of: &str, sd: f64) {
+    let numbers: Vec<&str> = words.split(' ').filter(|word| printed(word).is_some()).collect();
+    assert_eq!(numbers.len(), wanted.len(), "{words}");
+    numbers.iter().zip(wanted).for_each(|(cell, si)| hold(cell, &Value::from(*si), of, sd, words));
+    assert_eq!(words.matches(of).count(), wanted.len(), "{words}: {of}");
+}
+
+#[test]
+fn every_interval_of_the_chart() {
+    let call = |name: &str, arguments: &[&str], format: &str| {
+        let all = [&["uncertainty", "-", "--samples", "5000", "--format", format, "--units", "us", "--of", "dV1,T_L"], arguments].concat();
+        let run = run_with_input(&all, &case(name).to_string());
+        assert_eq!((run.status, run.err.as_str()), (0, ""), "{all:?}");
+        run.out
+    };
+    for (name, arguments, methods) in [
+        ("uncertainty/differences.toml", &[][..], &["linear", "second_order", "monte_carlo"][..]),
+        ("uncertainty/independent.toml", &["--method", "second-order,bounds"], &["second_order"]),
+        ("uncertainty/sampled.toml", &["--method", "linear,sobol"], &["linear"]),
+        ("uncertainty/independent.toml", &["--method", "bounds"], &[]),
+    ] {
+        let asked = arguments.last().copied().unwrap_or("linear,bounds");
+        let has_bounds = asked.contains("bounds");
+        let answer: Value = serde_json::from_str(&call(name, arguments, "json")).expect("JSON");
+        let chart = call(name, arguments, "svg");
+        let lines: Vec<&str> = chart.lines().collect();
+        let of = |name: &str| if name == "energy.loss" { "ft lb" } else { "ft/s" };
+        let mut top = TITLE;
+        for name in ["vehicle.1.delta_v_magnitude", "energy.loss"] {
+            let output = &answer["of"][name];
+            let (of, sd) = (of(name), ["monte_carlo", "linear"].iter().find_map(|key| output.get(key)?["sd"].as_f64()));
+            let sd = 10.0 * sd.unwrap_or(number(&output["value"]).abs());
+            if ["linear", "monte-carlo", "sobol"].iter().any(|method| asked.contains(method)) {
+                top += HEIGHT;
+            }
+            if !methods.is_empty() {
+                let to = top + methods.len() as f64 * ROW + AXIS;
+                let chart = Intervals { lines: &lines, from: top, to };
+                let across = axis(&lines, "middle", "x", |y| chart.inside(y));
+                let dx = (across(12.0) - across(0.0)).abs();
+                let names: Vec<&str> = chart.texts().iter().filter(|(x, ..)| *x == 128.0).map(|(.., text)| *text).collect();
+                let wanted = methods.iter().map(|method| match *method {
+                    "second_order" => "second order",
+                    "monte_carlo" => "samples",
+                    method => method,
+                });
+                assert_eq!(names, wanted.collect::<Vec<_>>(), "{name}");
+                assert!(chart.texts().iter().any(|(.., text)| text.starts_with("mean ± sd of ") && text.ends_with(&format!(" [{of}]"))));
+                for (row, method) in methods.iter().enumerate() {
+                    let [mean, sd_of] = ["mean", "sd"].map(|key| number(&output[method][key]));
+                    let color = ["#D55E00", "#5A5A5A", "#0072B2"]
+                        [["linear", "second_order", "monte_carlo"].iter().position(|one| one == method).expect("a method")];
+                    let [[start, end, y]] = chart.spans(color, "1")[..] else { panic!("{name}: one line of {method}") };
+                    close(across(start), (mean - sd_of) / unit(of), dx, name);
+                    close(across(end), (mean + sd_of) / unit(of), dx, name);
+                    let [x, cy] = chart.circles()[row];
+                    close(across(x), mean / unit(of), dx, name);
+                    assert!((y - cy).abs() <= 1.0 && y > top + row as f64 * ROW && y < top + (row + 1) as f64 * ROW + 96.0, "{name}");
+                    let words = chart.texts().iter().filter(|(x, ..)| *x == 8.0 * 600.0).map(|(.., text)| *text).nth(row).expect("numbers");
+                    let (words, skewed) = words.split_once("; skewness ").map_or((words, None), |(words, skewed)| (words, Some(skewed)));
+                    hold_all(words, &[mean, sd_of], of, sd);
+                    assert_eq!(skewed.is_some(), *method != "linear");
+                    if let Some(skewed) = skewed {
+                        close(skewed.parse().expect("a number"), number(&output[method]["skewness"]), 0.00501, name);
+                    }
+                }
+                top = to;
+            }
+            if has_bounds {
+                let to = top + 3.0 * ROW + AXIS;
+                let chart = Intervals { lines: &lines, from: top, to };
+                let across = axis(&lines, "middle", "x", |y| chart.inside(y));
+                let dx = (across(12.0) - across(0.0)).abs();
+                let names: Vec<&str> = chart.texts().iter().filter(|(x, ..)| *x == 128.0).map(|(.., text)| *text).collect();
+                assert_eq!(names, ["guaranteed", "attained", "nominal"]);
+                assert!(chart.texts().iter().any(|(.., text)| text.starts_with("range of ") && text.ends_with(&format!(" [{of}]"))));
+                let bounds = &output["bounds"];
+                let words: Vec<&str> = chart.texts().iter().filter(|(x, ..)| *x == 8.0 * 600.0).map(|(.., text)| *text).collect();
+                for (row, (keys, opacity)) in [(["low", "high"], "0.35"), (["low_attained", "high_attained"], "1")].into_iter().enumerate()
+                {
+                    let wanted = keys.map(|key| number(&bounds[key]));
+                    let [[start, end, _]] = chart.spans("#0072B2", opacity)[..] else { panic!("{name}: one bar of {keys:?}") };
+                    close(across(start), wanted[0] / unit(of), dx, name);
+                    close(across(end), wanted[1] / unit(of), dx, name);
+                    hold_all(words[row], &wanted, of, sd);
+                }
+                let [[x, _]] = chart.circles()[..] else { panic!("{name}: one mark") };
+                close(across(x), number(&output["value"]) / unit(of), dx, name);
+                hold_all(words[2], &[number(&output["value"])], of, sd);
+                top = to;
+            }
+        }
+        // Nothing lies below the last panel.
+        let height: f64 = attribute(lines[0], "viewBox").split(' ').next_back().and_then(|word| word.parse().ok()).expect("a height");
+        close(height, top, 0.5, "the height of the page");
+    }
+}
+
+#[test]
 fn every_line_of_the_chart() {
-    /// Heights of the title and of a panel, and the width of a density, in chart coordinates of an eighth of a pixel.
-    const TITLE: f64 = 8.0 * 40.0;
-    const PANEL: f64 = 8.0 * 300.0;
+    /// Height of a density with the methods below it, and the width of a density.
+    const PANEL: f64 = HEIGHT + 3.0 * ROW + AXIS;
     const DENSITY: f64 = 8.0 * 550.0;
     for (case, arguments) in cases() {
         let answer = found(&case, &arguments);
@@ -294,7 +500,7 @@ fn every_line_of_the_chart() {
         let coordinate = |line: &str, name: &str| attribute(line, name).parse::<f64>().expect("a coordinate");
         let page = in_units(&case, &arguments, "text", "us");
         for (panel, (name, output)) in ordered(&answer, &page).into_iter().enumerate() {
-            let inside = |y: f64| (TITLE + panel as f64 * PANEL..TITLE + (panel + 1) as f64 * PANEL).contains(&y);
+            let inside = |y: f64| (TITLE + panel as f64 * PANEL..TITLE + panel as f64 * PANEL + HEIGHT).contains(&y);
             let texts = || lines.windows(2).filter(|pair| pair[0].starts_with("<text") && inside(coordinate(pair[0], "y")));
             let of_axis = texts().filter(|pair| attribute(pair[0], "text-anchor") == "middle").map(|pair| pair[1]);
             let of = of_axis.clone().find_map(|text| text.split_once(" [")).map_or("", |(_, unit)| unit.trim_end_matches(']'));
