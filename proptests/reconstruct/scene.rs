@@ -1,6 +1,6 @@
 //! Random oblique collisions of two cars, and their simulated measurements.
 
-use planar_impact::reconstruct::{Answer, Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
+use planar_impact::reconstruct::{Answer, Axis, Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
 use planar_impact::*;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -129,6 +129,10 @@ impl Truth {
             Variable::Speed(side) => self.vehicle(side).motion.velocity.length(),
             Variable::RadiusOfGyration(side) => self.vehicle(side).radius_of_gyration(),
             Variable::CrushShare => self.crush_share,
+            Variable::Impulse(Axis::X) => self.impact.impulse_on_ground.x,
+            Variable::Impulse(Axis::Y) => self.impact.impulse_on_ground.y,
+            // Nobody brakes before the impact.
+            Variable::SkidSpeed(_) => 0.0,
         }
     }
 
@@ -201,6 +205,8 @@ pub fn asking(question: ReconstructionProblem, variable: Variable, truth: f64, s
         Variable::Input(Input::ImpactCenterForward(_) | Input::ImpactCenterLeft(_)) => question.between(variable, 0.0, -1.0, 1.0),
         Variable::Input(Input::YawRate(_)) => question.unknown(variable, 0.0),
         Variable::Input(Input::Heading(_)) => question.between(variable, 0.1, -0.8, 0.8),
+        Variable::Impulse(_) => question.unknown(variable, truth + source.between(-5e3, 5e3)),
+        Variable::SkidSpeed(_) => question.between(variable, 5.0, 0.0, 50.0),
         Variable::Input(_) => question.unknown(variable, truth + source.between(-5.0, 5.0)),
     }
 }

@@ -138,11 +138,7 @@ fn slips_are_named() {
         [[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"10 deg\"\nimpact_center = [2, 0.3]\n\
         [[vehicle]]\nmass = 1300\nyaw_inertia = 2000\nheading = \"100 deg\"\nimpact_center = [0.6, 0.8]\n\
         [contact]\ncrush_plane = \"5 deg\"\nrestitution = 0.08\n";
-    let moving = truth.replacen("impact_center", "speed = 15\nimpact_center", 1).replace("[0.6", "[0.6").replacen(
-        "mass = 1300",
-        "speed = 9\nmass = 1300",
-        1,
-    );
+    let moving = truth.replacen("impact_center", "speed = 15\nimpact_center", 1).replacen("mass = 1300", "speed = 9\nmass = 1300", 1);
     let solved = json_of(&["solve"], &moving);
     let after = |i: usize, key: &str| solved["vehicles"][i][key].clone();
     let evidence = |yaw: f64, speed: f64| {

@@ -98,9 +98,12 @@ fn spread(path: &[State], time: f64) -> impl Iterator<Item = &State> {
     places.into_iter().map(|place| &path[place])
 }
 
+/// A column: its name, its measure and its number.
+type Column = (&'static str, Measure, fn(&State) -> f64);
+
 /// Returns the motion of every vehicle as records of CSV, in the reader's units: a header, then a state in each row.
 pub fn records(slides: &Slides, units: Units) -> Vec<Vec<String>> {
-    const COLUMNS: [(&str, Measure, fn(&State) -> f64); 7] = [
+    const COLUMNS: [Column; 7] = [
         ("t", Measure::Time, |state| state.t),
         ("x", Measure::Length, |state| state.x),
         ("y", Measure::Length, |state| state.y),
