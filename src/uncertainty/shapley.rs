@@ -324,6 +324,21 @@ mod tests {
     }
 
     #[test]
+    fn effects_on_a_linear_output_of_three_numbers_are_the_mean_of_their_six_orders() {
+        // Of standard normal numbers with covariances g with the output, one explains g², and two (g² + h² − 2 r g h)/(1 − r²).
+        let (slopes, r): ([f64; 3], _) = ([1.0, -0.5, 2.0], [[1.0, 0.8, -0.3], [0.8, 1.0, 0.2], [-0.3, 0.2, 1.0]]);
+        let g = [0, 1, 2].map(|i: usize| slopes.iter().zip(r[i]).map(|(slope, r)| slope * r).sum::<f64>());
+        let all: f64 = slopes.iter().zip(g).map(|(slope, g)| slope * g).sum();
+        let two = |i: usize, j: usize| (g[i] * g[i] + g[j] * g[j] - 2.0 * r[i][j] * g[i] * g[j]) / (1.0 - r[i][j] * r[i][j]);
+        let wanted = [(0, 1, 2), (1, 0, 2), (2, 0, 1)].map(|(i, j, k)| {
+            let last = all - two(j, k);
+            let middle = 0.5 * (two(i, j) - g[j] * g[j] + two(i, k) - g[k] * g[k]);
+            (g[i] * g[i] + middle + last) / (3.0 * all)
+        });
+        hold(&effects(&slopes, &[1.0; 3], 0.0, &[(0, 1, r[0][1]), (0, 2, r[0][2]), (1, 2, r[1][2])]), &wanted);
+    }
+
+    #[test]
     fn an_interaction_is_divided_evenly() {
         // x + x y has the variances 1 of x alone and 1 of both.
         hold(&effects(&[1.0, 0.0], &[1.0, 1.0], 1.0, &[]), &[0.75, 0.25]);
