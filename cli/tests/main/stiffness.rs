@@ -278,8 +278,8 @@ fn class(scatter: &str) -> String {
 fn vehicles_of_a_class_are_pooled() {
     // Mean, its standard deviation, and the standard deviation between vehicles: cli/tests/reference/pooled.py.
     for (scatter, d1) in [
-        ("scatter = 10", [988.643_086_996_892_18, 82.883_580_356_071_789, 141.441_195_234_104_5]),
-        ("scatter = 60", [972.231_501_046_525_41, 84.527_757_326_221_959, 11.233_862_339_256_445]),
+        ("scatter = 10", [988.643_086_996_892_2, 82.883_580_356_071_79, 141.441_195_234_104_5]),
+        ("scatter = 60", [972.231_501_046_525_4, 84.527_757_326_221_96, 11.233_862_339_256_445]),
     ] {
         let document = json(&class(scatter));
         for pooled in document["pooled"].as_array().expect("two models") {
