@@ -95,6 +95,9 @@ fn paths(value: &Value, path: &str, found: &mut BTreeSet<String>) {
 
 /// Collects the path of every key that the schema of case files describes, but for those within a number.
 fn described(schema: &Value, node: &Value, path: &str, found: &mut BTreeSet<String>) {
+    if !node.is_object() {
+        return;
+    }
     if let Some(name) = node["$ref"].as_str().and_then(|address| address.strip_prefix("#/$defs/")) {
         let is_number = ["input_", "measured_", "unknown_"].iter().any(|family| name.starts_with(family)) || name.contains("deviation");
         // Results by their qualified name are evidence as well.
