@@ -43,7 +43,7 @@ proptest! {
         }
         // It is the impact that the impulse alone makes, and momentum alone accepts it.
         let by_impulse = collision.solve_by(impact.impulse_on_ground).or_reject("refused")?;
-        prop_assert_eq!(by_impulse.one, impact.one);
+        prop_assert!((by_impulse.one.after.velocity - impact.one.after.velocity).length() <= 1e-9 * impact.one.after.velocity.length().max(impact.one.delta_v.length()));
     }
 
     #[test]

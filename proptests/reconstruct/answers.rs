@@ -290,6 +290,7 @@ fn every_measurable_is_measured_as_by_hand() {
                 .prior(Variable::Speed(Side::One), truth.variable(Variable::Speed(Side::One)), 1e-3)
                 .evidence(of, truth.measured(of), Uncertainty::StandardDeviation(1.0));
             question.crush_share = Some(share);
+            question.skid_speeds = [Some(0.0); 2];
             let answer = question.solve(&ONE_START).expect("it starts at the truth");
             let fitted = answer.best().evidence[0];
             assert!((fitted.computed - truth.measured(of)).abs() <= 1e-9 * fitted.given.abs().max(1.0), "{}: {fitted:?}", of.name());

@@ -176,6 +176,8 @@ impl Truth {
                 let (delta_v, heading) = (response(side).delta_v, self.vehicle(side).heading);
                 delta_v.y * heading.cos - delta_v.x * heading.sin
             }
+            // Nobody brakes before the impact.
+            Measurand::BrakingSpeed(side) => self.vehicle(side).motion.velocity.length(),
             _ => unimplemented!("{measurable:?} is new: measure it by hand"),
         }
     }

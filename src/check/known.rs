@@ -115,6 +115,13 @@ impl<const N: usize> Touch<N> {
         })
     }
 
+    /// Returns `true` for two point masses, which touch at both centers of mass and have no sides.
+    pub(super) fn is_of_points(&self) -> bool {
+        let is_zero = |x: &Uncertain<N>| x.value == 0.0 && x.radius() == 0.0;
+        let has_no_arm = |body: &Body<Uncertain<N>>| is_zero(&body.arm.n) && is_zero(&body.arm.t);
+        self.bodies.iter().all(has_no_arm) && !self.subjects.iter().any(|subject| subject.fixed)
+    }
+
     /// Returns the impulse that ends sliding under a law, with restitution e and the moment impulse, if the inertia of the bodies is known.
     pub(super) fn sticking(&self, law: Law, e: Uncertain<N>) -> Option<Nt<Uncertain<N>>> {
         let [one, two] = &self.subjects;

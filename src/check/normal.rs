@@ -28,10 +28,12 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 }
 
 /// Checks `compressive` and `interpenetration`. The sign of s, the normal component of center of mass 2 less center of mass 1, determines the compressive
-/// direction.
+/// direction; of point masses the approach does.
 fn along_the_normal<const N: usize>(touch: &Touch<N>, leeway: f64, judge: &mut Judge) {
     let offset = Residual::new(touch.offset.n, length(&touch.offset));
-    let side = judge.sign(Rule::Compressive, &offset);
+    // Point masses may come from either side, and then the other body lies ahead.
+    let ahead = Residual::new(-touch.approach.n, length(&touch.approach));
+    let side = judge.sign(Rule::Compressive, if touch.is_of_points() { &ahead } else { &offset });
     let Some(side) = side else {
         judge.checks(Rule::Compressive);
         judge.checks(Rule::Interpenetration);

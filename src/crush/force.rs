@@ -29,7 +29,7 @@ impl<T: Ordered> StiffnessZones<T> {
     /// let stiffness = CrushStiffness::from(ForceLine { onset: 50e3, slope: 500e3 });
     /// let profile = Profile::equally_spaced(1.5, vec![0.2, 0.4])?;
     /// let force = StiffnessZones::from(stiffness).crush_force(&profile);
-    /// assert!((force - 1.5 * (50e3 + 500e3 * 0.3)).abs() < 1e-6);
+    /// assert!(f64::abs(force - 1.5 * (50e3 + 500e3 * 0.3)) < 1e-6);
     /// # Ok::<(), planar_impact::Issues<planar_impact::crush::ProfileError>>(())
     /// ```
     pub fn crush_force(&self, profile: &Profile<T>) -> T {

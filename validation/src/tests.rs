@@ -226,8 +226,8 @@ fn a_report_of_nothing_does_not_hold() {
         measured: Measured { small_overlap: vec![], frontal: vec![], worked: vec![] },
     };
     assert!(!nothing.holds());
-    // Eight tables, the statements, the chain, the figures, both kinds of measured tests.
-    assert_eq!(nothing.problems().len(), 8 + 1 + 1 + 1 + 2);
+    // Eight tables, the statements, the chain, the figures, both kinds of measured tests, the worked examples.
+    assert_eq!(nothing.problems().len(), 8 + 1 + 1 + 1 + 3);
     assert!(nothing.summary().contains("NOT"));
     let mut report = run().expect("embedded");
     report.statements.pop();

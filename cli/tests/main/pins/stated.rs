@@ -289,12 +289,12 @@ fn messages_are_the_notes_with_their_figures() {
             let shown: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
             for figure in array(&message["figures"]) {
                 figures += 1;
-                eprintln!("FIG {verb} {message}");
                 let name = if figure["measure"] == "angle" || figure["measure"] == "yaw rate" { "deg" } else { "" };
                 let want = number(&figure["value"]) / unit(name);
                 assert!(shown.iter().any(|shown| (shown - want).abs() <= 0.006 * want.abs().max(1.0)), "{message}");
             }
         }
     }
-    assert_eq!(figures, 7);
+    // One of them is a mass that may be in pounds, of a reference whose evidence contradicts itself.
+    assert_eq!(figures, 8);
 }
