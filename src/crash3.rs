@@ -48,6 +48,6 @@ mod surface;
 
 pub use approach::approach_velocity;
 pub use assumptions::{Assumption, Assumptions, Consequence};
-pub use correction::{energy_correction, force_correction};
+pub use correction::{energy_correction, force_correction, force_factor};
 pub use damage::{Damaged, DamagedPair, Investigated, PairEstimate, VehicleEstimate};
 pub use surface::Surface;

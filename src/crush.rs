@@ -26,7 +26,7 @@ mod speed;
 mod stiffness;
 mod zones;
 
-pub use force::{MOST_FORCE_IMBALANCE, force_factor, force_imbalance};
+pub use force::{MOST_FORCE_IMBALANCE, force_imbalance};
 pub use law::CrushLaw;
 pub use measuring_line::MeasuringLine;
 pub use moments::ProfileMoments;

@@ -57,8 +57,9 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// Every unknown, repeated, missing or contradictory column, and every unknown name of the question.
+    /// Every unknown, repeated, missing or contradictory column, and every unknown name of the question; a case that momentum alone determines.
     pub fn of(headers: &[Header], base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
+        base.map_or(Ok(()), Case::needs_contact)?;
         let mut issues = Vec::new();
         let mut inputs: Vec<InputColumn> = Vec::new();
         for (place, header) in headers.iter().enumerate() {

@@ -143,12 +143,22 @@ impl Case {
     ///
     /// Each number that is unknown; a contact that momentum alone determines.
     pub fn needs_everything(&self) -> Result<(), Issues> {
-        if self.model.is_momentum() {
-            let message = "momentum alone does not determine how the vehicles separate, and this verb needs that";
-            let help = "`planar-impact reconstruct` finds speeds by momentum; for this verb leave `model` out and give `crush_plane` and `restitution`";
-            return Err(self.unfit([Issue::at("by-momentum", "contact.model", message).with_help(help)]));
-        }
+        self.needs_contact()?;
         self.needs(|_| true)
+    }
+
+    /// Refuses a case that momentum alone determines, for a verb that solves an impact.
+    ///
+    /// # Errors
+    ///
+    /// The model of the contact.
+    pub fn needs_contact(&self) -> Result<(), Issues> {
+        if !self.model.is_momentum() {
+            return Ok(());
+        }
+        let message = "momentum alone does not determine how the vehicles separate, and this verb needs that";
+        let help = "`planar-impact reconstruct` finds speeds by momentum; for this verb leave `model` out and give `crush_plane` and `restitution`";
+        Err(self.unfit([Issue::at("by-momentum", "contact.model", message).with_help(help)]))
     }
 
     /// Refuses a case that gives the restitution over the closing speed, for a verb that needs a number.

@@ -1,7 +1,6 @@
 //! The energy correction for a force that is not perpendicular to the crushed surface.
 
 use super::Surface;
-use crate::crush::force_factor;
 use crate::impact::ForceDirection;
 use crate::scalar::{Field, Ordered, Real, is_positive};
 
@@ -43,6 +42,15 @@ pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceDirection<T
 pub fn force_correction<T: Real + Ordered<Mask = bool>>(surface: Surface, origin: &ForceDirection<T>) -> Option<T> {
     let Parts { along, length_squared } = Parts::of(surface, origin);
     is_positive(&along).then(|| force_factor(along, length_squared.square_root()))
+}
+
+/// Returns 1/cos α, by which a force exceeds its component normal to the crushed surface, from that component and the length of the force.
+///
+/// A and B are of the force normal to the surface. CRASH3 takes the force and the depth along the principal direction of force to be both 1/cos α times as
+/// large, and so the energy 1/cos² α = 1 + tan² α times (CRASH3 User's Guide and Technical Manual, DOT HS 805 732, 1981; EDCRASH is derived from it). This is
+/// the factor of the force alone, which has no limit of its own.
+pub fn force_factor<T: Field>(normal: T, length: T) -> T {
+    length / normal
 }
 
 /// A force relative to a surface.

@@ -1,19 +1,10 @@
 //! The force at the end of the crush: ∫ (A + B C) dw normal to the surface, and along the principal direction of force.
 
 use super::{ForceLine, Profile, Saturating, StiffnessZones};
-use crate::scalar::{Field, Ordered};
+use crate::scalar::Ordered;
 
 /// Largest imbalance of the crush forces on two vehicles that EDCRASH's run-time diagnostics accept, as a share of the smaller force.
 pub const MOST_FORCE_IMBALANCE: f64 = 1.0;
-
-/// Returns 1/cos α, by which a force exceeds its component normal to the crushed surface, from that component and the length of the force.
-///
-/// A and B are of the force normal to the surface. CRASH3 takes the force and the depth along the principal direction of force to be both 1/cos α times as
-/// large, and so the energy 1/cos² α = 1 + tan² α times (CRASH3 User's Guide and Technical Manual, DOT HS 805 732, 1981; EDCRASH is derived from it). This is
-/// the factor of the force alone, which has no limit of its own.
-pub fn force_factor<T: Field>(normal: T, length: T) -> T {
-    length / normal
-}
 
 /// Returns by how much the larger of two forces exceeds the smaller, as a share of the smaller. By Newton's third law it is 0.
 pub fn force_imbalance(forces: [f64; 2]) -> f64 {
@@ -89,6 +80,5 @@ mod tests {
     #[test]
     fn equal_forces_balance() {
         assert_eq!([force_imbalance([3.0, 3.0]), force_imbalance([3.0, 6.0]), force_imbalance([6.0, 3.0])], [0.0, 1.0, 1.0]);
-        assert_eq!(force_factor(0.5, 1.0), 2.0);
     }
 }

@@ -391,3 +391,12 @@ fn casework_that_cannot_be_used_is_refused_at_its_place() {
         assert!(text.contains("case.toml"), "it has a place: {}", run.err);
     }
 }
+
+/// A table cannot take its contact from a case without one.
+#[test]
+fn momentum_is_no_case_of_a_table() {
+    let table = "cli/examples/batch/speeds.csv";
+    let run = run(&workspace(), &["batch", table, "--case", "cli/examples/reconstruct/momentum.toml", "-o", "-"]);
+    assert_eq!((run.status, run.out.as_str()), (2, ""));
+    assert!(flat(&run.err).contains("contact.model: momentum alone does not determine how the vehicles separate"), "{}", run.err);
+}

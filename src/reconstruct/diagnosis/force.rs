@@ -1,7 +1,8 @@
 //! Forces implied by the crush of the two vehicles.
 
 use super::{Damage, Figure, Finding, Limit, Meaning, Question};
-use crate::crush::{MOST_FORCE_IMBALANCE, force_factor, force_imbalance};
+use crate::crash3::force_factor;
+use crate::crush::{MOST_FORCE_IMBALANCE, force_imbalance};
 use crate::frame::Xy;
 use crate::impact::ForceDirection;
 use crate::reconstruct::Solution;
