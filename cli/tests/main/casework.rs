@@ -169,6 +169,9 @@ fn slips_are_named() {
             "exchanged",
         ),
         (truth.replace("mass = 1300", "mass = 2866.009"), sound.clone(), "vehicle.2.mass", "pounds taken for kilograms"),
+        // 9 m/s are 32.4 km/h and 20.1 mph.
+        (truth.to_owned(), sound.replace("\"9 m/s", "\"20.132 km/h"), "vehicle.2.speed", "mph taken for km/h"),
+        (truth.to_owned(), sound.replace("\"9 m/s", "\"32.4 mph"), "vehicle.2.speed", "km/h taken for mph"),
         (truth.to_owned(), evidence(-1.0, 1.0), "vehicle.1.separation_yaw_rate", "the other way round"),
         (truth.to_owned(), evidence(57.295_779_513, 1.0), "vehicle.1.separation_yaw_rate", "degrees taken for radians"),
     ];
