@@ -214,6 +214,11 @@ impl<T: Field> Heading<T> {
         Heading { cos: T::int(1), sin: T::int(0) }
     }
 
+    /// Returns the unit vector straight ahead.
+    pub(crate) fn ahead(&self) -> Xy<T> {
+        Xy { x: self.cos.clone(), y: self.sin.clone() }
+    }
+
     /// Returns the opposite heading.
     #[inline(always)]
     #[must_use]

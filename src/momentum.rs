@@ -16,18 +16,24 @@
 //! | the speeds found have the momentum of the velocities after | `approach_speeds_have_the_momentum_after` |
 
 use crate::collision::Collision;
-use crate::frame::{CrushPlane, ForwardLeft, Heading, Xy};
+use crate::contact::Contact;
+use crate::frame::{CrushPlane, Xy};
 use crate::impact::Impact;
 use crate::law::{ImpulseRatio, Law};
 use crate::moment::Moment;
 use crate::refusal::{Refusal, Refusals};
-use crate::scalar::{Field, Ordered, Real, is_finite};
+use crate::scalar::{Field, Ordered, Real};
 use crate::vehicle::Vehicle;
 
 impl<T: Field> Collision<T> {
     /// Returns the impact of an impulse on vehicle 1, in ground axes and N s, whatever restitution and impulse ratio the collision gives.
     pub fn impact_by(&self, impulse: Xy<T>) -> Impact<T> {
-        self.impact_of(&self.contact(), self.crush_plane.to_contact(impulse), None)
+        self.impact_by_at(&self.contact(), impulse)
+    }
+
+    /// The same with the contact of this collision.
+    pub(crate) fn impact_by_at(&self, contact: &Contact<T>, impulse: Xy<T>) -> Impact<T> {
+        self.impact_of(contact, self.crush_plane.to_contact(impulse), None)
     }
 }
 
@@ -40,7 +46,7 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
     pub fn solve_by(&self, impulse: Xy<T>) -> Result<Impact<T>, Refusals<T>> {
         self.check_inputs()?;
         let impact = self.impact_by(impulse);
-        if !is_finite(&impact.impulse.n) || !is_finite(&impact.impulse.t) || !impact.is_finite() {
+        if !impact.is_finite() {
             return Err(Refusal::OutOfFloatRange.into());
         }
         if impact.gains_energy() {
@@ -85,8 +91,7 @@ pub fn approach_speeds<T: Field>(vehicles: [&Vehicle<T>; 2], after: [Xy<T>; 2]) 
     let [one, two] = vehicles;
     let [after_1, after_2] = after;
     let momentum = after_1 * one.mass.clone() + after_2 * two.mass.clone();
-    let along = |heading: &Heading<T>| heading.to_ground(ForwardLeft { forward: T::int(1), left: T::int(0) });
-    let (along_1, along_2) = (along(&one.heading), along(&two.heading));
+    let (along_1, along_2) = (one.heading.ahead(), two.heading.ahead());
     let across = along_1.clone().cross(along_2.clone());
     [momentum.clone().cross(along_2) / (across.clone() * one.mass.clone()), along_1.cross(momentum) / (across * two.mass.clone())]
 }

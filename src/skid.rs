@@ -16,6 +16,7 @@
 
 use alloc::vec::Vec;
 
+use crate::frame::Xy;
 use crate::scalar::Real;
 
 /// A distance over which a vehicle brakes.
@@ -77,6 +78,11 @@ impl<T: Real> Skid<T> {
 pub fn skid_speed<T: Real>(skids: &[Skid<T>], gravity: T) -> T {
     let squares = skids.iter().map(|skid| skid.speed_squared(gravity.clone()));
     squares.fold(T::int(0), |sum, square| sum + square).square_root()
+}
+
+/// Returns the speed of a vehicle when it began to brake, in m/s: √(v² + s²) of its velocity v at the impact and its skid speed s.
+pub fn braking_speed<T: Real>(at_impact: Xy<T>, skid_speed: T) -> T {
+    (at_impact.length_squared() + skid_speed.squared()).square_root()
 }
 
 /// Returns the motion over skids, in their order along the road, that ends in a speed, in m/s.

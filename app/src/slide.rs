@@ -98,10 +98,7 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
     let (mut vehicles, mut issues) = (Vec::new(), Vec::new());
     for (done, (side, of)) in sides().enumerate() {
         control.proceed(done, 2)?;
-        let solved = impact.as_ref().map(|impact| match side {
-            Side::One => impact.one.after,
-            Side::Two => impact.two.after,
-        });
+        let solved = impact.as_ref().map(|impact| [impact.one, impact.two][side as usize].after);
         let Some((motion, separation_from)) = given(side).map(|motion| (motion, "given")).or(solved.map(|motion| (motion, "solve"))) else {
             continue;
         };

@@ -174,7 +174,7 @@ fn line_of_heading<T: Real>(after: &Collision<T>, contact: &Contact<T>, side: Si
         Side::Two => (&after.two, &contact.two, T::int(-1)),
     };
     let Vehicle { mass, heading, .. } = party.vehicle()?.clone();
-    let along = after.crush_plane.to_contact(heading.to_ground(crate::frame::ForwardLeft { forward: T::int(1), left: T::int(0) }));
+    let along = after.crush_plane.to_contact(heading.ahead());
     let across = along.clone().quarter_turn();
     let fixed = across.clone() * (body.velocity.clone().dot(across) * mass * sign);
     Some((fixed, along))

@@ -2,8 +2,7 @@
 
 use super::placed::Placed;
 use super::variable::Variable;
-use crate::collision::Collision;
-use crate::frame::Nt;
+use crate::contact::Contact;
 use crate::impact::Impact;
 use crate::law::ImpulseRatio;
 use crate::least_squares::Bound;
@@ -52,65 +51,55 @@ pub(super) struct Margins {
     velocity: f64,
     impulse: f64,
     energy: f64,
-    distance: f64,
+    /// `None` of point masses, and by momentum alone.
+    distance: Option<f64>,
 }
 
 impl Margins {
     /// Creates the margins on the side of a collision that the mechanics accepts, in its sizes.
     pub(super) fn around(placed: &Placed<f64>, impact: &Impact) -> Self {
         let contact = placed.collision.contact();
+        let sizes = |approach: f64, impulse: f64, limits, side, distance| {
+            let velocity = approach.max(1.0);
+            let impulse = impulse.max(velocity / contact.compliance.nn);
+            Margins { limits, side, velocity, impulse, energy: impulse * velocity, distance }
+        };
         if placed.impulse.is_some() {
-            let velocity = impact.approach.length().max(1.0);
-            let impulse = impact.impulse.length().max(velocity / contact.compliance.nn);
-            return Margins { limits: vec![Limit::Energy], side: 1.0, velocity, impulse, energy: impulse * velocity, distance: 1.0 };
+            return sizes(impact.approach.length(), impact.impulse.length(), vec![Limit::Energy], 1.0, None);
         }
-        let velocity = impact.approach.n.abs().max(1.0);
-        let impulse = impact.impulse.n.abs().max(velocity / contact.compliance.nn);
-        let mut limits = vec![Limit::Closing, Limit::Closing, Limit::Tension, Limit::Energy];
+        // Point masses have no side on which they lie.
+        let distance = (!placed.collision.is_of_points(&contact)).then(|| contact.offset().n.abs().max(0.1));
+        let mut limits = vec![Limit::Closing];
+        limits.extend(distance.map(|_| Limit::Closing));
+        limits.extend([Limit::Tension, Limit::Energy]);
         match placed.collision.impulse_ratio {
             ImpulseRatio::Given(_) => limits.extend([Limit::Sliding; 2]),
             ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
-        let offset = contact.offset().n;
-        // Point masses have no side on which they lie.
-        if contact.one.arm == Nt::zero() && contact.two.arm == Nt::zero() {
-            limits.remove(1);
-        }
-        Margins {
-            limits,
-            side: -1_f64.copysign(impact.approach.n),
-            velocity,
-            impulse,
-            energy: impulse * velocity,
-            distance: offset.abs().max(0.1),
-        }
+        sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, -1_f64.copysign(impact.approach.n), distance)
     }
 
     pub(super) fn limit(&self, index: usize) -> Limit {
         self.limits[index]
     }
 
-    /// Returns the margins of a collision, in the order of [`Margins::limit`].
-    pub(super) fn of<T: Real + From<f64>>(&self, collision: &Collision<T>, impact: &Impact<T>) -> Vec<T> {
+    /// Returns the margins of a collision with its contact and its impact, in the order of [`Margins::limit`].
+    pub(super) fn of<T: Real + From<f64>>(&self, placed: &Placed<T>, contact: &Contact<T>, impact: &Impact<T>) -> Vec<T> {
         /// Least approach velocity and offset, as a share: at zero there is no collision, and close to it nothing but rounding.
         const LEAST: f64 = 1e-4;
         /// Least of the rest, beyond rounding.
         const ROUNDING: f64 = 1e-7;
         let over = |value: T, unit: f64, least: f64| value * T::from(unit.recip()) - T::from(least);
-        if self.limits == [Limit::Energy] {
-            return vec![over(impact.loss(), self.energy, ROUNDING)];
+        let energy = over(impact.loss(), self.energy, ROUNDING);
+        if placed.impulse.is_some() {
+            return vec![energy];
         }
-        let contact = &collision.contact();
+        let collision = &placed.collision;
         let sticking = collision.sticking_impulse(contact);
-        let mut margins = vec![
-            over(impact.approach.n.clone(), -self.side * self.velocity, LEAST),
-            over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING),
-            over(impact.loss(), self.energy, ROUNDING),
-        ];
-        if self.limits[1] == Limit::Closing {
-            margins.insert(1, over(contact.offset().n, self.side * self.distance, LEAST));
-        }
+        let mut margins = vec![over(impact.approach.n.clone(), -self.side * self.velocity, LEAST)];
+        margins.extend(self.distance.map(|distance| over(contact.offset().n, self.side * distance, LEAST)));
+        margins.extend([over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING), energy]);
         match collision.impulse_ratio {
             ImpulseRatio::Given(_) => {
                 let along = impact.impulse.t.clone() * sticking.t.clone();

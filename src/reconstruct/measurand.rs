@@ -11,6 +11,7 @@ use crate::input::{Input, Side};
 use crate::measure::Measure;
 use crate::output::Output;
 use crate::scalar::Real;
+use crate::skid::braking_speed;
 use crate::vehicle::Party;
 
 /// A quantity of a crash that can be measured and compared with its computed value.
@@ -198,7 +199,7 @@ impl Measurand {
             }
             Measurand::BrakingSpeed(side) => {
                 let before = &party(collision, side).vehicle()?.motion.velocity;
-                (before.clone().length_squared() + placed.skids[side as usize].clone()?.squared()).square_root()
+                braking_speed(before.clone(), placed.skids[side as usize].clone()?)
             }
             Measurand::DeltaVForward(side) => response(side).delta_v_in_vehicle.forward.clone(),
             Measurand::DeltaVLeft(side) => response(side).delta_v_in_vehicle.left.clone(),

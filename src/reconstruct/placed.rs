@@ -1,6 +1,7 @@
 //! A collision with values for its unknowns.
 
 use crate::collision::Collision;
+use crate::contact::Contact;
 use crate::frame::Xy;
 use crate::impact::Impact;
 use crate::refusal::Refusals;
@@ -21,9 +22,14 @@ pub(super) struct Placed<T> {
 impl<T: Real> Placed<T> {
     /// Computes the impact, whether or not the mechanics accepts it.
     pub(super) fn evaluate(&self) -> Impact<T> {
+        self.impact_at(&self.collision.contact())
+    }
+
+    /// The same with the contact of the collision.
+    pub(super) fn impact_at(&self, contact: &Contact<T>) -> Impact<T> {
         match &self.impulse {
-            Some(impulse) => self.collision.impact_by(impulse.clone()),
-            None => self.collision.evaluate(),
+            Some(impulse) => self.collision.impact_by_at(contact, impulse.clone()),
+            None => self.collision.impact_at(contact),
         }
     }
 }

@@ -32,9 +32,10 @@ pub(super) struct WithinLimits<'a> {
 /// What is computed at a point, in the order evidence, margins, fixed quantity.
 fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fixed: Option<Fixed>, point: &[T]) -> Vec<T> {
     let placed = model.place(point);
-    let impact = placed.evaluate();
+    let contact = placed.collision.contact();
+    let impact = placed.impact_at(&contact);
     let mut all = model.measured(&placed, &impact);
-    all.extend(margins.of(&placed.collision, &impact));
+    all.extend(margins.of(&placed, &contact, &impact));
     all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
     all
 }

@@ -120,10 +120,17 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
         let arms = sum_of_magnitudes(&one.arm) + sum_of_magnitudes(&two.arm);
         let (approach, offset) = (&contact.approach.n, contact.offset().n);
         let moves = (speeds * rounding()).less(&approach.clone().magnitude());
-        let apart = (arms.clone() * rounding()).less(&offset.clone().magnitude());
-        let is_pair = self.one.vehicle().is_some() && self.two.vehicle().is_some();
-        let are_points = if is_pair { is_zero(&arms) } else { !always::<T>() };
-        moves & (are_points | (apart & (is_positive(approach) ^ is_positive(&offset))))
+        let apart = (arms * rounding()).less(&offset.clone().magnitude());
+        moves & (self.is_of_points(contact) | (apart & (is_positive(approach) ^ is_positive(&offset))))
+    }
+
+    /// Returns `true` if both parties are vehicles whose impact center is their center of mass.
+    #[inline(always)]
+    pub(crate) fn is_of_points(&self, contact: &Contact<T>) -> T::Mask {
+        if self.one.vehicle().is_none() || self.two.vehicle().is_none() {
+            return !always::<T>();
+        }
+        is_zero(&(sum_of_magnitudes(&contact.one.arm) + sum_of_magnitudes(&contact.two.arm)))
     }
 
     /// Returns `true` if a given ratio lets the vehicles separate, or if a fraction of the critical ratio is one and that ratio exists.

@@ -5,94 +5,42 @@ mod tables;
 
 use super::*;
 
-fn report(alter: impl FnOnce(&mut Owned)) -> Report {
-    run_owned(alter).expect("well formed")
+fn report(alter: impl FnOnce(&mut Texts<'static>)) -> Report {
+    run_altered(alter).expect("well formed")
 }
 
-fn run_owned(alter: impl FnOnce(&mut Owned)) -> Result<Report, DataError> {
-    let texts = Texts::embedded();
-    let mut owned = Owned {
-        table_1: texts.table_1.into(),
-        table_2: texts.table_2.into(),
-        table_3: texts.table_3.into(),
-        table_4: texts.table_4.into(),
-        table_5: texts.table_5.into(),
-        table_6: texts.table_6.into(),
-        table_b1: texts.table_b1.into(),
-        table_b2: texts.table_b2.into(),
-        geometry: texts.geometry.into(),
-        misprints: texts.misprints.into(),
-        bounds: texts.bounds.into(),
-        iihs: texts.iihs.into(),
-        nhtsa: texts.nhtsa.into(),
-        worked: texts.worked.into(),
-    };
-    alter(&mut owned);
-    let Owned {
-        table_1,
-        table_2,
-        table_3,
-        table_4,
-        table_5,
-        table_6,
-        table_b1,
-        table_b2,
-        geometry,
-        misprints,
-        bounds,
-        iihs,
-        nhtsa,
-        worked,
-    } = &owned;
-    run_on(&Texts {
-        table_1,
-        table_2,
-        table_3,
-        table_4,
-        table_5,
-        table_6,
-        table_b1,
-        table_b2,
-        geometry,
-        misprints,
-        bounds,
-        iihs,
-        nhtsa,
-        worked,
-    })
+fn run_altered(alter: impl FnOnce(&mut Texts<'static>)) -> Result<Report, DataError> {
+    let mut texts = Texts::embedded();
+    alter(&mut texts);
+    run_on(&texts)
 }
 
-struct Owned {
-    table_1: String,
-    table_2: String,
-    table_3: String,
-    table_4: String,
-    table_5: String,
-    table_6: String,
-    table_b1: String,
-    table_b2: String,
-    geometry: String,
-    misprints: String,
-    bounds: String,
-    iihs: String,
-    nhtsa: String,
-    worked: String,
+/// Replaces a text by an altered one, which lives as long as the embedded ones.
+fn put(text: &mut &'static str, altered: String) {
+    *text = altered.leak();
 }
 
-/// Replaces a text that must occur exactly once.
-fn swap(text: &mut String, from: &str, to: &str) {
+fn swap(text: &mut &'static str, from: &str, to: &str) {
     assert_eq!(text.matches(from).count(), 1, "{from}");
-    *text = text.replace(from, to);
+    replace(text, from, to);
+}
+
+fn replace(text: &mut &'static str, from: &str, to: &str) {
+    put(text, text.replace(from, to));
+}
+
+fn add(text: &mut &'static str, more: &str) {
+    put(text, format!("{text}{more}"));
 }
 
 /// Removes the only line that contains a piece of text.
-fn drop_line(text: &mut String, piece: &str) {
+fn drop_line(text: &mut &'static str, piece: &str) {
     let kept = text.lines().filter(|line| !line.contains(piece)).collect::<Vec<_>>();
     assert_eq!(kept.len() + 1, text.lines().count(), "{piece}");
-    *text = kept.join("\n");
+    put(text, kept.join("\n"));
 }
 
-fn problems(alter: impl FnOnce(&mut Owned)) -> Vec<Problem> {
+fn problems(alter: impl FnOnce(&mut Texts<'static>)) -> Vec<Problem> {
     let report = report(alter);
     assert!(!report.holds());
     assert!(report.problems().iter().all(|problem| !problem.to_string().is_empty()));
@@ -151,7 +99,7 @@ fn a_corrected_misprint_is_stale() {
 fn a_misprint_that_agrees_is_found() {
     // Table 1, first row, μ₀ = 0.661, listed as a misprint.
     let line = "Table 1,A -40 40 0.00,mu_0,0.661,0.666,made up\n";
-    let problems = problems(|texts| texts.misprints.push_str(line));
+    let problems = problems(|texts| add(&mut texts.misprints, line));
     assert!(problems.iter().any(|p| matches!(p, Problem::Cell(Cell { verdict: Verdict::MisprintAgrees, .. }))), "{problems:?}");
 }
 
@@ -164,7 +112,7 @@ fn a_correction_that_disagrees_is_found() {
 #[test]
 fn a_misprint_of_no_cell_is_stale() {
     for line in ["Table 1,D -40 40 0.00,mu_0,0.661,0.666,no such row\n", "Table 9,0,mu_0,0.661,0.666,no such table\n"] {
-        let problems = problems(|texts| texts.misprints.push_str(line));
+        let problems = problems(|texts| add(&mut texts.misprints, line));
         assert!(matches!(&problems[..], [Problem::StaleMisprint(_)]), "{problems:?}");
     }
 }
@@ -182,7 +130,7 @@ fn a_bound_that_nothing_needs_is_found() {
         "Table 9,*,W_n,0.06,absolute,no such table\n",
         "Table 1,B,W_n,1.1,absolute,there is one already\n",
     ] {
-        let problems = problems(|texts| texts.bounds.push_str(line));
+        let problems = problems(|texts| add(&mut texts.bounds, line));
         assert!(matches!(&problems[..], [Problem::UnusedBound(_)]), "{problems:?}");
     }
 }
@@ -209,7 +157,7 @@ fn a_dropped_row_is_missed() {
 fn a_row_in_place_of_another_is_missed() {
     let problems = problems(|texts| {
         drop_line(&mut texts.table_2, "-1,0.686");
-        texts.table_2.push_str("\n0,0.661,-30097.2,-19883.6\n");
+        add(&mut texts.table_2, "\n0,0.661,-30097.2,-19883.6\n");
     });
     assert!(problems.iter().any(|problem| matches!(problem, Problem::Repeated { .. })), "{problems:?}");
 }
@@ -236,16 +184,16 @@ fn a_report_of_nothing_does_not_hold() {
 
 #[test]
 fn malformed_texts_are_errors() {
-    let cases: [fn(&mut Owned); 6] = [
-        |texts| texts.table_1.clear(),
-        |texts| texts.table_2 = "gamma_deg,mu0,Wn_ftlb,Wt_ftlb\n".into(),
-        |texts| texts.table_b1.push_str("4,1\n"),
-        |texts| texts.geometry.clear(),
-        |texts| texts.misprints.clear(),
+    let cases: [fn(&mut Texts<'static>); 6] = [
+        |texts| texts.table_1 = "",
+        |texts| texts.table_2 = "gamma_deg,mu0,Wn_ftlb,Wt_ftlb\n",
+        |texts| add(&mut texts.table_b1, "4,1\n"),
+        |texts| texts.geometry = "",
+        |texts| texts.misprints = "",
         |texts| swap(&mut texts.table_2, "-30097.2", "-30,097.2"),
     ];
     for (which, case) in cases.into_iter().enumerate() {
-        assert!(run_owned(case).is_err(), "case {which}");
+        assert!(run_altered(case).is_err(), "case {which}");
     }
 }
 

@@ -6,6 +6,7 @@
 
 use planar_impact::crash3::{DamagedPair, Investigated};
 use planar_impact::crush::speed_of_energy;
+use planar_impact::skid::braking_speed;
 use planar_impact::{
     Collision, CrushPlane, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals, Side, Vehicle, Xy,
 };
@@ -124,7 +125,7 @@ impl<T: Real<Mask = bool>> Setup<T> {
         let parties = self.collision.parties();
         std::array::from_fn(|i| {
             let (vehicle, skid) = (parties[i].vehicle()?, self.skid_speeds[i].clone()?);
-            Some((vehicle.motion.velocity.clone().length_squared() + skid.squared()).square_root())
+            Some(braking_speed(vehicle.motion.velocity.clone(), skid))
         })
     }
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Variable};
-use planar_impact::{Heading, Input, Measure, Output, Party, Side, Vehicle};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
+use planar_impact::{Input, Measure, Output, Party, Side};
 
 use super::question::Question;
 use crate::case::vehicle_number;
@@ -62,16 +62,14 @@ fn slips(asked: &ReconstructionProblem) -> Vec<Slip> {
     mirrored_centers(asked, &mut all);
     exchanged_headings(asked, &mut all);
     for side in Side::ALL {
-        if is_known(asked, Input::Mass(side)) {
-            mass_in_pounds(asked, side, &mut all);
-        }
+        mass_in_pounds(asked, side, &mut all);
     }
     for (i, evidence) in asked.evidence.iter().enumerate() {
         let mut scaled = |factor: f64, words: &str| {
             let mut problem = asked.clone();
             let piece = &mut problem.evidence[i];
             piece.value *= factor;
-            if let planar_impact::reconstruct::Uncertainty::StandardDeviation(sd) = &mut piece.uncertainty {
+            if let Uncertainty::StandardDeviation(sd) = &mut piece.uncertainty {
                 *sd *= factor.abs();
             }
             let instead = Message::new().figure(evidence.of.measure(), piece.value).text(words.to_owned());
@@ -98,55 +96,48 @@ fn is_known(asked: &ReconstructionProblem, input: Input) -> bool {
     asked.collision.input(input).is_some() && asked.unknowns.iter().all(|unknown| unknown.of != Variable::Input(input))
 }
 
-fn vehicle(asked: &mut ReconstructionProblem, side: Side) -> Option<&mut Vehicle> {
-    let party = match side {
-        Side::One => &mut asked.collision.one,
-        Side::Two => &mut asked.collision.two,
-    };
-    match party {
-        Party::Vehicle(vehicle) => Some(vehicle),
-        Party::Barrier => None,
+/// Returns the question with other values of inputs, which the collision has.
+fn with(asked: &ReconstructionProblem, values: &[(Input, f64)]) -> Option<ReconstructionProblem> {
+    let mut problem = asked.clone();
+    for (input, value) in values {
+        problem.collision.set(*input, *value).ok()?;
     }
+    Some(problem)
 }
 
 /// The impact center on the other side of a vehicle, or of both.
 fn mirrored_centers(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let left = |side| asked.collision.input(Input::ImpactCenterLeft(side)).filter(|left| *left != 0.0);
-    let can = |side: &Side| left(*side).is_some() && is_known(asked, Input::ImpactCenterLeft(*side));
     for sides in [&[Side::One][..], &[Side::Two], &Side::ALL] {
-        if !sides.iter().all(can) {
-            continue;
-        }
-        let mut problem = asked.clone();
+        let mirrored = |side: &Side| {
+            let input = Input::ImpactCenterLeft(*side);
+            let left = asked.collision.input(input).filter(|left| *left != 0.0 && is_known(asked, input))?;
+            Some((input, -left))
+        };
+        let Some(values) = sides.iter().map(mirrored).collect::<Option<Vec<_>>>() else { continue };
+        let Some(problem) = with(asked, &values) else { continue };
         let mut instead = Message::new();
-        for (k, side) in sides.iter().enumerate() {
-            let Some(vehicle) = vehicle(&mut problem, *side) else { continue };
-            vehicle.impact_center.left *= -1.0;
+        for (k, (side, (_, left))) in sides.iter().zip(&values).enumerate() {
             let and = if k > 0 { " and " } else { "" };
             instead = instead.text(format!("{and}the impact center of vehicle {} at left = ", vehicle_number(*side)));
-            instead = instead.figure(Measure::Length, vehicle.impact_center.left);
+            instead = instead.figure(Measure::Length, *left);
         }
         let path = format!("vehicle.{}.impact_center", vehicle_number(sides[0]));
         all.push(Slip { path, instead: instead.text(", the mirror image,"), problem });
     }
 }
 
-/// Each vehicle with the heading of the other.
+/// Each vehicle with the heading of the other; one that drives along its heading turns its velocity with it.
 fn exchanged_headings(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    if !Side::ALL.into_iter().all(|side| is_known(asked, Input::Heading(side))) {
-        return;
-    }
     let mut problem = asked.clone();
-    let headings: Vec<Heading> = Side::ALL.into_iter().filter_map(|side| Some(vehicle(&mut problem, side)?.heading)).collect();
-    let [one, two] = headings[..] else { return };
-    if one == two {
+    let (Party::Vehicle(one), Party::Vehicle(two)) = (&mut problem.collision.one, &mut problem.collision.two) else { return };
+    if one.heading == two.heading || !Side::ALL.into_iter().all(|side| is_known(asked, Input::Heading(side))) {
         return;
     }
-    for (side, heading) in [(Side::One, two), (Side::Two, one)] {
-        let Some(vehicle) = vehicle(&mut problem, side) else { continue };
+    let headings = [two.heading, one.heading];
+    for ((vehicle, heading), drives_along) in [one, two].into_iter().zip(headings).zip(asked.drives_along_heading) {
         let speed = vehicle.heading.to_vehicle(vehicle.motion.velocity).forward;
         *vehicle = vehicle.with_heading(heading);
-        if asked.drives_along_heading[side as usize] {
+        if drives_along {
             *vehicle = vehicle.with_speed(speed);
         }
     }
@@ -155,11 +146,11 @@ fn exchanged_headings(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
 
 /// A mass in the other unit.
 fn mass_in_pounds(asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
+    let input = Input::Mass(side);
+    let Some(mass) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
     for (factor, words) in [(POUND, ", pounds taken for kilograms,"), (POUND.recip(), ", kilograms taken for pounds,")] {
-        let mut problem = asked.clone();
-        let Some(vehicle) = vehicle(&mut problem, side) else { continue };
-        vehicle.mass *= factor;
-        let instead = Message::new().figure(Measure::Mass, vehicle.mass).text(words.to_owned());
-        all.push(Slip { path: Input::Mass(side).name().to_owned(), instead, problem });
+        let mass = factor * mass;
+        let Some(problem) = with(asked, &[(input, mass)]) else { continue };
+        all.push(Slip { path: input.name().to_owned(), instead: Message::new().figure(Measure::Mass, mass).text(words), problem });
     }
 }

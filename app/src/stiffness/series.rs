@@ -9,7 +9,7 @@ use crate::issue::{Issue, Issues};
 use crate::message::Message;
 use crate::units::Measure;
 
-/// How far √(m/w) of the tests may differ for one d0 to stand for a b0 in all of them.
+/// Largest relative difference of √(m/w) between tests at which a held b0 has one d0 in all of them.
 const SAME_ONSET: f64 = 0.025;
 
 /// Lists of repeated tests of one car, as the library takes them.
