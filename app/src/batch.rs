@@ -16,7 +16,7 @@ pub use header::Header;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{
-    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, VehicleInputs, Velocity, parameter_of,
+    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, Size, VehicleInputs, Velocity, parameter_of,
     vehicle_number,
 };
 use crate::issue::{Issue, Issues};
@@ -228,6 +228,7 @@ impl Plan {
                 yaw_rate: 0.0,
                 impact_center: ForwardLeft { forward: 0.0, left: 0.0 },
                 crush: self.crush[i].clone(),
+                size: Size::default(),
                 braking: None,
             })
         };

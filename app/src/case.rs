@@ -16,7 +16,7 @@ mod uncertain;
 mod vehicle;
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, Refusal, Refusals};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 pub use crush::Crush;
@@ -33,7 +33,7 @@ pub use restitution::{CurvePoint, Restitution, RestitutionCurve, closing_speed};
 pub use setup::Setup;
 pub(crate) use uncertain::MOST_VALUES;
 pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
-pub use vehicle::{Inertia, VehicleInputs, Velocity};
+pub use vehicle::{Inertia, Size, VehicleInputs, Velocity};
 
 use crate::answer::Answer;
 use crate::document::Document;
@@ -65,8 +65,8 @@ pub struct Case {
     pub bracket: Option<CrushPlaneBracket>,
     /// Evidence and unknowns.
     pub knowledge: Knowledge,
-    /// `true` if the file says where on the scene the vehicles met.
-    pub has_scene: bool,
+    /// Where on the scene the vehicles met, if the file says so.
+    pub scene: Option<Xy>,
     /// The path of each vehicle to rest; `None` if the file does not give it.
     pub rest: Option<RestInputs>,
     /// The units that most of its quantities are in.
@@ -110,7 +110,7 @@ impl Case {
             model: read.model,
             bracket: read.bracket,
             knowledge: read.knowledge,
-            has_scene: read.has_scene,
+            scene: read.scene,
             rest: read.rest,
             units,
             notices: Notices(given.notices.into_inner()),
@@ -222,6 +222,25 @@ impl Case {
     pub fn with_collision(&self, values: &[(Parameter, f64)], collision: Collision) -> Case {
         let case = self.with(values);
         Case { setup: Setup { collision, ..case.setup.clone() }, collision, ..case }
+    }
+
+    /// The file.
+    pub fn source(&self) -> &Source {
+        self.document.source()
+    }
+
+    /// The same case with another tangential law.
+    pub(crate) fn with_law(&self, law: Law) -> Case {
+        let mut case = self.clone();
+        case.inputs.contact.law = law;
+        case.setup = case.inputs.as_given();
+        case.collision = case.setup.collision;
+        case
+    }
+
+    /// The same case with other rest positions.
+    pub(crate) fn with_rest(&self, rest: Option<RestInputs>) -> Case {
+        Case { rest, ..self.clone() }
     }
 
     /// Warnings about a result that is possible and deserves a second look.

@@ -51,6 +51,11 @@ impl Document {
         }
     }
 
+    /// Returns the file.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
     /// Walks the file from its root. Collects the issues that tables and fields report on the way; reports unknown
     /// keys of the root, except `$schema`, after `walk` returns.
     ///

@@ -193,6 +193,25 @@ fn unknown(name: &str, what: &str, known: impl Iterator<Item = &'static str>) ->
 }
 
 impl Kind {
+    /// Returns the kind of a collision.
+    pub fn of(collision: &Collision) -> Self {
+        Kind {
+            ratio: match collision.impulse_ratio {
+                ImpulseRatio::Critical => ImpulseRatioGiven::Critical,
+                ImpulseRatio::Given(_) => ImpulseRatioGiven::Number,
+                ImpulseRatio::OfCritical(_) => ImpulseRatioGiven::OfCritical,
+                ImpulseRatio::LimitedByFriction(_) => ImpulseRatioGiven::Friction,
+            },
+            law: collision.law.into(),
+            barrier: Side::ALL.into_iter().find(|side| collision.parties()[*side as usize].vehicle().is_none()),
+            moment: match collision.moment {
+                Moment::None => MomentGiven::None,
+                Moment::Given(_) => MomentGiven::Number,
+                Moment::OfCritical(_) => MomentGiven::OfCritical,
+            },
+        }
+    }
+
     fn collision(&self) -> Collision<()> {
         let vehicle = Party::Vehicle(Vehicle {
             mass: (),

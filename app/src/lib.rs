@@ -27,6 +27,8 @@ pub mod plain_text;
 pub mod prove;
 pub mod quantity;
 pub mod reconstruct;
+pub mod report;
+pub mod scene;
 pub mod schema;
 pub mod slide;
 pub mod solve;

@@ -1,5 +1,7 @@
 //! Removes characters that a terminal or a document would interpret from text of a file or a call, and limits its length.
 
+use std::borrow::Cow;
+
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// Replaces control characters (C0, C1), line and paragraph separators, and directional formatting characters with spaces.
@@ -9,6 +11,23 @@ pub fn clean(text: &str) -> String {
 
 fn inactive(c: char) -> char {
     if is_active(c) { ' ' } else { c }
+}
+
+/// Replaces each character that a document would interpret, or that XML does not allow, with its code point: U+202E. A tab and a line break become spaces.
+pub fn shown(text: &str) -> Cow<'_, str> {
+    let is_hidden = |c: char| is_active(c) || matches!(c, '\u{fffe}' | '\u{ffff}');
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::new();
+    for c in text.chars() {
+        match c {
+            '\t' | '\n' | '\r' => shown.push(' '),
+            c if is_hidden(c) => shown.push_str(&format!("U+{:04X}", u32::from(c))),
+            c => shown.push(c),
+        }
+    }
+    Cow::Owned(shown)
 }
 
 /// Returns `true` if a terminal or a document interprets a character instead of showing it.

@@ -23,6 +23,7 @@ use crate::crash3::Comparison;
 use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::Notice;
+use crate::scene::Scene;
 use crate::units::Measure;
 use answer::Solved;
 use posterior::Drawn;
@@ -99,6 +100,8 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     } else {
         None
     };
+    let is_found = answer.verdict != Verdict::Undetermined;
+    let scene = is_found.then(|| Scene::of(&solved.with_rest(case.rest.clone()), &impact));
     let solved = Solved {
         question: &question,
         answer: &answer,
@@ -111,7 +114,9 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         crash3,
         drawn,
     };
-    Ok(Answer::new(&case.title, solved.reconstruction(), notices))
+    let mut facts = solved.reconstruction();
+    facts.scene = scene.map(|(scene, notices)| (scene.with_ranges(&facts), notices));
+    Ok(Answer::new(&case.title, facts, notices))
 }
 
 /// Returns the case with the values of a solution, and its impact. Momentum alone has no crush plane: the normal is along the impulse.

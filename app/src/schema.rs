@@ -13,6 +13,7 @@ use crate::formula::Formula;
 use crate::gradient::Gradient;
 use crate::prove::ProofReport;
 use crate::reconstruct::Reconstruction;
+use crate::scene::Scene;
 use crate::slide::Slides;
 use crate::solve::Solution;
 use crate::stiffness::StiffnessAnswer;
@@ -24,7 +25,7 @@ use crate::validate::Validation;
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 16] = [
+const SCHEMAS: [Named; 17] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
     ("solve", || schema_for!(Answer<Solution>)),
@@ -34,6 +35,7 @@ const SCHEMAS: [Named; 16] = [
     ("crash3", || schema_for!(Answer<Comparison>)),
     ("reconstruct", || schema_for!(Answer<Reconstruction>)),
     ("slide", || schema_for!(Answer<Slides>)),
+    ("draw", || schema_for!(Answer<Scene>)),
     ("uncertainty", || schema_for!(Answer<Uncertainty>)),
     ("stiffness", || schema_for!(Answer<StiffnessAnswer>)),
     ("formula", || schema_for!(Formula)),

@@ -111,7 +111,7 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
         return Err(case.refuse_physics(issues));
     }
     let warnings = impact.as_ref().map_or_else(Vec::new, |impact| case.warnings(impact));
-    let note = (!case.has_scene && sides().any(|(_, of)| of.separation.position == Xy::zero())).then(|| {
+    let note = (case.scene.is_none() && sides().any(|(_, of)| of.separation.position == Xy::zero())).then(|| {
         let message = "places are counted from where each vehicle separated: [scene] impact_point puts both on the scene";
         Notice::note("places-from-separation", "rest", message)
     });
@@ -131,7 +131,18 @@ fn issue(side: Side, why: &NoRest) -> Issue {
 }
 
 impl VehicleSlide {
-    fn of(case: &Case, side: Side, of: &RestOfVehicle, rest: &Rest) -> Self {
+    /// The slide with every place moved.
+    pub(crate) fn moved(mut self, by: [f64; 2]) -> Self {
+        let moved = |place: &mut [f64; 2]| *place = [place[0] + by[0], place[1] + by[1]];
+        moved(&mut self.rest.position);
+        for state in &mut self.path {
+            (state.x, state.y) = (state.x + by[0], state.y + by[1]);
+            state.wheels.iter_mut().for_each(moved);
+        }
+        self
+    }
+
+    pub(crate) fn of(case: &Case, side: Side, of: &RestOfVehicle, rest: &Rest) -> Self {
         let xy = |v: Xy| [v.x, v.y].map(positive_zero);
         let end = TrajectoryState { time: rest.time, pose: rest.pose, motion: Motion::rest() };
         let state = |state: &TrajectoryState| {

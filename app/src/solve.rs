@@ -121,6 +121,13 @@ pub struct Motion {
     pub yaw_rate: f64,
 }
 
+impl Motion {
+    /// Returns the speed in m/s.
+    pub fn speed(&self) -> f64 {
+        self.velocity[0].hypot(self.velocity[1])
+    }
+}
+
 /// Results of CRASH3 for a vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Crash3 {
@@ -320,6 +327,11 @@ impl Solution {
 }
 
 impl Vehicle {
+    /// Returns the speed after the impact in m/s.
+    pub fn speed(&self) -> f64 {
+        self.velocity[0].hypot(self.velocity[1])
+    }
+
     fn of(name: &str, party: &Party, response: &Response, crush: Option<&CrushOutputs>, crash3: Option<&Crash3Outputs>) -> Self {
         let before = party.motion();
         let components = |v: Xy| [v.x, v.y].map(positive_zero);

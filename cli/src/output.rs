@@ -1,24 +1,28 @@
-//! Standard output: all output of the program passes through here.
+//! Output: all that the program writes passes through here, to standard output or to a file that appears when it is whole.
 
+use std::fs::Permissions;
 use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use planar_impact_app::json::{self, Layout};
 use planar_impact_report::{Block, text};
 use serde::Serialize;
+use tempfile::NamedTempFile;
 
 use crate::exit::{Failure, Status};
 use crate::interrupt;
 
-/// The text that a verb prints, and its status.
+/// The text that a verb prints or writes to a file, and its status.
 pub struct CommandOutput {
     text: String,
+    file: Option<PathBuf>,
     status: Status,
 }
 
 impl CommandOutput {
     /// Creates the output of a text.
     pub fn text(text: String) -> CommandOutput {
-        CommandOutput { text, status: Status::Done }
+        CommandOutput { text, file: None, status: Status::Done }
     }
 
     /// Creates the output of a page for people.
@@ -45,18 +49,52 @@ impl CommandOutput {
         CommandOutput { status, ..self }
     }
 
+    /// Writes the text to a file instead of standard output; `-` is standard output.
+    pub fn to(self, file: Option<&Path>) -> CommandOutput {
+        CommandOutput { file: file.filter(|file| file.as_os_str() != "-").map(Path::to_owned), ..self }
+    }
+
     /// Prints the whole text, which is complete at this point.
     ///
     /// # Errors
     ///
-    /// Fails if standard output cannot be written.
+    /// Fails if standard output or the file cannot be written.
     pub fn print(self) -> Result<Status, Failure> {
         interrupt::note();
-        if !self.text.is_empty() {
+        if let Some(path) = &self.file {
+            let mut file = temporary(path).map_err(Failure::Output)?;
+            file.write_all(self.text.as_bytes()).map_err(Failure::Output)?;
+            keep(file, path).map_err(Failure::Output)?;
+        } else if !self.text.is_empty() {
             write(self.text.as_bytes()).map_err(Failure::Output)?;
         }
         Ok(self.status)
     }
+}
+
+/// Creates a file beside the one that it will replace, with the permissions of any new file.
+///
+/// # Errors
+///
+/// Fails if the folder cannot be written.
+pub fn temporary(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".planar-impact-");
+    #[cfg(unix)]
+    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
+/// Puts a complete file at its place.
+///
+/// # Errors
+///
+/// Fails if the file cannot be written.
+pub fn keep(file: NamedTempFile, path: &Path) -> io::Result<()> {
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
 }
 
 /// Writes to standard output. A reader that stops early, such as `head`, is not a failure.

@@ -7,16 +7,16 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, slide, solve, stiffness, sweep,
-    template, uncertainty, validate,
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, scene, schema, slide, solve, stiffness,
+    sweep, template, uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem,
-    Verb,
+    self, Arguments, DrawFormat, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod,
+    UnitSystem, Verb,
 };
 use crate::exit::Failure;
 use crate::output::CommandOutput;
@@ -43,6 +43,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Reconstruct(call) => look_back(&call),
         Verb::Uncertainty(call) => doubt(&call),
         Verb::Slide(call) => follow(&call),
+        Verb::Draw(call) => sketch(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
@@ -183,6 +184,16 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
         SlideFormat::Csv => csv(page::slide::records(&answer, units).into_iter()).map(CommandOutput::text),
         SlideFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
     }
+}
+
+fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
+    let (case, units) = read(&call.case, call.units)?;
+    let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
+    let output = match call.format {
+        DrawFormat::Svg => CommandOutput::text(planar_impact_report::scene::scene(&answer, units)),
+        DrawFormat::Json => CommandOutput::json(&answer, Layout::Pretty)?,
+    };
+    Ok(output.to(call.output.as_deref()))
 }
 
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {

@@ -33,6 +33,13 @@ pub enum Block {
     },
     /// Text whose line breaks are kept.
     Verbatim(String),
+    /// A formula.
+    Formula {
+        /// As LaTeX mathematics.
+        latex: String,
+        /// As text.
+        text: String,
+    },
     /// A drawing.
     Figure {
         /// Its subject.

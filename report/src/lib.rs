@@ -5,7 +5,10 @@
 
 pub mod block;
 pub mod chart;
+pub mod html;
 pub mod page;
+pub mod scene;
+pub mod svg;
 pub mod text;
 
 pub use block::{Align, Block, Table};

@@ -24,19 +24,28 @@ use crate::block::Block;
 
 /// The facts of a verb, as blocks.
 pub trait Facts {
-    /// Blocks in a system of units, without title and notices.
+    /// The answer in a few sentences, in a system of units; none where a table says it at a glance.
+    fn summary(&self, _: Units) -> Vec<Block> {
+        Vec::new()
+    }
+
+    /// All facts in a system of units, without summary, title and notices.
     fn blocks(&self, units: Units) -> Vec<Block>;
 }
 
-/// The page of an answer: its title, its facts, its notices.
+/// The page of an answer: its title, its summary, its facts, its notices.
 pub fn page(answer: &Answer<impl Facts>, units: Units) -> Vec<Block> {
-    framed(answer, answer.facts.blocks(units), units)
+    let blocks = answer.facts.summary(units).into_iter().chain(answer.facts.blocks(units)).collect();
+    framed(answer, blocks, units)
 }
 
 /// Blocks of an answer between its title and its notices.
 fn framed<T>(answer: &Answer<T>, blocks: Vec<Block>, units: Units) -> Vec<Block> {
     Block::title(&answer.title).into_iter().chain(blocks).chain(Block::notices(&answer.notices, units)).collect()
 }
+
+/// The widest name of a vehicle in a summary.
+const SUMMARY_WIDTH: usize = 40;
 
 /// The widest name of a vehicle in the head of a column.
 const NAME_WIDTH: usize = 18;

@@ -34,6 +34,7 @@ fn is_apart(before: &Block, block: &Block) -> bool {
 
 fn one(block: &Block) -> String {
     match block {
+        Block::Heading { level: 3, text } if text.width() <= WIDTH => format!("{}\n{}\n", clean(text), "=".repeat(text.width())),
         Block::Heading { text, .. } | Block::Paragraph(text) => wrap(text, ""),
         Block::Item { label, text } => wrap(text, label),
         Block::Table(of) => table(of) + "\n",
@@ -44,7 +45,7 @@ fn one(block: &Block) -> String {
             };
             wrap(&format!("{text}."), label)
         }
-        Block::Verbatim(text) => text.lines().map(|line| clean(line).trim_end().to_owned() + "\n").collect(),
+        Block::Verbatim(text) | Block::Formula { text, .. } => text.lines().map(|line| clean(line).trim_end().to_owned() + "\n").collect(),
         Block::Figure { title, .. } => wrap(&format!("[figure: {title}]"), ""),
     }
 }

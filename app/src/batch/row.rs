@@ -3,7 +3,7 @@
 use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side, Xy};
 
 use super::column::{Cell, Column, InputColumn, Key, law_of};
-use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, VehicleInputs, Velocity};
+use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, Size, VehicleInputs, Velocity};
 use crate::message::Message;
 use crate::wording::joined;
 
@@ -257,6 +257,7 @@ impl Row<'_> {
                 left: self.number(of.center[1], default.left, input(Input::ImpactCenterLeft)),
             },
             crush: None,
+            size: Size::default(),
             braking: None,
         })
     }

@@ -193,6 +193,7 @@ pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
 mod tests {
     use super::*;
     use crate::case::crush::{CrushInputs, Places, ProfileInputs};
+    use crate::case::vehicle::Size;
     use planar_impact::crush::CrushStiffness;
     use planar_impact::{ForwardLeft, Xy};
 
@@ -213,6 +214,7 @@ mod tests {
                 surface: None,
                 pdof: None,
             }),
+            size: Size::default(),
             braking: None,
         }
     }

@@ -31,7 +31,7 @@ use super::model::ContactModel;
 use super::parameter::Parameter;
 use super::rest::RestInputs;
 use super::uncertain::{Uncertain, UncertainInput};
-use super::vehicle::{Inertia, VehicleInputs, Velocity};
+use super::vehicle::{Inertia, Size, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::{Kind, Quantity};
@@ -47,7 +47,7 @@ pub(super) struct Read {
     pub(super) model: ContactModel,
     pub(super) bracket: Option<CrushPlaneBracket>,
     pub(super) knowledge: Knowledge,
-    pub(super) has_scene: bool,
+    pub(super) scene: Option<Xy>,
     pub(super) rest: Option<RestInputs>,
     pub(super) uncertain: Uncertain,
 }
@@ -231,9 +231,10 @@ impl CaseReader {
         if !spins || gravity == Some(None) {
             return None;
         }
-        if let Some(impact_point) = impact_point {
-            impact_point?;
-        }
+        let scene = match impact_point {
+            Some(impact_point) => Some(impact_point?),
+            None => None,
+        };
         let ([(name_1, mut one), (name_2, mut two)], (contact, bracket)) = (vehicles?, contact?);
         if root.has("before") {
             self.before(root, [&mut one, &mut two])?;
@@ -254,17 +255,7 @@ impl CaseReader {
             Some(rest) => Some(rest?),
             None => None,
         };
-        (whole && agrees).then_some(Read {
-            title,
-            names: [name_1, name_2],
-            inputs,
-            model,
-            bracket,
-            knowledge,
-            has_scene: impact_point.is_some(),
-            rest,
-            uncertain,
-        })
+        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, model, bracket, knowledge, scene, rest, uncertain })
     }
 
     /// Reads where on the scene the vehicles met.
@@ -341,6 +332,7 @@ impl CaseReader {
         let inertia = if is_momentum && !has_inertia(table) { Some(ANY_INERTIA) } else { self.inertia(table, side, implied) };
         let velocity = self.velocity(table, side, implied);
         let crush = table.has("crush").then(|| self.crush(table.optional("crush"), side));
+        let size = self.size(table);
         let [forward, left] = impact_center?;
         Some(VehicleInputs {
             mass: mass?,
@@ -349,12 +341,23 @@ impl CaseReader {
             velocity: velocity?,
             yaw_rate: yaw_rate?,
             impact_center: ForwardLeft { forward, left },
+            size: size?,
             crush: match crush {
                 Some(crush) => Some(crush?),
                 None => None,
             },
             braking: None,
         })
+    }
+
+    /// Reads the size of a vehicle on a plan, each number of which may be left out.
+    fn size(&self, table: &Table<'_>) -> Option<Size> {
+        let length = |key| table.has(key).then(|| self.positive(table.optional(key), Kind::LENGTH));
+        let [length, width, front_overhang] = ["length", "width", "front_overhang"].map(length);
+        if [length, width, front_overhang].contains(&Some(None)) {
+            return None;
+        }
+        Some(Size { length: length.flatten(), width: width.flatten(), front_overhang: front_overhang.flatten() })
     }
 
     /// Reads the mass of a vehicle that gives its weight instead.

@@ -21,10 +21,23 @@ pub struct VehicleInputs {
     pub yaw_rate: f64,
     /// The impact center.
     pub impact_center: ForwardLeft,
+    /// Its size on a plan, for drawings.
+    pub size: Size,
     /// The crush, if the file has it.
     pub crush: Option<CrushInputs>,
     /// Its braking before the impact, if the file has it.
     pub braking: Option<BrakingInputs>,
+}
+
+/// Size of a vehicle on a plan, in m; the mechanics does not use it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Size {
+    /// From bumper to bumper.
+    pub length: Option<f64>,
+    /// From side to side.
+    pub width: Option<f64>,
+    /// From the front axle to the front end.
+    pub front_overhang: Option<f64>,
 }
 
 /// Form in which a file gives a yaw inertia.

@@ -11,7 +11,8 @@ use crate::answer::Answer;
 use crate::case::Case;
 use crate::crash3::Comparison;
 use crate::named::{Named, positive_zero};
-use crate::notice::Notices;
+use crate::notice::{Notice, Notices};
+use crate::scene::Scene;
 use crate::solve;
 use crate::units::Measure;
 use crate::units::trim;
@@ -96,6 +97,9 @@ pub struct Reconstruction {
     pub solution: Option<Answer<solve::Solution>>,
     /// `true` if `contact.impulse_ratio` is the fraction of the critical ratio, as the case gives it.
     pub impulse_ratio_is_fraction: bool,
+    /// The scene of the best solution, with what to know about its drawing; `None` where the evidence leaves an unknown open.
+    #[serde(skip)]
+    pub scene: Option<(Scene, Vec<Notice>)>,
     /// The verdict of the library.
     #[serde(skip)]
     pub status: Verdict,
@@ -303,6 +307,7 @@ impl Solved<'_> {
             crash3: self.crash3.clone(),
             solution: (answer.verdict != Verdict::Undetermined)
                 .then(|| Answer::new(&self.case.title, solve::Solution::of(self.case, &self.impact), Notices::default())),
+            scene: None,
             impulse_ratio_is_fraction: matches!(self.case.collision.impulse_ratio, planar_impact::ImpulseRatio::OfCritical(_)),
         }
     }

@@ -77,6 +77,16 @@ Examples:
   planar-impact slide cli/examples/slide.toml
   planar-impact slide cli/examples/slide.toml --format csv > path.csv"#;
 
+pub(super) const DRAW: &str = "\
+The collision is that of `solve`, or that of `reconstruct` where the case has unknowns. A vehicle that
+gives `length` and `width` has that outline, placed by `front_overhang` and the axles of [rest]; without
+them it is a dashed symbol. Arrows start at the center of mass; impulses at the impact center. Skids of
+[before] and rest positions of [rest] are drawn below.
+
+Examples:
+  planar-impact draw cli/examples/position-a.toml -o scene.svg
+  planar-impact draw cli/examples/slide.toml --format json";
+
 pub(super) const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
   inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),

@@ -1,6 +1,5 @@
 //! Tables that are written part by part, and appear when they are whole.
 
-use std::fs::Permissions;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -70,7 +69,7 @@ impl Sink {
             output::write(&line(headers)?)?;
             (Rows::Stream, Encoder::Csv)
         } else {
-            let file = BufWriter::with_capacity(BUFFER, temporary(path)?);
+            let file = BufWriter::with_capacity(BUFFER, output::temporary(path)?);
             match format {
                 Format::Csv => {
                     let mut file = file;
@@ -126,9 +125,7 @@ impl Sink {
             }
         };
         let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-        file.as_file().sync_all()?;
-        file.persist(&self.path)?;
-        Ok(())
+        output::keep(file, &self.path)
     }
 }
 
@@ -157,16 +154,6 @@ impl Encoder {
             Encoder::Arrow => Ok(Encoded::Arrow(batch)),
         }
     }
-}
-
-/// Creates a file beside the one that it will replace, with the permissions of any new file.
-fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".planar-impact-");
-    #[cfg(unix)]
-    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-    builder.tempfile_in(folder)
 }
 
 /// Numbers in full, since they are seldom equal; words as a list of those that occur.

@@ -1,12 +1,22 @@
 //! The page of `crash3`: CRASH3 compared with planar mechanics.
 
 use planar_impact_app::crash3::{Comparison, Damage, Follows, Planar, Reconstruction, Vehicle};
+use planar_impact_app::plain_text::shorten;
 use planar_impact_app::units::{Measure, Units};
 
-use super::{Facts, heads};
+use super::{Facts, SUMMARY_WIDTH, heads};
 use crate::block::{Block, Table};
 
 impl Facts for Comparison {
+    /// ΔV of each vehicle.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        let of = |vehicle: &Vehicle| {
+            let delta_v = units.quantity(Measure::RoadSpeed, vehicle.delta_v_magnitude);
+            Block::paragraph(format!("{}: ΔV {delta_v} by CRASH3.", shorten(&vehicle.name, SUMMARY_WIDTH)))
+        };
+        self.damage.iter().flat_map(|damage| &damage.vehicles).filter(|vehicle| !vehicle.barrier).map(of).collect()
+    }
+
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks: Vec<Block> = self.damage.iter().map(|damage| vehicles(damage, units).into()).collect();
         if let Some(planar) = &self.planar {

@@ -6,10 +6,21 @@ use planar_impact_app::units::{Measure, Units};
 
 use planar_impact::crush::MOST_FORCE_IMBALANCE;
 
-use super::{Facts, NAME_WIDTH, heads};
+use super::{Facts, NAME_WIDTH, SUMMARY_WIDTH, heads};
 use crate::block::{Block, Table};
 
 impl Facts for CrushAnswer {
+    /// The energy of each crush.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        let of = |(name, vehicle): (&String, &VehicleCrush)| {
+            let speed = units.quantity(Measure::RoadSpeed, vehicle.equivalent_energy_speed);
+            let energy = units.quantity(Measure::Energy, vehicle.crush_energy);
+            Block::paragraph(format!("{}: crush energy {energy}, equivalent energy speed {speed}.", shorten(name, SUMMARY_WIDTH)))
+        };
+        let vehicles = self.names.iter().zip(&self.vehicles).filter_map(|(name, vehicle)| Some((name, vehicle.as_ref()?)));
+        vehicles.filter(|(_, vehicle)| !vehicle.barrier).map(of).collect()
+    }
+
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = vec![vehicles(self, units).into()];
         blocks

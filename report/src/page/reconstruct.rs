@@ -15,31 +15,41 @@ use super::{Facts, framed};
 use crate::block::Block;
 
 impl Facts for Reconstruction {
-    /// The verdict, the unknowns, the evidence, and the collision that follows.
+    /// The verdict, and the value of each unknown with its interval.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        headline::blocks(self, units)
+    }
+
+    /// The unknowns, the evidence, and the collision that follows.
     fn blocks(&self, units: Units) -> Vec<Block> {
-        let answer = self;
-        let mut blocks = essentials(answer, units);
-        blocks.extend(unknowns::alternatives(answer, units));
-        blocks.extend(evidence::blocks(answer, units));
-        blocks.extend(diagnostics::blocks(answer, units));
-        blocks.extend(collision(answer, units));
-        if let Some(comparison) = &answer.crash3 {
-            blocks.push(Block::paragraph("The same evidence through CRASH3, from its crush energy, beside planar mechanics:"));
-            blocks.extend(comparison.blocks(units));
+        let mut blocks = unknowns(self, units);
+        blocks.extend(unknowns::alternatives(self, units));
+        blocks.extend(under("Evidence", evidence::blocks(self, units)));
+        blocks.extend(under("Diagnostics", diagnostics::blocks(self, units)));
+        blocks.extend(under("Collision", collision(self, units)));
+        if let Some(comparison) = &self.crash3 {
+            let what = Block::paragraph("The same evidence through CRASH3, from its crush energy, beside planar mechanics:");
+            blocks.extend(under("CRASH3", std::iter::once(what).chain(comparison.blocks(units)).collect()));
         }
-        blocks.push(search(answer));
+        blocks.extend(under("Search", vec![search(self)]));
         blocks
     }
 }
 
-/// Renders the verdict, the unknowns, what follows from them and the posterior alone, with title and notices.
-pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
-    framed(answer, essentials(answer, units), units)
+/// Puts blocks under a heading; nothing without blocks.
+fn under(heading: &str, blocks: Vec<Block>) -> Vec<Block> {
+    let heading = (!blocks.is_empty()).then(|| Block::Heading { level: 3, text: heading.to_owned() });
+    heading.into_iter().chain(blocks).collect()
 }
 
-fn essentials(answer: &Reconstruction, units: Units) -> Vec<Block> {
-    let mut blocks = headline::blocks(answer, units);
-    blocks.extend(unknowns::blocks(answer, units));
+/// Renders the verdict, the unknowns, what follows from them and the posterior alone, with title and notices.
+pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
+    framed(answer, answer.summary(units).into_iter().chain(unknowns(answer, units)).collect(), units)
+}
+
+/// Renders the unknowns, what follows from them, and the posterior.
+fn unknowns(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    let mut blocks = unknowns::blocks(answer, units);
     blocks.extend(unknowns::derived(answer, units));
     blocks.extend(posterior::blocks(answer, units));
     blocks

@@ -5,13 +5,23 @@ use planar_impact_app::slide::{Slides, State, VehicleSlide};
 use planar_impact_app::units::{Measure, Units};
 
 use super::sweep_csv::digits;
-use super::{Facts, NAME_WIDTH};
+use super::{Facts, NAME_WIDTH, SUMMARY_WIDTH};
 use crate::block::{Block, Table};
 
 /// Most rows of a path in text.
 const MOST_ROWS: usize = 16;
 
 impl Facts for Slides {
+    /// Where each vehicle comes to rest.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        let of = |vehicle: &VehicleSlide| {
+            let [distance, time] =
+                [(Measure::Length, vehicle.distance), (Measure::Time, vehicle.time)].map(|(measure, value)| units.quantity(measure, value));
+            Block::paragraph(format!("{}: at rest after {distance} and {time}.", shorten(&vehicle.name, SUMMARY_WIDTH)))
+        };
+        self.vehicles.iter().map(of).collect()
+    }
+
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = vec![rests(self, units).into()];
         for vehicle in &self.vehicles {

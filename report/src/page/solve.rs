@@ -1,12 +1,32 @@
 //! The page of `solve`.
 
+use planar_impact_app::plain_text::shorten;
 use planar_impact_app::solve::{EnergyBounds, ImpulseRatioGiven, Solution, TangentialLaw, Vehicle};
 use planar_impact_app::units::{Measure, Units};
 
-use super::{Facts, crush_plane_bracket, heads};
+use super::{Facts, SUMMARY_WIDTH, crush_plane_bracket, heads};
 use crate::block::{Block, Table};
 
 impl Facts for Solution {
+    /// What each vehicle undergoes, and the energy lost.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        let road = |value: f64| units.quantity(Measure::RoadSpeed, value);
+        let of = |vehicle: &Vehicle| {
+            format!(
+                "{}: ΔV {}, principal direction of force {}; from {} to {}.",
+                shorten(&vehicle.name, SUMMARY_WIDTH),
+                road(vehicle.delta_v_magnitude),
+                units.quantity(Measure::Angle, vehicle.pdof),
+                road(vehicle.before.speed()),
+                road(vehicle.speed()),
+            )
+        };
+        let moving = self.vehicles.iter().filter(|vehicle| !vehicle.barrier);
+        let share = self.energy.loss_share.map_or_else(String::new, |share| format!(", {:.0} % of what there was", 100.0 * share));
+        let lost = format!("Energy lost: {}{share}.", units.quantity(Measure::Energy, self.energy.loss));
+        moving.map(of).chain([lost]).map(Block::paragraph).collect()
+    }
+
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = Vec::from(tables(self, units));
         blocks.extend(self.crush_plane_bracket.iter().flat_map(|bracket| crush_plane_bracket::blocks(bracket, self, units)));

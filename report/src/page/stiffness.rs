@@ -1,6 +1,5 @@
 //! The page of `stiffness`.
 
-use planar_impact_app::message::Sentence;
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::stiffness::{Fit, Forms, StiffnessAnswer, Test};
 use planar_impact_app::units::{Measure, Units};
@@ -9,12 +8,23 @@ use super::Facts;
 use crate::block::{Block, Table};
 
 impl Facts for StiffnessAnswer {
+    /// Why a fit is no stiffness, or the stiffness of each fit.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        if !self.headlines.is_empty() {
+            return self.headlines.iter().map(|headline| Block::item("! ", format!("{}.", units.sentence(&headline.0)))).collect();
+        }
+        let of = |fit: &Fit| {
+            let force = units.quantity(Measure::ForcePerWidth, fit.forms.force);
+            let per_depth = units.quantity(Measure::ForcePerArea, fit.forms.force_per_depth);
+            Block::paragraph(format!("On the {}: A = {force}, B = {per_depth}.", fit.model))
+        };
+        self.fits.iter().map(of).collect()
+    }
+
     /// The tests, the stiffness from each alone and from all, with its uncertainty.
     fn blocks(&self, units: Units) -> Vec<Block> {
         let page = Page { answer: self, units };
-        let headline = |headline: &Sentence| Block::item("! ", format!("{}.", units.sentence(&headline.0)));
-        let mut blocks: Vec<Block> = self.headlines.iter().map(headline).collect();
-        blocks.push(page.tests().into());
+        let mut blocks: Vec<Block> = vec![page.tests().into()];
         blocks.extend(page.alone().map(Block::from));
         blocks.extend(page.fits(&self.fits, "fitted on"));
         blocks.extend(page.fits(&self.fits_as_new_cars, "as new cars, on"));

@@ -13,6 +13,32 @@ use crate::block::{Block, Table};
 const SHOWN: usize = 10;
 
 impl Facts for Uncertainty {
+    /// The middle range of each output.
+    fn summary(&self, units: Units) -> Vec<Block> {
+        let of = |(output, (name, found)): (&CaseOutput, (&str, &OutputUncertainty))| {
+            let measure = output.measure();
+            let measure = units.on_the_road(measure).unwrap_or(measure);
+            let value = units.quantity(measure, found.value);
+            let quantiles = found.monte_carlo.as_ref().map(|samples| &samples.quantiles);
+            let [low, high] = ends(self.level);
+            let range = quantiles.and_then(|quantiles| Some((*quantiles.get(&low.to_string())?, *quantiles.get(&high.to_string())?)));
+            let range = match (range, &found.linear) {
+                (Some((low, high)), _) => {
+                    format!(
+                        ", {} % from {} to {}",
+                        trim(100.0 * self.level),
+                        units.number(measure, low, 0.0),
+                        units.quantity(measure, high)
+                    )
+                }
+                (None, Some(linear)) => format!(", standard deviation {}", units.quantity(measure, linear.sd)),
+                _ => String::new(),
+            };
+            Block::item("- ", format!("{name}: {value}{range}."))
+        };
+        self.outputs.iter().zip(self.of.iter()).map(of).collect()
+    }
+
     /// The inputs, each output, and the probabilities.
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = vec![samples_drawn(self), table_of_inputs(self, units)];

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use serde_json::{Value, json};
 
 use super::units::unit;
-use super::{array, case, close, damage, document, number, object, paper, references, solve_page, verdicts};
+use super::{array, case, close, damage, document, number, object, paper, references, scene, solve_page, verdicts};
 use crate::process::{run, workspace};
 
 const CASES: [&str; 9] = [
@@ -48,6 +48,7 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
         reconstructions.chain(more).chain([verdicts::out_of_bounds()]).map(|case| ("reconstruct", document("reconstruct", &case, &[]))),
     );
     all.push(("slide", document("slide", &case("slide.toml"), &[])));
+    all.push(("draw", document("draw", &scene::by_hand(), &[])));
     let uncertain = references("uncertainty.jsonl").into_iter().map(|reference| reference["case"].clone()).chain([case("uncertain.toml")]);
     let options = ["--of", "dV1", "--samples", "1000", "--probability", "dV1 > 5 m/s"];
     all.extend(uncertain.map(|case| ("uncertainty", document("uncertainty", &case, &options))));

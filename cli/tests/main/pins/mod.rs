@@ -13,6 +13,7 @@ mod paper;
 mod planar;
 mod proofs;
 mod reconstruct;
+mod scene;
 mod solve_page;
 mod stated;
 mod stiffness;

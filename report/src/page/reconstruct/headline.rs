@@ -1,19 +1,48 @@
 //! The verdict and the next step, at the top of the page.
 
 use planar_impact_app::named::Named;
-use planar_impact_app::reconstruct::{FurthestOff, Reconstruction};
+use planar_impact_app::plain_text::shorten;
+use planar_impact_app::reconstruct::{FurthestOff, Reconstruction, Unknown};
 use planar_impact_app::units::trim;
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::{digits, probability, rounded, with_spread};
+use super::super::SUMMARY_WIDTH;
+use super::rounding::{digits, probability, rounded, share, with_spread};
 use super::unknowns::beyond;
 use crate::block::Block;
 
 /// Renders the verdict.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let mut blocks = verdict(answer, units);
+    blocks.extend(values(answer, units));
     blocks.extend(answer.limits.iter().filter_map(|limit| Some(Block::item("- ", at_the_edge(limit, beyond(limit)?)))));
     blocks
+}
+
+/// Renders the value of each unknown with its interval, if the evidence agrees with one solution.
+fn values(answer: &Reconstruction, units: Units) -> Vec<Block> {
+    if answer.verdict != "agrees" {
+        return Vec::new();
+    }
+    let unknowns = answer.unknown.iter().filter(|(_, unknown)| !unknown.is_input);
+    unknowns.filter_map(|(name, unknown)| Some(Block::item("- ", value(answer, name, unknown, unknown.value?, units)))).collect()
+}
+
+fn value(answer: &Reconstruction, name: &str, unknown: &Unknown, value: f64, units: Units) -> String {
+    let measure = units.on_the_road(unknown.measure).unwrap_or(unknown.measure);
+    let step = unknown.sd.or_else(|| Some((unknown.interval.high? - unknown.interval.low?) / 4.0));
+    let end = |end: Option<f64>| end.map_or_else(|| "no limit".to_owned(), |end| rounded(measure, end, step, units));
+    let (low, high) = (end(unknown.interval.low), end(unknown.interval.high));
+    let whose = vehicle_of(answer, name).map_or_else(String::new, |vehicle| format!(" ({})", shorten(vehicle, SUMMARY_WIDTH)));
+    let (value, unit) = (rounded(measure, value, step, units), units.unit(measure));
+    let space = if unit.is_empty() { "" } else { " " };
+    format!("{name}{whose}: {value}{space}{unit}, {} from {low} to {high}.", share(unknown.interval.level))
+}
+
+/// Returns the name of the vehicle that an unknown belongs to.
+fn vehicle_of<'a>(answer: &'a Reconstruction, name: &str) -> Option<&'a str> {
+    let number: usize = name.strip_prefix("vehicle.")?.split('.').next()?.parse().ok()?;
+    Some(&answer.solution.as_ref()?.vehicles.get(number.checked_sub(1)?)?.name)
 }
 
 /// Explains a best fit at the edge of the physics.

@@ -1,0 +1,268 @@
+//! What a report of a case stands on: the answer of its verb with what goes beside it, for a reader who has the report alone.
+
+use planar_impact::reconstruct::Uncertainty as Spread;
+use planar_impact::{ImpulseRatio, Law, Output};
+use sha2::{Digest, Sha256};
+
+use crate::answer::Answer;
+use crate::case::Case;
+use crate::control::Control;
+use crate::crash3::{self, Comparison};
+use crate::crush::{self, CrushAnswer};
+use crate::formula::{self, Formula};
+use crate::gradient::{self, Gradient, Selection};
+use crate::issue::Issues;
+use crate::reconstruct::{self, Reconstruction};
+use crate::scene::{self, Scene};
+use crate::solve::{self, Solution};
+use crate::source::Source;
+use crate::uncertainty::{self, Uncertainty};
+use crate::units::Measure;
+use crate::validate::{self, Validation};
+
+/// The verb that a report of a case is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReportVerb {
+    /// How the vehicles leave the collision.
+    Solve,
+    /// What the evidence says of the unknowns.
+    Reconstruct,
+    /// The crush energy.
+    Crush,
+    /// ΔV by CRASH3.
+    Crash3,
+    /// How uncertain the outputs are.
+    Uncertainty,
+}
+
+impl ReportVerb {
+    /// Returns the verb of a case for which none is asked: `reconstruct` with unknowns, otherwise `solve`.
+    pub fn of(case: &Case) -> Self {
+        if case.knowledge.unknowns.is_empty() { ReportVerb::Solve } else { ReportVerb::Reconstruct }
+    }
+
+    /// Returns its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            ReportVerb::Solve => "solve",
+            ReportVerb::Reconstruct => "reconstruct",
+            ReportVerb::Crush => "crush",
+            ReportVerb::Crash3 => "crash3",
+            ReportVerb::Uncertainty => "uncertainty",
+        }
+    }
+}
+
+/// The answer that a report is about.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MainAnswer {
+    /// Of `solve`.
+    Solve(Box<Answer<Solution>>),
+    /// Of `reconstruct`.
+    Reconstruct(Box<Answer<Reconstruction>>),
+    /// Of `crush`.
+    Crush(Box<Answer<CrushAnswer>>),
+    /// Of `crash3`.
+    Crash3(Box<Answer<Comparison>>),
+    /// Of `uncertainty`.
+    Uncertainty(Box<Answer<Uncertainty>>),
+}
+
+/// What a report of a case stands on, in SI and radians.
+#[derive(Clone, Debug)]
+pub struct CaseReport {
+    /// The verb.
+    pub verb: ReportVerb,
+    /// The title of the case; empty if it has none.
+    pub title: String,
+    /// The names of the vehicles.
+    pub names: [String; 2],
+    /// The file.
+    pub identity: Identity,
+    /// The numbers that the case gives, and those that it asks for.
+    pub inputs: Vec<GivenInput>,
+    /// The evidence that the case gives.
+    pub evidence: Vec<GivenEvidence>,
+    /// The answer.
+    pub main: MainAnswer,
+    /// The scene, where there is one collision to draw.
+    pub scene: Option<Answer<Scene>>,
+    /// The derivatives of the principal outputs by every input, where the answer is that of `solve` and no input is uncertain.
+    pub gradient: Option<Answer<Gradient>>,
+    /// The effect of uncertain inputs, where the answer is that of `solve`.
+    pub uncertainty: Option<Answer<Uncertainty>>,
+    /// The same collision by the other tangential law, where it makes a difference.
+    pub other_law: Option<OtherLaw>,
+    /// CRASH3 from the crush of the case, beside an answer of `solve`.
+    pub crash3: Option<Answer<Comparison>>,
+    /// The formulas of the critical impulse ratio, of the normal impulse and of the energy loss.
+    pub formulas: Vec<Formula>,
+    /// How the program compares with the paper's tables and with measured tests.
+    pub validation: Validation,
+}
+
+/// What identifies the input of a report.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Identity {
+    /// The file as it was given.
+    pub source: Source,
+    /// Its SHA-256, in hexadecimal digits.
+    pub sha256: String,
+    /// The version of the program.
+    pub version: &'static str,
+}
+
+/// A number of the case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenInput {
+    /// Its name.
+    pub name: String,
+    /// Its measure.
+    pub measure: Measure,
+    /// Its value; `None` where it is unknown.
+    pub value: Option<f64>,
+    /// Its standard deviation, where it is uncertain.
+    pub sd: Option<f64>,
+    /// The bounds of an unknown.
+    pub bounds: [Option<f64>; 2],
+}
+
+/// A piece of evidence as the case gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenEvidence {
+    /// Its path in the file.
+    pub key: String,
+    /// Its measure.
+    pub measure: Measure,
+    /// Its value.
+    pub value: f64,
+    /// Its standard deviation; `None` if it is exact.
+    pub sd: Option<f64>,
+}
+
+/// A collision by another tangential law.
+#[derive(Clone, Debug)]
+pub struct OtherLaw {
+    /// `Brach` or `Kudlich-Slibar`.
+    pub name: &'static str,
+    /// The collision, or why physics refuses it.
+    pub solution: Result<Box<Solution>, Issues>,
+}
+
+impl Identity {
+    /// Identifies a file.
+    pub fn of(source: &Source) -> Self {
+        let digits = Sha256::digest(source.text.as_bytes());
+        let sha256 = digits.iter().map(|byte| format!("{byte:02x}")).collect();
+        Identity { source: source.clone(), sha256, version: env!("CARGO_PKG_VERSION") }
+    }
+}
+
+/// Answers a case, with everything that a report shows beside the answer.
+///
+/// # Errors
+///
+/// Those of the verb. What only goes beside the answer is left out where the case does not have it.
+pub fn report(case: &Case, verb: Option<ReportVerb>, control: &dyn Control) -> Result<CaseReport, Issues> {
+    let verb = verb.unwrap_or_else(|| ReportVerb::of(case));
+    let main = match verb {
+        ReportVerb::Solve => MainAnswer::Solve(Box::new(solve::solve(case, &(), control)?)),
+        ReportVerb::Reconstruct => MainAnswer::Reconstruct(Box::new(reconstruct::reconstruct(case, &Default::default(), control)?)),
+        ReportVerb::Crush => MainAnswer::Crush(Box::new(crush::crush(case, &(), control)?)),
+        ReportVerb::Crash3 => MainAnswer::Crash3(Box::new(crash3::crash3(case, &(), control)?)),
+        ReportVerb::Uncertainty => MainAnswer::Uncertainty(Box::new(uncertainty::uncertainty(case, &Default::default(), control)?)),
+    };
+    let is_solved = verb == ReportVerb::Solve;
+    let is_certain = case.uncertain.inputs.is_empty();
+    let all = gradient::Options { of: Selection::Principal, wrt: Selection::Principal, second: false };
+    let of_solve = |wanted: bool| wanted && is_solved;
+    let optional = |asked: bool| asked.then_some(());
+    let scene = match &main {
+        MainAnswer::Reconstruct(answer) => {
+            answer.scene.clone().map(|(facts, notices)| Answer::new(&case.title, facts, crate::notice::Notices(notices)))
+        }
+        MainAnswer::Solve(_) | MainAnswer::Uncertainty(_) => scene::draw(case, &(), control).ok(),
+        MainAnswer::Crush(_) | MainAnswer::Crash3(_) => None,
+    };
+    Ok(CaseReport {
+        verb,
+        title: case.title.clone(),
+        names: case.names.clone(),
+        identity: Identity::of(case.source()),
+        inputs: inputs(case),
+        evidence: evidence(case),
+        scene,
+        gradient: optional(of_solve(is_certain)).and_then(|()| gradient::gradient(case, &all, control).ok()),
+        uncertainty: optional(of_solve(!is_certain)).and_then(|()| uncertainty::uncertainty(case, &Default::default(), control).ok()),
+        other_law: optional(is_solved).and_then(|()| other_law(case)),
+        crash3: optional(is_solved && case.setup.crush.iter().any(Option::is_some)).and_then(|()| crash3::crash3(case, &(), control).ok()),
+        formulas: formulas(case, verb, control),
+        validation: validate::validate(&(), control)?,
+        main,
+    })
+}
+
+fn inputs(case: &Case) -> Vec<GivenInput> {
+    let unknown = |name: &str| case.knowledge.unknowns.iter().find(|unknown| unknown.key.strip_prefix("unknown.") == Some(name));
+    let mut all: Vec<GivenInput> = case
+        .inputs
+        .keys()
+        .into_iter()
+        .map(|parameter| {
+            let name = parameter.to_string();
+            let uncertain = case.uncertain.inputs.iter().find(|input| input.parameter == parameter);
+            let sd = uncertain.map(|input| input.distribution.sd()).filter(|sd| sd.is_finite());
+            let value = case.inputs.value(parameter).ok().filter(|_| unknown(&name).is_none());
+            GivenInput { name, measure: parameter.measure(), value, sd, bounds: [None, None] }
+        })
+        .filter(|input| input.value.is_some())
+        .collect();
+    all.extend(case.knowledge.unknowns.iter().map(|unknown| GivenInput {
+        name: unknown.key.strip_prefix("unknown.").unwrap_or(&unknown.key).to_owned(),
+        measure: unknown.of.measure(),
+        value: None,
+        sd: None,
+        bounds: [unknown.min, unknown.max],
+    }));
+    all
+}
+
+fn evidence(case: &Case) -> Vec<GivenEvidence> {
+    let sd = |spread: &Spread| match spread {
+        Spread::StandardDeviation(sd) => Some(*sd),
+        Spread::Resolution(step) => Some(step / 12f64.sqrt()),
+        Spread::Exact => None,
+    };
+    let given = |known: &crate::case::Known| GivenEvidence {
+        key: known.key.strip_prefix("evidence.").unwrap_or(&known.key).to_owned(),
+        measure: known.of.measure(),
+        value: known.value,
+        sd: sd(&known.uncertainty),
+    };
+    case.knowledge.evidence.iter().map(given).collect()
+}
+
+fn other_law(case: &Case) -> Option<OtherLaw> {
+    // A given ratio is the same by either law.
+    if case.model.is_momentum() || matches!(case.collision.impulse_ratio, ImpulseRatio::Given(_)) {
+        return None;
+    }
+    let (law, name) = match case.collision.law {
+        Law::Brach => (Law::KudlichSlibar, "Kudlich-Slibar"),
+        _ => (Law::Brach, "Brach"),
+    };
+    let case = case.with_law(law);
+    let solution = case.impact().map(|impact| Box::new(Solution::of(&case, &impact)));
+    Some(OtherLaw { name, solution })
+}
+
+fn formulas(case: &Case, verb: ReportVerb, control: &dyn Control) -> Vec<Formula> {
+    if case.model.is_momentum() || matches!(verb, ReportVerb::Crush | ReportVerb::Crash3) {
+        return Vec::new();
+    }
+    let kind = formula::Kind::of(&case.collision);
+    let of = |output: Output| {
+        formula::formula((verb == ReportVerb::Solve).then_some(case), &formula::Options { output, wrt: None, kind }, control).ok()
+    };
+    [Output::CriticalImpulseRatio, Output::NormalImpulse, Output::Loss].into_iter().filter_map(of).collect()
+}

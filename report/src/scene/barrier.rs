@@ -1,0 +1,41 @@
+//! A fixed barrier: a wall along the crush plane.
+
+use planar_impact_app::scene::Scene;
+
+use super::vehicle::name;
+use super::view::View;
+use crate::svg::{INK, Svg};
+
+/// Returns which way along n a barrier lies from the impact center: away from the other vehicle.
+fn away(scene: &Scene, which: usize) -> f64 {
+    let other = &scene.vehicles[1 - which];
+    let (sin, cos) = scene.crush_plane.sin_cos();
+    let along = (other.position[0] - scene.impact_point[0]) * cos + (other.position[1] - scene.impact_point[1]) * sin;
+    if along > 0.0 { -1.0 } else { 1.0 }
+}
+
+/// Returns a point of the wall behind the impact center.
+pub fn behind(scene: &Scene, which: usize, size: f64) -> [f64; 2] {
+    let (sin, cos) = scene.crush_plane.sin_cos();
+    let by = 0.12 * size * away(scene, which);
+    [scene.impact_point[0] + by * cos, scene.impact_point[1] + by * sin]
+}
+
+/// Draws a barrier: a wall along the crush plane, hatched.
+pub fn draw(svg: &mut Svg, view: &View, scene: &Scene, which: usize, size: f64) {
+    let (sin, cos) = scene.crush_plane.sin_cos();
+    let side = away(scene, which);
+    let at = |along: f64, deep: f64| {
+        let (t, n) = (along * size, side * deep * size);
+        view.place([scene.impact_point[0] - t * sin + n * cos, scene.impact_point[1] + t * cos + n * sin])
+    };
+    svg.group(&[("class", &format!("barrier vehicle-{}", which + 1))], |svg| {
+        svg.title(&name(&scene.vehicles[which]));
+        let wall = [at(-0.45, 0.0), at(0.45, 0.0), at(0.45, 0.08), at(-0.45, 0.08)];
+        svg.points("polygon", &wall, &[("fill", "#d0d0d0"), ("stroke", INK), ("stroke-width", "1.5")]);
+        for k in 0..12 {
+            let along = -0.45 + 0.075 * f64::from(k);
+            svg.line(at(along, 0.08), at(along + 0.075, 0.0), &[("stroke", "#606060"), ("stroke-width", "1")]);
+        }
+    });
+}

@@ -1,0 +1,175 @@
+//! Places labels where they cover neither each other nor, if that can be, the lines of a picture.
+
+use super::TEXT;
+use super::view::Frame;
+use crate::svg::{INK, Place, Svg, number, text_width};
+
+/// Distances from what a label names, in pixels.
+const DISTANCES: [f64; 9] = [10.0, 18.0, 28.0, 42.0, 60.0, 84.0, 116.0, 160.0, 220.0];
+const DIRECTIONS: usize = 24;
+/// What it costs to cover a line, in pixels of distance.
+const COVERED: f64 = 36.0;
+/// What it costs to stand away from what is named, in pixels of distance.
+const ANYWHERE: f64 = 300.0;
+/// The distance beyond which a thin line leads from a label to what it names.
+const LEADER: f64 = 30.0;
+
+/// A label, and what it names.
+struct Wanted {
+    text: String,
+    class: String,
+    at: Place,
+}
+
+/// The labels of a picture.
+pub struct Labels {
+    frame: Frame,
+    taken: Vec<Frame>,
+    lines: Vec<(Place, Place)>,
+    wanted: Vec<Wanted>,
+}
+
+impl Labels {
+    pub fn in_frame(frame: Frame) -> Labels {
+        Labels { frame, taken: Vec::new(), lines: Vec::new(), wanted: Vec::new() }
+    }
+
+    /// Keeps labels out of a rectangle.
+    pub fn keep_clear(&mut self, frame: Frame) {
+        self.taken.push(frame);
+    }
+
+    /// Notes a line that labels should not cover.
+    pub fn avoid(&mut self, from: Place, to: Place) {
+        self.lines.push((from, to));
+    }
+
+    /// Asks for a label beside a place.
+    pub fn want(&mut self, at: Place, class: &str, text: String) {
+        self.wanted.push(Wanted { text, class: class.to_owned(), at });
+    }
+
+    /// Places and draws all labels, the earliest first.
+    pub fn draw(mut self, svg: &mut Svg) {
+        for wanted in std::mem::take(&mut self.wanted) {
+            let (width, height) = (text_width(&wanted.text, TEXT), TEXT + 4.0);
+            let Some((frame, distance)) = self.best(&wanted, width, height) else { continue };
+            let middle = (frame.x + frame.width / 2.0, frame.y + frame.height / 2.0);
+            if distance > LEADER {
+                let near =
+                    (middle.0.clamp(frame.x, frame.x + frame.width), if wanted.at.1 > middle.1 { frame.y + frame.height } else { frame.y });
+                svg.line(near, wanted.at, &[("class", "leader"), ("stroke", "#707070"), ("stroke-width", "0.8")]);
+            }
+            let x = number(middle.0);
+            let y = number(frame.y + frame.height - 5.0);
+            let size = number(TEXT);
+            let class = format!("label {}", wanted.class);
+            svg.element_with(
+                "text",
+                &[
+                    ("class", &class),
+                    ("x", &x),
+                    ("y", &y),
+                    ("font-size", &size),
+                    ("text-anchor", "middle"),
+                    ("fill", INK),
+                    ("stroke", "#ffffff"),
+                    ("stroke-width", "3"),
+                    ("paint-order", "stroke"),
+                ],
+                &wanted.text,
+            );
+            self.taken.push(frame);
+        }
+    }
+
+    /// Returns the cheapest free rectangle, and its distance from what it names.
+    fn best(&self, wanted: &Wanted, width: f64, height: f64) -> Option<(Frame, f64)> {
+        let mut best: Option<(f64, Frame, f64)> = None;
+        let consider = |best: &mut Option<(f64, Frame, f64)>, frame: Frame, distance: f64| {
+            if !self.frame.contains(&frame) || self.taken.iter().any(|taken| taken.overlaps(&frame)) {
+                return;
+            }
+            let covered = self.lines.iter().filter(|(from, to)| crosses(&frame, *from, *to)).count() as f64;
+            let middle = (frame.x + frame.width / 2.0, frame.y + frame.height / 2.0);
+            let is_led_across = distance > LEADER && self.taken.iter().any(|taken| crosses(taken, middle, wanted.at));
+            let cost = distance + COVERED * covered + if is_led_across { ANYWHERE } else { 0.0 };
+            if best.is_none_or(|(least, ..)| cost < least) {
+                *best = Some((cost, frame, distance));
+            }
+        };
+        for distance in DISTANCES {
+            if best.is_some_and(|(least, ..)| least <= distance) {
+                break;
+            }
+            for direction in 0..DIRECTIONS {
+                let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
+                let (cos, sin) = (angle.cos(), angle.sin());
+                let x = wanted.at.0 + cos * (distance + width / 2.0) - width / 2.0;
+                let y = wanted.at.1 + sin * (distance + height / 2.0) - height / 2.0;
+                consider(&mut best, Frame { x, y, width, height }, distance);
+            }
+        }
+        if best.is_none_or(|(least, ..)| least > ANYWHERE) {
+            for row in 0..(self.frame.height / height) as usize {
+                for column in 0..8 {
+                    let x = self.frame.x + (self.frame.width - width) * f64::from(column) / 7.0;
+                    let y = self.frame.y + row as f64 * height;
+                    consider(&mut best, Frame { x, y, width, height }, ANYWHERE + (x - wanted.at.0).hypot(y - wanted.at.1));
+                }
+            }
+        }
+        best.map(|(_, frame, distance)| (frame, distance))
+    }
+}
+
+/// Returns `true` if a line passes through a rectangle.
+fn crosses(frame: &Frame, from: Place, to: Place) -> bool {
+    let (mut enter, mut leave) = (0.0f64, 1.0f64);
+    for (start, step, low, high) in
+        [(from.0, to.0 - from.0, frame.x, frame.x + frame.width), (from.1, to.1 - from.1, frame.y, frame.y + frame.height)]
+    {
+        if step.abs() < 1e-12 {
+            if start < low || start > high {
+                return false;
+            }
+            continue;
+        }
+        let (a, b) = ((low - start) / step, (high - start) / step);
+        enter = enter.max(a.min(b));
+        leave = leave.min(a.max(b));
+    }
+    enter <= leave
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_through_a_corner_crosses() {
+        let frame = Frame { x: 0.0, y: 0.0, width: 10.0, height: 10.0 };
+        assert!(
+            crosses(&frame, (-5.0, 5.0), (15.0, 5.0))
+                && crosses(&frame, (2.0, 2.0), (3.0, 3.0))
+                && crosses(&frame, (5.0, -1.0), (5.0, 1.0))
+        );
+        assert!(
+            !crosses(&frame, (-5.0, 11.0), (15.0, 11.0))
+                && !crosses(&frame, (-5.0, 0.0), (0.0, 15.0))
+                && !crosses(&frame, (20.0, 5.0), (30.0, 5.0))
+        );
+    }
+
+    #[test]
+    fn labels_of_one_place_do_not_overlap() {
+        let frame = Frame { x: 0.0, y: 0.0, width: 400.0, height: 300.0 };
+        let mut labels = Labels::in_frame(frame);
+        for number in 0..20 {
+            labels.want((200.0, 150.0), "test", format!("label number {number}"));
+        }
+        let mut svg = Svg::new(400.0, 300.0, "", "");
+        labels.draw(&mut svg);
+        assert_eq!(svg.finish().matches("<text").count(), 20);
+    }
+}

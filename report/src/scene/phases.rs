@@ -1,0 +1,71 @@
+//! The phases of a collision as small pictures.
+
+use planar_impact_app::scene::{Phase, Scene};
+use planar_impact_app::slide::RestPose;
+use planar_impact_app::units::{Measure, Units};
+
+use super::vehicle::{self, Detail, extent};
+use super::view::{Frame, View, arrow_head};
+use super::{SMALL, STYLES, barrier, impact};
+use crate::svg::Svg;
+
+const GAP: f64 = 10.0;
+/// Room for the name of a phase, in pixels.
+const NAME: f64 = 24.0;
+
+pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
+    let count = scene.phases.len().max(1) as f64;
+    let width = (frame.width - GAP * (count - 1.0)) / count;
+    let timed: Vec<[f64; 2]> = scene.phases.iter().filter(|phase| phase.time.is_some()).flat_map(|phase| points(scene, phase)).collect();
+    for (i, phase) in scene.phases.iter().enumerate() {
+        let frame = Frame { x: frame.x + i as f64 * (width + GAP), width, ..frame };
+        let picture = Frame { y: frame.y + NAME, height: frame.height - NAME, ..frame };
+        // Phases around the impact have one scale; rest has its own.
+        let view = if phase.time.is_some() {
+            View::of(timed.iter().copied(), picture, 16.0)
+        } else {
+            View::of(points(scene, phase).into_iter(), picture, 26.0)
+        };
+        frame.draw(svg);
+        let class = format!("phase phase-{}", phase.name.replace(' ', "-"));
+        svg.group(&[("class", &class)], |svg| {
+            let when =
+                phase.time.filter(|time| *time != 0.0).map(|time| format!(", {} s", signed(&units.number(Measure::Time, time, 1.0), time)));
+            svg.text((frame.x + 8.0, frame.y + 17.0), SMALL, "label", &format!("{}{}", phase.name, when.unwrap_or_default()));
+            for which in (0..2).filter(|which| scene.vehicles[*which].barrier && phase.time.is_some()) {
+                barrier::draw(svg, &view, scene, which, impact::size(scene));
+            }
+            for (which, (pose, velocity)) in phase.poses.iter().zip(phase.velocities).enumerate() {
+                let Some(pose) = pose else { continue };
+                vehicle::draw(svg, &view, &scene.vehicles[which], which, pose, Detail::Small);
+                motion(svg, &view, scene, which, pose, velocity);
+            }
+            view.bar(svg, units);
+        });
+    }
+}
+
+fn signed(number: &str, value: f64) -> String {
+    let number = number.replace('-', "−");
+    if value > 0.0 { format!("+{number}") } else { number }
+}
+
+fn points(scene: &Scene, phase: &Phase) -> Vec<[f64; 2]> {
+    let of = |which: usize, pose: &RestPose| extent(&scene.vehicles[which], pose);
+    phase.poses.iter().enumerate().filter_map(|(which, pose)| Some(of(which, pose.as_ref()?))).flatten().collect()
+}
+
+/// Draws the velocity; the fastest is as long as a quarter of the picture's height.
+fn motion(svg: &mut Svg, view: &View, scene: &Scene, which: usize, pose: &RestPose, velocity: [f64; 2]) {
+    let fastest = scene.phases.iter().flat_map(|phase| phase.velocities).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+    let speed = velocity[0].hypot(velocity[1]);
+    if speed <= 0.02 * fastest {
+        return;
+    }
+    let from = view.place(pose.position);
+    let length = 0.25 * view.frame.height;
+    let tip = (from.0 + length * velocity[0] / fastest, from.1 - length * velocity[1] / fastest);
+    let class = format!("phase-velocity phase-velocity-{}", which + 1);
+    svg.line(from, tip, &[("class", &class), ("stroke", STYLES[which].stroke), ("stroke-width", "2")]);
+    arrow_head(svg, from, tip, 6.0, &[("fill", STYLES[which].stroke)]);
+}
