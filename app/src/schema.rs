@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::answer::Answer;
 use crate::check::{CheckReport, rules::Rules};
+use crate::compare::CaseComparison;
 use crate::crash3::Comparison;
 use crate::crush::CrushAnswer;
 use crate::formula::Formula;
@@ -24,7 +25,7 @@ use crate::validate::Validation;
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 16] = [
+const SCHEMAS: [Named; 17] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
     ("solve", || schema_for!(Answer<Solution>)),
@@ -36,6 +37,7 @@ const SCHEMAS: [Named; 16] = [
     ("slide", || schema_for!(Answer<Slides>)),
     ("uncertainty", || schema_for!(Answer<Uncertainty>)),
     ("stiffness", || schema_for!(Answer<StiffnessAnswer>)),
+    ("compare", || schema_for!(Answer<CaseComparison>)),
     ("formula", || schema_for!(Formula)),
     ("check", || schema_for!(CheckReport<'static>)),
     ("rules", || schema_for!(Rules)),

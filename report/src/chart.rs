@@ -2,6 +2,7 @@
 
 mod canvas;
 mod charted;
+mod compare;
 mod contours;
 mod energy;
 mod impulse;
@@ -11,6 +12,8 @@ mod lines;
 pub mod paper;
 mod posterior;
 mod residuals;
+#[cfg(test)]
+mod samples;
 mod stiffness;
 mod tornado;
 mod uncertainty;
@@ -20,6 +23,7 @@ use planar_impact_app::sweep::Sweep;
 use planar_impact_app::{Answer, Units};
 
 use charted::Charted;
+pub use compare::compare;
 pub use energy::energy;
 pub use impulse::impulse;
 pub use intervals::intervals;

@@ -105,3 +105,43 @@ fn draw(area: &Area<'_>, answer: &Solution, bars: &[Bar], units: Units) -> Drawn
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, hostile, pairs};
+    use super::*;
+
+    #[test]
+    fn each_bar_begins_where_the_one_before_ends() {
+        let mut gains = 0;
+        for [answer, _] in pairs(200) {
+            let (bars, energy) = (bars(&answer), &answer.energy);
+            let size = 1e-9 * energy.before;
+            let close = |one: f64, other: f64| assert!((one - other).abs() <= size, "{one}, not {other}");
+            let [before, works @ .., after, loss] = &bars[..] else { panic!("four bars or more") };
+            close(before.ends[1] - before.ends[0], energy.before);
+            close(after.ends[1] - after.ends[0], energy.after);
+            let mut level = before.ends[1];
+            for work in works {
+                close(work.ends[0], level);
+                close(work.ends[1] - work.ends[0], work.value);
+                level = work.ends[1];
+                gains += usize::from(work.value > 0.0);
+            }
+            close(level, after.ends[1]);
+            close(loss.ends[1] - loss.ends[0], loss.value);
+            close(loss.value, -works.iter().map(|work| work.value).sum::<f64>());
+            assert_eq!(works.len(), if energy.moment_work.is_some() { 3 } else { 2 });
+        }
+        assert!(gains > 0, "a tangential work may be positive");
+    }
+
+    #[test]
+    fn every_account_is_legible() {
+        for [mut answer, _] in pairs(100) {
+            assert_legible(&energy(&answer, Units::Us).expect("in memory"));
+            answer.title = hostile();
+            assert_legible(&energy(&answer, Units::Si).expect("in memory"));
+        }
+    }
+}

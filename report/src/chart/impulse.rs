@@ -174,7 +174,7 @@ impl<'a> Diagram<'a> {
         let words: [&[&str]; 4] = [
             &["common velocity:", "e = 0, μ = μ0"],
             &["sticking by Brach: sliding", "has ended at termination"],
-            &["sticking by Kudlich and Slibar:", "common velocity times 1 + e"],
+            &["sticking by Kudlich–Slibar:", "common velocity times 1 + e"],
             &solution,
         ];
         y += 8;
@@ -337,4 +337,138 @@ fn polygon(frame: &[std::ops::Range<f64>; 2], edges: [Place; 2], normal: f64) ->
             .collect();
     corners.sort_by(|one, other| slope(*one).total_cmp(&slope(*other)));
     std::iter::once((0.0, 0.0)).chain(corners).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, hostile, pairs, solved};
+    use super::*;
+
+    fn close(one: f64, other: f64, size: f64, what: &str) {
+        assert!((one - other).abs() <= size, "{what}: {one}, not {other}");
+    }
+
+    fn mark(diagram: &Diagram<'_>, which: Mark) -> Place {
+        diagram.marks.iter().find(|(mark, _)| *mark == which).expect("a mark").1
+    }
+
+    /// Returns the distance of a place from the line of a role, if the frame has the line.
+    fn distance(diagram: &Diagram<'_>, role: Role, at: Place) -> Option<f64> {
+        let (_, [from, to]) = diagram.lines.iter().find(|(found, _)| *found == role)?;
+        let along = (to.0 - from.0, to.1 - from.1);
+        Some(((at.0 - from.0) * along.1 - (at.1 - from.1) * along.0) / along.0.hypot(along.1))
+    }
+
+    #[test]
+    fn the_solution_is_where_the_lines_of_its_law_meet() {
+        let (mut sticking, mut sliding, mut other_law, mut with_moment) = (0, 0, 0, 0);
+        for [answer, _] in pairs(300) {
+            let contact = &answer.contact;
+            let diagram = Diagram::of(contact).expect("an angular model");
+            let solution = mark(&diagram, Mark::Solution);
+            let size = 1e-9 * solution.0.hypot(solution.1);
+            let on = |role, at, what: &str| distance(&diagram, role, at).iter().for_each(|off| close(*off, 0.0, 10.0 * size, what));
+            assert!(is_inside(&diagram.frame, solution) && is_inside(&diagram.frame, (0.0, 0.0)));
+            on(Role::Termination, solution, "the solution on the line of termination");
+            assert!(distance(&diagram, Role::Termination, solution).is_some(), "the frame has the line");
+            close(solution.1, contact.impulse_ratio * solution.0, size, "the solution on the ray of its ratio");
+            on(Role::Path, solution, "the path ends at the solution");
+            let common = mark(&diagram, Mark::CommonVelocity);
+            let large = 1e-9 * common.0.hypot(common.1);
+            if is_inside(&diagram.frame, common) {
+                on(Role::MaximumCompression, common, "common velocity at maximum compression");
+                on(Role::SlidingEnd, common, "common velocity where sliding ends");
+            }
+            for point in [Mark::Brach, Mark::KudlichSlibar]
+                .map(|which| mark(&diagram, which))
+                .into_iter()
+                .filter(|at| is_inside(&diagram.frame, *at))
+            {
+                on(Role::Termination, point, "both laws at termination");
+            }
+            let brach = mark(&diagram, Mark::Brach);
+            if is_inside(&diagram.frame, brach) {
+                on(Role::SlidingEnd, brach, "sticking where sliding ends");
+            }
+            close(brach.1, contact.critical_impulse_ratio * brach.0, 1e-9 * brach.0.hypot(brach.1), "the critical ratio");
+            if contact.impulse.moment.is_none() {
+                // Restitution multiplies the impulse to common velocity.
+                let (both, other) = (1.0 + contact.restitution, mark(&diagram, Mark::KudlichSlibar));
+                close(other.0, both * common.0, 10.0 * large, "normal");
+                close(other.1, both * common.1, 10.0 * large, "tangential");
+            } else {
+                with_moment += 1;
+            }
+            let of_law = if contact.tangential_law == TangentialLaw::Brach { Mark::Brach } else { Mark::KudlichSlibar };
+            if contact.impulse_ratio_given == ImpulseRatioGiven::Critical {
+                let sticks = mark(&diagram, of_law);
+                close(solution.0, sticks.0, size, "sticking");
+                close(solution.1, sticks.1, size, "sticking");
+                sticking += 1;
+                other_law += usize::from(of_law == Mark::KudlichSlibar && contact.restitution > 0.0);
+            } else {
+                sliding += 1;
+            }
+            // The cone has the solution on its edge, or within it where friction does not limit the impulse.
+            assert!(solution.1.abs() <= cone_ratio(contact).abs() * solution.0.abs() + size);
+        }
+        assert!(
+            [sticking, sliding, other_law, with_moment].iter().all(|count| *count > 20),
+            "{sticking} {sliding} {other_law} {with_moment}"
+        );
+    }
+
+    #[test]
+    fn a_mirror_image_has_the_mirrored_diagram() {
+        for [one, other] in pairs(200) {
+            let [one, other] = [&one, &other].map(|answer| Diagram::of(&answer.contact).expect("an angular model"));
+            let size = 1e-7 * (one.frame[0].end - one.frame[0].start).max(one.frame[1].end - one.frame[1].start);
+            close(one.frame[1].start, -other.frame[1].end, size, "frame");
+            close(one.frame[0].start, other.frame[0].start, size, "frame");
+            for ((mark, at), (_, mirrored)) in one.marks.iter().zip(&other.marks) {
+                let size = size.max(1e-9 * at.0.hypot(at.1));
+                close(at.0, mirrored.0, size, &format!("{mark:?}"));
+                close(at.1, -mirrored.1, size, &format!("{mark:?}"));
+            }
+            for role in [Role::SlidingEnd, Role::MaximumCompression, Role::Termination] {
+                let ends = |diagram: &Diagram<'_>| diagram.lines.iter().find(|(found, _)| *found == role).map(|(_, ends)| *ends);
+                if let (Some(ends), Some(_)) = (ends(&one), ends(&other)) {
+                    for end in ends {
+                        close(distance(&other, role, (end.0, -end.1)).expect("a line"), 0.0, size, "line");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_line_is_within_the_frame() {
+        for [answer, _] in pairs(150) {
+            let diagram = Diagram::of(&answer.contact).expect("an angular model");
+            let [x, y] = &diagram.frame;
+            let (wide, high) = (1e-9 * (x.end - x.start), 1e-9 * (y.end - y.start));
+            for at in diagram.lines.iter().flat_map(|(_, ends)| *ends).chain(diagram.cone.iter().copied()) {
+                assert!(at.0 >= x.start - wide && at.0 <= x.end + wide && at.1 >= y.start - high && at.1 <= y.end + high, "{at:?}");
+            }
+        }
+    }
+
+    const HEAD_ON: &str = "schema = 1\ntitle = \"TITLE\"\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"0 deg\"\nspeed = 15\nimpact_center = [2, 0]\n\
+        [[vehicle]]\nname = \"wall\"\nbarrier = true\n[contact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\n";
+
+    #[test]
+    fn every_diagram_is_legible() {
+        for [answer, _] in pairs(120) {
+            for units in [Units::Us, Units::Si] {
+                assert_legible(&impulse(&answer, units).expect("in memory").expect("a diagram"));
+            }
+        }
+        // Central, so that all is along the normal; a given negative ratio of nothing; a hostile title.
+        let central = solved(&HEAD_ON.replace("TITLE", "central")).expect("a solution");
+        assert_legible(&impulse(&central, Units::Si).expect("in memory").expect("a diagram"));
+        let title = hostile().replace(['\u{1}', '\u{202e}', '\u{fffe}'], "").replace('"', "'");
+        let mut loud = solved(&HEAD_ON.replace("TITLE", &title)).expect("a solution");
+        loud.title = hostile();
+        assert_legible(&impulse(&loud, Units::Us).expect("in memory").expect("a diagram"));
+    }
 }

@@ -233,3 +233,48 @@ fn wrapped(name: &str, most: usize) -> Vec<String> {
     }
     lines
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, case};
+    use super::*;
+    use planar_impact_app::{Uncontrolled, reconstruct};
+
+    #[test]
+    fn margins_of_a_pair_are_the_densities() {
+        let case = case(include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"));
+        let options = reconstruct::Options { starts: 4, posterior: true, draws: true, ..reconstruct::Options::default() };
+        let answer = reconstruct::reconstruct(&case, &options, &Uncontrolled).expect("an answer");
+        let draws = answer.posterior.as_ref().expect("draws");
+        let density =
+            |name: &str| answer.unknown.get(name).and_then(|unknown| unknown.posterior.as_ref()?.density.as_ref()).expect("a density");
+        assert!(!draws.pairs.is_empty());
+        for pair in &draws.pairs {
+            let (x, y) = (density(&pair.x), density(&pair.y));
+            let close = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one}, not {other}");
+            for (row, share) in pair.shares.iter().zip(&y.shares) {
+                close(row.iter().sum(), *share);
+            }
+            for (column, share) in x.shares.iter().enumerate() {
+                close(pair.shares.iter().map(|row| row[column]).sum(), *share);
+            }
+            // Each cell counts the draws between its edges.
+            let values = draws.values.as_ref().expect("values");
+            let [of_x, of_y] = [&pair.x, &pair.y].map(|name| values.get(name).expect("draws"));
+            let within = |value: f64, edges: &[f64], bin: usize| edges[bin] <= value && value < edges[bin + 1];
+            let (row, column) = (11, 12);
+            let count = of_x.iter().zip(of_y).filter(|(u, v)| within(**u, &x.edges, column) && within(**v, &y.edges, row)).count();
+            let off = (pair.shares[row][column] * of_x.len() as f64 - count as f64).abs();
+            assert!(off <= 2.0, "rounding at an edge at most: {off}");
+        }
+        for (_, unknown) in answer.unknown.iter() {
+            let posterior = unknown.posterior.as_ref().expect("a posterior");
+            let Some(density) = &posterior.density else { continue };
+            let middle: f64 = density.edges.windows(2).zip(&density.shares).map(|(edges, share)| 0.5 * (edges[0] + edges[1]) * share).sum();
+            let width = density.edges[1] - density.edges[0];
+            assert!((middle - posterior.mean).abs() < 0.5 * width, "{middle}, not {}", posterior.mean);
+            assert!((density.shares.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+        }
+        assert_legible(&posterior(&answer, Units::Us).expect("in memory").expect("draws"));
+    }
+}

@@ -88,3 +88,43 @@ fn draw(area: &Area<'_>, rows: &[Row]) -> Drawn {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, case, hostile};
+    use super::*;
+    use planar_impact_app::{Uncontrolled, reconstruct};
+
+    #[test]
+    fn squares_of_the_residuals_add_up_to_chi_square() {
+        for (text, is_correlated) in [
+            (include_str!("../../../cli/examples/reconstruct/position-a.toml"), false),
+            (include_str!("../../../cli/examples/reconstruct/crabbed-2.toml"), false),
+            (include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"), true),
+        ] {
+            let options = reconstruct::Options { starts: 4, ..reconstruct::Options::default() };
+            let mut answer = reconstruct::reconstruct(&case(text), &options, &Uncontrolled).expect("an answer");
+            let sum: f64 = rows(&answer, Units::Si).iter().map(|row| row.residual * row.residual).sum();
+            assert!(is_correlated || (sum - answer.chi_square).abs() <= 1e-6 * answer.chi_square.max(1.0), "{sum} {}", answer.chi_square);
+            answer.title = hostile();
+            if let Some(svg) = residuals(&answer, Units::Us).expect("in memory") {
+                assert_legible(&svg);
+            }
+            assert_legible(&super::super::intervals(&answer, Units::Us).expect("in memory"));
+        }
+    }
+
+    #[test]
+    fn far_residuals_are_legible_too() {
+        let row = |residual: f64| Row {
+            name: "vehicle.1.separation_velocity.x".to_owned(),
+            residual,
+            numbers: "1.0, computed 2.0 m/s".to_owned(),
+        };
+        for far in [0.0, 2.4, -17.3, 1e6] {
+            let rows = vec![row(far), row(-1.0)];
+            let height = px((MARGIN + ROW * 2 + AXIS) as u32);
+            assert_legible(&page("", "", height, |area| draw(area, &rows)).expect("in memory"));
+        }
+    }
+}

@@ -162,3 +162,55 @@ where
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, hostile};
+    use super::*;
+    use planar_impact_app::stiffness::{TestFile, stiffness as fit};
+    use planar_impact_app::{Source, Uncontrolled};
+
+    fn answer(text: &str) -> Answer<StiffnessAnswer> {
+        let file = TestFile::parse(Source { name: "tests".to_owned(), text: text.to_owned() }).unwrap_or_else(|issues| panic!("{issues}"));
+        fit(&file, &(), &Uncontrolled).unwrap_or_else(|issues| panic!("{issues}"))
+    }
+
+    #[test]
+    fn the_line_passes_the_tests_at_their_residuals_and_lies_within_its_band() {
+        let answer = answer(include_str!("../../../cli/examples/tests/struble-welsh.toml"));
+        let fit = &answer.fits[0];
+        for (test, residual) in answer.tests.iter().zip(&fit.residuals) {
+            let after = fit.line.iter().position(|point| point.depth >= test.mean_depth).expect("within the line");
+            let (from, to) = (&fit.line[after - 1], &fit.line[after]);
+            let share = (test.mean_depth - from.depth) / (to.depth - from.depth);
+            let fitted = from.crush_intensity + share * (to.crush_intensity - from.crush_intensity);
+            assert!(
+                (fitted - residual.fitted).abs() < 1e-9 * fitted
+                    && (residual.observed - fitted - residual.difference).abs() < 1e-9 * fitted
+            );
+        }
+        let edge = edge(&fit.line);
+        assert_eq!(edge.len(), 2 * fit.line.len());
+        for (i, point) in fit.line.iter().enumerate() {
+            let (above, below) = (edge[i], edge[edge.len() - 1 - i]);
+            assert_eq!((above.0, below.0), (point.depth, point.depth));
+            assert!(above.1 > point.crush_intensity && (above.1 + below.1 - 2.0 * point.crush_intensity).abs() < 1e-9 * above.1);
+        }
+    }
+
+    #[test]
+    fn stiffness_is_legible() {
+        for text in
+            [include_str!("../../../cli/examples/tests/struble-welsh.toml"), include_str!("../../../cli/examples/tests/malibu.toml")]
+        {
+            let mut answer = answer(text);
+            assert_legible(&stiffness(&answer, Units::Us).expect("in memory"));
+            answer.title = hostile();
+            // More vehicles than the legend names.
+            let tests = answer.tests.clone();
+            answer.facts.tests = (0..40).flat_map(|_| tests.clone()).collect();
+            answer.facts.tests.iter_mut().enumerate().for_each(|(i, test)| test.vehicle = format!("{i}{}", hostile()));
+            assert_legible(&stiffness(&answer, Units::Si).expect("in memory"));
+        }
+    }
+}

@@ -171,3 +171,68 @@ fn legend(area: &Area<'_>, step: &str, top: i32) -> Drawn {
     outline(area, from, to, DARK)?;
     write(area, "input less by as much", 14, (486, top))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{assert_legible, case};
+    use super::*;
+    use planar_impact_app::{Case, Uncontrolled, gradient, solve, uncertainty};
+
+    fn uncertain() -> Case {
+        case(include_str!("../../../cli/examples/uncertain.toml"))
+    }
+
+    fn linear(case: &Case) -> Answer<Uncertainty> {
+        let options = uncertainty::Options { methods: vec![uncertainty::Method::Linear], ..uncertainty::Options::default() };
+        uncertainty::uncertainty(case, &options, &Uncontrolled).expect("an answer")
+    }
+
+    #[test]
+    fn the_greatest_effect_comes_first_and_squares_add_up_without_correlation() {
+        let mut case = uncertain();
+        case.uncertain.correlations.clear();
+        let answer = linear(&case);
+        for (_, found) in answer.of.iter() {
+            let linear = found.linear.as_ref().expect("linear");
+            let sum: f64 = linear.effects.iter().map(|(_, effect)| effect * effect).sum();
+            assert!((sum.sqrt() - linear.sd).abs() <= 1e-9 * linear.sd, "{} {}", sum.sqrt(), linear.sd);
+        }
+        let bars = [3.0, -7.0, 0.0, 5.0, f64::NAN].map(|effect| Bar { input: effect.to_string(), effect });
+        let panel = Panel::of(answer.outputs[0], 1.0, bars.into());
+        assert_eq!(panel.bars.iter().map(|bar| bar.effect).collect::<Vec<_>>(), [-7.0, 5.0, 3.0]);
+        assert_eq!((panel.lengths(), panel.others), (vec![1.0, 5.0 / 7.0, 3.0 / 7.0], 2));
+    }
+
+    #[test]
+    fn an_effect_is_that_of_the_input_moved_by_a_step() {
+        /// Share of the standard deviation that is moved.
+        const STEP: f64 = 1e-4;
+        let case = uncertain();
+        let answer = linear(&case);
+        let means: Vec<_> =
+            answer.parameters.iter().zip(answer.inputs.iter()).map(|(parameter, (_, number))| (*parameter, number.mean)).collect();
+        let loss = |moved: usize, by: f64| {
+            let mut values = means.clone();
+            values[moved].1 += by;
+            solve::solve(&case.with(&values), &(), &Uncontrolled).expect("a solution").energy.loss
+        };
+        let found = answer.of.get("energy.loss").expect("a principal output").linear.as_ref().expect("linear");
+        for (place, ((_, effect), (_, number))) in found.effects.iter().zip(answer.inputs.iter()).enumerate() {
+            let step = STEP * number.sd;
+            let moved = (loss(place, step) - loss(place, -step)) / (2.0 * STEP);
+            assert!((effect - moved).abs() <= 1e-5 * found.sd, "{effect}, not {moved}");
+        }
+    }
+
+    #[test]
+    fn tornadoes_are_legible() {
+        assert_legible(&tornado_of_uncertainty(&linear(&uncertain()), Units::Si).expect("in memory"));
+        for text in [include_str!("../../../cli/examples/position-a.toml"), include_str!("../../../cli/examples/crabbed-barrier.toml")] {
+            let options = gradient::Options { of: gradient::Selection::Principal, wrt: gradient::Selection::Principal, second: false };
+            let answer = gradient::gradient(&case(text), &options, &Uncontrolled).expect("an answer");
+            for units in [Units::Us, Units::Si] {
+                assert_legible(&tornado_of_gradient(&answer, units).expect("in memory"));
+            }
+        }
+    }
+}
