@@ -8,6 +8,7 @@ pub mod answer;
 pub mod batch;
 pub mod case;
 pub mod check;
+pub mod compare;
 pub mod control;
 pub mod crash3;
 pub mod crush;

@@ -31,7 +31,7 @@ use question::{Question, key_of};
 use statement::Statement;
 
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, Reconstruction, Unknown};
-pub use posterior::{Draws, Posterior};
+pub use posterior::{Draws, PairDensity, Posterior, PosteriorDensity};
 
 /// Options of the search, and what is asked of the posterior.
 #[derive(Clone, Debug, PartialEq)]

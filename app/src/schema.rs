@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::answer::Answer;
 use crate::check::{CheckReport, rules::Rules};
+use crate::compare::CaseComparison;
 use crate::crash3::Comparison;
 use crate::crush::CrushAnswer;
 use crate::formula::Formula;
@@ -38,6 +39,7 @@ const SCHEMAS: [Named; 17] = [
     ("draw", || schema_for!(Answer<Scene>)),
     ("uncertainty", || schema_for!(Answer<Uncertainty>)),
     ("stiffness", || schema_for!(Answer<StiffnessAnswer>)),
+    ("compare", || schema_for!(Answer<CaseComparison>)),
     ("formula", || schema_for!(Formula)),
     ("check", || schema_for!(CheckReport<'static>)),
     ("rules", || schema_for!(Rules)),

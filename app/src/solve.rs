@@ -1,7 +1,7 @@
 //! The verb `solve`: how two vehicles leave a collision, and the energy it takes.
 
 use planar_impact::skid::{self, braking};
-use planar_impact::{Admissible, Impact, Law, Nt, Party, Response, Xy};
+use planar_impact::{Admissible, Collision, Impact, Law, Nt, Party, Response, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -173,6 +173,50 @@ pub struct Contact {
     pub separation: Components,
     /// Limits of restitution and impulse ratio without a gain of energy; `null` with a moment impulse.
     pub no_energy_gain: Option<EnergyBounds>,
+    /// The lines and points of Routh's construction; absent where momentum alone determines the impulse.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impulse_plane: Option<ImpulsePlane>,
+}
+
+/// Routh's construction in the plane of the impulse P on vehicle 1. An impulse changes the relative velocity at the impact center by K P, so that each event is a
+/// line: `compliance.normal` P_n + `compliance.coupling` P_t has a given value, or `compliance.coupling` P_n + `compliance.tangential` P_t. A moment impulse shifts
+/// the lines.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ImpulsePlane {
+    /// The compliance K at the impact center.
+    pub compliance: ComplianceMatrix,
+    /// Normal component of K P on the line of maximum compression, where the relative normal velocity is zero, in m/s.
+    pub maximum_compression: f64,
+    /// Normal component of K P on the line of termination, where restitution holds, in m/s.
+    pub termination: f64,
+    /// Tangential component of K P on the line where sliding ends, the relative tangential velocity being zero, in m/s.
+    pub sliding_end: f64,
+    /// The impulse to a common velocity, where sliding ends at maximum compression.
+    pub common_velocity: PlaneImpulse,
+    /// The sticking impulse of Brach's law, where sliding ends at termination; its ratio is the critical one.
+    pub brach: PlaneImpulse,
+    /// The sticking impulse of Kudlich and Slibar's law, where restitution holds for both components.
+    pub kudlich_slibar: PlaneImpulse,
+}
+
+/// The compliance at the impact center, in 1/kg.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ComplianceMatrix {
+    /// K_nn: change of the normal velocity by a normal impulse.
+    pub normal: f64,
+    /// K_nt: change of the tangential velocity by a normal impulse, and the reverse.
+    pub coupling: f64,
+    /// K_tt: change of the tangential velocity by a tangential impulse.
+    pub tangential: f64,
+}
+
+/// An impulse on vehicle 1 in the axes of the contact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PlaneImpulse {
+    /// Along the normal, in N s.
+    pub normal: f64,
+    /// Along the tangent, in N s.
+    pub tangential: f64,
 }
 
 /// The form in which a case gives its impulse ratio.
@@ -397,6 +441,35 @@ impl Contact {
             approach: components(impact.approach),
             separation: components(impact.separation),
             no_energy_gain: collision.admissible().as_ref().filter(|_| !case.model.is_momentum()).map(EnergyBounds::of),
+            impulse_plane: (!case.model.is_momentum()).then(|| ImpulsePlane::of(collision, impact)),
+        }
+    }
+}
+
+impl ImpulsePlane {
+    fn of(collision: &Collision, impact: &Impact) -> Self {
+        let contact = collision.contact();
+        let compliance = &contact.compliance;
+        let by_moment = contact.moment_compliance().force * impact.moment;
+        let of = |change: Nt| change - by_moment;
+        let sticking = |law: Law| of(law.change(contact.approach, collision.restitution));
+        let impulse = |change: Nt| {
+            let impulse = compliance.impulse_for(change);
+            PlaneImpulse { normal: positive_zero(impulse.n), tangential: positive_zero(impulse.t) }
+        };
+        let (common, brach) = (of(contact.approach), sticking(Law::Brach));
+        ImpulsePlane {
+            compliance: ComplianceMatrix {
+                normal: *compliance.nn(),
+                coupling: positive_zero(*compliance.nt()),
+                tangential: *compliance.tt(),
+            },
+            maximum_compression: positive_zero(common.n),
+            termination: positive_zero(brach.n),
+            sliding_end: positive_zero(common.t),
+            common_velocity: impulse(common),
+            brach: impulse(brach),
+            kudlich_slibar: impulse(sticking(Law::KudlichSlibar)),
         }
     }
 }

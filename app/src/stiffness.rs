@@ -24,6 +24,11 @@ use series::Unfitted;
 pub use pooled::{OfVehicle, Pooled, PooledNumber};
 pub use test_file::{Prediction, TestFile, Tested};
 
+/// Number of steps between the points of a fitted line.
+const LINE_STEPS: usize = 22;
+/// End of a fitted line, as a multiple of the deepest mean crush.
+const BEYOND_DEEPEST: f64 = 1.1;
+
 /// Barrier tests with the stiffness fitted to them, in SI.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StiffnessAnswer {
@@ -107,11 +112,24 @@ pub struct Fit {
     pub residuals: Vec<Residuals>,
     /// Covariance of d0 and d1; `null` where neither the file nor the residuals give the scatter.
     pub covariance: Option<Covariance>,
+    /// The fitted line at 23 depths, evenly from no crush to a tenth beyond the deepest mean crush.
+    pub line: Vec<LinePoint>,
     /// Crush energy of the depth and width under `[fit]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prediction: Option<Predicted>,
     /// Implausible properties of this stiffness.
     pub findings: Vec<Sentence>,
+}
+
+/// A point of a fitted line, that of a flat crush.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LinePoint {
+    /// Depth of the crush in m.
+    pub depth: f64,
+    /// E* of the fit in √N.
+    pub crush_intensity: f64,
+    /// Its standard deviation from the covariance, in √N; `null` without one.
+    pub sd: Option<f64>,
 }
 
 /// E* of a test compared with a fit.
@@ -226,7 +244,8 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     };
     let negative = fits.iter().flat_map(|fit| fit.findings().into_iter().filter(is_negative).map(|finding| negative_fit(fit, &finding)));
     let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).map(Sentence).collect();
-    let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit)).collect();
+    let deepest = BEYOND_DEEPEST * tests.iter().map(|test| test.mean_depth).fold(0.0, f64::max);
+    let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit, deepest)).collect();
     let answer = StiffnessAnswer {
         tests,
         headlines,
@@ -298,7 +317,7 @@ impl Forms {
 }
 
 impl Fit {
-    fn of(file: &TestFile, fit: &StiffnessFit) -> Self {
+    fn of(file: &TestFile, fit: &StiffnessFit, deepest: f64) -> Self {
         let is_uncertain = file.is_uncertain(fit);
         let residual = |residual: &Residual| Residuals {
             observed: positive_zero(residual.observed),
@@ -319,6 +338,15 @@ impl Fit {
             // A coefficient that is held is correlated with nothing.
             correlation: if fit.covariance.onset > 0.0 { positive_zero(fit.covariance.correlation()) } else { 0.0 },
         };
+        let point = |i: usize| {
+            let depth = deepest * i as f64 / LINE_STEPS as f64;
+            let estimate = fit.intensity_at(depth);
+            LinePoint {
+                depth,
+                crush_intensity: positive_zero(estimate.value),
+                sd: is_uncertain.then(|| positive_zero(estimate.deviation())),
+            }
+        };
         let prediction = file.prediction.as_ref().map(|asked| {
             let energy = fit.energy_at(asked.depth, asked.width);
             let sd = is_uncertain.then(|| positive_zero(energy.deviation()));
@@ -331,6 +359,7 @@ impl Fit {
             degrees_of_freedom: fit.degrees_of_freedom,
             residuals: fit.residuals.iter().map(residual).collect(),
             covariance: is_uncertain.then(covariance),
+            line: (0..=LINE_STEPS).map(point).collect(),
             prediction,
             findings: fit.findings().iter().map(|finding| Sentence(message(finding))).collect(),
         }

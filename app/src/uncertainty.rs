@@ -219,7 +219,11 @@ impl<'a> Question<'a> {
     fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty) -> Result<(), Refusals> {
         if self.asks(Method::Linear) {
             let linear = self.uncertain.linear(of)?;
+            let effect = |(derivative, number): (&f64, &library::UncertainNumber)| {
+                if *derivative == 0.0 { 0.0 } else { positive_zero(derivative * number.sd()) }
+            };
             to.linear = Some(Linear {
+                effects: self.named(linear.derivatives.iter().zip(self.uncertain.numbers()).map(effect)),
                 mean: positive_zero(linear.mean),
                 sd: linear.sd,
                 shares: self.named(linear.shares),

@@ -42,6 +42,9 @@ pub enum Verb {
     /// Vary one or two inputs of a collision: tables, data and charts.
     #[command(after_help = help::SWEEP)]
     Sweep(Sweep),
+    /// Compare variants of a case: the inputs that differ, and the outputs, side by side.
+    #[command(after_help = help::COMPARE)]
+    Compare(Compare),
     /// Solve a table of collisions, a row each: CSV, Parquet or Arrow.
     #[command(after_help = help::BATCH)]
     Batch(Batch),
@@ -128,6 +131,31 @@ pub struct OfCase {
     /// Units of the text. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<UnitSystem>,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Case files, TOML or JSON; - reads standard input.
+    #[arg(required = true, num_args = 2..=20, value_name = "CASE")]
+    pub cases: Vec<PathBuf>,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = CompareFormat::Text)]
+    pub format: CompareFormat,
+    /// Units of text and SVG. Default: those of most values in the first case file. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<UnitSystem>,
+}
+
+/// Format of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CompareFormat {
+    /// For people.
+    Text,
+    /// For programs, in SI.
+    Json,
+    /// A chart: each output of each case, with its interval if it is reconstructed.
+    Svg,
 }
 
 /// Arguments of `reconstruct`.

@@ -7,16 +7,16 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, scene, schema, slide, solve, stiffness,
-    sweep, template, uncertainty, validate,
+    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, scene, schema, slide, solve,
+    stiffness, sweep, template, uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, DrawFormat, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod,
-    UnitSystem, Verb,
+    self, Arguments, CompareFormat, DrawFormat, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat,
+    UncertaintyMethod, UnitSystem, Verb,
 };
 use crate::exit::Failure;
 use crate::output::CommandOutput;
@@ -39,6 +39,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Crash3(call) => of_case(&call, crash3::crash3),
         Verb::Gradient(call) => differentiate(&call),
         Verb::Sweep(call) => vary(&call),
+        Verb::Compare(call) => line_up(&call),
         Verb::Batch(call) => batch::run(&call),
         Verb::Reconstruct(call) => look_back(&call),
         Verb::Uncertainty(call) => doubt(&call),
@@ -47,7 +48,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
-        Verb::Validate(call) => compare(&call),
+        Verb::Validate(call) => hold_tables(&call),
         Verb::Prove(call) => establish(&call),
         Verb::Schema { of } => schema::of(&of).map_or(Err(Failure::Defect), |schema| CommandOutput::json(&schema, Layout::Pretty)),
         Verb::Completions { shell } => {
@@ -116,6 +117,21 @@ fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
         SweepFormat::Json => CommandOutput::json(&answer, Layout::Compact),
         SweepFormat::Svg => Ok(CommandOutput::text(chart::sweep(&answer, units)?)),
     }
+}
+
+fn line_up(call: &arguments::Compare) -> Result<CommandOutput, Failure> {
+    let mut variants = Vec::with_capacity(call.cases.len());
+    for path in &call.cases {
+        variants.push(compare::Variant { name: path.display().to_string(), case: read(path, None)?.0 });
+    }
+    let units = call.units.map_or_else(|| variants.first().map_or(Units::Si, |first| first.case.units), Units::from);
+    let answer = in_units(compare::compare(&variants, &(), &Progress::new()), units)?;
+    let output = match call.format {
+        CompareFormat::Text => CommandOutput::page(&page::page(&answer, units)),
+        CompareFormat::Json => CommandOutput::json(&answer, Layout::Pretty)?,
+        CompareFormat::Svg => CommandOutput::text(chart::compare(&answer, units)?),
+    };
+    Ok(output.holds(answer.is_complete()))
 }
 
 fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
@@ -217,7 +233,7 @@ fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {
     }
 }
 
-fn compare(call: &arguments::Validate) -> Result<CommandOutput, Failure> {
+fn hold_tables(call: &arguments::Validate) -> Result<CommandOutput, Failure> {
     let answer = validate::validate(&(), &Progress::new())?;
     let output = match (call.figure, call.format) {
         (Some(figure), _) => CommandOutput::text(chart::paper::figure(&answer.report, figure.number())?),

@@ -1,11 +1,21 @@
-//! Charts as SVG: a sweep, and the figures of the paper.
+//! Figures of answers as SVG, and the figures of the paper.
 
 mod canvas;
 mod charted;
+mod compare;
 mod contours;
+mod energy;
+mod impulse;
+mod intervals;
 mod labels;
 mod lines;
 pub mod paper;
+mod posterior;
+mod residuals;
+#[cfg(test)]
+mod samples;
+mod stiffness;
+mod tornado;
 mod uncertainty;
 
 use planar_impact_app::issue::Issues;
@@ -13,9 +23,15 @@ use planar_impact_app::sweep::Sweep;
 use planar_impact_app::{Answer, Units};
 
 use charted::Charted;
+pub use compare::compare;
+pub use energy::energy;
+pub use impulse::impulse;
+pub use intervals::intervals;
+pub use posterior::posterior;
+pub use residuals::residuals;
+pub use stiffness::stiffness;
+pub use tornado::{tornado_of_gradient, tornado_of_uncertainty};
 pub use uncertainty::uncertainty;
-
-const LONGEST_TITLE: usize = 80;
 
 /// Draws the chart of a sweep: lines over one input, contours over two.
 ///
@@ -24,11 +40,12 @@ const LONGEST_TITLE: usize = 80;
 /// A defect: drawing into memory cannot fail.
 pub fn sweep(sweep: &Answer<Sweep>, units: Units) -> Result<String, Issues> {
     let charted = Charted { sweep, units };
+    let of = described(sweep);
     // A grid with one row is drawn as a line.
     if sweep.ranges.iter().filter(|range| range.si.len() > 1).count() == 2 {
-        canvas::page(&title(sweep), contours::height(&charted), |body| contours::draw(&charted, body))
+        canvas::page(&title(sweep), &format!("Contours of {of}."), contours::height(&charted), |body| contours::draw(&charted, body))
     } else {
-        canvas::page(&title(sweep), lines::height(&charted), |body| lines::draw(&charted, body))
+        canvas::page(&title(sweep), &format!("Lines of {of}."), lines::height(&charted), |body| lines::draw(&charted, body))
     }
 }
 
@@ -39,10 +56,13 @@ fn title(sweep: &Answer<Sweep>) -> String {
         let fixed = if one.si.len() == 1 { one } else { two };
         title = format!("{title}, {} = {} {}", fixed.parameter, fixed.shown[0], fixed.unit).trim().to_owned();
     }
-    shortened(&title)
+    title
 }
 
-/// Returns a title that fits the page.
-fn shortened(title: &str) -> String {
-    if title.chars().count() <= LONGEST_TITLE { title.to_owned() } else { title.chars().take(LONGEST_TITLE - 1).chain(['…']).collect() }
+/// Says in words what a sweep shows.
+fn described(sweep: &Sweep) -> String {
+    let list = |names: Vec<String>| names.join(", ");
+    let varied = sweep.ranges.iter().filter(|range| range.si.len() > 1).map(|range| range.parameter.to_string());
+    let outputs = sweep.outputs.iter().map(|output| output.short_name());
+    format!("{} over {}", list(outputs.collect()), list(varied.collect()))
 }

@@ -1,5 +1,6 @@
 //! One page for each answer.
 
+pub mod compare;
 pub mod crash3;
 pub mod crush;
 pub mod crush_plane_bracket;

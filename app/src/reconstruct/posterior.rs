@@ -27,6 +27,8 @@ pub struct Draws {
     pub r_hat: Option<f64>,
     /// The least number of independent draws of an unknown or of a derived quantity; `null` if none varies.
     pub ess: Option<f64>,
+    /// The joint density of each pair of the unknowns listed under `[unknown]`.
+    pub pairs: Vec<PairDensity>,
     /// The value of each unknown and of each derived quantity in each draw, chain after chain; only on request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub values: Option<Named<Vec<f64>>>,
@@ -45,10 +47,72 @@ pub struct Posterior {
     pub hdi: [f64; 2],
     /// Values below which a share of the draws lies, by that share.
     pub quantiles: Named<f64>,
+    /// The density of the draws; `null` where they do not vary.
+    pub density: Option<PosteriorDensity>,
     /// R-hat, split and of ranks: the draws have converged where it is below 1.01; `null` where they do not vary.
     pub r_hat: Option<f64>,
     /// Number of independent draws that would know the middle and the tails as well; `null` where they do not vary.
     pub ess: Option<f64>,
+}
+
+/// The share of the draws in bins of equal width.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PosteriorDensity {
+    /// Edges of the bins from the least draw to the greatest, one more than bins.
+    pub edges: Vec<f64>,
+    /// The share of the draws in each; they add up to 1.
+    pub shares: Vec<f64>,
+}
+
+/// The share of the draws in each cell of a grid, whose columns and rows are the bins of two unknowns.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PairDensity {
+    /// The unknown whose bins are the columns.
+    pub x: String,
+    /// The unknown whose bins are the rows.
+    pub y: String,
+    /// The shares of each row, the least values first; all of them add up to 1.
+    pub shares: Vec<Vec<f64>>,
+}
+
+/// The bins of the draws of a quantity.
+struct Bins {
+    edges: Vec<f64>,
+    /// The bin of each draw.
+    places: Vec<usize>,
+}
+
+impl Bins {
+    /// Number of bins.
+    const COUNT: usize = 24;
+
+    /// Divides the range of the draws; `None` if they do not vary, or one is not finite.
+    fn of(draws: &[f64]) -> Option<Bins> {
+        let (least, greatest) =
+            draws.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), x| (least.min(*x), greatest.max(*x)));
+        let width = (greatest - least) / Bins::COUNT as f64;
+        let is_range = draws.iter().all(|x| x.is_finite()) && width > 0.0 && width.is_finite() && least + width > least;
+        is_range.then(|| Bins {
+            edges: (0..Bins::COUNT).map(|bin| least + bin as f64 * width).chain([greatest]).collect(),
+            // The greatest draw is in the last bin.
+            places: draws.iter().map(|x| (((x - least) / width) as usize).min(Bins::COUNT - 1)).collect(),
+        })
+    }
+
+    fn density(&self) -> PosteriorDensity {
+        let mut counts = [0_usize; Bins::COUNT];
+        self.places.iter().for_each(|&place| counts[place] += 1);
+        let total = self.places.len() as f64;
+        PosteriorDensity { edges: self.edges.clone(), shares: counts.iter().map(|&count| count as f64 / total).collect() }
+    }
+
+    /// Returns the shares of the cells with these bins as columns and others as rows.
+    fn with_rows(&self, rows: &Bins) -> Vec<Vec<f64>> {
+        let mut counts = vec![vec![0_usize; Bins::COUNT]; Bins::COUNT];
+        self.places.iter().zip(&rows.places).for_each(|(&column, &row)| counts[row][column] += 1);
+        let total = self.places.len() as f64;
+        counts.into_iter().map(|row| row.into_iter().map(|count| count as f64 / total).collect()).collect()
+    }
 }
 
 /// What the draws say of a question.
@@ -56,6 +120,8 @@ pub(super) struct Drawn {
     pub(super) draws: Draws,
     pub(super) probabilities: Named<f64>,
     marginals: Vec<Marginal>,
+    /// The bins of each quantity whose draws vary.
+    bins: Vec<(Measurand, Bins)>,
 }
 
 /// What is asked of the posterior.
@@ -88,10 +154,12 @@ impl Drawn {
         let marginals = posterior.marginals(&all, asked.level);
         let find = |of: Measurand| marginals.iter().find(|marginal| marginal.of == of);
         let probability = |statement: &Statement| Some((statement.text.clone(), statement.probability(find(statement.of)?)));
-        let values = asked.has_values.then(|| {
-            let name = |of| name_of(of, &question.case);
-            posterior.values(of).into_iter().map(|(of, values)| (name(of), values.into_iter().map(positive_zero).collect())).collect()
-        });
+        let name = |of| name_of(of, &question.case);
+        let drawn = posterior.values(of);
+        let bins: Vec<(Measurand, Bins)> = drawn.iter().filter_map(|(of, draws)| Some((*of, Bins::of(draws)?))).collect();
+        let values = asked
+            .has_values
+            .then(|| drawn.into_iter().map(|(of, values)| (name(of), values.into_iter().map(positive_zero).collect())).collect());
         let of_all = |figure: fn(&Marginal) -> f64, worse: fn(f64, f64) -> f64| {
             marginals.iter().map(figure).filter(|figure| figure.is_finite()).reduce(worse)
         };
@@ -101,12 +169,13 @@ impl Drawn {
             seed: asked.sampling.seed,
             r_hat: of_all(|marginal| marginal.r_hat, f64::max),
             ess: of_all(|marginal| marginal.effective, f64::min),
+            pairs: pairs(question, &bins),
             values,
         };
         let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(*of, &question.case)).collect();
         let probabilities = asked.statements.iter().filter_map(probability).collect();
         draws.warn(&softened, answer, notices);
-        Ok(Drawn { draws, probabilities, marginals })
+        Ok(Drawn { draws, probabilities, marginals, bins })
     }
 
     /// Returns the posterior of a quantity.
@@ -119,10 +188,25 @@ impl Drawn {
             median: positive_zero(marginal.median()),
             hdi: marginal.highest_density.map(positive_zero),
             quantiles: ["0.025", "0.05", "0.25", "0.5", "0.75", "0.95", "0.975"].into_iter().filter_map(value).collect(),
+            density: self.bins.iter().find(|(binned, _)| *binned == of).map(|(_, bins)| bins.density()),
             r_hat: Some(marginal.r_hat).filter(|x| x.is_finite()),
             ess: Some(marginal.effective).filter(|x| x.is_finite()),
         })
     }
+}
+
+/// Returns the joint densities of the unknowns that the case asks for.
+fn pairs(question: &Question, bins: &[(Measurand, Bins)]) -> Vec<PairDensity> {
+    let is_asked = |of: &Measurand| matches!(of, Measurand::Variable(of) if !question.inputs.contains(of));
+    let asked: Vec<_> = bins.iter().filter(|(of, _)| is_asked(of)).collect();
+    let mut pairs = Vec::new();
+    for (i, (x, columns)) in asked.iter().enumerate() {
+        for (y, rows) in &asked[i + 1..] {
+            let [x, y] = [x, y].map(|of| name_of(*of, &question.case));
+            pairs.push(PairDensity { x, y, shares: columns.with_rows(rows) });
+        }
+    }
+    pairs
 }
 
 impl Draws {

@@ -94,6 +94,9 @@ pub struct Linear {
     /// The share of each input in the variance. With correlations a share may be negative; `null` if nothing matters.
     #[schemars(with = "Named<Option<f64>>")]
     pub shares: Named<f64>,
+    /// The change of the output where an input increases by its standard deviation; `null` if it has an infinite one.
+    #[schemars(with = "Named<Option<f64>>")]
+    pub effects: Named<f64>,
     /// The standard deviation that would be left if one input had half its own.
     #[schemars(with = "Named<Option<f64>>")]
     pub sd_if_halved: Named<f64>,

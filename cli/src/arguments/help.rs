@@ -50,6 +50,19 @@ More examples:
   planar-impact sweep cli/examples/position-a.toml --vary mu=0:0.6:0.1 --of W_t,dV1 --format csv
   planar-impact sweep case.toml --vary e=0:0.3:0.02 --vary \"v1=30 mph:40 mph:1 mph\" --format svg";
 
+pub(super) const COMPARE: &str = "\
+2 to 20 cases, such as the same collision with another restitution, crush plane, law or set of evidence.
+A case with [unknown] is reconstructed, any other is solved. Inputs and evidence that are the same in
+all cases are left out. Speeds are in the unit of the road.
+
+A case that the physics refuses is shown with its refusal, and the exit status is 1; likewise if a
+reconstruction is no unique answer. It is 2 if a file cannot be read or is wrong.
+
+Examples:
+  planar-impact compare cli/examples/position-a.toml cli/examples/position-b.toml cli/examples/position-c.toml
+  planar-impact compare cli/examples/position-a.toml cli/examples/sideswipe.toml --units si --format json
+  planar-impact compare cli/examples/position-a.toml cli/examples/position-c.toml --format svg > compare.svg";
+
 pub(super) const UNCERTAINTY: &str = "\
 Any number of a case file may be uncertain: \"40 mph ± 2 mph\", \"40 mph ± 5 %\", { value, sd },
 { min, max }, { min, mode, max }, { value, sd, min, max }, { median, factor }, { value, resolution },

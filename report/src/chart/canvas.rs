@@ -6,11 +6,13 @@ use plotters::chart::ChartContext;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::{
-    BLACK, Cartesian2d, ChartBuilder, Color, DrawingArea, IntoDrawingArea, IntoFont, IntoTextStyle, RGBColor, SVGBackend, WHITE,
+    BLACK, Cartesian2d, ChartBuilder, Color, DashedLineSeries, DrawingArea, FontTransform, IntoDrawingArea, IntoFont, IntoTextStyle,
+    LineSeries, PathElement, RGBColor, Rectangle, SVGBackend, ShapeStyle, WHITE,
 };
 
 use planar_impact_app::issue::Issues;
-use planar_impact_app::plain_text::clean;
+use planar_impact_app::plain_text::{clean, shorten};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// An area to draw on.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -26,34 +28,53 @@ pub const fn px(pixels: u32) -> u32 {
 
 pub const WIDTH: u32 = px(900);
 const TITLE: u32 = px(40);
+const LONGEST_TITLE: usize = 80;
 const FONT: &str = "sans-serif";
 pub const GRID: RGBColor = RGBColor(222, 222, 222);
+
+// Colors that remain distinct in color blindness (Okabe and Ito 2008), darkened where text has them.
+pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub const VERMILION: RGBColor = RGBColor(213, 94, 0);
+pub const GREEN: RGBColor = RGBColor(0, 130, 100);
+pub const DARK: RGBColor = RGBColor(40, 40, 40);
+pub const GRAY: RGBColor = RGBColor(90, 90, 90);
 
 /// The result of drawing.
 pub type Drawn<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
-/// Draws a page with a title and, below it, a drawing with a given height.
+/// Draws a page with a title and, below it, a drawing with a given height. A screen reader reads the title and the description in place of the drawing.
 ///
 /// # Errors
 ///
 /// Fails only because of a defect, because drawing into memory cannot fail.
-pub fn page(title: &str, height: u32, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Result<String, Issues> {
+pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Result<String, Issues> {
     let (mut text, height) = (String::new(), TITLE + height);
     let on_page = |text: &mut String| -> Drawn {
         let page = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
         page.fill(&WHITE)?;
         let (head, body) = page.split_vertically(TITLE);
-        // XML does not allow these two characters.
-        let title = clean(title).replace(['\u{fffe}', '\u{ffff}'], " ");
-        write(&head, title.trim(), 21, (16, 12))?;
+        write(&head, shorten(title, LONGEST_TITLE).trim(), 21, (16, 12))?;
         draw(&body)?;
         Ok(page.present()?)
     };
     on_page(&mut text).map_err(Issues::defect)?;
     // The view box keeps the drawing units; the size is in pixels.
     let size = |fine: u32| format!("<svg width=\"{}\" height=\"{}\"", WIDTH / fine, height / fine);
-    let sized = text.replacen(&size(1), &size(FINE), 1);
-    if sized == text { Err(Issues::defect("the chart has no size")) } else { Ok(sized) }
+    let Some((root, drawing)) = text.strip_prefix(&size(1)).and_then(|rest| rest.split_once('>')) else {
+        return Err(Issues::defect("the chart has no size"));
+    };
+    let titled = |element: &str, words: &str| format!("<{element}>{}</{element}>", escaped(&printable(words)));
+    let (title, description) = (titled("title", shorten(title, LONGEST_TITLE).trim()), titled("desc", description));
+    Ok(format!("{}{root} role=\"img\">\n{title}\n{description}{drawing}", size(FINE)))
+}
+
+/// Replaces the characters that XML does not allow, and those that a document interprets.
+fn printable(text: &str) -> String {
+    clean(text).replace(['\u{fffe}', '\u{ffff}'], " ")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Axes with names and units.
@@ -103,8 +124,8 @@ impl Axes<'_> {
             .set_all_tick_mark_size(px(5))
             .label_style((FONT, px(16)).into_text_style(area))
             .axis_desc_style((FONT, px(17)).into_text_style(area))
-            .x_desc(self.x_name)
-            .y_desc(self.y_name)
+            .x_desc(printable(self.x_name))
+            .y_desc(printable(self.y_name))
             .x_labels(self.x_count(&x_digits, area))
             .y_labels(if self.y_name.is_empty() { 0 } else { 8 })
             .x_label_formatter(&|value| x_digits.write(*value))
@@ -165,11 +186,130 @@ pub fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
 }
 
-/// Writes a text at a position in pixels.
+/// Writes a text with its upper left corner at a position in pixels.
 pub fn write(area: &Area<'_>, text: &str, size: u32, at: (i32, i32)) -> Drawn {
+    Writing { size, ..Writing::default() }.write(area, text, at)
+}
+
+/// How a text is written, where its position is not that of its upper left corner, or its color not black.
+pub struct Writing {
+    pub size: u32,
+    pub color: RGBColor,
+    pub across: HPos,
+    pub down: VPos,
+    /// `true` for a text that runs upwards.
+    pub is_upright: bool,
+}
+
+impl Default for Writing {
+    fn default() -> Writing {
+        Writing { size: 14, color: BLACK, across: HPos::Left, down: VPos::Top, is_upright: false }
+    }
+}
+
+impl Writing {
+    /// Returns that of a text which ends at its position.
+    pub fn ending() -> Writing {
+        Writing { across: HPos::Right, ..Writing::default() }
+    }
+
+    /// Returns that of a text around its position.
+    pub fn centered() -> Writing {
+        Writing { across: HPos::Center, ..Writing::default() }
+    }
+
+    /// Writes a text at a position in pixels.
+    pub fn write(self, area: &Area<'_>, text: &str, at: (i32, i32)) -> Drawn {
+        let fine = FINE as i32;
+        let turn = if self.is_upright { FontTransform::Rotate270 } else { FontTransform::None };
+        let style = (FONT, px(self.size)).into_font().transform(turn).color(&self.color).pos(Pos::new(self.across, self.down));
+        area.draw_text(&printable(text), &style, (fine * at.0, fine * at.1))?;
+        Ok(())
+    }
+}
+
+/// Draws a rectangle between two corners in pixels.
+pub fn rectangle(area: &Area<'_>, from: (i32, i32), to: (i32, i32), style: ShapeStyle) -> Drawn {
     let fine = FINE as i32;
-    area.draw_text(text, &(FONT, px(size)).into_font().color(&BLACK), (fine * at.0, fine * at.1))?;
+    area.draw(&Rectangle::new([(fine * from.0, fine * from.1), (fine * to.0, fine * to.1)], style))?;
     Ok(())
+}
+
+/// Draws the outline of a rectangle between two corners in pixels.
+pub fn outline(area: &Area<'_>, from: (i32, i32), to: (i32, i32), color: RGBColor) -> Drawn {
+    let corners = [from, (to.0, from.1), to, (from.0, to.1), from].map(|(x, y)| (FINE as i32 * x, FINE as i32 * y));
+    area.draw(&PathElement::new(corners, color.stroke_width(FINE)))?;
+    Ok(())
+}
+
+/// Draws a line between two points in pixels.
+pub fn segment(area: &Area<'_>, from: (i32, i32), to: (i32, i32), style: ShapeStyle) -> Drawn {
+    let fine = FINE as i32;
+    area.draw(&PathElement::new([(fine * from.0, fine * from.1), (fine * to.0, fine * to.1)], style))?;
+    Ok(())
+}
+
+/// Draws diagonals within a rectangle in pixels, so that it differs from others without its color.
+pub fn hatch(area: &Area<'_>, from: (i32, i32), to: (i32, i32), style: ShapeStyle) -> Drawn {
+    /// Distance of the lines, across.
+    const APART: usize = 6;
+    let ((left, top), (right, bottom)) = ((from.0.min(to.0), from.1.min(to.1)), (from.0.max(to.0), from.1.max(to.1)));
+    let high = bottom - top;
+    for start in ((left - high)..right).step_by(APART) {
+        // From the lower edge upwards to the right, cut at the sides.
+        let (cut, end) = ((left - start).max(0), (right - start).min(high));
+        if cut < end {
+            segment(area, (start + cut, bottom - cut), (start + end, bottom - end), style)?;
+        }
+    }
+    Ok(())
+}
+
+/// A style of lines: a color with the lengths of dash and gap in pixels. No gap is a solid line.
+#[derive(Clone, Copy)]
+pub struct Stroke {
+    pub color: RGBColor,
+    pub width: u32,
+    pub dash: i32,
+    pub gap: i32,
+}
+
+impl Stroke {
+    /// Returns a solid line.
+    pub const fn solid(color: RGBColor, width: u32) -> Stroke {
+        Stroke { color, width, dash: 1, gap: 0 }
+    }
+
+    /// Returns a broken line.
+    pub const fn dashed(color: RGBColor, width: u32, dash: i32, gap: i32) -> Stroke {
+        Stroke { color, width, dash, gap }
+    }
+
+    fn style(self) -> ShapeStyle {
+        self.color.stroke_width(px(self.width))
+    }
+
+    /// Draws a line through points of a chart.
+    pub fn line(self, chart: &mut Chart<'_, '_>, points: impl IntoIterator<Item = (f64, f64)>) -> Drawn {
+        let (points, fine) = (points.into_iter().collect::<Vec<_>>(), FINE as i32);
+        if self.gap == 0 {
+            chart.draw_series(LineSeries::new(points, self.style()))?;
+        } else {
+            chart.draw_series(DashedLineSeries::new(points, fine * self.dash, fine * self.gap, self.style()))?;
+        }
+        Ok(())
+    }
+
+    /// Draws a sample of the line for a legend, at a height between two places in pixels.
+    pub fn sample(self, area: &Area<'_>, from: i32, to: i32, y: i32) -> Drawn {
+        let mut x = from;
+        while x < to {
+            let end = if self.gap == 0 { to } else { (x + self.dash).min(to) };
+            segment(area, (x, y), (end, y), self.style())?;
+            x = end + self.gap.max(1);
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]

@@ -3,8 +3,9 @@
 use std::ops::Range as Span;
 
 use plotters::prelude::{Color, Rectangle, WHITE};
+use plotters::style::text_anchor::VPos;
 
-use super::canvas::{Area, Chart, Drawn, px, write};
+use super::canvas::{Area, Chart, Drawn, Writing, px};
 
 /// Font size of a label, and width of one character, in pixels.
 const LETTERS: u32 = 16;
@@ -51,6 +52,17 @@ impl Labels {
         }
     }
 
+    /// Keeps labels away from a mark of a chart, with its radius in pixels.
+    pub fn reserve(&mut self, chart: &Chart<'_, '_>, at: (f64, f64), radius: u32) {
+        let ((x, y), radius) = (chart.backend_coord(&at), px(radius) as i32);
+        self.placed.push(Label { x: x - radius..x + radius, y: y - radius..y + radius, text: String::new() });
+    }
+
+    /// Labels a line through points of a chart.
+    pub fn along(&mut self, chart: &Chart<'_, '_>, line: Line, text: &str) {
+        self.of(chart, &[line], &|point| point, &|_, _| false, text);
+    }
+
     /// Finds the position on a line that is farthest from existing labels and from the frame, and outside refused points.
     fn find(&mut self, chart: &Chart<'_, '_>, line: &[(i32, i32)], is_refused: &Refused<'_>, text: &str) {
         let (across, down) = chart.plotting_area().get_pixel_range();
@@ -83,10 +95,11 @@ impl Labels {
     /// Draws the labels over the lines, each on a white background.
     pub fn draw(&self, area: &Area<'_>) -> Drawn {
         let ((left, top), fine) = (area.get_base_pixel(), px(1) as i32);
-        for Label { x, y, text } in &self.placed {
+        for Label { x, y, text } in self.placed.iter().filter(|label| !label.text.is_empty()) {
             let (x, y) = (x.start - left..x.end - left, y.start - top..y.end - top);
             area.draw(&Rectangle::new([(x.start, y.start), (x.end, y.end)], WHITE.filled()))?;
-            write(area, text, LETTERS, (x.start / fine + 2, y.start / fine + 2))?;
+            let middle = ((x.start + x.end) / 2 / fine, (y.start + y.end) / 2 / fine);
+            Writing { size: LETTERS, down: VPos::Center, ..Writing::centered() }.write(area, text, middle)?;
         }
         Ok(())
     }

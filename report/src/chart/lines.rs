@@ -3,11 +3,9 @@
 use std::ops::Range as Span;
 
 use plotters::coord::CoordTranslate;
-use plotters::prelude::{
-    Circle, Color, Cross, DashedLineSeries, DrawingArea, LineSeries, PathElement, RGBColor, SVGBackend, ShapeStyle, TriangleMarker,
-};
+use plotters::prelude::{Circle, Color, Cross, DrawingArea, SVGBackend, TriangleMarker};
 
-use super::canvas::{Area, Axes, Chart, Drawn, WIDTH, px, span, with_unit, write};
+use super::canvas::{Area, Axes, BLUE, Chart, DARK, Drawn, GREEN, Stroke, VERMILION, WIDTH, px, span, with_unit, write};
 use super::charted::Charted;
 use planar_impact_app::sweep::Range;
 use planar_impact_app::units::Measure;
@@ -19,9 +17,9 @@ const LINES: usize = 4;
 /// A line with more points is thinned, because a pixel shows only its extremes.
 const FINEST: usize = 4000;
 
-/// Blue, vermilion, green and black, which remain distinct in color blindness, with the lengths of dash and gap; no gap is a solid line.
-const STYLES: [(RGBColor, i32, i32); LINES] =
-    [(RGBColor(0, 114, 178), 1, 0), (RGBColor(213, 94, 0), 12, 5), (RGBColor(0, 130, 100), 3, 4), (RGBColor(40, 40, 40), 24, 6)];
+/// Styles that remain distinct without color.
+const STYLES: [Stroke; LINES] =
+    [Stroke::solid(BLUE, 2), Stroke::dashed(VERMILION, 2, 12, 5), Stroke::dashed(GREEN, 2, 3, 4), Stroke::dashed(DARK, 2, 24, 6)];
 
 /// Returns the input along x.
 fn range<'a>(sweep: &'a Charted<'_>) -> &'a Range {
@@ -101,15 +99,9 @@ impl Panel {
     /// Draws a sample of each line with its name, beside the panel where there is free space.
     fn legend(&self, sweep: &Charted<'_>, area: &Area<'_>) -> Drawn {
         let mut rows = 0;
-        for (i, (&at, (color, dash, gap))) in self.outputs.iter().zip(STYLES).enumerate() {
+        for (i, (&at, style)) in self.outputs.iter().zip(STYLES).enumerate() {
             let y = 30 + rows * 16 + 10 * i as i32;
-            let mut x = 8;
-            while x < 48 {
-                let end = if gap == 0 { 48 } else { (x + dash).min(48) };
-                let fine = |at: i32| px(1) as i32 * at;
-                area.draw(&PathElement::new([(fine(x), fine(y)), (fine(end), fine(y))], color.stroke_width(px(2))))?;
-                x = end + gap.max(1);
-            }
+            style.sample(area, 8, 48, y)?;
             let output = sweep.outputs[at];
             if runs(&range(sweep).shown, sweep.column(at)).any(|run| run.len() == 1) {
                 draw_marker(area, (px(28) as i32, y * px(1) as i32), i)?;
@@ -138,17 +130,12 @@ fn wrapped(name: &str) -> Vec<String> {
 }
 
 fn draw_run(chart: &mut Chart<'_, '_>, run: &[(f64, f64)], line: usize) -> Drawn {
-    let (color, dash, gap) = STYLES[line];
-    let style = ShapeStyle::from(&color).stroke_width(px(2));
-    let fine = px(1) as i32;
     match run {
-        [] => (),
+        [] => Ok(()),
         // A point between two gaps is not a line, but must be visible.
-        [only] => draw_marker(chart.plotting_area(), *only, line)?,
-        line if gap == 0 => drop(chart.draw_series(LineSeries::new(line.iter().copied(), style))?),
-        line => drop(chart.draw_series(DashedLineSeries::new(line.iter().copied(), fine * dash, fine * gap, style))?),
+        [only] => draw_marker(chart.plotting_area(), *only, line),
+        run => STYLES[line].line(chart, run.iter().copied()),
     }
-    Ok(())
 }
 
 /// Draws an isolated point with a different shape for each line: a disk, a triangle, a cross, a ring.
@@ -156,7 +143,7 @@ fn draw_marker<C: CoordTranslate>(area: &DrawingArea<SVGBackend<'_>, C>, at: C::
 where
     C::From: Clone,
 {
-    let color = STYLES[line].0;
+    let color = STYLES[line].color;
     match line {
         0 => area.draw(&Circle::new(at, px(4), color.filled()))?,
         1 => area.draw(&TriangleMarker::new(at, px(5), color.filled()))?,

@@ -4,9 +4,9 @@ use std::ops::Range as Span;
 
 use planar_impact_validation::{Axis, Curve, Figure, Point, Report, Style};
 use plotters::coord::CoordTranslate;
-use plotters::prelude::{Circle, Color, DashedLineSeries, DrawingArea, LineSeries, PathElement, RGBColor, SVGBackend, ShapeStyle};
+use plotters::prelude::{BLACK, Circle, Color, DrawingArea, RGBColor, SVGBackend};
 
-use super::canvas::{Area, Axes, Drawn, page, px, span, with_unit, write};
+use super::canvas::{Area, Axes, BLUE, Drawn, GREEN, Stroke, VERMILION, page, px, span, with_unit, write};
 use planar_impact_app::issue::Issues;
 
 const HEIGHT: u32 = px(520);
@@ -14,10 +14,10 @@ const LEGEND: u32 = px(64);
 /// Distance between the two columns of names in the legend.
 const COLUMN: i32 = 430;
 
-/// Style of the first and the second line: color, length of dash and of gap. No gap is a solid line.
-const LINES: [(RGBColor, i32, i32); 2] = [(RGBColor(0, 114, 178), 1, 0), (RGBColor(213, 94, 0), 12, 5)];
+/// Style of the first and the second line.
+const LINES: [Stroke; 2] = [Stroke::solid(BLUE, 2), Stroke::dashed(VERMILION, 2, 12, 5)];
 /// Style of the first and the second kind of marks: color, and whether they are filled.
-const MARKS: [(RGBColor, bool); 2] = [(RGBColor(0, 0, 0), true), (RGBColor(0, 130, 100), false)];
+const MARKS: [(RGBColor, bool); 2] = [(BLACK, true), (GREEN, false)];
 
 /// Draws figure 6 or 7.
 ///
@@ -27,7 +27,9 @@ const MARKS: [(RGBColor, bool); 2] = [(RGBColor(0, 0, 0), true), (RGBColor(0, 13
 pub fn figure(report: &Report, number: u32) -> Result<String, Issues> {
     let figure = report.figures.iter().find(|figure| u32::from(figure.number) == number);
     let figure = figure.ok_or_else(|| Issues::defect(format!("there is no figure {number}")))?;
-    page(figure.title, LEGEND + HEIGHT, |area| {
+    let curves: Vec<&str> = figure.curves.iter().map(|curve| curve.name.as_str()).collect();
+    let description = format!("{} over {}: {}.", figure.y.name, figure.x.name, curves.join(", "));
+    page(figure.title, &description, LEGEND + HEIGHT, |area| {
         let (legend, plot) = area.split_vertically(LEGEND);
         draw_legend(figure, &legend)?;
         draw(figure, &plot)
@@ -52,16 +54,7 @@ fn draw(figure: &Figure, area: &Area<'_>) -> Drawn {
     for (curve, which) in styled(figure) {
         let points = curve.points.iter().map(|point| (point.x, point.y));
         match curve.style {
-            Style::Line => {
-                let (color, dash, gap) = LINES[which];
-                let style = ShapeStyle::from(&color).stroke_width(px(2));
-                let fine = px(1) as i32;
-                if gap == 0 {
-                    chart.draw_series(LineSeries::new(points, style))?;
-                } else {
-                    chart.draw_series(DashedLineSeries::new(points, fine * dash, fine * gap, style))?;
-                }
-            }
+            Style::Line => LINES[which].line(&mut chart, points)?,
             Style::Marks => {
                 for point in points {
                     draw_mark(chart.plotting_area(), point, which)?;
@@ -93,15 +86,7 @@ fn draw_legend(figure: &Figure, area: &Area<'_>) -> Drawn {
         let place = place as i32;
         let (left, middle) = (20 + COLUMN * (place % 2), 18 + 26 * (place / 2));
         match curve.style {
-            Style::Line => {
-                let (color, dash, gap) = LINES[which];
-                let mut x = left;
-                while x < left + 44 {
-                    let end = if gap == 0 { left + 44 } else { (x + dash).min(left + 44) };
-                    area.draw(&PathElement::new([(fine * x, fine * middle), (fine * end, fine * middle)], color.stroke_width(px(2))))?;
-                    x = end + gap.max(1);
-                }
-            }
+            Style::Line => LINES[which].sample(area, left, left + 44, middle)?,
             Style::Marks => draw_mark(area, (fine * (left + 22), fine * middle), which)?,
         }
         write(area, &curve.name, 17, (left + 56, middle - 7))?;

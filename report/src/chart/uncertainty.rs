@@ -3,7 +3,7 @@
 
 mod intervals;
 
-use plotters::prelude::{Color, LineSeries, PathElement, RGBColor, Rectangle, ShapeStyle};
+use plotters::prelude::{Color, LineSeries, PathElement, Rectangle, ShapeStyle};
 
 use planar_impact_app::case::CaseOutput;
 use planar_impact_app::issue::Issues;
@@ -11,8 +11,7 @@ use planar_impact_app::uncertainty::{MonteCarlo, OutputUncertainty, Share, Uncer
 use planar_impact_app::units::trim;
 use planar_impact_app::{Answer, Units};
 
-use super::canvas::{Area, Axes, Drawn, WIDTH, page, px, span, with_unit, write};
-use super::shortened;
+use super::canvas::{Area, Axes, BLUE, Drawn, GRAY, VERMILION, WIDTH, page, px, span, with_unit, write};
 use crate::page::uncertainty::percent;
 use intervals::Interval;
 
@@ -23,10 +22,6 @@ const BARS: u32 = px(350);
 /// Number of inputs with a bar.
 const MOST_BARS: usize = 8;
 
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const VERMILION: RGBColor = RGBColor(213, 94, 0);
-const GRAY: RGBColor = RGBColor(90, 90, 90);
-
 /// Draws the uncertainty of each output: its density and the shares of the inputs, its mean and deviation by each method, and its guaranteed range.
 ///
 /// # Errors
@@ -35,7 +30,9 @@ const GRAY: RGBColor = RGBColor(90, 90, 90);
 pub fn uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Result<String, Issues> {
     let panels: Vec<Panel<'_>> =
         answer.outputs.iter().zip(answer.of.iter()).map(|(of, (_, found))| Panel { of: *of, found, level: answer.level, units }).collect();
-    page(&shortened(&answer.title), panels.iter().map(Panel::height).sum(), |body| {
+    let names: Vec<String> = answer.outputs.iter().map(ToString::to_string).collect();
+    let description = format!("Densities, shares of the inputs in the variance, means and ranges of {}.", names.join(", "));
+    page(&answer.title, &description, panels.iter().map(Panel::height).sum(), |body| {
         let mut rest = body.clone();
         for panel in &panels {
             let (area, below) = rest.split_vertically(panel.height());

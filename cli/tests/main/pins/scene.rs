@@ -89,7 +89,10 @@ fn places_and_vectors_by_hand() {
     assert_pair(&two["skids"][0][0], [13.1, -10.3]);
     assert_eq!(array(&one["skids"]).len(), 0);
     let message = &drawn["messages"][0];
-    assert_eq!((&message["code"], &message["severity"], &message["path"]), (&"nominal-values".into(), &"note".into(), &"vehicle.1.speed".into()));
+    assert_eq!(
+        (&message["code"], &message["severity"], &message["path"]),
+        (&"nominal-values".into(), &"note".into(), &"vehicle.1.speed".into())
+    );
     assert_eq!((&message["text"], array(&message["figures"]).len()), (&drawn["notes"][0], 0));
     // The slides are those of the verb.
     let slides = document("slide", &case, &[]);

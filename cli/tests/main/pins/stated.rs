@@ -89,6 +89,42 @@ fn shares_and_bounds_of_energy() {
 }
 
 #[test]
+fn the_impulse_plane_is_that_of_the_matrix_form() {
+    for case in solve_page::cases() {
+        let found = document("solve", &case, &[]);
+        let (contact, plane) = (&found["contact"], &found["contact"]["impulse_plane"]);
+        let hand = Contact::of(&document("gradient", &case, &["--of", "T_L", "--wrt", "all"])["wrt"]);
+        let k = &plane["compliance"];
+        for (key, want) in [("normal", hand.nn), ("coupling", hand.nt), ("tangential", hand.tt)] {
+            close(number(&k[key]), want, 1e-12 * (hand.nn + hand.tt), key);
+        }
+        let e = number(&contact["restitution"]);
+        let impulse = ["normal", "tangential"].map(|key| number(&contact["impulse"][key]));
+        let changed = |[n, t]: [f64; 2]| [hand.nn * n + hand.nt * t, hand.nt * n + hand.tt * t];
+        // What the impulse does not change, a moment impulse does.
+        let by_impulse = changed(impulse);
+        let by_moment = [0, 1].map(|i| {
+            let key = ["normal", "tangential"][i];
+            hand.v[i] - by_impulse[i] - number(&contact["separation"][key])
+        });
+        let size = hand.v[0].abs() + hand.v[1].abs();
+        if case["contact"].get("moment").is_none() {
+            by_moment.iter().for_each(|by| close(*by, 0.0, 1e-11 * size, "no moment"));
+        }
+        let [n, t] = [hand.v[0] - by_moment[0], hand.v[1] - by_moment[1]];
+        close(number(&plane["maximum_compression"]), n, 1e-11 * size, "compression");
+        close(number(&plane["termination"]), n + e * hand.v[0], 1e-11 * size, "termination");
+        close(number(&plane["sliding_end"]), t, 1e-11 * size, "sliding end");
+        let ends =
+            [("common_velocity", [n, t]), ("brach", [n + e * hand.v[0], t]), ("kudlich_slibar", [n + e * hand.v[0], t + e * hand.v[1]])];
+        for (point, want) in ends {
+            let point = ["normal", "tangential"].map(|key| number(&plane[point][key]));
+            changed(point).into_iter().zip(want).for_each(|(change, want)| close(change, want, 1e-11 * size, "change of velocity"));
+        }
+    }
+}
+
+#[test]
 fn the_share_of_a_cost_is_that_of_planar_mechanics() {
     let of_reconstruct = of_verb("reconstruct").map(|found| &found["crash3"]).filter(|crash3| !crash3.is_null());
     let mut count = 0;

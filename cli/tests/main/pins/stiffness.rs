@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::units::{Table, hold, hold_value, tables};
-use super::{array, case, document, hold as hold_all, number, references};
+use super::{array, case, close, document, hold as hold_all, number, references};
 use crate::process::run_with_input;
 
 /// Relative tolerance of a number: the fit on profiles is iterated to rounding of its sums.
@@ -12,6 +12,30 @@ const TOLERANCE: f64 = 1e-9;
 #[test]
 fn every_number_of_the_independent_fit() {
     hold_all("stiffness", "stiffness.jsonl", TOLERANCE, 5);
+}
+
+#[test]
+fn a_line_is_that_of_its_coefficients() {
+    for reference in references("stiffness.jsonl") {
+        let found = document("stiffness", &reference["case"], &[]);
+        let deepest = array(&found["tests"]).iter().map(|test| number(&test["mean_depth"])).fold(0.0, f64::max);
+        for fit in array(&found["fits"]) {
+            let (d0, d1, line) = (number(&fit["d0"]), number(&fit["d1"]), array(&fit["line"]));
+            assert_eq!(line.len(), 23);
+            for (i, point) in line.iter().enumerate() {
+                let depth = 1.1 * deepest * i as f64 / 22.0;
+                close(number(&point["depth"]), depth, 1e-14, "depth");
+                close(number(&point["crush_intensity"]), d0 + d1 * depth, 1e-12 * (d0 + d1 * depth).abs(), "E*");
+                match fit["covariance"].as_object() {
+                    None => assert!(point["sd"].is_null()),
+                    Some(of) => {
+                        let variance = number(&of["d0_d0"]) + 2.0 * depth * number(&of["d0_d1"]) + depth * depth * number(&of["d1_d1"]);
+                        close(number(&point["sd"]), variance.sqrt(), 1e-9 * variance.sqrt(), "sd");
+                    }
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -593,6 +593,27 @@ fn distributions_are_those_of_the_file() {
 }
 
 #[test]
+fn effects_are_derivatives_times_deviations() {
+    // Normal inputs, whose means are their nominal values.
+    let mut case = case("position-a.toml");
+    case["vehicle"][0]["speed"] = "40 ft/s ± 2 ft/s".into();
+    case["vehicle"][1]["mass"] = "6345 lb ± 200 lb".into();
+    case["contact"]["crush_plane"] = "3 deg ± 4 deg".into();
+    let outputs = ["--of", "T_L,dV1,mu0"];
+    let found = document("uncertainty", &case, &[&outputs[..], &["--method", "linear"]].concat());
+    let slopes = document("gradient", &case, &outputs);
+    for (name, output) in object(&found["of"]) {
+        let (sd, mut variance) = (number(&output["linear"]["sd"]), 0.0);
+        for (input, effect) in object(&output["linear"]["effects"]) {
+            let want = number(&slopes["of"][name]["d"][input]) * number(&found["inputs"][input]["sd"]);
+            close(number(effect), want, 1e-9 * sd, input);
+            variance += number(effect) * number(effect);
+        }
+        close(variance, sd * sd, 1e-12 * sd * sd, name);
+    }
+}
+
+#[test]
 fn a_density_is_of_all_samples_but_the_ends() {
     for (case, arguments) in cases() {
         for (name, output) in object(&found(&case, &arguments)["of"]) {

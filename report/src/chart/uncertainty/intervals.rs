@@ -6,8 +6,7 @@ use planar_impact_app::case::CaseOutput;
 use planar_impact_app::uncertainty::OutputUncertainty;
 use planar_impact_app::units::Units;
 
-use super::super::canvas::{Area, Axes, Drawn, WIDTH, px, span, write};
-use super::{BLUE, GRAY, VERMILION};
+use super::super::canvas::{Area, Axes, BLUE, Drawn, GRAY, VERMILION, WIDTH, px, span, write};
 use crate::page::uncertainty::{end, quantity, skewness};
 
 /// Height of a row, in pixels.

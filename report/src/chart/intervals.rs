@@ -1,0 +1,183 @@
+//! The unknowns of a reconstruction and what follows from them: estimates, intervals, bounds, and where it is drawn the posterior.
+
+use planar_impact_app::issue::Issues;
+use planar_impact_app::reconstruct::{Derived, Interval, Posterior, Reconstruction, Unknown};
+use planar_impact_app::units::Measure;
+use planar_impact_app::{Answer, Units};
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, ShapeStyle, WHITE};
+use plotters::style::text_anchor::VPos;
+
+use super::canvas::{Area, BLUE, DARK, Drawn, GRID, VERMILION, Writing, page, px, rectangle, segment, write};
+use crate::page::uncertainty::with_digits;
+
+/// Height of a row and of the legend, in pixels.
+const ROW: i32 = 40;
+const FOOT: i32 = 66;
+/// Right edge of the names, and the ends of the longest interval.
+const NAMES: i32 = 300;
+const LEFT: i32 = 320;
+const RIGHT: i32 = 660;
+/// Left edge of the numbers.
+const NUMBERS: i32 = 676;
+
+/// Draws the estimate of each unknown, and of what follows from them, with its interval and its bounds; each on a scale of its own.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn intervals(answer: &Answer<Reconstruction>, units: Units) -> Result<String, Issues> {
+    let rows = rows(answer);
+    let level = rows.first().map_or(0.95, |row| row.interval.level);
+    let words: Vec<String> = rows.iter().map(|row| format!("{} {}", row.name, row.numbers(units))).collect();
+    let description = format!("Intervals at {} % by profile likelihood: {}.", percent(level), words.join("; "));
+    let title = if answer.title.is_empty() { "Intervals".to_owned() } else { format!("Intervals: {}", answer.title) };
+    page(&title, &description, px((ROW * rows.len() as i32 + FOOT) as u32), |area| {
+        for (place, row) in rows.iter().enumerate() {
+            row.draw(area, units, ROW * place as i32)?;
+        }
+        legend(area, level, rows.iter().any(|row| row.posterior.is_some()), ROW * rows.len() as i32)
+    })
+}
+
+fn percent(level: f64) -> String {
+    planar_impact_app::units::trim(100.0 * level)
+}
+
+/// A quantity with what is known of it, in SI.
+struct Row<'a> {
+    name: &'a str,
+    measure: Measure,
+    value: Option<f64>,
+    interval: &'a Interval,
+    /// Its bounds in the file.
+    bounds: [Option<f64>; 2],
+    posterior: Option<&'a Posterior>,
+}
+
+fn rows(answer: &Reconstruction) -> Vec<Row<'_>> {
+    let of_unknown = answer.unknown.iter().map(|(name, unknown)| {
+        let Unknown { value, measure, min, max, .. } = *unknown;
+        Row { name, measure, value, interval: &unknown.interval, bounds: [min, max], posterior: unknown.posterior.as_ref() }
+    });
+    let of_derived = answer.derived.iter().map(|(name, derived)| {
+        let Derived { value, measure, .. } = *derived;
+        Row { name, measure, value, interval: &derived.interval, bounds: [None, None], posterior: derived.posterior.as_ref() }
+    });
+    of_unknown.chain(of_derived).collect()
+}
+
+impl Row<'_> {
+    /// Returns the values that the row shows.
+    fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let of_posterior = self.posterior.iter().flat_map(|posterior| posterior.hdi.into_iter().chain([posterior.median]));
+        [self.value, self.interval.low, self.interval.high].into_iter().flatten().chain(of_posterior)
+    }
+
+    /// Returns the ends of the scale: around what is known, without bounds that are far from it.
+    fn scale(&self) -> [f64; 2] {
+        let (low, high) = self.values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        if low > high {
+            let [min, max] = self.bounds;
+            return [min.unwrap_or(-1.0), max.unwrap_or_else(|| min.unwrap_or(-1.0) + 2.0)];
+        }
+        let half = if high > low { 0.0 } else { 0.05 * high.abs() + f64::MIN_POSITIVE };
+        let (low, high) = (low - half, high + half);
+        // A bound nearer than the length of the interval is shown.
+        let near = |bound: Option<f64>| bound.filter(|bound| (low - (high - low)..=high + (high - low)).contains(bound));
+        let ends = self.bounds.map(near);
+        [ends[0].map_or(low, |min| min.min(low)), ends[1].map_or(high, |max| max.max(high))]
+    }
+
+    /// Returns the interval in words.
+    fn numbers(&self, units: Units) -> String {
+        let Interval { low, high, .. } = *self.interval;
+        let width = low.zip(high).map_or_else(|| self.value.unwrap_or(0.0).abs(), |(low, high)| high - low);
+        let number = |si: f64| with_digits(units, self.measure, si, 0.25 * width);
+        let end = |end: Option<f64>, none: &str| end.map_or_else(|| none.to_owned(), number);
+        let unit = units.unit(self.measure);
+        let value = self.value.map_or_else(|| "open".to_owned(), number);
+        format!("{value} ({} to {}) {unit}", end(low, "−∞"), end(high, "∞")).trim_end().to_owned()
+    }
+
+    fn draw(&self, area: &Area<'_>, units: Units, top: i32) -> Drawn {
+        let middle = top + ROW / 2;
+        let [low, high] = self.scale();
+        let across = |si: f64| {
+            let share = if high > low { (si - low) / (high - low) } else { 0.5 };
+            LEFT + (f64::from(RIGHT - LEFT) * share.clamp(0.0, 1.0)).round() as i32
+        };
+        Writing { down: VPos::Center, ..Writing::ending() }.write(area, self.name, (NAMES, middle))?;
+        Writing { down: VPos::Center, ..Writing::default() }.write(area, &self.numbers(units), (NUMBERS, middle))?;
+        rectangle(area, (LEFT, middle - 1), (RIGHT, middle + 1), GRID.filled())?;
+        for bound in self.bounds.into_iter().flatten().filter(|bound| (low..=high).contains(bound)) {
+            let x = across(bound);
+            segment(area, (x, middle - 11), (x, middle + 11), DARK.stroke_width(px(3)))?;
+        }
+        let style = |color: RGBColor, width: u32| ShapeStyle::from(&color).stroke_width(px(width));
+        let ends = [self.interval.low.map_or(LEFT, across), self.interval.high.map_or(RIGHT, across)];
+        segment(area, (ends[0], middle), (ends[1], middle), style(BLUE, 4))?;
+        let limits = [&self.interval.low_limited_by, &self.interval.high_limited_by];
+        let is_open = [self.interval.low.is_none(), self.interval.high.is_none()];
+        for (i, sign) in [(0, 1), (1, -1)] {
+            if is_open[i] {
+                arrow(area, (ends[i], middle), sign)?;
+            } else if limits[i].is_some() {
+                rectangle(area, (ends[i] - 4, middle - 4), (ends[i] + 4, middle + 4), BLUE.filled())?;
+            } else {
+                segment(area, (ends[i], middle - 7), (ends[i], middle + 7), style(BLUE, 2))?;
+            }
+        }
+        if let Some(posterior) = self.posterior {
+            let y = middle + 13;
+            segment(area, (across(posterior.hdi[0]), y), (across(posterior.hdi[1]), y), style(VERMILION, 2))?;
+            diamond(area, (across(posterior.median), y))?;
+        }
+        if let Some(value) = self.value {
+            dot(area, (across(value), middle))?;
+        }
+        Ok(())
+    }
+}
+
+fn dot(area: &Area<'_>, at: (i32, i32)) -> Drawn {
+    let fine = px(1) as i32;
+    let at = (fine * at.0, fine * at.1);
+    area.draw(&Circle::new(at, px(6), WHITE.filled()))?;
+    area.draw(&Circle::new(at, px(6), DARK.stroke_width(px(2))))?;
+    Ok(())
+}
+
+fn diamond(area: &Area<'_>, (x, y): (i32, i32)) -> Drawn {
+    let fine = px(1) as i32;
+    let corners = [(x - 5, y), (x, y - 5), (x + 5, y), (x, y + 5)].map(|(x, y)| (fine * x, fine * y));
+    area.draw(&Polygon::new(corners, VERMILION.filled()))?;
+    Ok(())
+}
+
+/// Draws the head of an arrow that points against `sign`.
+fn arrow(area: &Area<'_>, (x, y): (i32, i32), sign: i32) -> Drawn {
+    let fine = px(1) as i32;
+    let points = [(x + 9 * sign, y - 7), (x, y), (x + 9 * sign, y + 7)].map(|(x, y)| (fine * x, fine * y));
+    area.draw(&PathElement::new(points, ShapeStyle::from(&BLUE).stroke_width(px(2))))?;
+    Ok(())
+}
+
+fn legend(area: &Area<'_>, level: f64, has_posterior: bool, top: i32) -> Drawn {
+    let style = |color: RGBColor, width: u32| ShapeStyle::from(&color).stroke_width(px(width));
+    let first = top + 22;
+    dot(area, (26, first))?;
+    write(area, "best fit", 14, (44, first - 7))?;
+    segment(area, (120, first), (156, first), style(BLUE, 4))?;
+    write(area, &format!("interval at {} % by profile likelihood", percent(level)), 14, (166, first - 7))?;
+    segment(area, (440, first - 9), (440, first + 9), style(DARK, 3))?;
+    write(area, "bound of the file", 14, (452, first - 7))?;
+    rectangle(area, (590, first - 4), (598, first + 4), BLUE.filled())?;
+    write(area, "end set by a bound or by physics", 14, (606, first - 7))?;
+    if has_posterior {
+        let second = top + 48;
+        segment(area, (16, second), (52, second), style(VERMILION, 2))?;
+        diamond(area, (34, second))?;
+        write(area, &format!("posterior: median, shortest range of {} %", percent(level)), 14, (62, second - 7))?;
+    }
+    Ok(())
+}
