@@ -1,7 +1,7 @@
 //! What a report of a case stands on: the answer of its verb with what goes beside it, for a reader who has the report alone.
 
 use planar_impact::reconstruct::Uncertainty as Spread;
-use planar_impact::{ImpulseRatio, Law, Output};
+use planar_impact::{ImpulseRatio, Law, Output, Xy};
 use sha2::{Digest, Sha256};
 
 use crate::answer::Answer;
@@ -95,7 +95,7 @@ pub struct CaseReport {
     pub other_law: Option<OtherLaw>,
     /// CRASH3 from the crush of the case, beside an answer of `solve`.
     pub crash3: Option<Answer<Comparison>>,
-    /// The formulas of the critical impulse ratio, of the normal impulse and of the energy loss.
+    /// The formulas of the critical impulse ratio and of the energy loss with the impulse, as the code computes them.
     pub formulas: Vec<Formula>,
     /// How the program compares with the paper's tables and with measured tests.
     pub validation: Validation,
@@ -239,7 +239,22 @@ fn evidence(case: &Case) -> Vec<GivenEvidence> {
         value: known.value,
         sd: sd(&known.uncertainty),
     };
-    case.knowledge.evidence.iter().map(given).collect()
+    let mut all: Vec<GivenEvidence> = case.knowledge.evidence.iter().map(given).collect();
+    for (i, rest) in case.rest.iter().flat_map(|rest| rest.vehicles.iter().enumerate()) {
+        let Some(evidence) = rest.as_ref().and_then(|rest| rest.evidence.as_ref()) else { continue };
+        let Xy { x, y } = evidence.rest.position;
+        let sd = evidence.position_deviation;
+        let numbers = [
+            ("position.1", Measure::Length, x, sd.x),
+            ("position.2", Measure::Length, y, sd.y),
+            ("heading", Measure::Angle, evidence.rest.heading, evidence.heading_deviation),
+        ];
+        all.extend(numbers.map(|(key, measure, value, sd)| {
+            let key = format!("rest.vehicle.{}.{key}", i + 1);
+            GivenEvidence { key, measure, value, sd: Some(sd) }
+        }));
+    }
+    all
 }
 
 fn other_law(case: &Case) -> Option<OtherLaw> {
@@ -264,5 +279,5 @@ fn formulas(case: &Case, verb: ReportVerb, control: &dyn Control) -> Vec<Formula
     let of = |output: Output| {
         formula::formula((verb == ReportVerb::Solve).then_some(case), &formula::Options { output, wrt: None, kind }, control).ok()
     };
-    [Output::CriticalImpulseRatio, Output::NormalImpulse, Output::Loss].into_iter().filter_map(of).collect()
+    [Output::CriticalImpulseRatio, Output::Loss].into_iter().filter_map(of).collect()
 }

@@ -26,7 +26,7 @@ use crate::validate::Validation;
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 17] = [
+const SCHEMAS: [Named; 18] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
     ("solve", || schema_for!(Answer<Solution>)),

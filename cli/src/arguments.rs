@@ -11,6 +11,7 @@ use clap_complete::Shell;
 use planar_impact_app::Units;
 use planar_impact_app::check::{Options, Severity};
 use planar_impact_app::quantity;
+use planar_impact_report::document::Part;
 
 pub use formula::{Formula, Notation};
 
@@ -69,6 +70,9 @@ pub enum Verb {
     /// Draw the scene of a collision to scale: vehicles, crush plane, impulse, velocities, rest.
     #[command(after_help = help::DRAW)]
     Draw(Draw),
+    /// Write a report of a case as one HTML file: answer, scene, evidence, method, results, input.
+    #[command(after_help = help::REPORT)]
+    Report(Report),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
@@ -298,6 +302,43 @@ pub struct Draw {
     /// Units of the drawing. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<UnitSystem>,
+}
+
+/// The call of `report`.
+#[derive(Debug, Args)]
+pub struct Report {
+    /// The case file, TOML or JSON; - reads standard input.
+    pub case: PathBuf,
+    /// The file to write, which appears when it is whole. Default: standard output.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// What the report answers. Default: `reconstruct` where the case has unknowns, else `solve`.
+    #[arg(long, value_enum)]
+    pub verb: Option<ReportVerb>,
+    /// Sections, by name; may be repeated. Default: all that apply.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Part::ALL.map(Part::name))]
+    pub sections: Vec<String>,
+    /// A date, in any words. Without it the report has none: the same input gives the same bytes.
+    #[arg(long, value_name = "TEXT")]
+    pub date: Option<String>,
+    /// Units of the report. Default: those of most values in the case file.
+    #[arg(long, value_enum)]
+    pub units: Option<UnitSystem>,
+}
+
+/// What a report answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportVerb {
+    /// How the vehicles leave the collision.
+    Solve,
+    /// What the evidence says of the unknowns.
+    Reconstruct,
+    /// The crush energy.
+    Crush,
+    /// ΔV by CRASH3.
+    Crash3,
+    /// How uncertain the outputs are.
+    Uncertainty,
 }
 
 /// Format of a drawing.

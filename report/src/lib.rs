@@ -5,6 +5,7 @@
 
 pub mod block;
 pub mod chart;
+pub mod document;
 pub mod html;
 pub mod page;
 pub mod scene;

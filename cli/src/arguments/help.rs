@@ -100,6 +100,16 @@ Examples:
   planar-impact draw cli/examples/position-a.toml -o scene.svg
   planar-impact draw cli/examples/slide.toml --format json";
 
+pub(super) const REPORT: &str = "\
+One file that reads in any browser, without a script and without anything from elsewhere, and prints on
+A4 with page numbers. It has the case file inside, in the element with the id `case`. Sections: summary,
+scene, question, method, results, sensitivity, alternatives, validation, input, glossary.
+
+Examples:
+  planar-impact report cli/examples/position-a.toml -o report.html
+  planar-impact report cli/examples/reconstruct/two-cars.toml --date \"3 May 2026\" -o report.html
+  planar-impact report cli/examples/cavalier-crush.toml --verb crush --sections summary,results,input";
+
 pub(super) const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:
   inputs    vehicle.1.mass (m1), .yaw_inertia (I1), .radius_of_gyration (k1), .heading (theta1),

@@ -1,6 +1,6 @@
 //! The page of `validate`: the paper's tables compared with computed values, cell by cell.
 
-mod measured;
+pub(crate) mod measured;
 
 use planar_impact_app::validate::Validation;
 use planar_impact_validation::{Cell, Link, Statement, TableReport, Verdict};

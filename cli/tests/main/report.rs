@@ -1,0 +1,137 @@
+//! Reports: whole, self-contained, the same bytes each time, and with the case inside.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::process::{run, run_with_input, workspace};
+
+/// Returns the report of an example.
+fn report(case: &str, arguments: &[&str]) -> String {
+    let path = format!("cli/examples/{case}");
+    let run = run(&workspace(), &[&["report", &path], arguments].concat());
+    assert!(run.status == 0 && run.err.is_empty(), "{case} {arguments:?}: {}", run.err);
+    run.out
+}
+
+/// Returns the case file that a report has inside.
+fn embedded(html: &str) -> String {
+    let start = html.find("id=\"case\">").expect("an embedded case") + "id=\"case\">".len();
+    let text = &html[start..start + html[start..].find("</script>").expect("the end of the case")];
+    text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+}
+
+/// Returns the section with an address.
+fn section<'a>(html: &'a str, id: &str) -> &'a str {
+    let start = html.find(&format!("<section id=\"{id}\"")).unwrap_or_else(|| panic!("no section {id}"));
+    &html[start..start + html[start..].find("</section>").expect("its end")]
+}
+
+#[test]
+fn every_input_can_be_entered_again_from_the_report_alone() {
+    for case in ["position-a.toml", "sideswipe.toml", "slide.toml", "cavalier-crush.toml", "crabbed-barrier.toml"] {
+        let html = report(case, &[]);
+        let file = fs::read_to_string(workspace().join("cli/examples").join(case)).expect("the example");
+        assert_eq!(embedded(&html), file, "{case}");
+        let again = run_with_input(&["solve", "-", "--format", "json"], &embedded(&html));
+        let first = run(&workspace(), &["solve", &format!("cli/examples/{case}"), "--format", "json"]);
+        assert_eq!(again.out, first.out, "{case}");
+    }
+}
+
+/// Of the committed report; `UPDATE_REPORT=1` writes it anew.
+#[test]
+fn the_report_of_two_cars_has_the_same_bytes_everywhere() {
+    let path = workspace().join("docs/two-cars.html");
+    let html = report("reconstruct/two-cars.toml", &[]);
+    if std::env::var_os("UPDATE_REPORT").is_some() {
+        fs::write(&path, &html).expect("written");
+    }
+    let golden = fs::read_to_string(&path).expect("the committed report");
+    let differing = html.lines().zip(golden.lines()).position(|(now, then)| now != then);
+    assert!(html == golden, "differs from docs/two-cars.html at line {differing:?}; UPDATE_REPORT=1 writes it anew");
+    assert!(html.len() < 500_000, "{} bytes", html.len());
+    // The answer stands in the summary, and is that of `reconstruct`.
+    let summary = section(&html, "summary");
+    assert!(summary.contains("vehicle.1.speed (sedan): 52.4 km/h, 95 % from 49.7 to 55.1."), "{summary}"); // 52.4 ± 1.4 km/h in the README
+    assert!(section(&html, "question").contains("rest.vehicle.1.position.1") && section(&html, "scene").contains("<svg"));
+}
+
+#[test]
+fn nothing_comes_from_elsewhere_and_no_script_is_needed() {
+    for (case, verb) in [("position-a.toml", "solve"), ("cavalier-crush.toml", "crush"), ("cavalier-crush.toml", "crash3"), ("uncertain.toml", "uncertainty")] {
+        let html = report(case, &["--verb", verb]);
+        for address in html.match_indices("://").map(|(at, _)| &html[at.saturating_sub(5)..(at + 40).min(html.len())]) {
+            assert!(address.contains("www.w3.org") || address.contains("json-schema") || embedded(&html).contains(address.trim_matches('"')), "{address}");
+        }
+        let elements = ["<link", "<img", "<iframe", "@import", "url(", "<object", "javascript:", " on"];
+        let outside = html.replace(section(&html, "input"), "");
+        let outside = &outside[..outside.find("<script").unwrap_or(outside.len())];
+        for element in &elements[..7] {
+            assert!(!outside.contains(element), "{verb} has {element}");
+        }
+        assert_eq!(html.matches("<script").count(), 1, "{verb}: the case alone");
+        assert!(html.len() < 500_000);
+    }
+}
+
+#[test]
+fn a_report_names_what_it_stands_on() {
+    let html = report("position-a.toml", &["--date", "3 May <2026>"]);
+    let sections = ["summary", "scene", "question", "method", "results", "sensitivity", "alternatives", "validation", "input", "glossary"];
+    let places: Vec<usize> = sections.iter().map(|id| html.find(&format!("<section id=\"{id}\"")).unwrap_or_else(|| panic!("{id}"))).collect();
+    assert!(places.is_sorted());
+    assert!(section(&html, "summary").contains("3 May &lt;2026&gt;"));
+    // sha256sum of the file.
+    let digits = "ea320a26aee0d1335e683e6b381fb5638c344b32480cf35c3d18091167918e85";
+    assert!(section(&html, "summary").contains(digits), "{}", section(&html, "summary"));
+    assert!(section(&html, "method").contains("<math") && section(&html, "method").contains("<mfrac>"));
+    assert!(section(&html, "alternatives").contains("law of Kudlich-Slibar"));
+    assert!(section(&html, "results").matches("<figure>").count() == 2 && section(&html, "sensitivity").contains("<figure>"));
+    // 40 ft/s are 27.3 mph, and the ΔV of the paper's sedan is 15.4 mph.
+    assert!(section(&html, "summary").contains("sedan: ΔV 15.4 mph") && section(&html, "question").contains("<td class=\"number\">40</td><td>ft/s</td>"));
+    assert!(!report("position-a.toml", &[]).contains("Date"));
+}
+
+#[test]
+fn sections_and_units_are_as_asked() {
+    let html = report("position-a.toml", &["--sections", "summary,input", "--units", "si"]);
+    assert_eq!(html.matches("<section").count(), 2);
+    assert!(section(&html, "summary").contains("sedan: ΔV 24.8 km/h")); // 15.4 mph
+    let refused = run(&workspace(), &["report", "cli/examples/position-a.toml", "--sections", "sumary"]);
+    assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("summary"), "{}", refused.err);
+}
+
+#[test]
+fn a_file_appears_only_when_it_is_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, case) = (folder.path().join("report.html"), workspace().join("cli/examples/position-a.toml"));
+    let written = run(folder.path(), &["report", case.to_str().expect("a path"), "-o", "report.html"]);
+    assert!(written.status == 0 && written.out.is_empty() && written.err.is_empty(), "{}", written.err);
+    assert!(fs::read_to_string(&file).expect("written").ends_with("</html>\n"));
+    fs::remove_file(&file).expect("removed");
+    let text = fs::read_to_string(case).expect("the example").replace("40 ft/s", "-40 ft/s");
+    let refused = run_with_input(&["report", "-", "-o", file.to_str().expect("a path")], &text);
+    assert!(refused.status == 3 && !file.exists(), "{} {}", refused.status, refused.err);
+    let nowhere = run(folder.path(), &["draw", workspace().join("cli/examples/position-a.toml").to_str().expect("a path"), "-o", "none/scene.svg"]);
+    assert!(nowhere.status == 74 && nowhere.err.contains("cannot be written"), "{}", nowhere.err);
+    assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0);
+}
+
+#[test]
+fn hostile_names_stay_names() {
+    let text = fs::read_to_string(workspace().join("cli/examples/position-a.toml")).expect("the example");
+    let mut case: Value = toml::from_str(&text).expect("TOML");
+    for bad in ["</script><script>alert(1)</script><!--", "\u{202e}abc\u{7}\u{1b}[2J", "]]>\u{0}&#60;b>", &"ש".repeat(10_000)] {
+        for path in ["/title", "/vehicle/0/name"] {
+            *case.pointer_mut(path).expect("the key") = bad.into();
+        }
+        let made = run_with_input(&["report", "-"], &case.to_string());
+        assert_eq!(made.status, 0, "{}", made.err);
+        let html = made.out;
+        assert_eq!(html.matches("<script").count(), 1);
+        assert!(html.chars().all(|c| c == '\n' || !c.is_control() && c != '\u{202e}'), "{bad:?}");
+        let again: Value = serde_json::from_str(&embedded(&html)).expect("the case");
+        assert_eq!(again["title"], bad);
+    }
+}

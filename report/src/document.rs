@@ -1,0 +1,317 @@
+//! The report of a case: the answer first, then what it stands on, for a reader who has nothing else.
+
+mod glossary;
+mod method;
+
+use planar_impact_app::issue::Issues;
+use planar_impact_app::notice::Notices;
+use planar_impact_app::reconstruct::Reconstruction;
+use planar_impact_app::report::{CaseReport, GivenEvidence, GivenInput, Identity, MainAnswer, ReportVerb};
+use planar_impact_app::solve::Solution;
+use planar_impact_app::units::{Measure, Units, trim};
+use planar_impact_app::{Answer, plain_text::shown};
+
+use crate::block::{Block, Table};
+use crate::chart;
+use crate::html::{Document, Embedded, Section};
+use crate::page::{self, Facts};
+use crate::scene;
+
+/// A part of a report, in the order in which a report has them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The answer in a few sentences, and what it is about.
+    Summary,
+    /// The drawing of the scene.
+    Scene,
+    /// What the case gives and asks for.
+    Question,
+    /// The equations and the assumptions.
+    Method,
+    /// The answer in full.
+    Results,
+    /// What the answer depends on.
+    Sensitivity,
+    /// The same by other methods.
+    Alternatives,
+    /// How the program itself was checked.
+    Validation,
+    /// The file as it was given.
+    Input,
+    /// The terms, for a reader of another field.
+    Glossary,
+}
+
+impl Part {
+    /// Every part.
+    pub const ALL: [Part; 10] = [
+        Part::Summary,
+        Part::Scene,
+        Part::Question,
+        Part::Method,
+        Part::Results,
+        Part::Sensitivity,
+        Part::Alternatives,
+        Part::Validation,
+        Part::Input,
+        Part::Glossary,
+    ];
+
+    /// Returns its name on the command line, which is its address in the document too.
+    pub fn name(self) -> &'static str {
+        match self {
+            Part::Summary => "summary",
+            Part::Scene => "scene",
+            Part::Question => "question",
+            Part::Method => "method",
+            Part::Results => "results",
+            Part::Sensitivity => "sensitivity",
+            Part::Alternatives => "alternatives",
+            Part::Validation => "validation",
+            Part::Input => "input",
+            Part::Glossary => "glossary",
+        }
+    }
+
+    fn heading(self) -> &'static str {
+        match self {
+            Part::Summary => "Summary",
+            Part::Scene => "Scene",
+            Part::Question => "Question and evidence",
+            Part::Method => "Method and assumptions",
+            Part::Results => "Results",
+            Part::Sensitivity => "What the answer depends on",
+            Part::Alternatives => "The same by other methods",
+            Part::Validation => "How this program is checked",
+            Part::Input => "The input as given",
+            Part::Glossary => "Terms",
+        }
+    }
+}
+
+/// How a report is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The units.
+    pub units: Units,
+    /// The date that the reader gives, in any words; the program adds none, so that the same input gives the same bytes.
+    pub date: Option<String>,
+    /// The parts; all that apply if empty.
+    pub parts: Vec<Part>,
+}
+
+/// Writes the report of a case as a document.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn of_case(report: &CaseReport, options: &Options) -> Result<Document, Issues> {
+    let units = options.units;
+    let mut sections = Vec::new();
+    for part in Part::ALL.into_iter().filter(|part| options.parts.is_empty() || options.parts.contains(part)) {
+        let blocks = match part {
+            Part::Summary => summary(report, options),
+            Part::Scene => scene_of(report, units),
+            Part::Question => question(report, units),
+            Part::Method => method::blocks(report),
+            Part::Results => results(report, units)?,
+            Part::Sensitivity => sensitivity(report, units)?,
+            Part::Alternatives => alternatives(report, units),
+            Part::Validation => validation(report),
+            Part::Input => input(&report.identity),
+            Part::Glossary => glossary::blocks(),
+        };
+        if !blocks.is_empty() {
+            sections.push(Section { id: part.name(), heading: part.heading().to_owned(), blocks });
+        }
+    }
+    let title = if report.title.trim().is_empty() { "Report of a collision".to_owned() } else { report.title.clone() };
+    Ok(Document { title, foot: foot(&report.identity), sections, embedded: vec![embedded(&report.identity)] })
+}
+
+/// What a printed page has at its foot.
+fn foot(identity: &Identity) -> String {
+    format!("planar-impact {}, input {}", identity.version, &identity.sha256[..16])
+}
+
+fn embedded(identity: &Identity) -> Embedded {
+    let is_json = identity.source.text.trim_start().starts_with('{');
+    let media_type = if is_json { "application/json" } else { "application/toml" };
+    Embedded { id: "case", media_type, text: identity.source.text.clone() }
+}
+
+/// A verdict or the values, and what identifies the report.
+fn summary(report: &CaseReport, options: &Options) -> Vec<Block> {
+    let units = options.units;
+    let mut blocks = facts(&report.main).0.summary(units);
+    let Identity { source, sha256, version } = &report.identity;
+    let mut rows = vec![
+        ["Vehicles".to_owned(), report.names.join("; ")],
+        ["Question".to_owned(), method::question(report.verb).to_owned()],
+        ["Input file".to_owned(), source.name.clone()],
+        ["SHA-256 of the input".to_owned(), sha256.clone()],
+        ["Program".to_owned(), format!("planar-impact {version}")],
+    ];
+    rows.extend(options.date.iter().map(|date| ["Date".to_owned(), date.clone()]));
+    blocks.push(Table::new(["this report", ""], "ll", rows.into_iter().map(Vec::from).collect()).into());
+    blocks
+}
+
+fn scene_of(report: &CaseReport, units: Units) -> Vec<Block> {
+    let Some(answer) = &report.scene else { return Vec::new() };
+    let title =
+        "The collision to scale, with velocities before and after, impulses, and the principal direction of force on each vehicle's clock";
+    vec![figure(title, scene::scene(answer, units))]
+}
+
+/// Renders what the case gives, what it asks for, and its evidence.
+fn question(report: &CaseReport, units: Units) -> Vec<Block> {
+    let mut blocks = vec![Block::paragraph(method::question(report.verb))];
+    let row = |input: &GivenInput| {
+        let number = |value: f64| number(units, input.measure, value);
+        let value = match (input.value, input.sd, input.bounds) {
+            (Some(value), Some(sd), _) => format!("{} ± {}", number(value), number(sd)),
+            (Some(value), None, _) => number(value),
+            (None, _, [None, None]) => "unknown".to_owned(),
+            (None, _, [low, high]) => {
+                let end = |end: Option<f64>, open: &str| end.map_or(open.to_owned(), number);
+                format!("unknown, {} to {}", end(low, "any"), end(high, "any"))
+            }
+        };
+        vec![input.name.clone(), value, units.unit(input.measure).to_owned()]
+    };
+    let inputs: Vec<Vec<String>> = report.inputs.iter().map(row).collect();
+    blocks.push(Table::new(["input", "value", "unit"], "lrl", inputs).into());
+    if !report.evidence.is_empty() && report.verb == ReportVerb::Reconstruct {
+        let row = |evidence: &GivenEvidence| {
+            let sd = evidence.sd.map_or("exact".to_owned(), |sd| number(units, evidence.measure, sd));
+            vec![evidence.key.clone(), number(units, evidence.measure, evidence.value), sd, units.unit(evidence.measure).to_owned()]
+        };
+        let rows = report.evidence.iter().map(row).collect();
+        blocks.push(Table::new(["evidence of the file", "value", "standard deviation", "unit"], "lrrl", rows).into());
+    }
+    blocks
+}
+
+/// Formats a number as it could be entered again: six significant digits.
+fn number(units: Units, measure: Measure, si: f64) -> String {
+    trim(units.convert(measure, si))
+}
+
+/// Returns what every answer has: its facts and its notices.
+fn facts(main: &MainAnswer) -> (&dyn Facts, &Notices) {
+    fn of<T: Facts>(answer: &Answer<T>) -> (&dyn Facts, &Notices) {
+        (&answer.facts, &answer.notices)
+    }
+    match main {
+        MainAnswer::Solve(answer) => of(answer),
+        MainAnswer::Reconstruct(answer) => of(answer),
+        MainAnswer::Crush(answer) => of(answer),
+        MainAnswer::Crash3(answer) => of(answer),
+        MainAnswer::Uncertainty(answer) => of(answer),
+    }
+}
+
+/// Renders the answer in full, its figures first.
+fn results(report: &CaseReport, units: Units) -> Result<Vec<Block>, Issues> {
+    let mut blocks = match &report.main {
+        MainAnswer::Solve(answer) => of_solution(answer, units)?,
+        MainAnswer::Reconstruct(answer) => of_reconstruction(answer, units)?,
+        MainAnswer::Uncertainty(answer) => vec![figure("The outputs by every method", chart::uncertainty(answer, units)?)],
+        MainAnswer::Crush(_) | MainAnswer::Crash3(_) => Vec::new(),
+    };
+    let (facts, notices) = facts(&report.main);
+    blocks.extend(facts.blocks(units));
+    blocks.extend(Block::notices(notices, units));
+    Ok(blocks)
+}
+
+fn figure(title: &str, svg: String) -> Block {
+    Block::Figure { title: title.to_owned(), svg }
+}
+
+fn of_reconstruction(answer: &Answer<Reconstruction>, units: Units) -> Result<Vec<Block>, Issues> {
+    let mut blocks = vec![figure("The unknowns with their intervals, within their bounds", chart::intervals(answer, units)?)];
+    blocks.extend(chart::residuals(answer, units)?.map(|svg| figure("How far each piece of evidence is from the best fit", svg)));
+    blocks.extend(chart::posterior(answer, units)?.map(|svg| figure("The posterior of the unknowns", svg)));
+    if let Some(solution) = &answer.solution {
+        blocks.extend(of_solution(solution, units)?);
+    }
+    Ok(blocks)
+}
+
+/// Draws the impulse and the energies of a collision.
+fn of_solution(answer: &Answer<Solution>, units: Units) -> Result<Vec<Block>, Issues> {
+    let impulse = chart::impulse(answer, units)?;
+    let impulse = impulse.map(|svg| figure("The impulse of the contact by Routh's construction", svg));
+    let energy = figure("Where the energy goes", chart::energy(answer, units)?);
+    Ok(impulse.into_iter().chain([energy]).collect())
+}
+
+fn sensitivity(report: &CaseReport, units: Units) -> Result<Vec<Block>, Issues> {
+    let mut blocks = Vec::new();
+    if let Some(answer) = &report.gradient {
+        blocks.push(Block::paragraph(
+            "No input has an uncertainty in the file: the bars show what a usual uncertainty of each would change, by exact derivatives.",
+        ));
+        blocks.push(figure("The effect of a usual uncertainty of each input", chart::tornado_of_gradient(answer, units)?));
+    }
+    if let Some(answer) = &report.uncertainty {
+        blocks.push(figure("The effect of the standard deviation of each uncertain input", chart::tornado_of_uncertainty(answer, units)?));
+        blocks.extend(answer.blocks(units));
+    }
+    if let MainAnswer::Uncertainty(answer) = &report.main {
+        blocks.push(figure("The effect of the standard deviation of each uncertain input", chart::tornado_of_uncertainty(answer, units)?));
+    }
+    Ok(blocks)
+}
+
+fn alternatives(report: &CaseReport, units: Units) -> Vec<Block> {
+    let heading = |text: String| Block::Heading { level: 2, text };
+    let mut blocks = Vec::new();
+    if let Some(other) = &report.other_law {
+        blocks.push(heading(format!("By the tangential law of {}", other.name)));
+        match &other.solution {
+            Ok(solution) => {
+                blocks.extend(solution.summary(units));
+                blocks.extend(solution.blocks(units));
+            }
+            Err(issues) => blocks.push(Block::paragraph(format!("Physics refuses it: {issues}"))),
+        }
+    }
+    if let Some(answer) = &report.crash3 {
+        blocks.push(heading("From the crush, by CRASH3".to_owned()));
+        blocks.extend(answer.summary(units));
+        blocks.extend(answer.blocks(units));
+    }
+    if let MainAnswer::Reconstruct(answer) = &report.main
+        && answer.crash3.is_none()
+        && answer.other_minima.is_empty()
+    {
+        blocks.push(Block::paragraph("The evidence has no crush for CRASH3, and the search found no other minimum."));
+    }
+    blocks
+}
+
+/// Says what of the program is proven and validated, and to which error.
+fn validation(report: &CaseReport) -> Vec<Block> {
+    let result = &report.validation.report;
+    let mut blocks = vec![
+        Block::paragraph(method::PROOF),
+        Block::paragraph(format!("Validated, by the same program that made this report: {}", result.summary())),
+    ];
+    blocks.extend(page::validate::measured::blocks(&result.measured));
+    blocks.push(Block::paragraph(method::LIMITS));
+    blocks
+}
+
+fn input(identity: &Identity) -> Vec<Block> {
+    let what = "The file that this report answers, without any change. It is also embedded in this document, in the element with the id \"case\": with it the \
+                program gives the same answer again.";
+    vec![Block::paragraph(what), Block::Verbatim(shown_lines(&identity.source.text))]
+}
+
+/// Shows control characters of each line as their code points.
+fn shown_lines(text: &str) -> String {
+    text.lines().map(|line| shown(line).into_owned()).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,118 @@
+//! What was asked, by which equations, and what they assume.
+
+use planar_impact_app::report::{CaseReport, MainAnswer, ReportVerb};
+use planar_impact_app::solve::{ImpulseRatioGiven, TangentialLaw};
+
+use crate::block::Block;
+
+/// What of the program is proven.
+pub const PROOF: &str = "Proven: the equations are written once, for any kind of number. The identities of the mechanics (conservation of momentum, the energy \
+                         account, restitution, the critical impulse ratio, their derivatives) are proven over the rational numbers by evaluating the same \
+                         code there; `planar-impact prove` prints each of them.";
+
+/// What validation does not show.
+pub const LIMITS: &str = "These comparisons show that the program computes what the published method says. How well the method describes this collision depends on \
+                          the inputs and on the assumptions above: reconstructions from crush err by tens of per cent, however many digits agree.";
+
+/// Returns what a report asks.
+pub fn question(verb: ReportVerb) -> &'static str {
+    match verb {
+        ReportVerb::Solve => "How do the vehicles leave the collision, and what energy does it take?",
+        ReportVerb::Reconstruct => "Which values of the unknowns agree with the evidence, and how certain are they?",
+        ReportVerb::Crush => "Which energy is in the residual crush?",
+        ReportVerb::Crash3 => "Which change of velocity follows from the residual crush by CRASH3?",
+        ReportVerb::Uncertainty => "How uncertain are the outputs, given the uncertainty of the inputs?",
+    }
+}
+
+/// Renders the method of a report.
+pub fn blocks(report: &CaseReport) -> Vec<Block> {
+    let mut blocks = vec![Block::paragraph(method(report))];
+    if !report.formulas.is_empty() {
+        blocks.push(Block::paragraph(
+            "The formulas that the program computes, of the critical impulse ratio and of the energy lost by way of the impulse, as its own code writes them:",
+        ));
+    }
+    for formula in &report.formulas {
+        blocks.push(Block::Heading { level: 3, text: formula.subject.clone() });
+        let text: Vec<&str> = formula.definitions.iter().map(|definition| definition.text.as_str()).collect();
+        blocks.push(Block::Formula { latex: formula.formula.latex(), text: text.join("\n") });
+    }
+    blocks.push(Block::Heading { level: 2, text: "Assumptions".to_owned() });
+    blocks.extend(assumptions(report).into_iter().map(|text| Block::item("- ", text)));
+    blocks
+}
+
+fn method(report: &CaseReport) -> &'static str {
+    const IMPACT: &str = "Planar impact mechanics (Brach and Brach): two rigid bodies exchange one impulse at a common point. Momentum and angular momentum are \
+                          conserved; the coefficient of restitution e relates the normal velocities at the impact center before and after; the impulse \
+                          ratio mu relates tangential to normal impulse, and is limited by the critical ratio mu0 at which sliding ends.";
+    match (&report.main, report.verb) {
+        (MainAnswer::Reconstruct(answer), _) if answer.solution.as_ref().is_some_and(|solution| solution.contact.model.is_some()) => {
+            "Conservation of momentum: the velocities after the impact, which the evidence gives, and the directions before it determine the speeds before. No \
+             contact model is used. Every unknown is found by least squares, weighted by the uncertainty of the evidence; intervals are profile likelihoods."
+        }
+        (MainAnswer::Reconstruct(_), _) => {
+            "Planar impact mechanics (Brach and Brach), in reverse: the values of the unknowns with which two rigid bodies that exchange one impulse at a \
+             common point come closest to the evidence, by least squares weighted with its uncertainty (chi-square), from many starting points, within the \
+             bounds and the limits of the physics. The interval of an unknown is its profile likelihood: the range over which the best fit of everything \
+             else stays within a quantile of chi-square of the least one. It accounts for bounds and for curved evidence."
+        }
+        (_, ReportVerb::Crush) => {
+            "The crush energy of a profile of residual depths: at each place across the width the force per width is A + B C, with C the depth there, linear \
+             between the measured stations. The energy is the integral of that force over the depth, with G = A^2/(2 B) for the force without residual crush."
+        }
+        (_, ReportVerb::Crash3) => {
+            "CRASH3: the crush energies of both vehicles, corrected for the direction of the force, give the change of velocity of each under the assumption of \
+             a common velocity at the end; planar impact mechanics from the same energy stands beside it."
+        }
+        (_, ReportVerb::Uncertainty) => {
+            "Planar impact mechanics (Brach and Brach), with inputs that have distributions: by exact first and second derivatives, by samples, and by \
+             guaranteed bounds. Samples that physics refuses are counted, and never moved."
+        }
+        _ => IMPACT,
+    }
+}
+
+/// Names what the method assumes of this case.
+fn assumptions(report: &CaseReport) -> Vec<String> {
+    let impact = [
+        "The impulse acts at one point, the impact center, and in no time: positions and headings do not change during the impact.",
+        "Other forces, of tires and of gravity, are small beside the impulse.",
+        "The motion is planar: no pitch, roll or override.",
+        "The vehicles are rigid but for the crush, which does not change their mass, inertia or center of mass.",
+    ];
+    let mut all: Vec<String> = impact.map(str::to_owned).into();
+    let solution = match &report.main {
+        MainAnswer::Solve(answer) => Some(answer.as_ref()),
+        MainAnswer::Reconstruct(answer) => answer.solution.as_ref(),
+        MainAnswer::Crush(_) | MainAnswer::Crash3(_) => {
+            return vec![
+                "The stiffness, of tests with another crush than this one, holds for this vehicle and for this part of it.".to_owned(),
+                "The force grows linearly with the depth, and the depth between two stations is that of the line between them.".to_owned(),
+                "The crush is all from this collision.".to_owned(),
+            ];
+        }
+        MainAnswer::Uncertainty(_) => None,
+    };
+    if let Some(contact) = solution.map(|solution| &solution.contact).filter(|contact| contact.model.is_none()) {
+        all.push(match contact.impulse_ratio_given {
+            ImpulseRatioGiven::Critical => {
+                "Sliding at the impact center ends before the vehicles separate: the impulse ratio is critical.".to_owned()
+            }
+            ImpulseRatioGiven::Number => "The impulse ratio is the number that the file gives.".to_owned(),
+            ImpulseRatioGiven::OfCritical => "The impulse ratio is a fraction of the critical one.".to_owned(),
+            ImpulseRatioGiven::Friction => "The impulse ratio is critical, or what friction allows if that is less.".to_owned(),
+        });
+        all.push(match contact.tangential_law {
+            TangentialLaw::Brach => {
+                "Law of Brach: at the critical ratio the tangential relative velocity at separation is zero.".to_owned()
+            }
+            TangentialLaw::KudlichSlibar => "Law of Kudlich and Slibar: restitution holds for the tangential velocity too.".to_owned(),
+        });
+    }
+    if matches!(report.main, MainAnswer::Reconstruct(_)) {
+        all.push("Errors of the evidence are independent and normally distributed with the standard deviations of the file.".to_owned());
+    }
+    all
+}
