@@ -27,6 +27,7 @@ pub mod plain_text;
 pub mod prove;
 pub mod quantity;
 pub mod reconstruct;
+pub mod record;
 pub mod schema;
 pub mod slide;
 pub mod solve;
