@@ -1,13 +1,13 @@
 //! Runs each verb: reads its files, calls the application layer and renders its page.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
 use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, schema, slide, solve, stiffness, sweep,
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, record, schema, slide, solve, stiffness, sweep,
     template, uncertainty, validate,
 };
 use planar_impact_report::chart;
@@ -15,7 +15,7 @@ use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, Format, Notation, OfCase, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem,
+    self, Arguments, Format, Notation, OfCase, RecordFormat, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem,
     Verb,
 };
 use crate::exit::Failure;
@@ -43,6 +43,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Reconstruct(call) => look_back(&call),
         Verb::Uncertainty(call) => doubt(&call),
         Verb::Slide(call) => follow(&call),
+        Verb::Record(call) => recorded(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
@@ -185,8 +186,21 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
     }
 }
 
+fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
+    let read = |path: &PathBuf| Ok(record::Recording::parse(files::source(path)?, &files::beside(path))?);
+    let recordings: Vec<record::Recording> = call.files.iter().map(read).collect::<Result<_, Failure>>()?;
+    let units = call.units.map(Units::from).or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
+    let answer = in_units(record::record(&recordings, &(), &Progress::new()), units)?;
+    let output = match call.format {
+        RecordFormat::Text => CommandOutput::page(&page::page(&answer, units)),
+        RecordFormat::Json => CommandOutput::json(&answer, Layout::Compact)?,
+        RecordFormat::Svg => CommandOutput::text(chart::record(&answer, units)?),
+    };
+    Ok(output.holds(answer.is_whole()))
+}
+
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {
-    let file = TestFile::parse(files::source(&call.tests)?)?;
+    let file = TestFile::parse_with(files::source(&call.tests)?, files::beside(&call.tests))?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = in_units(stiffness::stiffness(&file, &(), &Progress::new()), units)?;
     Ok(print(&answer, call.format, units)?.holds(answer.headlines.is_empty()))

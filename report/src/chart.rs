@@ -6,6 +6,7 @@ mod contours;
 mod labels;
 mod lines;
 pub mod paper;
+mod record;
 mod uncertainty;
 
 use planar_impact_app::issue::Issues;
@@ -13,6 +14,7 @@ use planar_impact_app::sweep::Sweep;
 use planar_impact_app::{Answer, Units};
 
 use charted::Charted;
+pub use record::record;
 pub use uncertainty::uncertainty;
 
 const LONGEST_TITLE: usize = 80;
