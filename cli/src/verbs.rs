@@ -7,16 +7,16 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, record, schema, slide, solve, stiffness, sweep,
-    template, uncertainty, validate,
+    Answer, Case, Control, Issues, Units, crash3, crush, formula, gradient, prove, reconstruct, record, schema, slide, solve, stiffness,
+    sweep, template, uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, Format, Notation, OfCase, RecordFormat, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod, UnitSystem,
-    Verb,
+    self, Arguments, Format, Notation, OfCase, RecordFormat, SamplePoints, SlideFormat, SweepFormat, UncertaintyFormat, UncertaintyMethod,
+    UnitSystem, Verb,
 };
 use crate::exit::Failure;
 use crate::output::CommandOutput;

@@ -51,7 +51,10 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     pub fn flat_top(&self) -> Option<FlatTop<T>> {
         let step = self.resolution()?;
         let extreme = |is_beyond: fn(&T, &T) -> bool| {
-            self.values().iter().skip(1).fold(self.values()[0].clone(), |best, value| if is_beyond(value, &best) { value.clone() } else { best })
+            self.values()
+                .iter()
+                .skip(1)
+                .fold(self.values()[0].clone(), |best, value| if is_beyond(value, &best) { value.clone() } else { best })
         };
         [extreme(|a, b| b.less(a)), extreme(T::less)].into_iter().find_map(|value| self.flat_at(&value, &step))
     }

@@ -22,8 +22,8 @@ use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
 pub(crate) use self::csv_column::Rows;
-pub(crate) use self::fitted::report as report_file;
 use self::fitted::FittedToTests;
+pub(crate) use self::fitted::report as report_file;
 use self::implied::ImpliedValues;
 use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;

@@ -2,7 +2,9 @@
 
 use planar_impact::Issue as _;
 use planar_impact::Nt;
-use planar_impact::barrier::{BarrierRecord, ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_film};
+use planar_impact::barrier::{
+    BarrierRecord, ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_film,
+};
 
 use super::recording::{Channel, Filter};
 use super::{
@@ -216,7 +218,8 @@ impl Analysis<'_> {
                 Ok(total) => total,
                 Err(issues) => {
                     for issue in issues.iter() {
-                        let at = issue.place().and_then(|place| place.index).and_then(|i| channels.get(i)).map_or(path.as_str(), |c| &c.path);
+                        let at =
+                            issue.place().and_then(|place| place.index).and_then(|i| channels.get(i)).map_or(path.as_str(), |c| &c.path);
                         let help = format!("list the channels of a bank, here {}, at the times of {}", quantity.name(), channels[0].name);
                         self.issues.push(Issue::at(issue.code(), at, issue.message()).with_help(help));
                     }
@@ -232,7 +235,8 @@ impl Analysis<'_> {
         if let (Some((_, pulse)), Some(first)) = (&normal, first)
             && pulse.integral.value <= 0.0
         {
-            let message = Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(": the barrier would pull");
+            let message =
+                Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(": the barrier would pull");
             let help = "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed";
             self.issues.push(Issue::at("tensile", first.path.clone(), message).with_help(help));
             return None;
@@ -293,7 +297,8 @@ impl Analysis<'_> {
         self.traces.push(plain(channel));
         if record.len() > MOST_FRAMES {
             let message = format!("it has {} frames; at most {MOST_FRAMES} are accepted", record.len());
-            self.issues.push(Issue::at("too-many", channel.path.clone(), message).with_help("leave out frames before and after the contact"));
+            self.issues
+                .push(Issue::at("too-many", channel.path.clone(), message).with_help("leave out frames before and after the contact"));
             return None;
         }
         let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };

@@ -81,14 +81,19 @@ struct Noise {
 }
 
 impl Noise {
-    fn of(recording: &Recording, record: &Record, name: &str, notices: &mut Vec<Notice>) -> Noise {
-        let (given, found) = (recording.settings.resolution, record.resolution());
-        if given.is_none() {
+    /// Returns the noise of channels that are stored in the same steps.
+    fn of(recording: &Recording, channels: &[&Channel], notices: &mut Vec<Notice>) -> Noise {
+        let found = channels.iter().filter_map(|channel| channel.record.resolution()).reduce(f64::min);
+        let given = recording.settings.resolution;
+        if given.is_none() && !channels.is_empty() {
+            let name = channels.iter().map(|channel| channel.name.as_str()).collect::<Vec<_>>().join(" and ");
             let message = match found {
-                Some(step) => Message::from(format!("the resolution of {name} is taken as ")).figure(Measure::Speed, step).text(", its least step"),
-                None => Message::from(format!("{name} is constant, which does not tell its resolution: its standard deviation is not known")),
+                Some(step) => {
+                    Message::from(format!("the resolution of {name} is taken as ")).figure(Measure::Speed, step).text(", the least step")
+                }
+                None => Message::from(format!("{name}: constant, which does not tell the resolution: the standard deviation is not known")),
             };
-            notices.push(Notice::note("resolution-assumed", name, message));
+            notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
         }
         Noise { step: given.or(found), relative: recording.settings.relative }
     }
@@ -111,10 +116,9 @@ struct Component<'a> {
 }
 
 impl<'a> Component<'a> {
-    fn of(recording: &Recording, channel: &'a Channel, notices: &mut Vec<Notice>) -> Component<'a> {
+    fn of(channel: &'a Channel, noise: Noise) -> Component<'a> {
         let sign = if channel.quantity == ChannelQuantity::DeltaVRight { -1.0 } else { 1.0 };
         let values = channel.record.values().iter().map(|value| sign * value).collect();
-        let noise = Noise::of(recording, &channel.record, &channel.name, notices);
         Component { channel, times: channel.record.times(), values, noise }
     }
 
@@ -147,12 +151,13 @@ impl Recorder {
         if forward.is_none() && left.is_none() && speed.is_none() {
             return None;
         }
-        let [forward, left] = [forward, left].map(|channel| channel.map(|channel| Component::of(recording, channel, notices)));
+        let noise = Noise::of(recording, &forward.into_iter().chain(left).collect::<Vec<_>>(), notices);
+        let [forward, left] = [forward, left].map(|channel| channel.map(|channel| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
         let pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
         let speed_at_impact = speed.and_then(|speed| {
-            let noise = Noise::of(recording, &speed.record, &speed.name, notices);
+            let noise = Noise::of(recording, &[speed], notices);
             at_impact(&pre_crash, noise, &speed.path, issues, notices)
         });
         for component in components() {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
 
-use super::{ChannelQuantity, RecordAnswer};
 use super::samples::{Fault, Samples, TIME};
+use super::{ChannelQuantity, RecordAnswer};
 use crate::case::{CaseReader, report_file};
 use crate::document::{Document, Table, Value};
 use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
@@ -120,7 +120,8 @@ impl Recording {
             notices.push(Notice::note("unused-columns", "", message));
         }
         for (i, header) in samples.headers.iter().enumerate().filter(|(_, header)| header.unit.is_none()) {
-            let kind = if Some(i) == time { Some(Kind::DURATION) } else { ChannelQuantity::of_column(&header.name).map(ChannelQuantity::kind) };
+            let kind =
+                if Some(i) == time { Some(Kind::DURATION) } else { ChannelQuantity::of_column(&header.name).map(ChannelQuantity::kind) };
             let Some(kind) = kind else { continue };
             let message = format!("the column {} has no unit: {} assumed", header.name, kind.si);
             notices.push(Notice::note("unit-assumed", header.name.clone(), message));
@@ -238,7 +239,8 @@ impl CaseReader {
                     }
                 }
                 if channels.is_empty() && sound {
-                    let help = format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names());
+                    let help =
+                        format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names());
                     place.report("no column has the name of a channel", Some(help));
                     sound = false;
                 }

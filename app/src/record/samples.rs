@@ -82,7 +82,8 @@ impl Samples {
             (None, Some(unit)) => match Conversion::of(unit, kind) {
                 Ok(conversion) => Ok(Scale::Unit(Some((unit, conversion)), kind)),
                 Err(QuantityError { message, help }) => {
-                    let help = help.unwrap_or_else(|| format!("write the unit of {} in the header, such as \"{}\" has", kind.name, kind.example));
+                    let help =
+                        help.unwrap_or_else(|| format!("write the unit of {} in the header, such as \"{}\" has", kind.name, kind.example));
                     Err(self.fault(1, name, format!("[{unit}]: {message}"), help))
                 }
             },
@@ -144,7 +145,12 @@ impl Samples {
         match kind {
             InputIssueKind::OutOfOrder { .. } => {
                 let line = at.index.and_then(|index| lines.get(index)).copied().unwrap_or(1);
-                self.fault(line, TIME, "the time is not later than the one before", "list the samples in the order of their times, each once")
+                self.fault(
+                    line,
+                    TIME,
+                    "the time is not later than the one before",
+                    "list the samples in the order of their times, each once",
+                )
             }
             _ => {
                 let message = format!("the column has {} of at least two samples", lines.len());

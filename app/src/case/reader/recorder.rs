@@ -71,7 +71,8 @@ impl CaseReader {
             if recorder.is_lower_bound && key != "speed" {
                 let bounds = answer.channels.iter().filter(|channel| channel.clipped.is_some() || channel.is_truncated);
                 let names: Vec<&str> = bounds.map(|channel| channel.name.as_str()).collect();
-                let message = format!("{} of {} is clipped or truncated: {key} is a lower bound, not a value", names.join(", "), answer.file);
+                let message =
+                    format!("{} of {} is clipped or truncated: {key} is a lower bound, not a value", names.join(", "), answer.file);
                 let help = "`planar-impact record` shows it; give use = [\"speed\"] to leave the velocity change out".to_owned();
                 field.report_as("clipped", message, Some(help));
                 return None;
@@ -167,7 +168,11 @@ fn uses(table: &Table<'_>) -> Option<Vec<&'static str>> {
     let has = |keys: [&str; 2]| keys.iter().any(|key| chosen.contains(key));
     if has(["delta_v_forward", "delta_v_left"]) && has(["delta_v_magnitude", "pdof"]) {
         let help = "use the components, or magnitude and pdof".to_owned();
-        place.report_as("contradiction", "magnitude and direction say the same as the components: the record would count twice", Some(help));
+        place.report_as(
+            "contradiction",
+            "magnitude and direction say the same as the components: the record would count twice",
+            Some(help),
+        );
         return None;
     }
     Some(chosen)
