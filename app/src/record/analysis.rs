@@ -17,6 +17,8 @@ use crate::units::Measure;
 
 /// Samples in a local line of a film, unless the file says otherwise.
 const NEIGHBORS: usize = 9;
+/// Rounding of times, as a share of the length of a record.
+pub(super) const ROUNDING: f64 = 1e-9;
 /// Maximum number of frames of a film: smoothing takes time that grows with the square.
 const MOST_FRAMES: usize = 5000;
 
@@ -148,7 +150,9 @@ impl Analysis<'_> {
         let times = record.times();
         let (first, last) = (times[0], times[times.len() - 1]);
         let over = self.of.settings.window.unwrap_or(Window { from: first.max(0.0), to: last });
-        let unloaded = times.iter().copied().filter(|time| *time < over.from.min(0.0));
+        // Times computed from a start and a step are rounded.
+        let slack = ROUNDING * (last - first);
+        let unloaded = times.iter().copied().filter(|time| *time < over.from.min(0.0) - slack);
         let (count, end) = unloaded.fold((0, first), |(count, _), time| (count + 1, time));
         let before = self.of.settings.baseline.or((count > 1).then_some(Window { from: first, to: end }));
         if let Some(before) = before.filter(|before| before.to > over.from) {
@@ -310,7 +314,7 @@ impl Analysis<'_> {
             Some(speed) => speed,
             None => {
                 // The frames before the contact alone: a local line must not reach into it.
-                let count = times.partition_point(|time| *time <= contact);
+                let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
                 let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
                 let slope = before.and_then(|before| lowess.smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
                 let Ok(slope) = slope else {

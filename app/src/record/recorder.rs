@@ -5,6 +5,7 @@ use planar_impact::{ForceDirection, ForwardLeft};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::analysis::ROUNDING;
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -217,7 +218,8 @@ fn rows(record: &Record) -> impl Iterator<Item = PreCrash> {
 
 /// Returns the last speed that was stored up to the impact. It may have changed since, at the rate at which it changed last.
 fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<AtImpact> {
-    let before = rows.partition_point(|row| row.time <= 0.0);
+    let slack = ROUNDING * (rows.last()?.time - rows.first()?.time);
+    let before = rows.partition_point(|row| row.time <= slack);
     let Some(last) = before.checked_sub(1).map(|last| rows[last]) else {
         let help = "count the times from the impact: those before it are negative";
         issues.push(Issue::at("no-speed-before-impact", path, "no speed is at or before the time zero").with_help(help));
@@ -227,7 +229,7 @@ fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue
         [.., one, other] => (other.speed - one.speed) / (other.time - one.time),
         _ => 0.0,
     };
-    let change = rate * -last.time;
+    let change = if last.time < -slack { rate * -last.time } else { 0.0 };
     if change != 0.0 {
         let message = Message::from("the last speed is ")
             .figure(Measure::Time, -last.time)

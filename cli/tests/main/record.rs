@@ -69,7 +69,7 @@ fn a_half_sine_has_its_closed_form() {
     // ΔV = P/m to 1 %, and e = ΔV/v − 1 with 1 % of both.
     close(&barrier["delta_v"]["value"], normal / 1500.0, 1e-6);
     close(&barrier["delta_v"]["sd"], 0.01 * normal / 1500.0, 1e-6);
-    close(&barrier["restitution"]["value"], normal / 15e3 - 1.0, 1e-5);
+    close(&barrier["restitution"]["value"], normal / 15e3 - 1.0, 2e-5);
     close(&barrier["restitution"]["sd"], 2_f64.sqrt() * 0.01 * normal / 15e3, 1e-6);
     // The offsets are exact, so the noise of the unloaded channels is rounding.
     for key in ["normal_impulse", "tangential_impulse", "impulse_ratio"] {
@@ -181,10 +181,11 @@ fn clipped_and_truncated_copies_are_recognised() {
 
 /// A recorder in whole km/h: forward −40, to the left 30 at last, and speeds to half a second before the impact.
 fn recorder(last_speed: &str) -> String {
-    let rise = [0.0, 0.1, 0.3, 0.6, 0.8, 0.95, 1.0, 1.0, 1.0, 1.0];
+    let rise = [0.0, 0.05, 0.1, 0.3, 0.6, 0.8, 0.95, 1.0, 1.0, 1.0, 1.0];
     let mut text = format!("time [s],speed [km/h],delta_v_forward [km/h],delta_v_right [km/h]\n-1,60,,\n-0.5,54,,\n{last_speed}");
     for (i, share) in rise.iter().enumerate() {
-        writeln!(text, "{},,{},{}", i as f64 * 0.01, (-40.0 * share).round(), (-30.0 * share).round()).expect("a string takes everything");
+        writeln!(text, "{},,{},{}", i as f64 * 0.01, (-40.0_f64 * share).round(), (-30.0_f64 * share).round())
+            .expect("a string takes everything");
     }
     text
 }
@@ -206,13 +207,15 @@ fn a_recorder_by_hand() {
     close(&maximum["pdof"]["value"], (30.0_f64).atan2(40.0), 1e-12);
     close(&maximum["pdof"]["sd"], sd / (50.0 * kmh), 1e-9);
     for key in ["delta_v_forward", "delta_v_left"] {
-        close(&found[key]["time"], 0.06, 1e-9);
+        close(&found[key]["time"], 0.07, 1e-9);
         close(&found[key]["sd"], sd, 1e-9);
     }
-    close(&maximum["time"], 0.06, 1e-9);
+    close(&maximum["time"], 0.07, 1e-9);
     close(&found["delta_v_forward"]["value"], -40.0 * kmh, 1e-12);
     close(&found["delta_v_left"]["value"], 30.0 * kmh, 1e-12);
-    close(&record["channels"][1]["resolution"], kmh, 1e-9);
+    // The components are stored in the same steps; the lateral one has the least.
+    close(&record["channels"][1]["resolution"], 2.0 * kmh, 1e-9);
+    close(&record["channels"][2]["resolution"], kmh, 1e-9);
     assert_eq!(found["is_lower_bound"], false);
     close(&found["pre_crash"][1]["speed"], 54.0 * kmh, 1e-12);
     close(&found["pre_crash"][0]["time"], -1.0, 1e-12);
@@ -316,7 +319,7 @@ fn a_barrier_record_is_evidence_and_a_test() {
     let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
     close(&answer["tests"][0]["restitution"], 250e3 * AREA / 15e3 - 1.0, 1e-4);
     assert_eq!(answer["has_deviations"], true);
-    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.5]\n[[vehicle]]\nbarrier = true\n\
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.9]\n[[vehicle]]\nbarrier = true\n\
                 [contact]\ncrush_plane = 0\n[evidence]\ncontact.record = { file = \"data/test.toml\" }\n[unknown]\ncontact.restitution = { start = 0.1, min = 0, max = 0.5 }\n\
                 contact.impulse_ratio = { start = 0.1 }\n";
     folder.write("case.toml", case.as_bytes());
@@ -371,7 +374,7 @@ fn bad_settings_are_refused_at_their_keys() {
         ("neighbors = 3", "a whole number from 4 to 1000"),
         ("colour = 1", "unknown key"),
         ("[[channel]]\ncolumn = \"x\"\nquantity = \"normal_force\"", "no column has this name"),
-        ("[[channel]]\ncolumn = \"normal_force.a\"\nquantity = \"normal\"", "did you mean"),
+        ("[[channel]]\ncolumn = \"normal_force.a\"\nquantity = \"normal_forces\"", "did you mean"),
         (&format!("{channel}calibration = \"5 kN\""), "the column is in kN, and has a calibration too"),
         (&format!("{channel}polarity = 0"), "polarity: it is 0"),
         (&format!("{channel}range = \"-5 kN\""), "range: it is -5000 N; it must be above zero"),
