@@ -78,7 +78,7 @@ pub enum Verb {
     /// Print the formula that the code computes for an output, or for its derivative.
     #[command(after_help = help::FORMULA)]
     Formula(Formula),
-    /// Print the JSON Schema of case files, of barrier tests, of recordings, or of the answer of a verb.
+    /// Print the JSON Schema of a file that a verb reads, or of its answer.
     #[command(after_help = "Examples:\n  planar-impact schema case\n  planar-impact schema solve")]
     Schema {
         /// `case`, `tests`, `recording`, or a verb.

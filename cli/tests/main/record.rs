@@ -93,6 +93,8 @@ fn a_half_sine_has_its_closed_form() {
     }
     assert_eq!((&channel["clipped"], &channel["is_truncated"]), (&Value::Null, &json!(false)));
     assert_eq!((&record["file"], &record["recorder"]), (&json!("test.toml"), &Value::Null));
+    let json: Value = serde_json::from_str(&run.out).expect("JSON");
+    assert_eq!((&json["schema"], &json["title"]), (&json!(1), &json!("")));
     let svg = crate::process::run(&workspace(), &["record", "cli/examples/record/barrier.toml", "--format", "svg"]);
     assert!(svg.status == 0 && svg.out.starts_with("<svg ") && svg.out.contains("tangential") && svg.out.contains("CFC"), "{}", svg.err);
 }
@@ -151,6 +153,13 @@ fn an_acceleration_and_a_film_agree_with_the_forces() {
     close(&one["impulse"]["sd"], 15.0 * change, 1e-6);
     close(&one["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
     close(&one["peak"]["value"], 160.0, 2e-3);
+    close(&one["peak"]["time"], 0.05, 1e-2);
+    // The samples are exact; the speed is known to 1 %.
+    close(&one["restitution"]["sd"], 0.01 * change / 10.0, 1e-6);
+    assert!(one["delta_v"]["sd"].as_f64().is_some_and(|sd| sd < 1e-9));
+    // That of the closing speed, and what the curved distances of the contact add.
+    assert!(film["restitution"]["sd"].as_f64().is_some_and(|sd| (0.01 * (change / 10.0 - 1.0)..5e-4).contains(&sd)));
+    close(&film["closing_speed"]["sd"], 0.1, 1e-9);
     assert_eq!((&one["channel"], &film["channel"]), (&json!("acceleration"), &json!("distance")));
     close(&film["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
     close(&film["closing_speed"]["value"], 10.0, 1e-9);
