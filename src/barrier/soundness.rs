@@ -36,8 +36,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     ///
     /// A peak that is stored in steps is flat for some samples too. About such a peak the values fall by at most nine steps within as many samples on each
     /// side as the flat part has, if it is a parabola; a flat top falls by more than twelve on both. A stretch that lasts to the end of the record, such as
-    /// the final velocity change, is a flat top if the sample before it differs by more than four steps. The value of the first sample is the unloaded
-    /// reading, and is never a flat top.
+    /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from one
+    /// sample to the next, after three samples or more. The value of the first sample is the unloaded reading, and is never a flat top.
     ///
     /// ```
     /// use planar_impact::barrier::Record;
@@ -72,7 +72,11 @@ impl<T: Ordered<Mask = bool>> Record<T> {
             let end = (begin..values.len()).find(|&i| !is_flat(i)).unwrap_or(values.len());
             let count = end - begin;
             let is_cut = if end == values.len() {
-                exceeds(fall(begin - 1), 4)
+                let at_once = fall(begin - 1);
+                let greatest = values.windows(2).map(|pair| (pair[1].clone() - pair[0].clone()).magnitude());
+                let greatest = greatest.reduce(|most, change| if most.less(&change) { change } else { most });
+                let is_abrupt = greatest.is_some_and(|greatest| (greatest * T::int(3)).less(&(at_once.clone() * T::int(5))));
+                begin >= FLAT && is_abrupt && !at_once.less(&(step.clone() * T::int(2)))
             } else {
                 let beside = [begin.saturating_sub(count), (end - 1 + count).min(values.len() - 1)];
                 beside.into_iter().all(|i| exceeds(fall(i), 12))
@@ -111,10 +115,17 @@ mod tests {
     fn a_pulse_in_steps_has_no_flat_top() {
         for height in [5.0, 20.0, 100.0, 4000.0] {
             assert_eq!(pulse(height, f64::INFINITY).flat_top(), None, "{height}");
-            assert_eq!(pulse(height, f64::INFINITY).resolution(), Some(1.0));
             let negative = pulse(height, f64::INFINITY).values().iter().map(|value| -value).collect();
             assert_eq!(Record::uniform(0.0, 1e-3, negative).expect("a good record").flat_top(), None);
         }
+    }
+
+    #[test]
+    fn the_resolution_is_the_least_step() {
+        assert_eq!(pulse(100.0, f64::INFINITY).resolution(), Some(1.0));
+        let thirds: Record =
+            Record::uniform(0.0, 1.0, [0.0, 1.0, 3.0, 2.0, 2.0].map(|value: f64| value / 3.0).to_vec()).expect("a good record");
+        assert!((thirds.resolution().expect("steps") - 1.0 / 3.0).abs() < 1e-15);
     }
 
     #[test]
@@ -138,6 +149,9 @@ mod tests {
         assert_eq!(speeds(&[0.0, 3.0, 9.0, 16.0, 22.0, 26.0, 28.0, 28.0, 28.0, 27.0, 27.0, 27.0]).flat_top(), None);
         let top = speeds(&[0.0, -3.0, -9.0, -16.0, -22.0, -22.0, -22.0]).flat_top().expect("a flat top");
         assert_eq!((top.value, top.from, top.samples), (-22.0, 0.04, 3));
+        // Slow in coarse steps, or too few samples to tell.
+        assert_eq!(speeds(&[0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 4.0]).flat_top(), None);
+        assert_eq!(speeds(&[0.0, 20.0, 20.0, 20.0]).flat_top(), None);
         assert_eq!(speeds(&[2.0; 5]).flat_top(), None);
         assert_eq!(speeds(&[2.0; 5]).resolution(), None);
     }

@@ -3,6 +3,7 @@
 use planar_impact_app::issue::Issues;
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::record::{ChannelQuantity, Records, Trace};
+use planar_impact_app::units::Measure;
 use planar_impact_app::{Answer, Units};
 
 use super::canvas::{self, Area, Axes, Drawn, WIDTH, span, with_unit};
@@ -45,8 +46,14 @@ pub fn record(answer: &Answer<Records>, units: Units) -> Result<String, Issues> 
 }
 
 impl Panel<'_> {
+    /// Returns the measure of its values; speeds are in the unit of the road.
+    fn measure(&self) -> Measure {
+        let measure = self.traces[0].1.quantity.measure();
+        self.units.on_the_road(measure).unwrap_or(measure)
+    }
+
     fn values(&self) -> impl Iterator<Item = f64> + Clone + '_ {
-        let conversion = self.units.conversion(self.traces[0].1.quantity.measure());
+        let conversion = self.units.conversion(self.measure());
         self.traces.iter().flat_map(|(_, trace)| &trace.values).map(move |value| conversion.of_si(*value))
     }
 
@@ -56,13 +63,13 @@ impl Panel<'_> {
 
     fn draw(&self, area: &Area<'_>, left: u32) -> Drawn {
         let quantity = self.traces[0].1.quantity;
-        let conversion = self.units.conversion(quantity.measure());
+        let conversion = self.units.conversion(self.measure());
         let (plot, legend) = area.split_horizontally(WIDTH - LEGEND);
         let axes = Axes {
             x: span(self.traces.iter().flat_map(|(_, trace)| trace.times.iter().copied()), 0.0),
             y: self.y(),
             x_name: "time [s]",
-            y_name: &with_unit(noun(quantity), self.units.unit(quantity.measure())),
+            y_name: &with_unit(noun(quantity), self.units.unit(self.measure())),
             left,
         };
         let mut chart = axes.draw(&plot)?;
