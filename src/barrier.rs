@@ -10,6 +10,7 @@
 //! | E* of several crushes | d₀ and d₁ with covariance and residuals, and the resulting uncertainty of E_C | [`StiffnessFit`] |
 //! | the stiffness of several vehicles of a class | its mean and its spread between them | [`RandomEffects`] |
 //! | forces over time | baseline, filter of a channel frequency class, impulse with its variance | [`Record`], [`ChannelFilter`] |
+//! | a record that a channel could not hold | its resolution, and where it was driven beyond its range | [`Record::resolution`], [`Record::flat_top`] |
 //! | the load cells of a barrier | banks, normal and tangential impulse, μ = P_t/P_n (A8) | [`BarrierRecord`], [`bank`], [`impulse_ratio`] |
 //! | the motion at contact and at separation | e = −V_Cn/v_Cn of a point, by rigid-body kinematics (A7) | [`MeasuredContact`] |
 //! | the distance of a point from the barrier over time | e by the slope of the smoothed distance, with its variance | [`Lowess`], [`restitution_from_film`] |
@@ -81,6 +82,7 @@ mod pooled;
 mod profile_fit;
 mod record;
 mod series;
+mod soundness;
 mod test;
 mod weight;
 
@@ -97,4 +99,5 @@ pub use observation::{CrushEnergy, MeasuredTest, Observation, Observations};
 pub use pooled::RandomEffects;
 pub use record::{Clock, Record, Window};
 pub use series::TestSeries;
+pub use soundness::FlatTop;
 pub use test::BarrierTest;

@@ -28,6 +28,7 @@ pub mod plain_text;
 pub mod prove;
 pub mod quantity;
 pub mod reconstruct;
+pub mod record;
 pub mod report;
 pub mod scene;
 pub mod schema;

@@ -1,4 +1,4 @@
-//! JSON Schemas of case files, of barrier tests, and of each answer.
+//! JSON Schemas of case files, of barrier tests, of recordings, and of each answer.
 
 mod quantities;
 
@@ -14,6 +14,7 @@ use crate::formula::Formula;
 use crate::gradient::Gradient;
 use crate::prove::ProofReport;
 use crate::reconstruct::Reconstruction;
+use crate::record::Records;
 use crate::scene::Scene;
 use crate::slide::Slides;
 use crate::solve::Solution;
@@ -26,15 +27,17 @@ use crate::validate::Validation;
 type Named = (&'static str, fn() -> Schema);
 
 /// Everything that has a schema.
-const SCHEMAS: [Named; 18] = [
+const SCHEMAS: [Named; 20] = [
     ("case", || embedded(include_str!("schema/case.json"))),
     ("tests", || embedded(include_str!("schema/tests.json"))),
+    ("recording", || embedded(include_str!("schema/recording.json"))),
     ("solve", || schema_for!(Answer<Solution>)),
     ("gradient", || schema_for!(Answer<Gradient>)),
     ("sweep", || schema_for!(Answer<Sweep>)),
     ("crush", || schema_for!(Answer<CrushAnswer>)),
     ("crash3", || schema_for!(Answer<Comparison>)),
     ("reconstruct", || schema_for!(Answer<Reconstruction>)),
+    ("record", || schema_for!(Answer<Records>)),
     ("slide", || schema_for!(Answer<Slides>)),
     ("draw", || schema_for!(Answer<Scene>)),
     ("uncertainty", || schema_for!(Answer<Uncertainty>)),
@@ -56,12 +59,12 @@ fn embedded(text: &str) -> Schema {
     schema
 }
 
-/// Returns the names of everything that has a schema: `case`, `tests` and the verbs.
+/// Returns the names of everything that has a schema: `case`, `tests`, `recording` and the verbs.
 pub fn names() -> [&'static str; SCHEMAS.len()] {
     SCHEMAS.map(|(name, _)| name)
 }
 
-/// Returns the schema of case files, of barrier tests, or of the answer of a verb; `None` for any other name.
+/// Returns the schema of case files, of barrier tests, of recordings, or of the answer of a verb; `None` for any other name.
 ///
 /// ```
 /// let schema = planar_impact_app::schema::of("solve").expect("a verb");

@@ -73,6 +73,9 @@ pub enum Verb {
     /// Write a report of a case as one HTML file: answer, scene, evidence, method, results, input.
     #[command(after_help = help::REPORT)]
     Report(Report),
+    /// Analyse recorded forces, accelerations, films and event data recorders.
+    #[command(after_help = help::RECORD)]
+    Record(Record),
     /// Fit crush stiffness to barrier tests, with its uncertainty.
     #[command(after_help = help::STIFFNESS)]
     Stiffness(Stiffness),
@@ -85,10 +88,10 @@ pub enum Verb {
     /// Print the formula that the code computes for an output, or for its derivative.
     #[command(after_help = help::FORMULA)]
     Formula(Formula),
-    /// Print the JSON Schema of case files, of barrier tests, or of the answer of a verb.
+    /// Print the JSON Schema of a file that a verb reads, or of its answer.
     #[command(after_help = "Examples:\n  planar-impact schema case\n  planar-impact schema solve")]
     Schema {
-        /// `case`, `tests`, or a verb.
+        /// `case`, `tests`, `recording`, or a verb.
         #[arg(value_parser = planar_impact_app::schema::names())]
         of: String,
     },
@@ -359,6 +362,31 @@ pub enum SlideFormat {
     Csv,
     /// For programs, in SI.
     Json,
+}
+
+/// Arguments of `record`.
+#[derive(Debug, Args)]
+pub struct Record {
+    /// Recordings: CSV, or TOML or JSON that names one; - reads standard input.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value_t = RecordFormat::Text)]
+    pub format: RecordFormat,
+    /// Units of text and SVG. Default: those of most values in the first file. JSON is always SI.
+    #[arg(long, value_enum)]
+    pub units: Option<UnitSystem>,
+}
+
+/// Format of an analysed recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RecordFormat {
+    /// For people.
+    Text,
+    /// For programs, in SI.
+    Json,
+    /// A chart of the traces.
+    Svg,
 }
 
 /// Arguments of `stiffness`.

@@ -1,14 +1,14 @@
 //! Runs each verb: reads its files, calls the application layer and renders its page.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
 use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, report, scene, schema, slide,
-    solve, stiffness, sweep, template, uncertainty, validate,
+    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, record, report, scene, schema,
+    slide, solve, stiffness, sweep, template, uncertainty, validate,
 };
 use planar_impact_report::document::{self, Part};
 use planar_impact_report::page::{self, Facts};
@@ -16,7 +16,7 @@ use planar_impact_report::{chart, html};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, CompareFormat, DrawFormat, Format, Notation, OfCase, ReportVerb, SamplePoints, SlideFormat, SweepFormat,
+    self, Arguments, CompareFormat, DrawFormat, Format, Notation, OfCase, RecordFormat, ReportVerb, SamplePoints, SlideFormat, SweepFormat,
     UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
 };
 use crate::exit::Failure;
@@ -47,6 +47,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Slide(call) => follow(&call),
         Verb::Draw(call) => sketch(&call),
         Verb::Report(call) => write_up(&call),
+        Verb::Record(call) => recorded(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
         Verb::Check(call) => check::run(&call),
@@ -229,8 +230,21 @@ fn write_up(call: &arguments::Report) -> Result<CommandOutput, Failure> {
     Ok(CommandOutput::text(html::render(&document::of_case(&answer, &options)?)).to(call.output.as_deref()))
 }
 
+fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
+    let read = |path: &PathBuf| Ok(record::Recording::parse(files::source(path)?, &files::beside(path))?);
+    let recordings: Vec<record::Recording> = call.files.iter().map(read).collect::<Result<_, Failure>>()?;
+    let units = call.units.map(Units::from).or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
+    let answer = in_units(record::record(&recordings, &(), &Progress::new()), units)?;
+    let output = match call.format {
+        RecordFormat::Text => CommandOutput::page(&page::page(&answer, units)),
+        RecordFormat::Json => CommandOutput::json(&answer, Layout::Compact)?,
+        RecordFormat::Svg => CommandOutput::text(chart::record(&answer, units)?),
+    };
+    Ok(output.holds(answer.is_whole()))
+}
+
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {
-    let file = TestFile::parse(files::source(&call.tests)?)?;
+    let file = TestFile::parse_with(files::source(&call.tests)?, files::beside(&call.tests))?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = in_units(stiffness::stiffness(&file, &(), &Progress::new()), units)?;
     Ok(print(&answer, call.format, units)?.holds(answer.headlines.is_empty()))

@@ -38,6 +38,8 @@ mod pins;
 mod process;
 #[path = "main/reconstruct/mod.rs"]
 mod reconstruct;
+#[path = "main/record.rs"]
+mod record;
 #[path = "main/reference.rs"]
 mod reference;
 #[path = "main/rest.rs"]

@@ -11,6 +11,7 @@ mod labels;
 mod lines;
 pub mod paper;
 mod posterior;
+mod record;
 mod residuals;
 #[cfg(test)]
 mod samples;
@@ -28,6 +29,7 @@ pub use energy::energy;
 pub use impulse::impulse;
 pub use intervals::intervals;
 pub use posterior::posterior;
+pub use record::record;
 pub use residuals::residuals;
 pub use stiffness::stiffness;
 pub use tornado::{tornado_of_gradient, tornado_of_uncertainty};

@@ -8,6 +8,7 @@ pub mod formula;
 pub mod gradient;
 pub mod prove;
 pub mod reconstruct;
+pub mod record;
 pub mod rules;
 pub mod slide;
 pub mod solve;

@@ -10,6 +10,7 @@ mod fitted;
 mod implied;
 mod measured;
 mod momentum;
+mod recorder;
 mod rest;
 mod restitution;
 mod sample;
@@ -20,10 +21,13 @@ use std::cell::{Cell, RefCell};
 use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
+pub(crate) use self::csv_column::Rows;
 use self::fitted::FittedToTests;
+pub(crate) use self::fitted::report as report_file;
 use self::implied::ImpliedValues;
 use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;
+pub(crate) use self::sample::read_cell;
 use super::domain::Domain;
 use super::inputs::Inputs;
 use super::knowledge::Knowledge;
@@ -67,7 +71,7 @@ pub(crate) struct CaseReader {
 
 impl CaseReader {
     /// Creates a reader of a case that may name other files.
-    pub(super) fn opening(open: Open) -> Self {
+    pub(crate) fn opening(open: Open) -> Self {
         CaseReader { open: Some(open), ..CaseReader::default() }
     }
 
@@ -194,7 +198,7 @@ impl CaseReader {
         None
     }
 
-    fn pair(&self, field: Field<'_>, kind: Kind) -> Option<[f64; 2]> {
+    pub(crate) fn pair(&self, field: Field<'_>, kind: Kind) -> Option<[f64; 2]> {
         let path = field.path().to_owned();
         let [a, b] = field.pair(kind)?;
         Some([self.take(&format!("{path}.1"), a), self.take(&format!("{path}.2"), b)])

@@ -3,11 +3,11 @@
 use planar_impact::barrier::{BarrierTest, MeasuredTest};
 
 use crate::case::{CaseReader, one_of};
-use crate::document::{Document, Table};
+use crate::document::{Document, Table, Value};
 use crate::issue::{Cause, Issue, Issues};
 use crate::notice::Notices;
 use crate::quantity::Kind;
-use crate::source::Source;
+use crate::source::{Open, Source};
 use crate::units::Units;
 
 /// Maximum number of tests: inverting their covariance takes about a second for this number.
@@ -68,14 +68,26 @@ struct Read {
 }
 
 impl TestFile {
-    /// Parses a file of barrier tests.
+    /// Parses a file of barrier tests that names no recording.
     ///
     /// # Errors
     ///
     /// Returns everything wrong with it.
     pub fn parse(source: Source) -> Result<TestFile, Issues> {
+        TestFile::read(source, CaseReader::default())
+    }
+
+    /// The same for a file that may name recordings, which `open` reads.
+    ///
+    /// # Errors
+    ///
+    /// Returns everything wrong with it and with the recordings.
+    pub fn parse_with(source: Source, open: Open) -> Result<TestFile, Issues> {
+        TestFile::read(source, CaseReader::opening(open))
+    }
+
+    fn read(source: Source, reader: CaseReader) -> Result<TestFile, Issues> {
         let document = Document::parse(source)?;
-        let reader = CaseReader::default();
         let read = document.read(|root| reader.tests(root))?;
         let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, prediction }, has_deviations } = read;
         let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
@@ -168,11 +180,18 @@ impl CaseReader {
     fn test(&self, table: &Table<'_>) -> Option<Read> {
         let mass = self.positive(table.required("mass"), Kind::MASS);
         let speed = self.positive(table.required("speed"), Kind::SPEED);
-        let restitution = self.restitution_of_test(table, speed);
+        let recorded = is_recorded(table).then(|| self.recorded_restitution(&table.required("restitution")));
+        let restitution = match recorded {
+            Some(recorded) => recorded.map(|[restitution, _]| restitution),
+            None => self.restitution_of_test(table, speed),
+        };
         let profile = self.profile(table);
         let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
         let speed_sd = deviation("speed_sd", Kind::SPEED);
-        let restitution_sd = deviation("restitution_sd", Kind::PURE);
+        let restitution_sd = match recorded {
+            Some(recorded) => Some(recorded.map(|[_, sd]| sd)),
+            None => deviation("restitution_sd", Kind::PURE),
+        };
         let scatter = deviation("scatter", Kind::ROOT_FORCE);
         table.finish();
         let crush = profile?.on_scalar(|_| 0.0).moments();
@@ -224,9 +243,14 @@ impl CaseReader {
     }
 }
 
+/// Returns `true` if the restitution of a test is that of a recording.
+fn is_recorded(test: &Table<'_>) -> bool {
+    matches!(test.optional("restitution").value(), Some(Value::Table(_)))
+}
+
 impl<'a> Deviations<'a> {
     fn add(&mut self, test: Table<'a>) {
-        if ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
+        if is_recorded(&test) || ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
             self.is_any = true;
         } else {
             self.bare.push(test);

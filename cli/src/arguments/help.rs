@@ -200,6 +200,44 @@ Examples:
   planar-impact crush cli/examples/cavalier-crush.toml
   planar-impact crush cli/examples/stiff-corner.toml --units si --format json"#;
 
+pub(super) const RECORD: &str = r#"A recording is a CSV file. Its first line names the columns, each with its unit in brackets:
+  time [ms]                          # zero at the impact, or the contact
+  normal_force.NAME [kN]             # load cells of a barrier, on the vehicle away from it; they add up
+  tangential_force.NAME [kN]         # along it, a quarter turn counter-clockwise from the normal force
+  acceleration.NAME [g]              # of the center of mass, away from the barrier
+  distance.NAME [mm]                 # of a point from the barrier, from film
+  delta_v_forward [km/h]             # of an event data recorder, and delta_v_left or delta_v_right
+  speed [km/h]                       # before the impact, at times up to zero
+A cell is empty where a channel has no sample. A TOML or JSON file can say more:
+  schema = 1
+  file = "test.csv"                  # beside it
+  mass = "1500 kg"                   # for delta-V; may have a standard deviation
+  speed = "10 m/s ± 0.05 m/s"        # normal to the barrier, for the restitution
+  filter = 60                        # class of SAE J211 of peaks and traces; false for none
+  baseline = ["-20 ms", "0 ms"]      # the unloaded channels: offset and noise
+  window = ["0 ms", "110 ms"]        # the contact
+  separation = "115 ms"              # of the point of a film
+  resolution = "1 km/h"              # of a recorder, and relative = 0.05 for its other errors
+  [[channel]]                        # without any, columns are known by their names
+  column = "F3"
+  quantity = "normal_force"          # the names above
+  calibration = "50 N"               # what one in the column is, if its header has no unit
+  polarity = -1                      # if its sign is reversed
+  range = "400 kN"                   # what it can hold
+Integrals are of the raw channels. Exit status 1: a channel is clipped, or ends before the event.
+
+Evidence of `reconstruct`, and the restitution of a test of `stiffness`:
+  [evidence]
+  vehicle.2.recorder = { file = "edr.csv", use = ["delta_v_forward", "speed"] }
+  contact.record = { file = "test.toml" }                 # impulse ratio and restitution
+  [[vehicle.test]]
+  restitution = { record = "test.toml" }
+
+Examples:
+  planar-impact record cli/examples/record/edr.csv
+  planar-impact record cli/examples/record/barrier.toml --format json
+  planar-impact record cli/examples/record/barrier.toml --format svg > traces.svg"#;
+
 pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   schema = 1
   [[vehicle]]
@@ -208,7 +246,7 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   [[vehicle.test]]                   # one or more; those of one car in order: energies add up
   mass = "1500 kg"
   speed = "15.6 m/s"                 # normal to the barrier
-  restitution = 0.1                  # or rebound_speed; the crush keeps 1 - e^2 of the energy
+  restitution = 0.1                  # or { record = "test.toml" }, or rebound_speed
   width = "1.5 m"                    # or stations
   depths = ["0.3 m", "0.5 m"]        # total crush after the test
   speed_sd = "0.1 m/s"               # standard deviations, each optional
@@ -264,6 +302,7 @@ pub(super) const RECONSTRUCT: &str = r#"A case file with unknowns, and the evide
   vehicle.1.separation_yaw_rate = "80 deg/s ± 10 deg/s"
   vehicle.2.speed = "30 mph ± 1 mph"
   vehicle.2.delta_v_magnitude = { value = "24 km/h", resolution = "1 km/h" }
+  vehicle.2.recorder = { file = "edr.csv" }    # velocity change and speed: `record --help`
   [unknown]                          # start, bounds and prior sd, each optional
   vehicle.1.speed = { start = "30 mph", min = "0 mph" }
   contact.restitution = { start = 0.1, min = 0, max = 0.3 }
@@ -285,5 +324,6 @@ its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml
   planar-impact reconstruct cli/examples/reconstruct/two-cars.toml
+  planar-impact reconstruct cli/examples/reconstruct/recorder.toml
   planar-impact reconstruct cli/examples/reconstruct/two-cars.toml --brief --probability "v1 > 50 km/h"
   planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --seed 7"#;

@@ -48,7 +48,7 @@ fn every_example_of_the_help_runs_as_printed() {
         let name = format!("cli/examples/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));
         folder.write(&name, &fs::read(&path).expect("the example can be read"));
     }
-    for kind in ["batch", "check", "tests", "reconstruct", "uncertainty"] {
+    for kind in ["batch", "check", "tests", "reconstruct", "record", "uncertainty"] {
         for file in fs::read_dir(workspace().join("cli/examples").join(kind)).expect("a folder") {
             let path = file.expect("an entry").path();
             let name = format!("cli/examples/{kind}/{}", path.file_name().and_then(|name| name.to_str()).expect("a plain name"));

@@ -59,7 +59,8 @@ fn the_files_are_up_to_date() {
 #[test]
 fn the_examples_name_their_schema_and_validate() {
     let tests = files_in("cli/examples/tests");
-    for (name, paths) in [("case", cases()), ("tests", tests)] {
+    let recordings = files_in("cli/examples/record").into_iter().filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    for (name, paths) in [("case", cases()), ("tests", tests), ("recording", recordings)] {
         let validator = validator(&schema(name));
         for path in paths {
             let text = fs::read_to_string(&path).expect("the example can be read");

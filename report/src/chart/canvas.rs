@@ -13,6 +13,7 @@ use plotters::prelude::{
 use planar_impact_app::issue::Issues;
 use planar_impact_app::plain_text::{clean, shorten};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use quick_xml::escape::escape;
 
 /// An area to draw on.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -63,7 +64,7 @@ pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area
     let Some((root, drawing)) = text.strip_prefix(&size(1)).and_then(|rest| rest.split_once('>')) else {
         return Err(Issues::defect("the chart has no size"));
     };
-    let titled = |element: &str, words: &str| format!("<{element}>{}</{element}>", escaped(&printable(words)));
+    let titled = |element: &str, words: &str| format!("<{element}>{}</{element}>", escape(printable(words)));
     let (title, description) = (titled("title", shorten(title, LONGEST_TITLE).trim()), titled("desc", description));
     Ok(format!("{}{root} role=\"img\">\n{title}\n{description}{drawing}", size(FINE)))
 }
@@ -71,10 +72,6 @@ pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area
 /// Replaces the characters that XML does not allow, and those that a document interprets.
 fn printable(text: &str) -> String {
     clean(text).replace(['\u{fffe}', '\u{ffff}'], " ")
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Axes with names and units.

@@ -10,10 +10,10 @@ use super::charted::Charted;
 use planar_impact_app::sweep::Range;
 use planar_impact_app::units::Measure;
 
-const PANEL: u32 = px(300);
-const LEGEND: u32 = px(190);
+pub(super) const PANEL: u32 = px(300);
+pub(super) const LEGEND: u32 = px(190);
 /// Number of lines that dashes can distinguish.
-const LINES: usize = 4;
+pub(super) const LINES: usize = 4;
 /// A line with more points is thinned, because a pixel shows only its extremes.
 const FINEST: usize = 4000;
 
@@ -99,28 +99,37 @@ impl Panel {
     /// Draws a sample of each line with its name, beside the panel where there is free space.
     fn legend(&self, sweep: &Charted<'_>, area: &Area<'_>) -> Drawn {
         let mut rows = 0;
-        for (i, (&at, style)) in self.outputs.iter().zip(STYLES).enumerate() {
-            let y = 30 + rows * 16 + 10 * i as i32;
-            style.sample(area, 8, 48, y)?;
-            let output = sweep.outputs[at];
+        for (i, &at) in self.outputs.iter().enumerate() {
+            let (y, output) = (row_of(i, rows), sweep.outputs[at]);
+            rows += sample(area, i, rows, &output.short_name())?;
             if runs(&range(sweep).shown, sweep.column(at)).any(|run| run.len() == 1) {
                 draw_marker(area, (px(28) as i32, y * px(1) as i32), i)?;
-            }
-            let name = output.short_name();
-            let parts = wrapped(&name);
-            rows += parts.len() as i32;
-            for (row, part) in parts.iter().enumerate() {
-                write(area, part, 17, (56, y - 8 + 16 * row as i32))?;
             }
         }
         Ok(())
     }
 }
 
+/// Returns the height of a sample in a legend, below rows of text.
+fn row_of(line: usize, rows: i32) -> i32 {
+    30 + rows * 16 + 10 * line as i32
+}
+
+/// Draws a sample of a line with its name below rows of text; returns the number of rows of its name.
+pub(super) fn sample(area: &Area<'_>, line: usize, rows: i32, name: &str) -> Drawn<i32> {
+    let y = row_of(line, rows);
+    STYLES[line].sample(area, 8, 48, y)?;
+    let parts = wrapped(name);
+    for (row, part) in parts.iter().enumerate() {
+        write(area, part, 17, (56, y - 8 + 16 * row as i32))?;
+    }
+    Ok(parts.len() as i32)
+}
+
 /// Splits a long dotted name into parts that fit beside its sample.
 fn wrapped(name: &str) -> Vec<String> {
     let mut parts: Vec<String> = vec![String::new()];
-    for piece in name.split_inclusive(['.', '_']) {
+    for piece in name.split_inclusive(['.', '_', ' ']) {
         match parts.last_mut() {
             Some(last) if last.chars().count() + piece.chars().count() <= 15 => last.push_str(piece),
             _ => parts.push(piece.to_owned()),
@@ -129,7 +138,7 @@ fn wrapped(name: &str) -> Vec<String> {
     parts
 }
 
-fn draw_run(chart: &mut Chart<'_, '_>, run: &[(f64, f64)], line: usize) -> Drawn {
+pub(super) fn draw_run(chart: &mut Chart<'_, '_>, run: &[(f64, f64)], line: usize) -> Drawn {
     match run {
         [] => Ok(()),
         // A point between two gaps is not a line, but must be visible.
@@ -161,7 +170,7 @@ fn runs<'a>(x: &'a [f64], y: &'a [f64]) -> impl Iterator<Item = Vec<(f64, f64)>>
 }
 
 /// Thins a line for the screen: keeps the ends and the extremes of each of a thousand sections.
-fn thinned(run: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+pub(super) fn thinned(run: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if run.len() <= FINEST {
         return run;
     }

@@ -78,14 +78,14 @@ impl From<NoCell> for QuantityError {
 }
 
 /// The rows of a CSV text that are not empty, each with its line.
-struct Rows<'a> {
+pub(crate) struct Rows<'a> {
     reader: Reader,
     rest: &'a [u8],
     line: usize,
 }
 
 impl<'a> Rows<'a> {
-    fn of(text: &'a str) -> Rows<'a> {
+    pub(crate) fn of(text: &'a str) -> Rows<'a> {
         Rows { reader: Reader::new(), rest: text.as_bytes(), line: 1 }
     }
 

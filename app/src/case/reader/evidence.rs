@@ -19,7 +19,11 @@ pub(super) struct Piece<'a> {
     measured: Measured,
 }
 
-impl Piece<'_> {
+impl<'a> Piece<'a> {
+    pub(super) fn new(of: Measurand, place: Field<'a>, measured: Measured) -> Self {
+        Piece { of, place, measured }
+    }
+
     /// Returns its value, if the file gives a number.
     pub(super) fn number(&self) -> Option<f64> {
         match self.measured.amount {
@@ -52,6 +56,9 @@ impl CaseReader {
     }
 
     fn piece<'a>(&self, name: &str, field: Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<()> {
+        if let Some(read) = self.recorded(name, &field, found) {
+            return read;
+        }
         if let Some(of) = named(name) {
             let place = field.clone();
             let measured = self.measured(field, of.measure())?;

@@ -1,5 +1,7 @@
 //! The key `stiffness.tests`: a stiffness that is fitted to the barrier tests of another file, with its covariance.
 
+use std::path::Path;
+
 use planar_impact::Distribution;
 use planar_impact::barrier::{CrushModel, StiffnessFit};
 use planar_impact::crush::CrushStiffness;
@@ -77,6 +79,14 @@ impl CaseReader {
         open(name).map_err(|issues| report(&place, &issues)).ok()
     }
 
+    /// Opens a file that another file names.
+    pub(super) fn open_at(&self, path: &Path) -> Result<Source, Issues> {
+        match &self.open {
+            Some(open) => open(&path.to_string_lossy()),
+            None => Err(Issues::defect("a file cannot be opened here")),
+        }
+    }
+
     /// Returns `true` if an input is fitted to tests.
     pub(super) fn is_fitted(&self, parameter: Parameter) -> bool {
         self.fitted.borrow().iter().flat_map(|fitted| &fitted.of).any(|(of, _)| of.contains(&parameter))
@@ -141,7 +151,7 @@ impl FittedToTests {
 }
 
 /// Reports what is wrong with a file at the key that names it.
-fn report(place: &Field<'_>, issues: &Issues) {
+pub(crate) fn report(place: &Field<'_>, issues: &Issues) {
     for issue in issues.list() {
         let at = match issues.line(issue) {
             Some(line) => format!("{}:{line}: ", issues.source().name),

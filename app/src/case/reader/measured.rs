@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use planar_impact::Distribution;
+use planar_impact::barrier::Estimate;
 use planar_impact::reconstruct::Uncertainty;
 
 use super::CaseReader;
@@ -112,6 +113,14 @@ impl CaseReader {
             },
             _ => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
         }
+    }
+
+    /// Reads a positive value with its uncertainty, as an estimate.
+    pub(crate) fn positive_estimate(&self, field: Field<'_>, measure: Measure) -> Option<Estimate> {
+        let place = field.clone();
+        let Measured { amount: Amount::Number(value), spread } = self.measured(field, measure)? else { return None };
+        let value = self.above_zero(&place, value, measure.into())?;
+        Some(Estimate::with_deviation(value, spread.of(value).standard_deviation().unwrap_or(0.0)))
     }
 
     fn amount(&self, field: Field<'_>, measure: Measure) -> Option<Amount> {

@@ -150,7 +150,7 @@ fn enough(values: &[f64], kind: Kind) -> Result<(), (String, String)> {
 }
 
 /// Reads a cell of a column, with the unit of the header if it has one.
-fn read_cell(cell: &str, unit: Option<(&str, Conversion)>, kind: Kind) -> Result<Quantity, QuantityError> {
+pub(crate) fn read_cell(cell: &str, unit: Option<(&str, Conversion)>, kind: Kind) -> Result<Quantity, QuantityError> {
     let Some((unit, conversion)) = unit else { return quantity::parse_word(cell, kind) };
     let value = quantity::finite(cell)?;
     let si = conversion.to_si(value);

@@ -58,6 +58,10 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
         ["new_cars_as_one", "negative_A"]
             .map(|name| ("stiffness", printed(&["stiffness", &format!("cli/tests/reproducers/{name}.toml"), "--format", "json"]))),
     );
+    all.extend(
+        ["barrier.toml", "edr.csv"]
+            .map(|name| ("record", printed(&["record", &format!("cli/examples/record/{name}"), "--format", "json"]))),
+    );
     for (verb, format) in [("check", "json"), ("sarif", "sarif")] {
         all.extend(RECORDS.map(|name| (verb, printed(&["check", &format!("cli/examples/check/{name}"), "--format", format]))));
     }

@@ -1,0 +1,186 @@
+//! Evidence from recordings: `vehicle.N.recorder`, `contact.record`, and the restitution of a barrier test.
+
+use planar_impact::Side;
+use planar_impact::reconstruct::{Measurand, Variable};
+use planar_impact::{Input, Output};
+
+use super::CaseReader;
+use super::evidence::Piece;
+use super::fitted::report;
+use super::measured::{Amount, Measured, Spread};
+use crate::document::{Field, Table};
+use crate::notice::Notice;
+use crate::quantity::Kind;
+use crate::record::{Barrier, RecordAnswer, Recording, Uncertain};
+
+/// What of a recorder may be evidence.
+const USES: [&str; 5] = ["delta_v_forward", "delta_v_left", "delta_v_magnitude", "pdof", "speed"];
+
+impl CaseReader {
+    /// Reads the pieces of evidence of a recording, if `name` is that of one; `None` for another name.
+    pub(super) fn recorded<'a>(&self, name: &str, field: &Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<Option<()>> {
+        match name {
+            "vehicle.1.recorder" => Some(self.recorder(field, Side::One, found)),
+            "vehicle.2.recorder" => Some(self.recorder(field, Side::Two, found)),
+            "contact.record" => Some(self.barrier_record(field, found)),
+            _ => None,
+        }
+    }
+
+    fn recorder<'a>(&self, field: &Field<'a>, side: Side, found: &mut Vec<Piece<'a>>) -> Option<()> {
+        let table = field.clone().table()?;
+        let positive = |key| match table.has(key) {
+            true => self.positive(table.optional(key), Kind::SPEED).map(Some),
+            false => Some(None),
+        };
+        let (resolution, range) = (positive("resolution"), positive("range"));
+        let relative = if table.has("relative") { self.coefficient(table.optional("relative"), 1.0).map(Some) } else { Some(None) };
+        let uses = if table.has("use") { uses(&table).map(Some) } else { Some(None) };
+        let mut recording = self.recording_of(&table);
+        table.finish();
+        let (resolution, range, relative, uses) = (resolution?, range?, relative?, uses?);
+        recording.as_mut()?.set_recorder(resolution, relative, range);
+        let answer = self.analysed(field, &recording?)?;
+        let Some(recorder) = &answer.recorder else {
+            let help = "name its columns delta_v_forward, delta_v_left or delta_v_right, and speed".to_owned();
+            field.report("the file has no channel of a recorder", Some(help));
+            return None;
+        };
+        let at_maximum = |of: fn(&crate::record::VelocityChange) -> Uncertain| recorder.maximum.as_ref().map(of);
+        let forward = at_maximum(|maximum| maximum.forward).or(recorder.delta_v_forward.map(|at| at.number));
+        let left = at_maximum(|maximum| maximum.left).or(recorder.delta_v_left.map(|at| at.number));
+        let all = [
+            (Measurand::DeltaVForward(side), forward),
+            (Measurand::DeltaVLeft(side), left),
+            (Measurand::Output(Output::DeltaVMagnitude(side)), at_maximum(|maximum| maximum.magnitude)),
+            (Measurand::Output(Output::PrincipalDirectionOfForce(side)), recorder.maximum.and_then(|maximum| maximum.pdof)),
+            (Measurand::Variable(Variable::Speed(side)), recorder.speed_at_impact.map(|at| at.number)),
+        ];
+        let mut sound = true;
+        for ((of, number), key) in all.into_iter().zip(USES) {
+            // Magnitude and direction repeat the components, so they are used only on request.
+            let usual = number.is_some() && !["delta_v_magnitude", "pdof"].contains(&key);
+            if !uses.as_ref().map_or(usual, |uses| uses.contains(&key)) {
+                continue;
+            }
+            let Some(number) = number else {
+                field.report(format!("{} does not record {key}", answer.file), Some("leave it out of `use`".to_owned()));
+                sound = false;
+                continue;
+            };
+            if recorder.is_lower_bound && key != "speed" {
+                let bounds = answer.channels.iter().filter(|channel| channel.clipped.is_some() || channel.is_truncated);
+                let names: Vec<&str> = bounds.map(|channel| channel.name.as_str()).collect();
+                let message =
+                    format!("{} of {} is clipped or truncated: {key} is a lower bound, not a value", names.join(", "), answer.file);
+                let help = "`planar-impact record` shows it; give use = [\"speed\"] to leave the velocity change out".to_owned();
+                field.report_as("clipped", message, Some(help));
+                return None;
+            }
+            sound &= self.push(field, of, key, number, found).is_some();
+        }
+        sound.then_some(())
+    }
+
+    fn barrier_record<'a>(&self, field: &Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<()> {
+        let table = field.clone().table()?;
+        let recording = self.recording_of(&table);
+        table.finish();
+        let answer = self.analysed(field, &recording?)?;
+        let ratio = answer.barrier.as_ref().and_then(|barrier| barrier.impulse_ratio);
+        let restitution = restitution(&answer);
+        if ratio.is_none() && restitution.is_none() {
+            let help = "it needs both banks of force, or a restitution: mass and speed of the vehicle, or a film".to_owned();
+            field.report(format!("{} has neither an impulse ratio nor a restitution", answer.file), Some(help));
+            return None;
+        }
+        let pieces = [
+            (Measurand::Output(Output::ImpulseRatio), "impulse_ratio", ratio),
+            (Measurand::Variable(Variable::Input(Input::Restitution)), "restitution", restitution),
+        ];
+        let read = pieces.into_iter().filter_map(|(of, key, number)| Some(self.push(field, of, key, number?, found)));
+        read.collect::<Vec<_>>().into_iter().collect()
+    }
+
+    /// Reads { record = "file" } in place of a restitution: its value and its standard deviation.
+    pub(crate) fn recorded_restitution(&self, field: &Field<'_>) -> Option<[f64; 2]> {
+        let table = field.clone().table()?;
+        let source = self.recording_at(table.required("record"));
+        table.finish();
+        let answer = self.analysed(field, &source?)?;
+        let Some(Uncertain { value, sd }) = restitution(&answer) else {
+            let help = "it needs mass and speed with forces, speed with an acceleration, or a film".to_owned();
+            field.report(format!("{} has no restitution", answer.file), Some(help));
+            return None;
+        };
+        if !(0.0..=1.0).contains(&value) {
+            field.report(format!("the restitution of {} is {value}; it must be from 0 to 1", answer.file), None);
+            return None;
+        }
+        let Some(sd) = sd else {
+            let help = "record the unloaded channels before the contact, or give `restitution` and `restitution_sd`".to_owned();
+            field.report(format!("the restitution of {} has no standard deviation", answer.file), Some(help));
+            return None;
+        };
+        Some([value, sd])
+    }
+
+    fn recording_of(&self, table: &Table<'_>) -> Option<Recording> {
+        self.recording_at(table.required("file"))
+    }
+
+    fn recording_at(&self, field: Field<'_>) -> Option<Recording> {
+        let (place, name) = (field.clone(), field.clone().string().unwrap_or_default().to_owned());
+        let source = self.opened(field, "give the values in the file itself")?;
+        // A recording may name its samples, which lie beside it.
+        let folder = std::path::Path::new(&name).parent().map(std::path::Path::to_path_buf).unwrap_or_default();
+        Recording::parse_by(source, |name| self.open_at(&folder.join(name))).map_err(|issues| report(&place, &issues)).ok()
+    }
+
+    fn analysed(&self, field: &Field<'_>, recording: &Recording) -> Option<RecordAnswer> {
+        let (answer, notices) = recording.analyse().map_err(|issues| report(field, &issues)).ok()?;
+        let path = field.path().to_owned();
+        let at_path = |notice: Notice| {
+            let message = crate::Message::from(format!("{path}: ")).join(notice.message);
+            Notice { path: path.clone(), message, ..notice }
+        };
+        self.notices.borrow_mut().extend(recording.notices.0.iter().cloned().chain(notices).map(at_path));
+        Some(answer)
+    }
+
+    fn push<'a>(&self, field: &Field<'a>, of: Measurand, key: &str, number: Uncertain, found: &mut Vec<Piece<'a>>) -> Option<()> {
+        let Some(sd) = number.sd.filter(|sd| *sd > 0.0) else {
+            let help = "give its resolution, or the unloaded channels before the contact".to_owned();
+            field.report(format!("the standard deviation of {key} is not known"), Some(help));
+            return None;
+        };
+        let measured = Measured { amount: Amount::Number(number.value), spread: Spread::StandardDeviation(sd) };
+        found.push(Piece::new(of, field.clone(), measured));
+        Some(())
+    }
+}
+
+fn uses(table: &Table<'_>) -> Option<Vec<&'static str>> {
+    let field = table.optional("use");
+    let place = field.clone();
+    let items = field.items(&format!("an array of {}", USES.join(", ")), 1..=USES.len())?;
+    let chosen: Vec<&str> = items.into_iter().map(|item| item.choice(&USES)).collect::<Option<_>>()?;
+    let has = |keys: [&str; 2]| keys.iter().any(|key| chosen.contains(key));
+    if has(["delta_v_forward", "delta_v_left"]) && has(["delta_v_magnitude", "pdof"]) {
+        let help = "use the components, or magnitude and pdof".to_owned();
+        place.report_as(
+            "contradiction",
+            "magnitude and direction say the same as the components: the record would count twice",
+            Some(help),
+        );
+        return None;
+    }
+    Some(chosen)
+}
+
+/// Returns the restitution that a recording has: that of its load cells, or else of an acceleration, or of a film.
+fn restitution(answer: &RecordAnswer) -> Option<Uncertain> {
+    let of_barrier = answer.barrier.as_ref().and_then(|barrier: &Barrier| barrier.restitution);
+    let of_acceleration = || answer.accelerations.iter().find_map(|one| one.restitution);
+    of_barrier.or_else(of_acceleration).or_else(|| answer.films.first().map(|film| film.restitution))
+}

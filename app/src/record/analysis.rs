@@ -1,0 +1,353 @@
+//! From the channels of a recording to impulse, velocity change and restitution.
+
+use planar_impact::Issue as _;
+use planar_impact::Nt;
+use planar_impact::barrier::{
+    BarrierRecord, ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_film,
+};
+
+use super::recording::{Channel, Filter};
+use super::{
+    Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Clipped, Film, Peak, RecordAnswer, Recorder, Recording, Trace, Uncertain,
+};
+use crate::issue::{Cause, Issue, Issues};
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+
+/// Samples in a local line of a film, unless the file says otherwise.
+const NEIGHBORS: usize = 9;
+/// Rounding of times, as a share of the length of a record.
+pub(super) const ROUNDING: f64 = 1e-9;
+/// Maximum number of frames of a film: smoothing takes time that grows with the square.
+const MOST_FRAMES: usize = 5000;
+
+/// What an analysis collects.
+struct Analysis<'a> {
+    of: &'a Recording,
+    issues: Vec<Issue>,
+    notices: Vec<Notice>,
+    traces: Vec<Trace>,
+}
+
+/// A pulse, integrated over the contact.
+struct Pulse {
+    integral: Estimate,
+    is_known: bool,
+    peak: Peak,
+}
+
+pub(super) fn analyse(recording: &Recording) -> Result<(RecordAnswer, Vec<Notice>), Issues> {
+    let mut all = Analysis { of: recording, issues: Vec::new(), notices: Vec::new(), traces: Vec::new() };
+    let channels: Vec<ChannelAnswer> = recording.channels.iter().map(|channel| all.channel(channel)).collect();
+    let barrier = all.barrier();
+    let accelerations = all.each(ChannelQuantity::Acceleration, Analysis::acceleration);
+    let films = all.each(ChannelQuantity::Distance, Analysis::film);
+    let recorder = Recorder::of(recording, &mut all.issues, &mut all.notices);
+    all.traces_of_recorder();
+    let Analysis { issues, notices, traces, .. } = all;
+    if !issues.is_empty() {
+        let is_physics = issues.iter().all(|issue| issue.code == "tensile");
+        return Err(recording.refuse(if is_physics { Cause::Physics } else { Cause::Input }, issues));
+    }
+    let file = recording.name.clone();
+    Ok((RecordAnswer { file, channels, barrier, accelerations, films, recorder, traces }, notices))
+}
+
+impl Channel {
+    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme.
+    pub(super) fn clipped(&self) -> Option<Clipped> {
+        let (times, values) = (self.record.times(), self.record.values());
+        let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));
+        if let Some(first) = (0..values.len()).find(beyond) {
+            let last = first + (first..values.len()).take_while(beyond).count() - 1;
+            return Some(Clipped { value: values[first], from: times[first], to: times[last], samples: last + 1 - first });
+        }
+        let top = self.record.flat_top()?;
+        Some(Clipped { value: top.value, from: top.from, to: top.to, samples: top.samples })
+    }
+
+    /// Returns `true` if the record ends before the event does: a pulse above a tenth of its height, or a velocity change that still changes by a tenth
+    /// within the last tenth of the time; in both cases by more than two steps.
+    pub(super) fn is_truncated(&self) -> bool {
+        let (times, values) = (self.record.times(), self.record.values());
+        let (first, last) = (values[0], values[values.len() - 1]);
+        let height = values.iter().map(|value| (value - first).abs()).fold(0.0, f64::max);
+        let end = times[times.len() - 1];
+        let lately = end - 0.1 * (end - times[0]);
+        let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
+        let left = match self.quantity {
+            quantity if quantity.is_running() => (last - values[before]).abs(),
+            ChannelQuantity::Distance | ChannelQuantity::Speed => 0.0,
+            _ => (last - first).abs(),
+        };
+        left > (0.1 * height).max(2.0 * self.record.resolution().unwrap_or(0.0))
+    }
+}
+
+impl Analysis<'_> {
+    fn each<T>(&mut self, quantity: ChannelQuantity, answer: fn(&mut Self, &Channel) -> Option<T>) -> Vec<T> {
+        let of = self.of;
+        of.channels.iter().filter(|channel| channel.quantity == quantity).filter_map(|channel| answer(self, channel)).collect()
+    }
+
+    /// Describes a channel, and says if it does not hold the whole event.
+    fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
+        let (times, measure) = (channel.record.times(), channel.quantity.measure());
+        let (clipped, is_truncated) = (channel.clipped(), channel.is_truncated());
+        if let Some(Clipped { value, from, to, samples }) = clipped {
+            let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
+                .figure(measure, value)
+                .text(" from ")
+                .figure(Measure::Time, from)
+                .text(" to ")
+                .figure(Measure::Time, to)
+                .text("; what follows from it is too small in magnitude");
+            self.notices.push(Notice::warning("clipped", channel.path.clone(), message));
+        }
+        if is_truncated {
+            let message = Message::from(format!("{} is truncated: it ends at ", channel.name))
+                .figure(Measure::Time, times[times.len() - 1])
+                .text(" before the event is over; what follows from it is incomplete");
+            self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
+        }
+        ChannelAnswer {
+            name: channel.name.clone(),
+            quantity: channel.quantity,
+            samples: times.len(),
+            from: times[0],
+            to: times[times.len() - 1],
+            period: period(&channel.record),
+            resolution: channel.record.resolution(),
+            clipped,
+            is_truncated,
+        }
+    }
+
+    fn report<T>(&mut self, path: &str, result: Result<T, TestIssues>) -> Option<T> {
+        let issues = match result {
+            Ok(value) => return Some(value),
+            Err(issues) => issues,
+        };
+        for issue in issues.iter() {
+            let place = issue.place().map(|place| place.name);
+            let (path, name) = match place {
+                Some("window from" | "window to") => (path, "the window: "),
+                Some("channel") => (path, "a channel: "),
+                Some("samples in the baseline") => (path, "the baseline: "),
+                Some("time") => (path, "separation: "),
+                _ => (path, ""),
+            };
+            let message = Message::from(name).join(issue.message());
+            let help = issue.help().unwrap_or_else(|| "correct the times and the settings of the recording".into());
+            self.issues.push(Issue::at(issue.code(), path, message).with_help(help));
+        }
+        None
+    }
+
+    /// Returns the window of the contact and that of the unloaded channel before it.
+    fn windows(&mut self, record: &Record) -> Option<(Window, Option<Window>)> {
+        let times = record.times();
+        let (first, last) = (times[0], times[times.len() - 1]);
+        let over = self.of.settings.window.unwrap_or(Window { from: first.max(0.0), to: last });
+        // Times computed from a start and a step are rounded.
+        let slack = ROUNDING * (last - first);
+        let unloaded = times.iter().copied().filter(|time| *time < over.from.min(0.0) - slack);
+        let (count, end) = unloaded.fold((0, first), |(count, _), time| (count + 1, time));
+        let before = self.of.settings.baseline.or((count > 1).then_some(Window { from: first, to: end }));
+        if let Some(before) = before.filter(|before| before.to > over.from) {
+            let message = Message::from("the channels are loaded from ")
+                .figure(Measure::Time, over.from)
+                .text(", and the baseline lasts to ")
+                .figure(Measure::Time, before.to);
+            self.issues.push(Issue::at("contradiction", "baseline", message).with_help("end it where `window` begins, or before"));
+            return None;
+        }
+        Some((over, before))
+    }
+
+    /// Integrates a pulse from the raw record, and draws it filtered.
+    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Pulse> {
+        let (over, before) = self.windows(record)?;
+        let integral = match &before {
+            Some(before) => record.impulse(&over, before),
+            None => record.impulse_over(&over).map(|value| Estimate { value, variance: 0.0 }),
+        };
+        let place = if self.of.settings.window.is_some() { "window" } else { path };
+        let integral = self.report(place, integral)?;
+        if before.is_none() {
+            let message = format!("{name}: no samples before the contact, so its offset is taken as zero and its noise is not known");
+            self.notices.push(Notice::note("no-baseline", path, message));
+        }
+        let corrected = match &before {
+            Some(before) => self.report("baseline", record.corrected(before))?,
+            None => record.clone(),
+        };
+        let class = self.class(name, path, quantity, record);
+        let filtered = match class {
+            Some(class) => self.report("filter", corrected.filtered(class))?,
+            None => corrected,
+        };
+        let (times, values) = (filtered.times(), filtered.values().to_vec());
+        let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
+        let peak = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))?;
+        let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
+        self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values });
+        Some(Pulse { integral, is_known: before.is_some(), peak })
+    }
+
+    /// Returns the class of the filter: the one that the file gives, or else that of the quantity if the record is fast enough.
+    fn class(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<ChannelClass> {
+        let usual = match self.of.settings.filter {
+            Filter::Class(class) => return Some(class),
+            Filter::Off => return None,
+            Filter::Usual => quantity.class()?,
+        };
+        if record.filtered(usual).is_ok() {
+            return Some(usual);
+        }
+        let message = Message::from(format!("{name} is not filtered: CFC {} needs equal steps of at most ", usual.number()))
+            .figure(Measure::Time, usual.longest_step());
+        self.notices.push(Notice::note("not-filtered", path, message));
+        None
+    }
+
+    fn barrier(&mut self) -> Option<Barrier> {
+        let of = self.of;
+        let mut sum = |quantity: ChannelQuantity, name: &str| -> Option<(Vec<Record>, Pulse)> {
+            let channels: Vec<&Channel> = of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
+            let records: Vec<Record> = channels.iter().map(|channel| channel.record.clone()).collect();
+            let path = channels.first()?.path.clone();
+            let total = match bank(&records) {
+                Ok(total) => total,
+                Err(issues) => {
+                    for issue in issues.iter() {
+                        let at =
+                            issue.place().and_then(|place| place.index).and_then(|i| channels.get(i)).map_or(path.as_str(), |c| &c.path);
+                        let help = format!("list the channels of a bank, here {}, at the times of {}", quantity.name(), channels[0].name);
+                        self.issues.push(Issue::at(issue.code(), at, issue.message()).with_help(help));
+                    }
+                    return None;
+                }
+            };
+            let pulse = self.pulse(name, &path, quantity, &total)?;
+            Some((records, pulse))
+        };
+        let normal = sum(ChannelQuantity::NormalForce, "normal force");
+        let tangential = sum(ChannelQuantity::TangentialForce, "tangential force");
+        let first = of.channels.iter().find(|channel| channel.quantity == ChannelQuantity::NormalForce);
+        if let (Some((_, pulse)), Some(first)) = (&normal, first)
+            && pulse.integral.value <= 0.0
+        {
+            let message =
+                Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(": the barrier would pull");
+            let help = "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed";
+            self.issues.push(Issue::at("tensile", first.path.clone(), message).with_help(help));
+            return None;
+        }
+        let ratio = normal.as_ref().zip(tangential.as_ref()).and_then(|((normal, n), (tangential, t))| {
+            let record = BarrierRecord { normal: normal.clone(), tangential: tangential.clone() };
+            let is_known = n.is_known && t.is_known;
+            let ratio = match self.windows(&normal[0])? {
+                (over, Some(before)) if is_known => record.ratio(&over, &before),
+                _ => impulse_ratio(Nt { n: n.integral.value, t: t.integral.value }).map(|value| Estimate { value, variance: 0.0 }),
+            };
+            self.report("window", ratio).map(|ratio| Uncertain::of(ratio, is_known))
+        });
+        if normal.is_none() && tangential.is_none() {
+            return None;
+        }
+        let impulse = |bank: &Option<(Vec<Record>, Pulse)>| bank.as_ref().map(|(_, pulse)| Uncertain::of(pulse.integral, pulse.is_known));
+        let change = normal.as_ref().and_then(|(_, pulse)| Some((pulse.integral.over(of.settings.mass?), pulse.is_known)));
+        Some(Barrier {
+            normal_impulse: impulse(&normal),
+            tangential_impulse: impulse(&tangential),
+            impulse_ratio: ratio,
+            peak_force: normal.as_ref().map(|(_, pulse)| pulse.peak),
+            delta_v: change.map(|(change, is_known)| Uncertain::of(change, is_known)),
+            restitution: change.and_then(|(change, is_known)| self.restitution("the load cells", change, is_known)),
+        })
+    }
+
+    /// Returns the restitution of the center of mass from its velocity change, e = ΔV/v − 1.
+    fn restitution(&mut self, source: &str, change: Estimate, is_known: bool) -> Option<Uncertain> {
+        let ratio = change.over(self.of.settings.speed?);
+        let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
+        self.plausible(source, restitution.value);
+        Some(Uncertain::of(restitution, is_known))
+    }
+
+    fn plausible(&mut self, source: &str, restitution: f64) {
+        if !(0.0..=1.0).contains(&restitution) {
+            let message = Message::from(format!("the restitution by {source} is "))
+                .figure(Measure::Ratio, restitution)
+                .text(", and not from 0 to 1; check mass, speed, calibration and window");
+            self.notices.push(Notice::warning("implausible-restitution", "speed", message));
+        }
+    }
+
+    fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
+        let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record)?;
+        let impulse = self.of.settings.mass.map(|mass| {
+            let variance = integral.variance * mass.value * mass.value + integral.value * integral.value * mass.variance;
+            Uncertain::of(Estimate { value: integral.value * mass.value, variance }, is_known)
+        });
+        let restitution = self.restitution(&channel.name, integral, is_known);
+        Some(Accelerated { channel: channel.name.clone(), delta_v: Uncertain::of(integral, is_known), impulse, peak, restitution })
+    }
+
+    fn film(&mut self, channel: &Channel) -> Option<Film> {
+        let (record, settings) = (&channel.record, &self.of.settings);
+        self.traces.push(plain(channel));
+        if record.len() > MOST_FRAMES {
+            let message = format!("it has {} frames; at most {MOST_FRAMES} are accepted", record.len());
+            self.issues
+                .push(Issue::at("too-many", channel.path.clone(), message).with_help("leave out frames before and after the contact"));
+            return None;
+        }
+        let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };
+        let times = record.times();
+        let (first, last) = (times[0], times[times.len() - 1]);
+        let contact = settings.window.map_or(first.max(0.0), |window| window.from);
+        let separation = settings.separation.or(settings.window.map(|window| window.to)).unwrap_or(last);
+        let closing = match settings.speed {
+            Some(speed) => speed,
+            None => {
+                // The frames before the contact alone: a local line must not reach into it.
+                let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
+                let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
+                let slope = before.and_then(|before| lowess.smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
+                let Ok(slope) = slope else {
+                    let message = format!("{count} frames up to the contact are too few for a closing speed");
+                    let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
+                    self.issues.push(Issue::at("no-closing-speed", channel.path.clone(), message).with_help(help));
+                    return None;
+                };
+                Estimate { value: -slope.value, ..slope }
+            }
+        };
+        let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
+        let restitution = self.report(path, restitution_from_film(record, lowess, separation, closing))?;
+        self.plausible(&channel.name, restitution.value);
+        let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
+        Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
+    }
+
+    fn traces_of_recorder(&mut self) {
+        let speeds = self.of.channels.iter().filter(|channel| channel.quantity.measure() == Measure::Speed);
+        self.traces.extend(speeds.map(plain));
+    }
+}
+
+fn plain(channel: &Channel) -> Trace {
+    let (name, quantity, filter) = (channel.name.clone(), channel.quantity, None);
+    Trace { name, quantity, filter, times: channel.record.times(), values: channel.record.values().to_vec() }
+}
+
+/// Returns the time from one sample to the next, if it is the same for all.
+pub(super) fn period(record: &Record) -> Option<f64> {
+    match record.clock() {
+        Clock::Uniform { step, .. } => Some(*step),
+        _ => None,
+    }
+}

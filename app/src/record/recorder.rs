@@ -1,0 +1,243 @@
+//! What an event data recorder kept: velocity changes over time, and speeds before the impact.
+
+use planar_impact::barrier::Record;
+use planar_impact::{ForceDirection, ForwardLeft};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::analysis::ROUNDING;
+use super::recording::Channel;
+use super::{ChannelQuantity, Recording, Uncertain};
+use crate::issue::Issue;
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+
+/// What an event data recorder kept, in SI and radians.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Recorder {
+    /// The longitudinal velocity change of greatest magnitude, forward positive; `null` if it is not recorded.
+    pub delta_v_forward: Option<AtTime>,
+    /// The lateral velocity change of greatest magnitude, to the left positive; `null` if it is not recorded.
+    pub delta_v_left: Option<AtTime>,
+    /// The greatest velocity change of both together; `null` unless both are recorded.
+    pub maximum: Option<VelocityChange>,
+    /// `true` if a velocity change is clipped or truncated: the true one is greater.
+    pub is_lower_bound: bool,
+    /// Speeds before the impact.
+    pub pre_crash: Vec<PreCrash>,
+    /// The speed at the impact; `null` if no speed is recorded.
+    pub speed_at_impact: Option<AtImpact>,
+}
+
+/// A value with its uncertainty and its time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AtTime {
+    /// The value in m/s.
+    #[serde(flatten)]
+    pub number: Uncertain,
+    /// Its time, in s.
+    pub time: f64,
+}
+
+/// The greatest velocity change.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct VelocityChange {
+    /// Its time, in s.
+    pub time: f64,
+    /// Its magnitude, in m/s.
+    pub magnitude: Uncertain,
+    /// Its longitudinal component at that time, forward positive, in m/s.
+    pub forward: Uncertain,
+    /// Its lateral component at that time, to the left positive, in m/s.
+    pub left: Uncertain,
+    /// Principal direction of force, clockwise from straight ahead, in rad; `null` without a velocity change.
+    pub pdof: Option<Uncertain>,
+}
+
+/// A row of the table of speeds before the impact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PreCrash {
+    /// The time, in s; zero is the impact.
+    pub time: f64,
+    /// The speed, in m/s.
+    pub speed: f64,
+}
+
+/// The speed at the impact: the last one that was stored before it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AtImpact {
+    /// The speed in m/s, and its standard deviation: that of the resolution, and what it may have changed by since it was stored.
+    #[serde(flatten)]
+    pub number: Uncertain,
+    /// When it was stored, in s.
+    pub time: f64,
+}
+
+/// The resolution of a channel and its relative standard deviation.
+#[derive(Clone, Copy)]
+struct Noise {
+    step: Option<f64>,
+    relative: f64,
+}
+
+impl Noise {
+    /// Returns the noise of channels that are stored in the same steps.
+    fn of(recording: &Recording, channels: &[&Channel], notices: &mut Vec<Notice>) -> Noise {
+        let found = channels.iter().filter_map(|channel| channel.record.resolution()).reduce(f64::min);
+        let given = recording.settings.resolution;
+        if given.is_none() && !channels.is_empty() {
+            let name = channels.iter().map(|channel| channel.name.as_str()).collect::<Vec<_>>().join(" and ");
+            let message = match found {
+                Some(step) => {
+                    Message::from(format!("the resolution of {name} is taken as ")).figure(Measure::Speed, step).text(", the least step")
+                }
+                None => Message::from(format!("{name}: constant, which does not tell the resolution: the standard deviation is not known")),
+            };
+            notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
+        }
+        Noise { step: given.or(found), relative: recording.settings.relative }
+    }
+
+    fn sd(self, value: f64) -> Option<f64> {
+        self.step.map(|step| (step / 12.0_f64.sqrt()).hypot(self.relative * value))
+    }
+
+    fn with(self, value: f64) -> Uncertain {
+        Uncertain { value: value + 0.0, sd: self.sd(value) }
+    }
+}
+
+/// A component of the velocity change: its channel, its values with the sign of the answer, and its noise.
+struct Component<'a> {
+    channel: &'a Channel,
+    times: Vec<f64>,
+    values: Vec<f64>,
+    noise: Noise,
+}
+
+impl<'a> Component<'a> {
+    fn of(channel: &'a Channel, noise: Noise) -> Component<'a> {
+        let sign = if channel.quantity == ChannelQuantity::DeltaVRight { -1.0 } else { 1.0 };
+        let values = channel.record.values().iter().map(|value| sign * value).collect();
+        Component { channel, times: channel.record.times(), values, noise }
+    }
+
+    fn extreme(&self) -> AtTime {
+        let at = greatest(self.values.iter().map(|value| value.abs()));
+        AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
+    }
+}
+
+/// Returns the index of the greatest of some magnitudes, the first of several.
+fn greatest(values: impl Iterator<Item = f64>) -> usize {
+    values.enumerate().fold((0, f64::NEG_INFINITY), |best, (i, value)| if value > best.1 { (i, value) } else { best }).0
+}
+
+impl Recorder {
+    /// Returns what the channels of a recorder tell; `None` without any.
+    pub(super) fn of(recording: &Recording, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<Recorder> {
+        use ChannelQuantity as Q;
+        let mut one = |quantities: &[Q]| -> Option<&Channel> {
+            let mut found = recording.channels.iter().filter(|channel| quantities.contains(&channel.quantity));
+            let first = found.next();
+            for other in found {
+                let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
+                let help = format!("keep one of them: {}", names.join(" or "));
+                issues.push(Issue::at("contradiction", other.path.clone(), "a recorder has one channel of this kind").with_help(help));
+            }
+            first
+        };
+        let (forward, left, speed) = (one(&[Q::DeltaVForward]), one(&[Q::DeltaVLeft, Q::DeltaVRight]), one(&[Q::Speed]));
+        if forward.is_none() && left.is_none() && speed.is_none() {
+            return None;
+        }
+        let noise = Noise::of(recording, &forward.into_iter().chain(left).collect::<Vec<_>>(), notices);
+        let [forward, left] = [forward, left].map(|channel| channel.map(|channel| Component::of(channel, noise)));
+        let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
+        let components = || forward.iter().chain(&left);
+        let pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
+        let speed_at_impact = speed.and_then(|speed| {
+            let noise = Noise::of(recording, &[speed], notices);
+            at_impact(&pre_crash, noise, &speed.path, issues, notices)
+        });
+        for component in components() {
+            if let (Some(first), Some(step)) = (component.values.first(), component.noise.step)
+                && component.times[0] > 0.0
+                && first.abs() > 2.0 * step
+            {
+                let message = Message::from(format!("{} begins at ", component.channel.name))
+                    .figure(Measure::Time, component.times[0])
+                    .text(" with ")
+                    .figure(Measure::Speed, *first)
+                    .text(": the impact had begun before it");
+                notices.push(Notice::warning("begins-late", component.channel.path.clone(), message));
+            }
+        }
+        Some(Recorder {
+            delta_v_forward: forward.as_ref().map(Component::extreme),
+            delta_v_left: left.as_ref().map(Component::extreme),
+            maximum,
+            is_lower_bound: components().any(|of| of.channel.clipped().is_some() || of.channel.is_truncated()),
+            pre_crash,
+            speed_at_impact,
+        })
+    }
+}
+
+/// Returns the greatest velocity change of two components that are sampled at the same times.
+fn both(forward: &Component<'_>, left: &Component<'_>, issues: &mut Vec<Issue>) -> Option<VelocityChange> {
+    let period = forward.times.last()? - forward.times.first()?;
+    let is_same = |(one, other): (&f64, &f64)| (one - other).abs() <= 1e-9 * period;
+    if forward.times.len() != left.times.len() || !forward.times.iter().zip(&left.times).all(is_same) {
+        let message = format!("it must be sampled at the same instants as {}", forward.channel.name);
+        let help = "list both velocity changes in the same rows, or record them in two files";
+        issues.push(Issue::at("instants-differ", left.channel.path.clone(), message).with_help(help));
+        return None;
+    }
+    let at = greatest(forward.values.iter().zip(&left.values).map(|(forward, left)| forward.hypot(*left)));
+    let (f, l) = (forward.values[at], left.values[at]);
+    let sds = forward.noise.sd(f).zip(left.noise.sd(l));
+    let magnitude = f.hypot(l);
+    let pdof = ForceDirection::of_push(ForwardLeft { forward: f, left: l }).direction();
+    // To first order; the two components are independent.
+    let along = |by: [f64; 2]| sds.map(|(sd_f, sd_l)| (by[0] * sd_f).hypot(by[1] * sd_l));
+    let is_moving = magnitude > 0.0;
+    Some(VelocityChange {
+        time: forward.times[at],
+        magnitude: Uncertain { value: magnitude, sd: if is_moving { along([f / magnitude, l / magnitude]) } else { along([1.0, 1.0]) } },
+        forward: forward.noise.with(f),
+        left: left.noise.with(l),
+        pdof: is_moving.then(|| Uncertain { value: pdof, sd: along([l / magnitude / magnitude, f / magnitude / magnitude]) }),
+    })
+}
+
+fn rows(record: &Record) -> impl Iterator<Item = PreCrash> {
+    record.times().into_iter().zip(record.values().to_vec()).map(|(time, speed)| PreCrash { time, speed })
+}
+
+/// Returns the last speed that was stored up to the impact. It may have changed since, at the rate at which it changed last.
+fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<AtImpact> {
+    let slack = ROUNDING * (rows.last()?.time - rows.first()?.time);
+    let before = rows.partition_point(|row| row.time <= slack);
+    let Some(last) = before.checked_sub(1).map(|last| rows[last]) else {
+        let help = "count the times from the impact: those before it are negative";
+        issues.push(Issue::at("no-speed-before-impact", path, "no speed is at or before the time zero").with_help(help));
+        return None;
+    };
+    let rate = match &rows[..before] {
+        [.., one, other] => (other.speed - one.speed) / (other.time - one.time),
+        _ => 0.0,
+    };
+    let change = if last.time < -slack { rate * -last.time } else { 0.0 };
+    if change != 0.0 {
+        let message = Message::from("the last speed is ")
+            .figure(Measure::Time, -last.time)
+            .text(" older than the impact; at its last rate it would have changed by ")
+            .figure(Measure::Speed, change)
+            .text(", which its standard deviation includes");
+        notices.push(Notice::warning("speed-before-impact", path, message));
+    }
+    let number = Uncertain { value: last.speed + 0.0, sd: noise.sd(last.speed).map(|sd| sd.hypot(change)) };
+    Some(AtImpact { number, time: last.time })
+}

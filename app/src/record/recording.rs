@@ -1,0 +1,360 @@
+//! The recording: a CSV file, or a file that names one and says what its columns are.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
+
+use super::samples::{Fault, Samples, TIME};
+use super::{ChannelQuantity, RecordAnswer};
+use crate::case::{CaseReader, report_file};
+use crate::document::{Document, Table, Value};
+use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
+use crate::notice::{Notice, Notices};
+use crate::quantity::{Kind, excerpt};
+use crate::source::{Open, Source};
+use crate::units::{Measure, Units};
+
+/// Channels over time, and what is known of the test or the vehicle.
+pub struct Recording {
+    origin: Origin,
+    /// Its name as given.
+    pub name: String,
+    /// Its title; empty if it has none.
+    pub title: String,
+    /// The units that most of its quantities are in.
+    pub units: Units,
+    /// Assumptions, such as the unit of a number without one.
+    pub notices: Notices,
+    pub(super) channels: Vec<Channel>,
+    pub(super) settings: Settings,
+}
+
+/// Where the issues of a recording are located.
+enum Origin {
+    Document(Document),
+    Samples(Arc<Source>),
+}
+
+/// A channel with its polarity and calibration applied.
+pub(super) struct Channel {
+    pub(super) name: String,
+    pub(super) quantity: ChannelQuantity,
+    pub(super) record: Record,
+    pub(super) range: Option<f64>,
+    pub(super) path: String,
+}
+
+/// The class of the filter.
+#[derive(Clone, Copy, Default)]
+pub(super) enum Filter {
+    /// That of the quantity, if the record is sampled fast enough.
+    #[default]
+    Usual,
+    Off,
+    Class(ChannelClass),
+}
+
+/// Everything that a file says beside its channels.
+#[derive(Default)]
+pub(super) struct Settings {
+    pub(super) filter: Filter,
+    pub(super) baseline: Option<Window>,
+    pub(super) window: Option<Window>,
+    pub(super) mass: Option<Estimate>,
+    pub(super) speed: Option<Estimate>,
+    pub(super) separation: Option<f64>,
+    pub(super) neighbors: Option<usize>,
+    pub(super) resolution: Option<f64>,
+    pub(super) relative: f64,
+}
+
+impl Recording {
+    /// Parses a recording: as CSV if its name ends in `.csv`, or if it ends in neither `.toml` nor `.json` and its first line names columns.
+    ///
+    /// # Errors
+    ///
+    /// Returns everything wrong with it and with the file that it names.
+    pub fn parse(source: Source, open: &Open) -> Result<Recording, Issues> {
+        Self::parse_by(source, |name| open(&name.to_string_lossy()))
+    }
+
+    /// The same with another way to open a file.
+    pub(crate) fn parse_by(source: Source, open: impl Fn(&Path) -> Result<Source, Issues>) -> Result<Recording, Issues> {
+        let extension = Path::new(&source.name).extension().map(|end| end.to_ascii_lowercase());
+        let first = source.text.trim_start().lines().next().unwrap_or_default();
+        let is_document = match extension.as_ref().and_then(|end| end.to_str()) {
+            Some("csv") => false,
+            Some("toml" | "json") => true,
+            _ => first.starts_with(['{', '#', '[']) || first.contains('='),
+        };
+        if is_document { Self::of_document(source, &open) } else { Self::of_samples(source) }
+    }
+
+    fn of_samples(source: Source) -> Result<Recording, Issues> {
+        let samples = Samples::of(&source);
+        let (mut channels, mut unused, mut faults, mut systems) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let time = samples.place(TIME).map_err(|fault| faults.push(fault)).ok();
+        for (i, header) in samples.headers.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
+            let Some(quantity) = ChannelQuantity::of_column(&header.name) else {
+                unused.push(excerpt(&header.name));
+                continue;
+            };
+            systems.extend(samples.units(i));
+            let read = samples.place(&header.name).map_err(|fault| vec![fault]).and_then(|place| match time {
+                Some(time) => samples.channel(time, place, quantity, (None, 1.0)),
+                None => Err(Vec::new()),
+            });
+            match read {
+                Ok(record) => channels.push(Channel::of(header.name.clone(), quantity, record)),
+                Err(found) => faults.extend(found),
+            }
+        }
+        if channels.is_empty() && faults.is_empty() {
+            let help = format!("name the columns {}, or write a file that says what they are", ChannelQuantity::names().join(", "));
+            faults.push(samples.fault(1, "", "no column has the name of a channel", help));
+        }
+        let mut notices = Vec::new();
+        if !unused.is_empty() {
+            let message = format!("these columns are no channels, and are not used: {}", unused.join(", "));
+            notices.push(Notice::note("unused-columns", "", message));
+        }
+        for (i, header) in samples.headers.iter().enumerate().filter(|(_, header)| header.unit.is_none()) {
+            let kind =
+                if Some(i) == time { Some(Kind::DURATION) } else { ChannelQuantity::of_column(&header.name).map(ChannelQuantity::kind) };
+            let Some(kind) = kind else { continue };
+            let message = format!("the column {} has no unit: {} assumed", header.name, kind.si);
+            notices.push(Notice::note("unit-assumed", header.name.clone(), message));
+        }
+        let us = systems.iter().filter(|units| **units == Units::Us).count();
+        let units = if 2 * us > systems.len() { Units::Us } else { Units::Si };
+        let issues = distinct(faults).into_iter().map(|fault| of_line(&source, fault)).collect::<Vec<_>>();
+        let (name, source) = (source.name.clone(), Arc::new(source));
+        if !issues.is_empty() {
+            return Err(Issues::new(Cause::Input, source, issues));
+        }
+        let settings = Settings::default();
+        let origin = Origin::Samples(source);
+        Ok(Recording { origin, name, title: String::new(), units, notices: Notices(notices), channels, settings })
+    }
+
+    fn of_document(source: Source, open: &dyn Fn(&Path) -> Result<Source, Issues>) -> Result<Recording, Issues> {
+        let name = source.name.clone();
+        let document = Document::parse(source)?;
+        let reader = CaseReader::default();
+        let (title, settings, channels) = document.read(|root| reader.recording(root, open))?;
+        let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
+        Ok(Recording { origin: Origin::Document(document), name, title, units, notices, channels, settings })
+    }
+
+    /// Says more of the channels of a recorder than the recording does.
+    pub(crate) fn set_recorder(&mut self, resolution: Option<f64>, relative: Option<f64>, range: Option<f64>) {
+        self.settings.resolution = resolution.or(self.settings.resolution);
+        self.settings.relative = relative.unwrap_or(self.settings.relative);
+        for channel in self.channels.iter_mut().filter(|channel| channel.quantity.is_running()) {
+            channel.range = range.or(channel.range);
+        }
+    }
+
+    /// Computes what the recording tells.
+    pub(crate) fn analyse(&self) -> Result<(RecordAnswer, Vec<Notice>), Issues> {
+        super::analysis::analyse(self)
+    }
+
+    /// Locates issues that the analysis finds.
+    pub(super) fn refuse(&self, cause: Cause, issues: Vec<Issue>) -> Issues {
+        match &self.origin {
+            Origin::Document(document) => document.refuse_at(cause, issues),
+            Origin::Samples(source) => {
+                let end = source.text.find(['\r', '\n']).unwrap_or(source.text.len());
+                let at_header = |issue| Issue { span: Some(0..end), ..issue };
+                Issues::new(cause, source.clone(), issues.into_iter().map(at_header).collect())
+            }
+        }
+    }
+}
+
+impl Channel {
+    fn of(name: String, quantity: ChannelQuantity, record: Record) -> Channel {
+        Channel { path: name.clone(), name, quantity, record, range: None }
+    }
+}
+
+/// Removes what several channels have found in the same line.
+fn distinct(faults: Vec<Fault>) -> Vec<Fault> {
+    let mut kept: Vec<Fault> = Vec::new();
+    let mut seen = std::collections::BTreeSet::new();
+    for fault in faults {
+        if kept.len() < MOST_KEPT && seen.insert((fault.line, fault.message.clone())) {
+            kept.push(fault);
+        }
+    }
+    kept
+}
+
+fn of_line(source: &Source, fault: Fault) -> Issue {
+    let begin: usize = source.text.split_inclusive('\n').take(fault.line.saturating_sub(1)).map(str::len).sum();
+    let length = source.text[begin..].split(['\r', '\n']).next().unwrap_or_default().len();
+    Issue { span: Some(begin..begin + length), ..Issue::at("samples", fault.column, fault.message).with_help(fault.help) }
+}
+
+type Read = (String, Settings, Vec<Channel>);
+
+impl CaseReader {
+    fn recording(&self, root: &Table<'_>, open: &dyn Fn(&Path) -> Result<Source, Issues>) -> Option<Read> {
+        let schema = root.required("schema").integer(1..=1);
+        let title = root.optional("title").string().unwrap_or_default().to_owned();
+        let field = root.required("file");
+        let place = field.clone();
+        let source = field.string().and_then(|name| open(Path::new(name)).map_err(|issues| report_file(&place, &issues)).ok());
+        let settings = self.settings(root);
+        let tables = if root.has("channel") { root.optional("channel").array_of_tables().map(Some) } else { Some(None) };
+        let (source, tables) = (source?, tables?);
+        let samples = Samples::of(&source);
+        let report = |place: &crate::document::Field<'_>, faults: Vec<Fault>| {
+            for Fault { line, column, message, help } in distinct(faults) {
+                place.report_as("samples", format!("{}:{line}: {column}: {message}", source.name), Some(help));
+            }
+        };
+        let time = samples.place(TIME).map_err(|fault| report(&place, vec![fault])).ok();
+        let mut channels = Vec::new();
+        let mut sound = true;
+        match &tables {
+            Some(tables) => {
+                for table in tables {
+                    let channel = self.channel(table, &samples, time, &|faults| report(&table.optional("column"), faults));
+                    sound &= channel.is_some();
+                    channels.extend(channel);
+                }
+            }
+            None => {
+                for (i, header) in samples.headers.iter().enumerate() {
+                    let (Some(time), Some(quantity)) = (time, ChannelQuantity::of_column(&header.name)) else { continue };
+                    match samples.channel(time, i, quantity, (None, 1.0)) {
+                        Ok(record) => channels.push(Channel::of(header.name.clone(), quantity, record)),
+                        Err(faults) => {
+                            report(&place, faults);
+                            sound = false;
+                        }
+                    }
+                }
+                if channels.is_empty() && sound {
+                    let help =
+                        format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names());
+                    place.report("no column has the name of a channel", Some(help));
+                    sound = false;
+                }
+            }
+        }
+        let settings = settings?;
+        (schema.is_some() && time.is_some() && sound && needed(root, &channels)).then_some((title, settings, channels))
+    }
+
+    fn channel(&self, table: &Table<'_>, samples: &Samples, time: Option<usize>, report: &dyn Fn(Vec<Fault>)) -> Option<Channel> {
+        let column = table.required("column").string();
+        let quantity = table.required("quantity").choice(&ChannelQuantity::names()).and_then(ChannelQuantity::of_column);
+        let polarity = if table.has("polarity") { sign(table) } else { Some(1.0) };
+        let of_kind = |key| match (table.has(key), quantity) {
+            (true, Some(quantity)) => self.positive(table.optional(key), quantity.kind().difference()).map(Some),
+            _ => Some(None),
+        };
+        let (calibration, range) = (of_kind("calibration"), of_kind("range"));
+        table.finish();
+        let (column, quantity, polarity, calibration, range) = (column?, quantity?, polarity?, calibration?, range?);
+        let place = samples.place(column).map_err(|fault| report(vec![fault])).ok()?;
+        let record = samples.channel(time?, place, quantity, (calibration, polarity)).map_err(report).ok()?;
+        Some(Channel { range, path: table.path().to_owned(), ..Channel::of(column.to_owned(), quantity, record) })
+    }
+
+    fn settings(&self, root: &Table<'_>) -> Option<Settings> {
+        let filter = if root.has("filter") { filter(root) } else { Some(Filter::Usual) };
+        let window = |key| match root.has(key) {
+            true => self.pair(root.optional(key), Kind::DURATION).map(|[from, to]| Some(Window { from, to })),
+            false => Some(None),
+        };
+        let estimate = |key, measure| match root.has(key) {
+            true => self.positive_estimate(root.optional(key), measure).map(Some),
+            false => Some(None),
+        };
+        let number = |key, kind| match root.has(key) {
+            true => self.quantity(root.optional(key), kind).map(Some),
+            false => Some(None),
+        };
+        let (baseline, contact) = (window("baseline"), window("window"));
+        let (mass, speed) = (estimate("mass", Measure::Mass), estimate("speed", Measure::Speed));
+        let separation = number("separation", Kind::DURATION);
+        let neighbors = if root.has("neighbors") { root.optional("neighbors").integer(4..=1000).map(Some) } else { Some(None) };
+        let resolution = match root.has("resolution") {
+            true => self.positive(root.optional("resolution"), Kind::SPEED).map(Some),
+            false => Some(None),
+        };
+        let relative = if root.has("relative") { self.coefficient(root.optional("relative"), 1.0) } else { Some(0.0) };
+        Some(Settings {
+            filter: filter?,
+            baseline: baseline?,
+            window: contact?,
+            mass: mass?,
+            speed: speed?,
+            separation: separation?,
+            neighbors: neighbors?.and_then(|count| usize::try_from(count).ok()),
+            resolution: resolution?,
+            relative: relative?,
+        })
+    }
+}
+
+fn sign(table: &Table<'_>) -> Option<f64> {
+    let field = table.optional("polarity");
+    let place = field.clone();
+    match field.integer(-1..=1)? {
+        0 => {
+            place.report("it is 0; expected 1, or -1 for a channel whose sign is reversed", None);
+            None
+        }
+        sign => Some(sign as f64),
+    }
+}
+
+fn filter(root: &Table<'_>) -> Option<Filter> {
+    let field = root.optional("filter");
+    if let Some(Value::Bool(false)) = field.value() {
+        return Some(Filter::Off);
+    }
+    let place = field.clone();
+    let number = field.integer(0..=i64::from(i32::MAX))?;
+    let class = ChannelClass::ALL.into_iter().find(|class| i64::from(class.number()) == number);
+    if class.is_none() {
+        let help = "the classes of SAE J211 are 60, 180, 600 and 1000; `false` is no filter".to_owned();
+        place.report(format!("{number} is no channel frequency class"), Some(help));
+    }
+    class.map(Filter::Class)
+}
+
+/// Reports each key that no channel uses.
+fn needed(root: &Table<'_>, channels: &[Channel]) -> bool {
+    use ChannelQuantity as Q;
+    let (forces, films) = ([Q::NormalForce, Q::TangentialForce, Q::Acceleration], [Q::Distance]);
+    let recorder = [Q::DeltaVForward, Q::DeltaVLeft, Q::DeltaVRight, Q::Speed];
+    let impulses = [Q::NormalForce, Q::Acceleration, Q::Distance];
+    let partners: [(&'static str, &[Q]); 9] = [
+        ("mass", &forces),
+        ("filter", &forces),
+        ("baseline", &forces),
+        ("window", &[Q::NormalForce, Q::TangentialForce, Q::Acceleration, Q::Distance]),
+        ("speed", &impulses),
+        ("separation", &films),
+        ("neighbors", &films),
+        ("resolution", &recorder),
+        ("relative", &recorder),
+    ];
+    let mut sound = true;
+    for (key, partners) in partners {
+        if root.has(key) && !channels.iter().any(|channel| partners.contains(&channel.quantity)) {
+            let names: Vec<&str> = partners.iter().map(|quantity| quantity.name()).collect();
+            let help = format!("remove it, or add a channel: {}", names.join(", "));
+            root.optional(key).report_as("missing-partner", "no channel of this recording uses it", Some(help));
+            sound = false;
+        }
+    }
+    sound
+}

@@ -1,0 +1,168 @@
+//! The samples of a recording: a CSV text whose first line names its columns, each with its unit in brackets.
+
+use planar_impact::STANDARD_GRAVITY;
+use planar_impact::barrier::{Record, TestIssue};
+use planar_impact::{InputIssue, InputIssueKind};
+
+use super::ChannelQuantity;
+use crate::batch::Header;
+use crate::case::{Rows, read_cell};
+use crate::quantity::{self, Conversion, Kind, QuantityError};
+use crate::source::Source;
+use crate::units::Units;
+
+/// The name of the column with the times.
+pub(super) const TIME: &str = "time";
+
+/// A CSV text in rows.
+pub(super) struct Samples {
+    pub(super) headers: Vec<Header>,
+    rows: Vec<(usize, Vec<String>)>,
+}
+
+/// Something wrong with a line of the text.
+pub(super) struct Fault {
+    pub(super) line: usize,
+    pub(super) column: String,
+    pub(super) message: String,
+    pub(super) help: String,
+}
+
+/// How the numbers of a column become numbers in SI.
+#[derive(Clone, Copy)]
+enum Scale<'a> {
+    /// By the unit in the header, if it has one.
+    Unit(Option<(&'a str, Conversion)>, Kind),
+    /// By what one in the column is.
+    Calibration(f64),
+}
+
+impl Samples {
+    pub(super) fn of(source: &Source) -> Samples {
+        let mut rows = Rows::of(&source.text);
+        let headers = rows.next().into_iter().flat_map(|(_, cells)| cells).map(|cell| Header::read(&cell)).collect();
+        Samples { headers, rows: rows.collect() }
+    }
+
+    /// Returns the place of the column with a name.
+    pub(super) fn place(&self, name: &str) -> Result<usize, Fault> {
+        let found: Vec<usize> = (0..self.headers.len()).filter(|&i| self.headers[i].name == name).collect();
+        match found[..] {
+            [place] => Ok(place),
+            [] => Err(self.fault(1, name, "no column has this name", format!("its columns are {}", self.names()))),
+            _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),
+        }
+    }
+
+    /// Lists the names of the columns.
+    pub(super) fn names(&self) -> String {
+        self.headers.iter().take(20).map(|header| quantity::excerpt(&header.name)).collect::<Vec<_>>().join(", ")
+    }
+
+    pub(super) fn fault(&self, line: usize, column: &str, message: impl Into<String>, help: impl Into<String>) -> Fault {
+        Fault { line, column: column.to_owned(), message: message.into(), help: help.into() }
+    }
+
+    /// Returns the system of units that a column is in, if its header tells.
+    pub(super) fn units(&self, place: usize) -> Option<Units> {
+        self.headers[place].unit.as_deref().and_then(Units::of)
+    }
+
+    fn scale(&self, place: usize, kind: Kind, calibration: Option<f64>) -> Result<Scale<'_>, Fault> {
+        let Header { name, unit } = &self.headers[place];
+        match (calibration, unit.as_deref()) {
+            (Some(_), Some(unit)) => {
+                let message = format!("the column is in {unit}, and has a calibration too");
+                Err(self.fault(1, name, message, "remove the unit from the header, or the calibration"))
+            }
+            (Some(one), None) => Ok(Scale::Calibration(one)),
+            // Accelerometers are read in multiples of the standard gravity; elsewhere g is a gram.
+            (None, Some("g")) if kind.dimension == Kind::ACCELERATION.dimension => Ok(Scale::Calibration(STANDARD_GRAVITY)),
+            (None, None) => Ok(Scale::Unit(None, kind)),
+            (None, Some(unit)) => match Conversion::of(unit, kind) {
+                Ok(conversion) => Ok(Scale::Unit(Some((unit, conversion)), kind)),
+                Err(QuantityError { message, help }) => {
+                    let help =
+                        help.unwrap_or_else(|| format!("write the unit of {} in the header, such as \"{}\" has", kind.name, kind.example));
+                    Err(self.fault(1, name, format!("[{unit}]: {message}"), help))
+                }
+            },
+        }
+    }
+
+    /// Reads a channel: its record, and the line of each sample. Where its cell is empty the channel has no sample.
+    pub(super) fn channel(&self, time: usize, place: usize, of: ChannelQuantity, gain: (Option<f64>, f64)) -> Result<Record, Vec<Fault>> {
+        let (calibration, polarity) = gain;
+        let name = self.headers[place].name.as_str();
+        let (of_time, scale) = match (self.scale(time, Kind::DURATION, None), self.scale(place, of.kind(), calibration)) {
+            (Ok(time), Ok(scale)) => (time, scale),
+            (one, other) => return Err([one.err(), other.err()].into_iter().flatten().collect()),
+        };
+        let (mut times, mut values, mut lines, mut faults) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for (line, cells) in &self.rows {
+            let help = "correct the cell, or leave it empty where the channel has no sample";
+            if cells.len() != self.headers.len() {
+                let message = format!("the row has {} of {} cells", cells.len(), self.headers.len());
+                faults.push(self.fault(*line, name, message, "the file may be cut off here: export it again, or remove the row"));
+                continue;
+            }
+            let [at, value] = [time, place].map(|place| cells[place].trim());
+            if value.is_empty() {
+                continue;
+            }
+            let mut read = |column: &str, cell: &str, scale| match scale_cell(cell, scale) {
+                Ok(value) => Some(value),
+                Err(QuantityError { message, .. }) => {
+                    faults.push(self.fault(*line, column, message, help));
+                    None
+                }
+            };
+            if let (Some(at), Some(value)) = (read(&self.headers[time].name, at, of_time), read(name, value, scale)) {
+                times.push(at);
+                values.push(polarity * value);
+                lines.push(*line);
+            }
+        }
+        if faults.is_empty() {
+            let (start, count) = (times.first().copied().unwrap_or(0.0), times.len());
+            let step = if count > 1 { (times[count - 1] - start) / (count - 1) as f64 } else { 0.0 };
+            // Times are printed with few digits: within a hundredth of a step they are evenly spaced.
+            let is_even = step > 0.0 && times.iter().enumerate().all(|(i, at)| (at - (start + i as f64 * step)).abs() <= 0.01 * step);
+            let record = if is_even { Record::uniform(start, step, values) } else { Record::at_times(times, values) };
+            match record {
+                Ok(record) => return Ok(record),
+                Err(issues) => faults.extend(issues.iter().map(|issue| self.record_fault(issue, name, &lines))),
+            }
+        }
+        Err(faults)
+    }
+
+    fn record_fault(&self, issue: &TestIssue, name: &str, lines: &[usize]) -> Fault {
+        use planar_impact::Issue;
+        let TestIssue::Input(InputIssue { at, kind, .. }) = issue else {
+            return self.fault(1, name, Units::Si.sentence(&issue.message()), "correct the column");
+        };
+        match kind {
+            InputIssueKind::OutOfOrder { .. } => {
+                let line = at.index.and_then(|index| lines.get(index)).copied().unwrap_or(1);
+                self.fault(
+                    line,
+                    TIME,
+                    "the time is not later than the one before",
+                    "list the samples in the order of their times, each once",
+                )
+            }
+            _ => {
+                let message = format!("the column has {} of at least two samples", lines.len());
+                self.fault(1, name, message, "a record needs two samples or more")
+            }
+        }
+    }
+}
+
+fn scale_cell(cell: &str, scale: Scale<'_>) -> Result<f64, QuantityError> {
+    match scale {
+        Scale::Unit(unit, kind) => read_cell(cell, unit, kind).map(|read| read.si),
+        Scale::Calibration(one) => quantity::finite(cell).map(|value| one * value),
+    }
+}

@@ -1,0 +1,406 @@
+//! Recordings: pulses with a closed form, clipped and truncated copies, recorders by hand, evidence from them, and bad inputs.
+
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use crate::process::{Folder, Run, run, workspace};
+
+/// The times of a test, 0.1 ms apart: 20 ms before a pulse of 100 ms, and 20 ms after it.
+fn times() -> impl Iterator<Item = f64> {
+    (-200..=1200).map(|i| f64::from(i) * 0.1)
+}
+
+/// A half-sine from 0 to 100 ms, of height 1.
+fn pulse(ms: f64) -> f64 {
+    if (0.0..=100.0).contains(&ms) { (PI * ms / 100.0).sin() } else { 0.0 }
+}
+
+/// A CSV of times in ms and of columns over them.
+fn csv(header: &str, columns: &[&dyn Fn(f64) -> f64]) -> String {
+    let mut text = format!("time [ms],{header}\n");
+    for ms in times() {
+        let cells: Vec<String> = columns.iter().map(|column| column(ms).to_string()).collect();
+        writeln!(text, "{ms},{}", cells.join(",")).expect("a string takes everything");
+    }
+    text
+}
+
+fn close(found: &Value, wanted: f64, relative: f64) {
+    let found = found.as_f64().unwrap_or(f64::NAN);
+    assert!((found - wanted).abs() <= relative * wanted.abs().max(1e-12), "{found}, not {wanted}");
+}
+
+/// Runs `record` on a file beside `test.csv`, and returns its first record and the whole run.
+fn record_of(samples: &str, settings: Option<&str>) -> (Value, Run) {
+    let folder = Folder::new();
+    folder.write("test.csv", samples.as_bytes());
+    let file = settings.map_or("test.csv", |settings| {
+        folder.write("test.toml", format!("schema = 1\nfile = \"test.csv\"\n{settings}").as_bytes());
+        "test.toml"
+    });
+    let run = run(folder.path(), &["record", file, "--format", "json"]);
+    let json: Value = serde_json::from_str(&run.out).unwrap_or(Value::Null);
+    (json["records"][0].clone(), run)
+}
+
+/// A test of 1500 kg at 10 m/s: forces of 100 and 150 kN, a tangential one of 60 kN, half-sines all.
+fn barrier() -> String {
+    csv(
+        "normal_force.a [kN],normal_force.b [kN],tangential_force [kN]",
+        &[&|ms| 100.0 * pulse(ms) + 2.0, &|ms| 150.0 * pulse(ms) - 1.0, &|ms| 60.0 * pulse(ms) + 0.5],
+    )
+}
+
+const CAR: &str = "mass = \"1500 kg ± 15 kg\"\nspeed = \"10 m/s ± 0.1 m/s\"\n";
+/// The integral of a half-sine of 100 ms: 2 T/π.
+const AREA: f64 = 0.2 / PI;
+
+#[test]
+fn a_half_sine_has_its_closed_form() {
+    let (record, run) = record_of(&barrier(), Some(CAR));
+    assert_eq!(run.status, 0, "{}", run.err);
+    let barrier = &record["barrier"];
+    let normal = 250e3 * AREA;
+    close(&barrier["normal_impulse"]["value"], normal, 1e-6);
+    close(&barrier["tangential_impulse"]["value"], 60e3 * AREA, 1e-6);
+    close(&barrier["impulse_ratio"]["value"], 0.24, 1e-6);
+    // ΔV = P/m to 1 %, and e = ΔV/v − 1 with 1 % of both.
+    close(&barrier["delta_v"]["value"], normal / 1500.0, 1e-6);
+    close(&barrier["delta_v"]["sd"], 0.01 * normal / 1500.0, 1e-6);
+    close(&barrier["restitution"]["value"], normal / 15e3 - 1.0, 2e-5);
+    close(&barrier["restitution"]["sd"], 2_f64.sqrt() * 0.01 * normal / 15e3, 1e-6);
+    // The offsets are exact, so the noise of the unloaded channels is rounding.
+    for key in ["normal_impulse", "tangential_impulse", "impulse_ratio"] {
+        assert!(barrier[key]["sd"].as_f64().is_some_and(|sd| sd < 1e-6), "{key}");
+    }
+    // CFC 60 passes a pulse of 5 Hz whole.
+    close(&barrier["peak_force"]["value"], 250e3, 2e-3);
+    close(&barrier["peak_force"]["time"], 0.05, 1e-2);
+    let trace = &record["traces"][0];
+    assert_eq!((&trace["name"], &trace["quantity"], &trace["filter"]), (&json!("normal force"), &json!("normal_force"), &json!(60)));
+    assert_eq!((trace["times"].as_array().map(Vec::len), trace["values"].as_array().map(Vec::len)), (Some(1401), Some(1401)));
+    close(&trace["times"][700], 0.05, 1e-9);
+    close(&trace["values"][700], 250e3, 2e-3);
+    let channel = &record["channels"][1];
+    assert_eq!(
+        (&channel["name"], &channel["quantity"], &channel["samples"]),
+        (&json!("normal_force.b"), &json!("normal_force"), &json!(1401))
+    );
+    for (key, value) in [("from", -0.02), ("to", 0.12), ("period", 1e-4)] {
+        close(&channel[key], value, 1e-9);
+    }
+    assert_eq!((&channel["clipped"], &channel["is_truncated"]), (&Value::Null, &json!(false)));
+    assert_eq!((&record["file"], &record["recorder"]), (&json!("test.toml"), &Value::Null));
+    let json: Value = serde_json::from_str(&run.out).expect("JSON");
+    assert_eq!((&json["schema"], &json["title"]), (&json!(1), &json!("")));
+    let svg = crate::process::run(&workspace(), &["record", "cli/examples/record/barrier.toml", "--format", "svg"]);
+    assert!(svg.status == 0 && svg.out.starts_with("<svg ") && svg.out.contains("tangential") && svg.out.contains("CFC"), "{}", svg.err);
+}
+
+#[test]
+fn noise_is_in_the_impulse() {
+    // ±1 kN in turn, 0.1 ms apart: σ² of 200 samples is 200/199 kN², each with the weight 0.1 ms, and the baseline with that of 1200 of them.
+    let noise = |ms: f64| if (ms * 10.0).round() as i64 % 2 == 0 { 1.0 } else { -1.0 };
+    let (record, _) = record_of(&csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms) + noise(ms)]), None);
+    let sd = (200.0_f64 / 199.0 * (1199.5 + 1200.0 * 1200.0 / 200.0)).sqrt() * 0.1;
+    close(&record["barrier"]["normal_impulse"]["sd"], sd, 1e-3);
+    // Without samples before the contact it is not known, and that is said.
+    let late: Vec<String> = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]).lines().map(str::to_owned).collect();
+    let late: Vec<&str> = late.iter().map(String::as_str).filter(|line| !line.starts_with('-')).collect();
+    let (record, run) = record_of(&late.join("\n"), None);
+    assert_eq!(record["barrier"]["normal_impulse"]["sd"], Value::Null);
+    assert!(run.out.contains("no-baseline"), "{}", run.out);
+}
+
+#[test]
+fn banks_add_up_and_polarity_mirrors() {
+    let (sum, _) = record_of(&csv("normal_force [kN]", &[&|ms| 250.0 * pulse(ms)]), Some(CAR));
+    let (banks, _) = record_of(&barrier(), Some(CAR));
+    for key in ["normal_impulse", "delta_v", "restitution"] {
+        close(&banks["barrier"][key]["value"], sum["barrier"][key]["value"].as_f64().expect("a number"), 1e-9);
+    }
+    // In counts of 500 N with the sign reversed.
+    let counts = csv("F", &[&|ms| -500.0 * pulse(ms)]);
+    let channel = "[[channel]]\ncolumn = \"F\"\nquantity = \"normal_force\"\ncalibration = \"500 N\"\n";
+    let (mirrored, _) = record_of(&counts, Some(&format!("{CAR}{channel}polarity = -1\n")));
+    close(&mirrored["barrier"]["restitution"]["value"], sum["barrier"]["restitution"]["value"].as_f64().expect("a number"), 1e-9);
+    let (_, run) = record_of(&counts, Some(&format!("{CAR}{channel}")));
+    assert!(run.status == 3 && run.out.is_empty(), "{}", run.out);
+    assert!(run.err.contains("channel.1: the normal impulse is -15915 N s") && run.err.contains("polarity = -1"), "{}", run.err);
+}
+
+#[test]
+fn an_acceleration_and_a_film_agree_with_the_forces() {
+    // 160 m/s² at the peak; the point recedes with ΔV − v after the pulse.
+    let change = 160.0 * AREA;
+    let place = move |ms: f64| {
+        let t = ms / 1e3;
+        let pushed = if ms < 0.0 {
+            0.0
+        } else {
+            change / 2.0 * (t.min(0.1) - 0.1 / PI * (PI * t.min(0.1) / 0.1).sin()) + change * (t - 0.1).max(0.0)
+        };
+        1000.0 * (1.0 - 10.0 * t + pushed)
+    };
+    let samples = csv("acceleration [g],distance [mm]", &[&|ms| 160.0 / 9.80665 * pulse(ms), &place]);
+    let (record, run) = record_of(&samples, Some(CAR));
+    assert_eq!(run.status, 0, "{}", run.err);
+    let (one, film) = (&record["accelerations"][0], &record["films"][0]);
+    close(&one["delta_v"]["value"], change, 1e-6);
+    close(&one["impulse"]["value"], 1500.0 * change, 1e-6);
+    close(&one["impulse"]["sd"], 15.0 * change, 1e-6);
+    close(&one["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
+    close(&one["peak"]["value"], 160.0, 2e-3);
+    close(&one["peak"]["time"], 0.05, 1e-2);
+    // The samples are exact; the speed is known to 1 %.
+    close(&one["restitution"]["sd"], 0.01 * change / 10.0, 1e-6);
+    assert!(one["delta_v"]["sd"].as_f64().is_some_and(|sd| sd < 1e-9));
+    // That of the closing speed, and what the curved distances of the contact add.
+    assert!(film["restitution"]["sd"].as_f64().is_some_and(|sd| (0.01 * (change / 10.0 - 1.0)..5e-4).contains(&sd)));
+    close(&film["closing_speed"]["sd"], 0.1, 1e-9);
+    assert_eq!((&one["channel"], &film["channel"]), (&json!("acceleration"), &json!("distance")));
+    close(&film["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
+    close(&film["closing_speed"]["value"], 10.0, 1e-9);
+    close(&film["separation"], 0.12, 1e-9);
+    // Without a speed the film gives it, from the frames before the contact.
+    let (record, _) = record_of(&samples, Some("mass = \"1500 kg\"\nseparation = \"115 ms\"\n"));
+    close(&record["films"][0]["closing_speed"]["value"], 10.0, 1e-6);
+    assert_eq!(record["accelerations"][0]["restitution"], Value::Null);
+}
+
+#[test]
+fn clipped_and_truncated_copies_are_recognised() {
+    let (record, run) = record_of(&csv("normal_force [kN]", &[&|ms| (100.0 * pulse(ms)).min(90.0)]), None);
+    assert_eq!(run.status, 1);
+    let clipped = &record["channels"][0]["clipped"];
+    // sin⁻¹ 0.9 is reached at 35.64 ms, and left at 64.36 ms.
+    close(&clipped["value"], 90e3, 1e-9);
+    close(&clipped["from"], 0.0357, 1e-6);
+    close(&clipped["to"], 0.0643, 1e-6);
+    assert!(clipped["samples"] == 287 && run.out.contains("normal_force is clipped: 287 samples at 90000 N"), "{clipped}");
+    let channel = "[[channel]]\ncolumn = \"normal_force\"\nquantity = \"normal_force\"\nrange = \"100 kN\"\n";
+    let whole = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
+    assert_eq!(record_of(&whole, Some(channel)).0["channels"][0]["clipped"]["samples"], 1);
+    let cut: Vec<&str> = whole.lines().take(1000).collect();
+    let (record, run) = record_of(&cut.join("\n"), None);
+    assert!(run.status == 1 && record["channels"][0]["is_truncated"] == true && run.out.contains("it ends at 0.080 s"), "{}", run.out);
+}
+
+/// A recorder in whole km/h: forward −40, to the left 30 at last, and speeds to half a second before the impact.
+fn recorder(last_speed: &str) -> String {
+    let rise = [0.0, 0.05, 0.1, 0.3, 0.6, 0.8, 0.95, 1.0, 1.0, 1.0, 1.0];
+    let mut text = format!("time [s],speed [km/h],delta_v_forward [km/h],delta_v_right [km/h]\n-1,60,,\n-0.5,54,,\n{last_speed}");
+    for (i, share) in rise.iter().enumerate() {
+        writeln!(text, "{},,{},{}", i as f64 * 0.01, (-40.0_f64 * share).round(), (-30.0_f64 * share).round())
+            .expect("a string takes everything");
+    }
+    text
+}
+
+#[test]
+fn a_recorder_by_hand() {
+    let (record, run) = record_of(&recorder(""), None);
+    assert_eq!(run.status, 0, "{}", run.err);
+    let (found, kmh) = (&record["recorder"], 1.0 / 3.6);
+    let sd = kmh / 12_f64.sqrt();
+    let maximum = &found["maximum"];
+    close(&maximum["magnitude"]["value"], 50.0 * kmh, 1e-12);
+    close(&maximum["magnitude"]["sd"], sd, 1e-9);
+    close(&maximum["forward"]["value"], -40.0 * kmh, 1e-12);
+    close(&maximum["left"]["value"], 30.0 * kmh, 1e-12);
+    close(&maximum["forward"]["sd"], sd, 1e-9);
+    close(&maximum["left"]["sd"], sd, 1e-9);
+    // Pushed back and to the left: the force comes from ahead on the right.
+    close(&maximum["pdof"]["value"], (30.0_f64).atan2(40.0), 1e-12);
+    close(&maximum["pdof"]["sd"], sd / (50.0 * kmh), 1e-9);
+    for key in ["delta_v_forward", "delta_v_left"] {
+        close(&found[key]["time"], 0.07, 1e-9);
+        close(&found[key]["sd"], sd, 1e-9);
+    }
+    close(&maximum["time"], 0.07, 1e-9);
+    close(&found["delta_v_forward"]["value"], -40.0 * kmh, 1e-12);
+    close(&found["delta_v_left"]["value"], 30.0 * kmh, 1e-12);
+    // The components are stored in the same steps; the lateral one has the least.
+    close(&record["channels"][1]["resolution"], 2.0 * kmh, 1e-9);
+    close(&record["channels"][2]["resolution"], kmh, 1e-9);
+    assert_eq!(found["is_lower_bound"], false);
+    close(&found["pre_crash"][1]["speed"], 54.0 * kmh, 1e-12);
+    close(&found["pre_crash"][0]["time"], -1.0, 1e-12);
+    // The last speed is half a second old, and fell by 6 km/h in the half second before.
+    let at_impact = &found["speed_at_impact"];
+    close(&at_impact["value"], 54.0 * kmh, 1e-12);
+    close(&at_impact["time"], -0.5, 1e-12);
+    let step = 6.0 * kmh; // the least step of its speeds
+    close(&at_impact["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
+    assert!(run.out.contains("speed-before-impact"));
+    // At the time zero nothing is added, and a given resolution and a relative error are.
+    let (record, run) = record_of(&recorder("0,50,,\n").replace("\n0,,0,0", ""), Some("resolution = \"2 km/h\"\nrelative = 0.1\n"));
+    let with = |value: f64| (2.0 * kmh / 12_f64.sqrt()).hypot(0.1 * value * kmh);
+    close(&record["recorder"]["speed_at_impact"]["sd"], with(50.0), 1e-9);
+    close(&record["recorder"]["maximum"]["forward"]["sd"], with(40.0), 1e-9);
+    assert!(!run.out.contains("speed-before-impact") && !run.out.contains("resolution-assumed"), "{}", run.out);
+    // To the right as to the left with the other sign.
+    let (left, _) = record_of(&recorder("").replace("right", "left"), None);
+    close(&left["recorder"]["maximum"]["pdof"]["value"], -(30.0_f64).atan2(40.0), 1e-12);
+}
+
+#[test]
+fn a_recorder_that_stops_or_ends_early_is_a_lower_bound() {
+    let cut: Vec<String> = recorder("").lines().take(7).map(str::to_owned).collect();
+    let (record, run) = record_of(&cut.join("\n"), None);
+    assert!(
+        run.status == 1 && record["recorder"]["is_lower_bound"] == true && run.out.contains("delta_v_forward is truncated"),
+        "{}",
+        run.out
+    );
+    // It stops at once at 24 km/h.
+    let stopped = recorder("")
+        .lines()
+        .map(|line| line.replace(",-32,", ",-24,").replace(",-38,", ",-24,").replace(",-40,", ",-24,"))
+        .collect::<Vec<_>>();
+    let (record, _) = record_of(&stopped.join("\n"), None);
+    close(&record["channels"][1]["clipped"]["value"], -24.0 / 3.6, 1e-9);
+    let begun = recorder("")
+        .lines()
+        .filter(|line| !["0,", "0.01,", "0.02,"].iter().any(|at| line.starts_with(at)))
+        .map(str::to_owned)
+        .collect::<Vec<_>>();
+    assert!(record_of(&begun.join("\n"), None).1.out.contains("the impact had begun before it"));
+}
+
+/// Reconstructs the case of two cars with other evidence of its recorder, beside `edr.csv`.
+fn two_cars(samples: &str, evidence: &str) -> Run {
+    let text = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/recorder.toml")).expect("the example is there");
+    let line = text.lines().find(|line| line.starts_with("vehicle.2.recorder")).expect("a recorder");
+    let folder = Folder::new();
+    folder.write("edr.csv", samples.as_bytes());
+    folder.write("case.toml", text.replace(line, evidence).as_bytes());
+    run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"])
+}
+
+#[test]
+fn a_recorder_is_evidence_as_if_written_by_hand() {
+    let samples = std::fs::read_to_string(workspace().join("cli/examples/record/edr.csv")).expect("the example is there");
+    let unknowns = |run: Run| {
+        assert!(run.err.is_empty(), "{}", run.err);
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let value = |name: &str| json["unknown"][name]["value"].as_f64().expect("a number");
+        ["vehicle.1.speed", "vehicle.2.speed", "contact.restitution"].map(value)
+    };
+    let sd = "± 0.28867513459481287 km/h"; // 1/√12
+    let by_hand = format!(
+        "vehicle.2.speed = \"41 km/h {sd}\"\nvehicle.2.delta_v.forward = \"-29 km/h {sd}\"\nvehicle.2.delta_v.left = \"-23 km/h {sd}\""
+    );
+    let by_file = unknowns(two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }"));
+    for (one, other) in unknowns(two_cars(&samples, &by_hand)).into_iter().zip(by_file) {
+        assert!((one - other).abs() < 1e-6 * one.abs(), "{one} and {other}");
+    }
+    // What is not wanted is left out; magnitude and direction in place of the components.
+    let polar =
+        unknowns(two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\", \"delta_v_magnitude\", \"pdof\"] }"));
+    assert!((polar[0] - by_file[0]).abs() < 0.05, "{polar:?}");
+    let clipped = samples.replace("0.25,,-29", "0.25,,-34").replace("0.24,,-29", "0.24,,-32");
+    let refused = two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\" }");
+    assert!(refused.status == 2 && refused.err.contains("delta_v_forward is a lower bound") && refused.err.contains("use = [\"speed\"]"));
+    assert!(two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\"] }").err.is_empty());
+    let twice = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"pdof\", \"delta_v_left\"] }");
+    assert!(twice.err.contains("the record would count twice"), "{}", twice.err);
+    let both = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }\nvehicle.2.speed = \"40 km/h ± 1 km/h\"");
+    assert!(both.status == 2 && both.err.contains("vehicle.2.speed twice"), "{}", both.err);
+    let ranged = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", range = \"20 km/h\" }");
+    assert!(ranged.status == 2 && ranged.err.contains("clipped"), "{}", ranged.err);
+}
+
+#[test]
+fn a_barrier_record_is_evidence_and_a_test() {
+    let folder = Folder::new();
+    // Sampled noise of ±50 N makes it uncertain.
+    let noise = |ms: f64| if (ms * 10.0).round() as i64 % 2 == 0 { 0.05 } else { -0.05 };
+    let samples =
+        csv("normal_force [kN],tangential_force [kN]", &[&|ms| 250.0 * pulse(ms) + noise(ms), &|ms| 60.0 * pulse(ms) + noise(ms)]);
+    folder.write("data/test.csv", samples.as_bytes());
+    folder.write("data/test.toml", format!("schema = 1\nfile = \"test.csv\"\n{CAR}").as_bytes());
+    let test = "schema = 1\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = \"10 m/s\"\nwidth = 1.5\ndepths = [0.3, 0.3]\nrestitution = { record = \"data/test.toml\" }\n";
+    folder.write("tests.toml", format!("{test}[fit]\nb0 = \"2 m/s\"\n").as_bytes());
+    let json = run(folder.path(), &["stiffness", "tests.toml", "--format", "json"]);
+    let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
+    close(&answer["tests"][0]["restitution"], 250e3 * AREA / 15e3 - 1.0, 1e-4);
+    assert_eq!(answer["has_deviations"], true);
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.9]\n[[vehicle]]\nbarrier = true\n\
+                [contact]\ncrush_plane = 0\n[evidence]\ncontact.record = { file = \"data/test.toml\" }\n[unknown]\ncontact.restitution = { start = 0.1, min = 0, max = 0.5 }\n\
+                contact.impulse_ratio = { start = 0.1 }\n";
+    folder.write("case.toml", case.as_bytes());
+    let json = run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"]);
+    let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
+    close(&answer["unknown"]["contact.restitution"]["value"], 250e3 * AREA / 15e3 - 1.0, 1e-3);
+    close(&answer["unknown"]["contact.impulse_ratio"]["value"], 0.24, 1e-3);
+}
+
+#[test]
+fn bad_samples_are_refused_at_their_lines() {
+    let good = "time [ms],normal_force [kN]\n-2,0\n-1,0\n0,0\n1,5\n2,0\n";
+    assert_eq!(record_of(good, None).1.status, 0);
+    for (from, to, says) in [
+        ("1,5", "1,high", "test.csv:5:1\n|"),
+        ("1,5", "1,high", "normal_force: `high` is not a number"),
+        ("1,5", "1,nan", "`nan` is not a finite number"),
+        ("1,5", "1", "the row has 1 of 2 cells"),
+        ("1,5", "-1,5", "time: the time is not later than the one before"),
+        ("1,5", ",5", "time: "),
+        ("kN]", "kg]", "[kg]: `kg` is a mass; a force is expected"),
+        ("kN]", "stone]", "[stone]: "),
+        ("[ms]", "[m]", "time: [m]: `m` is a length; a duration is expected"),
+        ("time", "t", "time: no column has this name"),
+        ("normal_force", "force", "no column has the name of a channel"),
+        ("time [ms],normal_force [kN]", "time [ms],time [ms]", "time: 2 columns have this name"),
+        ("-1,0\n0,0\n1,5\n2,0\n", "", "the column has 1 of at least two samples"),
+        ("1,5", "1,-5", "the barrier would pull"),
+    ] {
+        let says = says.replace('|', "");
+        let (_, run) = record_of(&good.replace(from, to), None);
+        assert!([2, 3].contains(&run.status) && run.out.is_empty(), "{to}: {}", run.out);
+        assert!(run.err.contains(says.trim_end()), "{to}: {}", run.err);
+    }
+    // All of them at once.
+    let (_, run) = record_of("time [ms],normal_force [kN],acceleration [g]\n-2,a,0\n-1,0,b\n0,0\n", None);
+    assert_eq!(run.err.matches("error:").count(), 3, "{}", run.err);
+}
+
+#[test]
+fn bad_settings_are_refused_at_their_keys() {
+    let channel = "[[channel]]\ncolumn = \"normal_force.a\"\nquantity = \"normal_force\"\n";
+    for (settings, says) in [
+        ("mass = \"1500 m\"", "mass: `1500 m` is a length"),
+        ("mass = -5", "it must be above zero"),
+        ("filter = 100", "filter: 100 is no channel frequency class"),
+        ("filter = 60\nwindow = [\"50 ms\", \"20 ms\"]", "window: "),
+        ("window = [\"0 ms\", \"500 ms\"]", "window: "),
+        ("baseline = [\"-20 ms\", \"10 ms\"]", "baseline: the channels are loaded from 0 s, and the baseline lasts to 0.010 s"),
+        ("resolution = \"1 km/h\"", "resolution: no channel of this recording uses it"),
+        ("separation = \"100 ms\"", "separation: no channel of this recording uses it"),
+        ("neighbors = 3", "a whole number from 4 to 1000"),
+        ("colour = 1", "unknown key"),
+        ("[[channel]]\ncolumn = \"x\"\nquantity = \"normal_force\"", "no column has this name"),
+        ("[[channel]]\ncolumn = \"normal_force.a\"\nquantity = \"normal_forces\"", "did you mean"),
+        (&format!("{channel}calibration = \"5 kN\""), "the column is in kN, and has a calibration too"),
+        (&format!("{channel}polarity = 0"), "polarity: it is 0"),
+        (&format!("{channel}range = \"-5 kN\""), "range: it is -5000 N; it must be above zero"),
+        (&format!("{channel}calibration = \"5 m\""), "`5 m` is a length; a force is expected"),
+    ] {
+        let (_, run) = record_of(&barrier(), Some(settings));
+        assert!(run.status == 2 && run.out.is_empty(), "{settings}: {} {}", run.out, run.err);
+        assert!(run.err.contains(says) && run.err.contains("test.toml:"), "{settings}: {}", run.err);
+    }
+    let (_, slow) = record_of("time [ms],normal_force [kN]\n-4,0\n-2,0\n0,0\n2,5\n4,0\n", Some("filter = 60\n"));
+    assert!(slow.status == 2 && slow.err.contains("filter: the samples are 0.0020 s apart"), "{}", slow.err);
+    let (_, uneven) = record_of("time [ms],normal_force [kN]\n-4,0\n-2,0\n0,0\n1,5\n4,0\n", None);
+    assert!(uneven.status == 0 && uneven.out.contains("not-filtered"), "{}", uneven.err);
+    let (_, late) = record_of("time [ms],normal_force.a [kN],normal_force.b [kN]\n-1,0,0\n0,0,\n1,5,5\n2,0,0\n", None);
+    assert!(late.status == 2 && late.err.contains("normal_force.b: it must be sampled at the same instants"), "{}", late.err);
+    let (_, unused) = record_of("time [s],speed,site\n-1,10,a\n0,9,b\n", None);
+    assert!(unused.status == 0 && unused.out.contains("unused-columns") && unused.out.contains("unit-assumed"), "{}", unused.out);
+    let missing = run(Folder::new().path(), &["record", "none.csv"]);
+    assert!(missing.status == 2 && missing.err.contains("`none.csv` cannot be read"), "{}", missing.err);
+}
