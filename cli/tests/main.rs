@@ -14,6 +14,8 @@ mod batch;
 mod casework;
 #[path = "main/check/mod.rs"]
 mod check;
+#[path = "main/compare.rs"]
+mod compare;
 #[path = "main/crush.rs"]
 mod crush;
 #[path = "main/endings.rs"]
