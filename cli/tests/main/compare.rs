@@ -56,6 +56,11 @@ fn each_column_is_the_answer_of_its_case() {
         assert!(row["values"][0].is_number(), "given in the first case");
     }
     let cases = found["cases"].as_array().expect("cases");
+    for (case, of) in cases.iter().zip([&a, &b, &other]) {
+        assert_eq!((&case["title"], &case["refusals"]), (&of["title"], &json!([])));
+    }
+    assert_eq!((&found["title"], &cases[2]["verdict"]), (&a["title"], &other["verdict"]));
+    assert!(cases.iter().all(|case| case["is_answer"] == true));
     assert_eq!(cases.iter().map(|case| &case["verb"]).collect::<Vec<_>>(), ["solve", "solve", "reconstruct"]);
     assert_eq!(cases.iter().map(|case| &case["name"]).collect::<Vec<_>>(), [A, B, FOUND]);
 }

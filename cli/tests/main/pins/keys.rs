@@ -57,6 +57,8 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
         ["new_cars_as_one", "negative_A"]
             .map(|name| ("stiffness", printed(&["stiffness", &format!("cli/tests/reproducers/{name}.toml"), "--format", "json"]))),
     );
+    let compared = ["cli/examples/position-a.toml", "cli/examples/crabbed-barrier.toml", "cli/examples/reconstruct/position-a.toml"];
+    all.push(("compare", printed(&[&["compare"], &compared[..], &["--format", "json"]].concat())));
     for (verb, format) in [("check", "json"), ("sarif", "sarif")] {
         all.extend(RECORDS.map(|name| (verb, printed(&["check", &format!("cli/examples/check/{name}"), "--format", format]))));
     }
