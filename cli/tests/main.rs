@@ -14,6 +14,8 @@ mod batch;
 mod casework;
 #[path = "main/check/mod.rs"]
 mod check;
+#[path = "main/compare.rs"]
+mod compare;
 #[path = "main/crush.rs"]
 mod crush;
 #[path = "main/endings.rs"]
@@ -42,6 +44,8 @@ mod reconstruct;
 mod record;
 #[path = "main/reference.rs"]
 mod reference;
+#[path = "main/report.rs"]
+mod report;
 #[path = "main/rest.rs"]
 mod rest;
 #[path = "main/schema.rs"]

@@ -59,9 +59,9 @@ A case that the physics refuses is shown with its refusal, and the exit status i
 reconstruction is no unique answer. It is 2 if a file cannot be read or is wrong.
 
 Examples:
-  planar-impact compare cli/examples/position-a.toml cli/examples/position-b.toml cli/examples/position-c.toml
-  planar-impact compare cli/examples/position-a.toml cli/examples/sideswipe.toml --units si --format json
-  planar-impact compare cli/examples/position-a.toml cli/examples/position-c.toml --format svg > compare.svg";
+  planar-impact compare cli/examples/position-a.toml cli/examples/position-c.toml
+  planar-impact compare cli/examples/position-a.toml case.toml --units si --format json
+  planar-impact compare cli/examples/position-a.toml case.toml --format svg > compare.svg";
 
 pub(super) const UNCERTAINTY: &str = "\
 Any number of a case file may be uncertain: \"40 mph ± 2 mph\", \"40 mph ± 5 %\", { value, sd },

@@ -10,6 +10,7 @@ fn formats(verb: &str) -> &'static [&'static str] {
         "check" => &["text", "json", "junit", "sarif"],
         "sweep" => &["text", "csv", "json", "svg"],
         "uncertainty" => &["text", "csv", "json", "svg"],
+        "compare" => &["text", "json", "svg"],
         "formula" => &["text", "latex", "rust", "json"],
         _ => &["text", "json"],
     }
@@ -82,6 +83,7 @@ fn texts_of_a_case_file_are_cleaned() {
     let uncertain = clean_runs(&folder, "uncertainty", &["--samples", "1000", "uncertain.toml"]);
     assert!(uncertain.iter().all(|run| run.status == 0));
     clean_runs(&folder, "formula", &["W_n", "--case", "case.toml"]);
+    clean_runs(&folder, "compare", &["case.toml", "case.toml"]);
     let solved = run(folder.path(), &["solve", "--format", "json", "case.toml"]);
     let solution: Value = serde_json::from_str(&solved.out).expect("JSON");
     assert_eq!(solution["vehicles"][0]["name"], ACTIVE);

@@ -59,10 +59,18 @@ fn the_report_of_two_cars_has_the_same_bytes_everywhere() {
 
 #[test]
 fn nothing_comes_from_elsewhere_and_no_script_is_needed() {
-    for (case, verb) in [("position-a.toml", "solve"), ("cavalier-crush.toml", "crush"), ("cavalier-crush.toml", "crash3"), ("uncertain.toml", "uncertainty")] {
+    for (case, verb) in [
+        ("position-a.toml", "solve"),
+        ("cavalier-crush.toml", "crush"),
+        ("cavalier-crush.toml", "crash3"),
+        ("uncertain.toml", "uncertainty"),
+    ] {
         let html = report(case, &["--verb", verb]);
         for address in html.match_indices("://").map(|(at, _)| &html[at.saturating_sub(5)..(at + 40).min(html.len())]) {
-            assert!(address.contains("www.w3.org") || address.contains("json-schema") || embedded(&html).contains(address.trim_matches('"')), "{address}");
+            assert!(
+                address.contains("www.w3.org") || address.contains("json-schema") || embedded(&html).contains(address.trim_matches('"')),
+                "{address}"
+            );
         }
         let elements = ["<link", "<img", "<iframe", "@import", "url(", "<object", "javascript:", " on"];
         let outside = html.replace(section(&html, "input"), "");
@@ -79,7 +87,8 @@ fn nothing_comes_from_elsewhere_and_no_script_is_needed() {
 fn a_report_names_what_it_stands_on() {
     let html = report("position-a.toml", &["--date", "3 May <2026>"]);
     let sections = ["summary", "scene", "question", "method", "results", "sensitivity", "alternatives", "validation", "input", "glossary"];
-    let places: Vec<usize> = sections.iter().map(|id| html.find(&format!("<section id=\"{id}\"")).unwrap_or_else(|| panic!("{id}"))).collect();
+    let places: Vec<usize> =
+        sections.iter().map(|id| html.find(&format!("<section id=\"{id}\"")).unwrap_or_else(|| panic!("{id}"))).collect();
     assert!(places.is_sorted());
     assert!(section(&html, "summary").contains("3 May &lt;2026&gt;"));
     // sha256sum of the file.
@@ -89,7 +98,10 @@ fn a_report_names_what_it_stands_on() {
     assert!(section(&html, "alternatives").contains("law of Kudlich-Slibar"));
     assert!(section(&html, "results").matches("<figure>").count() == 2 && section(&html, "sensitivity").contains("<figure>"));
     // 40 ft/s are 27.3 mph, and the ΔV of the paper's sedan is 15.4 mph.
-    assert!(section(&html, "summary").contains("sedan: ΔV 15.4 mph") && section(&html, "question").contains("<td class=\"number\">40</td><td>ft/s</td>"));
+    assert!(
+        section(&html, "summary").contains("sedan: ΔV 15.4 mph")
+            && section(&html, "question").contains("<td class=\"number\">40</td><td>ft/s</td>")
+    );
     assert!(!report("position-a.toml", &[]).contains("Date"));
 }
 
@@ -113,7 +125,8 @@ fn a_file_appears_only_when_it_is_whole() {
     let text = fs::read_to_string(case).expect("the example").replace("40 ft/s", "-40 ft/s");
     let refused = run_with_input(&["report", "-", "-o", file.to_str().expect("a path")], &text);
     assert!(refused.status == 3 && !file.exists(), "{} {}", refused.status, refused.err);
-    let nowhere = run(folder.path(), &["draw", workspace().join("cli/examples/position-a.toml").to_str().expect("a path"), "-o", "none/scene.svg"]);
+    let nowhere =
+        run(folder.path(), &["draw", workspace().join("cli/examples/position-a.toml").to_str().expect("a path"), "-o", "none/scene.svg"]);
     assert!(nowhere.status == 74 && nowhere.err.contains("cannot be written"), "{}", nowhere.err);
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0);
 }

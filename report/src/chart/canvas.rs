@@ -50,11 +50,15 @@ pub type Drawn<T = ()> = Result<T, Box<dyn std::error::Error>>;
 /// Fails only because of a defect, because drawing into memory cannot fail.
 pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Result<String, Issues> {
     let (mut text, height) = (String::new(), TITLE + height);
+    let title = shorten(title, LONGEST_TITLE);
+    let title = title.trim();
     let on_page = |text: &mut String| -> Drawn {
         let page = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
         page.fill(&WHITE)?;
         let (head, body) = page.split_vertically(TITLE);
-        write(&head, shorten(title, LONGEST_TITLE).trim(), 21, (16, 12))?;
+        if !title.is_empty() {
+            write(&head, title, 21, (16, 12))?;
+        }
         draw(&body)?;
         Ok(page.present()?)
     };
@@ -65,7 +69,8 @@ pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area
         return Err(Issues::defect("the chart has no size"));
     };
     let titled = |element: &str, words: &str| format!("<{element}>{}</{element}>", escape(printable(words)));
-    let (title, description) = (titled("title", shorten(title, LONGEST_TITLE).trim()), titled("desc", description));
+    // Without a title the description is its name.
+    let (title, description) = (titled("title", if title.is_empty() { description } else { title }), titled("desc", description));
     Ok(format!("{}{root} role=\"img\">\n{title}\n{description}{drawing}", size(FINE)))
 }
 

@@ -16,8 +16,10 @@ const HEAD: i32 = 38;
 /// Right edge of the names, ends of the scale, and left edge of the numbers.
 const NAMES: i32 = 300;
 const LEFT: i32 = 320;
-const RIGHT: i32 = 640;
-const NUMBERS: i32 = 660;
+const RIGHT: i32 = 600;
+const NUMBERS: i32 = 616;
+/// Most characters of the numbers.
+const LONGEST: usize = 42;
 /// Widest name of a case, in columns.
 const NAME_WIDTH: usize = 34;
 
@@ -88,7 +90,13 @@ impl Panel<'_> {
         let ends = [(interval.low, "−∞"), (interval.high, "∞")];
         let [low, high] =
             ends.map(|(si, none)| si.map_or_else(|| none.to_owned(), |si| end(interval, printed(output.measure), si, self.units)));
-        format!("{value} ({low} to {high})")
+        let text = format!("{value} ({low} to {high})");
+        // Of a narrow interval its digits do not fit.
+        if text.chars().count() <= LONGEST {
+            text
+        } else {
+            self.units.number(printed(output.measure), output.values[place].unwrap_or(f64::NAN), 0.0)
+        }
     }
 
     fn draw(&self, area: &Area<'_>, top: i32) -> Drawn {

@@ -171,10 +171,12 @@ impl<'a> Diagram<'a> {
         };
         let numbers = [contact.impulse.normal, contact.impulse.tangential].map(|value| units.quantity(Measure::Impulse, value));
         let solution = ["impulse on vehicle 1", law, &format!("P_n = {}", numbers[0]), &format!("P_t = {}", numbers[1])];
+        // A moment impulse shifts the lines, but not by the restitution.
+        let of_both = if contact.impulse.moment.is_some() { "restitution of both parts" } else { "common velocity times 1 + e" };
         let words: [&[&str]; 4] = [
             &["common velocity:", "e = 0, μ = μ0"],
             &["sticking by Brach: sliding", "has ended at termination"],
-            &["sticking by Kudlich–Slibar:", "common velocity times 1 + e"],
+            &["sticking by Kudlich–Slibar:", of_both],
             &solution,
         ];
         y += 8;

@@ -16,9 +16,11 @@ const FOOT: i32 = 66;
 /// Right edge of the names, and the ends of the longest interval.
 const NAMES: i32 = 300;
 const LEFT: i32 = 320;
-const RIGHT: i32 = 660;
+const RIGHT: i32 = 610;
 /// Left edge of the numbers.
-const NUMBERS: i32 = 676;
+const NUMBERS: i32 = 626;
+/// Most characters of the numbers.
+const LONGEST: usize = 42;
 
 /// Draws the estimate of each unknown, and of what follows from them, with its interval and its bounds; each on a scale of its own.
 ///
@@ -92,7 +94,13 @@ impl Row<'_> {
     fn numbers(&self, units: Units) -> String {
         let Interval { low, high, .. } = *self.interval;
         let width = low.zip(high).map_or_else(|| self.value.unwrap_or(0.0).abs(), |(low, high)| high - low);
-        let number = |si: f64| with_digits(units, self.measure, si, 0.25 * width);
+        let text = self.numbers_as(units, &|si| with_digits(units, self.measure, si, 0.25 * width));
+        // Of a narrow interval its digits do not fit.
+        if text.chars().count() <= LONGEST { text } else { self.numbers_as(units, &|si| units.number(self.measure, si, 0.0)) }
+    }
+
+    fn numbers_as(&self, units: Units, number: &dyn Fn(f64) -> String) -> String {
+        let Interval { low, high, .. } = *self.interval;
         let end = |end: Option<f64>, none: &str| end.map_or_else(|| none.to_owned(), number);
         let unit = units.unit(self.measure);
         let value = self.value.map_or_else(|| "open".to_owned(), number);

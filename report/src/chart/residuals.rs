@@ -124,7 +124,7 @@ mod tests {
         for far in [0.0, 2.4, -17.3, 1e6] {
             let rows = vec![row(far), row(-1.0)];
             let height = px((MARGIN + ROW * 2 + AXIS) as u32);
-            assert_legible(&page("", "", height, |area| draw(area, &rows)).expect("in memory"));
+            assert_legible(&page("far", "", height, |area| draw(area, &rows)).expect("in memory"));
         }
     }
 }

@@ -149,6 +149,7 @@ pub fn assert_legible(svg: &str) {
     let (width, height) = (size("width"), size("height"));
     let texts = texts(svg);
     for (i, one) in texts.iter().enumerate() {
+        assert!(!one.words.is_empty(), "nothing is written at {one:?}");
         assert!(
             one.x[0] >= -1.0 && one.x[1] <= width + 1.0 && one.y[0] >= -1.0 && one.y[1] <= height + 1.0,
             "clipped: {one:?} in {width} x {height}"

@@ -83,9 +83,8 @@ fn of_output(output: &ComparedOutput, places: &[usize], units: Units) -> Vec<Vec
     let intervals: Vec<Option<&Interval>> = places.iter().map(|place| output.intervals[*place].as_ref()).collect();
     if let Some(first) = intervals.iter().flatten().next() {
         let level = format!("  {} % from", trim(100.0 * first.level));
-        let ends: [(String, fn(&Interval) -> Option<f64>); 2] =
-            [(level, |interval| interval.low), ("  to".to_owned(), |interval| interval.high)];
-        for (name, of) in ends {
+        for (name, place) in [(level, 0), ("  to".to_owned(), 1)] {
+            let of = |interval: &Interval| [interval.low, interval.high][place];
             let cell = |interval: &Option<&Interval>| {
                 interval.map_or_else(String::new, |interval| {
                     of(interval).map_or_else(|| "-".to_owned(), |si| end(interval, measure, si, units))

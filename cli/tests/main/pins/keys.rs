@@ -62,6 +62,8 @@ pub(super) static DOCUMENTS: LazyLock<Vec<(&'static str, Value)>> = LazyLock::ne
         ["barrier.toml", "edr.csv"]
             .map(|name| ("record", printed(&["record", &format!("cli/examples/record/{name}"), "--format", "json"]))),
     );
+    let compared = ["cli/examples/position-a.toml", "cli/examples/crabbed-barrier.toml", "cli/examples/reconstruct/position-a.toml"];
+    all.push(("compare", printed(&[&["compare"], &compared[..], &["--format", "json"]].concat())));
     for (verb, format) in [("check", "json"), ("sarif", "sarif")] {
         all.extend(RECORDS.map(|name| (verb, printed(&["check", &format!("cli/examples/check/{name}"), "--format", format]))));
     }
