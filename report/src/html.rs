@@ -98,14 +98,23 @@ fn style_text(text: &str) -> String {
 }
 
 fn blocks(html: &mut String, blocks: &[Block]) {
-    let mut in_list = false;
+    // The document and the section have levels 1 and 2; a page may begin below its own title, but no level is left out.
+    let (mut in_list, mut above) = (false, Vec::new());
     for block in blocks {
         let is_item = matches!(block, Block::Item { .. });
         if is_item != in_list {
             html.push_str(if is_item { "<ul>\n" } else { "</ul>\n" });
             in_list = is_item;
         }
-        one(html, block);
+        match block {
+            Block::Heading { level, text } => {
+                above.retain(|outer| outer < level);
+                above.push(*level);
+                let level = (2 + above.len()).min(6);
+                let _ = writeln!(html, "<h{level}>{}</h{level}>", escape(shown(text)));
+            }
+            other => one(html, other),
+        }
     }
     if in_list {
         html.push_str("</ul>\n");
@@ -115,11 +124,7 @@ fn blocks(html: &mut String, blocks: &[Block]) {
 fn one(html: &mut String, block: &Block) {
     let text_of = |text: &str| escape(shown(text)).into_owned();
     let _ = match block {
-        // The document has levels 1 and 2 of its own.
-        Block::Heading { level, text } => {
-            let level = (level + 1).clamp(3, 6);
-            writeln!(html, "<h{level}>{}</h{level}>", text_of(text))
-        }
+        Block::Heading { .. } => Ok(()),
         Block::Paragraph(text) => writeln!(html, "<p>{}</p>", text_of(text)),
         Block::Item { label, text } => match label.trim() {
             "-" | "" => writeln!(html, "<li>{}</li>", text_of(text)),
@@ -160,7 +165,8 @@ fn mathml(latex: &str) -> Option<String> {
     let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
     let mut formula = String::new();
     push_mathml(&mut formula, events.ok()?.into_iter().map(Ok::<_, pulldown_latex::ParserError>), config).ok()?;
-    Some(formula)
+    // The converter leaves these two operators as they are.
+    Some(formula.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
 }
 
 fn table(html: &mut String, of: &Table) {
@@ -233,6 +239,14 @@ mod tests {
     }
 
     #[test]
+    fn no_level_of_headings_is_left_out() {
+        let heading = |level| Block::Heading { level, text: "x".to_owned() };
+        let html = of([3, 3, 2, 3, 1, 9].map(heading).into());
+        let levels: String = html.split("</h").filter_map(|rest| rest.chars().next().filter(char::is_ascii_digit)).collect();
+        assert_eq!(levels, "12333434", "{html}");
+    }
+
+    #[test]
     fn items_are_a_list_and_numbers_are_aligned() {
         let table = Table::new(["", "value"], "lr", vec![vec!["x".to_owned(), "1".to_owned()]]);
         let html = of(vec![Block::item("- ", "a"), Block::item("[1] ", "b"), Block::paragraph("c"), table.into()]);
@@ -251,6 +265,9 @@ mod tests {
         };
         let html = of(vec![formula]);
         assert!(html.contains("<math") && html.contains("<mfrac") && !html.contains("plain"), "{html}");
+        let less = Block::Formula { latex: "a < b > c".to_owned(), text: String::new() };
+        let html = of(vec![less]);
+        assert!(html.contains("&lt;</mo>") && html.contains("&gt;</mo>") && !html.contains("><<"), "{html}");
         let unknown = Block::Formula { latex: r"\nosuch{".to_owned(), text: "plain".to_owned() };
         assert!(of(vec![unknown]).contains("<pre tabindex=\"0\">plain</pre>"));
     }
