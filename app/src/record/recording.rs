@@ -373,7 +373,7 @@ mod tests {
         let recording = parse("time [ms],normal_force.left [kip],speed,site\r\n-1,1,10,a\r\n0,,9,b\r\n1,3,,c\r\n").expect("a recording");
         let [force, speed] = &recording.channels[..] else { panic!("two channels") };
         assert_eq!((force.quantity, speed.quantity), (ChannelQuantity::NormalForce, ChannelQuantity::Speed));
-        assert!((force.record.values()[1] - 3.0 * 4448.221_615_260_5).abs() < 1e-9); // 1000 lbf
+        assert!((force.record.values()[1] - 3.0 * 4_448.221_615_260_5).abs() < 1e-9); // 1000 lbf
         assert_eq!((force.record.times(), speed.record.times()), (vec![-0.001, 0.001], vec![-0.001, 0.0]));
         assert_eq!(recording.units, Units::Us);
         let codes: Vec<_> = recording.notices.0.iter().map(|notice| notice.code).collect();
