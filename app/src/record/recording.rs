@@ -358,3 +358,33 @@ fn needed(root: &Table<'_>, channels: &[Channel]) -> bool {
     }
     sound
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<Recording, Issues> {
+        let source = Source { name: "test.csv".to_owned(), text: text.to_owned() };
+        Recording::parse_by(source, |_| panic!("it names no file"))
+    }
+
+    #[test]
+    fn channels_are_in_si_and_empty_cells_are_no_samples() {
+        let recording = parse("time [ms],normal_force.left [kip],speed,site\r\n-1,1,10,a\r\n0,,9,b\r\n1,3,,c\r\n").expect("a recording");
+        let [force, speed] = &recording.channels[..] else { panic!("two channels") };
+        assert_eq!((force.quantity, speed.quantity), (ChannelQuantity::NormalForce, ChannelQuantity::Speed));
+        assert!((force.record.values()[1] - 3.0 * 4_448.221_615_260_5).abs() < 1e-9); // 1000 lbf
+        assert_eq!((force.record.times(), speed.record.times()), (vec![-0.001, 0.001], vec![-0.001, 0.0]));
+        assert_eq!(recording.units, Units::Us);
+        let codes: Vec<_> = recording.notices.0.iter().map(|notice| notice.code).collect();
+        assert_eq!(codes, ["unused-columns", "unit-assumed"]);
+    }
+
+    #[test]
+    fn every_fault_has_its_line_once() {
+        let issues = parse("time [s],distance [m],speed [m/s]\n0,1,2\n1,x,3\n2\n3,4,y\n").err().expect("three faults");
+        let lines: Vec<_> = issues.list().iter().map(|issue| (issues.line(issue), issue.path.as_str())).collect();
+        assert_eq!(lines, [(Some(3), "distance"), (Some(4), "distance"), (Some(5), "speed")]);
+        assert!(issues.list().iter().all(|issue| issue.help.is_some()));
+    }
+}
