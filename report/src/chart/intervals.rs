@@ -96,8 +96,19 @@ impl Row<'_> {
         if high > low { (si - low) / (high - low) } else { 0.5 }
     }
 
+    /// Returns `true` if the width of the interval is but the tolerance of exact evidence.
+    fn is_exact(&self) -> bool {
+        /// Share of the value that is tolerance.
+        const EXACT: f64 = 1e-5;
+        let width = self.interval.low.zip(self.interval.high).map(|(low, high)| high - low);
+        width.zip(self.value).is_some_and(|(width, value)| width <= EXACT * value.abs())
+    }
+
     /// Returns the interval in words.
     fn numbers(&self, units: Units) -> String {
+        if let Some(value) = self.value.filter(|_| self.is_exact()) {
+            return format!("{} (exact)", units.quantity(self.measure, value));
+        }
         let Interval { low, high, .. } = *self.interval;
         let width = low.zip(high).map_or_else(|| self.value.unwrap_or(0.0).abs(), |(low, high)| high - low);
         let text = self.numbers_as(units, &|si| with_digits(units, self.measure, si, 0.25 * width));
@@ -125,17 +136,19 @@ impl Row<'_> {
             segment(area, (x, middle - 11), (x, middle + 11), DARK.stroke_width(px(3)))?;
         }
         let style = |color: RGBColor, width: u32| ShapeStyle::from(&color).stroke_width(px(width));
-        let ends = [self.interval.low.map_or(LEFT, across), self.interval.high.map_or(RIGHT, across)];
-        segment(area, (ends[0], middle), (ends[1], middle), style(BLUE, 4))?;
-        let limits = [&self.interval.low_limited_by, &self.interval.high_limited_by];
-        let is_open = [self.interval.low.is_none(), self.interval.high.is_none()];
-        for (i, sign) in [(0, 1), (1, -1)] {
-            if is_open[i] {
-                arrow(area, (ends[i], middle), sign)?;
-            } else if limits[i].is_some() {
-                rectangle(area, (ends[i] - 4, middle - 4), (ends[i] + 4, middle + 4), BLUE.filled())?;
-            } else {
-                segment(area, (ends[i], middle - 7), (ends[i], middle + 7), style(BLUE, 2))?;
+        if !self.is_exact() {
+            let ends = [self.interval.low.map_or(LEFT, across), self.interval.high.map_or(RIGHT, across)];
+            segment(area, (ends[0], middle), (ends[1], middle), style(BLUE, 4))?;
+            let limits = [&self.interval.low_limited_by, &self.interval.high_limited_by];
+            let is_open = [self.interval.low.is_none(), self.interval.high.is_none()];
+            for (i, sign) in [(0, 1), (1, -1)] {
+                if is_open[i] {
+                    arrow(area, (ends[i], middle), sign)?;
+                } else if limits[i].is_some() {
+                    rectangle(area, (ends[i] - 4, middle - 4), (ends[i] + 4, middle + 4), BLUE.filled())?;
+                } else {
+                    segment(area, (ends[i], middle - 7), (ends[i], middle + 7), style(BLUE, 2))?;
+                }
             }
         }
         if let Some(posterior) = self.posterior {
