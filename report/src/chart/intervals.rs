@@ -90,8 +90,25 @@ impl Row<'_> {
         [ends[0].map_or(low, |min| min.min(low)), ends[1].map_or(high, |max| max.max(high))]
     }
 
+    /// Returns the place of a value between the ends of the scale, which are 0 and 1.
+    fn share(&self, si: f64) -> f64 {
+        let [low, high] = self.scale();
+        if high > low { (si - low) / (high - low) } else { 0.5 }
+    }
+
+    /// Returns `true` if the width of the interval is but the tolerance of exact evidence.
+    fn is_exact(&self) -> bool {
+        /// Share of the value that is tolerance.
+        const EXACT: f64 = 1e-5;
+        let width = self.interval.low.zip(self.interval.high).map(|(low, high)| high - low);
+        width.zip(self.value).is_some_and(|(width, value)| width <= EXACT * value.abs())
+    }
+
     /// Returns the interval in words.
     fn numbers(&self, units: Units) -> String {
+        if let Some(value) = self.value.filter(|_| self.is_exact()) {
+            return format!("{} (exact)", units.quantity(self.measure, value));
+        }
         let Interval { low, high, .. } = *self.interval;
         let width = low.zip(high).map_or_else(|| self.value.unwrap_or(0.0).abs(), |(low, high)| high - low);
         let text = self.numbers_as(units, &|si| with_digits(units, self.measure, si, 0.25 * width));
@@ -110,10 +127,7 @@ impl Row<'_> {
     fn draw(&self, area: &Area<'_>, units: Units, top: i32) -> Drawn {
         let middle = top + ROW / 2;
         let [low, high] = self.scale();
-        let across = |si: f64| {
-            let share = if high > low { (si - low) / (high - low) } else { 0.5 };
-            LEFT + (f64::from(RIGHT - LEFT) * share.clamp(0.0, 1.0)).round() as i32
-        };
+        let across = |si: f64| LEFT + (f64::from(RIGHT - LEFT) * self.share(si).clamp(0.0, 1.0)).round() as i32;
         Writing { down: VPos::Center, ..Writing::ending() }.write(area, self.name, (NAMES, middle))?;
         Writing { down: VPos::Center, ..Writing::default() }.write(area, &self.numbers(units), (NUMBERS, middle))?;
         rectangle(area, (LEFT, middle - 1), (RIGHT, middle + 1), GRID.filled())?;
@@ -122,17 +136,19 @@ impl Row<'_> {
             segment(area, (x, middle - 11), (x, middle + 11), DARK.stroke_width(px(3)))?;
         }
         let style = |color: RGBColor, width: u32| ShapeStyle::from(&color).stroke_width(px(width));
-        let ends = [self.interval.low.map_or(LEFT, across), self.interval.high.map_or(RIGHT, across)];
-        segment(area, (ends[0], middle), (ends[1], middle), style(BLUE, 4))?;
-        let limits = [&self.interval.low_limited_by, &self.interval.high_limited_by];
-        let is_open = [self.interval.low.is_none(), self.interval.high.is_none()];
-        for (i, sign) in [(0, 1), (1, -1)] {
-            if is_open[i] {
-                arrow(area, (ends[i], middle), sign)?;
-            } else if limits[i].is_some() {
-                rectangle(area, (ends[i] - 4, middle - 4), (ends[i] + 4, middle + 4), BLUE.filled())?;
-            } else {
-                segment(area, (ends[i], middle - 7), (ends[i], middle + 7), style(BLUE, 2))?;
+        if !self.is_exact() {
+            let ends = [self.interval.low.map_or(LEFT, across), self.interval.high.map_or(RIGHT, across)];
+            segment(area, (ends[0], middle), (ends[1], middle), style(BLUE, 4))?;
+            let limits = [&self.interval.low_limited_by, &self.interval.high_limited_by];
+            let is_open = [self.interval.low.is_none(), self.interval.high.is_none()];
+            for (i, sign) in [(0, 1), (1, -1)] {
+                if is_open[i] {
+                    arrow(area, (ends[i], middle), sign)?;
+                } else if limits[i].is_some() {
+                    rectangle(area, (ends[i] - 4, middle - 4), (ends[i] + 4, middle + 4), BLUE.filled())?;
+                } else {
+                    segment(area, (ends[i], middle - 7), (ends[i], middle + 7), style(BLUE, 2))?;
+                }
             }
         }
         if let Some(posterior) = self.posterior {
@@ -188,4 +204,36 @@ fn legend(area: &Area<'_>, level: f64, has_posterior: bool, top: i32) -> Drawn {
         write(area, &format!("posterior: median, shortest range of {} %", percent(level)), 14, (62, second - 7))?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::Random;
+    use super::*;
+
+    #[test]
+    fn everything_known_is_on_the_scale_in_its_order() {
+        let mut random = Random::new(7);
+        for i in 0..500 {
+            let mut known: Vec<f64> = (0..3).map(|_| random.between(-50.0, 50.0)).collect();
+            known.sort_by(f64::total_cmp);
+            let (open, far) = (i % 5 == 0, random.between(0.0, 500.0));
+            let interval = Interval {
+                level: 0.95,
+                low: Some(known[0]),
+                high: (!open).then_some(known[2]),
+                method: "profile",
+                low_limited_by: None,
+                high_limited_by: None,
+            };
+            let bounds = [Some(known[0] - far), (i % 3 == 0).then_some(known[2] + far)];
+            let row = Row { name: "x", measure: Measure::Ratio, value: Some(known[1]), interval: &interval, bounds, posterior: None };
+            let shown: Vec<f64> = row.values().map(|value| row.share(value)).collect();
+            assert!(shown.iter().all(|share| (-1e-12..=1.0 + 1e-12).contains(share)), "{shown:?}");
+            assert!(row.share(known[0]) <= row.share(known[1]) && (open || row.share(known[1]) <= row.share(known[2])));
+            // A near bound is on the scale, and a far one does not squeeze the interval into less than a third.
+            assert!(open || row.share(known[2]) - row.share(known[0]) > 0.33);
+            assert!(open || far > known[2] - known[0] || row.share(known[0] - far) >= -1e-12);
+        }
+    }
 }

@@ -209,17 +209,21 @@ fn shade(share: f64) -> RGBColor {
 /// Draws the cells of a pair, its first row at the bottom.
 fn cells(area: &Area<'_>, shares: &[Vec<f64>], at: (i32, i32), side: i32) -> Drawn {
     let greatest = shares.iter().flatten().copied().fold(0.0, f64::max);
-    let high = shares.len() as i32;
-    for (row, shares) in shares.iter().enumerate() {
-        let (row, wide) = (row as i32, shares.len() as i32);
-        let (top, bottom) = (at.1 + side - side * (row + 1) / high, at.1 + side - side * row / high);
-        for (column, share) in shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
-            let column = column as i32;
-            let (from, to) = (at.0 + side * column / wide, at.0 + side * (column + 1) / wide);
-            rectangle(area, (from, top), (to, bottom), shade(share / greatest).filled())?;
+    for (row, of_row) in shares.iter().enumerate() {
+        for (column, share) in of_row.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+            let [from, to] = cell(at, side, [column, row], [of_row.len(), shares.len()]);
+            rectangle(area, from, to, shade(share / greatest).filled())?;
         }
     }
     Ok(())
+}
+
+/// Returns the upper left and the lower right corner of a cell, by its column and its row from the bottom.
+fn cell(at: (i32, i32), side: i32, [column, row]: [usize; 2], [wide, high]: [usize; 2]) -> [(i32, i32); 2] {
+    let edge = |place: usize, count: usize| side * place as i32 / count as i32;
+    let across = |column: usize| at.0 + edge(column, wide);
+    let down = |row: usize| at.1 + side - edge(row, high);
+    [(across(column), down(row + 1)), (across(column + 1), down(row))]
 }
 
 /// Breaks a dotted name into lines of at most so many characters, where its parts allow it.
@@ -239,6 +243,21 @@ mod tests {
     use super::super::samples::{assert_legible, case};
     use super::*;
     use planar_impact_app::{Uncontrolled, reconstruct};
+
+    #[test]
+    fn cells_tile_their_panel_with_the_first_at_the_lower_left() {
+        let of = |column: usize, row: usize| cell((100, 50), 185, [column, row], [24, 24]);
+        let ([left, top], [right, bottom]) = ([of(0, 0)[0].0, of(0, 23)[0].1], [of(23, 0)[1].0, of(0, 0)[1].1]);
+        assert_eq!([left, top, right, bottom], [100, 50, 285, 235]);
+        for (column, row) in [(0, 0), (7, 11), (22, 22)] {
+            assert_eq!((of(column, row)[1].0, of(column, row)[0].1), (of(column + 1, row)[0].0, of(column, row + 1)[1].1));
+        }
+        // Values grow to the right.
+        let edges = [10.0, 20.0, 30.0];
+        let density = PosteriorDensity { edges: edges.into(), shares: vec![0.5, 0.5] };
+        let quantity = Quantity { key: "", name: String::new(), edges: edges.into(), density: &density, hdi: [12.0, 28.0], best: None };
+        assert_eq!([10.0, 25.0, 30.0].map(|value| quantity.share(value)), [0.0, 0.75, 1.0]);
+    }
 
     #[test]
     fn margins_of_a_pair_are_the_densities() {

@@ -1,7 +1,7 @@
 //! The fit of crush stiffness: E* of each test over the crush, with the fitted lines and their band.
 
 use planar_impact_app::issue::Issues;
-use planar_impact_app::stiffness::{Fit, LinePoint, StiffnessAnswer};
+use planar_impact_app::stiffness::{Fit, LinePoint, StiffnessAnswer, Test};
 use planar_impact_app::units::Measure;
 use planar_impact_app::{Answer, Units};
 use plotters::coord::CoordTranslate;
@@ -14,6 +14,8 @@ const PANEL: u32 = px(430);
 const LEGEND: u32 = px(250);
 /// Lines of the fits on mean depths and on profiles.
 const LINES: [Stroke; 2] = [Stroke::solid(BLUE, 2), Stroke::dashed(VERMILION, 2, 12, 5)];
+/// Line of a stiffness from one test and the assumed onset.
+const ALONE: Stroke = Stroke::dashed(GREEN, 2, 3, 4);
 /// Number of vehicles that the legend names.
 const MOST_NAMES: usize = 12;
 /// Largest width of a name, in columns.
@@ -55,6 +57,8 @@ struct Panel<'a> {
     fits: &'a [Fit],
     /// For each test its vehicle's place in `names`, its mean depth and its E*, in SI.
     points: Vec<(usize, f64, f64)>,
+    /// The stiffness from the mean depth of a test alone: from its E* without crush to the test, in SI.
+    alone: Vec<[(f64, f64); 2]>,
     names: Vec<&'a str>,
 }
 
@@ -79,7 +83,9 @@ fn panels(answer: &StiffnessAnswer) -> Vec<Panel<'_>> {
     for (head, fits) in [("", &answer.fits), ("as new cars", &answer.fits_as_new_cars)] {
         if head.is_empty() || !fits.is_empty() {
             let (head, points) = panel(head, fits);
-            all.push(Panel { head, fits, points, names: names.clone() });
+            let of_test = |test: &Test| Some([(0.0, test.on_mean_depth.as_ref()?.d0), (test.mean_depth, test.crush_intensity)]);
+            let alone = answer.tests.iter().filter_map(of_test).filter(|_| head.is_empty()).collect();
+            all.push(Panel { head, fits, points, alone, names: names.clone() });
         }
     }
     all
@@ -93,7 +99,17 @@ impl Panel<'_> {
             self.fits.iter().map(|fit| fit.line.iter().map(|of| shown((of.depth, of.crush_intensity))).collect()).collect();
         let band: Vec<(f64, f64)> = self.fits.first().map_or_else(Vec::new, |fit| edge(&fit.line)).into_iter().map(shown).collect();
         let points: Vec<(usize, (f64, f64))> = self.points.iter().map(|&(vehicle, depth, root)| (vehicle, shown((depth, root)))).collect();
-        let all = || lines.iter().flatten().chain(&band).copied().chain(points.iter().map(|(_, at)| *at)).chain([(0.0, 0.0)]);
+        let alone: Vec<[(f64, f64); 2]> = self.alone.iter().map(|ends| ends.map(shown)).collect();
+        let all = || {
+            lines
+                .iter()
+                .flatten()
+                .chain(&band)
+                .copied()
+                .chain(points.iter().map(|(_, at)| *at))
+                .chain([(0.0, 0.0)])
+                .chain(alone.iter().flatten().copied())
+        };
         let (x, y) = (span(all().map(|at| at.0), 0.0), span(all().map(|at| at.1), 0.05));
         let (plot, legend) = area.split_horizontally(WIDTH - LEGEND);
         let names = [("mean residual crush C", Measure::Length), ("crush intensity E*", Measure::RootForce)];
@@ -104,7 +120,10 @@ impl Panel<'_> {
         if !band.is_empty() {
             chart.draw_series([Polygon::new(band.clone(), BLUE.mix(0.18))])?;
         }
-        for (line, stroke) in lines.into_iter().zip(LINES) {
+        for ends in alone.iter().copied() {
+            ALONE.line(&mut chart, ends)?;
+        }
+        for (line, stroke) in lines.iter().cloned().zip(LINES) {
             stroke.line(&mut chart, line)?;
         }
         for (vehicle, at) in points {
@@ -123,6 +142,11 @@ impl Panel<'_> {
         for (fit, stroke) in self.fits.iter().zip(LINES) {
             stroke.sample(area, 4, 44, y)?;
             write(area, &format!("fitted on {}", fit.model), 15, (54, y - 7))?;
+            y += 26;
+        }
+        if !self.alone.is_empty() {
+            ALONE.sample(area, 4, 44, y)?;
+            write(area, "from one test, b0 assumed", 15, (54, y - 7))?;
             y += 26;
         }
         if has_band {

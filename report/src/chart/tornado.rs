@@ -102,10 +102,10 @@ impl Panel {
         HEAD + ROW * (self.bars.len() as i32 + i32::from(self.others > 0))
     }
 
-    /// Returns the half length of each bar, the longest being 1.
-    fn lengths(&self) -> Vec<f64> {
+    /// Returns where each bar ends at which the input is greater, as a share of the longest; negative to the left.
+    fn ends(&self) -> Vec<f64> {
         let greatest = self.bars.first().map_or(1.0, |bar| bar.effect.abs());
-        self.bars.iter().map(|bar| bar.effect.abs() / greatest).collect()
+        self.bars.iter().map(|bar| bar.effect / greatest).collect()
     }
 
     fn draw(&self, area: &Area<'_>, units: Units, top: i32) -> Drawn {
@@ -113,16 +113,14 @@ impl Panel {
         let value = format!("{} {}", with_digits(units, measure, self.value, greatest), units.unit(measure));
         write(area, &format!("{} = {}", self.of.short_name(), value.trim_end()), 17, (16, top + 12))?;
         let first = top + HEAD;
-        for (row, (bar, length)) in self.bars.iter().zip(self.lengths()).enumerate() {
-            let (top, half) = (first + ROW * row as i32, (f64::from(HALF) * length).round() as i32);
+        for (row, (bar, end)) in self.bars.iter().zip(self.ends()).enumerate() {
+            let (top, side) = (first + ROW * row as i32, (f64::from(HALF) * end).round() as i32);
             let middle = top + BAR / 2;
-            // The side on which the output lies where the input is greater.
-            let side = if bar.effect > 0.0 { half } else { -half };
             let (greater, less) = ((MIDDLE + side, top + BAR), (MIDDLE - side, top + BAR));
             rectangle(area, (MIDDLE, top), greater, BLUE.mix(0.75).filled())?;
             rectangle(area, (MIDDLE, top), less, VERMILION.mix(0.15).filled())?;
             hatch(area, (MIDDLE, top), less, VERMILION.stroke_width(px(1)))?;
-            outline(area, (MIDDLE - half, top), (MIDDLE + half, top + BAR), DARK)?;
+            outline(area, (MIDDLE - side, top), (MIDDLE + side, top + BAR), DARK)?;
             Writing { down: VPos::Center, ..Writing::ending() }.write(area, &bar.input, (NAMES, middle))?;
             let sign = if bar.effect > 0.0 { '±' } else { '∓' };
             let number = format!("{sign}{}", with_digits(units, measure, bar.effect.abs(), bar.effect));
@@ -200,7 +198,7 @@ mod tests {
         let bars = [3.0, -7.0, 0.0, 5.0, f64::NAN].map(|effect| Bar { input: effect.to_string(), effect });
         let panel = Panel::of(answer.outputs[0], 1.0, bars.into());
         assert_eq!(panel.bars.iter().map(|bar| bar.effect).collect::<Vec<_>>(), [-7.0, 5.0, 3.0]);
-        assert_eq!((panel.lengths(), panel.others), (vec![1.0, 5.0 / 7.0, 3.0 / 7.0], 2));
+        assert_eq!((panel.ends(), panel.others), (vec![-1.0, 5.0 / 7.0, 3.0 / 7.0], 2));
     }
 
     #[test]
