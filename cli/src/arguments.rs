@@ -67,10 +67,10 @@ pub enum Verb {
     /// Follow the vehicles from separation to rest: path, headings, wheel tracks.
     #[command(after_help = help::SLIDE)]
     Slide(Slide),
-    /// Draw the scene of a collision to scale: vehicles, crush plane, impulse, velocities, rest.
+    /// Draw the scene of a collision to scale.
     #[command(after_help = help::DRAW)]
     Draw(Draw),
-    /// Write a report of a case as one HTML file: answer, scene, evidence, method, results, input.
+    /// Write a report of a case as one HTML file.
     #[command(after_help = help::REPORT)]
     Report(Report),
     /// Analyse recorded forces, accelerations, films and event data recorders.
