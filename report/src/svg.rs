@@ -98,11 +98,6 @@ impl Svg {
         self.element("circle", &all);
     }
 
-    /// Adds elements that are written already.
-    pub fn raw(&mut self, elements: &str) {
-        self.0.push_str(elements);
-    }
-
     /// Ends the document.
     pub fn finish(mut self) -> String {
         self.0.push_str("</svg>\n");
