@@ -12,7 +12,7 @@ use planar_impact_app::solve::Solution;
 use planar_impact_app::stiffness::StiffnessAnswer;
 use planar_impact_app::units::{Measure, Units, trim};
 use planar_impact_app::validate::Validation;
-use planar_impact_app::{Answer, plain_text::shown};
+use planar_impact_app::{Answer, Source, plain_text::shown};
 
 use crate::block::{Block, Table};
 use crate::chart;
@@ -129,12 +129,12 @@ pub fn of_case(report: &CaseReport, options: &Options) -> Result<Document, Issue
         Part::Sensitivity => sensitivity.clone(),
         Part::Alternatives => alternatives(report, units),
         Part::Validation => validation(&report.validation),
-        Part::Input => input(&report.identity),
+        Part::Input => input(&report.identity, &report.named_files),
         Part::Glossary => glossary::blocks(),
     };
     let title = if report.title.trim().is_empty() { "Report of a collision".to_owned() } else { report.title.clone() };
     let identity = &report.identity;
-    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: vec![embedded(identity)] })
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &report.named_files) })
 }
 
 /// Writes the report of barrier tests as a document.
@@ -152,12 +152,12 @@ pub fn of_stiffness(answer: &Answer<StiffnessAnswer>, identity: &Identity, optio
         }
         Part::Method => vec![Block::paragraph(method::STIFFNESS)],
         Part::Results => [drawing.clone()].into_iter().chain(answer.blocks(units)).chain(Block::notices(&answer.notices, units)).collect(),
-        Part::Input => input(identity),
+        Part::Input => input(identity, &[]),
         Part::Glossary => glossary::blocks(),
         _ => Vec::new(),
     };
     let title = if answer.title.trim().is_empty() { "Crush stiffness from barrier tests".to_owned() } else { answer.title.clone() };
-    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: vec![embedded(identity)] })
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &[]) })
 }
 
 /// Writes how the program compares with the paper's tables and with measured tests as a document.
@@ -180,10 +180,18 @@ fn foot(identity: &Identity) -> String {
     format!("planar-impact {}, input {}", identity.version, &identity.sha256[..16])
 }
 
-fn embedded(identity: &Identity) -> Embedded {
-    let is_json = identity.source.text.trim_start().starts_with('{');
-    let media_type = if is_json { "application/json" } else { "application/toml" };
-    Embedded { id: "case", media_type, text: identity.source.text.clone() }
+/// Embeds the input and the files that it names.
+fn embedded(identity: &Identity, named: &[Source]) -> Vec<Embedded> {
+    let of = |id: String, name: Option<String>, source: &Source| {
+        let media_type = match source.text.trim_start() {
+            text if text.starts_with('{') => "application/json",
+            _ if source.name.ends_with(".csv") => "text/csv",
+            _ => "application/toml",
+        };
+        Embedded { id, name, media_type, text: source.text.clone() }
+    };
+    let others = (1..).zip(named).map(|(number, source)| of(format!("file-{number}"), Some(source.name.clone()), source));
+    std::iter::once(of("case".to_owned(), None, &identity.source)).chain(others).collect()
 }
 
 /// A verdict or the values, and what identifies the report.
@@ -355,10 +363,18 @@ fn validation(validation: &Validation) -> Vec<Block> {
     blocks
 }
 
-fn input(identity: &Identity) -> Vec<Block> {
+fn input(identity: &Identity, named: &[Source]) -> Vec<Block> {
     let what = "The file that this report answers, without any change. It is also embedded in this document, in the element with the id \"case\": with it the \
                 program gives the same answer again.";
-    vec![Block::paragraph(what), Block::Verbatim(shown_lines(&identity.source.text))]
+    let mut blocks = vec![Block::paragraph(what), Block::Verbatim(shown_lines(&identity.source.text))];
+    if !named.is_empty() {
+        let names: Vec<&str> = named.iter().map(|source| source.name.as_str()).collect();
+        blocks.push(Block::paragraph(format!(
+            "It names other files, which are embedded in the elements from \"file-1\" on: {}.",
+            names.join(", ")
+        )));
+    }
+    blocks
 }
 
 /// Shows control characters of each line as their code points.

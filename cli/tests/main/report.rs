@@ -39,6 +39,28 @@ fn every_input_can_be_entered_again_from_the_report_alone() {
     }
 }
 
+#[test]
+fn files_that_a_case_names_are_in_its_report() {
+    let html = report("reconstruct/from-tests.toml", &[]);
+    let decoded = |text: &str| text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    let folder = tempfile::tempdir().expect("a folder");
+    let below = folder.path().join("reconstruct");
+    fs::create_dir(&below).expect("a folder");
+    fs::write(below.join("case.toml"), embedded(&html)).expect("written");
+    let mut count = 0;
+    for file in html.split(" data-name=\"").skip(1) {
+        let (name, rest) = file.split_once("\">").expect("a name");
+        let path = below.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, decoded(rest.split("</script>").next().expect("a text"))).expect("written");
+        count += 1;
+    }
+    assert!(count > 0);
+    let again = run(folder.path(), &["reconstruct", "reconstruct/case.toml", "--format", "json"]);
+    let first = run(&workspace(), &["reconstruct", "cli/examples/reconstruct/from-tests.toml", "--format", "json"]);
+    assert_eq!((again.status, again.out), (first.status, first.out), "{}", again.err);
+}
+
 /// Of the committed report; `UPDATE_REPORT=1` writes it anew.
 #[test]
 fn the_report_of_two_cars_has_the_same_bytes_everywhere() {
