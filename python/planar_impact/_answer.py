@@ -32,10 +32,12 @@ class Facts(Mapping[str, Any]):
         return len(self._facts)
 
     def __getattr__(self, name: str) -> Any:
-        # Copies and pickles ask for names before there are facts.
-        if not name.startswith("_") and name in self._facts:
+        # Copies and notebooks ask for private names, some before there are facts.
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self._facts:
             return self[name]
-        raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {', '.join(map(repr, self._facts)) if not name.startswith('_') else ''}")
+        raise AttributeError(f"no {name!r} here; there are {', '.join(self._facts)}")
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("an answer cannot be changed")

@@ -27,7 +27,7 @@ _Names = str | Sequence[str] | None
 
 @overload
 def solve_batch(
-    columns: Mapping[str, ArrayLike],
+    columns: Mapping[str, ArrayLike | Sequence[object]],
     *,
     of: _Names = None,
     wrt: _Names = None,
@@ -153,7 +153,10 @@ def _solve_arrays(
 
 def _array(column: Any) -> NDArray[Any]:
     if isinstance(column, np.ma.MaskedArray):
-        return column.astype(object).filled(None)  # type: ignore[no-any-return]
+        # What is masked is nothing.
+        plain: NDArray[Any] = np.asarray(column.data).astype(object)
+        plain[np.ma.getmaskarray(column)] = None
+        return plain
     return np.asarray(column)
 
 

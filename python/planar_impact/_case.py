@@ -23,7 +23,7 @@ def source(case: Case) -> _native.Source:
     if isinstance(case, Mapping):
         return _native.Source.dict(_dumps(case))
     if isinstance(case, str):
-        return _native.Source.path(case) if _is_path(case) else _native.Source.text(case)
+        return _native.Source.path(case) if _is_path(case) else _native.Source.text(_unicode(case))
     if isinstance(case, os.PathLike):
         return _native.Source.path(os.fspath(case))
     raise TypeError(f"a case is a path, a text or a dict, not {type(case).__name__}")
@@ -41,11 +41,14 @@ def _dumps(case: Mapping[str, Any]) -> str:
     plain = _plain(case, "", issues, 0)
     if issues:
         raise CaseError._with(issues[:1000])
-    text = json.dumps(plain, ensure_ascii=False, allow_nan=False)
+    return _unicode(json.dumps(plain, ensure_ascii=False, allow_nan=False))
+
+
+def _unicode(text: str) -> str:
     try:
         text.encode()
     except UnicodeEncodeError:
-        raise CaseError._with([Issue("unreadable-file", "", "a text has a lone surrogate, which is not Unicode")]) from None
+        raise CaseError._with([Issue("unreadable-file", "", "a lone surrogate is no character of a case file")]) from None
     return text
 
 

@@ -9,6 +9,7 @@ use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options,
 use planar_impact_app::Case;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyString};
 
 use crate::control::Signals;
 use crate::error::Failure;
@@ -28,39 +29,47 @@ pub fn base(source: Option<&Source>) -> Result<Option<Case>, Failure> {
 pub struct Plan(batch::Plan);
 
 /// A cell as Python gives it.
-#[derive(FromPyObject)]
 pub enum Given {
-    #[pyo3(transparent)]
+    /// A bool.
     Truth(bool),
-    #[pyo3(transparent)]
+    /// Anything that converts to a float.
     Number(f64),
-    #[pyo3(transparent)]
+    /// A string.
     Text(String),
-    #[pyo3(transparent)]
-    Other(Option<Unreadable>),
+    /// `None`.
+    Nothing,
+    /// Anything else.
+    Other,
 }
 
-/// A cell that is nothing which an input can be.
-pub struct Unreadable;
-
-impl FromPyObject<'_, '_> for Unreadable {
+impl FromPyObject<'_, '_> for Given {
     type Error = PyErr;
 
-    fn extract(_: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        Ok(Unreadable)
+    fn extract(cell: Borrowed<'_, '_, PyAny>) -> PyResult<Given> {
+        Ok(if cell.is_none() {
+            Given::Nothing
+        } else if let Ok(truth) = cell.cast::<PyBool>() {
+            Given::Truth(truth.is_true())
+        } else if let Ok(text) = cell.cast::<PyString>() {
+            text.to_cow().map_or(Given::Other, |text| Given::Text(text.into_owned()))
+        } else {
+            cell.extract().map_or(Given::Other, Given::Number)
+        })
     }
 }
 
 /// A column as Python gives it.
 #[derive(FromPyObject)]
 pub enum Values<'py> {
+    /// A number in every row.
     #[pyo3(transparent)]
     Numbers(PyReadonlyArray1<'py, f64>),
-    #[pyo3(transparent)]
-    Cells(Vec<Given>),
     /// The same cell in every row.
     #[pyo3(transparent)]
     Same((Given,)),
+    /// Any cells.
+    #[pyo3(transparent)]
+    Cells(Vec<Given>),
 }
 
 /// A column whose parts can be read on any thread.
@@ -104,8 +113,8 @@ fn cell(column: &InputColumn, given: &Given) -> Cell {
         Given::Truth(truth) => column.of_truth(*truth),
         Given::Number(number) => column.of_number(*number),
         Given::Text(text) => column.of_text(text),
-        Given::Other(None) => Cell::Empty,
-        Given::Other(Some(Unreadable)) => Cell::Unreadable,
+        Given::Nothing => Cell::Empty,
+        Given::Other => Cell::Unreadable,
     }
 }
 

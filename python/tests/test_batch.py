@@ -214,9 +214,10 @@ def test_wrong_calls() -> None:
     for threads in (0, -1, 10**20):
         with pytest.raises(CaseError):
             planar_impact.solve_batch(columns, case=BARRIER, threads=threads)
-    for wrong in (None, 1, "vehicle.1.speed", [1], SPEEDS):
+    wrongs: list[Any] = [None, 1, "vehicle.1.speed", [1], SPEEDS]
+    for wrong in wrongs:
         with pytest.raises(TypeError):
-            planar_impact.solve_batch(wrong, case=BARRIER)  # type: ignore[type-var]
+            planar_impact.solve_batch(wrong, case=BARRIER)
     with pytest.raises(TypeError):
         planar_impact.solve_batch({1: SPEEDS}, case=BARRIER)  # type: ignore[dict-item]
     with pytest.raises(CaseError):

@@ -15,7 +15,7 @@ import pytest
 from conftest import EXAMPLES, ROOT, reference
 
 import planar_impact
-from planar_impact import Answer, CaseError, PhysicsError
+from planar_impact import Answer, CaseError, PhysicsError, Units
 
 POSITION_A = EXAMPLES / "position-a.toml"
 
@@ -77,8 +77,9 @@ def test_drawings_and_reports_are_those_of_the_command_line(program: str, tmp_pa
 
 
 def test_units_change_the_text_alone(program: str) -> None:
-    for units in ("us", "si", "uk"):
-        answer = planar_impact.solve(POSITION_A, units=units)  # type: ignore[arg-type]
+    every: tuple[Units, ...] = ("us", "si", "uk")
+    for units in every:
+        answer = planar_impact.solve(POSITION_A, units=units)
         assert repr(answer) == printed(program, "solve", str(POSITION_A), "--units", units)
         assert answer == planar_impact.solve(POSITION_A)
 
