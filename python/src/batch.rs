@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table};
 use planar_impact_app::Case;
+use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyString};
@@ -135,14 +135,7 @@ struct Part<'a> {
 impl Plan {
     /// Reads the names of columns.
     #[new]
-    fn new(
-        py: Python<'_>,
-        names: Vec<String>,
-        case: Option<&Source>,
-        of: Vec<String>,
-        wrt: Vec<String>,
-        check: bool,
-    ) -> PyResult<Plan> {
+    fn new(py: Python<'_>, names: Vec<String>, case: Option<&Source>, of: Vec<String>, wrt: Vec<String>, check: bool) -> PyResult<Plan> {
         let plan = py.detach(|| -> Result<Plan, Failure> {
             let headers: Vec<Header> = names.iter().map(|name| Header::read(name)).collect();
             let options = Options { of, wrt, check };
@@ -243,4 +236,3 @@ impl Plan {
         words.1.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
     }
 }
-

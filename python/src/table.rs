@@ -66,7 +66,6 @@ impl Table {
 
 /// Solves every row of a table.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
 pub fn solve_table(
     py: Python<'_>,
     table: AnyRecordBatch,

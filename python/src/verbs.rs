@@ -41,12 +41,15 @@ fn on_case<A: Send>(
     answer.map_err(|failure| signals.error(failure))
 }
 
+/// A verb of the application layer that takes a case alone.
+type VerbOfCase<T> = fn(&Case, &(), &dyn Control) -> Result<AppAnswer<T>, Issues>;
+
 /// Answers a verb that needs a case and nothing more.
 fn plain<T: Facts + Serialize + Send + Sync + 'static>(
     py: Python<'_>,
     source: &Source,
     named: Option<&str>,
-    verb: fn(&Case, &(), &dyn Control) -> Result<AppAnswer<T>, Issues>,
+    verb: VerbOfCase<T>,
 ) -> PyResult<Answer> {
     on_case(py, source, named, |case, units, control| Answer::of(&Arc::new(verb(case, &(), control)?), units, Layout::Pretty))
 }
@@ -84,14 +87,7 @@ pub fn slide(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Ans
 
 /// Differentiates outputs. The page shows the principal ones unless names are given, as on the command line.
 #[pyfunction]
-pub fn gradient(
-    py: Python<'_>,
-    case: &Source,
-    units: Option<&str>,
-    of: Vec<String>,
-    wrt: Vec<String>,
-    second: bool,
-) -> PyResult<Answer> {
+pub fn gradient(py: Python<'_>, case: &Source, units: Option<&str>, of: Vec<String>, wrt: Vec<String>, second: bool) -> PyResult<Answer> {
     use planar_impact_app::gradient::{Options, gradient};
     let selection = |names: &[String], all: Selection| if names.is_empty() { all } else { Selection::Named(names.to_vec()) };
     let options = |all: Selection| Options { of: selection(&of, all.clone()), wrt: selection(&wrt, all), second };
@@ -180,11 +176,7 @@ pub fn uncertainty(py: Python<'_>, case: &Source, units: Option<&str>, options: 
         "sobol" => Ok(Method::Sobol),
         "shapley" => Ok(Method::Shapley),
         "bounds" => Ok(Method::Bounds),
-        other => Err(unknown(
-            "method",
-            other,
-            "\"linear\", \"second-order\", \"monte-carlo\", \"sobol\", \"shapley\" and \"bounds\"",
-        )),
+        other => Err(unknown("method", other, "\"linear\", \"second-order\", \"monte-carlo\", \"sobol\", \"shapley\" and \"bounds\"")),
     };
     let points_of_sobol = match options.points.as_str() {
         "random" => false,
