@@ -1,0 +1,225 @@
+"""Many collisions at once: columns of NumPy arrays, or tables through the Arrow C stream."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._case import Case, names, source
+from ._errors import CaseError, Error, Issue
+
+
+class ArrowTable(Protocol):
+    """A table that exports itself as an Arrow C stream, as those of pyarrow, Polars, pandas and DuckDB do."""
+
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any: ...
+
+
+_T = TypeVar("_T", bound=ArrowTable)
+_Names = str | Sequence[str] | None
+
+
+@overload
+def solve_batch(
+    columns: Mapping[str, ArrayLike | Sequence[object]],
+    *,
+    of: _Names = None,
+    wrt: _Names = None,
+    case: Case | None = None,
+    threads: int | None = None,
+    fast: bool = False,
+    check: bool = False,
+) -> dict[str, NDArray[Any]]: ...
+@overload
+def solve_batch(
+    columns: _T,
+    *,
+    of: _Names = None,
+    wrt: _Names = None,
+    case: Case | None = None,
+    threads: int | None = None,
+    fast: bool = False,
+    check: bool = False,
+) -> _T: ...
+def solve_batch(
+    columns: Any,
+    *,
+    of: _Names = None,
+    wrt: _Names = None,
+    case: Case | None = None,
+    threads: int | None = None,
+    fast: bool = False,
+    check: bool = False,
+) -> Any:
+    """Solve many collisions, a row each. Every row has the bits that :func:`solve` gives it.
+
+    Args:
+        columns: Inputs by name, such as ``"vehicle.1.speed"``, in SI, or with a unit in the name: ``"vehicle.1.speed [mph]"``. Either a
+            dict of arrays and scalars, which hold in every row, or a table: of pyarrow, Polars, pandas, DuckDB, or any with
+            ``__arrow_c_stream__``. Columns of other names pass through. Arrays of contiguous float64 are read without a copy, and must
+            not be changed until the call returns.
+        of: Outputs by name or symbol. Default: all of :func:`solve`.
+        wrt: Inputs to differentiate with respect to: columns ``"d energy.loss / d vehicle.1.speed"`` are added.
+        case: A case that supplies what no column has, and what is ``None`` or null in a row.
+        threads: Number of threads. Default: one for each processor. The answer is the same for any number.
+        fast: Reserved for a mode whose last bits may differ; it raises an error today.
+        check: Whether to check every solved row with the laws of mechanics, in a column ``"check"``.
+
+    Returns:
+        What was given, with a column for each output in SI, and ``"refusal"``: the codes of why a row is refused, ``None`` where it is
+        solved. Outputs of a refused row are NaN in arrays, null in tables. An output whose name an input has too is called
+        ``"result."`` and its name.
+
+    Raises:
+        CaseError: A column is unknown, missing, of a wrong type or of another length.
+
+    >>> import numpy as np
+    >>> import planar_impact
+    >>> answer = planar_impact.solve_batch(
+    ...     {"vehicle.1.speed [km/h]": np.array([50.0, -50.0])}, of="T_L", case=planar_impact.template("barrier")
+    ... )
+    >>> answer["energy.loss"] > 0
+    array([ True, False])
+    >>> answer["refusal"].tolist()
+    [None, 'separating']
+    """
+    if fast:
+        raise Error._with([Issue("not-available", "fast", "there is no fast mode yet; leave it out for exact bits on all threads")])
+    of, wrt = names(of, "of"), names(wrt, "wrt")
+    base = None if case is None else source(case)
+    threads = _threads(threads)
+    if isinstance(columns, Mapping):
+        return _solve_arrays(columns, of, wrt, base, threads, bool(check))
+    if hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__"):
+        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), threads))
+    raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
+
+
+def _threads(threads: int | None) -> int:
+    if threads is None:
+        available = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+        return available or 1
+    count = operator.index(threads)
+    if not 1 <= count <= 1024:
+        raise CaseError._with([Issue("call", "threads", f"{count:.6g}; it must be from 1 to 1024")])
+    return count
+
+
+def _solve_arrays(
+    columns: Mapping[str, Any], of: list[str], wrt: list[str], base: _native.Source | None, threads: int, check: bool
+) -> dict[str, NDArray[Any]]:
+    issues: list[Issue] = []
+    arrays: dict[str, NDArray[Any]] = {}
+    for name, column in columns.items():
+        if not isinstance(name, str):
+            raise TypeError(f"the name of a column is a string, not {type(name).__name__}")
+        try:
+            arrays[name] = _array(column)
+        except (TypeError, ValueError, OverflowError) as error:
+            issues.append(Issue("wrong-type", name, f"not an array: {error}"))
+            continue
+        if arrays[name].ndim > 1:
+            issues.append(Issue("wrong-type", name, f"expected one dimension, found {arrays[name].ndim}"))
+    lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
+    rows = next(iter(lengths.values()), 1)
+    first = next(iter(lengths), "")
+    for name, length in lengths.items():
+        if length != rows:
+            issues.append(Issue("length", name, f"{length} rows, and {first} has {rows}"))
+    if issues:
+        raise CaseError._with(issues)
+    plan = _native.Plan(list(arrays), base, of, wrt, check)
+    inputs = [list(arrays)[place] for place in plan.inputs]
+    cells = []
+    for name in inputs:
+        try:
+            cells.append(_cells(arrays[name]))
+        except TypeError as error:
+            issues.append(Issue("wrong-type", name, str(error)))
+    if issues:
+        raise CaseError._with(issues)
+    numbers, checked, refused = plan.solve(rows, cells, threads)
+    answer = {name: array if array.ndim == 1 else np.broadcast_to(array, (rows,)) for name, array in arrays.items()}
+    words = [_words(rows, found) for found in ([checked, refused] if check else [refused])]
+    answer.update(zip(plan.names, [*numbers, *words]))
+    return answer
+
+
+def _array(column: Any) -> NDArray[Any]:
+    if isinstance(column, np.ma.MaskedArray):
+        # What is masked is nothing.
+        plain: NDArray[Any] = np.asarray(column.data).astype(object)
+        plain[np.ma.getmaskarray(column)] = None
+        return plain
+    return np.asarray(column)
+
+
+def _cells(array: NDArray[Any]) -> object:
+    """Return an input as the extension reads it: an array of float64, a list of cells, or one cell in a tuple."""
+    if array.dtype.kind in "iuf":
+        if array.ndim == 0:
+            return (float(array),)
+        return np.require(array, dtype=np.float64, requirements=["C", "A"])
+    if array.dtype.kind not in "bUTO":
+        raise TypeError(f"an input is a number, a bool or text; this column is {array.dtype}")
+    plain = [_cell(item) for item in array.reshape(-1).tolist()]
+    return plain if array.ndim == 1 else (plain[0],)
+
+
+def _cell(item: Any) -> object:
+    if item is None or isinstance(item, (bool, str)):
+        return item
+    if isinstance(item, np.generic):
+        item = item.item()
+    if isinstance(item, int):
+        try:
+            return float(item)
+        except OverflowError:
+            return float("inf")
+    return item
+
+
+def _words(rows: int, words: list[tuple[int, str]]) -> NDArray[Any]:
+    column = np.full(rows, None, dtype=object)
+    for row, word in words:
+        column[row] = word
+    return column
+
+
+def _like(given: Any, table: _native.Table) -> Any:
+    """Return a table as the kind that was given."""
+    library = type(given).__module__.partition(".")[0]
+    kind = type(given).__name__
+    if library == "pyarrow":
+        import pyarrow as pa
+
+        if kind == "RecordBatchReader":
+            return pa.RecordBatchReader.from_stream(table)
+        whole = pa.table(table)
+        return whole if kind == "Table" else _one_batch(pa, whole)
+    if library == "polars":
+        import polars as pl
+
+        return pl.DataFrame(table)
+    if library == "pandas":
+        import pyarrow as pa
+
+        # Its metadata has the index.
+        return pa.table(table).to_pandas()
+    if library in ("duckdb", "_duckdb"):
+        import duckdb
+        import pyarrow as pa
+
+        return duckdb.from_arrow(pa.table(table))
+    return table
+
+
+def _one_batch(pa: Any, table: Any) -> Any:
+    batches = table.combine_chunks().to_batches()
+    return batches[0] if batches else pa.RecordBatch.from_pylist([], schema=table.schema)

@@ -1,0 +1,343 @@
+"""The verbs, as on the command line."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Mapping, Sequence
+from typing import Literal, SupportsIndex, Union
+
+from . import _native
+from ._answer import Answer
+from ._case import Case, names, source
+from ._errors import CaseError, Issue
+
+#: A system of units for text and drawings: feet and pounds, SI with km/h, or SI with mph.
+Units = Literal["us", "si", "uk"]
+
+Method = Literal["linear", "second-order", "monte-carlo", "sobol", "shapley", "bounds"]
+_Names = Union[str, Sequence[str], None]
+_Path = Union[str, "os.PathLike[str]"]
+#: From, to and step of an input: numbers in SI, or strings with units.
+Range = tuple[Union[float, str], Union[float, str], Union[float, str]]
+
+
+def _whole(value: SupportsIndex, argument: str) -> int:
+    whole = operator.index(value)
+    if not 0 <= whole < 1 << 64:
+        raise CaseError._with([Issue("call", argument, f"expected a whole number from 0 to 2^64 - 1, found {whole:.3g}")])
+    return whole
+
+
+def solve(case: Case, *, units: Units | None = None) -> Answer:
+    """Solve a collision: how both vehicles leave it, and the energy it takes.
+
+    Args:
+        case: A path, a text in TOML or JSON, or a dict with the keys of a case file. In a dict, a number is in SI and radians, and
+            a string has its unit: ``{"mass": 1450}``, ``{"mass": "3200 lb"}``.
+        units: Units of the text and the drawing: ``"us"``, ``"si"`` or ``"uk"``. Default: those of most values in the case.
+
+    Returns:
+        ``vehicles[i]`` with ``velocity`` and ``delta_v`` (x, y) in m/s, ``delta_v_magnitude`` in m/s, ``yaw_rate`` in rad/s, ``pdof``
+        in rad; ``contact`` with ``impulse`` in N s; ``energy`` in J.
+
+    Raises:
+        CaseError: The case is wrong; ``issues`` has every problem with its line.
+        PhysicsError: The vehicles move apart, the impulse is tensile, or energy is gained.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.solve({
+    ...     "schema": 1,
+    ...     "vehicle": [
+    ...         {"mass": 1500, "yaw_inertia": 2500, "heading": 0, "speed": 15, "impact_center": [2, 0]},
+    ...         {"barrier": True},
+    ...     ],
+    ...     "contact": {"crush_plane": 0, "restitution": 0.1},
+    ... })
+    >>> round(answer.vehicles[0].delta_v_magnitude, 6)
+    16.5
+    >>> round(answer.energy.loss)
+    167062
+    """
+    return Answer(_native.solve(source(case), units), units)
+
+
+def gradient(
+    case: Case, *, of: _Names = None, wrt: _Names = None, second: bool = False, units: Units | None = None
+) -> Answer:
+    """Differentiate the outputs of a collision exactly.
+
+    Args:
+        case: As for :func:`solve`.
+        of: Outputs by name or symbol, such as ``"energy.loss"`` or ``"dV1"``. Default: all.
+        wrt: Inputs by name or symbol, such as ``"vehicle.1.speed"`` or ``"e"``. Default: all.
+        second: Whether to add second derivatives.
+        units: Units of the text.
+
+    Returns:
+        ``of[output].value`` and ``of[output].d[input]`` in SI; with ``second`` also ``of[output].d2[input][input]``.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.gradient(planar_impact.template("barrier"), of="dV1", wrt="vehicle.1.speed")
+    >>> answer.of["vehicle.1.delta_v_magnitude"].d["vehicle.1.speed"] > 1
+    True
+    """
+    return Answer(_native.gradient(source(case), units, names(of, "of"), names(wrt, "wrt"), bool(second)), units)
+
+
+def sweep(
+    case: Case, *, vary: str | Sequence[str] | Mapping[str, Range], of: _Names = None, units: Units | None = None
+) -> Answer:
+    """Vary one or two inputs over ranges.
+
+    Args:
+        case: As for :func:`solve`.
+        vary: Ranges as on the command line, ``"contact.crush_plane=-10 deg:10 deg:1 deg"``, or a dict of a first value, a last value
+            and a step: ``{"contact.crush_plane": ("-10 deg", "10 deg", "1 deg")}``. Numbers without a unit are in SI.
+        of: Outputs by name or symbol. Default: the works, the energy loss and the critical impulse ratio.
+        units: Units of the text.
+
+    Returns:
+        ``vary[input]`` and ``of[output]``, lists with a value for each point in SI; ``refusal``, the code of a point that is refused.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.sweep(planar_impact.template("barrier"), vary={"contact.restitution": (0, 0.2, 0.1)}, of="T_L")
+    >>> len(answer.of["energy.loss"])
+    3
+    """
+    if isinstance(vary, Mapping):
+        ranges = []
+        for name, ends in vary.items():
+            if isinstance(ends, (str, bytes)) or not isinstance(ends, Sequence) or len(ends) != 3:
+                raise CaseError._with([Issue("call", f"vary {name}", "expected a first value, a last value and a step")])
+            ranges.append(f"{name}={':'.join(end if isinstance(end, str) else repr(float(end)) for end in ends)}")
+    else:
+        ranges = names(vary, "vary")
+    return Answer(_native.sweep(source(case), units, ranges, names(of, "of")), units)
+
+
+def crush(case: Case, *, units: Units | None = None) -> Answer:
+    """Compute crush energy and equivalent speed from the residual crush of the vehicles.
+
+    Returns:
+        ``vehicles[i]`` with ``mean_depth`` in m, ``crush_energy`` in J, ``equivalent_energy_speed`` in m/s.
+
+    >>> import planar_impact
+    >>> planar_impact.crush(planar_impact.template("t-bone")).vehicles[0].crush_energy > 0
+    True
+    """
+    return Answer(_native.crush(source(case), units), units)
+
+
+def crash3(case: Case, *, units: Units | None = None) -> Answer:
+    """Compute ΔV by CRASH3 from the residual crush of the vehicles.
+
+    Returns:
+        ``vehicles[i]`` with ``corrected_energy`` in J, ``delta_v_magnitude`` in m/s.
+
+    >>> import planar_impact
+    >>> planar_impact.crash3(planar_impact.template("t-bone")).vehicles[0].delta_v_magnitude > 0
+    True
+    """
+    return Answer(_native.crash3(source(case), units), units)
+
+
+def reconstruct(
+    case: Case,
+    *,
+    starts: int = 64,
+    seed: int = 1,
+    level: float = 0.95,
+    posterior: bool = False,
+    probability: _Names = (),
+    draws: bool = False,
+    units: Units | None = None,
+) -> Answer:
+    """Find the unknowns of a case from its evidence, with intervals.
+
+    Args:
+        case: As for :func:`solve`, with ``[evidence]`` and ``[unknown]``.
+        starts: Number of starts of the search, from 1 to 10000.
+        seed: Seed of the starts and of the posterior.
+        level: Level of confidence of the intervals, from 0.5 to 0.9999.
+        posterior: Whether to draw from the posterior distribution.
+        probability: Statements whose probability is wanted, such as ``"vehicle.1.speed > 50 km/h"``; with any, the posterior is drawn.
+        draws: Whether to return each draw.
+        units: Units of the text and the drawing.
+
+    Returns:
+        ``unknown[name]`` with ``value``, ``sd`` and ``interval`` in SI, ``derived``, ``evidence``, ``verdict``, ``solution``.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.reconstruct(planar_impact.template("t-bone"), starts=8)
+    >>> [interval.low < interval.high for interval in (unknown.interval for unknown in answer.unknown.values())][0]
+    True
+    """
+    statements = names(probability, "probability")
+    starts, seed = _whole(starts, "starts"), _whole(seed, "seed")
+    native = _native.reconstruct(source(case), units, starts, seed, float(level), bool(posterior), statements, bool(draws))
+    return Answer(native, units)
+
+
+def uncertainty(
+    case: Case,
+    *,
+    of: _Names = None,
+    method: Method | Sequence[Method] | None = None,
+    samples: int = 100_000,
+    seed: int = 1,
+    points: Literal["random", "sobol"] = "random",
+    precision: float | None = None,
+    probability: _Names = (),
+    level: float = 0.95,
+    bounds_sd: float = 3.0,
+    units: Units | None = None,
+) -> Answer:
+    """Compute how uncertain outputs are, from inputs that are uncertain.
+
+    Args:
+        case: As for :func:`solve`, with uncertain inputs: ``"40 mph ± 2 mph"``, ``{"min": 0.1, "max": 0.3}``.
+        of: Outputs by name or symbol. Default: the principal ones.
+        method: ``"linear"``, ``"second-order"``, ``"monte-carlo"``, ``"sobol"``, ``"shapley"``, ``"bounds"``. Default: all that apply.
+        samples: Number of samples; with a precision, the greatest.
+        seed: Seed of the samples. The same seed gives the same answer.
+        points: Where samples lie: ``"random"`` or ``"sobol"``.
+        precision: Standard error of every mean that is small enough, as a share, such as 0.001.
+        probability: Statements whose probability is wanted, such as ``"dV1 > 25 mph"``.
+        level: Level of the middle range, from 0.5 to 0.9999.
+        bounds_sd: Standard deviations at which ``"bounds"`` ends inputs without limits.
+        units: Units of the text.
+
+    Returns:
+        ``of[output]`` with a key for each method, in SI; ``probabilities``.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.uncertainty(planar_impact.template("t-bone"), of="dV1", method="monte-carlo", samples=1000)
+    >>> answer.of["vehicle.1.delta_v_magnitude"].monte_carlo.sd > 0
+    True
+    """
+    options: dict[str, object] = {
+        "of": names(of, "of"),
+        "method": names(method, "method"),
+        "samples": _whole(samples, "samples"),
+        "seed": _whole(seed, "seed"),
+        "points": points,
+        "precision": None if precision is None else float(precision),
+        "probability": names(probability, "probability"),
+        "level": float(level),
+        "bounds_sd": float(bounds_sd),
+    }
+    return Answer(_native.uncertainty(source(case), units, options), units)
+
+
+def stiffness(tests: Case, *, units: Units | None = None) -> Answer:
+    """Fit the stiffness of vehicles to barrier tests.
+
+    Args:
+        tests: A file of barrier tests: a path, a text or a dict.
+        units: Units of the text.
+
+    Returns:
+        ``fits``, each with its coefficients in SI; ``tests``; ``headlines``, what to know about them.
+    """
+    return Answer(_native.stiffness(source(tests), units), units)
+
+
+def slide(case: Case, *, units: Units | None = None) -> Answer:
+    """Follow the vehicles from separation to rest.
+
+    Args:
+        case: As for :func:`solve`, with ``[rest]``.
+        units: Units of the text.
+
+    Returns:
+        ``vehicles[i]`` with ``rest.position`` in m, ``time`` in s, ``distance`` in m, ``path``.
+
+    >>> import planar_impact
+    >>> planar_impact.slide(planar_impact.template("rest")).vehicles[0].time > 0
+    True
+    """
+    return Answer(_native.slide(source(case), units), units)
+
+
+def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Answer:
+    """Compute impulses, velocity changes and restitution from recordings of force, acceleration or distance.
+
+    Args:
+        files: A recording, or several: paths of CSV, TOML or JSON files, texts or dicts.
+        units: Units of the text.
+    """
+    several = [files] if isinstance(files, (str, Mapping, os.PathLike)) else list(files)
+    return Answer(_native.record([source(file) for file in several], units), units)
+
+
+def formula(output: str, *, wrt: str | None = None, case: Case | None = None) -> Answer:
+    """Return the formula that the code computes for an output, or for its derivative.
+
+    Args:
+        output: An output by name or symbol, such as ``"T_L"``.
+        wrt: An input by name or symbol, to differentiate with respect to.
+        case: A case, whose kind of collision the formula is for. Default: two vehicles at the critical impulse ratio.
+
+    Returns:
+        ``definitions`` and ``inputs``, ``latex`` and ``rust``.
+
+    >>> import planar_impact
+    >>> planar_impact.formula("mu0").output
+    'contact.critical_impulse_ratio'
+    """
+    return Answer(_native.formula(output, wrt, None if case is None else source(case)))
+
+
+def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> Answer:
+    """Check the collision results of any program for violated laws of mechanics.
+
+    Args:
+        files: Paths of files of records: JSON, JSON lines or CSV.
+        tolerance: Relative tolerance of numbers that have no resolution.
+
+    Returns:
+        ``records``, each with its ``verdict`` and ``findings``; ``summary``.
+    """
+    several = [files] if isinstance(files, (str, os.PathLike)) else list(files)
+    return Answer(_native.check([os.fspath(path) for path in several], tolerance))
+
+
+def draw(case: Case, *, units: Units | None = None) -> str:
+    """Draw the scene of a collision as SVG.
+
+    >>> import planar_impact
+    >>> planar_impact.draw(planar_impact.template("barrier")).startswith("<svg")
+    True
+    """
+    return _native.draw(source(case), units)
+
+
+def report(
+    case: Case,
+    *,
+    verb: Literal["solve", "reconstruct", "crush", "crash3", "uncertainty"] | None = None,
+    date: str | None = None,
+    units: Units | None = None,
+    sections: _Names = None,
+) -> str:
+    """Write the report of a case as one HTML document. The same case gives the same bytes.
+
+    Args:
+        case: As for :func:`solve`.
+        verb: What the report is about. Default: ``"reconstruct"`` for a case with unknowns, otherwise ``"solve"``.
+        date: A date in any words, printed as it is.
+        units: Units of the report.
+        sections: Parts of the report, such as ``["summary", "results"]``. Default: all that apply.
+    """
+    return _native.report(source(case), units, verb, date, names(sections, "sections"))
+
+
+def template(kind: str = "t-bone") -> str:
+    """Return a case file to begin with: ``t-bone``, ``head-on``, ``rear-end``, ``barrier``, ``momentum`` or ``rest``.
+
+    >>> import planar_impact
+    >>> "barrier = true" in planar_impact.template("barrier")
+    True
+    """
+    return _native.template(kind)

@@ -1,0 +1,238 @@
+//! Columns of numbers: a plan from their names, and its answer on several threads.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use planar_impact_app::Case;
+use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyString};
+
+use crate::control::Signals;
+use crate::error::Failure;
+use crate::source::Source;
+
+/// Rows that one thread solves before it looks for more.
+const ROWS: usize = 1 << 14;
+
+/// Reads the case that supplies what no column has.
+pub fn base(source: Option<&Source>) -> Result<Option<Case>, Failure> {
+    let read = |source: &Source| source.case().map_err(|issues| Failure { has_lines: source.has_lines(), ..issues.into() });
+    source.map(read).transpose()
+}
+
+/// What is computed from columns of these names.
+#[pyclass(frozen, module = "planar_impact._native")]
+pub struct Plan(batch::Plan);
+
+/// A cell as Python gives it.
+pub enum Given {
+    /// A bool.
+    Truth(bool),
+    /// Anything that converts to a float.
+    Number(f64),
+    /// A string.
+    Text(String),
+    /// `None`.
+    Nothing,
+    /// Anything else.
+    Other,
+}
+
+impl FromPyObject<'_, '_> for Given {
+    type Error = PyErr;
+
+    fn extract(cell: Borrowed<'_, '_, PyAny>) -> PyResult<Given> {
+        Ok(if cell.is_none() {
+            Given::Nothing
+        } else if let Ok(truth) = cell.cast::<PyBool>() {
+            Given::Truth(truth.is_true())
+        } else if let Ok(text) = cell.cast::<PyString>() {
+            text.to_cow().map_or(Given::Other, |text| Given::Text(text.into_owned()))
+        } else {
+            cell.extract().map_or(Given::Other, Given::Number)
+        })
+    }
+}
+
+/// A column as Python gives it.
+#[derive(FromPyObject)]
+pub enum Values<'py> {
+    /// A number in every row.
+    #[pyo3(transparent)]
+    Numbers(PyReadonlyArray1<'py, f64>),
+    /// The same cell in every row.
+    #[pyo3(transparent)]
+    Same((Given,)),
+    /// Any cells.
+    #[pyo3(transparent)]
+    Cells(Vec<Given>),
+}
+
+/// A column whose parts can be read on any thread.
+enum Readable<'a> {
+    Numbers(&'a [f64]),
+    Cells(Vec<Cell>),
+    Same { cell: Cell, numbers: Vec<f64> },
+}
+
+impl<'a> Readable<'a> {
+    fn of(column: &InputColumn, values: &'a Values<'_>, rows: usize) -> PyResult<Readable<'a>> {
+        let readable = match values {
+            Values::Numbers(numbers) => Readable::Numbers(numbers.as_slice()?),
+            Values::Cells(cells) => Readable::Cells(cells.iter().map(|given| cell(column, given)).collect()),
+            Values::Same((given,)) => {
+                let cell = cell(column, given);
+                let number = if let (Cell::Number(number), true) = (cell, column.key.is_numeric()) { Some(number) } else { None };
+                Readable::Same { cell, numbers: number.map_or_else(Vec::new, |number| vec![number; rows.min(ROWS)]) }
+            }
+        };
+        let found = match &readable {
+            Readable::Numbers(numbers) => numbers.len(),
+            Readable::Cells(cells) => cells.len(),
+            Readable::Same { .. } => rows,
+        };
+        if found == rows { Ok(readable) } else { Err(PyValueError::new_err(format!("{}: {found} cells, not {rows}", column.key))) }
+    }
+
+    fn part(&self, column: &InputColumn, first: usize, rows: usize) -> Column<'_> {
+        match self {
+            Readable::Numbers(numbers) => column.of_numbers(&numbers[first..first + rows]),
+            Readable::Cells(cells) => Column::Cells(cells[first..first + rows].to_vec()),
+            Readable::Same { numbers, .. } if !numbers.is_empty() => Column::Numbers(numbers[..rows].into()),
+            Readable::Same { cell, .. } => Column::Cells(vec![*cell; rows]),
+        }
+    }
+}
+
+fn cell(column: &InputColumn, given: &Given) -> Cell {
+    match given {
+        Given::Truth(truth) => column.of_truth(*truth),
+        Given::Number(number) => column.of_number(*number),
+        Given::Text(text) => column.of_text(text),
+        Given::Nothing => Cell::Empty,
+        Given::Other => Cell::Unreadable,
+    }
+}
+
+/// Words of some rows, such as the codes of refusals.
+type Words = Vec<(usize, String)>;
+
+/// The answer: a column for each number, the violated rules if they are checked, the refusals.
+type Solved<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Words, Words);
+
+/// Rows that are solved together, and where their numbers go.
+struct Part<'a> {
+    first: usize,
+    rows: usize,
+    numbers: Vec<&'a mut [f64]>,
+}
+
+#[pymethods]
+impl Plan {
+    /// Reads the names of columns.
+    #[new]
+    fn new(py: Python<'_>, names: Vec<String>, case: Option<&Source>, of: Vec<String>, wrt: Vec<String>, check: bool) -> PyResult<Plan> {
+        let plan = py.detach(|| -> Result<Plan, Failure> {
+            let headers: Vec<Header> = names.iter().map(|name| Header::read(name)).collect();
+            let options = Options { of, wrt, check };
+            let base = base(case)?;
+            let has_lines = case.is_none_or(Source::has_lines);
+            let plan = batch::Plan::of(&headers, base.as_ref(), &options);
+            plan.map(Plan).map_err(|issues| Failure { has_lines, ..issues.into() })
+        });
+        Ok(plan?)
+    }
+
+    /// Returns the places of the columns that are inputs.
+    #[getter]
+    fn inputs(&self) -> Vec<usize> {
+        self.0.inputs().iter().map(|column| column.place).collect()
+    }
+
+    /// Returns the names of the columns that are added.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.0.names()
+    }
+
+    /// Solves rows.
+    fn solve<'py>(&self, py: Python<'py>, rows: usize, columns: Vec<Values<'py>>, threads: usize) -> PyResult<Solved<'py>> {
+        let inputs = self.0.inputs();
+        if columns.len() != inputs.len() {
+            return Err(PyValueError::new_err(format!("{} columns, not {}", columns.len(), inputs.len())));
+        }
+        let columns: Vec<Readable<'_>> =
+            inputs.iter().zip(&columns).map(|(column, values)| Readable::of(column, values, rows)).collect::<PyResult<_>>()?;
+        let count = self.0.outputs().len() * (1 + self.0.wrt().len());
+        let mut numbers: Vec<Vec<f64>> = (0..count).map(|_| vec![0.0; rows]).collect();
+        let signals = Signals::new();
+        let found = py.detach(|| self.fill(&columns, rows, &mut numbers, threads, &signals));
+        let Some((check, refused)) = found else { return Err(signals.stopped()) };
+        Ok((numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect(), check, refused))
+    }
+}
+
+impl Plan {
+    /// Solves rows on threads, and returns the violated rules and the refusals; `None` if a signal stops it.
+    fn fill(
+        &self,
+        columns: &[Readable<'_>],
+        rows: usize,
+        numbers: &mut [Vec<f64>],
+        threads: usize,
+        signals: &Signals,
+    ) -> Option<(Words, Words)> {
+        let mut parts: Vec<Part<'_>> = (0..rows)
+            .step_by(ROWS)
+            .map(|first| Part { first, rows: ROWS.min(rows - first), numbers: Vec::with_capacity(numbers.len()) })
+            .collect();
+        for column in numbers {
+            parts.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(part, chunk)| part.numbers.push(chunk));
+        }
+        let threads = threads.min(parts.len());
+        let queue = Mutex::new(parts.into_iter());
+        let next = || queue.lock().ok()?.next();
+        let is_stopped = AtomicBool::new(false);
+        let work = |look: &dyn Fn() -> bool| {
+            let mut words = (Words::new(), Words::new());
+            while !is_stopped.load(Ordering::Relaxed) {
+                let Some(part) = next() else { break };
+                self.fill_part(columns, part, &mut words);
+                if !look() {
+                    is_stopped.store(true, Ordering::Relaxed);
+                }
+            }
+            words
+        };
+        let (mut check, mut refused) = thread::scope(|scope| {
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&|| true))).collect();
+            let mut words = work(&|| signals.look());
+            for other in others {
+                let (check, refused) = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                words.0.extend(check);
+                words.1.extend(refused);
+            }
+            words
+        });
+        check.sort_by_key(|(row, _)| *row);
+        refused.sort_by_key(|(row, _)| *row);
+        (!is_stopped.into_inner()).then_some((check, refused))
+    }
+
+    fn fill_part(&self, columns: &[Readable<'_>], part: Part<'_>, words: &mut (Words, Words)) {
+        let Part { first, rows, numbers } = part;
+        let inputs = self.0.inputs();
+        let columns = inputs.iter().zip(columns).map(|(column, readable)| readable.part(column, first, rows)).collect();
+        let answer = self.0.solve(&Table { rows, columns, unreadable: Vec::new() });
+        for (to, from) in numbers.into_iter().zip(answer.outputs.iter().chain(&answer.derivatives)) {
+            to.copy_from_slice(from);
+        }
+        let rules = answer.check.into_iter().flatten().enumerate();
+        words.0.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));
+        words.1.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
+    }
+}

@@ -1,0 +1,345 @@
+//! The verbs: arguments in, answers out.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use planar_impact_app::check::{self as checks, CheckReport, Entries, Entry, Origin, Summary};
+use planar_impact_app::gradient::Selection;
+use planar_impact_app::json::{self, Layout};
+use planar_impact_app::stiffness::TestFile;
+use planar_impact_app::uncertainty::Method;
+use planar_impact_app::{Answer as AppAnswer, Case, Cause, Control, Issue, Issues, Notices, Units};
+use planar_impact_report::document::{self, Part};
+use planar_impact_report::page::{self, Facts};
+use planar_impact_report::{html, scene, text};
+use pyo3::prelude::*;
+use serde::Serialize;
+
+use crate::answer::{Answer, Render};
+use crate::control::Signals;
+use crate::error::{self, Failure};
+use crate::source::Source;
+use crate::units::{self, unknown};
+
+/// Runs `verb` on a case without the interpreter lock; Ctrl+C stops it. The verb is given the units of the reader.
+fn on_case<A: Send>(
+    py: Python<'_>,
+    source: &Source,
+    named: Option<&str>,
+    verb: impl FnOnce(&Arc<Case>, Units, &dyn Control) -> Result<A, Issues> + Send,
+) -> PyResult<A> {
+    let signals = Signals::new();
+    let answer = py.detach(|| {
+        let failure = |units| move |issues| Failure { issues, units, has_lines: source.has_lines() };
+        let given = units::named(named).map_err(failure(Units::Si))?;
+        let case = Arc::new(source.case().map_err(failure(given.unwrap_or(Units::Si)))?);
+        let units = given.unwrap_or(case.units);
+        verb(&case, units, &signals).map_err(failure(units))
+    });
+    answer.map_err(|failure| signals.error(failure))
+}
+
+/// A verb of the application layer that takes a case alone.
+type VerbOfCase<T> = fn(&Case, &(), &dyn Control) -> Result<AppAnswer<T>, Issues>;
+
+/// Answers a verb that needs a case and nothing more.
+fn plain<T: Facts + Serialize + Send + Sync + 'static>(
+    py: Python<'_>,
+    source: &Source,
+    named: Option<&str>,
+    verb: VerbOfCase<T>,
+) -> PyResult<Answer> {
+    on_case(py, source, named, |case, units, control| Answer::of(&Arc::new(verb(case, &(), control)?), units, Layout::Pretty))
+}
+
+/// Solves the collision.
+#[pyfunction]
+pub fn solve(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Answer> {
+    on_case(py, case, units, |case, units, control| {
+        let answer = Arc::new(planar_impact_app::solve::solve(case, &(), control)?);
+        let case = case.clone();
+        let drawing: Render = Box::new(move |units| {
+            planar_impact_app::scene::draw(&case, &(), &planar_impact_app::Uncontrolled).map(|scene| scene::scene(&scene, units))
+        });
+        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_drawing(Some(drawing)))
+    })
+}
+
+/// Computes the crush energy.
+#[pyfunction]
+pub fn crush(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Answer> {
+    plain(py, case, units, planar_impact_app::crush::crush)
+}
+
+/// Computes ΔV by CRASH3.
+#[pyfunction]
+pub fn crash3(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Answer> {
+    plain(py, case, units, planar_impact_app::crash3::crash3)
+}
+
+/// Follows the vehicles to rest.
+#[pyfunction]
+pub fn slide(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Answer> {
+    plain(py, case, units, planar_impact_app::slide::slide)
+}
+
+/// Differentiates outputs. The page shows the principal ones unless names are given, as on the command line.
+#[pyfunction]
+pub fn gradient(py: Python<'_>, case: &Source, units: Option<&str>, of: Vec<String>, wrt: Vec<String>, second: bool) -> PyResult<Answer> {
+    use planar_impact_app::gradient::{Options, gradient};
+    let selection = |names: &[String], all: Selection| if names.is_empty() { all } else { Selection::Named(names.to_vec()) };
+    let options = |all: Selection| Options { of: selection(&of, all.clone()), wrt: selection(&wrt, all), second };
+    on_case(py, case, units, |case, units, control| {
+        let answer = Arc::new(gradient(case, &options(Selection::All), control)?);
+        let (case, principal) = (case.clone(), options(Selection::Principal));
+        let page: Render = Box::new(move |units| {
+            let answer = gradient(&case, &principal, &planar_impact_app::Uncontrolled)?;
+            Ok(text::render(&page::page(&answer, units)))
+        });
+        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_page(page))
+    })
+}
+
+/// Varies inputs.
+#[pyfunction]
+pub fn sweep(py: Python<'_>, case: &Source, units: Option<&str>, vary: Vec<String>, of: Vec<String>) -> PyResult<Answer> {
+    use planar_impact_app::sweep::{Options, sweep};
+    let options = Options { vary, of, most_points: None };
+    on_case(py, case, units, |case, units, control| Answer::of(&Arc::new(sweep(case, &options, control)?), units, Layout::Compact))
+}
+
+/// Searches for the unknowns.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
+pub fn reconstruct(
+    py: Python<'_>,
+    case: &Source,
+    units: Option<&str>,
+    starts: u64,
+    seed: u64,
+    level: f64,
+    posterior: bool,
+    probability: Vec<String>,
+    draws: bool,
+) -> PyResult<Answer> {
+    use planar_impact_app::reconstruct::{Options, reconstruct};
+    let mut issues = Vec::new();
+    if !(1..=10_000).contains(&starts) {
+        issues.push(Issue::of_call("starts", format!("{starts}; it must be from 1 to 10000"), None));
+    }
+    if !(0.5..=0.9999).contains(&level) {
+        issues.push(Issue::of_call("level", format!("{level}; it must be from 0.5 to 0.9999, such as 0.95"), None));
+    }
+    if !issues.is_empty() {
+        return Err(error::of(Issues::of_call(issues)));
+    }
+    let starts = usize::try_from(starts).unwrap_or(usize::MAX);
+    let options = Options { starts, seed, level, posterior, probabilities: probability, draws };
+    on_case(py, case, units, |case, units, control| {
+        let answer = Arc::new(reconstruct(case, &options, control)?);
+        let (shown, title) = (answer.clone(), case.title.clone());
+        let drawing = answer.scene.is_some().then(|| -> Render {
+            Box::new(move |units| match &shown.scene {
+                Some((facts, notices)) => Ok(scene::scene(&AppAnswer::new(&title, facts.clone(), Notices(notices.clone())), units)),
+                None => Err(Issues::defect("a drawing without a scene")),
+            })
+        });
+        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_drawing(drawing))
+    })
+}
+
+/// The options of `uncertainty`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct UncertaintyOptions {
+    of: Vec<String>,
+    method: Vec<String>,
+    samples: u64,
+    seed: u64,
+    points: String,
+    precision: Option<f64>,
+    probability: Vec<String>,
+    level: f64,
+    bounds_sd: f64,
+}
+
+/// Computes the uncertainty of outputs.
+#[pyfunction]
+pub fn uncertainty(py: Python<'_>, case: &Source, units: Option<&str>, options: UncertaintyOptions) -> PyResult<Answer> {
+    use planar_impact_app::uncertainty::{Options, uncertainty};
+    let method = |name: &String| match name.as_str() {
+        "linear" => Ok(Method::Linear),
+        "second-order" => Ok(Method::SecondOrder),
+        "monte-carlo" => Ok(Method::MonteCarlo),
+        "sobol" => Ok(Method::Sobol),
+        "shapley" => Ok(Method::Shapley),
+        "bounds" => Ok(Method::Bounds),
+        other => Err(unknown("method", other, "\"linear\", \"second-order\", \"monte-carlo\", \"sobol\", \"shapley\" and \"bounds\"")),
+    };
+    let points_of_sobol = match options.points.as_str() {
+        "random" => false,
+        "sobol" => true,
+        other => return Err(error::of(unknown("points", other, "\"random\" and \"sobol\""))),
+    };
+    let options = Options {
+        methods: options.method.iter().map(method).collect::<Result<_, _>>().map_err(error::of)?,
+        of: options.of,
+        samples: options.samples,
+        seed: options.seed,
+        points_of_sobol,
+        precision: options.precision,
+        probabilities: options.probability,
+        level: options.level,
+        bounds_sd: options.bounds_sd,
+    };
+    on_case(py, case, units, |case, units, control| Answer::of(&Arc::new(uncertainty(case, &options, control)?), units, Layout::Pretty))
+}
+
+/// Fits the stiffness of vehicles to barrier tests.
+#[pyfunction]
+pub fn stiffness(py: Python<'_>, tests: &Source, units: Option<&str>) -> PyResult<Answer> {
+    use planar_impact_app::stiffness::stiffness;
+    let signals = Signals::new();
+    let answer = py.detach(|| {
+        let failure = |units| move |issues| Failure { issues, units, has_lines: tests.has_lines() };
+        let given = units::named(units).map_err(failure(Units::Si))?;
+        let (source, open) = tests.read().map_err(failure(Units::Si))?;
+        let file = TestFile::parse_with(source, open).map_err(failure(given.unwrap_or(Units::Si)))?;
+        let units = given.unwrap_or(file.units);
+        let answer = stiffness(&file, &(), &signals).map_err(failure(units))?;
+        Answer::of(&Arc::new(answer), units, Layout::Pretty).map_err(failure(units))
+    });
+    answer.map_err(|failure| signals.error(failure))
+}
+
+/// Reads recordings.
+#[pyfunction]
+pub fn record(py: Python<'_>, files: Vec<PyRef<'_, Source>>, units: Option<&str>) -> PyResult<Answer> {
+    use planar_impact_app::record::{Recording, record};
+    let signals = Signals::new();
+    let files: Vec<&Source> = files.iter().map(|file| &**file).collect();
+    let answer = py.detach(|| {
+        let failure = |units| move |issues| Failure { issues, units, has_lines: true };
+        let given = units::named(units).map_err(failure(Units::Si))?;
+        let read = |source: &&Source| source.read().and_then(|(source, open)| Recording::parse(source, &open));
+        let recordings: Vec<Recording> = files.iter().map(read).collect::<Result<_, _>>().map_err(failure(given.unwrap_or(Units::Si)))?;
+        let units = given.or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
+        let answer = record(&recordings, &(), &signals).map_err(failure(units))?;
+        Answer::of(&Arc::new(answer), units, Layout::Compact).map_err(failure(units))
+    });
+    answer.map_err(|failure| signals.error(failure))
+}
+
+/// Returns the formula of an output, or of its derivative.
+#[pyfunction]
+pub fn formula(py: Python<'_>, output: &str, wrt: Option<&str>, case: Option<&Source>) -> PyResult<Answer> {
+    use planar_impact_app::formula::{self, Options, formula};
+    let issue = |argument: &'static str| move |message: String| error::of(Issues::of_call(vec![Issue::of_call(argument, message, None)]));
+    let output = formula::output(output).map_err(issue("output"))?;
+    let wrt = wrt.map(formula::input).transpose().map_err(issue("wrt"))?;
+    let options = Options { output, wrt, kind: formula::Kind::default() };
+    let answer = |case: Option<&Case>, control: &dyn Control| {
+        let answer = formula(case, &options, control)?;
+        Answer::of_text(&answer, text::render(&page::formula::page(&answer)))
+    };
+    match case {
+        Some(case) => on_case(py, case, None, |case, _, control| answer(Some(case), control)),
+        None => {
+            let signals = Signals::new();
+            py.detach(|| answer(None, &signals)).map_err(|issues| signals.error(issues.into()))
+        }
+    }
+}
+
+/// Draws the scene as SVG.
+#[pyfunction]
+pub fn draw(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<String> {
+    on_case(py, case, units, |case, units, control| {
+        planar_impact_app::scene::draw(case, &(), control).map(|answer| scene::scene(&answer, units))
+    })
+}
+
+/// Writes the report as HTML.
+#[pyfunction]
+pub fn report(
+    py: Python<'_>,
+    case: &Source,
+    units: Option<&str>,
+    verb: Option<&str>,
+    date: Option<String>,
+    sections: Vec<String>,
+) -> PyResult<String> {
+    use planar_impact_app::report::{ReportVerb, report};
+    let all = [ReportVerb::Solve, ReportVerb::Reconstruct, ReportVerb::Crush, ReportVerb::Crash3, ReportVerb::Uncertainty];
+    let quoted = |names: &mut dyn Iterator<Item = &'static str>| names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let verb = verb.map(|name| {
+        let found = all.into_iter().find(|verb| verb.name() == name);
+        found.ok_or_else(|| error::of(unknown("verb", name, &quoted(&mut all.iter().map(|verb| verb.name())))))
+    });
+    let part = |name: &String| {
+        let found = Part::ALL.into_iter().find(|part| part.name() == name);
+        found.ok_or_else(|| error::of(unknown("sections", name, &quoted(&mut Part::ALL.iter().map(|part| part.name())))))
+    };
+    let (verb, parts) = (verb.transpose()?, sections.iter().map(part).collect::<PyResult<Vec<Part>>>()?);
+    on_case(py, case, units, |case, units, control| {
+        let answer = report(case, verb, control)?;
+        Ok(html::render(&document::of_case(&answer, &document::Options { units, date, parts })?))
+    })
+}
+
+/// Returns the template of a case file.
+#[pyfunction]
+pub fn template(kind: &str) -> PyResult<&'static str> {
+    use planar_impact_app::template::{kinds, of};
+    let accepted = || kinds().map(|kind| format!("{kind:?}")).join(", ");
+    of(kind).ok_or_else(|| error::of(unknown("kind", kind, &accepted())))
+}
+
+/// Checks the records of files.
+#[pyfunction]
+pub fn check(py: Python<'_>, files: Vec<PathBuf>, tolerance: Option<f64>) -> PyResult<Answer> {
+    let signals = Signals::new();
+    let options = checks::Options { tolerance };
+    let answer = py.detach(|| -> Result<Answer, Issues> {
+        let (mut entries, mut unusable): (Vec<(String, Entry)>, Vec<Issue>) = (Vec::new(), Vec::new());
+        let mut summary = Summary::default();
+        for path in &files {
+            match records(path, options) {
+                Ok(file) => {
+                    let name = file.name().to_owned();
+                    for entry in file {
+                        let entry = entry?;
+                        summary.add(&entry);
+                        entries.push((name.clone(), entry));
+                        if !signals.look() {
+                            return Err(Issues::interrupted());
+                        }
+                    }
+                }
+                Err(found) => unusable.extend_from_slice(found.list()),
+            }
+        }
+        if !unusable.is_empty() {
+            return Err(Issues::without_source(Cause::Input, unusable));
+        }
+        let records = entries.iter().map(|(file, entry)| entry.in_json(file)).collect();
+        let report = CheckReport { schema: planar_impact_app::answer::SCHEMA, records, interrupted: false, summary };
+        Answer::of_text(&report, json::text(&report, Layout::Pretty)?)
+    });
+    answer.map_err(|issues| signals.error(issues.into()))
+}
+
+/// Opens a file of records.
+fn records(path: &Path, options: checks::Options) -> Result<Entries, Issues> {
+    let name = path.display().to_string();
+    if path.is_dir() {
+        return Err(checks::unusable(&name, "it is a directory, not a file of records"));
+    }
+    File::open(path).map_err(|error| checks::unusable(&name, &format!("it cannot be read: {}", checks::reason(&error))))?;
+    let extension = path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase);
+    let path = path.to_owned();
+    let open: checks::Open = Box::new(move || Ok(Box::new(BufReader::new(File::open(&path)?))));
+    Entries::open(&name, extension.as_deref(), Origin::File(open), options)
+}

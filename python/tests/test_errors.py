@@ -1,0 +1,224 @@
+"""Errors: every problem at once, with its line; hostile input raises exceptions and nothing else."""
+
+from __future__ import annotations
+
+import pickle
+import signal
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import EXAMPLES, reference
+
+import planar_impact
+from planar_impact import CaseError, Error, PhysicsError
+
+TEXT = (EXAMPLES / "position-a.toml").read_text(encoding="utf-8")
+
+
+def test_issues_have_lines() -> None:
+    lines = TEXT.splitlines()
+    mass = next(i for i, line in enumerate(lines) if line.startswith("mass"))
+    lines[mass] = 'mass = "3 ft"'
+    lines.append("unknown_key = 1")
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve("\n".join(lines))
+    issues = caught.value.issues
+    assert [(issue.code, issue.path, issue.line) for issue in issues][0] == ("invalid-quantity", "vehicle.1.mass", mass + 1)
+    assert issues[-1].line == len(lines) and len(issues) == 2
+    assert f"<text>:{mass + 1}: vehicle.1.mass: " in str(caught.value)
+    assert isinstance(caught.value, ValueError) and isinstance(caught.value, Error)
+    other = pickle.loads(pickle.dumps(caught.value))
+    assert (type(other), other.issues, str(other)) == (CaseError, issues, str(caught.value))
+
+
+def test_a_dict_has_no_lines() -> None:
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve({"schema": 1, "vehicle": [{"mass": "3 ft"}], "contact": {}})
+    assert caught.value.issues and all(issue.line is None for issue in caught.value.issues)
+
+
+def test_physics_refuses() -> None:
+    codes: set[str] = set()
+    for entry in reference("cases"):
+        if entry["status"] == 3:
+            with pytest.raises(PhysicsError) as caught:
+                planar_impact.solve(entry["case"])
+            codes.update(issue.code for issue in caught.value.issues)
+    assert {"separating", "tensile"} <= codes
+
+
+def test_files() -> None:
+    with pytest.raises(CaseError, match="no such file"):
+        planar_impact.solve("no_such_case.toml")
+    with pytest.raises(CaseError, match="is a directory"):
+        planar_impact.solve(EXAMPLES)
+    with pytest.raises(CaseError, match="is empty"):
+        planar_impact.solve("\n")
+
+
+def test_a_text_opens_no_file(tmp_path: Path) -> None:
+    secret = tmp_path / "secret.toml"
+    secret.write_text("key = 'hidden'\n", encoding="utf-8")
+    text = TEXT.replace("[contact]", f"[contact]\nrestitution_curve = '{secret}'\n", 1)
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve(text)
+    assert "hidden" not in str(caught.value)
+
+
+DEEP: Any = {}
+for _ in range(5000):
+    DEEP = {"a": DEEP}
+CYCLE: dict[str, Any] = {}
+CYCLE["a"] = CYCLE
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {},
+        {"schema": float("nan")},
+        {"schema": 1, "vehicle": [{"mass": float("inf")}]},
+        {"schema": 10**400},
+        {1: 2},
+        {"schema": object()},
+        {"schema": b"1"},
+        {"schema": "\ud800"},
+        {"\ud800": 1},
+        {"a" * 10_000: "b" * 10_000},
+        {"schema": 1, "vehicle": [{} for _ in range(10_000)]},
+        {f"key{i}": i for i in range(100_000)},
+        {"title": "x" * (5 << 20)},
+        {"schema": np.array([[1.0, np.nan]])},
+        DEEP,
+        CYCLE,
+        "",
+        "\0",
+        "\0\n",
+        "=",
+        "\ud800\n",
+        "{",
+        "{" * 100_000,
+        "[" * 100_000 + "\n",
+        "a = [" * 50_000 + "\n",
+        '{"a": ' * 100_000,
+        "x" * 100_000,
+        "schema = 1\n" * 1000,
+    ],
+    ids=lambda case: f"{type(case).__name__} {str(case)[:20]!r}" if case is not DEEP and case is not CYCLE else "deep",
+)
+def test_hostile_cases_are_case_errors(case: Any) -> None:
+    for verb in (planar_impact.solve, planar_impact.gradient, planar_impact.reconstruct, planar_impact.draw, planar_impact.stiffness):
+        with pytest.raises(CaseError) as caught:
+            verb(case)
+        assert 0 < len(caught.value.issues) <= 1000
+
+
+@pytest.mark.parametrize("case", [None, 1, 1.5, [], (), b"schema = 1", object(), np.zeros(3), {1, 2}])
+def test_what_is_no_case_is_a_type_error(case: Any) -> None:
+    with pytest.raises(TypeError, match="a case is a path, a text or a dict"):
+        planar_impact.solve(case)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: planar_impact.solve(TEXT, units="cgs"),  # type: ignore[arg-type]
+        lambda: planar_impact.gradient(TEXT, of="T_1"),
+        lambda: planar_impact.gradient(TEXT, wrt="energy.loss"),
+        lambda: planar_impact.gradient(TEXT, of=""),
+        lambda: planar_impact.sweep(TEXT, vary="e"),
+        lambda: planar_impact.sweep(TEXT, vary=[]),
+        lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1)}),  # type: ignore[dict-item]
+        lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1, float("nan"))}),
+        lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1, 1e-12)}),
+        lambda: planar_impact.reconstruct(TEXT),
+        lambda: planar_impact.reconstruct(TEXT, starts=0),
+        lambda: planar_impact.reconstruct(TEXT, starts=10**30),
+        lambda: planar_impact.reconstruct(TEXT, seed=-1),
+        lambda: planar_impact.reconstruct(TEXT, level=float("nan")),
+        lambda: planar_impact.uncertainty(TEXT, method="magic"),  # type: ignore[arg-type]
+        lambda: planar_impact.uncertainty(TEXT),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=1),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", level=2),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", bounds_sd=float("nan")),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", precision=float("nan"), samples=100),
+        lambda: planar_impact.formula("no"),
+        lambda: planar_impact.formula("T_L", wrt="T_L"),
+        lambda: planar_impact.report(TEXT, verb="slide"),  # type: ignore[arg-type]
+        lambda: planar_impact.report(TEXT, sections="none"),
+        lambda: planar_impact.template("none"),
+        lambda: planar_impact.slide(TEXT),
+        lambda: planar_impact.crush(TEXT),
+        lambda: planar_impact.record("a,b\n1,2\n"),
+        lambda: planar_impact.check(EXAMPLES),
+    ],
+)
+def test_wrong_calls_are_case_errors(call: Any) -> None:
+    with pytest.raises(CaseError) as caught:
+        call()
+    assert caught.value.issues and not str(caught.value).startswith("--")
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: planar_impact.gradient(TEXT, of=1),  # type: ignore[arg-type]
+        lambda: planar_impact.gradient(TEXT, of=[1]),  # type: ignore[list-item]
+        lambda: planar_impact.reconstruct(TEXT, seed=1.5),  # type: ignore[arg-type]
+        lambda: planar_impact.solve(TEXT, "si"),  # type: ignore[call-arg]
+        lambda: planar_impact.solve(TEXT, units=1),  # type: ignore[arg-type]
+        lambda: planar_impact.formula(None),  # type: ignore[arg-type]
+    ],
+)
+def test_wrong_types_are_type_errors(call: Any) -> None:
+    with pytest.raises(TypeError):
+        call()
+
+
+def interrupted(call: Any) -> float:
+    """Return how long a call goes on after Ctrl+C."""
+    sent: list[float] = []
+
+    def send() -> None:
+        sent.append(time.monotonic())
+        signal.raise_signal(signal.SIGINT)
+
+    timer = threading.Timer(0.3, send)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            call()
+        return time.monotonic() - sent[0]
+    finally:
+        timer.join()
+
+
+def test_an_interrupt_stops_a_long_call() -> None:
+    uncertain = EXAMPLES / "uncertain.toml"
+    assert interrupted(lambda: planar_impact.uncertainty(uncertain, samples=10**12, method="monte-carlo")) < 5
+    speeds = np.linspace(10, 20, 3_000_000)
+    with_case: dict[str, Any] = {"case": planar_impact.template("barrier"), "of": "T_L", "wrt": ["e", "Gamma"], "threads": 1}
+    assert interrupted(lambda: planar_impact.solve_batch({"vehicle.1.speed": speeds}, **with_case)) < 5
+
+
+def test_other_threads_run_during_a_call() -> None:
+    ticks = []
+    done = threading.Event()
+
+    def tick() -> None:
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    started = time.monotonic()
+    planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=1_000_000, method="monte-carlo", of="dV1")
+    took = time.monotonic() - started
+    done.set()
+    thread.join()
+    assert len(ticks) > min(20, 50 * took)

@@ -1,0 +1,136 @@
+"""Tables through the Arrow C stream: the same numbers as arrays, and the kind that was given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from test_batch import BARRIER, random_columns
+
+import planar_impact
+from planar_impact import CaseError
+
+pa = pytest.importorskip("pyarrow")
+
+
+@pytest.fixture(scope="module")
+def columns() -> dict[str, Any]:
+    return random_columns(70_000)
+
+
+@pytest.fixture(scope="module")
+def expected(columns: dict[str, Any]) -> dict[str, Any]:
+    return planar_impact.solve_batch(columns, of=["T_L", "dV1"], wrt="e")
+
+
+def same(table: Any, expected: dict[str, Any]) -> None:
+    """Compare a table of pyarrow with arrays."""
+    assert table.column_names == list(expected)
+    assert table["refusal"].to_pylist() == expected["refusal"].tolist()
+    for name, column in expected.items():
+        if name != "refusal":
+            np.testing.assert_array_equal(table[name].to_numpy(), column)
+            assert table[name].null_count == np.isnan(column).sum()
+
+
+def test_pyarrow(columns: dict[str, Any], expected: dict[str, Any]) -> None:
+    table = pa.table(columns)
+    answer = planar_impact.solve_batch(table, of=["T_L", "dV1"], wrt="e")
+    assert isinstance(answer, pa.Table) and answer.schema.field("energy.loss").metadata == {b"unit": b"J"}
+    same(answer, expected)
+    batch = planar_impact.solve_batch(table.to_batches()[0], of=["T_L", "dV1"], wrt="e")
+    assert isinstance(batch, pa.RecordBatch)
+    same(pa.table(batch), expected)
+    reader = planar_impact.solve_batch(table.to_reader(max_chunksize=1000), of=["T_L", "dV1"], wrt="e")
+    assert isinstance(reader, pa.RecordBatchReader)
+    same(reader.read_all(), expected)
+
+
+def test_polars(columns: dict[str, Any], expected: dict[str, Any]) -> None:
+    pl = pytest.importorskip("polars")
+    answer = planar_impact.solve_batch(pl.DataFrame(columns), of=["T_L", "dV1"], wrt="e", threads=3)
+    assert isinstance(answer, pl.DataFrame)
+    same(answer.to_arrow(), expected)
+
+
+def test_pandas(columns: dict[str, Any], expected: dict[str, Any]) -> None:
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame(columns, index=[f"row {i}" for i in range(70_000)])
+    answer = planar_impact.solve_batch(frame, of=["T_L", "dV1"], wrt="e")
+    assert isinstance(answer, pd.DataFrame) and answer.index.equals(frame.index)
+    assert list(answer.columns) == list(expected)
+    np.testing.assert_array_equal(answer["energy.loss"].to_numpy(), expected["energy.loss"])
+
+
+def test_duckdb(columns: dict[str, Any], expected: dict[str, Any]) -> None:
+    duckdb = pytest.importorskip("duckdb")
+    answer = planar_impact.solve_batch(duckdb.from_arrow(pa.table(columns)), of=["T_L", "dV1"], wrt="e")
+    assert isinstance(answer, duckdb.DuckDBPyRelation)
+    loss = duckdb.sql('SELECT sum("energy.loss") FROM answer').fetchone()[0]
+    assert loss == pytest.approx(np.nansum(expected["energy.loss"]), rel=1e-12)
+
+
+class Other:
+    """A table of a library that is not known."""
+
+    def __init__(self, table: Any) -> None:
+        self.table = table
+
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+        return self.table.__arrow_c_stream__(requested_schema)
+
+
+def test_any_other_library(columns: dict[str, Any], expected: dict[str, Any]) -> None:
+    answer = planar_impact.solve_batch(Other(pa.table(columns)), of=["T_L", "dV1"], wrt="e")
+    assert isinstance(answer, planar_impact.Table) and len(answer) == answer.num_rows == 70_000
+    assert answer.column_names == list(expected)
+    for _ in range(2):
+        same(pa.table(answer), expected)
+
+
+def test_text_units_nulls_and_other_columns() -> None:
+    table = pa.table({"site": ["a", "b", None], "vehicle.1.speed [km/h]": ["54", None, "fast"]})
+    answer = planar_impact.solve_batch(table, of="T_L", case=BARRIER, check=True)
+    assert answer["refusal"].to_pylist() == [None, None, "unreadable"]
+    assert answer["site"].to_pylist() == ["a", "b", None]
+    assert answer["energy.loss"][2].as_py() is None and answer["check"].to_pylist() == [None] * 3
+
+
+def test_no_rows() -> None:
+    empty = pa.table({"vehicle.1.speed": pa.array([], pa.float64())})
+    assert planar_impact.solve_batch(empty, of="T_L", case=BARRIER).num_rows == 0
+    none = pa.table({"vehicle.1.speed": pa.chunked_array([], pa.float64())})
+    assert planar_impact.solve_batch(none, of="T_L", case=BARRIER).num_rows == 0
+
+
+@pytest.mark.parametrize(
+    ("table", "code"),
+    [
+        (pa.table({"vehicle.1.speed": [b"12"]}), "wrong-type"),
+        (pa.table({"vehicle.1.speed": [[12.0]]}), "wrong-type"),
+        (pa.table({"vehicle.1.sped": [12.0]}), "unknown-column"),
+        (pa.table([[1.0], [2.0]], names=["vehicle.1.speed", "vehicle.1.speed"]), "repeated-column"),
+        (pa.table({"vehicle.1.speed": [1.0], "refusal": [1.0]}), "repeated-column"),
+    ],
+)
+def test_wrong_tables(table: Any, code: str) -> None:
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve_batch(table, of="T_L", case=BARRIER)
+    assert code in [issue.code for issue in caught.value.issues]
+
+
+def test_a_stream_that_fails() -> None:
+    class Broken:
+        def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+            return "no capsule"
+
+    def batches() -> Any:
+        yield pa.record_batch({"vehicle.1.speed": [12.0]})
+        raise OSError("the disk is gone")
+
+    with pytest.raises((TypeError, ValueError)):
+        planar_impact.solve_batch(Broken(), case=BARRIER)
+    reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), batches())
+    with pytest.raises(ValueError, match="the disk is gone"):
+        planar_impact.solve_batch(reader, case=BARRIER)
