@@ -15,6 +15,8 @@ mod setup;
 mod uncertain;
 mod vehicle;
 
+use std::sync::{Arc, Mutex};
+
 use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy};
 
@@ -69,6 +71,8 @@ pub struct Case {
     pub scene: Option<Xy>,
     /// The path of each vehicle to rest; `None` if the file does not give it.
     pub rest: Option<RestInputs>,
+    /// The files that it names, each by the name that it gives.
+    pub named_files: Vec<Source>,
     /// The units that most of its quantities are in.
     pub units: Units,
     /// Assumptions, such as the unit of a number without one.
@@ -91,7 +95,19 @@ impl Case {
     ///
     /// Everything wrong with it and with the files that it names.
     pub fn parse_with(source: Source, open: Open) -> Result<Case, Issues> {
-        Case::read(source, CaseReader::opening(open))
+        let opened: Arc<Mutex<Vec<Source>>> = Arc::default();
+        let keep = opened.clone();
+        let open: Open = Box::new(move |name| {
+            let file = open(name)?;
+            if let Ok(mut opened) = keep.lock() {
+                opened.push(Source { name: name.to_owned(), ..file.clone() });
+            }
+            Ok(file)
+        });
+        let mut case = Case::read(source, CaseReader::opening(open))?;
+        case.named_files = opened.lock().map(|opened| opened.clone()).unwrap_or_default();
+        case.named_files.dedup_by(|one, other| one.name == other.name);
+        Ok(case)
     }
 
     fn read(source: Source, given: CaseReader) -> Result<Case, Issues> {
@@ -112,6 +128,7 @@ impl Case {
             knowledge: read.knowledge,
             scene: read.scene,
             rest: read.rest,
+            named_files: Vec::new(),
             units,
             notices: Notices(given.notices.into_inner()),
         })

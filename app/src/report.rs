@@ -79,6 +79,8 @@ pub struct CaseReport {
     pub names: [String; 2],
     /// The file.
     pub identity: Identity,
+    /// The files that it names.
+    pub named_files: Vec<Source>,
     /// The numbers that the case gives, and those that it asks for.
     pub inputs: Vec<GivenInput>,
     /// The evidence that the case gives.
@@ -189,6 +191,7 @@ pub fn report(case: &Case, verb: Option<ReportVerb>, control: &dyn Control) -> R
         title: case.title.clone(),
         names: case.names.clone(),
         identity: Identity::of(case.source()),
+        named_files: case.named_files.clone(),
         inputs: inputs(case),
         evidence: evidence(case),
         scene,

@@ -204,7 +204,7 @@ impl Scene {
     fn with_uncertain_inputs(mut self, case: &Case, control: &dyn Control) -> Scene {
         /// The quantile of the normal distribution at 97.5 %.
         const DEVIATIONS: f64 = 1.959_963_984_540_054;
-        let around = |value: f64, sd: f64| sd.is_finite().then(|| [value - DEVIATIONS * sd, value + DEVIATIONS * sd]);
+        let around = |value: f64, sd: f64| sd.is_finite().then_some([value - DEVIATIONS * sd, value + DEVIATIONS * sd]);
         for (vehicle, side) in self.vehicles.iter_mut().zip(Side::ALL).filter(|(vehicle, _)| !vehicle.barrier) {
             let name = Output::PrincipalDirectionOfForce(side).name();
             let options =

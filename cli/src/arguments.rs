@@ -310,8 +310,8 @@ pub struct Draw {
 /// The call of `report`.
 #[derive(Debug, Args)]
 pub struct Report {
-    /// The case file, TOML or JSON; - reads standard input.
-    pub case: PathBuf,
+    /// The case file, TOML or JSON; the file of tests for --verb stiffness, files of records for --verb check; - reads standard input.
+    pub files: Vec<PathBuf>,
     /// The file to write, which appears when it is whole. Default: standard output.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -342,6 +342,12 @@ pub enum ReportVerb {
     Crash3,
     /// How uncertain the outputs are.
     Uncertainty,
+    /// The crush stiffness of barrier tests.
+    Stiffness,
+    /// The laws that records of collisions break.
+    Check,
+    /// How the program compares with the paper's tables and with measured tests; no file.
+    Validate,
 }
 
 /// Format of a drawing.

@@ -4,6 +4,7 @@ mod progress;
 mod report;
 
 use std::io;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -12,9 +13,10 @@ use clap::error::ErrorKind;
 use planar_impact_app::check::{Entries, Entry, Options, Severity, Summary, rules};
 use planar_impact_app::json::Layout;
 use planar_impact_app::{Cause, Issue, Issues};
+use planar_impact_report::document::CheckDigest;
 use planar_impact_report::page;
 
-use crate::arguments::{Arguments, Check, CheckFormat};
+use crate::arguments::{Arguments, Check, CheckFormat, FailOn};
 use crate::exit::{Failure, Status};
 use crate::output::{self, CommandOutput};
 use crate::{files, interrupt};
@@ -41,7 +43,7 @@ pub fn run(call: &Check) -> Result<CommandOutput, Failure> {
         };
     }
     let bytes = Arc::new(AtomicU64::new(0));
-    let (files, size) = open(call, &bytes)?;
+    let (files, size) = open(&call.files, Options { tolerance: call.tolerance }, &bytes)?;
     interrupt::note();
     let mut writer = ReportWriter {
         report: report::of(call.format, call.fail_on),
@@ -58,12 +60,36 @@ pub fn run(call: &Check) -> Result<CommandOutput, Failure> {
     Ok(output.holds(!writer.worst.is_some_and(|worst| call.fail_on.includes(worst))))
 }
 
+/// Checks every record of every file and keeps what a report shows. Returns `false` if a record breaks a law.
+///
+/// # Errors
+///
+/// Every issue that makes a file unusable.
+pub fn digest(paths: &[PathBuf], digest: &mut CheckDigest) -> Result<bool, Failure> {
+    let bytes = Arc::new(AtomicU64::new(0));
+    let (files, size) = open(paths, Options::default(), &bytes)?;
+    interrupt::note();
+    let (mut progress, mut summary, mut holds) = (Progress::new(size, bytes), Summary::default(), true);
+    for entries in files {
+        let name = entries.name().to_owned();
+        digest.file(&name);
+        for entry in entries.take_while(|_| !interrupt::is_interrupted()) {
+            let entry = entry?;
+            holds &= !entry.worst().is_some_and(|worst| FailOn::Fail.includes(worst));
+            summary.add(&entry);
+            progress.update(&summary);
+            digest.add(&name, &entry);
+        }
+    }
+    progress.clear();
+    Ok(holds)
+}
+
 /// Opens every file, or reports the issues of each unusable one. Also returns the total size of the files in bytes, if it is known.
-fn open(call: &Check, bytes: &Arc<AtomicU64>) -> Result<(Vec<Entries>, Option<u64>), Issues> {
-    let options = Options { tolerance: call.tolerance };
+fn open(paths: &[PathBuf], options: Options, bytes: &Arc<AtomicU64>) -> Result<(Vec<Entries>, Option<u64>), Issues> {
     let (mut files, mut issues) = (Vec::new(), Vec::new());
     let (mut size, mut stdin_is_taken) = (Some(0), false);
-    for path in &call.files {
+    for path in paths {
         if path.as_os_str() == "-" && std::mem::replace(&mut stdin_is_taken, true) {
             issues.push(Issue::of_file("unreadable-file", "standard input can be read only once; `-` stands twice"));
             continue;

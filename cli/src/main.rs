@@ -9,6 +9,7 @@ mod files;
 mod interrupt;
 mod output;
 mod progress;
+mod report;
 mod verbs;
 
 use std::io::{IsTerminal, Write};

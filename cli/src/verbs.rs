@@ -7,22 +7,21 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, record, report, scene, schema,
-    slide, solve, stiffness, sweep, template, uncertainty, validate,
+    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, record, scene, schema, slide,
+    solve, stiffness, sweep, template, uncertainty, validate,
 };
-use planar_impact_report::document::{self, Part};
+use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
-use planar_impact_report::{chart, html};
 use serde::Serialize;
 
 use crate::arguments::{
-    self, Arguments, CompareFormat, DrawFormat, Format, Notation, OfCase, RecordFormat, ReportVerb, SamplePoints, SlideFormat, SweepFormat,
+    self, Arguments, CompareFormat, DrawFormat, Format, Notation, OfCase, RecordFormat, SamplePoints, SlideFormat, SweepFormat,
     UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
 };
 use crate::exit::Failure;
 use crate::output::CommandOutput;
 use crate::progress::Progress;
-use crate::{batch, check, files};
+use crate::{batch, check, files, report};
 
 /// Maximum number of rows of a table for people.
 const MOST_ROWS: usize = 20_000;
@@ -46,7 +45,7 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Uncertainty(call) => doubt(&call),
         Verb::Slide(call) => follow(&call),
         Verb::Draw(call) => sketch(&call),
-        Verb::Report(call) => write_up(&call),
+        Verb::Report(call) => report::run(&call),
         Verb::Record(call) => recorded(&call),
         Verb::Stiffness(call) => fit(&call),
         Verb::Formula(call) => express(&call),
@@ -213,21 +212,6 @@ fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
         DrawFormat::Json => CommandOutput::json(&answer, Layout::Pretty)?,
     };
     Ok(output.to(call.output.as_deref()))
-}
-
-fn write_up(call: &arguments::Report) -> Result<CommandOutput, Failure> {
-    let (case, units) = read(&call.case, call.units)?;
-    let verb = call.verb.map(|verb| match verb {
-        ReportVerb::Solve => report::ReportVerb::Solve,
-        ReportVerb::Reconstruct => report::ReportVerb::Reconstruct,
-        ReportVerb::Crush => report::ReportVerb::Crush,
-        ReportVerb::Crash3 => report::ReportVerb::Crash3,
-        ReportVerb::Uncertainty => report::ReportVerb::Uncertainty,
-    });
-    let answer = in_units(report::report(&case, verb, &Progress::new()), units)?;
-    let parts = call.sections.iter().filter_map(|name| Part::ALL.into_iter().find(|part| part.name() == name)).collect();
-    let options = document::Options { units, date: call.date.clone(), parts };
-    Ok(CommandOutput::text(html::render(&document::of_case(&answer, &options)?)).to(call.output.as_deref()))
 }
 
 fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {

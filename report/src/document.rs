@@ -1,5 +1,6 @@
 //! The report of a case: the answer first, then what it stands on, for a reader who has nothing else.
 
+mod check;
 mod glossary;
 mod method;
 
@@ -8,14 +9,18 @@ use planar_impact_app::notice::Notices;
 use planar_impact_app::reconstruct::Reconstruction;
 use planar_impact_app::report::{CaseReport, GivenEvidence, GivenInput, Identity, MainAnswer, ReportVerb};
 use planar_impact_app::solve::Solution;
+use planar_impact_app::stiffness::StiffnessAnswer;
 use planar_impact_app::units::{Measure, Units, trim};
-use planar_impact_app::{Answer, plain_text::shown};
+use planar_impact_app::validate::Validation;
+use planar_impact_app::{Answer, Source, plain_text::shown};
 
 use crate::block::{Block, Table};
 use crate::chart;
 use crate::html::{Document, Embedded, Section};
 use crate::page::{self, Facts};
 use crate::scene;
+
+pub use check::CheckDigest;
 
 /// A part of a report, in the order in which a report has them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +105,13 @@ pub struct Options {
     pub parts: Vec<Part>,
 }
 
+/// Returns the sections that are asked for and have anything in them.
+fn sections(options: &Options, mut of_part: impl FnMut(Part) -> Vec<Block>) -> Vec<Section> {
+    let parts = Part::ALL.into_iter().filter(|part| options.parts.is_empty() || options.parts.contains(part));
+    let section = |part: Part| Section { id: part.name(), heading: part.heading().to_owned(), blocks: of_part(part) };
+    parts.map(section).filter(|section| !section.blocks.is_empty()).collect()
+}
+
 /// Writes the report of a case as a document.
 ///
 /// # Errors
@@ -107,26 +119,60 @@ pub struct Options {
 /// A defect: drawing into memory cannot fail.
 pub fn of_case(report: &CaseReport, options: &Options) -> Result<Document, Issues> {
     let units = options.units;
-    let mut sections = Vec::new();
-    for part in Part::ALL.into_iter().filter(|part| options.parts.is_empty() || options.parts.contains(part)) {
-        let blocks = match part {
-            Part::Summary => summary(report, options),
-            Part::Scene => scene_of(report, units),
-            Part::Question => question(report, units),
-            Part::Method => method::blocks(report),
-            Part::Results => results(report, units)?,
-            Part::Sensitivity => sensitivity(report, units)?,
-            Part::Alternatives => alternatives(report, units),
-            Part::Validation => validation(report),
-            Part::Input => input(&report.identity),
-            Part::Glossary => glossary::blocks(),
-        };
-        if !blocks.is_empty() {
-            sections.push(Section { id: part.name(), heading: part.heading().to_owned(), blocks });
-        }
-    }
+    let (results, sensitivity) = (results(report, units)?, sensitivity(report, units)?);
+    let of_part = |part| match part {
+        Part::Summary => summary(report, options),
+        Part::Scene => scene_of(report, units),
+        Part::Question => question(report, units),
+        Part::Method => method::blocks(report),
+        Part::Results => results.clone(),
+        Part::Sensitivity => sensitivity.clone(),
+        Part::Alternatives => alternatives(report, units),
+        Part::Validation => validation(&report.validation),
+        Part::Input => input(&report.identity, &report.named_files),
+        Part::Glossary => glossary::blocks(),
+    };
     let title = if report.title.trim().is_empty() { "Report of a collision".to_owned() } else { report.title.clone() };
-    Ok(Document { title, foot: foot(&report.identity), sections, embedded: vec![embedded(&report.identity)] })
+    let identity = &report.identity;
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &report.named_files) })
+}
+
+/// Writes the report of barrier tests as a document.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn of_stiffness(answer: &Answer<StiffnessAnswer>, identity: &Identity, options: &Options) -> Result<Document, Issues> {
+    let units = options.units;
+    let drawing = figure("The crush intensity of each test over its depth, with the fitted lines", chart::stiffness(answer, units)?);
+    let of_part = |part| match part {
+        Part::Summary => {
+            let question = ["Question".to_owned(), "Which crush stiffness do these barrier tests have?".to_owned()];
+            answer.summary(units).into_iter().chain([identify(identity, vec![question], options)]).collect()
+        }
+        Part::Method => vec![Block::paragraph(method::STIFFNESS)],
+        Part::Results => [drawing.clone()].into_iter().chain(answer.blocks(units)).chain(Block::notices(&answer.notices, units)).collect(),
+        Part::Input => input(identity, &[]),
+        Part::Glossary => glossary::blocks(),
+        _ => Vec::new(),
+    };
+    let title = if answer.title.trim().is_empty() { "Crush stiffness from barrier tests".to_owned() } else { answer.title.clone() };
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &[]) })
+}
+
+/// Writes how the program compares with the paper's tables and with measured tests as a document.
+pub fn of_validation(answer: &Validation, options: &Options) -> Document {
+    let version = env!("CARGO_PKG_VERSION");
+    let mut rows = vec![vec!["Program".to_owned(), format!("planar-impact {version}")]];
+    rows.extend(options.date.iter().map(|date| vec!["Date".to_owned(), date.clone()]));
+    let of_part = |part| match part {
+        Part::Summary => vec![Block::paragraph(answer.report.summary()), Table::new(["this report", ""], "ll", rows.clone()).into()],
+        Part::Method => [method::PROOF, method::LIMITS].map(Block::paragraph).into(),
+        Part::Results => page::validate::page(answer),
+        _ => Vec::new(),
+    };
+    let title = "Validation of planar-impact".to_owned();
+    Document { title, foot: format!("planar-impact {version}"), sections: sections(options, of_part), embedded: Vec::new() }
 }
 
 /// What a printed page has at its foot.
@@ -134,27 +180,39 @@ fn foot(identity: &Identity) -> String {
     format!("planar-impact {}, input {}", identity.version, &identity.sha256[..16])
 }
 
-fn embedded(identity: &Identity) -> Embedded {
-    let is_json = identity.source.text.trim_start().starts_with('{');
-    let media_type = if is_json { "application/json" } else { "application/toml" };
-    Embedded { id: "case", media_type, text: identity.source.text.clone() }
+/// Embeds the input and the files that it names.
+fn embedded(identity: &Identity, named: &[Source]) -> Vec<Embedded> {
+    let of = |id: String, name: Option<String>, source: &Source| {
+        let media_type = match source.text.trim_start() {
+            text if text.starts_with('{') => "application/json",
+            _ if source.name.ends_with(".csv") => "text/csv",
+            _ => "application/toml",
+        };
+        Embedded { id, name, media_type, text: source.text.clone() }
+    };
+    let others = (1..).zip(named).map(|(number, source)| of(format!("file-{number}"), Some(source.name.clone()), source));
+    std::iter::once(of("case".to_owned(), None, &identity.source)).chain(others).collect()
 }
 
 /// A verdict or the values, and what identifies the report.
 fn summary(report: &CaseReport, options: &Options) -> Vec<Block> {
     let units = options.units;
     let mut blocks = facts(&report.main).0.summary(units);
-    let Identity { source, sha256, version } = &report.identity;
-    let mut rows = vec![
-        ["Vehicles".to_owned(), report.names.join("; ")],
-        ["Question".to_owned(), method::question(report.verb).to_owned()],
+    let about = vec![["Vehicles".to_owned(), report.names.join("; ")], ["Question".to_owned(), method::question(report.verb).to_owned()]];
+    blocks.push(identify(&report.identity, about, options));
+    blocks
+}
+
+/// Renders what identifies a report.
+fn identify(identity: &Identity, mut rows: Vec<[String; 2]>, options: &Options) -> Block {
+    let Identity { source, sha256, version } = identity;
+    rows.extend([
         ["Input file".to_owned(), source.name.clone()],
         ["SHA-256 of the input".to_owned(), sha256.clone()],
         ["Program".to_owned(), format!("planar-impact {version}")],
-    ];
+    ]);
     rows.extend(options.date.iter().map(|date| ["Date".to_owned(), date.clone()]));
-    blocks.push(Table::new(["this report", ""], "ll", rows.into_iter().map(Vec::from).collect()).into());
-    blocks
+    Table::new(["this report", ""], "ll", rows.into_iter().map(Vec::from).collect()).into()
 }
 
 fn scene_of(report: &CaseReport, units: Units) -> Vec<Block> {
@@ -294,8 +352,8 @@ fn alternatives(report: &CaseReport, units: Units) -> Vec<Block> {
 }
 
 /// Says what of the program is proven and validated, and to which error.
-fn validation(report: &CaseReport) -> Vec<Block> {
-    let result = &report.validation.report;
+fn validation(validation: &Validation) -> Vec<Block> {
+    let result = &validation.report;
     let mut blocks = vec![
         Block::paragraph(method::PROOF),
         Block::paragraph(format!("Validated, by the same program that made this report: {}", result.summary())),
@@ -305,10 +363,18 @@ fn validation(report: &CaseReport) -> Vec<Block> {
     blocks
 }
 
-fn input(identity: &Identity) -> Vec<Block> {
+fn input(identity: &Identity, named: &[Source]) -> Vec<Block> {
     let what = "The file that this report answers, without any change. It is also embedded in this document, in the element with the id \"case\": with it the \
                 program gives the same answer again.";
-    vec![Block::paragraph(what), Block::Verbatim(shown_lines(&identity.source.text))]
+    let mut blocks = vec![Block::paragraph(what), Block::Verbatim(shown_lines(&identity.source.text))];
+    if !named.is_empty() {
+        let names: Vec<&str> = named.iter().map(|source| source.name.as_str()).collect();
+        blocks.push(Block::paragraph(format!(
+            "It names other files, which are embedded in the elements from \"file-1\" on: {}.",
+            names.join(", ")
+        )));
+    }
+    blocks
 }
 
 /// Shows control characters of each line as their code points.

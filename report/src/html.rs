@@ -37,7 +37,9 @@ pub struct Section {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Embedded {
     /// The address of the file in the document.
-    pub id: &'static str,
+    pub id: String,
+    /// Its name, where another file names it.
+    pub name: Option<String>,
     /// Its type, such as `application/toml`.
     pub media_type: &'static str,
     /// Its text. `&`, `<` and `>` are written as entities, so that nothing in it ends the element.
@@ -74,7 +76,8 @@ pub fn render(document: &Document) -> String {
     }
     html.push_str("</main>\n");
     for file in &document.embedded {
-        let _ = writeln!(html, "<script type=\"{}\" id=\"{}\">{}</script>", file.media_type, file.id, entities(&file.text));
+        let name = file.name.as_ref().map_or_else(String::new, |name| format!(" data-name=\"{}\"", escape(shown(name))));
+        let _ = writeln!(html, "<script type=\"{}\" id=\"{}\"{name}>{}</script>", file.media_type, file.id, entities(&file.text));
     }
     html.push_str("</body>\n</html>\n");
     html
@@ -91,10 +94,10 @@ fn page_style(document: &Document) -> String {
     format!("@page {{ @top-left {{ content: \"{title}\"; }} @bottom-left {{ content: \"{foot}\"; }} }}\n")
 }
 
-/// Writes a text inside quotation marks of a style sheet: every character but letters, digits and spaces as its code point.
+/// Writes a text inside quotation marks of a style sheet: every character but letters, digits and spaces as its code point, which takes the space after it.
 fn style_text(text: &str) -> String {
     let short = planar_impact_app::plain_text::shorten(text, 90);
-    short.chars().map(|c| if c.is_ascii_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:06x}", u32::from(c)) }).collect()
+    short.chars().map(|c| if c.is_ascii_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:x} ", u32::from(c)) }).collect()
 }
 
 fn blocks(html: &mut String, blocks: &[Block]) {
@@ -230,7 +233,7 @@ mod tests {
             title: String::new(),
             foot: String::new(),
             sections: Vec::new(),
-            embedded: vec![Embedded { id: "case", media_type: "application/toml", text: text.to_owned() }],
+            embedded: vec![Embedded { id: "case".to_owned(), name: None, media_type: "application/toml", text: text.to_owned() }],
         };
         let html = render(&document);
         let start = "<script type=\"application/toml\" id=\"case\">";
@@ -255,6 +258,11 @@ mod tests {
             html.contains("<th scope=\"row\">x</th><td class=\"number\">1</td>")
                 && html.contains("<td></td><th scope=\"col\" class=\"number\">value</th>")
         );
+    }
+
+    #[test]
+    fn a_style_sheet_has_texts_as_code_points() {
+        assert_eq!(style_text("a, b\"; é"), r"a\2c  b\22 \3b  \e9 ");
     }
 
     #[test]

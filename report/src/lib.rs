@@ -1,7 +1,7 @@
 //! Renders answers of planar-impact as pages.
 //!
 //! A page is a list of [blocks](Block), made from one answer in a system of units: `page::page(&answer, units)`. [`text::render`] prints it on a
-//! terminal. A page computes nothing but units and digits; every fact stands in the answer.
+//! terminal, [`html::render`] a [`document`] in a browser, and [`scene::scene`] draws a collision. A page computes nothing but units and digits; every fact stands in the answer.
 
 pub mod block;
 pub mod chart;

@@ -98,11 +98,6 @@ impl Svg {
         self.element("circle", &all);
     }
 
-    /// Adds elements that are written already.
-    pub fn raw(&mut self, elements: &str) {
-        self.0.push_str(elements);
-    }
-
     /// Ends the document.
     pub fn finish(mut self) -> String {
         self.0.push_str("</svg>\n");
@@ -147,6 +142,6 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([0.0, -0.001, 12.5, 100.0, 3.14159].map(number), ["0", "0", "12.5", "100", "3.14"]);
+        assert_eq!([0.0, -0.001, 12.5, 100.0, 7.2561].map(number), ["0", "0", "12.5", "100", "7.26"]);
     }
 }

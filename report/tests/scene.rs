@@ -183,6 +183,29 @@ fn compare(random: &Random, case: &Case, answer: &Answer<Scene>) {
         assert_along(from, [vehicle.pdof.sin(), vehicle.pdof.cos()], length(from), "pdof");
         assert!(svg.contains(&format!("{} o&apos;clock", answer.vehicles[i].pdof_clock())), "{}", vehicle.pdof);
     }
+    for (i, vehicle) in solution.vehicles.iter().enumerate() {
+        // An arc with the sweep flag 0 turns counter-clockwise on the page; it starts left of the vehicle.
+        let path = child(of_class(root, &format!("rotation-{}", i + 1)), "path").attribute("d").expect("an arc");
+        let words: Vec<&str> = path.split(' ').collect();
+        assert_eq!(words[8], if vehicle.yaw_rate > 0.0 { "0" } else { "1" }, "{path} of {}", vehicle.yaw_rate);
+        let center = of_class(of_class(root, &format!("vehicle-{}", i + 1)), "center-of-mass");
+        let start = [1, 2].map(|k| words[k].parse::<f64>().expect("a number"));
+        let from = [start[0] - number(center, "cx"), number(center, "cy") - start[1]];
+        let angle = random.mirror * random.heading[i];
+        assert_along(from, [-angle.sin(), angle.cos()], length(from), "start of the rotation");
+        // The small pictures: before, at maximum compression and after, all at one scale.
+        let share = 1.0 / (1.0 + random.restitution);
+        let compressed = [0, 1].map(|k| vehicle.before.velocity[k] + share * vehicle.delta_v[k]);
+        for (phase, velocity) in [("before", vehicle.before.velocity), ("maximum-compression", compressed), ("after", vehicle.velocity)] {
+            let picture = of_class(root, &format!("phase-{phase}"));
+            let class = format!("phase-velocity-{}", i + 1);
+            if length(velocity) > 0.03 * length(fastest) {
+                let line = of_class(picture, &class);
+                let drawn = [number(line, "x2") - number(line, "x1"), number(line, "y1") - number(line, "y2")];
+                assert_along(drawn, velocity, 44.0 / length(fastest), phase); // a quarter of 176 pixels
+            }
+        }
+    }
     // n is at the angle of the crush plane, t a quarter turn further.
     for (class, angle) in [("normal", 0.0), ("tangent", std::f64::consts::FRAC_PI_2)] {
         let line = of_class(of_class(root, "crush-plane"), class);
@@ -243,6 +266,50 @@ fn altered(from: &str, to: &str) -> (Answer<Scene>, String) {
     let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
     let svg = scene(&answer, Units::Us);
     (answer, svg)
+}
+
+#[test]
+fn an_uncertain_speed_has_a_band_along_its_arrow() {
+    let text = include_str!("../../cli/examples/position-a.toml").replacen("40 ft/s", "40 ft/s ± 4 ft/s", 1);
+    let case = Case::parse(Source { name: "uncertain.toml".to_owned(), text }).expect("a readable file");
+    let svg = scene(&draw(&case, &(), &Uncontrolled).expect("a possible collision"), Units::Us);
+    let page = Document::parse(&svg).expect("well-formed");
+    let root = page.root_element();
+    let (band, before) = (of_class(root, "speed-range-1"), of_class(root, "velocity-before-1"));
+    let along = [number(band, "x2") - number(band, "x1"), number(band, "y1") - number(band, "y2")];
+    // 1.96 standard deviations to each side of 40 ft/s.
+    let share = 2.0 * 1.959_963_984_540_054 * 4.0 / 40.0;
+    assert_along(along, arrow(before), share, "band");
+    assert!(root.descendants().all(|node| !node.attribute("class").unwrap_or_default().contains("speed-range-2")));
+    // The sector of the clock is as wide as the range of the principal direction of force.
+    let sector = of_class(of_class(root, "clock-1"), "pdof-range").attribute("d").expect("a sector");
+    assert!(sector.contains(" 0 0 1 "), "{sector}");
+}
+
+#[test]
+fn a_rest_position_has_two_standard_deviations_around_it() {
+    let text = include_str!("../../cli/examples/to-rest.toml");
+    let case = Case::parse(Source { name: "to-rest.toml".to_owned(), text: text.to_owned() }).expect("a readable file");
+    let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
+    let svg = scene(&answer, Units::Si);
+    let page = Document::parse(&svg).expect("well-formed");
+    let root = page.root_element();
+    for (i, vehicle) in answer.vehicles.iter().enumerate() {
+        let rest = vehicle.rest.expect("a rest position");
+        let given = of_class(of_class(root, "overview"), &format!("given-rest-{}", i + 1));
+        let ellipse = child(given, "ellipse");
+        // The path of the slide is to the same scale.
+        let path = points(of_class(root, &format!("path-{}", i + 1)));
+        let slide = &vehicle.slide.as_ref().expect("a slide").path;
+        let drawn = length([0, 1].map(|k| path[path.len() - 1][k] - path[0][k]));
+        let (first, last) = (slide.first().expect("a state"), slide.last().expect("a state"));
+        let scale = drawn / length([last.x - first.x, last.y - first.y]);
+        assert!((number(ellipse, "rx") - 2.0 * rest.position_sd[0] * scale).abs() < 0.05, "{scale}");
+        assert!((number(ellipse, "ry") - 2.0 * rest.position_sd[1] * scale).abs() < 0.05);
+        let from_start = [number(ellipse, "cx") - path[0][0], -number(ellipse, "cy") - path[0][1]];
+        assert_along(from_start, [rest.position[0] - first.x, rest.position[1] - first.y], scale, "rest");
+    }
+    no_label_covers_another(root);
 }
 
 #[test]

@@ -108,7 +108,8 @@ mod tests {
     /// A half-sine of 100 ms, 1 ms apart, after 20 ms of nothing, in whole steps.
     fn pulse(height: f64, limit: f64) -> Record {
         let value = |i: i32| (height * (PI * f64::from(i - 20) * 0.01).sin()).clamp(0.0, limit).round();
-        Record::uniform(-0.02, 1e-3, (0..140).map(|i| if i < 20 || i > 120 { 0.0 } else { value(i) }).collect()).expect("a good record")
+        Record::uniform(-0.02, 1e-3, (0..140).map(|i| if !(20..=120).contains(&i) { 0.0 } else { value(i) }).collect())
+            .expect("a good record")
     }
 
     #[test]

@@ -107,8 +107,11 @@ scene, question, method, results, sensitivity, alternatives, validation, input, 
 
 Examples:
   planar-impact report cli/examples/position-a.toml -o report.html
-  planar-impact report cli/examples/reconstruct/two-cars.toml --date \"3 May 2026\" -o report.html
-  planar-impact report cli/examples/cavalier-crush.toml --verb crush --sections summary,results,input";
+  planar-impact report cli/examples/reconstruct/momentum.toml --date \"3 May 2026\" > report.html
+  planar-impact report cli/examples/cavalier-crush.toml --verb crush --sections summary,input
+  planar-impact report cli/examples/tests/malibu.toml --verb stiffness -o fit.html
+  planar-impact report cli/examples/check/collision.json --verb check
+  planar-impact report --verb validate > validation.html";
 
 pub(super) const GRADIENT: &str = "\
 Names are those of the case file and of the JSON of `solve`, vehicles counted from 1, or symbols:

@@ -62,8 +62,16 @@ fn variants(text: &str) -> Vec<Variant<'_>> {
 }
 
 fn read(text: &str) -> Result<Case, Issues> {
-    let tests = || std::fs::read_to_string(workspace().join("cli/examples/tests/struble-welsh.toml")).expect("an example");
-    let open = move |name: &str| Ok(Source { name: name.to_owned(), text: tests() });
+    let open = |name: &str| {
+        let example = match name {
+            "recorder.csv" => "record/edr.csv",
+            "load-cells.toml" => "record/barrier.toml",
+            "barrier.csv" => "record/barrier.csv",
+            _ => "tests/struble-welsh.toml",
+        };
+        let text = std::fs::read_to_string(workspace().join("cli/examples").join(example)).expect("an example");
+        Ok(Source { name: name.to_owned(), text })
+    };
     Case::parse_with(Source { name: "case.toml".to_owned(), text: text.to_owned() }, Box::new(open))
 }
 

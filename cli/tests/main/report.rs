@@ -39,6 +39,28 @@ fn every_input_can_be_entered_again_from_the_report_alone() {
     }
 }
 
+#[test]
+fn files_that_a_case_names_are_in_its_report() {
+    let html = report("reconstruct/from-tests.toml", &[]);
+    let decoded = |text: &str| text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    let folder = tempfile::tempdir().expect("a folder");
+    let below = folder.path().join("reconstruct");
+    fs::create_dir(&below).expect("a folder");
+    fs::write(below.join("case.toml"), embedded(&html)).expect("written");
+    let mut count = 0;
+    for file in html.split(" data-name=\"").skip(1) {
+        let (name, rest) = file.split_once("\">").expect("a name");
+        let path = below.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, decoded(rest.split("</script>").next().expect("a text"))).expect("written");
+        count += 1;
+    }
+    assert!(count > 0);
+    let again = run(folder.path(), &["reconstruct", "reconstruct/case.toml", "--format", "json"]);
+    let first = run(&workspace(), &["reconstruct", "cli/examples/reconstruct/from-tests.toml", "--format", "json"]);
+    assert_eq!((again.status, again.out), (first.status, first.out), "{}", again.err);
+}
+
 /// Of the committed report; `UPDATE_REPORT=1` writes it anew.
 #[test]
 fn the_report_of_two_cars_has_the_same_bytes_everywhere() {
@@ -103,6 +125,10 @@ fn a_report_names_what_it_stands_on() {
             && section(&html, "question").contains("<td class=\"number\">40</td><td>ft/s</td>")
     );
     assert!(!report("position-a.toml", &[]).contains("Date"));
+    // Notices are part of the answer.
+    let text = fs::read_to_string(workspace().join("cli/examples/position-a.toml")).expect("the example");
+    let bare = run_with_input(&["report", "-"], &text.replace("\"90 deg\"", "1.5707963267948966"));
+    assert!(section(&bare.out, "results").contains("<strong>Note:</strong> vehicle.2.heading has no unit"), "{}", bare.err);
 }
 
 #[test]
@@ -129,6 +155,37 @@ fn a_file_appears_only_when_it_is_whole() {
         run(folder.path(), &["draw", workspace().join("cli/examples/position-a.toml").to_str().expect("a path"), "-o", "none/scene.svg"]);
     assert!(nowhere.status == 74 && nowhere.err.contains("cannot be written"), "{}", nowhere.err);
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0);
+}
+
+#[test]
+fn tests_records_and_the_validation_have_reports_too() {
+    let stiffness = report("tests/malibu.toml", &["--verb", "stiffness"]);
+    let file = fs::read_to_string(workspace().join("cli/examples/tests/malibu.toml")).expect("the example");
+    assert_eq!(embedded(&stiffness), file);
+    assert!(section(&stiffness, "results").contains("<svg") && section(&stiffness, "summary").contains("A = 78283 N/m"));
+    // Many records, of which each breaks a law: momentum of vehicle 1 from 10 to 5 m/s, and none of vehicle 2.
+    let folder = tempfile::tempdir().expect("a folder");
+    let head = "id,b1.mass,b2.mass,b1.before.vx,b1.before.vy,b1.after.vx,b1.after.vy,b2.before.vx,b2.before.vy,b2.after.vx,b2.after.vy\n,kg,kg,m/s,m/s,m/s,m/s,m/s,m/s,m/s,m/s\n";
+    let records: String = (0..3000).map(|k| format!("<b>{k}</b>,1000,1500,10,0,5,0,0,0,0,0\n")).collect();
+    fs::write(folder.path().join("records.csv"), head.to_owned() + &records).expect("written");
+    let checked = run(folder.path(), &["report", "records.csv", "--verb", "check"]);
+    assert_eq!(checked.status, 1, "{}", checked.err);
+    assert!(section(&checked.out, "summary").contains("3000 of 3000 records break a law."));
+    assert!(section(&checked.out, "results").contains("linear-momentum (fail): 3000, of which the first 20"));
+    assert!(checked.out.contains("&lt;b&gt;0&lt;/b&gt;") && checked.out.len() < 40_000, "{} bytes", checked.out.len());
+    let validation = run(&workspace(), &["report", "--verb", "validate"]);
+    assert_eq!(validation.status, 0);
+    assert!(section(&validation.out, "results").contains("Table B2"));
+    for (arguments, why) in [
+        (&["report"][..], "give one file"),
+        (&["report", "a", "b"], "give one file"),
+        (&["report", "--verb", "check"], "one file of records or more"),
+        (&["report", "a", "--verb", "validate"], "takes no file"),
+        (&["report", "cli/examples/position-a.toml", "--verb", "crush"], "crush"),
+    ] {
+        let refused = run(&workspace(), arguments);
+        assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains(why), "{arguments:?}: {}", refused.err);
+    }
 }
 
 #[test]

@@ -10,6 +10,11 @@ pub const PROOF: &str = "Proven: the equations are written once, for any kind of
                          account, restitution, the critical impulse ratio, their derivatives) are proven over the rational numbers by evaluating the same \
                          code there; `planar-impact prove` prints each of them.";
 
+/// How a stiffness is fitted.
+pub const STIFFNESS: &str = "The crush energy of each test is the kinetic energy of the normal approach less that of the rebound; E* = sqrt(2 E_C/w) grows linearly \
+                             with the depth of the crush: E* = d0 + d1 C, with A = d0 d1 and B = d1^2. The line is fitted to the tests by least squares, on the \
+                             mean depth of each and on its profile.";
+
 /// What validation does not show.
 pub const LIMITS: &str = "These comparisons show that the program computes what the published method says. How well the method describes this collision depends on \
                           the inputs and on the assumptions above: reconstructions from crush err by tens of per cent, however many digits agree.";

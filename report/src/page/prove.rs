@@ -126,7 +126,8 @@ mod tests {
             assert!(text.lines().any(|line| line.starts_with(proof.identity.name) && line.ends_with("yes")), "{}", proof.identity.name);
         }
         for misprint in &report.misprints {
-            assert!(text.contains(&format!("\n{}\n\n    stated: ", misprint.place)), "{}", misprint.place);
+            let line = "=".repeat(misprint.place.width());
+            assert!(text.contains(&format!("\n{}\n{line}\n\n    stated: ", misprint.place)), "{}", misprint.place);
         }
         // A misprint and its collision, in full.
         assert!(text.contains("T_L(Γ) − T_L(0) at e           0    1803/1300"));

@@ -4,7 +4,7 @@ use planar_impact_app::plain_text::shorten;
 use planar_impact_app::stiffness::{Fit, Forms, StiffnessAnswer, Test};
 use planar_impact_app::units::{Measure, Units};
 
-use super::Facts;
+use super::{Facts, SUMMARY_WIDTH};
 use crate::block::{Block, Table};
 
 impl Facts for StiffnessAnswer {
@@ -13,12 +13,16 @@ impl Facts for StiffnessAnswer {
         if !self.headlines.is_empty() {
             return self.headlines.iter().map(|headline| Block::item("! ", format!("{}.", units.sentence(&headline.0)))).collect();
         }
-        let of = |fit: &Fit| {
-            let force = units.quantity(Measure::ForcePerWidth, fit.forms.force);
-            let per_depth = units.quantity(Measure::ForcePerArea, fit.forms.force_per_depth);
-            Block::paragraph(format!("On the {}: A = {force}, B = {per_depth}.", fit.model))
+        let of = |what: String, forms: &Forms| {
+            let force = units.quantity(Measure::ForcePerWidth, forms.force);
+            let per_depth = units.quantity(Measure::ForcePerArea, forms.force_per_depth);
+            Block::paragraph(format!("{what}: A = {force}, B = {per_depth}."))
         };
-        self.fits.iter().map(of).collect()
+        let fits = self.fits.iter().map(|fit| of(format!("Fitted on the {}", fit.model), &fit.forms));
+        let alone = self.tests.iter().filter(|_| self.fits.is_empty()).filter_map(|test| {
+            Some(of(format!("{}, from one test on its profile", shorten(&test.vehicle, SUMMARY_WIDTH)), test.on_profile.as_ref()?))
+        });
+        fits.chain(alone).collect()
     }
 
     /// The tests, the stiffness from each alone and from all, with its uncertainty.
