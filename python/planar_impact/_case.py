@@ -74,7 +74,7 @@ def _plain(value: Any, path: str, issues: list[Issue], depth: int) -> Any:
     tolist = getattr(value, "tolist", None)
     if callable(tolist) and not isinstance(value, (list, tuple)):
         value = tolist()
-    if isinstance(value, bool):
+    if isinstance(value, (bool, str)):
         return value
     if isinstance(value, (int, float)):
         try:
@@ -86,8 +86,6 @@ def _plain(value: Any, path: str, issues: list[Issue], depth: int) -> Any:
         return wrong(f"expected a finite number, found {number}")
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray, memoryview)):
         return [_plain(item, f"{path}.{i}" if path else str(i), issues, depth + 1) for i, item in enumerate(value, 1)]
-    if isinstance(value, str):
-        return value
     return wrong(f"expected a number, a string, a bool, a list or a dict, found {type(value).__name__}")
 
 

@@ -113,6 +113,8 @@ def sweep(
             ranges.append(f"{name}={':'.join(end if isinstance(end, str) else repr(float(end)) for end in ends)}")
     else:
         ranges = names(vary, "vary")
+    if not ranges:
+        raise CaseError._with([Issue("call", "vary", "expected one or two ranges, found none")])
     return Answer(_native.sweep(source(case), units, ranges, names(of, "of")), units)
 
 

@@ -50,6 +50,13 @@ impl Signals {
         }
     }
 
+    /// Returns the answer of a verb, or the exception of the handler that has stopped it: some verbs then answer with what they have.
+    pub fn finish<A>(&self, answer: Result<A, Failure>) -> PyResult<A> {
+        let answer = answer.map_err(|failure| self.error(failure))?;
+        let raised = self.raised.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
+        raised.map_or(Ok(answer), Err)
+    }
+
     /// Returns the exception of a loop that a handler has stopped.
     pub fn stopped(&self) -> PyErr {
         self.error(Issues::interrupted().into())

@@ -38,7 +38,7 @@ fn on_case<A: Send>(
         let units = given.unwrap_or(case.units);
         verb(&case, units, &signals).map_err(failure(units))
     });
-    answer.map_err(|failure| signals.error(failure))
+    signals.finish(answer)
 }
 
 /// A verb of the application layer that takes a case alone.
@@ -211,7 +211,7 @@ pub fn stiffness(py: Python<'_>, tests: &Source, units: Option<&str>) -> PyResul
         let answer = stiffness(&file, &(), &signals).map_err(failure(units))?;
         Answer::of(&Arc::new(answer), units, Layout::Pretty).map_err(failure(units))
     });
-    answer.map_err(|failure| signals.error(failure))
+    signals.finish(answer)
 }
 
 /// Reads recordings.
@@ -229,7 +229,7 @@ pub fn record(py: Python<'_>, files: Vec<PyRef<'_, Source>>, units: Option<&str>
         let answer = record(&recordings, &(), &signals).map_err(failure(units))?;
         Answer::of(&Arc::new(answer), units, Layout::Compact).map_err(failure(units))
     });
-    answer.map_err(|failure| signals.error(failure))
+    signals.finish(answer)
 }
 
 /// Returns the formula of an output, or of its derivative.
@@ -248,7 +248,7 @@ pub fn formula(py: Python<'_>, output: &str, wrt: Option<&str>, case: Option<&So
         Some(case) => on_case(py, case, None, |case, _, control| answer(Some(case), control)),
         None => {
             let signals = Signals::new();
-            py.detach(|| answer(None, &signals)).map_err(|issues| signals.error(issues.into()))
+            signals.finish(py.detach(|| answer(None, &signals)).map_err(Failure::from))
         }
     }
 }
@@ -328,7 +328,7 @@ pub fn check(py: Python<'_>, files: Vec<PathBuf>, tolerance: Option<f64>) -> PyR
         let report = CheckReport { schema: planar_impact_app::answer::SCHEMA, records, interrupted: false, summary };
         Answer::of_text(&report, json::text(&report, Layout::Pretty)?)
     });
-    answer.map_err(|issues| signals.error(issues.into()))
+    signals.finish(answer.map_err(Failure::from))
 }
 
 /// Opens a file of records.

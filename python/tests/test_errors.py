@@ -27,7 +27,7 @@ def test_issues_have_lines() -> None:
     with pytest.raises(CaseError) as caught:
         planar_impact.solve("\n".join(lines))
     issues = caught.value.issues
-    assert [(issue.code, issue.path, issue.line) for issue in issues][0] == ("invalid-quantity", "vehicle.1.mass", mass + 1)
+    assert [(issue.code, issue.path, issue.line) for issue in issues][0] == ("quantity", "vehicle.1.mass", mass + 1)
     assert issues[-1].line == len(lines) and len(issues) == 2
     assert f"<text>:{mass + 1}: vehicle.1.mass: " in str(caught.value)
     assert isinstance(caught.value, ValueError) and isinstance(caught.value, Error)

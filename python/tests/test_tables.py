@@ -67,7 +67,7 @@ def test_duckdb(columns: dict[str, Any], expected: dict[str, Any]) -> None:
     duckdb = pytest.importorskip("duckdb")
     answer = planar_impact.solve_batch(duckdb.from_arrow(pa.table(columns)), of=["T_L", "dV1"], wrt="e")
     assert isinstance(answer, duckdb.DuckDBPyRelation)
-    loss = duckdb.sql('SELECT sum("energy.loss") FROM answer').fetchone()[0]
+    loss = duckdb.sql('SELECT sum("energy.loss") FROM answer').fetchall()[0][0]
     assert loss == pytest.approx(np.nansum(expected["energy.loss"]), rel=1e-12)
 
 
