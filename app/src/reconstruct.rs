@@ -88,7 +88,7 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         notices.0.extend(by_momentum(&question));
     }
     if answer.verdict == Verdict::Contradicted {
-        notices.0.extend(slips::of(&question, answer.best().chi_square, &|| control.goes_on(0, 1)));
+        notices.0.extend(slips::of(case, &question, answer.best(), &|| control.goes_on(0, 1)));
     }
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();

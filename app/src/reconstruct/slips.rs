@@ -1,12 +1,12 @@
 //! Slips of input that explain why evidence does not agree: the same question with one number mirrored, exchanged or in another unit.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
-use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Uncertainty, Variable};
-use planar_impact::{Input, Measure, Output, Party, Side};
+use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable};
+use planar_impact::{Heading, Input, Measure, Output, Party, Side};
 
 use super::question::Question;
-use crate::case::vehicle_number;
+use crate::case::{Case, vehicle_number};
 use crate::message::Message;
 use crate::notice::Notice;
 
@@ -15,6 +15,9 @@ const STARTS: usize = 8;
 
 /// Most slips that are named.
 const MOST_NAMED: usize = 3;
+
+/// Least residual, in standard deviations, of a yaw rate whose heading at rest may be a whole turn off.
+const LEAST_RESIDUAL: f64 = 3.0;
 
 /// Metres in a mile over those in a kilometre.
 const MILE: f64 = 1.609344;
@@ -32,21 +35,22 @@ struct Slip {
     problem: ReconstructionProblem,
 }
 
-/// Returns a warning for each slip with which the evidence would agree, the best fit first. `chi_square` is that of the question as it is.
-pub fn of(question: &Question, chi_square: f64, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
+/// Returns a warning for each slip with which the evidence would agree, the best fit first. `case` is the case of the file, with its rest positions;
+/// `best` is the best fit of the question as it is.
+pub fn of(case: &Case, question: &Question, best: &Solution, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
     let search = Search { starts: STARTS, ..Search::default() };
     let fit = |slip: Slip| {
         if !goes_on() {
             return None;
         }
         let answer = slip.problem.solve(&search).ok()?;
-        let best = answer.best();
-        best.is_explained().then_some((best.chi_square, slip))
+        let with_slip = answer.best();
+        with_slip.is_explained().then_some((with_slip.chi_square, slip))
     };
-    let mut found: Vec<(f64, Slip)> = slips(&question.asked).into_iter().filter_map(fit).collect();
+    let mut found: Vec<(f64, Slip)> = slips(case, &question.asked, best).into_iter().filter_map(fit).collect();
     found.sort_by(|one, other| one.0.total_cmp(&other.0));
     found.truncate(MOST_NAMED);
-    found.into_iter().map(|(of_slip, slip)| warning(slip, of_slip, chi_square)).collect()
+    found.into_iter().map(|(of_slip, slip)| warning(slip, of_slip, best.chi_square)).collect()
 }
 
 fn warning(slip: Slip, of_slip: f64, chi_square: f64) -> Notice {
@@ -57,38 +61,111 @@ fn warning(slip: Slip, of_slip: f64, chi_square: f64) -> Notice {
 }
 
 /// Returns the question with each slip that it can have.
-fn slips(asked: &ReconstructionProblem) -> Vec<Slip> {
+fn slips(case: &Case, asked: &ReconstructionProblem, best: &Solution) -> Vec<Slip> {
     let mut all = Vec::new();
     mirrored_centers(asked, &mut all);
     exchanged_headings(asked, &mut all);
     for side in Side::ALL {
         mass_in_pounds(asked, side, &mut all);
+        heading_in_degrees(asked, side, &mut all);
+        whole_turns(case, best, side, &mut all);
     }
-    for (i, evidence) in asked.evidence.iter().enumerate() {
-        let mut scaled = |factor: f64, words: &str| {
-            let mut problem = asked.clone();
-            let piece = &mut problem.evidence[i];
+    crush_plane_in_degrees(asked, &mut all);
+    speeds_in_miles(asked, &mut all);
+    for (at, evidence) in asked.evidence.iter().enumerate() {
+        if matches!(evidence.of, Measurand::Output(Output::YawRate(_))) {
+            let factors = [
+                (-1.0, ", the other way round,"),
+                (PI / 180.0, ", degrees taken for radians,"),
+                (180.0 / PI, ", radians taken for degrees,"),
+            ];
+            all.extend(factors.map(|(factor, words)| {
+                let mut problem = asked.clone();
+                scale(&mut problem, Given::Evidence(at), factor);
+                let instead = Message::new().figure(evidence.of.measure(), factor * evidence.value).text(words);
+                Slip { path: evidence.of.name().to_owned(), instead, problem }
+            }));
+        }
+    }
+    all
+}
+
+/// A number of the question that a factor multiplies.
+#[derive(Clone, Copy)]
+enum Given {
+    /// A piece of evidence, by its place.
+    Evidence(usize),
+    /// The speed of a vehicle before the impact.
+    Speed(Side),
+}
+
+fn scale(problem: &mut ReconstructionProblem, given: Given, factor: f64) {
+    match given {
+        Given::Evidence(at) => {
+            let piece = &mut problem.evidence[at];
             piece.value *= factor;
             if let Uncertainty::StandardDeviation(sd) = &mut piece.uncertainty {
                 *sd *= factor.abs();
             }
-            let instead = Message::new().figure(evidence.of.measure(), piece.value).text(words.to_owned());
-            all.push(Slip { path: evidence.of.name().to_owned(), instead, problem });
-        };
-        match evidence.of {
-            Measurand::Output(Output::YawRate(_)) => {
-                scaled(-1.0, ", the other way round,");
-                scaled(PI / 180.0, ", degrees taken for radians,");
-                scaled(180.0 / PI, ", radians taken for degrees,");
+        }
+        Given::Speed(side) => {
+            if let Party::Vehicle(vehicle) = party(problem, side) {
+                vehicle.motion.velocity = vehicle.motion.velocity * factor;
             }
-            of if of.measure() == Measure::Speed => {
-                scaled(MILE, ", mph taken for km/h,");
-                scaled(MILE.recip(), ", km/h taken for mph,");
-            }
-            _ => (),
         }
     }
-    all
+}
+
+fn party(problem: &mut ReconstructionProblem, side: Side) -> &mut Party {
+    match side {
+        Side::One => &mut problem.collision.one,
+        Side::Two => &mut problem.collision.two,
+    }
+}
+
+/// Returns the speed of a vehicle that moves before the impact at a velocity that is given and not solved for.
+fn known_speed(asked: &ReconstructionProblem, side: Side) -> Option<f64> {
+    let speed = asked.collision.parties()[side as usize].vehicle()?.motion.velocity.length();
+    let is_solved_for = |of: Variable| match of {
+        Variable::Speed(of) => of == side,
+        Variable::Input(input) => [Input::VelocityX(side), Input::VelocityY(side)].contains(&input),
+        _ => false,
+    };
+    (speed > 0.0 && !asked.unknowns.iter().any(|unknown| is_solved_for(unknown.of))).then_some(speed)
+}
+
+/// Speeds in the other unit: each alone, those of one vehicle, and all, as one who mistakes the unit of a source mistakes it for all of its numbers.
+fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
+    let measured = asked.evidence.iter().enumerate().filter(|(_, piece)| piece.of.measure() == Measure::Speed);
+    let mut speeds: Vec<(Given, Option<Side>, String, f64)> =
+        measured.map(|(at, piece)| (Given::Evidence(at), piece.of.side(), piece.of.name().to_owned(), piece.value)).collect();
+    let known = |side| Some((Given::Speed(side), Some(side), format!("vehicle.{}.speed", vehicle_number(side)), known_speed(asked, side)?));
+    speeds.extend(Side::ALL.into_iter().filter_map(known));
+    let mut groups: Vec<(Message, Vec<usize>)> = vec![(Message::from("every given speed"), (0..speeds.len()).collect())];
+    groups.extend(Side::ALL.map(|side| {
+        let of_vehicle = (0..speeds.len()).filter(|i| speeds[*i].1 == Some(side)).collect();
+        (Message::from(format!("every given speed of vehicle {}", vehicle_number(side))), of_vehicle)
+    }));
+    groups.retain(|(_, of_group)| of_group.len() > 1);
+    // All speeds may be those of one vehicle.
+    groups.dedup_by(|one, other| one.1 == other.1);
+    for (factor, words) in [(MILE, ", mph taken for km/h,"), (MILE.recip(), ", km/h taken for mph,")] {
+        let alone =
+            speeds.iter().enumerate().map(|(i, (_, _, _, value))| (Message::new().figure(Measure::RoadSpeed, factor * value), vec![i]));
+        let together = groups.iter().map(|(name, of_group)| (name.clone().text(format!(" times {factor:.4}")), of_group.clone()));
+        for (instead, of_group) in alone.chain(together) {
+            let mut problem = asked.clone();
+            of_group.iter().for_each(|&i| scale(&mut problem, speeds[i].0, factor));
+            all.push(Slip { path: speeds[of_group[0]].2.clone(), instead: instead.text(words), problem });
+        }
+    }
+}
+
+/// Returns an angle that was meant in radians but given in degrees, which only small numbers can be. Numbers without a unit that are no angle in radians are
+/// refused where they are read.
+fn meant_in_radians(angle: f64) -> Option<f64> {
+    let degrees = angle.to_degrees();
+    (angle != 0.0 && degrees.abs() < TAU).then_some(degrees)
 }
 
 /// Returns `true` if an input is given and not solved for.
@@ -126,22 +203,71 @@ fn mirrored_centers(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
     }
 }
 
-/// Each vehicle with the heading of the other; one that drives along its heading turns its velocity with it.
+/// Turns a vehicle; one that drives along its heading turns its velocity with it.
+fn turn(problem: &mut ReconstructionProblem, side: Side, heading: Heading) {
+    let drives_along = problem.drives_along_heading[side as usize];
+    let Party::Vehicle(vehicle) = party(problem, side) else { return };
+    let speed = vehicle.heading.to_vehicle(vehicle.motion.velocity).forward;
+    *vehicle = vehicle.with_heading(heading);
+    if drives_along {
+        *vehicle = vehicle.with_speed(speed);
+    }
+}
+
+/// Each vehicle with the heading of the other.
 fn exchanged_headings(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let mut problem = asked.clone();
-    let (Party::Vehicle(one), Party::Vehicle(two)) = (&mut problem.collision.one, &mut problem.collision.two) else { return };
-    if one.heading == two.heading || !Side::ALL.into_iter().all(|side| is_known(asked, Input::Heading(side))) {
+    let [Some(one), Some(two)] = asked.collision.parties().map(|party| party.vehicle().map(|vehicle| vehicle.heading)) else { return };
+    if one == two || !Side::ALL.into_iter().all(|side| is_known(asked, Input::Heading(side))) {
         return;
     }
-    let headings = [two.heading, one.heading];
-    for ((vehicle, heading), drives_along) in [one, two].into_iter().zip(headings).zip(asked.drives_along_heading) {
-        let speed = vehicle.heading.to_vehicle(vehicle.motion.velocity).forward;
-        *vehicle = vehicle.with_heading(heading);
-        if drives_along {
-            *vehicle = vehicle.with_speed(speed);
-        }
-    }
+    let mut problem = asked.clone();
+    turn(&mut problem, Side::One, two);
+    turn(&mut problem, Side::Two, one);
     all.push(Slip { path: "vehicle.1.heading".to_owned(), instead: Message::from("the headings of both vehicles exchanged"), problem });
+}
+
+/// A heading in radians that was given as degrees.
+fn heading_in_degrees(asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
+    let input = Input::Heading(side);
+    let Some(heading) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
+    let Some(angle) = meant_in_radians(heading) else { return };
+    let mut problem = asked.clone();
+    turn(&mut problem, side, Heading::from_angle(angle));
+    all.push(Slip {
+        path: input.name().to_owned(),
+        instead: Message::new().figure(Measure::Angle, angle).text(", radians taken for degrees,"),
+        problem,
+    });
+}
+
+/// The angle of the crush plane in radians that was given as degrees.
+fn crush_plane_in_degrees(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
+    let input = Input::CrushPlane;
+    let Some(angle) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
+    let Some(angle) = meant_in_radians(angle) else { return };
+    let Some(problem) = with(asked, &[(input, angle)]) else { return };
+    all.push(Slip {
+        path: input.name().to_owned(),
+        instead: Message::new().figure(Measure::Angle, angle).text(", radians taken for degrees,"),
+        problem,
+    });
+}
+
+/// A heading at rest that is a whole turn off: a photograph does not show how often the vehicle turned. Only where the yaw rate that it means is off, and in
+/// the direction in which it is, because each turn needs the slide that ends there.
+fn whole_turns(case: &Case, best: &Solution, side: Side, all: &mut Vec<Slip>) {
+    let of_rest = Measurand::Output(Output::YawRate(side));
+    let Some(fitted) = best.evidence.iter().find(|fitted| fitted.of == of_rest) else { return };
+    let is_off = fitted.sd.is_some_and(|sd| fitted.residual.abs() > LEAST_RESIDUAL * sd);
+    let mut case = case.clone();
+    let rest = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()).and_then(|rest| rest.evidence.as_mut());
+    let Some(rest) = rest.filter(|_| is_off) else { return };
+    rest.rest.heading -= TAU.copysign(fitted.residual);
+    let heading = rest.rest.heading;
+    let Ok(question) = Question::of(&case) else { return };
+    let path = format!("rest.vehicle.{}.heading", vehicle_number(side));
+    let instead = Message::new().figure(Measure::Angle, heading).text(", a whole turn from it,");
+    all.push(Slip { path, instead, problem: question.asked });
 }
 
 /// A mass in the other unit.

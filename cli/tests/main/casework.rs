@@ -137,13 +137,13 @@ fn slips_are_named() {
     let truth = "schema = 1\n\
         [[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"10 deg\"\nimpact_center = [2, 0.3]\n\
         [[vehicle]]\nmass = 1300\nyaw_inertia = 2000\nheading = \"100 deg\"\nimpact_center = [0.6, 0.8]\n\
-        [contact]\ncrush_plane = \"5 deg\"\nrestitution = 0.08\n";
+        [contact]\ncrush_plane = \"20 deg\"\nrestitution = 0.4\n";
     let moving = truth.replacen("impact_center", "speed = 15\nimpact_center", 1).replacen("mass = 1300", "speed = 9\nmass = 1300", 1);
     let solved = json_of(&["solve"], &moving);
     let after = |i: usize, key: &str| solved["vehicles"][i][key].clone();
-    let evidence = |yaw: f64, speed: f64| {
+    let measured = |yaw: f64, speeds: [f64; 2]| {
         let velocity = |i: usize| {
-            let [x, y] = [0, 1].map(|k| number(&after(i, "velocity")[k]) * if i == 0 { 1.0 } else { speed });
+            let [x, y] = [0, 1].map(|k| number(&after(i, "velocity")[k]) * speeds[i]);
             format!("[\"{x} m/s ± 0.1 m/s\", \"{y} m/s ± 0.1 m/s\"]")
         };
         let yaw_rate = |i: usize| number(&after(i, "yaw_rate")) * if i == 0 { yaw } else { 1.0 };
@@ -155,9 +155,10 @@ fn slips_are_named() {
             velocity(1),
             yaw_rate(0),
             yaw_rate(1),
-            9.0 * speed,
+            9.0 * speeds[1],
         )
     };
+    let evidence = |yaw: f64, speed: f64| measured(yaw, [1.0, speed]);
     let sound = evidence(1.0, 1.0);
     assert_eq!(json_of(&["reconstruct"], &format!("{truth}{sound}"))["verdict"], "agrees");
     let slips = [
@@ -172,10 +173,30 @@ fn slips_are_named() {
         // 9 m/s are 32.4 km/h and 20.1 mph.
         (truth.to_owned(), sound.replace("\"9 m/s", "\"20.132 km/h"), "vehicle.2.speed", "mph taken for km/h"),
         (truth.to_owned(), sound.replace("\"9 m/s", "\"32.4 mph"), "vehicle.2.speed", "km/h taken for mph"),
+        (
+            truth.to_owned(),
+            evidence(1.0, 1.0 / 1.609_344),
+            "vehicle.2.separation_velocity.x",
+            "every given speed of vehicle 2 times 1.6093, mph taken",
+        ),
+        (
+            truth.to_owned(),
+            evidence(1.0, 1.609_344),
+            "vehicle.2.separation_velocity.x",
+            "every given speed of vehicle 2 times 0.6214, km/h taken",
+        ),
+        (truth.to_owned(), measured(1.0, [1.609_344; 2]), "vehicle.1.separation_velocity.x", "every given speed times 0.6214, km/h taken"),
+        (truth.replace("\"100 deg", "\"1.745329 deg"), sound.clone(), "vehicle.2.heading", "radians taken for degrees"),
+        (truth.replace("\"20 deg", "\"0.349066 deg"), sound.clone(), "contact.crush_plane", "radians taken for degrees"),
         (truth.to_owned(), evidence(-1.0, 1.0), "vehicle.1.separation_yaw_rate", "the other way round"),
         (truth.to_owned(), evidence(57.295_779_513, 1.0), "vehicle.1.separation_yaw_rate", "degrees taken for radians"),
     ];
-    for (case, evidence, path, words) in slips {
+    // The speed of vehicle 2 may be given as known, without a standard deviation.
+    let known = |speed: &str| truth.replacen("mass = 1300", &format!("speed = \"{speed}\"\nmass = 1300"), 1);
+    let without_speed = || sound.lines().filter(|line| !line.starts_with("vehicle.2.speed")).collect::<Vec<_>>().join("\n");
+    let of_known = [("20.132 km/h", "mph taken for km/h"), ("32.4 mph", "km/h taken for mph")];
+    let of_known = of_known.map(|(speed, words)| (known(speed), without_speed(), "vehicle.2.speed", words));
+    for (case, evidence, path, words) in slips.into_iter().chain(of_known) {
         let run = run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{case}{evidence}"));
         assert_eq!(run.status, 1, "{words}: {}", run.err);
         let answer: Value = serde_json::from_str(&run.out).expect("JSON");
@@ -183,6 +204,19 @@ fn slips_are_named() {
         let found = found.unwrap_or_else(|| panic!("{words}: {}", answer["messages"]));
         assert_eq!((found["path"].as_str(), found["severity"].as_str()), (Some(path), Some("warning")));
         assert!(found["text"].as_str().expect("a sentence").contains(words), "{found}");
+    }
+}
+
+/// A photograph of the rest position does not show how often the vehicle turned.
+#[test]
+fn a_whole_turn_at_rest_is_named() {
+    let case = example("reconstruct/two-cars.toml");
+    for (given, meant) in [("347 deg", "-13.0 deg"), ("-373 deg", "-13.0 deg")] {
+        let run = run_with_input(&["reconstruct", "-", "--starts", "8"], &case.replace("\"-13 deg", &format!("\"{given}")));
+        let text = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let wanted = format!("check rest.vehicle.2.heading: with {meant}, a whole turn from it, the evidence would agree");
+        assert!(run.status == 1 && text.contains(&wanted), "{given}: {text} {}", run.err);
+        assert_eq!(text.matches("check rest").count(), 1, "{text}");
     }
 }
 
