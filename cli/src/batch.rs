@@ -2,6 +2,7 @@
 
 mod format;
 mod in_order;
+mod lengths;
 mod progress;
 mod sink;
 mod source;

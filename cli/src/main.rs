@@ -3,6 +3,7 @@
 mod arguments;
 mod batch;
 mod check;
+mod defect;
 mod diagnostics;
 mod exit;
 mod files;
@@ -22,8 +23,7 @@ use output::CommandOutput;
 
 fn main() -> ExitCode {
     interrupt::install();
-    // Report a defect in one line, with its own status, instead of a long panic message.
-    std::panic::set_hook(Box::new(|defect| eprintln!("error: a defect of planar-impact, please report it: {defect}")));
+    defect::install();
     let outcome = std::panic::catch_unwind(|| match Arguments::try_parse() {
         Ok(arguments) => verbs::run(arguments.verb),
         // clap returns help and version as errors whose text belongs on standard output.

@@ -9,12 +9,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use arrow_array::builder::StringBuilder;
 use arrow_array::{ArrayRef, RecordBatch, RecordBatchOptions, RecordBatchReader};
 use arrow_ipc::reader::{FileReader, StreamReader};
-use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
 use planar_impact_app::check::reason;
 use planar_impact_app::{Issues, decode};
 
 use super::format::Format;
+use super::lengths;
+use crate::defect;
 use crate::files::Counted;
 
 const BUFFER: usize = 1 << 18;
@@ -62,24 +64,28 @@ impl Source {
         }
         let size = metadata.len();
         let bytes = Arc::default();
-        let wrong = |error: &dyn std::fmt::Display| not_a_table(&name, error);
         match format {
             Format::Csv => Source::csv(&name, Box::new(Counted::new(file, &bytes)), bytes, size),
             Format::Parquet => {
-                let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| wrong(&error))?;
-                let all = builder.metadata().file_metadata().num_rows().try_into().unwrap_or(0);
-                let reader = builder.with_batch_size(rows).build().map_err(|error| wrong(&error))?;
+                let (reader, all) = read(&name, || {
+                    let builder = ParquetRecordBatchReaderBuilder::try_new(file)?;
+                    let all = builder.metadata().file_metadata().num_rows().try_into().unwrap_or(0);
+                    Ok((builder.with_batch_size(rows).build()?, all))
+                })?;
                 Ok(Source { schema: reader.schema(), rows: Rows::Parquet { reader, all, read: 0 }, bytes: size, name })
             }
             Format::Arrow => {
-                let is_file = starts_with(&file, b"ARROW1").map_err(|error| unreadable(&error))?;
-                let buffered = BufReader::with_capacity(BUFFER, Counted::new(file, &bytes));
-                let reader: Result<Box<dyn RecordBatchReader>, ArrowError> = if is_file {
-                    FileReader::try_new(buffered, None).map(|reader| Box::new(reader) as _)
-                } else {
-                    StreamReader::try_new(buffered, None).map(|reader| Box::new(reader) as _)
-                };
-                let reader = reader.map_err(|error| wrong(&error))?;
+                let has_footer = starts_with(&file, b"ARROW1").map_err(|error| unreadable(&error))?;
+                let reader = read(&name, || {
+                    lengths::check(&file, has_footer)?;
+                    let buffered = BufReader::with_capacity(BUFFER, Counted::new(file, &bytes));
+                    let reader: Box<dyn RecordBatchReader> = if has_footer {
+                        Box::new(FileReader::try_new(buffered, None)?)
+                    } else {
+                        Box::new(StreamReader::try_new(buffered, None)?)
+                    };
+                    Ok(reader)
+                })?;
                 Ok(Source { schema: reader.schema(), rows: Rows::Arrow { reader, rest: None, bytes }, bytes: size, name })
             }
         }
@@ -126,14 +132,14 @@ impl Source {
         match &mut self.rows {
             Rows::Csv { reader, .. } => texts(reader, &self.schema, rows).map_err(|error| not_a_table(name, &error)),
             Rows::Parquet { reader, read, .. } => {
-                let batch = reader.next().transpose().map_err(|error| not_a_table(name, &error))?;
+                let batch = self::read(name, || Ok(reader.next().transpose()?))?;
                 *read += batch.as_ref().map_or(0, |batch| batch.num_rows() as u64);
                 Ok(batch.map(whole))
             }
             Rows::Arrow { reader, rest, .. } => {
                 let batch = match rest.take() {
                     Some(rest) => Some(rest),
-                    None => reader.next().transpose().map_err(|error| not_a_table(name, &error))?,
+                    None => read(name, || Ok(reader.next().transpose()?))?,
                 };
                 let Some(batch) = batch else { return Ok(None) };
                 let taken = batch.num_rows().min(rows);
@@ -182,6 +188,111 @@ fn starts_with(mut file: &File, magic: &[u8]) -> io::Result<bool> {
     Ok(start == magic)
 }
 
+/// Reads of a format that its library reads, which panics on some damaged files.
+fn read<T>(name: &str, read: impl FnOnce() -> Result<T, Box<dyn std::error::Error>>) -> Result<T, Issues> {
+    let read = defect::reading(read).unwrap_or_else(|damage| Err(damage.into()));
+    read.map_err(|error| not_a_table(name, &error))
+}
+
 fn not_a_table(name: &str, error: &(impl std::fmt::Display + ?Sized)) -> Issues {
     decode::unreadable(name, &format!("cannot be read as a table: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+    use std::path::PathBuf;
+
+    use arrow_array::{DictionaryArray, Float64Array, StringArray, types::Int32Type};
+    use arrow_ipc::CompressionType;
+    use arrow_ipc::writer::{FileWriter, IpcWriteOptions, StreamWriter};
+    use parquet::arrow::ArrowWriter;
+
+    use super::*;
+
+    /// A table in a format, with text, a dictionary and absent numbers.
+    fn table(format: &str) -> Vec<u8> {
+        let speeds: Float64Array = [Some(40.0), None, Some(60.0)].into_iter().collect();
+        let kinds: DictionaryArray<Int32Type> = ["x", "y", "x"].into_iter().collect();
+        let columns: [(&str, ArrayRef); 3] =
+            [("vehicle.1.speed", Arc::new(speeds)), ("name", Arc::new(StringArray::from(vec!["a", "b", "c"]))), ("kind", Arc::new(kinds))];
+        let batch = RecordBatch::try_from_iter(columns).expect("a table");
+        let compressed = || IpcWriteOptions::default().try_with_compression(Some(CompressionType::LZ4_FRAME)).expect("a compression");
+        let options = if format.ends_with("compressed") { compressed() } else { IpcWriteOptions::default() };
+        let mut bytes = Vec::new();
+        match format.split(' ').next().expect("a format") {
+            "parquet" => {
+                let mut writer = ArrowWriter::try_new(&mut bytes, batch.schema(), None).expect("a writer");
+                writer.write(&batch).and_then(|()| writer.close()).map(drop).expect("a table");
+            }
+            "file" => {
+                let mut writer = FileWriter::try_new_with_options(&mut bytes, &batch.schema(), options).expect("a writer");
+                writer.write(&batch).and_then(|()| writer.finish()).expect("a table");
+            }
+            _ => {
+                let mut writer = StreamWriter::try_new_with_options(&mut bytes, &batch.schema(), options).expect("a writer");
+                writer.write(&batch).and_then(|()| writer.finish()).expect("a table");
+            }
+        }
+        bytes
+    }
+
+    /// Reads a whole table.
+    fn rows(path: &Path) -> Result<usize, Issues> {
+        let mut source = Source::open(path, 2)?;
+        let mut rows = 0;
+        while let Some(part) = source.next(2)? {
+            rows += part.batch.num_rows();
+        }
+        Ok(rows)
+    }
+
+    fn file(name: &str, ends: &str) -> PathBuf {
+        std::env::temp_dir().join(format!("planar-impact-{}-{name}.{ends}", std::process::id()))
+    }
+
+    /// A byte, a length of 4 bytes or one of 8 at every place of a table is another number: that is an error, never a panic or an allocation of what it states.
+    #[test]
+    fn damaged_tables_are_refused() {
+        crate::defect::install();
+        for (format, ends) in
+            [("parquet", "parquet"), ("file", "arrow"), ("stream", "arrow"), ("file compressed", "arrow"), ("stream compressed", "arrow")]
+        {
+            let (sound, path) = (table(format), file(&format.replace(' ', "-"), ends));
+            std::fs::write(&path, &sound).expect("a file");
+            assert_eq!(rows(&path).expect("a table"), 3, "{format}");
+            // Rewritten in place: a file system may wait for the disk whenever a file is replaced.
+            let mut damaged = std::fs::OpenOptions::new().write(true).open(&path).expect("the file is there");
+            let mut refused = 0;
+            let mut try_with = |bytes: &[u8]| {
+                damaged
+                    .rewind()
+                    .and_then(|()| damaged.write_all(bytes))
+                    .and_then(|()| damaged.set_len(bytes.len() as u64))
+                    .expect("a file");
+                refused += usize::from(rows(&path).is_err());
+            };
+            for at in 0..sound.len() {
+                for damage in [&[0xff][..], &[0], &[0xff, 0xff, 0xff, 0x7f], &[0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f]] {
+                    let mut bytes = sound.clone();
+                    let end = bytes.len().min(at + damage.len());
+                    bytes[at..end].copy_from_slice(&damage[..end - at]);
+                    try_with(&bytes);
+                }
+                try_with(&sound[..at]);
+            }
+            std::fs::remove_file(&path).expect("the file is there");
+            assert!(refused > sound.len(), "{format}: {refused} of {}", 5 * sound.len());
+        }
+    }
+
+    /// Four letters are the length of a stream's first message.
+    #[test]
+    fn a_text_is_no_stream() {
+        let path = file("text", "arrow");
+        std::fs::write(&path, "text").expect("a file");
+        let refused = rows(&path).expect_err("a refusal").to_string();
+        std::fs::remove_file(&path).expect("the file is there");
+        assert!(refused.contains("it states 1954047348 bytes at byte 4, and has 4"), "{refused}");
+    }
 }

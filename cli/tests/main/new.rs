@@ -27,6 +27,8 @@ struct Variant<'a> {
     first: &'a str,
     /// `true` if it is evidence or an unknown.
     is_of_reconstruction: bool,
+    /// `true` if it is of the rest positions, whose slides take seconds.
+    is_of_rest: bool,
     text: String,
 }
 
@@ -55,8 +57,9 @@ fn variants(text: &str) -> Vec<Variant<'_>> {
             edited[replaced.unwrap_or_else(|| panic!("{begin}: there is no {other}"))].clear();
         }
         let table = lines[..first].iter().rev().find(|line| line.starts_with('['));
+        let is_of_rest = begin.starts_with("[rest") || table.is_some_and(|table| table.starts_with("[rest"));
         let is_of_reconstruction = table.is_some_and(|table| ["[evidence]", "[unknown]"].contains(table));
-        all.push(Variant { first: begin, is_of_reconstruction, text: edited.join("\n") });
+        all.push(Variant { first: begin, is_of_reconstruction, is_of_rest, text: edited.join("\n") });
     }
     all
 }
@@ -77,8 +80,12 @@ fn read(text: &str) -> Result<Case, Issues> {
 
 /// Reads a case and uses it: in a reconstruction for evidence and unknowns and by momentum alone, otherwise in a solution.
 fn accept(variant: &Variant<'_>) -> Result<(), Issues> {
-    let case = read(&variant.text)?;
-    case.separations_from_rest()?;
+    let mut case = read(&variant.text)?;
+    if variant.is_of_rest {
+        case.separations_from_rest()?;
+    } else {
+        case.rest = None;
+    }
     let options = reconstruct::Options { starts: 1, ..reconstruct::Options::default() };
     if variant.is_of_reconstruction || variant.text.contains("model = \"momentum\"") {
         reconstruct::reconstruct(&case, &options, &Uncontrolled).map(drop)
