@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 part.into_iter().zip(&answer.outputs).for_each(|(to, from)| to.copy_from_slice(from));
             }
         };
-        std::thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(&work))));
+        std::thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(work))));
         shortest = shortest.min(started.elapsed().as_secs_f64());
     }
     println!("{shortest}");

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
+from pyarrow import dataset
 
 import planar_impact
 
@@ -22,8 +23,10 @@ GROUP = 100_000
 
 
 def main(rows: int, path: str) -> None:
-    """Two vehicles that mostly approach each other: some rows are refused."""
+    """Write two vehicles that mostly approach each other: some rows are refused. A path that ends in `/` is a folder of parts."""
     random = np.random.default_rng(1)
+    if path.endswith("/"):
+        Path(path).mkdir()
     writer = None
     for first in range(0, rows, GROUP):
         count = min(GROUP, rows - first)
@@ -36,6 +39,9 @@ def main(rows: int, path: str) -> None:
                 "contact.restitution": random.uniform(0, 0.3, count),
             }
         )
+        if path.endswith("/"):
+            pq.write_table(table, f"{path}part-{first // GROUP:05}.parquet")
+            continue
         writer = writer or pq.ParquetWriter(path, table.schema)
         writer.write_table(table)
     if writer:
@@ -44,12 +50,11 @@ def main(rows: int, path: str) -> None:
 
 def same_bits(source: Path, target: Path) -> int:
     """Compare the answers of an engine, a file or a folder of them, with those of this process; return the number of rows."""
-    whole = pq.ParquetFile(source)
-    rows = whole.metadata.num_rows
+    whole = dataset.dataset(source)
+    rows = whole.count_rows()
     expected = {name: np.empty(rows) for name in OUTPUTS}
     refused = np.empty(rows, dtype=object)
-    reader = pa.RecordBatchReader.from_batches(whole.schema_arrow, whole.iter_batches())
-    for batch in planar_impact.solve_batch(reader, of=OUTPUTS, case=CASE):
+    for batch in planar_impact.solve_batch(whole.scanner().to_reader(), of=OUTPUTS, case=CASE):
         at = batch["crash"].to_numpy()
         for name in OUTPUTS:
             expected[name][at] = batch[name].to_numpy(zero_copy_only=False)

@@ -47,9 +47,10 @@ def spark(source: str, target: str, marks: str) -> None:
             yield batch
 
     session = spark_program.session("local-cluster[2,1,1024]")
+    session.sparkContext.addPyFile(spark_program.__file__)
     session.conf.set("spark.sql.files.maxPartitionBytes", str(8 << 20))
     session.conf.set("spark.sql.execution.arrow.maxRecordsPerBatch", "50000")
-    session.read.parquet(source).mapInArrow(impacts, spark_program.SCHEMA).write.parquet(target)
+    spark_program.read(session, source).mapInArrow(impacts, spark_program.SCHEMA).write.parquet(target)
     session.stop()
 
 
@@ -62,7 +63,10 @@ def ray(source: str, target: str, marks: str) -> None:
         return answer
 
     ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
-    ray.data.read_parquet(source, override_num_blocks=100).map_batches(impacts, batch_format="pyarrow").write_parquet(target)
+    # Small blocks, so that both workers have some when one of them is killed.
+    ray.data.DataContext.get_current().target_max_block_size = 4 << 20
+    crashes = ray.data.read_parquet(source, override_num_blocks=100)
+    crashes.map_batches(impacts, batch_format="pyarrow", batch_size=50_000).write_parquet(target)
     ray.shutdown()
 
 
@@ -82,8 +86,8 @@ def main(engine: str, rows: int) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "marks").mkdir()
-        source, target = folder / "crashes.parquet", folder / "solved"
-        crashes.main(rows, str(source))
+        source, target = folder / "crashes", folder / "solved"
+        crashes.main(rows, f"{source}/")
         killed: list[int] = []
         thread = threading.Thread(target=killer, args=(folder / "marks", killed), daemon=True)
         thread.start()
