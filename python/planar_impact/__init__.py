@@ -9,11 +9,13 @@ command line.
 ['contact', 'energy', 'schema', 'title', 'vehicles']
 """
 
+from . import answers
 from ._answer import Answer, Facts
 from ._batch import ArrowTable, solve_batch
 from ._case import Case
 from ._errors import CaseError, Error, Issue, PhysicsError
 from ._native import Table, __version__
+from ._progress import Progress
 from ._verbs import (
     Range,
     Units,
@@ -43,10 +45,12 @@ __all__ = [
     "Facts",
     "Issue",
     "PhysicsError",
+    "Progress",
     "Range",
     "Table",
     "Units",
     "__version__",
+    "answers",
     "check",
     "crash3",
     "crush",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol, TypeVar, overload
+from typing import Any, Literal, Protocol, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._case import Case, names, source
 from ._errors import CaseError, Error, Issue
+from ._progress import Progress, reporting
 
 
 class ArrowTable(Protocol):
@@ -27,17 +28,6 @@ _Names = str | Sequence[str] | None
 
 @overload
 def solve_batch(
-    columns: Mapping[str, ArrayLike | Sequence[object]],
-    *,
-    of: _Names = None,
-    wrt: _Names = None,
-    case: Case | None = None,
-    threads: int | None = None,
-    fast: bool = False,
-    check: bool = False,
-) -> dict[str, NDArray[Any]]: ...
-@overload
-def solve_batch(
     columns: _T,
     *,
     of: _Names = None,
@@ -46,7 +36,22 @@ def solve_batch(
     threads: int | None = None,
     fast: bool = False,
     check: bool = False,
+    derivatives: Literal["columns"] = "columns",
+    progress: Progress = None,
 ) -> _T: ...
+@overload
+def solve_batch(
+    columns: Mapping[str, ArrayLike | Sequence[object]],
+    *,
+    of: _Names = None,
+    wrt: _Names = None,
+    case: Case | None = None,
+    threads: int | None = None,
+    fast: bool = False,
+    check: bool = False,
+    derivatives: Literal["columns", "array"] = "columns",
+    progress: Progress = None,
+) -> dict[str, NDArray[Any]]: ...
 def solve_batch(
     columns: Any,
     *,
@@ -56,6 +61,8 @@ def solve_batch(
     threads: int | None = None,
     fast: bool = False,
     check: bool = False,
+    derivatives: Literal["columns", "array"] = "columns",
+    progress: Progress = None,
 ) -> Any:
     """Solve many collisions, a row each. Every row has the bits that :func:`solve` gives it.
 
@@ -65,16 +72,21 @@ def solve_batch(
             ``__arrow_c_stream__``. Columns of other names pass through. Arrays of contiguous float64 are read without a copy, and must
             not be changed until the call returns.
         of: Outputs by name or symbol. Default: all of :func:`solve`.
-        wrt: Inputs to differentiate with respect to: columns ``"d energy.loss / d vehicle.1.speed"`` are added.
+        wrt: Inputs to differentiate with respect to.
         case: A case that supplies what no column has, and what is ``None`` or null in a row.
         threads: Number of threads. Default: one for each processor. The answer is the same for any number.
         fast: Reserved for a mode whose last bits may differ; it raises an error today.
         check: Whether to check every solved row with the laws of mechanics, in a column ``"check"``.
+        derivatives: ``"columns"`` adds a column ``"d energy.loss / d vehicle.1.speed"`` for each output and input; ``"array"``, for a dict,
+            adds one array ``"derivatives"`` of shape (rows, outputs, inputs), in the order of the output columns and of ``wrt``.
+        progress: A function that is called with the number of steps done and of all steps, a few times a second, or ``True`` for a
+            bar of tqdm. What it raises stops the computation. Not for a stream, whose reader sees its progress.
 
     Returns:
         What was given, with a column for each output in SI, and ``"refusal"``: the codes of why a row is refused, ``None`` where it is
         solved. Outputs of a refused row are NaN in arrays, null in tables. An output whose name an input has too is called
-        ``"result."`` and its name.
+        ``"result."`` and its name. A ``pyarrow.RecordBatchReader`` gives one that solves while it is read: memory does not grow with the
+        number of rows.
 
     Raises:
         CaseError: A column is unknown, missing, of a wrong type or of another length.
@@ -88,17 +100,32 @@ def solve_batch(
     array([ True, False])
     >>> answer["refusal"].tolist()
     [None, 'separating']
+    >>> answer = planar_impact.solve_batch(
+    ...     {"vehicle.1.speed": np.linspace(10, 20, 4)}, of=["T_L", "dV1"], wrt=["v1", "e"], derivatives="array",
+    ...     case=planar_impact.template("barrier"),
+    ... )
+    >>> answer["derivatives"].shape
+    (4, 2, 2)
     """
     if fast:
         raise Error._with([Issue("not-available", "fast", "there is no fast mode yet; leave it out for exact bits on all threads")])
     of, wrt = names(of, "of"), names(wrt, "wrt")
     base = None if case is None else source(case)
     threads = _threads(threads)
+    if derivatives not in ("columns", "array"):
+        raise CaseError._with([Issue("call", "derivatives", f'unknown value {derivatives!r}; accepted: "columns", "array"')])
     if isinstance(columns, Mapping):
-        return _solve_arrays(columns, of, wrt, base, threads, bool(check))
-    if hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__"):
-        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), threads))
-    raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
+        return _solve_arrays(columns, of, wrt, base, threads, bool(check), derivatives == "array", progress)
+    if not (hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__")):
+        raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
+    if derivatives == "array":
+        raise CaseError._with([Issue("call", "derivatives", "a table has columns; give a dict of arrays, or leave it out")])
+    if _library(columns) == "pyarrow" and type(columns).__name__ == "RecordBatchReader":
+        import pyarrow as pa
+
+        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), threads))
+    with reporting(progress) as report:
+        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), threads, report))
 
 
 def _threads(threads: int | None) -> int:
@@ -112,7 +139,14 @@ def _threads(threads: int | None) -> int:
 
 
 def _solve_arrays(
-    columns: Mapping[str, Any], of: list[str], wrt: list[str], base: _native.Source | None, threads: int, check: bool
+    columns: Mapping[str, Any],
+    of: list[str],
+    wrt: list[str],
+    base: _native.Source | None,
+    threads: int,
+    check: bool,
+    is_array: bool,
+    progress: Progress,
 ) -> dict[str, NDArray[Any]]:
     issues: list[Issue] = []
     arrays: dict[str, NDArray[Any]] = {}
@@ -132,6 +166,8 @@ def _solve_arrays(
     for name, length in lengths.items():
         if length != rows:
             issues.append(Issue("length", name, f"{length} rows, and {first} has {rows}"))
+    if is_array and "derivatives" in arrays:
+        issues.append(Issue("repeated-column", "derivatives", "the answer has an array of this name; rename the column"))
     if issues:
         raise CaseError._with(issues)
     plan = _native.Plan(list(arrays), base, of, wrt, check)
@@ -144,10 +180,16 @@ def _solve_arrays(
             issues.append(Issue("wrong-type", name, str(error)))
     if issues:
         raise CaseError._with(issues)
-    numbers, checked, refused = plan.solve(rows, cells, threads)
+    with reporting(progress) as report:
+        numbers, slopes, checked, refused = plan.solve(rows, cells, threads, is_array, report)
     answer = {name: array if array.ndim == 1 else np.broadcast_to(array, (rows,)) for name, array in arrays.items()}
     words = [_words(rows, found) for found in ([checked, refused] if check else [refused])]
-    answer.update(zip(plan.names, [*numbers, *words]))
+    if is_array:
+        answer.update(zip(plan.names[: len(numbers)], numbers))
+        answer["derivatives"] = slopes.reshape(rows, *plan.shape)
+        answer.update(zip(plan.names[-len(words) :], words))
+    else:
+        answer.update(zip(plan.names, [*numbers, *words]))
     return answer
 
 
@@ -192,17 +234,18 @@ def _words(rows: int, words: list[tuple[int, str]]) -> NDArray[Any]:
     return column
 
 
+def _library(table: Any) -> str:
+    return type(table).__module__.partition(".")[0]
+
+
 def _like(given: Any, table: _native.Table) -> Any:
     """Return a table as the kind that was given."""
-    library = type(given).__module__.partition(".")[0]
-    kind = type(given).__name__
+    library = _library(given)
     if library == "pyarrow":
         import pyarrow as pa
 
-        if kind == "RecordBatchReader":
-            return pa.RecordBatchReader.from_stream(table)
         whole = pa.table(table)
-        return whole if kind == "Table" else _one_batch(pa, whole)
+        return whole if type(given).__name__ == "Table" else _one_batch(pa, whole)
     if library == "polars":
         import polars as pl
 

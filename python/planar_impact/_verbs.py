@@ -8,9 +8,23 @@ from collections.abc import Mapping, Sequence
 from typing import Literal, SupportsIndex, Union
 
 from . import _native
-from ._answer import Answer
 from ._case import Case, names, source
 from ._errors import CaseError, Issue
+from ._progress import Progress, reporting
+from .answers import (
+    CheckReport,
+    Comparison,
+    CrushAnswer,
+    Formula,
+    Gradient,
+    Records,
+    Reconstruction,
+    Slides,
+    Solution,
+    StiffnessAnswer,
+    Sweep,
+    Uncertainty,
+)
 
 #: A system of units for text and drawings: feet and pounds, SI with km/h, or SI with mph.
 Units = Literal["us", "si", "uk"]
@@ -29,7 +43,7 @@ def _whole(value: SupportsIndex, argument: str) -> int:
     return whole
 
 
-def solve(case: Case, *, units: Units | None = None) -> Answer:
+def solve(case: Case, *, units: Units | None = None) -> Solution:
     """Solve a collision: how both vehicles leave it, and the energy it takes.
 
     Args:
@@ -59,12 +73,12 @@ def solve(case: Case, *, units: Units | None = None) -> Answer:
     >>> round(answer.energy.loss)
     167062
     """
-    return Answer(_native.solve(source(case), units), units)
+    return Solution(_native.solve(source(case), units), units)
 
 
 def gradient(
     case: Case, *, of: _Names = None, wrt: _Names = None, second: bool = False, units: Units | None = None
-) -> Answer:
+) -> Gradient:
     """Differentiate the outputs of a collision exactly.
 
     Args:
@@ -82,12 +96,17 @@ def gradient(
     >>> answer.of["vehicle.1.delta_v_magnitude"].d["vehicle.1.speed"] > 1
     True
     """
-    return Answer(_native.gradient(source(case), units, names(of, "of"), names(wrt, "wrt"), bool(second)), units)
+    return Gradient(_native.gradient(source(case), units, names(of, "of"), names(wrt, "wrt"), bool(second)), units)
 
 
 def sweep(
-    case: Case, *, vary: str | Sequence[str] | Mapping[str, Range], of: _Names = None, units: Units | None = None
-) -> Answer:
+    case: Case,
+    *,
+    vary: str | Sequence[str] | Mapping[str, Range],
+    of: _Names = None,
+    progress: Progress = None,
+    units: Units | None = None,
+) -> Sweep:
     """Vary one or two inputs over ranges.
 
     Args:
@@ -95,6 +114,8 @@ def sweep(
         vary: Ranges as on the command line, ``"contact.crush_plane=-10 deg:10 deg:1 deg"``, or a dict of a first value, a last value
             and a step: ``{"contact.crush_plane": ("-10 deg", "10 deg", "1 deg")}``. Numbers without a unit are in SI.
         of: Outputs by name or symbol. Default: the works, the energy loss and the critical impulse ratio.
+        progress: A function that is called with the number of steps done and of all steps, a few times a second, or ``True`` for a
+            bar of tqdm. What it raises stops the sweep.
         units: Units of the text.
 
     Returns:
@@ -115,10 +136,11 @@ def sweep(
         ranges = names(vary, "vary")
     if not ranges:
         raise CaseError._with([Issue("call", "vary", "expected one or two ranges, found none")])
-    return Answer(_native.sweep(source(case), units, ranges, names(of, "of")), units)
+    with reporting(progress) as report:
+        return Sweep(_native.sweep(source(case), units, ranges, names(of, "of"), report), units)
 
 
-def crush(case: Case, *, units: Units | None = None) -> Answer:
+def crush(case: Case, *, units: Units | None = None) -> CrushAnswer:
     """Compute crush energy and equivalent speed from the residual crush of the vehicles.
 
     Returns:
@@ -128,10 +150,10 @@ def crush(case: Case, *, units: Units | None = None) -> Answer:
     >>> planar_impact.crush(planar_impact.template("t-bone")).vehicles[0].crush_energy > 0
     True
     """
-    return Answer(_native.crush(source(case), units), units)
+    return CrushAnswer(_native.crush(source(case), units), units)
 
 
-def crash3(case: Case, *, units: Units | None = None) -> Answer:
+def crash3(case: Case, *, units: Units | None = None) -> Comparison:
     """Compute ΔV by CRASH3 from the residual crush of the vehicles.
 
     Returns:
@@ -141,7 +163,7 @@ def crash3(case: Case, *, units: Units | None = None) -> Answer:
     >>> planar_impact.crash3(planar_impact.template("t-bone")).vehicles[0].delta_v_magnitude > 0
     True
     """
-    return Answer(_native.crash3(source(case), units), units)
+    return Comparison(_native.crash3(source(case), units), units)
 
 
 def reconstruct(
@@ -153,8 +175,9 @@ def reconstruct(
     posterior: bool = False,
     probability: _Names = (),
     draws: bool = False,
+    progress: Progress = None,
     units: Units | None = None,
-) -> Answer:
+) -> Reconstruction:
     """Find the unknowns of a case from its evidence, with intervals.
 
     Args:
@@ -165,6 +188,8 @@ def reconstruct(
         posterior: Whether to draw from the posterior distribution.
         probability: Statements whose probability is wanted, such as ``"vehicle.1.speed > 50 km/h"``; with any, the posterior is drawn.
         draws: Whether to return each draw.
+        progress: A function that is called with the number of steps done and of all steps, a few times a second, or ``True`` for a
+            bar of tqdm. What it raises stops the search.
         units: Units of the text and the drawing.
 
     Returns:
@@ -177,8 +202,9 @@ def reconstruct(
     """
     statements = names(probability, "probability")
     starts, seed = _whole(starts, "starts"), _whole(seed, "seed")
-    native = _native.reconstruct(source(case), units, starts, seed, float(level), bool(posterior), statements, bool(draws))
-    return Answer(native, units)
+    question = (starts, seed, float(level), bool(posterior), statements, bool(draws))
+    with reporting(progress) as report:
+        return Reconstruction(_native.reconstruct(source(case), units, *question, report), units)
 
 
 def uncertainty(
@@ -193,8 +219,9 @@ def uncertainty(
     probability: _Names = (),
     level: float = 0.95,
     bounds_sd: float = 3.0,
+    progress: Progress = None,
     units: Units | None = None,
-) -> Answer:
+) -> Uncertainty:
     """Compute how uncertain outputs are, from inputs that are uncertain.
 
     Args:
@@ -208,6 +235,8 @@ def uncertainty(
         probability: Statements whose probability is wanted, such as ``"dV1 > 25 mph"``.
         level: Level of the middle range, from 0.5 to 0.9999.
         bounds_sd: Standard deviations at which ``"bounds"`` ends inputs without limits.
+        progress: A function that is called with the number of steps done and of all steps, a few times a second, or ``True`` for a
+            bar of tqdm. What it raises stops the computation.
         units: Units of the text.
 
     Returns:
@@ -229,10 +258,11 @@ def uncertainty(
         "level": float(level),
         "bounds_sd": float(bounds_sd),
     }
-    return Answer(_native.uncertainty(source(case), units, options), units)
+    with reporting(progress) as report:
+        return Uncertainty(_native.uncertainty(source(case), units, options, report), units)
 
 
-def stiffness(tests: Case, *, units: Units | None = None) -> Answer:
+def stiffness(tests: Case, *, units: Units | None = None) -> StiffnessAnswer:
     """Fit the stiffness of vehicles to barrier tests.
 
     Args:
@@ -240,12 +270,28 @@ def stiffness(tests: Case, *, units: Units | None = None) -> Answer:
         units: Units of the text.
 
     Returns:
-        ``fits``, each with its coefficients in SI; ``tests``; ``headlines``, what to know about them.
+        ``fits``, each with d₀ in √N, d₁ in √N/m, A = d₀ d₁ in N/m and B = d₁² in N/m²; ``tests``; ``headlines``, what to know about them.
+
+    >>> import planar_impact
+    >>> test = {"mass": 1487, "width": 1.5, "restitution": 0.1}
+    >>> answer = planar_impact.stiffness({
+    ...     "schema": 1,
+    ...     "vehicle": [{
+    ...         "name": "Cavalier",
+    ...         "test": [
+    ...             {**test, "speed": "18 km/h", "depths": ["3 cm", "3 cm"]},
+    ...             {**test, "speed": "40 km/h", "depths": ["33 cm", "33 cm"]},
+    ...         ],
+    ...     }],
+    ... })
+    >>> fit = answer.fits[0]
+    >>> round(fit.d0), round(fit.d1)
+    (134, 750)
     """
-    return Answer(_native.stiffness(source(tests), units), units)
+    return StiffnessAnswer(_native.stiffness(source(tests), units), units)
 
 
-def slide(case: Case, *, units: Units | None = None) -> Answer:
+def slide(case: Case, *, units: Units | None = None) -> Slides:
     """Follow the vehicles from separation to rest.
 
     Args:
@@ -259,21 +305,29 @@ def slide(case: Case, *, units: Units | None = None) -> Answer:
     >>> planar_impact.slide(planar_impact.template("rest")).vehicles[0].time > 0
     True
     """
-    return Answer(_native.slide(source(case), units), units)
+    return Slides(_native.slide(source(case), units), units)
 
 
-def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Answer:
+def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Records:
     """Compute impulses, velocity changes and restitution from recordings of force, acceleration or distance.
 
     Args:
         files: A recording, or several: paths of CSV, TOML or JSON files, texts or dicts.
         units: Units of the text.
+
+    Returns:
+        ``records[i]`` with ``recorder`` (ΔV in m/s), ``barrier`` (impulses in N s), ``accelerations``, ``films`` and ``traces``.
+
+    >>> import planar_impact
+    >>> answer = planar_impact.record("time [ms],delta_v_forward [km/h]\\n0,0\\n50,-20\\n100,-31\\n150,-33\\n")
+    >>> round(answer.records[0].recorder.delta_v_forward.value * 3.6)    # km/h
+    -33
     """
     several = [files] if isinstance(files, (str, Mapping, os.PathLike)) else list(files)
-    return Answer(_native.record([source(file) for file in several], units), units)
+    return Records(_native.record([source(file) for file in several], units), units)
 
 
-def formula(output: str, *, wrt: str | None = None, case: Case | None = None) -> Answer:
+def formula(output: str, *, wrt: str | None = None, case: Case | None = None) -> Formula:
     """Return the formula that the code computes for an output, or for its derivative.
 
     Args:
@@ -288,10 +342,10 @@ def formula(output: str, *, wrt: str | None = None, case: Case | None = None) ->
     >>> planar_impact.formula("mu0").output
     'contact.critical_impulse_ratio'
     """
-    return Answer(_native.formula(output, wrt, None if case is None else source(case)))
+    return Formula(_native.formula(output, wrt, None if case is None else source(case)))
 
 
-def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> Answer:
+def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> CheckReport:
     """Check the collision results of any program for violated laws of mechanics.
 
     Args:
@@ -300,9 +354,29 @@ def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> 
 
     Returns:
         ``records``, each with its ``verdict`` and ``findings``; ``summary``.
+
+    >>> import json, os, planar_impact, tempfile
+    >>> collision = {
+    ...     "bodies": [
+    ...         {"mass": 1000, "yaw_inertia": 1500, "cg": [-2, 0],
+    ...          "before": {"v": [10, 0], "yaw_rate": 0}, "after": {"v": [6, 0], "yaw_rate": 0}},
+    ...         {"mass": 1000, "yaw_inertia": 1500, "cg": [2, 0],
+    ...          "before": {"v": [0, 0], "yaw_rate": 0}, "after": {"v": [5, 0], "yaw_rate": 0}},
+    ...     ],
+    ...     "contact": {"point": [0, 0], "normal_angle": 0},
+    ... }
+    >>> file = {"schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "rad"},
+    ...         "records": [{"id": "rear-end", "profile": "impulse", **collision}]}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = os.path.join(folder, "records.json")
+    ...     with open(path, "w") as opened:
+    ...         _ = opened.write(json.dumps(file))
+    ...     answer = planar_impact.check(path)
+    >>> answer.records[0].verdict, answer.records[0].findings[0].rule
+    ('fail', 'linear-momentum')
     """
     several = [files] if isinstance(files, (str, os.PathLike)) else list(files)
-    return Answer(_native.check([os.fspath(path) for path in several], tolerance))
+    return CheckReport(_native.check([os.fspath(path) for path in several], tolerance))
 
 
 def draw(case: Case, *, units: Units | None = None) -> str:
@@ -331,6 +405,10 @@ def report(
         date: A date in any words, printed as it is.
         units: Units of the report.
         sections: Parts of the report, such as ``["summary", "results"]``. Default: all that apply.
+
+    >>> import planar_impact
+    >>> planar_impact.report(planar_impact.template("barrier"), sections="results").startswith("<!DOCTYPE html>")
+    True
     """
     return _native.report(source(case), units, verb, date, names(sections, "sections"))
 

@@ -121,14 +121,17 @@ fn cell(column: &InputColumn, given: &Given) -> Cell {
 /// Words of some rows, such as the codes of refusals.
 type Words = Vec<(usize, String)>;
 
-/// The answer: a column for each number, the violated rules if they are checked, the refusals.
-type Solved<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Words, Words);
+/// The answer: a column for each number; the derivatives row by row, empty if they are columns; the violated rules if they are checked; the
+/// refusals.
+type Solved<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<f64>>, Words, Words);
 
 /// Rows that are solved together, and where their numbers go.
 struct Part<'a> {
     first: usize,
     rows: usize,
-    numbers: Vec<&'a mut [f64]>,
+    columns: Vec<&'a mut [f64]>,
+    /// Derivatives row by row; empty if they are columns.
+    derivatives: &'a mut [f64],
 }
 
 #[pymethods]
@@ -159,20 +162,38 @@ impl Plan {
         self.0.names()
     }
 
-    /// Solves rows.
-    fn solve<'py>(&self, py: Python<'py>, rows: usize, columns: Vec<Values<'py>>, threads: usize) -> PyResult<Solved<'py>> {
+    /// Returns the numbers of outputs and of inputs that they are differentiated with respect to.
+    #[getter]
+    fn shape(&self) -> (usize, usize) {
+        (self.0.outputs().len(), self.0.wrt().len())
+    }
+
+    /// Solves rows. Derivatives are columns, or if `is_array` the rows of an array.
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        rows: usize,
+        columns: Vec<Values<'py>>,
+        threads: usize,
+        is_array: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Solved<'py>> {
         let inputs = self.0.inputs();
         if columns.len() != inputs.len() {
             return Err(PyValueError::new_err(format!("{} columns, not {}", columns.len(), inputs.len())));
         }
         let columns: Vec<Readable<'_>> =
             inputs.iter().zip(&columns).map(|(column, values)| Readable::of(column, values, rows)).collect::<PyResult<_>>()?;
-        let count = self.0.outputs().len() * (1 + self.0.wrt().len());
+        let (outputs, inputs) = self.shape();
+        let (count, cells) = if is_array { (outputs, rows * outputs * inputs) } else { (outputs * (1 + inputs), 0) };
         let mut numbers: Vec<Vec<f64>> = (0..count).map(|_| vec![0.0; rows]).collect();
-        let signals = Signals::new();
-        let found = py.detach(|| self.fill(&columns, rows, &mut numbers, threads, &signals));
+        let mut derivatives = vec![0.0; cells];
+        let signals = Signals::new(progress);
+        let found = py.detach(|| self.fill(&columns, rows, &mut numbers, &mut derivatives, threads, &signals));
         let Some((check, refused)) = found else { return Err(signals.stopped()) };
-        Ok((numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect(), check, refused))
+        signals.done()?;
+        let numbers = numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
+        Ok((numbers, PyArray1::from_vec(py, derivatives), check, refused))
     }
 }
 
@@ -183,34 +204,39 @@ impl Plan {
         columns: &[Readable<'_>],
         rows: usize,
         numbers: &mut [Vec<f64>],
+        derivatives: &mut [f64],
         threads: usize,
         signals: &Signals,
     ) -> Option<(Words, Words)> {
-        let mut parts: Vec<Part<'_>> = (0..rows)
-            .step_by(ROWS)
-            .map(|first| Part { first, rows: ROWS.min(rows - first), numbers: Vec::with_capacity(numbers.len()) })
-            .collect();
+        let part = |first| Part { first, rows: ROWS.min(rows - first), columns: Vec::with_capacity(numbers.len()), derivatives: &mut [] };
+        let mut parts: Vec<Part<'_>> = (0..rows).step_by(ROWS).map(part).collect();
         for column in numbers {
-            parts.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(part, chunk)| part.numbers.push(chunk));
+            parts.iter_mut().zip(column.chunks_mut(ROWS)).for_each(|(part, chunk)| part.columns.push(chunk));
         }
+        if !derivatives.is_empty() {
+            let cells = derivatives.len() / rows * ROWS;
+            parts.iter_mut().zip(derivatives.chunks_mut(cells)).for_each(|(part, chunk)| part.derivatives = chunk);
+        }
+        let count = parts.len();
         let threads = threads.min(parts.len());
         let queue = Mutex::new(parts.into_iter());
         let next = || queue.lock().ok()?.next();
         let is_stopped = AtomicBool::new(false);
-        let work = |look: &dyn Fn() -> bool| {
+        let work = |goes_on: &dyn Fn(usize) -> bool| {
             let mut words = (Words::new(), Words::new());
             while !is_stopped.load(Ordering::Relaxed) {
                 let Some(part) = next() else { break };
+                let place = part.first / ROWS;
                 self.fill_part(columns, part, &mut words);
-                if !look() {
+                if !goes_on(place) {
                     is_stopped.store(true, Ordering::Relaxed);
                 }
             }
             words
         };
         let (mut check, mut refused) = thread::scope(|scope| {
-            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&|| true))).collect();
-            let mut words = work(&|| signals.look());
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&|_| true))).collect();
+            let mut words = work(&|place| signals.look(place + 1, count));
             for other in others {
                 let (check, refused) = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 words.0.extend(check);
@@ -224,12 +250,17 @@ impl Plan {
     }
 
     fn fill_part(&self, columns: &[Readable<'_>], part: Part<'_>, words: &mut (Words, Words)) {
-        let Part { first, rows, numbers } = part;
+        let Part { first, rows, columns: to, derivatives } = part;
         let inputs = self.0.inputs();
         let columns = inputs.iter().zip(columns).map(|(column, readable)| readable.part(column, first, rows)).collect();
         let answer = self.0.solve(&Table { rows, columns, unreadable: Vec::new() });
-        for (to, from) in numbers.into_iter().zip(answer.outputs.iter().chain(&answer.derivatives)) {
+        for (to, from) in to.into_iter().zip(answer.outputs.iter().chain(&answer.derivatives)) {
             to.copy_from_slice(from);
+        }
+        if !derivatives.is_empty() {
+            for (row, to) in derivatives.chunks_mut(answer.derivatives.len()).enumerate() {
+                to.iter_mut().zip(&answer.derivatives).for_each(|(to, from)| *to = from[row]);
+            }
         }
         let rules = answer.check.into_iter().flatten().enumerate();
         words.0.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));

@@ -38,6 +38,11 @@ pub fn of(issues: Issues) -> PyErr {
     Failure::from(issues).into()
 }
 
+/// Returns issues of what has no lines as an exception.
+pub fn without_lines(issues: Issues) -> PyErr {
+    Failure { has_lines: false, ..issues.into() }.into()
+}
+
 /// The entries of an `Issue` in Python.
 type Entry = (&'static str, String, String, Option<String>, Option<usize>);
 
@@ -46,9 +51,8 @@ fn raise(class: &'static str, failure: &Failure) -> PyErr {
     let Failure { issues, units, has_lines } = failure;
     let entry = |issue: &Issue| -> Entry {
         let line = issues.line(issue).filter(|_| *has_lines);
-        let help = issue.help.as_ref().map(|help| units.sentence(help));
-        // Arguments are named as on the command line, where they begin with dashes.
-        (issue.code, issue.path.trim_start_matches("--").to_owned(), units.sentence(&issue.message), help, line)
+        let help = issue.help.as_ref().map(|help| arguments(&units.sentence(help), "`"));
+        (issue.code, arguments(&issue.path, ""), arguments(&units.sentence(&issue.message), "`"), help, line)
     };
     let entries: Vec<Entry> = issues.list().iter().map(entry).collect();
     let name = if *has_lines { issues.source().name.as_str() } else { "" };
@@ -57,4 +61,20 @@ fn raise(class: &'static str, failure: &Failure) -> PyErr {
         let made = cell.import(py, "planar_impact._errors", class).and_then(|class| class.call_method1("_of", (name, entries)));
         made.map_or_else(|error| error, PyErr::from_value)
     })
+}
+
+/// Names options of the command line as arguments in Python: `--bounds-sd` is `bounds_sd`.
+fn arguments(sentence: &str, quote: &str) -> String {
+    let mut parts = sentence.split("--");
+    let mut named = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(part.len());
+        let (option, rest) = part.split_at(end);
+        let is_option =
+            option.starts_with(|letter: char| letter.is_ascii_lowercase()) && !named.ends_with(|letter: char| letter.is_alphanumeric());
+        let option = if is_option { format!("{quote}{}{quote}", option.replace('-', "_")) } else { format!("--{option}") };
+        named += &option;
+        named += rest;
+    }
+    named
 }

@@ -7,6 +7,7 @@ mod answer;
 mod batch;
 mod control;
 mod error;
+mod plain;
 mod source;
 mod table;
 mod units;
@@ -24,7 +25,7 @@ mod _native {
     #[pymodule_export]
     use crate::source::Source;
     #[pymodule_export]
-    use crate::table::{Table, solve_table};
+    use crate::table::{Table, solve_stream, solve_table};
     #[pymodule_export]
     use crate::verbs::{
         check, crash3, crush, draw, formula, gradient, reconstruct, record, report, slide, solve, stiffness, sweep, template, uncertainty,

@@ -8,6 +8,8 @@ use planar_impact_app::check::reason;
 use planar_impact_app::{Case, Issues, Open, decode};
 use pyo3::prelude::*;
 
+use crate::plain;
+
 /// A case file that has not been read yet.
 #[pyclass(frozen, module = "planar_impact._native")]
 pub struct Source(Kind);
@@ -32,10 +34,10 @@ impl Source {
         Source(Kind::Text(text))
     }
 
-    /// The JSON of a dictionary, whose lines mean nothing.
+    /// A dictionary, whose lines mean nothing.
     #[staticmethod]
-    fn dict(json: String) -> Source {
-        Source(Kind::Dict(json))
+    fn dict(case: &Bound<'_, PyAny>) -> PyResult<Source> {
+        Ok(Source(Kind::Dict(plain::json(case)?)))
     }
 }
 

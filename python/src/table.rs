@@ -1,18 +1,19 @@
-//! Tables through the Arrow C stream.
+//! Tables and streams of record batches through the Arrow C stream.
 
+use std::collections::VecDeque;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use arrow_array::RecordBatch;
+use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
 use planar_impact_app::Issues;
 use planar_impact_arrow::{Options, Plan};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
-use pyo3_arrow::PyTable;
 use pyo3_arrow::input::AnyRecordBatch;
+use pyo3_arrow::{PyRecordBatchReader, PyTable};
 
 use crate::batch::base;
 use crate::control::Signals;
@@ -20,7 +21,10 @@ use crate::error::{self, Failure};
 use crate::source::Source;
 
 /// Rows that one thread solves together.
-const ROWS: usize = 1 << 16;
+const ROWS: usize = 1 << 14;
+
+/// Parts that a stream solves for each thread before it hands them on.
+const PARTS: usize = 4;
 
 /// A table that any library of Arrow reads.
 #[pyclass(frozen, module = "planar_impact")]
@@ -66,6 +70,7 @@ impl Table {
 
 /// Solves every row of a table.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
 pub fn solve_table(
     py: Python<'_>,
     table: AnyRecordBatch,
@@ -74,53 +79,127 @@ pub fn solve_table(
     wrt: Vec<String>,
     check: bool,
     threads: usize,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Table> {
     let reader = table.into_reader()?;
-    let signals = Signals::new();
+    let signals = Signals::new(progress);
     let options = Options { of, wrt, check };
     let (batches, schema) = py.detach(|| -> PyResult<(Vec<RecordBatch>, SchemaRef)> {
-        let has_lines = case.is_none_or(Source::has_lines);
-        let plan = Plan::of(&reader.schema(), base(case)?.as_ref(), &options);
-        let plan = plan.map_err(|issues| Failure { has_lines, ..issues.into() })?.with_numbers();
+        let plan = plan(&reader.schema(), case, &options)?;
         let mut parts = Vec::new();
         for batch in reader {
-            let batch = batch.map_err(|error| PyValueError::new_err(format!("the table cannot be read: {error}")))?;
-            parts.extend((0..batch.num_rows()).step_by(ROWS).map(|first| batch.slice(first, ROWS.min(batch.num_rows() - first))));
+            parts.extend(split(batch.map_err(unread)?));
         }
-        Ok((solve(&plan, &parts, threads, &signals)?, plan.schema()))
+        let solved = solve(&plan, &parts, threads, &|done| signals.look(done + 1, parts.len())).ok_or_else(|| signals.stopped())?;
+        Ok((solved.into_iter().collect::<Result<_, _>>().map_err(|error| error::of(Issues::defect(error)))?, plan.schema()))
     })?;
+    signals.done()?;
     let names = schema.fields().iter().map(|field| field.name().clone()).collect();
     let rows = batches.iter().map(RecordBatch::num_rows).sum();
     Ok(Table { table: Py::new(py, PyTable::try_new(batches, schema)?)?, names, rows })
 }
 
-/// Solves parts of a table on threads.
-fn solve(plan: &Plan, parts: &[RecordBatch], threads: usize, signals: &Signals) -> PyResult<Vec<RecordBatch>> {
+/// Solves a stream of record batches while its answer is read, in memory that does not grow with the number of batches.
+#[pyfunction]
+pub fn solve_stream(
+    py: Python<'_>,
+    table: AnyRecordBatch,
+    case: Option<&Source>,
+    of: Vec<String>,
+    wrt: Vec<String>,
+    check: bool,
+    threads: usize,
+) -> PyResult<PyRecordBatchReader> {
+    let reader = table.into_reader()?;
+    let options = Options { of, wrt, check };
+    let schema = reader.schema();
+    let plan = py.detach(|| plan(&schema, case, &options))?;
+    Ok(PyRecordBatchReader::new(Box::new(Stream { plan, reader, threads, parts: VecDeque::new(), solved: VecDeque::new() })))
+}
+
+fn plan(schema: &SchemaRef, case: Option<&Source>, options: &Options) -> PyResult<Plan> {
+    let has_lines = case.is_none_or(Source::has_lines);
+    let plan = Plan::of(schema, base(case)?.as_ref(), options).map_err(|issues| Failure { has_lines, ..issues.into() })?;
+    Ok(plan.with_numbers())
+}
+
+fn unread(error: ArrowError) -> PyErr {
+    PyValueError::new_err(format!("the table cannot be read: {error}"))
+}
+
+/// Cuts a record batch into parts for one thread each.
+fn split(batch: RecordBatch) -> impl Iterator<Item = RecordBatch> {
+    let rows = batch.num_rows();
+    (0..rows).step_by(ROWS).map(move |first| batch.slice(first, ROWS.min(rows - first)))
+}
+
+/// The answer to a stream: reads, solves and hands on some parts at a time.
+struct Stream {
+    plan: Plan,
+    reader: Box<dyn RecordBatchReader + Send>,
+    threads: usize,
+    parts: VecDeque<RecordBatch>,
+    solved: VecDeque<Result<RecordBatch, ArrowError>>,
+}
+
+impl Iterator for Stream {
+    type Item = Result<RecordBatch, ArrowError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.solved.is_empty() {
+            let most = PARTS * self.threads;
+            let mut failed = None;
+            while self.parts.len() < most && failed.is_none() {
+                match self.reader.next() {
+                    Some(Ok(batch)) => self.parts.extend(split(batch)),
+                    Some(Err(error)) => failed = Some(error),
+                    None => break,
+                }
+            }
+            let parts: Vec<RecordBatch> = self.parts.drain(..most.min(self.parts.len())).collect();
+            // Whoever reads the stream handles signals between record batches.
+            self.solved.extend(solve(&self.plan, &parts, self.threads, &|_| true).into_iter().flatten());
+            self.solved.extend(failed.map(Err));
+        }
+        self.solved.pop_front()
+    }
+}
+
+impl RecordBatchReader for Stream {
+    fn schema(&self) -> SchemaRef {
+        self.plan.schema()
+    }
+}
+
+/// Solves parts of a table on threads; `None` if `goes_on`, which gets the number of parts begun, stops it.
+fn solve(
+    plan: &Plan,
+    parts: &[RecordBatch],
+    threads: usize,
+    goes_on: &dyn Fn(usize) -> bool,
+) -> Option<Vec<Result<RecordBatch, ArrowError>>> {
     let queue = Mutex::new(parts.iter().enumerate());
     let next = || queue.lock().ok()?.next();
     let is_stopped = AtomicBool::new(false);
-    let work = |look: &dyn Fn() -> bool| {
+    let work = |goes_on: &dyn Fn(usize) -> bool| {
         let mut solved: Vec<(usize, Result<RecordBatch, ArrowError>)> = Vec::new();
         while !is_stopped.load(Ordering::Relaxed) {
             let Some((place, part)) = next() else { break };
             solved.push((place, plan.solve(part)));
-            if !look() {
+            if !goes_on(place) {
                 is_stopped.store(true, Ordering::Relaxed);
             }
         }
         solved
     };
     let mut solved = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads.min(parts.len())).map(|_| scope.spawn(|| work(&|| true))).collect();
-        let mut solved = work(&|| signals.look());
+        let others: Vec<_> = (1..threads.min(parts.len())).map(|_| scope.spawn(|| work(&|_| true))).collect();
+        let mut solved = work(goes_on);
         for other in others {
             solved.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
         }
         solved
     });
-    if is_stopped.into_inner() {
-        return Err(signals.stopped());
-    }
     solved.sort_by_key(|(place, _)| *place);
-    solved.into_iter().map(|(_, part)| part.map_err(|error| error::of(Issues::defect(error)))).collect()
+    (!is_stopped.into_inner()).then(|| solved.into_iter().map(|(_, part)| part).collect())
 }

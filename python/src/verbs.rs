@@ -13,11 +13,11 @@ use planar_impact_app::uncertainty::Method;
 use planar_impact_app::{Answer as AppAnswer, Case, Cause, Control, Issue, Issues, Notices, Units};
 use planar_impact_report::document::{self, Part};
 use planar_impact_report::page::{self, Facts};
-use planar_impact_report::{html, scene, text};
+use planar_impact_report::{chart, html, scene, text};
 use pyo3::prelude::*;
 use serde::Serialize;
 
-use crate::answer::{Answer, Render};
+use crate::answer::{Answer, Figure, Render};
 use crate::control::Signals;
 use crate::error::{self, Failure};
 use crate::source::Source;
@@ -30,7 +30,18 @@ fn on_case<A: Send>(
     named: Option<&str>,
     verb: impl FnOnce(&Arc<Case>, Units, &dyn Control) -> Result<A, Issues> + Send,
 ) -> PyResult<A> {
-    let signals = Signals::new();
+    on_long_case(py, source, named, None, verb)
+}
+
+/// The same, with reports of its progress.
+fn on_long_case<A: Send>(
+    py: Python<'_>,
+    source: &Source,
+    named: Option<&str>,
+    progress: Option<Py<PyAny>>,
+    verb: impl FnOnce(&Arc<Case>, Units, &dyn Control) -> Result<A, Issues> + Send,
+) -> PyResult<A> {
+    let signals = Signals::new(progress);
     let answer = py.detach(|| {
         let failure = |units| move |issues| Failure { issues, units, has_lines: source.has_lines() };
         let given = units::named(named).map_err(failure(Units::Si))?;
@@ -51,7 +62,7 @@ fn plain<T: Facts + Serialize + Send + Sync + 'static>(
     named: Option<&str>,
     verb: VerbOfCase<T>,
 ) -> PyResult<Answer> {
-    on_case(py, source, named, |case, units, control| Answer::of(&Arc::new(verb(case, &(), control)?), units, Layout::Pretty))
+    on_case(py, source, named, |case, units, control| Ok(Answer::of(&Arc::new(verb(case, &(), control)?), units, Layout::Pretty)))
 }
 
 /// Solves the collision.
@@ -60,10 +71,11 @@ pub fn solve(py: Python<'_>, case: &Source, units: Option<&str>) -> PyResult<Ans
     on_case(py, case, units, |case, units, control| {
         let answer = Arc::new(planar_impact_app::solve::solve(case, &(), control)?);
         let case = case.clone();
-        let drawing: Render = Box::new(move |units| {
-            planar_impact_app::scene::draw(&case, &(), &planar_impact_app::Uncontrolled).map(|scene| scene::scene(&scene, units))
+        let drawing: Figure = Box::new(move |units| {
+            planar_impact_app::scene::draw(&case, &(), &planar_impact_app::Uncontrolled).map(|scene| Some(scene::scene(&scene, units)))
         });
-        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_drawing(Some(drawing)))
+        let shown = Answer::of(&answer, units, Layout::Pretty).with_figure("scene", drawing);
+        Ok(shown.with_chart("impulse", &answer, chart::impulse).with_chart("energy", &answer, chart::energy))
     })
 }
 
@@ -98,16 +110,26 @@ pub fn gradient(py: Python<'_>, case: &Source, units: Option<&str>, of: Vec<Stri
             let answer = gradient(&case, &principal, &planar_impact_app::Uncontrolled)?;
             Ok(text::render(&page::page(&answer, units)))
         });
-        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_page(page))
+        Ok(Answer::of(&answer, units, Layout::Pretty).with_page(page).with_chart("effects", &answer, chart::tornado_of_gradient))
     })
 }
 
 /// Varies inputs.
 #[pyfunction]
-pub fn sweep(py: Python<'_>, case: &Source, units: Option<&str>, vary: Vec<String>, of: Vec<String>) -> PyResult<Answer> {
+pub fn sweep(
+    py: Python<'_>,
+    case: &Source,
+    units: Option<&str>,
+    vary: Vec<String>,
+    of: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
     use planar_impact_app::sweep::{Options, sweep};
     let options = Options { vary, of, most_points: None };
-    on_case(py, case, units, |case, units, control| Answer::of(&Arc::new(sweep(case, &options, control)?), units, Layout::Compact))
+    on_long_case(py, case, units, progress, |case, units, control| {
+        let answer = Arc::new(sweep(case, &options, control)?);
+        Ok(Answer::of(&answer, units, Layout::Compact).with_chart("sweep", &answer, chart::sweep))
+    })
 }
 
 /// Searches for the unknowns.
@@ -123,6 +145,7 @@ pub fn reconstruct(
     posterior: bool,
     probability: Vec<String>,
     draws: bool,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     use planar_impact_app::reconstruct::{Options, reconstruct};
     let mut issues = Vec::new();
@@ -137,16 +160,18 @@ pub fn reconstruct(
     }
     let starts = usize::try_from(starts).unwrap_or(usize::MAX);
     let options = Options { starts, seed, level, posterior, probabilities: probability, draws };
-    on_case(py, case, units, |case, units, control| {
+    on_long_case(py, case, units, progress, |case, units, control| {
         let answer = Arc::new(reconstruct(case, &options, control)?);
         let (shown, title) = (answer.clone(), case.title.clone());
-        let drawing = answer.scene.is_some().then(|| -> Render {
-            Box::new(move |units| match &shown.scene {
-                Some((facts, notices)) => Ok(scene::scene(&AppAnswer::new(&title, facts.clone(), Notices(notices.clone())), units)),
-                None => Err(Issues::defect("a drawing without a scene")),
-            })
+        let drawing: Figure = Box::new(move |units| {
+            Ok(shown
+                .scene
+                .as_ref()
+                .map(|(facts, notices)| scene::scene(&AppAnswer::new(&title, facts.clone(), Notices(notices.clone())), units)))
         });
-        Ok(Answer::of(&answer, units, Layout::Pretty)?.with_drawing(drawing))
+        let shown = Answer::of(&answer, units, Layout::Pretty).with_figure("scene", drawing);
+        let shown = shown.with_chart("intervals", &answer, chart::intervals).with_chart("residuals", &answer, chart::residuals);
+        Ok(shown.with_chart("posterior", &answer, chart::posterior))
     })
 }
 
@@ -167,7 +192,13 @@ pub struct UncertaintyOptions {
 
 /// Computes the uncertainty of outputs.
 #[pyfunction]
-pub fn uncertainty(py: Python<'_>, case: &Source, units: Option<&str>, options: UncertaintyOptions) -> PyResult<Answer> {
+pub fn uncertainty(
+    py: Python<'_>,
+    case: &Source,
+    units: Option<&str>,
+    options: UncertaintyOptions,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
     use planar_impact_app::uncertainty::{Options, uncertainty};
     let method = |name: &String| match name.as_str() {
         "linear" => Ok(Method::Linear),
@@ -194,22 +225,27 @@ pub fn uncertainty(py: Python<'_>, case: &Source, units: Option<&str>, options: 
         level: options.level,
         bounds_sd: options.bounds_sd,
     };
-    on_case(py, case, units, |case, units, control| Answer::of(&Arc::new(uncertainty(case, &options, control)?), units, Layout::Pretty))
+    on_long_case(py, case, units, progress, |case, units, control| {
+        let answer = Arc::new(uncertainty(case, &options, control)?);
+        let shown = Answer::of(&answer, units, Layout::Pretty).with_chart("uncertainty", &answer, chart::uncertainty);
+        Ok(shown.with_chart("effects", &answer, chart::tornado_of_uncertainty))
+    })
 }
 
 /// Fits the stiffness of vehicles to barrier tests.
 #[pyfunction]
 pub fn stiffness(py: Python<'_>, tests: &Source, units: Option<&str>) -> PyResult<Answer> {
     use planar_impact_app::stiffness::stiffness;
-    let signals = Signals::new();
+    let signals = Signals::new(None);
     let answer = py.detach(|| {
         let failure = |units| move |issues| Failure { issues, units, has_lines: tests.has_lines() };
         let given = units::named(units).map_err(failure(Units::Si))?;
         let (source, open) = tests.read().map_err(failure(Units::Si))?;
         let file = TestFile::parse_with(source, open).map_err(failure(given.unwrap_or(Units::Si)))?;
         let units = given.unwrap_or(file.units);
-        let answer = stiffness(&file, &(), &signals).map_err(failure(units))?;
-        Answer::of(&Arc::new(answer), units, Layout::Pretty).map_err(failure(units))
+        let answer = Arc::new(stiffness(&file, &(), &signals).map_err(failure(units))?);
+        let shown = Answer::of(&answer, units, Layout::Pretty);
+        Ok(shown.with_chart("stiffness", &answer, chart::stiffness))
     });
     signals.finish(answer)
 }
@@ -218,7 +254,7 @@ pub fn stiffness(py: Python<'_>, tests: &Source, units: Option<&str>) -> PyResul
 #[pyfunction]
 pub fn record(py: Python<'_>, files: Vec<PyRef<'_, Source>>, units: Option<&str>) -> PyResult<Answer> {
     use planar_impact_app::record::{Recording, record};
-    let signals = Signals::new();
+    let signals = Signals::new(None);
     let files: Vec<&Source> = files.iter().map(|file| &**file).collect();
     let answer = py.detach(|| {
         let failure = |units| move |issues| Failure { issues, units, has_lines: true };
@@ -226,8 +262,9 @@ pub fn record(py: Python<'_>, files: Vec<PyRef<'_, Source>>, units: Option<&str>
         let read = |source: &&Source| source.read().and_then(|(source, open)| Recording::parse(source, &open));
         let recordings: Vec<Recording> = files.iter().map(read).collect::<Result<_, _>>().map_err(failure(given.unwrap_or(Units::Si)))?;
         let units = given.or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
-        let answer = record(&recordings, &(), &signals).map_err(failure(units))?;
-        Answer::of(&Arc::new(answer), units, Layout::Compact).map_err(failure(units))
+        let answer = Arc::new(record(&recordings, &(), &signals).map_err(failure(units))?);
+        let shown = Answer::of(&answer, units, Layout::Compact);
+        Ok(shown.with_chart("record", &answer, chart::record))
     });
     signals.finish(answer)
 }
@@ -247,7 +284,7 @@ pub fn formula(py: Python<'_>, output: &str, wrt: Option<&str>, case: Option<&So
     match case {
         Some(case) => on_case(py, case, None, |case, _, control| answer(Some(case), control)),
         None => {
-            let signals = Signals::new();
+            let signals = Signals::new(None);
             signals.finish(py.detach(|| answer(None, &signals)).map_err(Failure::from))
         }
     }
@@ -300,7 +337,7 @@ pub fn template(kind: &str) -> PyResult<&'static str> {
 /// Checks the records of files.
 #[pyfunction]
 pub fn check(py: Python<'_>, files: Vec<PathBuf>, tolerance: Option<f64>) -> PyResult<Answer> {
-    let signals = Signals::new();
+    let signals = Signals::new(None);
     let options = checks::Options { tolerance };
     let answer = py.detach(|| -> Result<Answer, Issues> {
         let (mut entries, mut unusable): (Vec<(String, Entry)>, Vec<Issue>) = (Vec::new(), Vec::new());
@@ -313,7 +350,7 @@ pub fn check(py: Python<'_>, files: Vec<PathBuf>, tolerance: Option<f64>) -> PyR
                         let entry = entry?;
                         summary.add(&entry);
                         entries.push((name.clone(), entry));
-                        if !signals.look() {
+                        if !signals.look(entries.len(), 0) {
                             return Err(Issues::interrupted());
                         }
                     }

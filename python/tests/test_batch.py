@@ -90,9 +90,49 @@ def test_derivatives_are_those_of_gradient() -> None:
         for of in ("energy.loss", "vehicle.1.delta_v_magnitude"):
             for by in ("vehicle.1.speed", "contact.restitution"):
                 expected = alone.of[of].d[by]
-                assert answer[f"d {of} / d {by}"][row] == pytest.approx(expected, rel=1e-9, abs=1e-9 * abs(alone.of[of].value))
+                assert answer[f"d {of} / d {by}"][row] == pytest.approx(expected, rel=1e-9, abs=1e-9 * abs(alone.of[of].value or 0))
                 compared += 1
     assert compared > 40
+
+
+def test_derivatives_in_an_array_are_those_in_columns() -> None:
+    columns = random_columns(40_000)
+    question: dict[str, Any] = {"of": ["T_L", "dV1", "mu0"], "wrt": ["e", "vehicle.1.speed"], "check": True}
+    flat = planar_impact.solve_batch(columns, **question)
+    answer = planar_impact.solve_batch(columns, **question, derivatives="array", threads=3)
+    names = [name for name in flat if name.startswith("d ")]
+    assert list(answer) == [name for name in flat if name not in names][:-2] + ["derivatives", "check", "refusal"]
+    array = answer["derivatives"]
+    assert array.shape == (40_000, 3, 2) and array.dtype == np.float64 and array.flags.c_contiguous
+    for i, of in enumerate(("energy.loss", "vehicle.1.delta_v_magnitude", "contact.critical_impulse_ratio")):
+        for j, by in enumerate(("contact.restitution", "vehicle.1.speed")):
+            np.testing.assert_array_equal(array[:, i, j], flat[f"d {of} / d {by}"])
+    for name in ("energy.loss", "check", "refusal"):
+        np.testing.assert_array_equal(answer[name], flat[name])
+
+
+def test_an_array_of_no_derivatives() -> None:
+    speeds = np.array([12.0, 15.0])
+    none = planar_impact.solve_batch({"vehicle.1.speed": speeds}, of="T_L", case=BARRIER, derivatives="array")
+    assert none["derivatives"].shape == (2, 1, 0) and none["refusal"].tolist() == [None, None]
+    empty = planar_impact.solve_batch({"vehicle.1.speed": speeds[:0]}, of="T_L", wrt="e", case=BARRIER, derivatives="array")
+    assert empty["derivatives"].shape == (0, 1, 1)
+
+
+def test_progress() -> None:
+    steps: list[tuple[int, int]] = []
+    columns = random_columns(300_000)
+    planar_impact.solve_batch(columns, wrt=["e", "Gamma"], threads=1, progress=lambda done, total: steps.append((done, total)))
+    parts = -(-300_000 // (1 << 14))
+    assert steps[-1] == (parts, parts) and steps == sorted(steps) and all(1 <= done <= total == parts for done, total in steps)
+
+    def fail(done: int, total: int) -> None:
+        raise LookupError(f"{done} of {total}")
+
+    with pytest.raises(LookupError, match=f"of {parts}"):
+        planar_impact.solve_batch(columns, of="T_L", progress=fail)
+    with pytest.raises(TypeError, match="progress"):
+        planar_impact.solve_batch(columns, of="T_L", progress=1)  # type: ignore[call-overload]
 
 
 def test_any_number_of_threads_gives_the_same_bits() -> None:
@@ -211,6 +251,10 @@ def test_wrong_calls() -> None:
     columns = {"vehicle.1.speed": SPEEDS}
     with pytest.raises(Error, match="no fast mode"):
         planar_impact.solve_batch(columns, case=BARRIER, fast=True)
+    with pytest.raises(CaseError, match='accepted: "columns", "array"'):
+        planar_impact.solve_batch(columns, case=BARRIER, derivatives="rows")  # type: ignore[call-overload]
+    with pytest.raises(CaseError, match="rename the column"):
+        planar_impact.solve_batch({**columns, "derivatives": SPEEDS}, case=BARRIER, derivatives="array")
     for threads in (0, -1, 10**20):
         with pytest.raises(CaseError):
             planar_impact.solve_batch(columns, case=BARRIER, threads=threads)

@@ -7,7 +7,9 @@ import json
 import math
 import pickle
 import subprocess
+from collections import UserList
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -128,7 +130,30 @@ def test_a_case_is_a_path_a_text_or_a_dict() -> None:
     assert planar_impact.solve(json.dumps(case)) == by_dict
     case["contact"]["restitution"] = np.float64(case["contact"]["restitution"])
     case["vehicle"][1]["impact_center"] = ("1.450877 m", np.array("74.3 cm"))
-    assert planar_impact.solve(case).vehicles[0].delta_v == by_dict.vehicles[0].delta_v
+    case["vehicle"][0] = MappingProxyType({**case["vehicle"][0], "mass": np.str_(case["vehicle"][0]["mass"])})
+    case["vehicle"] = UserList(case["vehicle"])
+    assert planar_impact.solve(MappingProxyType(case)).vehicles[0].delta_v == by_dict.vehicles[0].delta_v
+    assert planar_impact.solve({**case, "schema": np.int64(1), "title": np.str_("a \"title\"\n\\ ∆")}).title == 'a "title"\n\\ ∆'
+
+
+def test_every_number_of_a_dict_keeps_its_bits() -> None:
+    vehicle = {"heading": 0, "yaw_inertia": 2500, "impact_center": [2, 0], "speed": 3}
+    contact = {"crush_plane": 0, "restitution": 0}
+    for mass in (900, 1e3, 1234.5678901234567, 0.1 + 1000.2, np.float32(1000.1), np.float64(999.9), np.int16(1200)):
+        case = {"schema": 1, "vehicle": [{**vehicle, "mass": mass}, {"barrier": True}], "contact": contact}
+        assert planar_impact.gradient(case, of="T_L", wrt="m1").wrt["vehicle.1.mass"] == float(mass)
+
+
+def test_what_a_dict_cannot_have_is_reported_with_its_place() -> None:
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve({"vehicle": [{"mass": math.nan}, {"speed": {1, 2}, 5: 6}], "title": "\ud800", "contact": b"1"})
+    assert [(issue.path, issue.message) for issue in caught.value.issues] == [
+        ("vehicle.1.mass", "expected a finite number, found nan"),
+        ("vehicle.2.speed", "expected a number, a string, a bool, a list or a dict, found set"),
+        ("vehicle.2", "a key is a string; found 5"),
+        ("title", "a lone surrogate is no character of a case file"),
+        ("contact", "expected a number, a string, a bool, a list or a dict, found bytes"),
+    ]
 
 
 def test_keys_are_attributes() -> None:
@@ -138,9 +163,10 @@ def test_keys_are_attributes() -> None:
     assert set(answer) == set(answer.to_dict())
     assert "vehicles" in dir(answer) and "vehicles" in answer
     gradient = planar_impact.gradient(POSITION_A, of="T_L", wrt="e")
-    assert gradient.of["energy.loss"].d["contact.restitution"] < 0
+    slope = gradient.of["energy.loss"].d["contact.restitution"]
+    assert slope is not None and slope < 0
     with pytest.raises(AttributeError, match="energy"):
-        _ = answer.enrgy
+        _ = answer.enrgy  # type: ignore[attr-defined]
     with pytest.raises(AttributeError):
         answer.title = "other"
     with pytest.raises(KeyError):

@@ -6,9 +6,11 @@ import doctest
 import importlib
 import inspect
 import pkgutil
+import re
 from pathlib import Path
 
 import pytest
+from test_answers import PACKAGE, tool
 
 import planar_impact
 
@@ -25,6 +27,22 @@ def test_the_guide(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(guide.parent)
     result = doctest.testfile(str(guide), module_relative=False)
     assert result.attempted > 5 and result.failed == 0
+
+
+def test_the_pages_show_their_programs() -> None:
+    pages = tool("pages")
+    shown = [page for page in sorted(pages.DOCS.glob("*.md")) if pages.BLOCK.search(page.read_text(encoding="utf-8"))]
+    assert len(shown) >= 8
+    for page in shown:
+        assert page.read_text(encoding="utf-8") == pages.current(page), f"{page.name}: python/tools/pages.py"
+    programs = {path.name for path in (pages.DOCS / "programs").glob("*_program.py")}
+    assert programs == {Path(name).name for page in shown for name in pages.BLOCK.findall(page.read_text(encoding="utf-8"))}
+
+
+def test_links_of_the_pages() -> None:
+    for page in [PACKAGE / "README.md", *(PACKAGE / "docs").glob("*.md")]:
+        for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
+            assert (page.parent / link).exists(), f"{page.name}: {link}"
 
 
 def test_public_names_are_documented_and_keyword_only() -> None:

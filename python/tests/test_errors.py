@@ -76,10 +76,16 @@ CYCLE: dict[str, Any] = {}
 CYCLE["a"] = CYCLE
 
 
+TREE: dict[str, Any] = {}
+TREE["a"] = [TREE, TREE]
+
+
 @pytest.mark.parametrize(
     "case",
     [
         {},
+        {"a": [{"b": {1, 2}}, object(), b"1", memoryview(b"1"), {2: 3}]},
+        TREE,
         {"schema": float("nan")},
         {"schema": 1, "vehicle": [{"mass": float("inf")}]},
         {"schema": 10**400},
@@ -108,7 +114,7 @@ CYCLE["a"] = CYCLE
         "x" * 100_000,
         "schema = 1\n" * 1000,
     ],
-    ids=lambda case: f"{type(case).__name__} {str(case)[:20]!r}" if case is not DEEP and case is not CYCLE else "deep",
+    ids=lambda case: f"{type(case).__name__} {str(case)[:20]!r}" if case is not DEEP and case is not CYCLE and case is not TREE else "deep",
 )
 def test_hostile_cases_are_case_errors(case: Any) -> None:
     for verb in (planar_impact.solve, planar_impact.gradient, planar_impact.reconstruct, planar_impact.draw, planar_impact.stiffness):
@@ -177,6 +183,38 @@ def test_wrong_calls_are_case_errors(call: Any) -> None:
 def test_wrong_types_are_type_errors(call: Any) -> None:
     with pytest.raises(TypeError):
         call()
+
+
+def test_options_have_their_names_in_python() -> None:
+    with pytest.raises(CaseError) as caught:
+        planar_impact.solve_batch({"vehicle.1.speed": np.array([12.0])})
+    assert "give a case with `case`" in str(caught.value) and "--" not in str(caught.value)
+    with pytest.raises(CaseError) as caught:
+        planar_impact.uncertainty(EXAMPLES / "uncertain.toml", bounds_sd=-1)
+    assert caught.value.issues[0].path == "bounds_sd"
+    # What the caller has written stays.
+    with pytest.raises(CaseError, match="a--b"):
+        planar_impact.gradient(TEXT, of="a--b")
+
+
+def test_progress_of_a_search() -> None:
+    steps: list[tuple[int, int]] = []
+    case = EXAMPLES / "reconstruct/two-cars.toml"
+    answer = planar_impact.reconstruct(case, starts=64, progress=lambda done, total: steps.append((done, total)))
+    assert steps and steps[-1][0] == steps[-1][1] > 0 and all(0 <= done <= total for done, total in steps)
+    assert answer == planar_impact.reconstruct(case, starts=64)
+
+    def fail(done: int, total: int) -> None:
+        raise LookupError("stop")
+
+    with pytest.raises(LookupError, match="stop"):
+        planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=10**12, method="monte-carlo", progress=fail)
+
+
+def test_a_bar_of_tqdm(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("tqdm")
+    planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=200_000, method="monte-carlo", of="dV1", progress=True)
+    assert "step" in capsys.readouterr().err
 
 
 def interrupted(call: Any) -> float:

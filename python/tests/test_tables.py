@@ -120,6 +120,49 @@ def test_wrong_tables(table: Any, code: str) -> None:
     assert code in [issue.code for issue in caught.value.issues]
 
 
+def test_a_stream_is_solved_while_it_is_read() -> None:
+    drawn: list[int] = []
+
+    def batches() -> Any:
+        for i in range(1000):
+            drawn.append(i)
+            yield pa.record_batch({"row": [i] * 1000, "vehicle.1.speed": np.linspace(10, 20, 1000)})
+
+    schema = pa.schema({"row": pa.int64(), "vehicle.1.speed": pa.float64()})
+    reader = pa.RecordBatchReader.from_batches(schema, batches())
+    answer = planar_impact.solve_batch(reader, of="T_L", case=BARRIER, threads=2)
+    assert drawn == [] and answer.schema.names == ["row", "vehicle.1.speed", "energy.loss", "refusal"]
+    first = answer.read_next_batch()
+    # Some record batches for each thread, and not the whole stream.
+    assert 0 < len(drawn) <= 16 and first["row"].to_pylist() == [0] * 1000
+    rest = answer.read_all()
+    assert len(drawn) == 1000 and rest["row"].to_numpy().tolist() == np.repeat(range(1, 1000), 1000).tolist()
+    assert rest["energy.loss"].to_numpy()[:1000].tolist() == first["energy.loss"].to_pylist()
+
+
+def test_a_stream_of_large_batches_is_cut() -> None:
+    speeds = np.linspace(10, 20, 500_000)
+    table = pa.table({"vehicle.1.speed": speeds})
+    answer = planar_impact.solve_batch(table.to_reader(), of="T_L", case=BARRIER, threads=1)
+    sizes = [batch.num_rows for batch in answer]
+    assert sum(sizes) == 500_000 and max(sizes) < 20_000
+    whole = planar_impact.solve_batch(table, of="T_L", case=BARRIER)
+    again = planar_impact.solve_batch(table.to_reader(), of="T_L", case=BARRIER, threads=3).read_all()
+    assert again["energy.loss"].to_numpy().tolist() == whole["energy.loss"].to_numpy().tolist()
+
+
+def test_what_a_stream_and_a_table_refuse() -> None:
+    table = pa.table({"vehicle.1.sped": [12.0]})
+    with pytest.raises(CaseError, match="sped"):
+        planar_impact.solve_batch(table.to_reader(), of="T_L", case=BARRIER)
+    good = pa.table({"vehicle.1.speed": [12.0]})
+    with pytest.raises(CaseError, match="a table has columns"):
+        planar_impact.solve_batch(good, case=BARRIER, derivatives="array")
+    reader = good.to_reader()
+    reader.read_all()
+    assert planar_impact.solve_batch(reader, of="T_L", case=BARRIER).read_all().num_rows == 0
+
+
 def test_a_stream_that_fails() -> None:
     class Broken:
         def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
@@ -132,5 +175,11 @@ def test_a_stream_that_fails() -> None:
     with pytest.raises((TypeError, ValueError)):
         planar_impact.solve_batch(Broken(), case=BARRIER)
     reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), batches())
+    answer = planar_impact.solve_batch(reader, case=BARRIER, threads=1)
+    # What was read before the failure is answered.
+    assert answer.read_next_batch().num_rows == 1
+    with pytest.raises((OSError, ValueError), match="the disk is gone"):
+        answer.read_next_batch()
+    reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), batches())
     with pytest.raises(ValueError, match="the disk is gone"):
-        planar_impact.solve_batch(reader, case=BARRIER)
+        planar_impact.solve_batch(Other(reader), case=BARRIER)
