@@ -110,7 +110,7 @@ fn scale(problem: &mut ReconstructionProblem, given: Given, factor: f64) {
         }
         Given::Speed(side) => {
             if let Party::Vehicle(vehicle) = party(problem, side) {
-                vehicle.motion.velocity = vehicle.motion.velocity * factor;
+                vehicle.motion.velocity *= factor;
             }
         }
     }
