@@ -1,7 +1,7 @@
 // The answers of the verbs: a tab for each, computed in a worker, always about the text as it is.
 import type { Case, Frame, Issue, Reply } from "./engine";
 import { Lane, Stopped } from "./jobs";
-import { show } from "./morph";
+import { fill, show } from "./morph";
 
 interface Option {
   name: string;
@@ -186,7 +186,7 @@ export class Answers {
       start.textContent = "Start";
       this.options.append(start);
     }
-    this.result.replaceChildren();
+    fill(this.result);
     this.status.textContent = "";
     this.changed(this.frame);
   }
@@ -229,12 +229,12 @@ export class Answers {
     } else if (this.frame.issues.length > 0) {
       this.refuse(this.frame.issues);
     } else {
-      show(this.result, this.verb.name === "solve" ? this.frame.tables + figures(this.frame) : this.frame.gradient);
+      show(this.result, this.verb.name === "solve" ? this.frame.tables : this.frame.gradient);
     }
   }
 
   private refuse(issues: Issue[]): void {
-    this.result.replaceChildren(issueList(issues, this.current().name, this.goTo));
+    fill(this.result, issueList(issues, this.current().name, this.goTo));
   }
 
   private busy(isBusy: boolean): void {
@@ -306,10 +306,4 @@ export class Answers {
   get shown(): Verb {
     return this.verb;
   }
-}
-
-/** The drawings of a frame below its tables, as in the report. */
-function figures({ impulse, energy }: Frame): string {
-  const figure = (svg: string, title: string) => (svg === "" ? "" : `<figure>${svg.slice(svg.indexOf("<svg"))}<figcaption>${title}</figcaption></figure>`);
-  return figure(impulse, "The impulse of the contact by Routh's construction") + figure(energy, "Where the energy goes");
 }

@@ -34,6 +34,7 @@ const highlighting = HighlightStyle.define([
 
 export class Editor {
   readonly view: EditorView;
+  private isMarked = false;
   private before: { text: string; scroll: number } | null = null;
 
   constructor(place: HTMLElement, text: string, schema: () => CaseSchema, changed: (byHand: boolean) => void) {
@@ -151,6 +152,8 @@ export class Editor {
   }
 
   mark(name: string, issues: Issue[]): void {
+    if (issues.length === 0 && !this.isMarked) return;
+    this.isMarked = issues.length > 0;
     const end = this.view.state.doc.length;
     const at = ({ from, to, file, path, message, help }: Issue): Diagnostic => {
       const isHere = file === name && from !== null && to !== null;

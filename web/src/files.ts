@@ -28,19 +28,17 @@ export async function open(list: File[]): Promise<Opened> {
   const first = read.find(({ name, text }) => /\.(toml|json)$/i.test(name) && /vehicle/.test(text)) ?? read[0];
   if (!first) throw new Error("no file is given");
   const others = read.filter((file) => file !== first);
-  return { ...first, files: Object.fromEntries(others.flatMap(({ name, text }) => [[name, text], [`../${name}`, text]])) };
+  return { ...first, files: Object.fromEntries(others.map(({ name, text }) => [name, text])) };
 }
 
-/** Takes the case out of a report, with the files that it names. */
+/** Takes the case out of a report, with the files that it names. A report writes what could end an element as entities. */
 function fromReport(name: string, html: string): Opened {
-  const page = new DOMParser().parseFromString(html, "text/html");
-  const decode = (text: string) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
-  const found = page.querySelector("script#case");
+  const decode = (text: string) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"').replaceAll("&apos;", "'").replaceAll("&amp;", "&");
+  const embedded = Array.from(html.matchAll(/<script type="([^"<>]*)" id="([^"<>]*)"(?: data-name="([^"<>]*)")?>([^<]*)<\/script>/g));
+  const found = embedded.find(([, , id]) => id === "case");
   if (!found) throw new Error(`${name} is not a report: it has no case in it`);
-  const isJson = found.getAttribute("type") === "application/json";
-  const named = Array.from(page.querySelectorAll("script[data-name]")).filter((file) => file !== found);
-  const files = Object.fromEntries(named.map((file) => [file.getAttribute("data-name")!, decode(file.textContent ?? "")]));
-  return { name: name.replace(/\.html?$/i, isJson ? ".json" : ".toml"), text: decode(found.textContent ?? ""), files };
+  const files = Object.fromEntries(embedded.flatMap(([, , , named, text]) => (named === undefined ? [] : [[decode(named), decode(text!)]])));
+  return { name: name.replace(/\.html?$/i, found[1] === "application/json" ? ".json" : ".toml"), text: decode(found[4]!), files };
 }
 
 /** Draws an SVG into a PNG of twice its size. */

@@ -5,6 +5,7 @@ import * as engine from "./engine";
 import * as files from "./files";
 import { Form } from "./form";
 import { Lane, Stopped } from "./jobs";
+import { show } from "./morph";
 import { Scene } from "./scene";
 import { CaseSchema } from "./schema";
 import * as share from "./share";
@@ -109,12 +110,14 @@ function render(frame: engine.Frame): void {
     drawer.cancel();
     state.drawing = frame.scene;
     scene.show(frame.scene, frame.handles);
+    show($("impulse"), frame.impulse);
+    show($("energy"), frame.energy);
     slide("gamma", frame.handles.crush_plane * (180 / Math.PI), "°");
     slide("restitution", frame.handles.restitution, "");
   } else if (frame.has_unknowns) {
     void draw();
   }
-  $("sliders").hidden = frame.has_unknowns;
+  for (const id of ["sliders", "figures"]) $(id).hidden = frame.has_unknowns;
   answers.changed(frame);
   const [undo, redo] = editor.depths;
   $<HTMLButtonElement>("undo").disabled = undo === 0;

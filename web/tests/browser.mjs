@@ -18,6 +18,7 @@ export function cli(args, options = {}) {
   try {
     return { status: 0, output: execFileSync(program, args, { cwd: root, stdio: ["ignore", "pipe", "pipe"], maxBuffer: 1 << 28, ...options }).toString() };
   } catch (error) {
+    if (typeof error.status !== "number") throw error;
     return { status: error.status, output: error.stdout?.toString() ?? "", errors: error.stderr?.toString() ?? "" };
   }
 }

@@ -38,7 +38,9 @@ impl Input {
     /// Everything wrong with it and with the files that it names.
     pub fn case(&self) -> Result<Case, Issues> {
         let files = self.files.clone();
-        let open: Open = Box::new(move |name| match files.get(name) {
+        // A page knows no folders: a file that a person has opened stands for any with its name.
+        let last = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned();
+        let open: Open = Box::new(move |name| match files.get(name).or_else(|| files.get(&last(name))) {
             Some(text) => decode::source(name, text.clone().into_bytes()),
             None => Err(decode::unreadable(name, "is not open in this page; open it together with the case")),
         });
