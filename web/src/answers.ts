@@ -267,8 +267,8 @@ export class Answers {
     }
   }
 
-  /** Asks the verb that is shown about the text as it is now; `null` where there is no answer. */
-  async ask(): Promise<Reply | null> {
+  /** Asks the verb that is shown about the text as it is now, in a lane of its own for an export, so that no later change takes its place; `null` where there is no answer. */
+  async ask(lane = this.lane): Promise<Reply | null> {
     const { verb } = this;
     const progress = (done: number, total: number) => {
       if (total <= 1) return;
@@ -278,9 +278,9 @@ export class Answers {
       if (!this.dropped) return null;
       // A copy, because a worker takes what it is given.
       const task = { kind: "check", name: this.dropped.name, bytes: this.dropped.bytes.slice() } as const;
-      return (await this.lane.run<Reply>(task, progress)).result;
+      return (await lane.run<Reply>(task, progress)).result;
     }
-    return (await this.lane.run<Reply>({ kind: "answer", verb: verb.name, case: this.current(), options: this.asked() }, progress)).result;
+    return (await lane.run<Reply>({ kind: "answer", verb: verb.name, case: this.current(), options: this.asked() }, progress)).result;
   }
 
   async run(): Promise<void> {

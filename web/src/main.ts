@@ -206,7 +206,7 @@ async function exported(kind: string): Promise<void> {
       if (kind === "svg") files.save(`${base()}.svg`, result.svg, "image/svg+xml");
       else files.save(`${base()}.png`, await files.toPng(result.svg), "image/png");
     } else {
-      const reply = await answers.ask();
+      const reply = await answers.ask(exporter);
       const content = kind === "csv" ? reply?.csv : reply?.json;
       if (reply && reply.issues.length > 0) throw new Error(reply.issues[0]!.message);
       if (!content) throw new Error(kind === "csv" ? "this answer has no table as CSV; sweep, uncertainty and slide have" : "there is no answer yet");
@@ -317,13 +317,10 @@ async function start(): Promise<void> {
   $("name").textContent = state.name;
   wire();
   await engine.load(await compiled, () => {});
-  if (location.hash.length > 1) {
-    await readFragment();
-    if (state.took === null && scheduled) return;
-  }
   // The first example is known to be quick.
   state.took = 0;
   refresh(false);
+  await readFragment();
   performance.mark("ready");
   document.documentElement.dataset["ready"] = "true";
 }

@@ -84,6 +84,7 @@ export async function text(page) {
 export async function type(page, replacement) {
   await page.locator("#editor .cm-content").click();
   await page.keyboard.press("Control+A");
+  await page.keyboard.press("Delete");
   await page.keyboard.insertText(replacement);
 }
 

@@ -35,6 +35,17 @@ function same(actual, expected, what) {
   assert.fail(`${what}: ${JSON.stringify(actual.slice(Math.max(at - 80, 0), at + 80))} instead of ${JSON.stringify(expected.slice(Math.max(at - 80, 0), at + 80))}`);
 }
 
+function close(actual, expected, relative, what) {
+  assert.ok(actual === expected || Math.abs(actual - expected) <= relative * Math.abs(expected), `${what}: ${actual} instead of ${expected}`);
+}
+
+/** A search takes roots and powers of the platform, so its steps differ in the last bits; where it ends does not. */
+function near(actual, expected, what) {
+  assert.equal(actual.verdict, expected.verdict, what);
+  assert.deepEqual(Object.keys(actual), Object.keys(expected));
+  for (const [name, { value }] of Object.entries(expected.unknown)) if (value !== null) close(actual.unknown[name].value, value, 1e-6, `${what} ${name}`);
+}
+
 const degrees = (source) => Number(/^crush_plane = "(-?[0-9.]+) deg"/m.exec(source)?.[1] ?? NaN);
 const handle = (page, key) => page.locator(`[data-handle="${key}"]`);
 
@@ -72,7 +83,8 @@ describe("the page", () => {
           continue;
         }
         const { bytes } = await exported(page, "json");
-        same(bytes.toString(), expected.output, `${verb} ${path}`);
+        if (verb === "solve") same(bytes.toString(), expected.output, `${verb} ${path}`);
+        else near(JSON.parse(bytes), JSON.parse(expected.output), path);
       }
     });
   });
@@ -90,9 +102,16 @@ describe("the page", () => {
       await compare("cavalier-crush.toml", "crush", []);
       await compare("cavalier-crush.toml", "crash3", []);
       await compare("uncertain.toml", "uncertainty", []);
-      await compare("slide.toml", "slide", []);
       const { bytes } = await exported(page, "csv");
-      same(bytes.toString(), cli(["slide", "cli/examples/slide.toml", "--format", "csv"]).output, "CSV");
+      same(bytes.toString(), cli(["uncertainty", "cli/examples/uncertain.toml", "--format", "csv"]).output, "CSV");
+      await loadExample(page, "slide.toml");
+      await page.click("#tab-slide");
+      const slid = JSON.parse((await exported(page, "json")).bytes.toString());
+      const expected = JSON.parse(cli(["slide", "cli/examples/slide.toml", "--format", "json"]).output);
+      slid.vehicles.forEach(({ rest, distance }, k) => {
+        close(distance, expected.vehicles[k].distance, 1e-6, "distance");
+        rest.position.forEach((place, i) => close(place, expected.vehicles[k].rest.position[i], 1e-6, "rest position"));
+      });
       await loadExample(page, "position-a.toml");
       await page.click("#tab-formula");
       await page.waitForSelector("#result math");
@@ -134,10 +153,10 @@ describe("the page", () => {
       const buffer = (path) => readFileSync(join(root, "cli/examples", path));
       const file = (path) => ({ name: path.split("/").at(-1), mimeType: "text/plain", buffer: buffer(path) });
       await settled(page, () => page.setInputFiles("#open", [file("reconstruct/from-tests.toml"), file("tests/struble-welsh.toml")]));
-      assert.equal(await page.locator(".issues li").count(), 0);
+      assert.equal(await page.locator("#issues").innerText(), "");
       await settled(page, () => page.setInputFiles("#open", [file("reconstruct/from-tests.toml")]));
       await page.waitForSelector(".issues li");
-      assert.match(await page.locator(".issues").innerText(), /is not open in this page/);
+      assert.match(await page.locator("#issues").innerText(), /is not open in this page/);
     });
   });
 });
@@ -239,7 +258,7 @@ describe("the scene", () => {
       await settled(page, () => page.locator("#gamma").fill("100"));
       await page.waitForSelector(".issues li");
       await settled(page, () => page.locator("#gamma").fill("0"));
-      assert.equal(await page.locator(".issues li").count(), 0);
+      assert.equal(await page.locator("#issues li").count(), 0);
     });
   });
 });
@@ -263,12 +282,12 @@ describe("the editor and the form", () => {
       await settled(page, () => type(page, source));
       const lines = source.split("\n");
       const at = [lines.findIndex((line) => line.includes("180 ft")) + 1, lines.findIndex((line) => line.includes("= 7")) + 1];
-      const shown = await page.locator(".issues").innerText();
+      const shown = await page.locator("#issues").innerText();
       assert.match(shown, new RegExp(`Line ${at[0]}: .*heading.*angle`));
       await page.waitForSelector("#editor .cm-lintRange-error");
       const marked = await page.locator("#editor .cm-lintRange-error").allInnerTexts();
       assert.ok(marked.includes('"180 ft"'), String(marked));
-      await page.locator(".issues button").first().click();
+      await page.locator("#issues button").first().click();
       const line = await page.locator("#editor .cm-activeLine").innerText();
       assert.ok(line.includes("180 ft"), line);
     });
@@ -374,7 +393,7 @@ describe("hostile cases", () => {
       assert.equal(await page.locator("#result img, .drawing img, #result script, .drawing script, .drawing foreignObject").count(), 0);
       await settled(page, () => type(page, source.replace("mass", `'${bad}'`)));
       assert.equal(await page.locator(".issues img, .issues script").count(), 0);
-      assert.match(await page.locator(".issues").innerText(), /script/);
+      assert.match(await page.locator("#issues").innerText(), /script/);
     });
   });
 
@@ -406,7 +425,7 @@ describe("hostile cases", () => {
         assert.ok((await beats) < 2500, `${source.slice(0, 10)}: ${await beats} ms`);
       }
       await loadExample(page, "position-a.toml");
-      assert.equal(await page.locator(".issues li").count(), 0);
+      assert.equal(await page.locator("#issues li").count(), 0);
     });
   });
 
@@ -453,7 +472,7 @@ describe("for everyone", () => {
       for (let step = 0; step < 5; step++) {
         await page.waitForSelector("#result table, #result figure", { timeout: 30_000 });
         titles.push(await page.locator("#tour-title").innerText());
-        assert.equal(await page.locator(".issues li").count(), 0, titles.at(-1));
+        assert.equal(await page.locator("#issues li").count(), 0, titles.at(-1));
         if (step < 2) {
           // T_L over Γ is constant; over the share of the critical ratio it is greatest at 1.
           const { of } = JSON.parse((await exported(page, "json")).bytes.toString());

@@ -40,7 +40,8 @@ pub fn values(name: &str, text: &str, paths: &str) -> String {
 }
 
 fn changes(text: &str, edits: Result<Vec<Edit>, Issues>) -> Reply {
-    let change = |edit: Edit| Change { from: utf16_length(text, edit.span.start), to: utf16_length(text, edit.span.end), insert: edit.text };
+    let change =
+        |edit: Edit| Change { from: utf16_length(text, edit.span.start), to: utf16_length(text, edit.span.end), insert: edit.text };
     match edits {
         Ok(edits) => {
             let changes: Vec<Change> = edits.into_iter().map(change).collect();

@@ -86,7 +86,12 @@ fn run(verb: &str, case: &Case, units: Units, options: &Options) -> Result<Reply
         "draw" => {
             let answer = scene::draw(case, &(), &Reporter)?;
             let svg = planar_impact_report::scene::scene(&answer, units);
-            Ok(Reply { json: json::text(&answer, Layout::Pretty)?, html: html::fragment(&[figure("Scene", svg.clone())]), svg, ..Reply::default() })
+            Ok(Reply {
+                json: json::text(&answer, Layout::Pretty)?,
+                html: html::fragment(&[figure("Scene", svg.clone())]),
+                svg,
+                ..Reply::default()
+            })
         }
         "reconstruct" => {
             let asked = reconstruct::Options {
@@ -108,7 +113,11 @@ fn run(verb: &str, case: &Case, units: Units, options: &Options) -> Result<Reply
             let answer = uncertainty::uncertainty(case, &asked, &Reporter)?;
             let svg = chart::uncertainty(&answer, units)?;
             let csv = csv(page::uncertainty_csv::records(&answer, units).into_iter())?;
-            Ok(Reply { csv, svg: svg.clone(), ..written(&answer, units, Layout::Pretty, vec![figure("The outputs by every method", svg)])? })
+            Ok(Reply {
+                csv,
+                svg: svg.clone(),
+                ..written(&answer, units, Layout::Pretty, vec![figure("The outputs by every method", svg)])?
+            })
         }
         "formula" => {
             let issue = |option: &'static str| move |message: String| Issues::of_call(vec![Issue::of_call(option, message, None)]);
