@@ -99,6 +99,8 @@ export class Editor {
         ],
       }),
     });
+    // A long text scrolls by the keyboard too.
+    this.view.scrollDOM.tabIndex = 0;
   }
 
   get text(): string {
