@@ -45,8 +45,13 @@ export class Lane {
     this.isReady = false;
     const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
     this.worker = worker;
-    worker.onmessage = ({ data }) => this.hear(data);
-    worker.onerror = (event) => this.end(new Error(event.message || "the worker cannot be started"));
+    // A worker that has been ended may still be heard.
+    worker.onmessage = ({ data }) => {
+      if (worker === this.worker) this.hear(data);
+    };
+    worker.onerror = (event) => {
+      if (worker === this.worker) this.end(new Error(event.message || "the worker cannot be started"));
+    };
     void this.module.then((module) => worker.postMessage({ module }));
   }
 

@@ -124,7 +124,7 @@ fn run(verb: &str, case: &Case, units: Units, options: &Options) -> Result<Reply
             let wrt = options.wrt.first().map(|name| formula::input(name).map_err(issue("wrt"))).transpose()?;
             let output = formula::output(&options.output).map_err(issue("output"))?;
             let answer = formula::formula(Some(case), &formula::Options { output, wrt, kind: formula::Kind::default() }, &Reporter)?;
-            let blocks = [Block::Formula { latex: answer.latex.clone(), text: answer.subject.clone() }];
+            let blocks = [Block::Formula { latex: answer.formula.latex(), text: answer.subject.clone() }];
             let blocks: Vec<Block> = blocks.into_iter().chain(page::formula::page(&answer)).collect();
             Ok(Reply { json: json::text(&answer, Layout::Pretty)?, html: html::fragment(&blocks), ..Reply::default() })
         }
