@@ -3,11 +3,13 @@
 //! [`Document::parse`] builds the tree of a [`Source`], and [`Document::read`] walks it. [`Document::place`] locates
 //! issues that the library finds later.
 
+mod edit;
 pub mod json;
 mod read;
 mod toml;
 mod tree;
 
+pub use edit::{Edit, Written};
 pub use read::{Field, Table};
 pub use tree::{Entry, Node, Value};
 

@@ -158,6 +158,15 @@ pub fn parse_word(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
     }
 }
 
+/// Splits a quantity into its number and its unit, without judging either; inches for feet and inches. `None` if it does not begin with a number.
+pub(crate) fn unit_of(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    match FeetAndInches::read(text).ok()? {
+        Some(length) => Some((length.inches(), FeetAndInches::UNIT)),
+        None => number::split(text).ok().map(|(value, unit)| (value, unit.trim_end())),
+    }
+}
+
 /// A unit parsed once to convert many values.
 #[derive(Debug, Clone, Copy)]
 pub struct Conversion {

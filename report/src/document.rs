@@ -273,8 +273,8 @@ fn facts(main: &MainAnswer) -> (&dyn Facts, &Notices) {
 /// Renders the answer in full, its figures first.
 fn results(report: &CaseReport, units: Units) -> Result<Vec<Block>, Issues> {
     let mut blocks = match &report.main {
-        MainAnswer::Solve(answer) => of_solution(answer, units)?,
-        MainAnswer::Reconstruct(answer) => of_reconstruction(answer, units)?,
+        MainAnswer::Solve(answer) => figures_of_solution(answer, units)?,
+        MainAnswer::Reconstruct(answer) => figures_of_reconstruction(answer, units)?,
         MainAnswer::Uncertainty(answer) => vec![figure("The outputs by every method", chart::uncertainty(answer, units)?)],
         MainAnswer::Crush(_) | MainAnswer::Crash3(_) => Vec::new(),
     };
@@ -288,18 +288,27 @@ fn figure(title: &str, svg: String) -> Block {
     Block::Figure { title: title.to_owned(), svg }
 }
 
-fn of_reconstruction(answer: &Answer<Reconstruction>, units: Units) -> Result<Vec<Block>, Issues> {
+/// Draws the unknowns, the evidence and the collision of a reconstruction.
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn figures_of_reconstruction(answer: &Answer<Reconstruction>, units: Units) -> Result<Vec<Block>, Issues> {
     let mut blocks = vec![figure("The unknowns with their intervals, within their bounds", chart::intervals(answer, units)?)];
     blocks.extend(chart::residuals(answer, units)?.map(|svg| figure("How far each piece of evidence is from the best fit", svg)));
     blocks.extend(chart::posterior(answer, units)?.map(|svg| figure("The posterior of the unknowns", svg)));
     if let Some(solution) = &answer.solution {
-        blocks.extend(of_solution(solution, units)?);
+        blocks.extend(figures_of_solution(solution, units)?);
     }
     Ok(blocks)
 }
 
 /// Draws the impulse and the energies of a collision.
-fn of_solution(answer: &Answer<Solution>, units: Units) -> Result<Vec<Block>, Issues> {
+///
+/// # Errors
+///
+/// A defect: drawing into memory cannot fail.
+pub fn figures_of_solution(answer: &Answer<Solution>, units: Units) -> Result<Vec<Block>, Issues> {
     let impulse = chart::impulse(answer, units)?;
     let impulse = impulse.map(|svg| figure("The impulse of the contact by Routh's construction", svg));
     let energy = figure("Where the energy goes", chart::energy(answer, units)?);

@@ -83,6 +83,13 @@ pub fn render(document: &Document) -> String {
     html
 }
 
+/// Renders blocks for a section of a page that has headings of levels 1 and 2 itself. Every text is escaped, and nothing has a style of its own.
+pub fn fragment(of: &[Block]) -> String {
+    let mut html = String::new();
+    blocks(&mut html, of);
+    html
+}
+
 /// Writes the characters that could end an element as entities, and nothing else.
 fn entities(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")

@@ -39,6 +39,27 @@ struct Style {
 
 const STYLES: [Style; 2] = [Style { stroke: "#0060a0", fill: "#dcecf8" }, Style { stroke: "#a83c00", fill: "#f6d3b8" }];
 
+/// How the picture of the impact lies on the page, for an interface in which it can be dragged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placing {
+    /// Place of the origin of the ground: pixels to the right, pixels down.
+    pub origin: (f64, f64),
+    /// Pixels of a meter.
+    pub scale: f64,
+    /// Length on the ground of the arrow of a speed of 1 m/s, in m.
+    pub speed: f64,
+    /// Length on the ground of the normal of the crush plane, in m.
+    pub normal: f64,
+}
+
+/// Frame of the picture of the impact.
+const FRAME: view::Frame = view::Frame { x: MARGIN, y: 50.0, width: IMPACT.0, height: IMPACT.1 };
+
+/// Returns how the picture of the impact lies on the page of [`scene`].
+pub fn placing(scene: &Scene, units: Units) -> Placing {
+    impact::placing(scene, units, FRAME)
+}
+
 /// Draws a scene: the impact with its vectors, the principal directions of force, the phases and, where the case has them, skids and rest positions.
 pub fn scene(answer: &Answer<Scene>, units: Units) -> String {
     let scene = &answer.facts;
@@ -54,7 +75,7 @@ pub fn scene(answer: &Answer<Scene>, units: Units) -> String {
     svg.element("rect", &[("width", "100%"), ("height", "100%"), ("fill", "#ffffff")]);
     let most = ((WIDTH - 2.0 * MARGIN) / text_width("m", TITLE)) as usize;
     svg.text((MARGIN, 32.0), TITLE, "title", &shorten(&title, most));
-    impact::draw(&mut svg, scene, units, view::Frame { x: MARGIN, y: 50.0, width: IMPACT.0, height: IMPACT.1 });
+    impact::draw(&mut svg, scene, units, FRAME);
     legend::draw(
         &mut svg,
         scene,

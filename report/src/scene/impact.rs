@@ -8,12 +8,14 @@ use super::barrier;
 use super::labels::Labels;
 use super::vehicle::{self, Detail, at_impact, extent};
 use super::view::{Frame, View, arrow_head};
-use super::{STYLES, Style};
+use super::{Placing, STYLES, Style};
 use crate::svg::{INK, Place, Svg, number};
 
 /// Lengths on the ground of the longest velocity and of the impulse, over the size of the vehicles.
 const VELOCITY: f64 = 0.75;
 const IMPULSE: f64 = 0.5;
+/// Length of the normal of the crush plane, over the size of the vehicles.
+const NORMAL: f64 = 0.42;
 /// Room for labels around the picture, in pixels.
 const ROOM: f64 = 46.0;
 
@@ -33,10 +35,7 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     let size = size(scene);
     let vectors = vectors(scene, units, size);
     let plane = plane(scene, size);
-    let moving = scene.vehicles.iter().filter(|vehicle| !vehicle.barrier);
-    let points = moving.clone().flat_map(|vehicle| extent(vehicle, &at_impact(vehicle)));
-    let points = points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.iter().flatten().copied());
-    let view = View::of(points, frame, ROOM);
+    let view = view(scene, &vectors, &plane, frame);
     frame.draw(svg);
     let mut labels = Labels::in_frame(frame);
     for (i, vehicle) in scene.vehicles.iter().enumerate() {
@@ -94,6 +93,27 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     labels.draw(svg);
 }
 
+/// Returns the view that shows the vehicles, the vectors and the crush plane.
+fn view(scene: &Scene, vectors: &[Vector<'_>], plane: &[[[f64; 2]; 2]; 2], frame: Frame) -> View {
+    let moving = scene.vehicles.iter().filter(|vehicle| !vehicle.barrier);
+    let points = moving.flat_map(|vehicle| extent(vehicle, &at_impact(vehicle)));
+    let points = points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.iter().flatten().copied());
+    View::of(points, frame, ROOM)
+}
+
+/// Returns how the picture lies on the page.
+pub fn placing(scene: &Scene, units: Units, frame: Frame) -> Placing {
+    let size = size(scene);
+    let view = view(scene, &vectors(scene, units, size), &plane(scene, size), frame);
+    let fastest = fastest(scene);
+    Placing {
+        origin: view.origin(),
+        scale: view.scale,
+        speed: if fastest > 0.0 { VELOCITY * size / fastest } else { 0.0 },
+        normal: NORMAL * size,
+    }
+}
+
 /// Returns the size of the vehicles: the longest outline, in m.
 pub fn size(scene: &Scene) -> f64 {
     let longest =
@@ -110,7 +130,7 @@ fn tail(vehicle: &VehicleInScene) -> [f64; 2] {
 fn plane(scene: &Scene, size: f64) -> [[[f64; 2]; 2]; 2] {
     let (sin, cos) = scene.crush_plane.sin_cos();
     let at = |along: f64, [x, y]: [f64; 2]| [scene.impact_point[0] + along * size * x, scene.impact_point[1] + along * size * y];
-    [[at(-0.45, [-sin, cos]), at(0.5, [-sin, cos])], [at(0.0, [cos, sin]), at(0.42, [cos, sin])]]
+    [[at(-0.45, [-sin, cos]), at(0.5, [-sin, cos])], [at(0.0, [cos, sin]), at(NORMAL, [cos, sin])]]
 }
 
 fn draw_plane(svg: &mut Svg, view: &View, plane: &[[[f64; 2]; 2]; 2], labels: &mut Labels) {

@@ -64,6 +64,11 @@ impl View {
         View { frame, scale, middle: [0, 1].map(|k| low[k] / 2.0 + high[k] / 2.0) }
     }
 
+    /// Returns the place of the origin of the ground.
+    pub fn origin(&self) -> Place {
+        self.place([0.0, 0.0])
+    }
+
     /// Returns the place of a point of the ground.
     pub fn place(&self, [x, y]: [f64; 2]) -> Place {
         let Frame { x: left, y: top, width, height } = self.frame;

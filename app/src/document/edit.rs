@@ -1,0 +1,293 @@
+//! Edits of a file that replace one value and keep the rest: its unit, its uncertainty, comments and layout. A form beside the text and a
+//! drawing that is dragged change a file in this way.
+
+use std::ops::Range;
+
+use super::{Document, Node, Value};
+use crate::case::Parameter;
+use crate::issue::{Cause, Issue, Issues};
+use crate::quantity::{Conversion, Kind, unit_of};
+
+/// A replacement of a range of bytes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Edit {
+    /// The bytes that are replaced; empty for an insertion.
+    pub span: Range<usize>,
+    /// The text in their place.
+    pub text: String,
+}
+
+/// A value as the file has it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Written {
+    /// The bytes of the value.
+    pub span: Range<usize>,
+    /// The text of a string without its quotes; anything else as it is written.
+    pub text: String,
+}
+
+/// Keys of a distribution that are a place: a move shifts each of them.
+const PLACES: [&str; 6] = ["value", "mode", "median", "min", "max", "start"];
+
+impl Document {
+    /// Returns the value at a path, such as `vehicle.1.mass` or `vehicle.1.impact_center.forward`, as the file has it.
+    pub fn written(&self, path: &str) -> Option<Written> {
+        let node = self.find(&key_of(path))?;
+        Some(Written { span: node.span.clone(), text: self.shown(node) })
+    }
+
+    /// Writes a value as a person has typed it: a number without quotes where one stood, or where none stood; a table as it is; anything else as a
+    /// string. A missing key is added below the last key of its table.
+    ///
+    /// # Errors
+    ///
+    /// A table that is missing, or is written in braces.
+    pub fn write_text(&self, path: &str, text: &str) -> Result<Edit, Issues> {
+        let (key, text) = (key_of(path), text.trim());
+        let is_number = text.parse::<f64>().is_ok_and(f64::is_finite) && text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        match self.find(&key) {
+            Some(node) => {
+                let keeps_bare = is_number && matches!(node.value, Value::Number(_));
+                let raw = keeps_bare || text.starts_with('{') && text.ends_with('}');
+                Ok(Edit { span: node.span.clone(), text: if raw { text.to_owned() } else { quoted(text) } })
+            }
+            None => self.insert(&key, &if is_number { text.to_owned() } else { quoted(text) }),
+        }
+    }
+
+    /// Moves an input to a value in SI, in the unit that the file gives it, to a `resolution` in SI. An uncertain input keeps its deviation, and
+    /// the ends of a range move with it.
+    ///
+    /// # Errors
+    ///
+    /// A value that is no quantity; a missing key whose table is missing or written in braces.
+    pub fn write_number(&self, parameter: Parameter, si: f64, resolution: f64) -> Result<Vec<Edit>, Issues> {
+        let (name, kind) = (parameter.to_string(), parameter.kind());
+        let key = key_of(&name);
+        let Some(node) = self.find(&key) else {
+            let unit = kind.likely.filter(|_| kind.si.starts_with("rad")).unwrap_or(kind.si);
+            let number = rounded(Conversion::to(unit).of_si(si), Conversion::to(unit).of_si(resolution));
+            let text = if kind.si.is_empty() { rounded(si, resolution) } else { quoted(&format!("{number} {unit}")) };
+            return Ok(vec![self.insert(&key, &text)?]);
+        };
+        let no_quantity = || self.refuse_edit(&name, node.span.clone(), "is no quantity that can be moved; edit the text");
+        let Value::Table(entries) = &node.value else {
+            let edit = self.moved(node, kind, resolution, |_| si);
+            return edit.map(|edit| vec![edit]).ok_or_else(no_quantity);
+        };
+        let place = |name: &str| entries.iter().find(|entry| entry.key == name).map(|entry| &entry.node);
+        let value = |name: &str| place(name).and_then(|node| self.number(node, kind)).map(|number| number.si);
+        let nominal = ["value", "mode", "median", "start"].into_iter().find_map(value);
+        let from = nominal.or_else(|| Some((value("min")? + value("max")?) / 2.0)).ok_or_else(no_quantity)?;
+        // Bounds of a search are not of the value; limits of a distribution are where it stands.
+        let moves: &[&str] = if place("start").is_some() { &["start"] } else { &PLACES };
+        let edits = moves.iter().filter_map(|name| place(name)).map(|node| self.moved(node, kind, resolution, |old| old + (si - from)));
+        edits.collect::<Option<Vec<Edit>>>().filter(|edits| !edits.is_empty()).ok_or_else(no_quantity)
+    }
+
+    /// Returns the value in SI of an input as it stands in the file, that of the middle of its range if it has one.
+    pub fn number_at(&self, parameter: Parameter) -> Option<f64> {
+        let node = self.find(&key_of(&parameter.to_string()))?;
+        self.number(node, parameter.kind()).map(|number| number.si)
+    }
+
+    fn refuse_edit(&self, path: &str, span: Range<usize>, message: &'static str) -> Issues {
+        self.refuse(Cause::Input, vec![Issue { span: Some(span), ..Issue::at("edit", path, message) }])
+    }
+
+    fn find(&self, key: &str) -> Option<&Node> {
+        let mut parts = key.split('.');
+        let first = parts.next()?;
+        let mut node = &self.entries.iter().find(|entry| entry.key == first)?.node;
+        for part in parts {
+            node = super::child(node, part)?;
+        }
+        Some(node)
+    }
+
+    fn shown(&self, node: &Node) -> String {
+        match &node.value {
+            Value::String(text) => text.clone(),
+            _ => self.source.text.get(node.span.clone()).unwrap_or("").to_owned(),
+        }
+    }
+
+    /// Reads the number of a value, and what follows it: its unit and its deviation.
+    fn number(&self, node: &Node, kind: Kind) -> Option<Number> {
+        match &node.value {
+            Value::Number(number) => Some(Number { si: number.text.parse().ok()?, unit: String::new(), rest: String::new() }),
+            Value::String(text) => {
+                let (value, deviation) = text.split_once('±').map_or((text.as_str(), None), |(value, rest)| (value, Some(rest)));
+                let (number, own) = unit_of(value)?;
+                let lent = deviation.and_then(unit_of).map(|(_, unit)| unit).filter(|unit| *unit != "%");
+                let unit = if own.is_empty() { lent.unwrap_or("") } else { own };
+                let si = Conversion::of(unit, kind).ok()?.to_si(number);
+                let after = if own.is_empty() { String::new() } else { format!(" {own}") };
+                let rest = after + &deviation.map_or_else(String::new, |deviation| format!(" ±{deviation}"));
+                Some(Number { si, unit: unit.to_owned(), rest })
+            }
+            _ => None,
+        }
+    }
+
+    fn moved(&self, node: &Node, kind: Kind, resolution: f64, to: impl Fn(f64) -> f64) -> Option<Edit> {
+        let number = self.number(node, kind)?;
+        if matches!(node.value, Value::Number(_)) {
+            return Some(Edit { span: node.span.clone(), text: rounded(to(number.si), resolution) });
+        }
+        let conversion = Conversion::of(&number.unit, kind).ok()?;
+        let value = rounded(conversion.of_si(to(number.si)), conversion.of_si(resolution));
+        Some(Edit { span: node.span.clone(), text: quoted(&format!("{value}{}", number.rest)) })
+    }
+
+    /// Adds a key below the last one of its table.
+    fn insert(&self, key: &str, value: &str) -> Result<Edit, Issues> {
+        let text = &self.source.text;
+        let (table, name) = key.rsplit_once('.').unwrap_or(("", key));
+        let missing = || {
+            Issues::new(Cause::Input, self.source.clone(), vec![Issue::at("edit", key, "has no place in the file yet; add it to the text")])
+        };
+        let node = self.find(table).ok_or_else(missing)?;
+        let (Value::Table(entries), Some('[')) = (&node.value, text[node.span.clone()].chars().next()) else { return Err(missing()) };
+        let is_own = |node: &Node| match &node.value {
+            Value::Table(_) => text[node.span.clone()].starts_with('{'),
+            Value::Array(items) => !items.first().is_some_and(|item| text[item.span.clone()].starts_with("[[")),
+            _ => true,
+        };
+        let last = entries.iter().map(|entry| &entry.node).filter(|node| is_own(node)).map(|node| node.span.end).max();
+        let from = last.unwrap_or(node.span.end);
+        let end = from + text[from..].find(['\r', '\n']).unwrap_or(text.len() - from);
+        Ok(Edit { span: end..end, text: format!("\n{name} = {value}") })
+    }
+}
+
+/// A number of the file, its unit, and what is written after it.
+struct Number {
+    si: f64,
+    unit: String,
+    rest: String,
+}
+
+/// Returns the key of the file for the name of an input: components are the items of an array.
+fn key_of(path: &str) -> String {
+    const COMPONENTS: [(&str, &str); 4] = [
+        ("impact_center.forward", "impact_center.1"),
+        ("impact_center.left", "impact_center.2"),
+        ("velocity.x", "velocity.1"),
+        ("velocity.y", "velocity.2"),
+    ];
+    let component = COMPONENTS.iter().find_map(|(name, key)| path.strip_suffix(name).map(|start| format!("{start}{key}")));
+    component.unwrap_or_else(|| path.to_owned())
+}
+
+/// Writes a string of TOML and JSON.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}
+
+/// Writes a number with the decimals that a resolution needs.
+fn rounded(value: f64, resolution: f64) -> String {
+    let decimals = (-resolution.abs().log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Source;
+
+    const TEXT: &str = "\
+[[vehicle]]
+name = \"é\"
+speed = \"40 ft/s\" # a comment
+heading = \"1.5 rad ± 2 deg\"
+mass = 1500
+impact_center = [\"6.3 ft\", \"5 ft 2 in\"]
+
+[vehicle.crush]
+width = \"5 ft\"
+
+[[vehicle]]
+speed = { min = \"36 km/h\", max = \"46 km/h\" }
+yaw_rate = \"3 ± 1 deg/s\"
+
+[contact]
+crush_plane = '-10 deg' # Γ
+restitution = { mode = 0.1, min = 0, max = 0.3 }
+";
+
+    fn document(text: &str) -> Document {
+        Document::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).unwrap()
+    }
+
+    fn apply(text: &str, mut edits: Vec<Edit>) -> String {
+        let mut text = text.to_owned();
+        edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+        edits.into_iter().for_each(|edit| text.replace_range(edit.span, &edit.text));
+        text
+    }
+
+    /// Returns the lines that moving an input changes.
+    fn moved(name: &str, si: f64, resolution: f64) -> Vec<String> {
+        let parameter = Parameter::named(name).unwrap();
+        let edited = apply(TEXT, document(TEXT).write_number(parameter, si, resolution).unwrap());
+        edited.lines().filter(|line| !TEXT.lines().any(|old| old == *line)).map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn a_move_keeps_unit_deviation_and_comment() {
+        assert_eq!(moved("vehicle.1.speed", 3.048, 0.01), ["speed = \"10 ft/s\" # a comment"]); // 10 ft/s
+        assert_eq!(moved("vehicle.1.heading", 1.25, 0.001), ["heading = \"1.25 rad ± 2 deg\""]);
+        assert_eq!(moved("vehicle.1.mass", 1600.25, 0.1), ["mass = 1600.2"]);
+        assert_eq!(moved("contact.crush_plane", 22.5f64.to_radians(), 0.1f64.to_radians()), ["crush_plane = \"22.5 deg\" # Γ"]);
+        assert_eq!(moved("contact.crush_plane", -1e-9, 0.1f64.to_radians()), ["crush_plane = \"0 deg\" # Γ"]);
+        assert_eq!(moved("vehicle.1.impact_center.left", 0.0254, 0.001), ["impact_center = [\"6.3 ft\", \"1 in\"]"]); // an inch
+        assert_eq!(moved("vehicle.2.yaw_rate", 0.1, 1e-4), ["yaw_rate = \"5.73 ± 1 deg/s\""]); // 5.7296 deg/s
+    }
+
+    #[test]
+    fn a_range_moves_as_one() {
+        assert_eq!(moved("vehicle.2.speed", 50.0 / 3.6, 0.01), ["speed = { min = \"45 km/h\", max = \"55 km/h\" }"]);
+        assert_eq!(moved("contact.restitution", 0.15, 0.01), ["restitution = { mode = 0.15, min = 0.05, max = 0.35 }"]);
+    }
+
+    #[test]
+    fn a_missing_key_is_added_to_its_table() {
+        let lines = |name: &str, text: &str| {
+            let edited = apply(TEXT, vec![document(TEXT).write_text(name, text).unwrap()]);
+            let at = edited.lines().position(|line| !TEXT.lines().any(|old| old == line)).unwrap();
+            edited.lines().skip(at - 1).take(2).map(str::to_owned).collect::<Vec<_>>().join("|")
+        };
+        assert_eq!(lines("vehicle.1.yaw_rate", "3 deg/s"), "impact_center = [\"6.3 ft\", \"5 ft 2 in\"]|yaw_rate = \"3 deg/s\"");
+        assert_eq!(lines("contact.impulse_ratio", "0.5"), "restitution = { mode = 0.1, min = 0, max = 0.3 }|impulse_ratio = 0.5");
+        assert!(document(TEXT).write_text("scene.friction", "1").is_err());
+        assert_eq!(moved("vehicle.1.yaw_rate", 1.0, 0.01), ["yaw_rate = \"57.3 deg/s\""]); // 180/π
+    }
+
+    #[test]
+    fn what_is_typed_is_written_as_it_is_meant() {
+        let line = |name: &str, text: &str| {
+            let edited = apply(TEXT, vec![document(TEXT).write_text(name, text).unwrap()]);
+            edited.lines().find(|line| !TEXT.lines().any(|old| old == *line)).unwrap_or_default().to_owned()
+        };
+        assert_eq!(line("vehicle.1.mass", "1600"), "mass = 1600");
+        assert_eq!(line("vehicle.1.mass", "1600 lb"), "mass = \"1600 lb\"");
+        assert_eq!(line("vehicle.1.speed", "12"), "speed = \"12\" # a comment"); // refused with a message when it is read
+        assert_eq!(line("vehicle.1.name", "a\"\\\u{7}"), "name = \"a\\\"\\\\\\u0007\"");
+        assert_eq!(line("contact.restitution", "{ min = 0, max = 1 }"), "restitution = { min = 0, max = 1 }");
+        let written = |name: &str| document(TEXT).written(name).map(|written| written.text);
+        assert_eq!(written("contact.crush_plane").as_deref(), Some("-10 deg"));
+        assert_eq!(written("vehicle.2.speed").as_deref(), Some("{ min = \"36 km/h\", max = \"46 km/h\" }"));
+        assert_eq!(written("vehicle.2.mass"), None);
+    }
+}

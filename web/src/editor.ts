@@ -1,0 +1,173 @@
+// The case file as text: CodeMirror with completion and documentation from the JSON Schema, and the engine's issues at their place.
+import { autocompletion, closeBrackets, completionKeymap, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
+import { toml } from "@codemirror/legacy-modes/mode/toml";
+import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { searchKeymap } from "@codemirror/search";
+import { EditorState, Transaction } from "@codemirror/state";
+import { EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import type { Change, Issue } from "./engine";
+import { tableAt, type CaseSchema } from "./schema";
+
+const colors = EditorView.theme({
+  "&": { color: "var(--ink)", backgroundColor: "var(--field)", height: "100%", fontSize: "0.875rem" },
+  ".cm-scroller": { fontFamily: "var(--mono)", overflow: "auto" },
+  ".cm-content": { caretColor: "var(--ink)" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--muted)", borderRight: "1px solid var(--line)" },
+  ".cm-activeLine": { backgroundColor: "var(--active)" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--selection)" },
+  ".cm-tooltip": { backgroundColor: "var(--panel)", color: "var(--ink)", border: "1px solid var(--line)", maxWidth: "32rem" },
+  ".cm-tooltip-hover": { padding: "0.3rem 0.6rem", whiteSpace: "pre-wrap" },
+  ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--on-accent)" },
+  ".cm-diagnostic": { whiteSpace: "pre-wrap" },
+});
+
+const highlighting = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--comment)" },
+  { tag: tags.string, color: "var(--string)" },
+  { tag: [tags.number, tags.atom], color: "var(--number)" },
+  { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--key)" },
+]);
+
+export class Editor {
+  readonly view: EditorView;
+  private isMarked = false;
+  private before: { text: string; scroll: number } | null = null;
+
+  constructor(place: HTMLElement, text: string, schema: () => CaseSchema, changed: (byHand: boolean) => void) {
+    const lines = (state: EditorState) => (number: number) => state.doc.line(number).text;
+    const complete = (context: CompletionContext): CompletionResult | null => {
+      const line = context.state.doc.lineAt(context.pos);
+      const before = line.text.slice(0, context.pos - line.from);
+      const table = tableAt(lines(context.state), line.number);
+      const value = /^\s*([A-Za-z_][A-Za-z0-9_]*)\s*=\s*"([^"]*)$/.exec(before);
+      if (value) {
+        const options = schema().words(table, value[1]!).map((label) => ({ label, type: "enum" }));
+        return { from: context.pos - value[2]!.length, options };
+      }
+      const key = /^\s*([A-Za-z_][A-Za-z0-9_]*)?$/.exec(before);
+      if (!key || (!key[1] && !context.explicit)) return null;
+      const options = schema().keys(table).map(({ name, description, examples }) => ({
+        label: name,
+        type: "property",
+        info: description,
+        apply: examples[0] ? `${name} = ${examples[0]}` : `${name} = `,
+      }));
+      return { from: context.pos - (key[1]?.length ?? 0), options, validFor: /^[A-Za-z0-9_]*$/ };
+    };
+    const hover = hoverTooltip((view, pos) => {
+      const line = view.state.doc.lineAt(pos);
+      const key = /^\s*([A-Za-z_][A-Za-z0-9_]*)\s*=/.exec(line.text);
+      if (!key || pos - line.from > key[0].length) return null;
+      const { description, examples } = schema().key(tableAt(lines(view.state), line.number), key[1]!);
+      if (!description) return null;
+      const create = () => {
+        const dom = document.createElement("div");
+        dom.textContent = examples.length > 0 ? `${description}\nFor example: ${examples.join(", ")}` : description;
+        return { dom };
+      };
+      return { pos: line.from, end: line.from + key[0].length, create };
+    });
+    // A shadow root takes the editor's style sheets as objects: the policy of the page allows no style elements.
+    const root = place.attachShadow({ mode: "open" });
+    this.view = new EditorView({
+      root,
+      parent: root,
+      state: EditorState.create({
+        doc: text,
+        extensions: [
+          lineNumbers(),
+          lintGutter(),
+          history(),
+          drawSelection(),
+          highlightActiveLine(),
+          closeBrackets(),
+          StreamLanguage.define(toml),
+          syntaxHighlighting(highlighting),
+          autocompletion({ override: [complete] }),
+          hover,
+          keymap.of([...completionKeymap, ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap]),
+          EditorView.lineWrapping,
+          EditorView.contentAttributes.of({ "aria-label": "Case file" }),
+          colors,
+          EditorView.updateListener.of((update) => {
+            if (update.docChanged) changed(!update.transactions.every((transaction) => transaction.isUserEvent("drag")));
+          }),
+        ],
+      }),
+    });
+    // A long text scrolls by the keyboard too.
+    this.view.scrollDOM.tabIndex = 0;
+  }
+
+  get text(): string {
+    return this.view.state.doc.toString();
+  }
+
+  /** Replaces the whole text, as one step that can be undone. */
+  replace(text: string): void {
+    this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text }, annotations: isolateHistory.of("full") });
+  }
+
+  /** Applies an edit of the form or of the drawing, as one step that can be undone. */
+  apply(changes: Change[]): void {
+    if (this.before) {
+      this.view.dispatch({ changes, annotations: [Transaction.addToHistory.of(false), Transaction.userEvent.of("drag")] });
+    } else {
+      this.view.dispatch({ changes, annotations: [isolateHistory.of("full"), Transaction.userEvent.of("drag")] });
+    }
+  }
+
+  /** Begins a drag: its edits are one step. */
+  begin(): void {
+    this.before ??= { text: this.text, scroll: this.view.scrollDOM.scrollTop };
+  }
+
+  end(): void {
+    const { before } = this;
+    this.before = null;
+    const after = this.text;
+    if (!before || before.text === after) return;
+    // The smallest range that differs, so that the step keeps the rest, and the cursor.
+    let from = 0;
+    while (from < Math.min(after.length, before.text.length) && after[from] === before.text[from]) from++;
+    let tail = 0;
+    while (tail < Math.min(after.length, before.text.length) - from && after.at(-1 - tail) === before.text.at(-1 - tail)) tail++;
+    const [was, is] = [before.text, after].map((text) => text.slice(from, text.length - tail));
+    this.view.dispatch({ changes: { from, to: from + is!.length, insert: was! }, annotations: [Transaction.addToHistory.of(false), Transaction.userEvent.of("drag")] });
+    this.view.dispatch({ changes: { from, to: from + was!.length, insert: is! }, annotations: [isolateHistory.of("full"), Transaction.userEvent.of("drag")] });
+  }
+
+  undo(): void {
+    undo(this.view);
+  }
+
+  redo(): void {
+    redo(this.view);
+  }
+
+  get depths(): [number, number] {
+    return [undoDepth(this.view.state), redoDepth(this.view.state)];
+  }
+
+  mark(name: string, issues: Issue[]): void {
+    if (issues.length === 0 && !this.isMarked) return;
+    this.isMarked = issues.length > 0;
+    const end = this.view.state.doc.length;
+    const at = ({ from, to, file, path, message, help }: Issue): Diagnostic => {
+      const isHere = file === name && from !== null && to !== null;
+      const text = `${path === "" ? "" : `${path}: `}${message}${help === null ? "" : `\n${help}`}`;
+      return { from: isHere ? Math.min(from, end) : 0, to: isHere ? Math.min(to, end) : 0, severity: "error", message: text };
+    };
+    this.view.dispatch(setDiagnostics(this.view.state, issues.map(at)));
+  }
+
+  /** Moves the cursor to an issue. */
+  goTo(offset: number): void {
+    this.view.dispatch({ selection: { anchor: Math.min(offset, this.view.state.doc.length) }, scrollIntoView: true });
+    this.view.focus();
+  }
+}

@@ -1,0 +1,331 @@
+// The page: one text, and everything else made from it.
+import { Answers, issueList } from "./answers";
+import { Editor } from "./editor";
+import * as engine from "./engine";
+import * as files from "./files";
+import { Form } from "./form";
+import { Lane, Stopped } from "./jobs";
+import { show } from "./morph";
+import { Scene } from "./scene";
+import { CaseSchema } from "./schema";
+import * as share from "./share";
+import { TOUR } from "./tour";
+import list from "../generated/examples.json";
+
+interface Example extends files.Opened {
+  path: string;
+  title: string;
+}
+const EXAMPLES = list as unknown as Example[];
+
+/** A frame that takes longer is left to the worker, so that the page stays awake. */
+const SLOW = 50;
+const PATIENCE = 10_000;
+
+const $ = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
+const compiled = compile(new URL("engine.wasm", import.meta.url));
+
+/** Compiles the engine while it arrives; a host that does not name its type makes it wait. */
+async function compile(address: URL): Promise<WebAssembly.Module> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`the engine cannot be loaded: ${response.status}`);
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+const state = {
+  name: "position-a.toml",
+  files: {} as Record<string, string>,
+  units: "",
+  frame: null as engine.Frame | null,
+  /** What the last frame took in the worker, in milliseconds; `null` if the text has been replaced since. */
+  took: null as number | null,
+  drawing: "",
+};
+
+let editor: Editor;
+let scene: Scene;
+let form: Form;
+let answers: Answers;
+let schema: CaseSchema | null = null;
+const background = new Lane(compiled, PATIENCE);
+const drawer = new Lane(compiled, 60_000);
+
+const current = (): engine.Case => ({ name: state.name, text: editor.text, files: state.files, units: state.units });
+
+function say(text: string, isError = false): void {
+  const place = $("message");
+  place.textContent = text;
+  place.classList.toggle("error", isError);
+  place.hidden = text === "";
+}
+
+const failure = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+let scheduled = 0;
+let byHand = false;
+
+/** The text has changed: by hand, or by a handle, a slider or a field. */
+function changed(isByHand: boolean): void {
+  byHand ||= isByHand;
+  scheduled ||= requestAnimationFrame(() => {
+    scheduled = 0;
+    const isTyped = byHand;
+    byHand = false;
+    refresh(isTyped);
+  });
+}
+
+/** Computes the frame of the text as it is: here if it is known to be quick, otherwise in the worker. */
+function refresh(isTyped: boolean): void {
+  say("");
+  const of = current();
+  if (!isTyped && state.took !== null && state.took < SLOW && of.text.length < 100_000) {
+    const started = performance.now();
+    render(engine.frame(of));
+    // The layout belongs to the frame.
+    void document.body.offsetHeight;
+    performance.measure("frame", { start: started, end: performance.now() });
+    return;
+  }
+  background.run<engine.Frame>({ kind: "frame", case: of }).then(
+    ({ result, took }) => {
+      state.took = took;
+      if (of.text === editor.text) render(result);
+    },
+    (error: unknown) => {
+      if (!(error instanceof Stopped)) say(`The case cannot be computed: ${failure(error)}`, true);
+    },
+  );
+}
+
+function render(frame: engine.Frame): void {
+  state.frame = frame;
+  editor.mark(state.name, frame.issues);
+  const isRefused = frame.issues.length > 0;
+  $("issues").replaceChildren(...(isRefused ? [issueList(frame.issues, state.name, (offset) => editor.goTo(offset))] : []));
+  $("scene").classList.toggle("stale", isRefused);
+  form.update();
+  if (frame.handles) {
+    drawer.cancel();
+    state.drawing = frame.scene;
+    scene.show(frame.scene, frame.handles);
+    show($("impulse"), frame.impulse);
+    show($("energy"), frame.energy);
+    slide("gamma", frame.handles.crush_plane * (180 / Math.PI), "°");
+    slide("restitution", frame.handles.restitution, "");
+  } else if (frame.has_unknowns) {
+    void draw();
+  }
+  for (const id of ["sliders", "figures"]) $(id).hidden = frame.has_unknowns;
+  answers.changed(frame);
+  const [undo, redo] = editor.depths;
+  $<HTMLButtonElement>("undo").disabled = undo === 0;
+  $<HTMLButtonElement>("redo").disabled = redo === 0;
+  document.documentElement.dataset["frame"] = String(Number(document.documentElement.dataset["frame"] ?? "0") + 1);
+}
+
+/** Draws the scene of a reconstruction, which takes a search. */
+async function draw(): Promise<void> {
+  const of = current();
+  try {
+    const { result } = await drawer.run<engine.Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
+    if (of.text !== editor.text || state.frame?.handles) return;
+    state.drawing = result.svg;
+    if (result.svg !== "") scene.show(result.svg, null);
+    else $("issues").replaceChildren(issueList(result.issues, state.name, (offset) => editor.goTo(offset)));
+  } catch (error) {
+    if (!(error instanceof Stopped)) say(`The scene cannot be drawn: ${failure(error)}`, true);
+  }
+}
+
+function slide(id: string, value: number, unit: string): void {
+  const input = $<HTMLInputElement>(id);
+  if (document.activeElement !== input) input.value = String(value);
+  $(`${id}-value`).textContent = `${value.toFixed(unit === "" ? 2 : 1)}${unit}`;
+}
+
+const edit = {
+  begin: () => editor.begin(),
+  apply: (changes: engine.Change[]) => editor.apply(changes),
+  end: () => editor.end(),
+  refuse: (issues: engine.Issue[]) => say(issues.map(({ path, message }) => `${path}: ${message}`).join("\n"), true),
+};
+
+function slider(id: string, input: string, toSi: number, resolution: number): void {
+  const control = $<HTMLInputElement>(id);
+  control.addEventListener("pointerdown", () => edit.begin());
+  for (const kind of ["pointerup", "pointercancel", "change"] as const) control.addEventListener(kind, () => edit.end());
+  control.addEventListener("input", () => scene.move([[input, Number(control.value) * toSi, resolution]]));
+}
+
+/** Takes another case in place of the text. */
+function take(opened: files.Opened): void {
+  background.cancel();
+  [state.name, state.files, state.took] = [opened.name, opened.files, null];
+  $("name").textContent = opened.name;
+  editor.replace(opened.text);
+}
+
+function example(path: string): Example | undefined {
+  return EXAMPLES.find((one) => one.path === path);
+}
+
+async function openFiles(chosen: File[]): Promise<void> {
+  try {
+    take(await files.open(chosen));
+  } catch (error) {
+    say(failure(error), true);
+  }
+}
+
+async function readFragment(): Promise<void> {
+  try {
+    const shared = await share.unpack(location.hash);
+    if (shared) take(shared);
+  } catch (error) {
+    say(`This address cannot be opened: ${failure(error)}.`, true);
+  }
+}
+
+const base = (): string => state.name.replace(/^.*[/\\]/, "").replace(/\.[^.]*$/, "") || "case";
+
+/** Makes a file of the text as it is now; nothing that was computed before is saved. */
+async function exported(kind: string): Promise<void> {
+  const of = current();
+  const exporter = new Lane(compiled, 0);
+  try {
+    say("Exporting");
+    if (kind === "report") {
+      const { result } = await exporter.run<engine.Reply>({ kind: "report", case: of });
+      if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
+      files.save(`${base()}.html`, result.html, "text/html");
+    } else if (kind === "svg" || kind === "png") {
+      const { result } = await exporter.run<engine.Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
+      if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
+      if (kind === "svg") files.save(`${base()}.svg`, result.svg, "image/svg+xml");
+      else files.save(`${base()}.png`, await files.toPng(result.svg), "image/png");
+    } else {
+      const reply = await answers.ask(exporter);
+      const content = kind === "csv" ? reply?.csv : reply?.json;
+      if (reply && reply.issues.length > 0) throw new Error(reply.issues[0]!.message);
+      if (!content) throw new Error(kind === "csv" ? "this answer has no table as CSV; sweep, uncertainty and slide have" : "there is no answer yet");
+      files.save(`${base()}.${answers.shown.name}.${kind}`, content, kind === "csv" ? "text/csv" : "application/json");
+    }
+    say("");
+  } catch (error) {
+    say(`There is nothing to export: ${failure(error)}`, true);
+  } finally {
+    exporter.cancel();
+  }
+}
+
+function tour(): void {
+  const dialog = $("tour");
+  let at = 0;
+  const show = () => {
+    const step = TOUR[at]!;
+    $("tour-title").textContent = `${at + 1} of ${TOUR.length}: ${step.title}`;
+    $("tour-text").textContent = step.text;
+    $<HTMLButtonElement>("tour-back").disabled = at === 0;
+    $("tour-next").textContent = at + 1 === TOUR.length ? "Finish" : "Next";
+    const found = example(step.example);
+    if (!found) return;
+    take({ name: found.path, text: step.change ? step.change(found.text) : found.text, files: found.files });
+    answers.choose(step.verb, step.options);
+  };
+  const close = () => {
+    dialog.hidden = true;
+    $("tour-start").focus();
+  };
+  $("tour-start").addEventListener("click", () => {
+    at = 0;
+    dialog.hidden = false;
+    show();
+    $("tour-next").focus();
+  });
+  $("tour-back").addEventListener("click", () => {
+    at--;
+    show();
+  });
+  $("tour-next").addEventListener("click", () => {
+    if (at + 1 === TOUR.length) return close();
+    at++;
+    show();
+  });
+  $("tour-close").addEventListener("click", close);
+}
+
+function wire(): void {
+  const choice = $<HTMLSelectElement>("examples");
+  for (const { path, title } of EXAMPLES) choice.append(new Option(`${title} (${path})`, path));
+  choice.addEventListener("change", () => {
+    const found = example(choice.value);
+    if (found) take({ name: found.path, text: found.text, files: found.files });
+    choice.value = "";
+  });
+  const opener = $<HTMLInputElement>("open");
+  opener.addEventListener("change", () => {
+    void openFiles(Array.from(opener.files ?? [])).then(() => (opener.value = ""));
+  });
+  $("save").addEventListener("click", () => files.save(/\.(toml|json)$/.test(state.name) ? `${base()}${state.name.slice(-5)}` : `${base()}.toml`, editor.text, "text/plain"));
+  $("share").addEventListener("click", async () => {
+    try {
+      history.replaceState(null, "", await share.pack({ name: state.name, text: editor.text, files: state.files }));
+      await navigator.clipboard?.writeText(location.href).catch(() => {});
+      say("The address of this page now has the case in it. It stays on this machine until you send it.");
+    } catch (error) {
+      say(`The case cannot be shared: ${failure(error)}`, true);
+    }
+  });
+  const units = $<HTMLSelectElement>("units");
+  units.addEventListener("change", () => {
+    state.units = units.value;
+    changed(true);
+  });
+  const kinds = $<HTMLSelectElement>("export");
+  kinds.addEventListener("change", () => {
+    const kind = kinds.value;
+    kinds.value = "";
+    if (kind !== "") void exported(kind);
+  });
+  $("undo").addEventListener("click", () => editor.undo());
+  $("redo").addEventListener("click", () => editor.redo());
+  addEventListener("hashchange", () => void readFragment());
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    const dropped = Array.from(event.dataTransfer?.files ?? []);
+    if (dropped.length === 0) return;
+    event.preventDefault();
+    const records = answers.shown.name === "check" || dropped.every(({ name }) => /\.(jsonl|csv)$/i.test(name));
+    if (records) void answers.check(dropped[0]!);
+    else void openFiles(dropped);
+  });
+  slider("gamma", "contact.crush_plane", Math.PI / 180, Math.PI / 1800);
+  slider("restitution", "contact.restitution", 1, 0.01);
+  tour();
+}
+
+async function start(): Promise<void> {
+  const first = example("position-a.toml") ?? EXAMPLES[0]!;
+  state.files = first.files;
+  schema = null;
+  editor = new Editor($("editor"), first.text, () => (schema ??= new CaseSchema(engine.schema() as Record<string, unknown>)), changed);
+  scene = new Scene($("scene"), current, edit);
+  form = new Form($("form"), current, (changes) => editor.apply(changes), edit.refuse);
+  answers = new Answers($("answers"), compiled, current, (offset) => editor.goTo(offset));
+  $("name").textContent = state.name;
+  wire();
+  await engine.load(await compiled, () => {});
+  // The first example is known to be quick.
+  state.took = 0;
+  refresh(false);
+  await readFragment();
+  performance.mark("ready");
+  document.documentElement.dataset["ready"] = "true";
+}
+
+start().catch((error: unknown) => say(`The page cannot start: ${failure(error)}`, true));
+if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
+  addEventListener("load", () => void navigator.serviceWorker.register("sw.js").catch(() => {}));
+}

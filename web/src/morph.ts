@@ -1,0 +1,126 @@
+// Shows the engine's markup by changing only what differs from the frame before: a drawing has a few hundred elements, and a drag leaves most of
+// them as they are. The markup is compared with that of the last frame, tag by tag, and never with the document, which is slow to read.
+//
+// The engine writes well-formed elements and escapes every text. Elements are made one by one here, so no text can become one; what could act is
+// left out all the same.
+
+const SPACES: Record<string, string> = { svg: "http://www.w3.org/2000/svg", math: "http://www.w3.org/1998/Math/MathML" };
+const HTML = "http://www.w3.org/1999/xhtml";
+const ACTIVE = new Set(["script", "style", "iframe", "object", "embed", "link", "meta", "base", "form", "foreignobject", "animate", "set"]);
+const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"', apos: "'", nbsp: "\u00a0" };
+
+interface Tag {
+  /** The tag as written, or `null` for a text. */
+  raw: string;
+  name: string | null;
+  children: Tag[];
+  node: Element | Text | null;
+}
+
+const TOKEN = /<(\/?)([A-Za-z][\w:.-]*)([^>]*?)(\/?)>|[^<]+|</g;
+const ATTRIBUTE = /([^\s=]+)="([^"]*)"/g;
+const VOID = new Set(["br", "hr", "img", "col", "wbr"]);
+
+function decode(text: string): string {
+  if (!text.includes("&")) return text;
+  return text.replace(/&(?:#(\d+)|#x([0-9a-fA-F]+)|(\w+));/g, (whole, decimal?: string, hex?: string, name?: string) => {
+    if (name !== undefined) return ENTITIES[name] ?? whole;
+    const code = decimal !== undefined ? Number(decimal) : Number.parseInt(hex!, 16);
+    return code <= 0x10ffff ? String.fromCodePoint(code) : whole;
+  });
+}
+
+function parse(markup: string): Tag[] {
+  const top: Tag[] = [];
+  const open: { name: string; children: Tag[] }[] = [{ name: "", children: top }];
+  TOKEN.lastIndex = 0;
+  for (let found = TOKEN.exec(markup); found; found = TOKEN.exec(markup)) {
+    const [raw, end, name, , closed] = found;
+    const { children } = open[open.length - 1]!;
+    if (name === undefined) {
+      // Line breaks between elements are the layout of the markup.
+      if (/\S/.test(raw) || !raw.includes("\n")) children.push({ raw, name: null, children: [], node: null });
+    } else if (end) {
+      if (open.length > 1 && open[open.length - 1]!.name === name) open.pop();
+    } else {
+      const tag: Tag = { raw, name, children: [], node: null };
+      children.push(tag);
+      if (!closed && !VOID.has(name)) open.push({ name, children: tag.children });
+    }
+  }
+  return top;
+}
+
+function isAllowed(name: string, value: string): boolean {
+  const lower = name.toLowerCase();
+  return !lower.startsWith("on") && lower !== "style" && !(/href$|^src$|^action$/.test(lower) && !value.startsWith("#"));
+}
+
+function attributes(raw: string): Map<string, string> {
+  const found = new Map<string, string>();
+  ATTRIBUTE.lastIndex = 0;
+  for (let pair = ATTRIBUTE.exec(raw); pair; pair = ATTRIBUTE.exec(raw)) {
+    const value = decode(pair[2]!);
+    if (isAllowed(pair[1]!, value) && !pair[1]!.startsWith("xmlns")) found.set(pair[1]!, value);
+  }
+  return found;
+}
+
+/** Makes an element or a text; `null` for what is left out. */
+function make(tag: Tag, space: string): Element | Text | null {
+  if (tag.name === null) return (tag.node = document.createTextNode(decode(tag.raw)));
+  if (ACTIVE.has(tag.name.toLowerCase())) return null;
+  const inner = SPACES[tag.name] ?? space;
+  const element = document.createElementNS(inner, tag.name);
+  for (const [name, value] of attributes(tag.raw)) element.setAttribute(name, value);
+  for (const child of tag.children) {
+    const node = make(child, inner);
+    if (node) element.appendChild(node);
+  }
+  return (tag.node = element);
+}
+
+function update(place: Element, old: Tag[], next: Tag[], space: string): void {
+  for (let k = 0; k < next.length; k++) {
+    const [was, is] = [old[k], next[k]!];
+    if (was && was.node && was.name === is.name) {
+      is.node = was.node;
+      if (is.name === null) {
+        if (was.raw !== is.raw) (is.node as Text).data = decode(is.raw);
+        continue;
+      }
+      const element = is.node as Element;
+      if (was.raw !== is.raw) {
+        const [before, after] = [attributes(was.raw), attributes(is.raw)];
+        for (const name of before.keys()) if (!after.has(name)) element.removeAttribute(name);
+        for (const [name, value] of after) if (before.get(name) !== value) element.setAttribute(name, value);
+      }
+      update(element, was.children, is.children, SPACES[is.name] ?? space);
+    } else {
+      const node = make(is, space);
+      if (was?.node && node) place.replaceChild(node, was.node);
+      else if (was?.node) was.node.remove();
+      else if (node) place.insertBefore(node, old.slice(k + 1).find((tag) => tag.node)?.node ?? null);
+    }
+  }
+  for (const rest of old.slice(next.length)) rest.node?.remove();
+}
+
+const shown = new WeakMap<Element, { markup: string; tags: Tag[] }>();
+
+/** Shows HTML or SVG in an element, whose contents are of this function alone. */
+export function show(place: Element, markup: string): void {
+  const last = shown.get(place);
+  if (last?.markup === markup) return;
+  const start = markup.startsWith("<?xml") ? markup.indexOf("<svg") : 0;
+  const tags = parse(start > 0 ? markup.slice(start) : markup);
+  if (!last) place.replaceChildren();
+  update(place, last?.tags ?? [], tags, HTML);
+  shown.set(place, { markup, tags });
+}
+
+/** Empties an element, or fills it by other means. */
+export function fill(place: Element, ...nodes: Node[]): void {
+  shown.delete(place);
+  place.replaceChildren(...nodes);
+}

@@ -1,0 +1,69 @@
+// A case as the fragment of an address: "#1." and the deflated JSON in base64url. The number is the version of the form.
+const VERSION = "1";
+/** Most bytes of a case with its files, packed and unpacked. */
+const PACKED = 1 << 20;
+const LARGEST = 4 << 20;
+
+export interface Shared {
+  name: string;
+  text: string;
+  files: Record<string, string>;
+}
+
+async function through(bytes: Uint8Array, by: GenericTransformStream, most: number): Promise<Uint8Array> {
+  const reader = (new Blob([bytes as BlobPart]).stream().pipeThrough(by as ReadableWritablePair<Uint8Array, Uint8Array>)).getReader();
+  const parts: Uint8Array[] = [];
+  let size = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > most) {
+      await reader.cancel();
+      throw new Error(`the case of this address is larger than ${most >> 20} MiB`);
+    }
+    parts.push(value);
+  }
+  const whole = new Uint8Array(size);
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+export async function pack(shared: Shared): Promise<string> {
+  const json = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.files]));
+  const packed = await through(json, new CompressionStream("deflate-raw"), PACKED);
+  let binary = "";
+  for (let at = 0; at < packed.length; at += 8192) binary += String.fromCharCode(...packed.subarray(at, at + 8192));
+  return `#${VERSION}.${btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
+}
+
+/** The case of a fragment; `null` if there is none. */
+export async function unpack(fragment: string): Promise<Shared | null> {
+  if (fragment.length <= 1) return null;
+  const parts = /^#([0-9]+)\.([A-Za-z0-9_-]+)$/.exec(fragment);
+  if (!parts) throw new Error("the part of this address after # is not a case");
+  if (parts[1] !== VERSION) throw new Error(`the case of this address is of version ${parts[1]!.slice(0, 9)}; this page reads version ${VERSION}`);
+  if (parts[2]!.length > (PACKED * 4) / 3) throw new Error("the case of this address is too large");
+  let json: string;
+  try {
+    const packed = Uint8Array.from(atob(parts[2]!.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+    json = new TextDecoder("utf-8", { fatal: true }).decode(await through(packed, new DecompressionStream("deflate-raw"), LARGEST));
+  } catch (error) {
+    throw new Error(error instanceof Error && error.message.startsWith("the case") ? error.message : "the case of this address is damaged");
+  }
+  let shared: unknown;
+  try {
+    shared = JSON.parse(json);
+  } catch {
+    throw new Error("the case of this address is damaged");
+  }
+  const isText = (value: unknown): value is string => typeof value === "string";
+  if (!Array.isArray(shared) || shared.length !== 3 || !isText(shared[0]) || !isText(shared[1])) throw new Error("the case of this address is damaged");
+  const files: unknown = shared[2];
+  if (typeof files !== "object" || files === null || !Object.values(files).every(isText)) throw new Error("the case of this address is damaged");
+  return { name: shared[0].slice(0, 200), text: shared[1], files: { ...(files as Record<string, string>) } };
+}
