@@ -4,6 +4,8 @@
 //! be refused, `check` the findings in results of other programs, `examples` the examples of the manual, `reference`,
 //! `gradient`, `crush` and `uncertainty` the numbers of an independent solver, and `pins` every number of the output.
 
+#[path = "main/action.rs"]
+mod action;
 #[path = "main/answers.rs"]
 mod answers;
 #[path = "main/bad_inputs/mod.rs"]
