@@ -44,7 +44,7 @@ fn the_action_checks_files_and_leaves_their_findings() {
         ("sound.jsonl", "never", "", "never"),
         ("sound.jsonl", "fail", "2", "0.5"),
         ("none.jsonl", "fail", "", "none.jsonl"),
-        ("", "fail", "", "file"),
+        ("", "fail", "", "<FILES>"),
         ("--rules", "fail", "", "--rules"),
     ] {
         let refused = action(folder.path(), files, fail_on, tolerance);
