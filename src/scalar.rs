@@ -31,6 +31,7 @@ pub(crate) mod circular;
 pub mod interval;
 #[cfg(feature = "lanes")]
 pub mod lanes;
+pub(crate) mod logarithm;
 pub mod power;
 mod predicate;
 #[cfg(feature = "symbols")]

@@ -31,6 +31,10 @@ pub struct Options {
     pub wrt: Vec<String>,
     /// `true` to check every solved row with the laws of mechanics.
     pub check: bool,
+    /// `true` for fused multiplication and addition where the machine has it: faster, with last bits that differ between machines. See [`Batch::fast`].
+    ///
+    /// [`Batch::fast`]: planar_impact::batch::Batch::fast
+    pub fast: bool,
 }
 
 /// The columns of a table that are inputs, and what is computed from them.
@@ -40,6 +44,7 @@ pub struct Plan {
     outputs: Vec<CaseOutput>,
     wrt: Vec<Parameter>,
     is_checked: bool,
+    is_fast: bool,
     vehicles: [VehicleColumns; 2],
     contact: ContactColumns,
     defaults: Defaults,
@@ -77,6 +82,7 @@ impl Plan {
             outputs: Vec::new(),
             wrt: Vec::new(),
             is_checked: options.check,
+            is_fast: options.fast,
             vehicles: Side::ALL.map(|side| VehicleColumns::of(side, &inputs)),
             contact: ContactColumns::of(&inputs),
             defaults: base.map_or_else(Defaults::without_case, Defaults::of),

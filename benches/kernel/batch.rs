@@ -62,6 +62,8 @@ pub fn batch(c: &mut Criterion) {
         for set in Instructions::available() {
             let batch = all.clone().on(set);
             group.bench_function(BenchmarkId::new(format!("evaluate, {set:?}"), name), |b| b.iter(|| black_box(&batch).evaluate(of)));
+            let fast = batch.fast();
+            group.bench_function(BenchmarkId::new(format!("fast, {set:?}"), name), |b| b.iter(|| black_box(&fast).evaluate(of)));
         }
     }
     let mut out = vec![common.evaluate(); COLLISIONS];

@@ -486,7 +486,7 @@ pub struct Batch {
     /// Number of threads that solve rows. Default: one for each processor. The bits of the answer do not depend on it.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Permit last bits that differ between machines, for speed. No faster way is known yet, so this changes nothing.
+    /// Fuse multiplications and additions where the machine can, which is faster: the last bits then differ between machines.
     #[arg(long)]
     pub fast: bool,
     /// Stop at the first row that is refused, and write no file.

@@ -36,7 +36,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
     let mut sources = open(call, rows)?;
     let schema = sources[0].schema().clone();
-    let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check };
+    let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
     let (mut sink, encoder) = Sink::create(&call.output, format, &plan.schema(), &headers(&schema, &plan)).map_err(Failure::Output)?;

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._case import Case, names, source
-from ._errors import CaseError, Error, Issue
+from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 
 
@@ -75,7 +75,7 @@ def solve_batch(
         wrt: Inputs to differentiate with respect to.
         case: A case that supplies what no column has, and what is ``None`` or null in a row.
         threads: Number of threads. Default: one for each processor. The answer is the same for any number.
-        fast: Reserved for a mode whose last bits may differ; it raises an error today.
+        fast: Fuse multiplications and additions where the machine can, which is faster: the last bits then differ between machines.
         check: Whether to check every solved row with the laws of mechanics, in a column ``"check"``.
         derivatives: ``"columns"`` adds a column ``"d energy.loss / d vehicle.1.speed"`` for each output and input; ``"array"``, for a dict,
             adds one array ``"derivatives"`` of shape (rows, outputs, inputs), in the order of the output columns and of ``wrt``.
@@ -107,15 +107,13 @@ def solve_batch(
     >>> answer["derivatives"].shape
     (4, 2, 2)
     """
-    if fast:
-        raise Error._with([Issue("not-available", "fast", "there is no fast mode yet; leave it out for exact bits on all threads")])
     of, wrt = names(of, "of"), names(wrt, "wrt")
     base = None if case is None else source(case)
     threads = _threads(threads)
     if derivatives not in ("columns", "array"):
         raise CaseError._with([Issue("call", "derivatives", f'unknown value {derivatives!r}; accepted: "columns", "array"')])
     if isinstance(columns, Mapping):
-        return _solve_arrays(columns, of, wrt, base, threads, bool(check), derivatives == "array", progress)
+        return _solve_arrays(columns, of, wrt, base, threads, bool(check), bool(fast), derivatives == "array", progress)
     if not (hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__")):
         raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
     if derivatives == "array":
@@ -123,9 +121,9 @@ def solve_batch(
     if _library(columns) == "pyarrow" and type(columns).__name__ == "RecordBatchReader":
         import pyarrow as pa
 
-        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), threads))
+        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), bool(fast), threads))
     with reporting(progress) as report:
-        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), threads, report))
+        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report))
 
 
 def _threads(threads: int | None) -> int:
@@ -145,6 +143,7 @@ def _solve_arrays(
     base: _native.Source | None,
     threads: int,
     check: bool,
+    fast: bool,
     is_array: bool,
     progress: Progress,
 ) -> dict[str, NDArray[Any]]:
@@ -170,7 +169,7 @@ def _solve_arrays(
         issues.append(Issue("repeated-column", "derivatives", "the answer has an array of this name; rename the column"))
     if issues:
         raise CaseError._with(issues)
-    plan = _native.Plan(list(arrays), base, of, wrt, check)
+    plan = _native.Plan(list(arrays), base, of, wrt, check, fast)
     inputs = [list(arrays)[place] for place in plan.inputs]
     cells = []
     for name in inputs:

@@ -38,7 +38,7 @@ class Table:
 
 class Plan:
     def __init__(
-        self, names: list[str], case: Source | None, of: list[str], wrt: list[str], check: bool
+        self, names: list[str], case: Source | None, of: list[str], wrt: list[str], check: bool, fast: bool
     ) -> None: ...
     @property
     def inputs(self) -> list[int]: ...
@@ -89,9 +89,10 @@ def solve_table(
     of: list[str],
     wrt: list[str],
     check: bool,
+    fast: bool,
     threads: int,
     progress: _Progress,
 ) -> Table: ...
 def solve_stream(
-    table: object, case: Source | None, of: list[str], wrt: list[str], check: bool, threads: int
+    table: object, case: Source | None, of: list[str], wrt: list[str], check: bool, fast: bool, threads: int
 ) -> Any: ...

@@ -138,10 +138,10 @@ struct Part<'a> {
 impl Plan {
     /// Reads the names of columns.
     #[new]
-    fn new(py: Python<'_>, names: Vec<String>, case: Option<&Source>, of: Vec<String>, wrt: Vec<String>, check: bool) -> PyResult<Plan> {
+    fn new(py: Python<'_>, names: Vec<String>, case: Option<&Source>, of: Vec<String>, wrt: Vec<String>, check: bool, fast: bool) -> PyResult<Plan> {
         let plan = py.detach(|| -> Result<Plan, Failure> {
             let headers: Vec<Header> = names.iter().map(|name| Header::read(name)).collect();
-            let options = Options { of, wrt, check };
+            let options = Options { of, wrt, check, fast };
             let base = base(case)?;
             let has_lines = case.is_none_or(Source::has_lines);
             let plan = batch::Plan::of(&headers, base.as_ref(), &options);

@@ -78,12 +78,13 @@ pub fn solve_table(
     of: Vec<String>,
     wrt: Vec<String>,
     check: bool,
+    fast: bool,
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Table> {
     let reader = table.into_reader()?;
     let signals = Signals::new(progress);
-    let options = Options { of, wrt, check };
+    let options = Options { of, wrt, check, fast };
     let (batches, schema) = py.detach(|| -> PyResult<(Vec<RecordBatch>, SchemaRef)> {
         let plan = plan(&reader.schema(), case, &options)?;
         let mut parts = Vec::new();
@@ -101,6 +102,7 @@ pub fn solve_table(
 
 /// Solves a stream of record batches while its answer is read, in memory that does not grow with the number of batches.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
 pub fn solve_stream(
     py: Python<'_>,
     table: AnyRecordBatch,
@@ -108,10 +110,11 @@ pub fn solve_stream(
     of: Vec<String>,
     wrt: Vec<String>,
     check: bool,
+    fast: bool,
     threads: usize,
 ) -> PyResult<PyRecordBatchReader> {
     let reader = table.into_reader()?;
-    let options = Options { of, wrt, check };
+    let options = Options { of, wrt, check, fast };
     let schema = reader.schema();
     let plan = py.detach(|| plan(&schema, case, &options))?;
     Ok(PyRecordBatchReader::new(Box::new(Stream { plan, reader, threads, parts: VecDeque::new(), solved: VecDeque::new() })))

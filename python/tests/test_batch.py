@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import planar_impact
-from planar_impact import CaseError, Error, PhysicsError
+from planar_impact import CaseError, PhysicsError
 
 BARRIER = planar_impact.template("barrier")
 ROWS = 100_000
@@ -247,10 +247,15 @@ def test_a_table_without_a_case_names_what_is_missing() -> None:
     assert "vehicle.1.mass" in [issue.path for issue in caught.value.issues]
 
 
+def test_fast_rows_differ_in_last_bits_at_most() -> None:
+    columns = {"vehicle.1.speed": np.linspace(-1, 30, 1000)}
+    exact, fast = (planar_impact.solve_batch(columns, case=BARRIER, fast=mode) for mode in (False, True))
+    assert exact["refusal"].tolist() == fast["refusal"].tolist()
+    np.testing.assert_allclose(fast["energy.loss"], exact["energy.loss"], rtol=1e-13)
+
+
 def test_wrong_calls() -> None:
     columns = {"vehicle.1.speed": SPEEDS}
-    with pytest.raises(Error, match="no fast mode"):
-        planar_impact.solve_batch(columns, case=BARRIER, fast=True)
     with pytest.raises(CaseError, match='accepted: "columns", "array"'):
         planar_impact.solve_batch(columns, case=BARRIER, derivatives="rows")  # type: ignore[call-overload]
     with pytest.raises(CaseError, match="rename the column"):

@@ -3,13 +3,13 @@
 use multiversion::multiversion;
 use multiversion::target::target_cfg_f;
 
-/// A set of vector instructions. All give the same bits.
+/// A set of vector instructions. All give the same bits, unless a batch is [fast](super::Batch::fast).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Instructions {
     /// Those that the program was compiled for: SSE2 on x86-64, unless the compiler was told of more.
     Compiled,
-    /// AVX2, four numbers at a time.
+    /// AVX2 with FMA, four numbers at a time.
     Avx2,
     /// AVX-512, eight numbers at a time.
     Avx512,
@@ -30,7 +30,7 @@ impl Instructions {
     fn is_available(self) -> bool {
         match self {
             Instructions::Compiled => true,
-            Instructions::Avx2 => std::arch::is_x86_feature_detected!("avx2"),
+            Instructions::Avx2 => std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma"),
             Instructions::Avx512 => std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx512dq"),
         }
     }
@@ -38,6 +38,11 @@ impl Instructions {
     #[cfg(not(target_arch = "x86_64"))]
     fn is_available(self) -> bool {
         self == Instructions::Compiled
+    }
+
+    /// Returns `true` if they multiply and add in one operation; without it that is a call of a library, forty times slower.
+    pub(crate) fn are_fused(self) -> bool {
+        self != Instructions::Compiled || COMPILED_ARE_FUSED
     }
 
     /// Computes work with these instructions. A set that the machine has not gives way to one that it has.
@@ -50,23 +55,30 @@ impl Instructions {
     }
 }
 
+const COMPILED_ARE_FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
 /// Work that is compiled for each set of instructions.
 pub(crate) trait Vectors {
+    /// Whether it needs fused multiplication and addition. Such work is done by [sets](Instructions::are_fused) that have it, and compiled for no other.
+    const FUSED: bool = false;
+
     /// Does the work. Everything below must be `#[inline(always)]`: a function of its own would be compiled once, without vector instructions.
     fn compute(&mut self);
 }
 
 #[inline(never)]
 fn compiled<W: Vectors>(work: &mut W) {
-    work.compute();
+    if !W::FUSED || COMPILED_ARE_FUSED {
+        work.compute();
+    }
 }
 
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx2+fma"))]
 fn avx2<W: Vectors>(work: &mut W) {
     if target_cfg_f!(target_feature = "avx2") { work.compute() } else { compiled(work) }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+fma"))]
 fn avx512<W: Vectors>(work: &mut W) {
     if target_cfg_f!(target_feature = "avx512f") { work.compute() } else { compiled(work) }
 }

@@ -72,6 +72,11 @@ impl<'q, Q: Question> Block<'q, Q> {
         self.finite[place] == 0.0
     }
 
+    /// Returns `true` if every number of the answers of the tile is finite.
+    pub(super) fn are_finite(&self) -> bool {
+        self.finite.iter().fold(true, |all, finite| all & (*finite == 0.0))
+    }
+
     /// Takes the rows at a place; the lanes that remain have the numbers of the last row.
     fn gather(&mut self, tile: &Tile, place: usize, rows: &Range<usize>) {
         self.place = place;

@@ -8,8 +8,10 @@
 
 use super::form::{Form, RatioForm};
 use super::instructions::Vectors;
-use super::row::{Row, vector};
-use crate::frame::{CrushPlane, Heading};
+use core::marker::PhantomData;
+
+use super::row::Number;
+use crate::frame::{CrushPlane, Heading, Xy};
 use crate::impact::ForceDirection;
 use crate::input::{Input, Side};
 use crate::output::Output;
@@ -38,20 +40,23 @@ pub(super) struct Tile {
     pub(super) possible: [u64; ROWS],
 }
 
-/// What is asked of a tile.
-pub(super) struct Asked<'a> {
+/// What is asked of a tile, to be computed on a scalar.
+pub(super) struct Asked<'a, N> {
     pub(super) tile: &'a mut Tile,
     pub(super) form: Form,
     /// Whether the impact is possible.
     pub(super) is_checked: bool,
     /// Whether arctangents are.
     pub(super) has_angles: bool,
+    pub(super) scalar: PhantomData<N>,
 }
 
-impl Vectors for Asked<'_> {
+impl<N: Number> Vectors for Asked<'_, N> {
+    const FUSED: bool = N::FUSED;
+
     #[inline(always)]
     fn compute(&mut self) {
-        self.tile.evaluate(self.form, self.is_checked, self.has_angles);
+        self.tile.evaluate::<N>(self.form, self.is_checked, self.has_angles);
     }
 }
 
@@ -67,12 +72,17 @@ impl Tile {
         }
     }
 
+    /// Returns `true` if the impact of a row, or of the last that fills the tile up, is impossible.
+    pub(super) fn has_impossible(&self) -> bool {
+        self.possible.iter().fold(false, |any, possible| any | (*possible == 0))
+    }
+
     /// Computes the outputs of every row.
     #[inline(always)]
-    fn evaluate(&mut self, form: Form, is_checked: bool, has_angles: bool) {
+    fn evaluate<N: Number>(&mut self, form: Form, is_checked: bool, has_angles: bool) {
         let angles = [Input::Heading(Side::One), Input::Heading(Side::Two), Input::CrushPlane];
         for (angle, [cos, sin]) in angles.into_iter().zip(&mut self.directions) {
-            sines(&self.inputs[angle.index()], sin, cos);
+            sines::<N>(&self.inputs[angle.index()], sin, cos);
         }
         // Each form is a loop of its own, without a choice in it. A barrier is one even if the other party is.
         let Form { is_vehicle: [one, two], ratio, law, .. } = form;
@@ -81,7 +91,7 @@ impl Tile {
                 match (one, two, ratio) {
                     $(($one, $two, RatioForm::$ratio) => {
                         let form = Form { is_vehicle: [$one, $two], ratio: RatioForm::$ratio, law, ..Form::default() };
-                        if is_checked { self.mechanics::<true>(form) } else { self.mechanics::<false>(form) }
+                        if is_checked { self.mechanics::<N, true>(form) } else { self.mechanics::<N, false>(form) }
                     })*
                     (false, false, _) => (),
                 }
@@ -92,18 +102,18 @@ impl Tile {
             true false Critical; true false Given; true false OfCritical; true false LimitedByFriction;
             false true Critical; false true Given; false true OfCritical; false true LimitedByFriction;
         }
-        self.finish(has_angles);
+        self.finish::<N>(has_angles);
     }
 
     #[inline(always)]
-    fn mechanics<const CHECKED: bool>(&mut self, form: Form) {
+    fn mechanics<N: Number, const CHECKED: bool>(&mut self, form: Form) {
         let Tile { inputs, outputs, directions, forces, critical, possible } = self;
-        mechanics::<CHECKED>(form, inputs, directions, outputs, forces, critical, possible);
+        mechanics::<N, CHECKED>(form, inputs, directions, outputs, forces, critical, possible);
     }
 
     /// Computes magnitudes, ratios and angles from components.
     #[inline(always)]
-    fn finish(&mut self, has_angles: bool) {
+    fn finish<N: Number>(&mut self, has_angles: bool) {
         let Tile { outputs, forces, critical, .. } = self;
         let [n, t, of] = [Output::NormalImpulse, Output::TangentialImpulse, Output::ImpulseRatio].map(Output::index);
         for row in 0..ROWS {
@@ -116,20 +126,21 @@ impl Tile {
         for (side, [right, ahead]) in Side::ALL.into_iter().zip(forces) {
             let [x, y, of] = [Output::DeltaVX(side), Output::DeltaVY(side), Output::DeltaVMagnitude(side)].map(Output::index);
             for row in 0..ROWS {
-                outputs[of][row] = vector(outputs[x][row], outputs[y][row]).length().0;
+                outputs[of][row] = Xy { x: N::new(outputs[x][row]), y: N::new(outputs[y][row]) }.length().get();
             }
             if has_angles {
-                angles(right, ahead, &mut outputs[Output::PrincipalDirectionOfForce(side).index()]);
+                angles::<N>(right, ahead, &mut outputs[Output::PrincipalDirectionOfForce(side).index()]);
             }
         }
     }
 }
 
 #[inline(always)]
-fn sines(angle: &Column, sin: &mut Column, cos: &mut Column) {
+fn sines<N: Number>(angle: &Column, sin: &mut Column, cos: &mut Column) {
     if circular::are_within(angle, circular::LARGEST_ANGLE) {
         for row in 0..ROWS {
-            (sin[row], cos[row]) = circular::sin_cos_within(angle[row]);
+            let (y, x) = N::new(angle[row]).sin_and_cos();
+            (sin[row], cos[row]) = (y.get(), x.get());
         }
     } else {
         for row in 0..ROWS {
@@ -139,10 +150,10 @@ fn sines(angle: &Column, sin: &mut Column, cos: &mut Column) {
 }
 
 #[inline(always)]
-fn angles(right: &Column, ahead: &Column, angle: &mut Column) {
+fn angles<N: Number>(right: &Column, ahead: &Column, angle: &mut Column) {
     if circular::are_within(right, circular::LARGEST_COORDINATE) && circular::are_within(ahead, circular::LARGEST_COORDINATE) {
         for row in 0..ROWS {
-            angle[row] = ForceDirection { ahead: Row(ahead[row]), right: Row(right[row]) }.direction().0;
+            angle[row] = ForceDirection { ahead: N::new(ahead[row]), right: N::new(right[row]) }.direction().get();
         }
     } else {
         for row in 0..ROWS {
@@ -152,7 +163,7 @@ fn angles(right: &Column, ahead: &Column, angle: &mut Column) {
 }
 
 #[inline(always)]
-fn mechanics<const CHECKED: bool>(
+fn mechanics<N: Number, const CHECKED: bool>(
     form: Form,
     inputs: &[Column; Input::COUNT],
     directions: &[[Column; 2]; 3],
@@ -162,19 +173,19 @@ fn mechanics<const CHECKED: bool>(
     possible: &mut [u64; ROWS],
 ) {
     for row in 0..ROWS {
-        let direction = |of: usize| (Row(directions[of][0][row]), Row(directions[of][1][row]));
+        let direction = |of: usize| (N::new(directions[of][0][row]), N::new(directions[of][1][row]));
         let heading = |of| {
             let (cos, sin) = direction(of);
             Heading { cos, sin }
         };
         let (cos, sin) = direction(2);
-        let number = |input: Input| Row(inputs[input.index()][row]);
+        let number = |input: Input| N::new(inputs[input.index()][row]);
         let collision = form.collision().given([heading(0), heading(1)], CrushPlane { cos, sin }, number);
         let contact = collision.contact();
         let impact = collision.impact_at(&contact);
         macro_rules! outputs {
             ($($output:expr),* $(,)?) => {
-                $(outputs[$output.index()][row] = $output.of(&collision, &impact).0;)*
+                $(outputs[$output.index()][row] = $output.of(&collision, &impact).get();)*
             };
         }
         use Output::*;
@@ -208,9 +219,9 @@ fn mechanics<const CHECKED: bool>(
             MomentWork,
         ];
         let [one, two] = [impact.one.force_direction(), impact.two.force_direction()];
-        (forces[0][0][row], forces[0][1][row]) = (one.right.0, one.ahead.0);
-        (forces[1][0][row], forces[1][1][row]) = (two.right.0, two.ahead.0);
-        (critical[0][row], critical[1][row]) = (impact.critical_impulse.n.0, impact.critical_impulse.t.0);
+        (forces[0][0][row], forces[0][1][row]) = (one.right.get(), one.ahead.get());
+        (forces[1][0][row], forces[1][1][row]) = (two.right.get(), two.ahead.get());
+        (critical[0][row], critical[1][row]) = (impact.critical_impulse.n.get(), impact.critical_impulse.t.get());
         if CHECKED {
             possible[row] = u64::from(collision.is_possible(&contact, &impact));
         }

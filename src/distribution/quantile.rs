@@ -5,9 +5,14 @@
 
 use super::Distribution::{self, LogNormal, Normal, StudentT, Triangular, TruncatedNormal, Uniform};
 use super::{degrees_of_freedom, standard_error, student};
+use crate::scalar::{Real, logarithm};
 
 /// Half the width of the middle range of the normal distribution.
 const MIDDLE: f64 = 0.425;
+/// Root of the negative logarithm of a tail up to which the first of two formulas holds.
+const NEAR: f64 = 5.0;
+/// A tail whose root is below that: 4.8.
+const FAR: f64 = 1e-10;
 
 impl Distribution {
     /// Returns the number below which a number of this distribution lies with a probability. At 0 and 1 it is an end of the support; beyond, not a number.
@@ -91,39 +96,18 @@ pub(crate) fn in_the_middle(p: f64) -> f64 {
 
 /// Returns the quantile of any other probability.
 pub(crate) fn in_a_tail(p: f64) -> f64 {
-    let is_low = p < 0.5;
-    let tail = if is_low { p } else { 1.0 - p };
-    let r = libm::sqrt(-libm::log(tail));
-    if r == f64::INFINITY {
-        return if is_low { f64::NEG_INFINITY } else { f64::INFINITY };
+    let tail = tail_of(p);
+    if tail >= FAR {
+        return in_a_near_tail(p);
     }
-    let z = if r <= 5.0 {
-        ratio(
-            r - 1.6,
-            [
-                1.423_437_110_749_683_5,
-                4.630_337_846_156_546,
-                5.769_497_221_460_691,
-                3.647_848_324_763_204_5,
-                1.270_458_252_452_368_4,
-                0.241_780_725_177_450_6,
-                0.022_723_844_989_269_184,
-                0.000_774_545_014_278_341_4,
-            ],
-            [
-                1.0,
-                2.053_191_626_637_759,
-                1.676_384_830_183_803_8,
-                0.689_767_334_985_1,
-                0.148_103_976_427_480_08,
-                0.015_198_666_563_616_457,
-                0.000_547_593_808_499_534_5,
-                1.050_750_071_644_416_9e-9,
-            ],
-        )
+    let r = libm::sqrt(-libm::log(tail));
+    let z = if r == f64::INFINITY {
+        r
+    } else if r <= NEAR {
+        of_near_root(r)
     } else {
         ratio(
-            r - 5.0,
+            r - NEAR,
             [
                 6.657_904_643_501_103,
                 5.463_784_911_164_114,
@@ -146,7 +130,54 @@ pub(crate) fn in_a_tail(p: f64) -> f64 {
             ],
         )
     };
-    if is_low { -z } else { z }
+    if p < 0.5 { -z } else { z }
+}
+
+/// Returns `true` if [`in_a_near_tail`] holds outside the middle.
+#[cfg(feature = "simulation")]
+#[inline(always)]
+pub(crate) fn is_in_a_near_tail(p: f64) -> bool {
+    tail_of(p) >= FAR
+}
+
+/// Returns the quantile of a probability outside the middle and at least 10⁻¹⁰ from 0 and 1, without a branch.
+#[inline(always)]
+pub(crate) fn in_a_near_tail(p: f64) -> f64 {
+    let z = of_near_root((-logarithm::of_normal(tail_of(p))).square_root());
+    if p < 0.5 { -z } else { z }
+}
+
+#[inline(always)]
+fn tail_of(p: f64) -> f64 {
+    if p < 0.5 { p } else { 1.0 - p }
+}
+
+/// Returns the distance from the mean where the root of the negative logarithm of the tail is at most [`NEAR`].
+#[inline(always)]
+fn of_near_root(r: f64) -> f64 {
+    ratio(
+        r - 1.6,
+        [
+            1.423_437_110_749_683_5,
+            4.630_337_846_156_546,
+            5.769_497_221_460_691,
+            3.647_848_324_763_204_5,
+            1.270_458_252_452_368_4,
+            0.241_780_725_177_450_6,
+            0.022_723_844_989_269_184,
+            0.000_774_545_014_278_341_4,
+        ],
+        [
+            1.0,
+            2.053_191_626_637_759,
+            1.676_384_830_183_803_8,
+            0.689_767_334_985_1,
+            0.148_103_976_427_480_08,
+            0.015_198_666_563_616_457,
+            0.000_547_593_808_499_534_5,
+            1.050_750_071_644_416_9e-9,
+        ],
+    )
 }
 
 /// Returns the ratio of two polynomials from their coefficients, that of the constant first.

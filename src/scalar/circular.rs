@@ -77,20 +77,33 @@ const TAN_EIGHTH_PI: f64 = 0.414_213_562_373_095_03;
 
 const SIGN: u64 = 1 << 63;
 
+/// Returns a + x y, rounded once if multiplication and addition are fused.
+#[inline(always)]
+fn plus<const FUSED: bool>(a: f64, x: f64, y: f64) -> f64 {
+    #[cfg(feature = "batch")]
+    if FUSED {
+        return x.mul_add(y, a);
+    }
+    a + x * y
+}
+
 // Both polynomials are summed in pairs, pairs of pairs and so on: term by term, each would wait for the previous one.
 
 #[inline(always)]
-fn six_terms(x: f64, c: &[f64; 6]) -> f64 {
+fn six_terms<const FUSED: bool>(x: f64, c: &[f64; 6]) -> f64 {
     let x2 = x * x;
-    (c[0] + x * c[1]) + x2 * ((c[2] + x * c[3]) + x2 * (c[4] + x * c[5]))
+    let pair = |i: usize| plus::<FUSED>(c[i], x, c[i + 1]);
+    plus::<FUSED>(pair(0), x2, plus::<FUSED>(pair(2), x2, pair(4)))
 }
 
 #[inline(always)]
-fn eleven_terms(x: f64, c: &[f64; 11]) -> f64 {
+fn eleven_terms<const FUSED: bool>(x: f64, c: &[f64; 11]) -> f64 {
     let x2 = x * x;
     let x4 = x2 * x2;
-    ((c[0] + x * c[1]) + x2 * (c[2] + x * c[3]))
-        + x4 * (((c[4] + x * c[5]) + x2 * (c[6] + x * c[7])) + x4 * ((c[8] + x * c[9]) + x2 * c[10]))
+    let pair = |i: usize| plus::<FUSED>(c[i], x, c[i + 1]);
+    let low = plus::<FUSED>(pair(0), x2, pair(2));
+    let high = plus::<FUSED>(plus::<FUSED>(pair(4), x2, pair(6)), x4, plus::<FUSED>(pair(8), x2, c[10]));
+    plus::<FUSED>(low, x4, high)
 }
 
 /// Returns all bits if a condition is true, and none otherwise.
@@ -139,13 +152,19 @@ fn sin_cos_beyond(x: f64) -> (f64, f64) {
 /// The same for a magnitude of at most [`LARGEST_ANGLE`].
 #[inline(always)]
 pub(crate) fn sin_cos_within(x: f64) -> (f64, f64) {
+    sin_cos_of::<false>(x)
+}
+
+/// The same, on request with fused multiplication and addition, which rounds less often: with other last bits.
+#[inline(always)]
+pub(crate) fn sin_cos_of<const FUSED: bool>(x: f64) -> (f64, f64) {
     let rounded = x * FRAC_2_PI + ROUNDER;
     let quadrant = rounded.to_bits();
     let n = rounded - ROUNDER;
-    let r = x - n * HALF_PI[0] - n * HALF_PI[1] - n * HALF_PI[2];
+    let r = HALF_PI.iter().fold(x, |r, part| plus::<FUSED>(r, -n, *part));
     let z = r * r;
-    let sin = (r + (r * z) * six_terms(z, &SIN)).to_bits();
-    let cos = ((1.0 - z * 0.5) + (z * z) * six_terms(z, &COS)).to_bits();
+    let sin = plus::<FUSED>(r, r * z, six_terms::<FUSED>(z, &SIN)).to_bits();
+    let cos = plus::<FUSED>(1.0 - z * 0.5, z * z, six_terms::<FUSED>(z, &COS)).to_bits();
     let odd = 0_u64.wrapping_sub(quadrant & 1);
     let sin_sign = (quadrant & 2) << 62;
     let cos_sign = (quadrant.wrapping_add(1) & 2) << 62;
@@ -170,6 +189,12 @@ fn atan2_beyond(y: f64, x: f64) -> f64 {
 /// The same for coordinates of at most [`LARGEST_COORDINATE`].
 #[inline(always)]
 pub(crate) fn atan2_within(y: f64, x: f64) -> f64 {
+    atan2_of::<false>(y, x)
+}
+
+/// The same, on request with fused multiplication and addition.
+#[inline(always)]
+pub(crate) fn atan2_of<const FUSED: bool>(y: f64, x: f64) -> f64 {
     let (across, along) = (and(y, !SIGN), and(x, !SIGN));
     let steep = across > along;
     let (greater, lesser) = if steep { (across, along) } else { (along, across) };
@@ -179,7 +204,7 @@ pub(crate) fn atan2_within(y: f64, x: f64) -> f64 {
     let denominator = greater + and(lesser, middle);
     let t = numerator / if denominator > 0.0 { denominator } else { f64::from_bits(1) };
     let z = t * t;
-    let near = t - (t * z) * eleven_terms(z, &ATAN);
+    let near = plus::<FUSED>(t, -(t * z), eleven_terms::<FUSED>(z, &ATAN));
     // By its sign, so that a negative zero is behind.
     let behind = (x.to_bits() & SIGN) != 0;
     let eighths = and(1.0, middle);

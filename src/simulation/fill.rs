@@ -8,8 +8,11 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::batch::{Instructions, Vectors};
 use crate::distribution::Distribution;
-use crate::distribution::quantile::{in_a_tail, in_the_middle, is_in_the_middle};
+use crate::distribution::quantile::{in_a_near_tail, in_a_tail, in_the_middle, is_in_a_near_tail, is_in_the_middle};
 use crate::input::Input;
+
+/// Numbers that are drawn, or looked through, together.
+const PART: usize = 256;
 
 /// A source of samples.
 pub trait Fill: Sync {
@@ -68,7 +71,15 @@ pub(crate) fn write_probabilities(random: &ChaCha8Rng, stream: u64, samples: Ran
     random.set_stream(stream);
     random.set_word_pos(2 * u128::from(samples.start));
     to.clear();
-    to.extend(samples.map(|_| between_zero_and_one(random.next_u64())));
+    let mut words = [0; 8 * PART];
+    let mut rest = (samples.end - samples.start) as usize;
+    while rest > 0 {
+        let part = rest.min(PART);
+        random.fill_bytes(&mut words[..8 * part]);
+        let (words, _) = words[..8 * part].as_chunks();
+        to.extend(words.iter().map(|word| between_zero_and_one(u64::from_le_bytes(*word))));
+        rest -= part;
+    }
 }
 
 /// Writes the quantiles of a normal distribution at some probabilities.
@@ -77,11 +88,15 @@ pub(crate) fn write_normals(probabilities: &[f64], mean: f64, sd: f64, to: &mut 
 }
 
 /// Returns the middle of one of 2⁵² equal parts, so neither 0 nor 1.
+#[inline(always)]
 fn between_zero_and_one(random: u64) -> f64 {
-    ((random >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    // The last bits of 2⁵² are a whole number: not every set of vector instructions converts integers of 64 bits.
+    let part = f64::from_bits(WHOLE.to_bits() | (random >> 12)) - WHOLE;
+    (part + 0.5) / WHOLE
 }
 
-/// Normal numbers, those of the middle by a loop without a branch.
+/// Normal numbers, by loops without a branch: those of the middle where they stand, and those of the tails side by side.
 struct Normals<'a> {
     probabilities: &'a [f64],
     mean: f64,
@@ -95,9 +110,26 @@ impl Vectors for Normals<'_> {
         for (p, to) in self.probabilities.iter().zip(&mut *self.to) {
             *to = self.mean + self.sd * in_the_middle(*p);
         }
-        for (p, to) in self.probabilities.iter().zip(&mut *self.to).filter(|(p, _)| !is_in_the_middle(**p)) {
-            *to = self.mean + self.sd * in_a_tail(*p);
+        for (probabilities, to) in self.probabilities.chunks(PART).zip(self.to.chunks_mut(PART)) {
+            write_tails(probabilities, self.mean, self.sd, to);
         }
+    }
+}
+
+/// Replaces the numbers whose probabilities lie in the tails.
+#[inline(always)]
+fn write_tails(probabilities: &[f64], mean: f64, sd: f64, to: &mut [f64]) {
+    let (mut places, mut tails, mut scores, mut found) = ([0; PART], [0.5; PART], [0.0; PART], 0);
+    for (place, p) in probabilities.iter().enumerate() {
+        (places[found], tails[found]) = (place, *p);
+        found += usize::from(!is_in_the_middle(*p));
+    }
+    for (p, score) in tails[..found].iter().zip(&mut scores) {
+        *score = in_a_near_tail(*p);
+    }
+    for ((place, p), score) in places[..found].iter().zip(&tails).zip(&scores) {
+        let score = if is_in_a_near_tail(*p) { *score } else { in_a_tail(*p) };
+        to[*place] = mean + sd * score;
     }
 }
 

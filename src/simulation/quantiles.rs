@@ -76,18 +76,31 @@ impl Reduce for Quantiles {
 
 impl Bins {
     pub(crate) fn add(&mut self, numbers: &[f64]) {
-        for x in numbers {
-            let x = *x;
-            let window = &mut self.signed[usize::from(x.is_sign_negative())];
+        let mut rest = numbers;
+        while let Some((x, later)) = self.count(rest).split_first() {
             // Neither zero nor what is not a number is in a window.
-            match window.counts.get_mut(bin(x.abs()).wrapping_sub(window.first)) {
-                Some(count) => *count += 1,
-                None if x.is_nan() => self.not_a_number += 1,
-                None if x == 0.0 => self.zero += 1,
-                None => window.add(bin(x.abs()), 1),
+            match *x {
+                x if x.is_nan() => self.not_a_number += 1,
+                0.0 => self.zero += 1,
+                x => self.signed[usize::from(x.is_sign_negative())].add(bin(x.abs()), 1),
             }
+            rest = later;
         }
         self.widen(ends(numbers));
+    }
+
+    /// Counts the numbers up to the first that is outside the windows, and returns it with those after it.
+    fn count<'a>(&mut self, numbers: &'a [f64]) -> &'a [f64] {
+        // Apart from the windows, which would be read anew for each number.
+        let [above, below] = self.signed.each_mut().map(|window| (window.first, window.counts.as_mut_slice()));
+        for (place, x) in numbers.iter().enumerate() {
+            let (first, counts) = if x.is_sign_negative() { (below.0, &mut *below.1) } else { (above.0, &mut *above.1) };
+            match counts.get_mut(bin(x.abs()).wrapping_sub(first)) {
+                Some(count) => *count += 1,
+                None => return &numbers[place..],
+            }
+        }
+        &[]
     }
 
     /// Takes in the ends of other numbers.

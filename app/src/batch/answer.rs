@@ -78,7 +78,7 @@ impl Plan {
         let rows = read.forms.len();
         let of: Vec<Output> = self.outputs.iter().filter_map(|output| impact(*output)).collect();
         let by = needed(&self.wrt);
-        let batch = read.batch();
+        let batch = if self.is_fast { read.batch().fast() } else { read.batch() };
         let (mut values, slopes, found) = if by.is_empty() {
             let solved = batch.solve(&of);
             (solved.columns.into_columns(), Vec::new(), solved.refused)

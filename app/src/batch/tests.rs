@@ -247,7 +247,7 @@ fn derivatives_are_those_of_the_verb_gradient() {
         "contact.moment",
         "contact.moment.of_critical",
     ];
-    let options = Options { of: named(&of), wrt: named(&wrt), check: true };
+    let options = Options { of: named(&of), wrt: named(&wrt), check: true, fast: false };
     let plan = plan(&NAMES, None, &options).expect("a plan");
     let rows: Vec<Written> = (0..400).map(|_| drawn(&mut rng)).collect();
     let answer = plan.solve(&Table { rows: rows.len(), columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
@@ -287,8 +287,11 @@ fn derivatives_are_those_of_the_verb_gradient() {
 #[test]
 fn a_derivative_beyond_every_float_leaves_the_others() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
-    let options =
-        Options { of: named(&["T_L", "contact.separation.normal"]), wrt: named(&["vehicle.1.impact_center.left", "v1"]), check: false };
+    let options = Options {
+        of: named(&["T_L", "contact.separation.normal"]),
+        wrt: named(&["vehicle.1.impact_center.left", "v1"]),
+        ..Options::default()
+    };
     let center = ["vehicle.1.impact_center.forward", "vehicle.1.impact_center.left"];
     let plan = plan(&["vehicle.1.yaw_inertia", center[0], center[1], "vehicle.1.speed"], Some(&case), &options).expect("a plan");
     // The energy is just within reach, and its derivative by a millimetre of the offset is a thousand times as great.
@@ -484,7 +487,7 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
         [at("energy.loss", "repeated-column"), at("refusal", "repeated-column"),]
     );
     assert_eq!(wrong(&["energy.loss"], Some(&case), &Options { of: named(&["W_n"]), ..all.clone() }), []);
-    let options = Options { of: named(&["T_X", "m1"]), wrt: named(&["T_L", "contact.friction"]), check: false };
+    let options = Options { of: named(&["T_X", "m1"]), wrt: named(&["T_L", "contact.friction"]), ..Options::default() };
     assert_eq!(
         wrong(&["vehicle.1.mass"], Some(&case), &options),
         [at("--of T_X", "call"), at("--of m1", "call"), at("--wrt T_L", "call"), at("--wrt contact.friction", "call"),]
@@ -523,4 +526,21 @@ fn unknowns_of_a_case_are_supplied_by_columns() {
     let answer = plan.solve(&Table { rows: 2, columns, unreadable: Vec::new() });
     assert!(answer.outputs[0][0] > 0.0);
     assert_eq!(answer.refused.iter().map(|refused| refused.codes.as_str()).collect::<Vec<_>>(), ["missing-key"]);
+}
+
+#[test]
+fn a_fast_plan_solves_fast() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let speeds: Vec<f64> = (0..2000).map(|i| 10.0 + 0.01 * f64::from(i)).collect();
+    let losses = |fast: bool| {
+        let options = Options { of: named(&["T_L"]), fast, ..Options::default() };
+        let plan = plan(&["vehicle.1.speed"], Some(&case), &options).expect("a plan");
+        plan.solve(&Table { rows: speeds.len(), columns: vec![plan.inputs()[0].of_numbers(&speeds)], unreadable: Vec::new() })
+            .outputs
+            .remove(0)
+    };
+    let (exact, fast) = (losses(false), losses(true));
+    assert!(exact.iter().zip(&fast).all(|(exact, fast)| (fast / exact - 1.0).abs() < 1e-13));
+    let is_fused = planar_impact::batch::Instructions::best() != planar_impact::batch::Instructions::Compiled;
+    assert_eq!(exact != fast, is_fused || cfg!(target_arch = "aarch64"));
 }
