@@ -29,8 +29,8 @@ pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_o
 pub use model::ContactModel;
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 pub use parameter::{Parameter, number as vehicle_number};
-pub(crate) use reader::{CaseReader, Rows, one_of, read_cell, report_file};
-pub use rest::{RestInputs, RestOfVehicle};
+pub(crate) use reader::{CaseReader, Recorded, Rows, one_of, read_cell, report_file};
+pub use rest::{RestInputs, RestOfVehicle, WHEELS};
 pub use restitution::{CurvePoint, Restitution, RestitutionCurve, closing_speed};
 pub use setup::Setup;
 pub(crate) use uncertain::MOST_VALUES;

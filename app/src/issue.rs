@@ -96,6 +96,32 @@ impl Issues {
         Issues::without_source(Cause::Defect, vec![Issue::of_file("defect", what.to_string())])
     }
 
+    /// Returns every result, or the issues of all that failed, those of the first at their places and those of the others with the names of their files.
+    ///
+    /// # Errors
+    ///
+    /// The issues, if any of the results is an error. An interrupt or a defect is returned alone.
+    pub fn all<T>(results: impl IntoIterator<Item = Result<T, Issues>>) -> Result<Vec<T>, Issues> {
+        let (mut found, mut wrong): (Vec<T>, Option<Issues>) = (Vec::new(), None);
+        for result in results {
+            match (result, &mut wrong) {
+                (Ok(value), _) => found.push(value),
+                (Err(issues), _) if matches!(issues.cause, Cause::Interrupted | Cause::Defect) => return Err(issues),
+                (Err(issues), Some(first)) => first.add(&issues),
+                (Err(issues), None) => wrong = Some(issues),
+            }
+        }
+        wrong.map_or(Ok(found), Err)
+    }
+
+    fn add(&mut self, other: &Issues) {
+        let name = &other.source.name;
+        self.list.extend(other.list.iter().map(|issue| {
+            let at = other.line(issue).map_or_else(String::new, |line| format!("{name}:{line}: "));
+            Issue { message: Message::from(at).join(issue.message.clone()), span: None, ..issue.clone() }
+        }));
+    }
+
     /// Returns the cause.
     pub fn cause(&self) -> Cause {
         self.cause

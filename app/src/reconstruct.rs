@@ -20,17 +20,19 @@ use crate::answer::Answer;
 use crate::case::{Case, Parameter};
 use crate::control::Control;
 use crate::crash3::Comparison;
-use crate::issue::Issues;
+use crate::issue::{Cause, Issues};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::scene::Scene;
 use crate::units::Measure;
 use answer::Solved;
+use from_rest::Separations;
 use posterior::Drawn;
 use question::{Question, key_of};
 use statement::Statement;
 
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, Reconstruction, Unknown};
+pub use from_rest::{SeparationFromRest, SlideFit};
 pub use posterior::{Draws, PairDensity, Posterior, PosteriorDensity};
 
 /// Options of the search, and what is asked of the posterior.
@@ -70,7 +72,41 @@ impl Default for Options {
 pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
     control.proceed(0, 1)?;
     case.needs_one_restitution()?;
-    let question = Question::of(case)?;
+    let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest()?);
+    let mut answers: Vec<Answer<Reconstruction>> = Vec::new();
+    let mut refused: Option<Issues> = None;
+    for separations in &combinations {
+        match by_separations(case, separations, options, control) {
+            Ok(answer) => answers.push(answer),
+            // What the physics refuses is no alternative.
+            Err(issues) if combinations.len() > 1 && issues.cause() == Cause::Physics => {
+                let message = "one of the separations that lead to the same rest positions leads to no collision";
+                notices.0.push(Notice::note("separation-refused", "rest", message));
+                refused.get_or_insert(issues);
+            }
+            Err(issues) => return Err(issues),
+        }
+    }
+    // The sort is stable: of equally good ones the first stays first.
+    answers.sort_by(|a, b| a.facts.total_chi_square().total_cmp(&b.facts.total_chi_square()));
+    let mut answers = answers.into_iter();
+    let Some(mut best) = answers.next() else { return Err(refused.unwrap_or_else(|| Issues::defect("no separation was reconstructed"))) };
+    let others: Vec<Reconstruction> = answers.map(|answer| answer.facts).collect();
+    if !others.is_empty() {
+        best.facts = best.facts.with_others(others);
+    }
+    best.notices.0.extend(notices.0);
+    Ok(best)
+}
+
+/// Searches for the unknowns of a case whose vehicles separated in a certain way.
+fn by_separations(
+    case: &Case,
+    separations: &Separations,
+    options: &Options,
+    control: &dyn Control,
+) -> Result<Answer<Reconstruction>, Issues> {
+    let question = Question::of(case, separations)?;
     let statements = Statement::read_all(&options.probabilities, &question)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
     let answer = question.asked.solve_while(&search, &|done, total| control.goes_on(done, total));

@@ -1,6 +1,7 @@
 //! The verb `record`: impulse, velocity change and restitution from recorded channels, and what an event data recorder kept.
 
 mod analysis;
+mod kinematics;
 mod recorder;
 mod recording;
 mod samples;
@@ -17,8 +18,10 @@ use crate::notice::Notices;
 use crate::quantity::Kind;
 use crate::units::Measure;
 
-pub use recorder::{AtImpact, AtTime, PreCrash, Recorder, VelocityChange};
+pub use kinematics::Kinematics;
+pub use recorder::{AtImpact, AtTime, ClippedSensor, PreCrash, Recorder, VelocityChange};
 pub use recording::Recording;
+pub(crate) use recording::{ACCELEROMETER_RANGE, samples_of};
 
 /// What a channel records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, JsonSchema)]
@@ -64,6 +67,9 @@ pub struct RecordAnswer {
     pub films: Vec<Film>,
     /// The event data recorder; `null` without one.
     pub recorder: Option<Recorder>,
+    /// The restitution of a point from measured kinematics; left out without them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kinematics: Option<Kinematics>,
     /// The channels for drawing: force channels summed by bank, filtered, less their baseline.
     pub traces: Vec<Trace>,
 }
@@ -186,12 +192,14 @@ pub struct Trace {
 ///
 /// # Errors
 ///
-/// Every reason for which the first recording that has one tells nothing.
+/// Every reason for which a recording tells nothing.
 pub fn record(recordings: &[Recording], _: &(), control: &dyn Control) -> Result<Answer<Records>, Issues> {
     let (mut records, mut notices) = (Vec::new(), Vec::new());
-    for (done, recording) in recordings.iter().enumerate() {
+    let analysed = recordings.iter().enumerate().map(|(done, recording)| {
         control.proceed(done, recordings.len())?;
-        let (record, found) = analysis::analyse(recording)?;
+        analysis::analyse(recording)
+    });
+    for (recording, (record, found)) in recordings.iter().zip(Issues::all(analysed)?) {
         let of_file = |mut notice: crate::Notice| {
             if recordings.len() > 1 {
                 notice.message = crate::Message::from(format!("{}: ", recording.name)).join(notice.message);
@@ -206,9 +214,11 @@ pub fn record(recordings: &[Recording], _: &(), control: &dyn Control) -> Result
 }
 
 impl Records {
-    /// Returns `true` if no channel is clipped or truncated.
+    /// Returns `true` if no channel is clipped or truncated, nor the sensor behind it.
     pub fn is_whole(&self) -> bool {
-        self.records.iter().flat_map(|record| &record.channels).all(|channel| channel.clipped.is_none() && !channel.is_truncated)
+        let sensors_hold = |record: &RecordAnswer| record.recorder.as_ref().is_none_or(|recorder| recorder.clipped_sensors.is_empty());
+        self.records.iter().all(sensors_hold)
+            && self.records.iter().flat_map(|record| &record.channels).all(|channel| channel.clipped.is_none() && !channel.is_truncated)
     }
 }
 

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, Parameter};
+use crate::case::{Case, Parameter, WHEELS};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
@@ -88,7 +88,7 @@ pub struct MotionAfter {
 }
 
 /// A rest position of the case.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GivenRest {
     /// Place of the center of mass along x and y, in m.
     pub position: [f64; 2],
@@ -98,6 +98,20 @@ pub struct GivenRest {
     pub heading: f64,
     /// Its standard deviation, in rad.
     pub heading_sd: f64,
+    /// Points that the vehicle passed on the way.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<GivenPoint>,
+}
+
+/// A point that a vehicle passed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct GivenPoint {
+    /// The wheel that passed it; `null` for the center of mass.
+    pub wheel: Option<&'static str>,
+    /// Its place along x and y, in m.
+    pub position: [f64; 2],
+    /// Its standard deviations, in m.
+    pub position_sd: [f64; 2],
 }
 
 /// Returns the scene of a case: of the solved collision, or of the reconstructed one where the case has unknowns.
@@ -181,6 +195,15 @@ impl Scene {
                     position_sd: [evidence.position_deviation.x, evidence.position_deviation.y],
                     heading: evidence.rest.heading,
                     heading_sd: evidence.heading_deviation,
+                    points: evidence
+                        .points
+                        .iter()
+                        .map(|point| GivenPoint {
+                            wheel: point.wheel.map(|wheel| WHEELS[wheel as usize]),
+                            position: components(point.position + shift),
+                            position_sd: [point.deviation.x, point.deviation.y],
+                        })
+                        .collect(),
                 }),
             }
         });

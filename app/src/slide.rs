@@ -1,13 +1,13 @@
 //! The verb `slide`: follows the vehicles from separation to rest.
 
-use planar_impact::post_impact::{NoRest, Pose, Rest, TrajectoryState};
+use planar_impact::post_impact::{NearestPlace, NoRest, PathPoint, Pose, Rest, TrajectoryState};
 use planar_impact::reconstruct::Measurand;
 use planar_impact::{Motion, Output, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, RestOfVehicle, vehicle_number};
+use crate::case::{Case, RestOfVehicle, WHEELS, vehicle_number};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
@@ -34,6 +34,9 @@ pub struct VehicleSlide {
     /// Distance of the rest pose from the given one, where the case has it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub miss: Option<Miss>,
+    /// Points along the path that the case gives, beside the places of this path that are nearest to them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<PointFit>,
     /// Time from separation to rest, in s.
     pub time: f64,
     /// Length of the path of the center of mass, in m.
@@ -58,6 +61,25 @@ pub struct Miss {
     pub position: [f64; 2],
     /// Computed less given heading, in rad.
     pub heading: f64,
+}
+
+/// A point along the path, beside the place of the path that is nearest to it in standard deviations.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PointFit {
+    /// The wheel that passed it; `null` for the center of mass.
+    pub wheel: Option<&'static str>,
+    /// Its place along x and y in the file, in m.
+    pub given: [f64; 2],
+    /// Its standard deviations along x and y, in m.
+    pub sd: [f64; 2],
+    /// The nearest place of the path, in m.
+    pub computed: [f64; 2],
+    /// The time since separation of the vehicle there, in s.
+    pub time: f64,
+    /// Distance from the path in standard deviations, positive where the point is to the left of the path.
+    pub standardised_residual: f64,
+    /// `true` if the nearest place is an end of the path.
+    pub is_end: bool,
 }
 
 /// A state of the motion.
@@ -127,7 +149,22 @@ fn given_motion(case: &Case, side: Side) -> Option<Motion> {
 
 fn issue(side: Side, why: &NoRest) -> Issue {
     let path = format!("rest.vehicle.{}", vehicle_number(side));
-    Issue::at("no-rest", path, why.to_string()).with_help("give it brakes or a rolling resistance")
+    Issue::at("no-rest", path, why.to_string()).with_help("give it brakes or a rolling resistance; on a grade, more than the grade")
+}
+
+impl PointFit {
+    pub(crate) fn of(point: &PathPoint, place: &NearestPlace) -> Self {
+        let pair = |v: Xy| [v.x, v.y].map(positive_zero);
+        PointFit {
+            wheel: point.wheel.map(|wheel| WHEELS[wheel as usize]),
+            given: pair(point.position),
+            sd: pair(point.deviation),
+            computed: pair(place.position),
+            time: place.time,
+            standardised_residual: positive_zero(place.standardized_residual),
+            is_end: place.is_end,
+        }
+    }
 }
 
 impl VehicleSlide {
@@ -135,6 +172,10 @@ impl VehicleSlide {
     pub(crate) fn moved(mut self, by: [f64; 2]) -> Self {
         let moved = |place: &mut [f64; 2]| *place = [place[0] + by[0], place[1] + by[1]];
         moved(&mut self.rest.position);
+        for point in &mut self.points {
+            moved(&mut point.given);
+            moved(&mut point.computed);
+        }
         for state in &mut self.path {
             (state.x, state.y) = (state.x + by[0], state.y + by[1]);
             state.wheels.iter_mut().for_each(moved);
@@ -158,6 +199,7 @@ impl VehicleSlide {
                 wheels: [wheels.front_left, wheels.front_right, wheels.rear_left, wheels.rear_right].map(xy),
             }
         };
+        let nearest = |point: &PathPoint| Some(PointFit::of(point, &point.nearest(&of.slide, &rest.path)?));
         let miss = |given: Pose| Miss {
             position: xy(rest.pose.position - given.position),
             heading: positive_zero(rest.pose.heading - given.heading),
@@ -168,6 +210,7 @@ impl VehicleSlide {
             separation_from: "solve",
             rest: RestPose { position: xy(rest.pose.position), heading: positive_zero(rest.pose.heading) },
             miss: of.evidence.as_ref().map(|evidence| miss(evidence.rest)),
+            points: of.evidence.iter().flat_map(|evidence| &evidence.points).filter_map(nearest).collect(),
             time: rest.time,
             distance: rest.distance(),
             path: rest.path.iter().chain([&end]).map(state).collect(),

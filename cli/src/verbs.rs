@@ -215,8 +215,8 @@ fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
 }
 
 fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
-    let read = |path: &PathBuf| Ok(record::Recording::parse(files::source(path)?, &files::beside(path))?);
-    let recordings: Vec<record::Recording> = call.files.iter().map(read).collect::<Result<_, Failure>>()?;
+    let read = |path: &PathBuf| record::Recording::parse(files::source(path)?, &files::beside(path));
+    let recordings = Issues::all(call.files.iter().map(read))?;
     let units = call.units.map(Units::from).or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
     let answer = in_units(record::record(&recordings, &(), &Progress::new()), units)?;
     let output = match call.format {

@@ -36,6 +36,8 @@ mod hostile;
 mod manual;
 #[path = "main/new.rs"]
 mod new;
+#[path = "main/paths.rs"]
+mod paths;
 #[path = "main/pins/mod.rs"]
 mod pins;
 #[path = "main/process.rs"]

@@ -6,6 +6,7 @@ pub mod crush;
 pub mod crush_plane_bracket;
 pub mod formula;
 pub mod gradient;
+mod points;
 pub mod prove;
 pub mod reconstruct;
 pub mod record;

@@ -11,6 +11,9 @@ use crate::measure::Measure;
 /// Largest accepted coefficient of friction: no tire transmits more than this many times its load.
 pub const MOST_FRICTION: f64 = 10.0;
 
+/// Steepest accepted grade, as height over horizontal distance along x or y.
+pub const MOST_GRADE: f64 = 1.0;
+
 impl Slide {
     /// Returns the issues of the vehicle and of the ground.
     pub(super) fn issues(&self) -> IssueCollector<SlideIssue> {
@@ -34,6 +37,9 @@ impl Slide {
         issues.within(Place::plain("friction"), &ground.friction, 0.0, Some(MOST_FRICTION));
         issues.positive(Place::of("gravity", Measure::Acceleration), &ground.gravity);
         issues.positive(Place::of("contact_length", Measure::Length), &ground.contact_length);
+        for (axis, grade) in [("grade.x", ground.grade.x), ("grade.y", ground.grade.y)] {
+            issues.within(Place::plain(axis), &grade, -MOST_GRADE, Some(MOST_GRADE));
+        }
         for (index, region) in ground.regions.iter().enumerate() {
             check_region(&mut issues, index, region);
         }
@@ -73,6 +79,9 @@ pub(super) fn check_pose(issues: &mut IssueCollector<SlideIssue>, [x, y, heading
 
 fn check_region(issues: &mut IssueCollector<SlideIssue>, index: usize, region: &Region) {
     issues.within(Place::plain("region.friction").at(index), &region.friction, 0.0, Some(MOST_FRICTION));
+    for (axis, grade) in [("region.grade.x", region.grade.x), ("region.grade.y", region.grade.y)] {
+        issues.within(Place::plain(axis).at(index), &grade, -MOST_GRADE, Some(MOST_GRADE));
+    }
     let corners: &[_] = match &region.area {
         Area::HalfPlane { from, toward } => &[*from, *toward],
         Area::Polygon(corners) => corners,

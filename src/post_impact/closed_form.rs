@@ -136,6 +136,7 @@ impl Slide {
 mod tests {
     use super::*;
     use crate::post_impact::{Ground, SlidingVehicle, Tires, Wheel, Wheels};
+    use alloc::vec::Vec;
 
     fn locked() -> Slide {
         let vehicle = SlidingVehicle {
@@ -182,7 +183,14 @@ mod tests {
     }
 
     fn evidence(rest: Pose, position_deviation: Xy, heading_deviation: f64) -> RestEvidence {
-        RestEvidence { separation: Pose::default(), rest, position_deviation, heading_deviation, friction_deviation: 0.07 }
+        RestEvidence {
+            separation: Pose::default(),
+            rest,
+            position_deviation,
+            heading_deviation,
+            friction_deviation: 0.07,
+            points: Vec::new(),
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use core::fmt;
 
 use super::check::{check_pose, check_proportions};
 use super::issue::{NoRest, SlideIssues};
+use super::path_point::{NearestPlace, PathPoint};
 use super::slide::Slide;
 use super::trajectory_state::TrajectoryState;
 use super::vehicle::Pose;
@@ -18,8 +19,8 @@ use crate::output::Output;
 use crate::reconstruct::{Correlation, Evidence, Measurand, Uncertainty};
 use crate::vehicle::Motion;
 
-/// Poses of a vehicle at separation and at rest, with their uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Poses of a vehicle at separation and at rest, and points that it passed between them, with their uncertainty.
+#[derive(Clone, Debug, PartialEq)]
 pub struct RestEvidence {
     /// Pose at separation, taken as exact.
     pub separation: Pose,
@@ -31,6 +32,8 @@ pub struct RestEvidence {
     pub heading_deviation: f64,
     /// The standard deviation of a factor common to all frictions, dimensionless: 0.1 for a friction of 0.7 ± 0.07.
     pub friction_deviation: f64,
+    /// Points that the center of mass or a wheel passed, such as tire marks.
+    pub points: Vec<PathPoint>,
 }
 
 /// Method of computing the separation.
@@ -75,8 +78,16 @@ pub struct SlideFit {
     pub converged: usize,
     /// Distance of the end of its slide from the pose at rest.
     pub miss: Miss,
-    /// Other separations that end in the same pose at rest.
-    pub others: Vec<OtherSeparation>,
+    /// The place of the path that is nearest to each point of the evidence.
+    pub points: Vec<NearestPlace>,
+    /// The sum of the squares of what pose and points are missed by, in standard deviations.
+    pub chi_square: f64,
+    /// The number of points: three unknowns are determined by the pose at rest alone.
+    pub degrees_of_freedom: usize,
+    /// The probability of a χ² this large or larger by chance; 1 without points.
+    pub probability: f64,
+    /// Other separations that end in the same pose at rest and come past the points, the best first; their own fits have no others.
+    pub others: Vec<Separation>,
 }
 
 /// A computed pose at rest less the given one.
@@ -87,16 +98,6 @@ pub struct Miss {
     pub position: Xy,
     /// Difference in heading, in rad.
     pub heading: f64,
-}
-
-/// Another separation whose slide ends in the same pose at rest, or equally near to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct OtherSeparation {
-    /// Its velocity on the ground and its yaw rate.
-    pub motion: Motion,
-    /// Distance of the end of its slide from the pose at rest.
-    pub miss: Miss,
 }
 
 /// Reason for the absence of a separation.
@@ -120,7 +121,11 @@ pub enum NoSeparation {
         /// The direction, of length 1 in m/s and rad/s; zero if the derivatives are not finite.
         along: Motion,
     },
-    /// The closed form has no solution: on a straight path the tires would drive the vehicle.
+    /// The vehicle does not stand in the pose at rest: the grade is steeper than its tires hold.
+    NotHeld,
+    /// The closed form has no path that could be compared with points.
+    NoPath,
+    /// The closed form has no solution: on a straight path the tires, or the grade, would drive the vehicle.
     Driven,
     /// The closed form cannot determine the yaw rate: the tires alone would rotate the vehicle, for instance because one side drags more, and its rotation is
     /// within a few deviations of zero, or of the values at which they would drive it.
@@ -146,8 +151,10 @@ impl Separation {
     }
 
     /// Returns the miss of the nearest slide if it exceeds the deviations of the pose, or `None` if the slide reaches the pose or for the closed form.
+    ///
+    /// With points along the path, pose and points share what is missed, and [`SlideFit::probability`] is the measure of it.
     pub fn miss_beyond(&self, rest: &RestEvidence) -> Option<Miss> {
-        let miss = self.fit.as_ref()?.miss;
+        let miss = self.fit.as_ref().filter(|fit| fit.points.is_empty())?.miss;
         let within = miss.position.x.abs() <= rest.position_deviation.x
             && miss.position.y.abs() <= rest.position_deviation.y
             && miss.heading.abs() <= rest.heading_deviation;
@@ -237,7 +244,11 @@ impl Slide {
     /// [`NoSeparation`]: every issue of the input, or the reason why the pose at rest does not determine the motion.
     pub fn separation(&self, evidence: &RestEvidence, method: Method) -> Result<Separation, NoSeparation> {
         self.check_evidence(evidence).map_err(NoSeparation::Refused)?;
+        if !self.stands(&evidence.rest) {
+            return Err(NoSeparation::NotHeld);
+        }
         match method {
+            Method::ClosedForm if !evidence.points.is_empty() => Err(NoSeparation::NoPath),
             Method::ClosedForm => self.separation_in_closed_form(evidence),
             Method::Slide => self.separation_by_slide(evidence),
         }
@@ -251,6 +262,12 @@ impl Slide {
         issues.positive(Place::of("rest.position.x.sd", Measure::Length), &evidence.position_deviation.x);
         issues.positive(Place::of("rest.position.y.sd", Measure::Length), &evidence.position_deviation.y);
         issues.positive(Place::of("rest.heading.sd", Measure::Angle), &evidence.heading_deviation);
+        for (index, point) in evidence.points.iter().enumerate() {
+            issues.finite(Place::of("point.position.x", Measure::Length).at(index), &point.position.x);
+            issues.finite(Place::of("point.position.y", Measure::Length).at(index), &point.position.y);
+            issues.positive(Place::of("point.position.x.sd", Measure::Length).at(index), &point.deviation.x);
+            issues.positive(Place::of("point.position.y.sd", Measure::Length).at(index), &point.deviation.y);
+        }
         issues.within(Place::plain("friction.sd"), &evidence.friction_deviation, 0.0, Some(1.0));
         issues.finish()
     }
@@ -266,6 +283,8 @@ impl Issue for NoSeparation {
             NoSeparation::NoRest(why) => why.code(),
             NoSeparation::NotConverged { .. } => "not-converged",
             NoSeparation::NotDetermined { .. } => "underdetermined",
+            NoSeparation::NotHeld => "not-held",
+            NoSeparation::NoPath => "no-path",
             NoSeparation::Driven => "driven",
             NoSeparation::Turned { .. } => "turned",
             NoSeparation::TooShort { .. } => "too-short",
@@ -304,7 +323,9 @@ impl Issue for NoSeparation {
                 .text(", ")
                 .figure(Measure::YawRate, along.yaw_rate)
                 .text(") end in the same pose"),
-            NoSeparation::Driven => "on a straight path to the pose at rest the tires would drive the vehicle".into(),
+            NoSeparation::NotHeld => "the vehicle does not stay in the pose at rest: the grade there is steeper than its tires hold".into(),
+            NoSeparation::NoPath => "the closed form follows no path, so that points along it say nothing".into(),
+            NoSeparation::Driven => "on a straight path to the pose at rest the tires or the grade would drive the vehicle".into(),
             NoSeparation::Turned { turn, deviation } => message
                 .text("the drag of the tires differs between the sides and would turn the vehicle, which turned ")
                 .figure(Measure::Angle, *turn)

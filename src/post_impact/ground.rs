@@ -1,4 +1,8 @@
-//! The ground: a friction, and regions with other frictions.
+//! The ground: its friction and grade, and regions with others.
+//!
+//! A grade is the height gained over a horizontal distance. Lengths are those of a plan, and loads those of level ground: the ground then pushes each wheel by
+//! its load times the grade, downhill. The work of that push is exactly the weight times the height, so that speeds are those along the road, as in
+//! [`skid`](crate::skid); a time is short by √(1 + G²), 0.1 % on a grade of 5 %.
 
 use alloc::vec::Vec;
 
@@ -10,7 +14,9 @@ use crate::scalar::Real;
 pub struct Ground<T = f64> {
     /// The coefficient of friction between tires and ground outside of the regions, dimensionless.
     pub friction: T,
-    /// Regions with their own friction. If several overlap, the last of them applies.
+    /// The grade outside of the regions: the height gained over a horizontal distance along x and along y, dimensionless.
+    pub grade: Xy<T>,
+    /// Regions with their own friction and grade. If several overlap, the last of them applies.
     pub regions: Vec<Region<T>>,
     /// The length over which a wheel passes from one friction to the other, half of it on each side of the border, in m: that of the tire's contact patch.
     pub contact_length: T,
@@ -18,13 +24,24 @@ pub struct Ground<T = f64> {
     pub gravity: T,
 }
 
-/// A part of the ground with its own friction.
+/// A part of the ground with its own friction and grade.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region<T = f64> {
     /// Its coefficient of friction, dimensionless.
     pub friction: T,
+    /// Its grade along x and along y, dimensionless; zero if it is level.
+    pub grade: Xy<T>,
     /// Its area.
     pub area: Area<T>,
+}
+
+/// Friction and grade under a wheel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface<T = f64> {
+    /// The coefficient of friction, dimensionless.
+    pub friction: T,
+    /// The grade along x and along y, dimensionless.
+    pub grade: Xy<T>,
 }
 
 /// A part of the plane.
@@ -56,18 +73,30 @@ impl Area {
 }
 
 impl Ground {
-    /// Creates ground with the same friction everywhere.
+    /// Creates level ground with the same friction everywhere.
     pub const fn uniform(friction: f64) -> Ground {
-        Ground { friction, regions: Vec::new(), contact_length: 0.2, gravity: crate::STANDARD_GRAVITY }
+        Ground { friction, grade: Xy { x: 0.0, y: 0.0 }, regions: Vec::new(), contact_length: 0.2, gravity: crate::STANDARD_GRAVITY }
+    }
+
+    /// Returns `true` if it has no grade anywhere.
+    pub(super) fn is_level(&self) -> bool {
+        self.grade == Xy::zero() && self.regions.iter().all(|region| region.grade == Xy::zero())
     }
 }
 
 impl<T> Ground<T> {
     /// Converts the ground to another scalar type.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Ground<U> {
-        let region = |region: Region<T>| Region { friction: f(region.friction), area: region.area.map(&mut f) };
+        let region =
+            |region: Region<T>| Region { friction: f(region.friction), grade: region.grade.map(&mut f), area: region.area.map(&mut f) };
         let regions = self.regions.into_iter().map(region).collect();
-        Ground { friction: f(self.friction), regions, contact_length: f(self.contact_length), gravity: f(self.gravity) }
+        Ground {
+            friction: f(self.friction),
+            grade: self.grade.map(&mut f),
+            regions,
+            contact_length: f(self.contact_length),
+            gravity: f(self.gravity),
+        }
     }
 }
 
@@ -93,12 +122,21 @@ impl<T: Real<Mask = bool>> Ground<T> {
     /// Over the contact length it changes from one to the other by w³(10 − 15w + 6w²), equally inside and outside, so that a wheel that rolls straight across
     /// loses the same energy as at a border without width.
     pub fn friction_at(&self, point: &Xy<T>) -> T {
-        let mut friction = self.friction.clone();
+        self.surface_at(point).friction
+    }
+
+    /// Returns friction and grade under a wheel, both of which change over the contact length as the friction does.
+    pub fn surface_at(&self, point: &Xy<T>) -> Surface<T> {
+        let mut surface = Surface { friction: self.friction.clone(), grade: self.grade.clone() };
         for region in &self.regions {
             let inside = region.area.share(point, &self.contact_length);
-            friction = friction.clone() + inside * (region.friction.clone() - friction);
+            let Surface { friction, grade } = surface;
+            surface = Surface {
+                friction: friction.clone() + inside.clone() * (region.friction.clone() - friction),
+                grade: grade.clone() + (region.grade.clone() - grade) * inside,
+            };
         }
-        friction
+        surface
     }
 }
 
@@ -215,16 +253,19 @@ mod tests {
     }
 
     fn half_plane(friction: f64) -> Region {
-        Region { friction, area: Area::HalfPlane { from: at(10.0, 0.0), toward: at(3.0, 0.0) } }
+        Region { friction, grade: Xy::zero(), area: Area::HalfPlane { from: at(10.0, 0.0), toward: at(3.0, 0.0) } }
     }
 
     #[test]
     fn the_last_region_holds() {
-        let square = Region { friction: 0.5, area: corner() };
-        let everywhere = Region { friction: 0.1, area: Area::HalfPlane { from: at(-99.0, 0.0), toward: at(1.0, 0.0) } };
+        let square = Region { friction: 0.5, grade: at(0.1, 0.0), area: corner() };
+        let area = Area::HalfPlane { from: at(-99.0, 0.0), toward: at(1.0, 0.0) };
+        let everywhere = Region { friction: 0.1, grade: at(0.0, 0.2), area };
         let ground = |regions| Ground { regions, ..Ground::uniform(0.7) };
-        assert!((ground(vec![everywhere.clone(), square.clone()]).friction_at(&at(2.0, 2.0)) - 0.5).abs() < 1e-15);
-        assert!((ground(vec![square, everywhere]).friction_at(&at(2.0, 2.0)) - 0.1).abs() < 1e-15);
+        let both = ground(vec![everywhere.clone(), square.clone()]).surface_at(&at(2.0, 2.0));
+        assert!((both.friction - 0.5).abs() < 1e-15 && (both.grade - at(0.1, 0.0)).length() < 1e-15);
+        let both = ground(vec![square, everywhere]).surface_at(&at(2.0, 2.0));
+        assert!((both.friction - 0.1).abs() < 1e-15 && (both.grade - at(0.0, 0.2)).length() < 1e-15);
     }
 
     #[test]

@@ -4,15 +4,17 @@ use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
 use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::evidence::{Miss, MotionCovariance, NoSeparation, OtherSeparation, RestEvidence, Separation, SlideFit};
+use super::evidence::{Miss, MotionCovariance, NoSeparation, RestEvidence, Separation, SlideFit};
 use super::issue::NoRest;
+use super::path_point::{NearestPlace, Passage};
 use super::slide::Slide;
-use super::variation::{COARSE, FINE, VARIED};
+use super::variation::{COARSE, FINE, Slopes, VARIED};
 use crate::frame::Xy;
 use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
 use crate::vehicle::Motion;
@@ -32,14 +34,21 @@ const COST_OF_DERIVATIVES: usize = 6;
 const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
 /// Largest distance, in these scales, of two solutions that are the same.
 const SAME: f64 = 1e-4;
+/// The same before the last steps of a fit to points, and the largest step of a search that is close enough for them.
+const CLOSE: f64 = 0.01;
+/// Maximum number of those last steps, and the length of a step that is none.
+const LAST_STEPS: usize = 12;
+const NO_STEP: f64 = 1e-9;
 /// Sum of squares, in squares of standard deviations, at which the pose at rest is reached: a hundred-thousandth of a deviation.
 const REACHED: f64 = 1e-10;
+/// Largest excess of χ² over the best at which a path past given points remains an alternative: by chance it is exceeded in one case of a thousand.
+const NEARLY_AS_GOOD: f64 = 10.83;
 /// Share of the largest singular value below which a direction does not change the pose at rest.
 const NOTHING: f64 = 1e-8;
 /// Maximum number of iterations of a 3×3 decomposition, which needs a handful.
 const MOST_SWEEPS: usize = 1000;
 
-/// The pose at rest, computed less given, in standard deviations.
+/// The pose at rest and the path, computed less given, in standard deviations.
 struct ToRest<'a> {
     slide: &'a Slide,
     evidence: &'a RestEvidence,
@@ -69,19 +78,25 @@ impl ToRest<'_> {
         [self.evidence.position_deviation.x, self.evidence.position_deviation.y, self.evidence.heading_deviation]
     }
 
-    fn miss(&self, unknowns: &[f64]) -> Result<Miss, NoRest> {
+    /// Returns what a motion misses: the pose at rest, and each point.
+    fn missed(&self, unknowns: &[f64]) -> Result<(Miss, Vec<Passage>), NoRest> {
         let rest = self.slide.to_rest(&self.evidence.separation, &motion(unknowns));
         // A motion that does not come to rest takes the longest.
         self.spend(rest.as_ref().map_or(1000, |rest| rest.path.len()));
         let rest = rest?;
-        Ok(Miss::of(&rest.pose, &self.evidence.rest))
+        let passages = self.evidence.points.iter().filter_map(|point| point.passage(self.slide, &rest.path)).collect();
+        Ok((Miss::of(&rest.pose, &self.evidence.rest), passages))
+    }
+
+    fn miss(&self, unknowns: &[f64]) -> Result<Miss, NoRest> {
+        Ok(self.missed(unknowns)?.0)
     }
 
     fn residuals(&self, unknowns: &[f64]) -> Result<Vec<f64>, NoRest> {
-        let miss = self.miss(unknowns)?;
+        let (miss, passages) = self.missed(unknowns)?;
         let Miss { position, heading } = miss;
-        let residuals: Vec<f64> =
-            [position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd).collect();
+        let of_rest = [position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd);
+        let residuals: Vec<f64> = of_rest.chain(passages.iter().flat_map(Passage::residuals)).collect();
         let sum_of_squares = residuals.iter().map(|residual| residual * residual).sum();
         let mut nearest = self.nearest.borrow_mut();
         let moves = !self.slide.is_at_rest(&motion(unknowns));
@@ -112,13 +127,49 @@ impl ToRest<'_> {
         self.work.set(self.work.get().saturating_sub(steps));
     }
 
-    /// Returns the derivatives of the pose at rest by the motion and by the factor of the frictions, in standard deviations.
-    fn slopes(&self, unknowns: &[f64], tolerance: f64) -> SMatrix<f64, 3, VARIED> {
-        let deviations = self.deviations();
-        match self.slide.varied_rest(&self.evidence.separation, &motion(unknowns), tolerance) {
-            Ok(varied) => SMatrix::from_fn(|i, k| varied.by[i][k] / deviations[i]),
-            Err(_) => SMatrix::zeros(),
+    /// Returns the derivatives of the residuals by the motion and by the factor of the frictions.
+    fn slopes(&self, unknowns: &[f64], tolerance: f64) -> Vec<Slopes> {
+        let evidence = self.evidence;
+        match self.slide.varied_rest(&evidence.separation, &motion(unknowns), &evidence.points, tolerance) {
+            Ok(varied) => {
+                let of_rest = varied.by.into_iter().zip(self.deviations()).map(|(by, sd)| by.map(|slope| slope / sd));
+                of_rest.chain(varied.points.into_iter().flatten()).collect()
+            }
+            Err(_) => alloc::vec![[0.0; VARIED]; 3 + 2 * evidence.points.len()],
         }
+    }
+
+    /// Takes the last steps to a minimum, by Gauss and Newton with fine derivatives, as long as the sum of squares does not grow.
+    fn refined(&self, mut found: Found) -> Found {
+        for _ in 0..LAST_STEPS {
+            let Ok(residuals) = self.residuals(&found.unknowns) else { break };
+            let slopes = self.slopes(&found.unknowns, FINE);
+            let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
+            let step =
+                jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS).and_then(|svd| svd.solve(&DVector::from_vec(residuals), 0.0).ok());
+            let Some(step) = step.filter(|step| step.amax() > NO_STEP) else { break };
+            let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
+            match self.sum_of_squares(&unknowns) {
+                Ok(sum_of_squares) if sum_of_squares <= found.sum_of_squares => found = Found { unknowns, sum_of_squares, ..found },
+                _ => break,
+            }
+        }
+        found
+    }
+
+    /// Returns the separation that a search ended in.
+    fn separation(&self, found: &Found) -> Result<Separation, NoSeparation> {
+        let unknowns = &found.unknowns;
+        let (miss, passages) = self.missed(unknowns).map_err(NoSeparation::NoRest)?;
+        let Uncertain { covariance, by_friction } = uncertainty(&self.slopes(unknowns, FINE), self.evidence)?;
+        let points: Vec<NearestPlace> = passages.iter().map(Passage::nearest_place).collect();
+        let (chi_square, degrees_of_freedom) = (found.sum_of_squares, points.len());
+        let by_chance = |_| ChiSquared::new(degrees_of_freedom as f64).map_or(f64::NAN, |distribution| distribution.sf(chi_square));
+        let probability = points.first().map_or(1.0, by_chance);
+        let others = Vec::new();
+        let iterations = found.iterations;
+        let fit = SlideFit { iterations, starts: 0, converged: 0, miss, points, chi_square, degrees_of_freedom, probability, others };
+        Ok(Separation { motion: motion(unknowns), covariance, by_friction, fit: Some(fit) })
     }
 }
 
@@ -137,7 +188,7 @@ impl Residuals for ToRest<'_> {
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
         self.work.set(self.work.get().saturating_sub(COST_OF_DERIVATIVES * self.last.get()));
         let slopes = self.slopes(unknowns, COARSE);
-        DMatrix::from_fn(3, 3, |i, k| slopes[(i, k)])
+        DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k])
     }
 }
 
@@ -162,6 +213,7 @@ impl Slide {
         let first = self.first_guess(evidence);
         let mut found: Vec<Found> = Vec::new();
         let (mut tried, mut converged) = (0, 0);
+        let has_points = !evidence.points.is_empty();
         for start in starts(&search, first) {
             if search.work.get() == 0 {
                 break;
@@ -170,31 +222,42 @@ impl Slide {
             let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
             let end = match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
                 Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
-                Err(FitError::NotConverged(NotConverged { unknowns, iterations, .. })) => {
+                Err(FitError::NotConverged(NotConverged { unknowns, iterations, step, .. })) => {
                     // If its work was used up, the search stopped evaluating the residuals: evaluate them here.
                     let Ok(sum_of_squares) = search.sum_of_squares(&unknowns) else { continue };
                     let end = Found { unknowns, sum_of_squares, iterations };
-                    // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise.
-                    (sum_of_squares <= REACHED).then_some(end)
+                    // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need
+                    // finer derivatives than a search affords.
+                    (sum_of_squares <= REACHED || has_points && step <= CLOSE).then_some(end)
                 }
                 Err(FitError::NoStart) => continue,
             };
             if let Some(end) = end {
                 converged += 1;
-                keep(&mut found, end);
+                keep(&mut found, end, if has_points { CLOSE } else { SAME });
             }
         }
-        let Some(best) = best_of(&mut found, &first) else { return Err(search.nothing_found(&first)) };
-        let miss = search.miss(&best.unknowns).map_err(NoSeparation::NoRest)?;
-        let Uncertain { covariance, by_friction } = match uncertainty(&search.slopes(&best.unknowns, FINE), evidence) {
+        if has_points {
+            let mut refined = Vec::new();
+            for one in found {
+                keep(&mut refined, search.refined(one), SAME);
+            }
+            found = refined;
+        }
+        let Some(best) = best_of(&mut found, &first, has_points) else { return Err(search.nothing_found(&first)) };
+        let mut separation = match search.separation(&best) {
             // A search without any way to continue stays at its start.
-            Err(_) if !miss.is_nothing() => return Err(search.nothing_found(&first)),
-            uncertain => uncertain?,
+            Err(NoSeparation::NotDetermined { .. }) if search.miss(&best.unknowns).is_ok_and(|miss| !miss.is_nothing()) => {
+                return Err(search.nothing_found(&first));
+            }
+            separation => separation?,
         };
-        let other = |other: &Found| Some(OtherSeparation { motion: motion(&other.unknowns), miss: search.miss(&other.unknowns).ok()? });
-        let others = found.iter().filter_map(other).collect();
-        let fit = SlideFit { iterations: best.iterations, starts: tried, converged, miss, others };
-        Ok(Separation { motion: motion(&best.unknowns), covariance, by_friction, fit: Some(fit) })
+        if let Some(fit) = &mut separation.fit {
+            // One that the evidence does not determine is no alternative.
+            fit.others = found.iter().filter_map(|other| search.separation(other).ok()).collect();
+            (fit.starts, fit.converged) = (tried, converged);
+        }
+        Ok(separation)
     }
 
     /// Returns the closed form, or a rotation in proportion to the path if the tires would drive the vehicle.
@@ -235,9 +298,9 @@ fn starts(search: &ToRest<'_>, first: [f64; 3]) -> Vec<[f64; 3]> {
     core::iter::once(first).chain(near).chain(at_random).collect()
 }
 
-/// Keeps a result, or the earlier one if it is the same and better.
-fn keep(found: &mut Vec<Found>, one: Found) {
-    match found.iter_mut().find(|other| distance(&other.unknowns, &one.unknowns) <= SAME) {
+/// Keeps a result, or the earlier one if it is the same, to some distance, and better.
+fn keep(found: &mut Vec<Found>, one: Found, same: f64) {
+    match found.iter_mut().find(|other| distance(&other.unknowns, &one.unknowns) <= same) {
         Some(other) if one.sum_of_squares < other.sum_of_squares => *other = one,
         Some(_) => (),
         None => found.push(one),
@@ -250,11 +313,16 @@ fn distance(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// Removes and returns the best result: the least sum of squares, and of several equally good ones the nearest to the first guess. Worse ones are dropped,
-/// such as a slide that stops short of the pose where the search could not continue.
-fn best_of(found: &mut Vec<Found>, first: &[f64; 3]) -> Option<Found> {
+/// such as a slide that stops short of the pose where the search could not continue. Points along the path decide between those that remain: the others are in
+/// the order of their sums.
+fn best_of(found: &mut Vec<Found>, first: &[f64; 3], has_points: bool) -> Option<Found> {
     let least = found.iter().map(|one| one.sum_of_squares).reduce(f64::min)?;
-    found.retain(|one| one.sum_of_squares <= (least * (1.0 + 1e-6)).max(REACHED));
+    let limit = if has_points { least + NEARLY_AS_GOOD } else { (least * (1.0 + 1e-6)).max(REACHED) };
+    found.retain(|one| one.sum_of_squares <= limit);
     found.sort_by(|a, b| distance(&a.unknowns, first).total_cmp(&distance(&b.unknowns, first)));
+    if has_points {
+        found.sort_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
+    }
     Some(found.remove(0))
 }
 
@@ -264,28 +332,30 @@ struct Uncertain {
     by_friction: Motion,
 }
 
-/// Returns the covariance of the motion from that of the pose at rest, which is 1 in standard deviations, and from the friction: with J the derivatives by
+/// Returns the covariance of the motion from that of pose and points, which is 1 in standard deviations, and from the friction: with J the derivatives by
 /// the motion and j those by the friction, A = (JᵀJ)⁻¹ Jᵀ and C = A (1 + j σ² jᵀ) Aᵀ. With more friction, the motion that ends in the same pose changes by −A
 /// j.
-fn uncertainty(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
+fn uncertainty(slopes: &[Slopes], evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
     let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
-    let jacobian = slopes.fixed_columns::<3>(0) * scales;
+    let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
     // NaN has no decomposition, and the search for one would not end.
-    let svd = if slopes.iter().all(|slope| slope.is_finite()) { jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS) } else { None };
+    let svd =
+        if slopes.iter().flatten().all(|slope| slope.is_finite()) { jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS) } else { None };
     let Some(svd) = svd else { return Err(NoSeparation::NotDetermined { along: Motion::rest() }) };
     let largest = svd.singular_values.max();
     let (smallest, least) = svd.singular_values.argmin();
     let is_determined = least > NOTHING * largest;
     if !is_determined {
-        let along = svd.v_t.map(|v_t| scales * v_t.row(smallest).transpose()).unwrap_or_default().normalize();
+        let of_scales = |v_t: DMatrix<f64>| scales * Vector3::from_fn(|i, _| v_t[(smallest, i)]);
+        let along = svd.v_t.map(of_scales).unwrap_or_default().normalize();
         return Err(NoSeparation::NotDetermined { along: motion(along.as_slice()) });
     }
     let Ok(inverse) = svd.pseudo_inverse(0.0) else {
         return Err(NoSeparation::NotDetermined { along: Motion::rest() });
     };
     let back = scales * inverse;
-    let by_friction = -back * slopes.column(VARIED - 1) * evidence.friction_deviation;
-    let covariance = back * back.transpose() + by_friction * by_friction.transpose();
+    let by_friction = -&back * DVector::from_fn(slopes.len(), |i, _| slopes[i][VARIED - 1]) * evidence.friction_deviation;
+    let covariance = &back * back.transpose() + by_friction * by_friction.transpose();
     let covariance = MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)])));
     Ok(Uncertain { covariance, by_friction: motion(by_friction.as_slice()) })
 }
@@ -293,7 +363,7 @@ fn uncertainty(slopes: &SMatrix<f64, 3, VARIED>, evidence: &RestEvidence) -> Res
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::post_impact::{Area, Ground, Method, Pose, Region, Restraint, SlidingVehicle, Wheel, Wheels};
+    use crate::post_impact::{Area, Ground, Method, PathPoint, Pose, Region, Restraint, SlidingVehicle, Wheel, WheelPosition, Wheels};
 
     fn slide(wheels: Wheels<Wheel>) -> Slide {
         let vehicle = SlidingVehicle::sedan(wheels);
@@ -318,6 +388,7 @@ mod tests {
             position_deviation: Xy { x: 0.3, y: 0.2 },
             heading_deviation: 0.09,
             friction_deviation: 0.07,
+            points: Vec::new(),
         }
     }
 
@@ -358,7 +429,7 @@ mod tests {
                 ..evidence(rest)
             };
             let of = |slide: &Slide, rest: Pose| {
-                let motion = slide.separation(&RestEvidence { rest, ..given }, method).expect("a solution").motion;
+                let motion = slide.separation(&RestEvidence { rest, ..given.clone() }, method).expect("a solution").motion;
                 [motion.velocity.x, motion.velocity.y, motion.yaw_rate]
             };
             let moved = |by: [f64; 4]| {
@@ -392,6 +463,68 @@ mod tests {
         }
     }
 
+    /// Points on the path of a known motion change nothing but what is known of it; one beside it is missed, and moves the motion.
+    #[test]
+    fn points_on_the_path_narrow_the_separation_down() {
+        let slide = slide(damaged());
+        let truth = motion(&MOTIONS[0]);
+        let rest = slide.to_rest(&FROM, &truth).expect("it comes to rest");
+        let passed = |share: f64, wheel: Option<WheelPosition>, aside: Xy| {
+            let state = &rest.path[(share * rest.path.len() as f64) as usize];
+            let position = wheel.map_or(state.pose.position, |wheel| *slide.vehicle.wheel_places(&state.pose).of(wheel)) + aside;
+            PathPoint { wheel, position, deviation: Xy { x: 0.1, y: 0.1 } }
+        };
+        let without = evidence(rest.pose);
+        let of = |points| slide.separation(&RestEvidence { points, ..without.clone() }, Method::Slide).expect("a solution");
+        let (alone, on_path) =
+            (of(Vec::new()), of(alloc::vec![passed(0.2, Some(WheelPosition::FrontLeft), Xy::zero()), passed(0.4, None, Xy::zero())]));
+        let difference = (on_path.motion.velocity - truth.velocity).length() + (on_path.motion.yaw_rate - truth.yaw_rate).abs();
+        let fit = on_path.fit.expect("a fit");
+        assert!(difference < 1e-4 && fit.chi_square < 1e-6 && fit.degrees_of_freedom == 2, "{difference} {fit:?}");
+        let (narrow, wide) = (on_path.covariance.deviations(), alone.covariance.deviations());
+        assert!((0..3).all(|i| narrow[i] <= wide[i] * (1.0 + 1e-6)) && narrow[1] < 0.9 * wide[1], "{narrow:?} {wide:?}");
+        let beside = of(alloc::vec![passed(0.4, None, Xy { x: 0.0, y: 1.5 })]).fit.expect("a fit");
+        assert!(beside.probability < 1e-3 && beside.points[0].standardized_residual > 1.0, "{beside:?}");
+    }
+
+    /// The derivatives of the residuals of points are difference quotients.
+    #[test]
+    fn residuals_of_points_have_their_slopes() {
+        let slide = slide(damaged());
+        let rest = slide.to_rest(&FROM, &motion(&MOTIONS[0])).expect("it comes to rest").pose;
+        let at = |wheel, x, y| PathPoint { wheel, position: Xy { x, y }, deviation: Xy { x: 0.2, y: 0.1 } };
+        // One is passed; the vehicle ends before the other.
+        let points = alloc::vec![at(Some(WheelPosition::RearRight), 4.0, 3.0), at(None, rest.position.x + 3.0, rest.position.y + 1.0)];
+        let evidence = RestEvidence { points, ..evidence(rest) };
+        let (nearest, never) = (RefCell::new(None), RefCell::new(None));
+        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK), last: Cell::new(0) };
+        let slopes = search.slopes(&MOTIONS[0], FINE);
+        for k in 0..3 {
+            let by = |step: f64| {
+                let mut unknowns = MOTIONS[0];
+                unknowns[k] += step;
+                search.residuals(&unknowns).expect("it comes to rest")
+            };
+            let (more, less) = (by(1e-4), by(-1e-4));
+            for i in 0..7 {
+                let quotient = (more[i] - less[i]) / 2e-4;
+                assert!((slopes[i][k] - quotient).abs() < 1e-3 * (1.0 + quotient.abs()), "{i} by {k}: {} and {quotient}", slopes[i][k]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_pose_that_the_tires_do_not_hold_is_refused() {
+        let mut slide = slide(Wheels::all(Wheel::ROLLING));
+        slide.ground.grade = Xy { x: 0.02, y: 0.0 };
+        let end = slide.separation(&evidence(Pose { position: Xy { x: 20.0, y: 2.0 }, heading: 0.0 }), Method::Slide);
+        assert_eq!(end, Err(NoSeparation::NotHeld));
+        let up = slide.to_rest(&Pose::default(), &motion(&[5.0, 0.0, 0.0]));
+        // By hand: 5² = 2 g (0.015 + 0.02) d.
+        let Err(NoRest::RollsBack(state)) = up else { panic!("{up:?}") };
+        assert!((state.pose.position.x - 25.0 / (2.0 * 9.80665 * 0.035)).abs() < 0.01, "{state:?}");
+    }
+
     #[test]
     fn a_pose_out_of_reach_says_by_how_much() {
         // Straight ahead without brakes and without resistance: such a vehicle stops only if it slides sideways.
@@ -407,7 +540,7 @@ mod tests {
     fn what_some_motions_reach_is_not_said_to_have_no_rest() {
         let mut slide = slide(Wheels::all(Wheel::LOCKED));
         let ice = Area::HalfPlane { from: Xy { x: 3.0, y: 0.0 }, toward: Xy { x: 1.0, y: 0.0 } };
-        slide.ground.regions = alloc::vec![Region { friction: 0.0, area: ice }];
+        slide.ground.regions = alloc::vec![Region { friction: 0.0, grade: Xy::zero(), area: ice }];
         let end = slide.separation(&evidence(Pose { position: Xy { x: 40.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
         let Err(NoSeparation::NotConverged { motion, miss }) = end else { panic!("{end:?}") };
         let rest = slide.to_rest(&FROM, &motion).expect("it comes to rest").pose;
@@ -420,8 +553,8 @@ mod tests {
     #[test]
     fn slopes_that_are_no_numbers_determine_nothing() {
         for bad in [f64::NAN, f64::INFINITY] {
-            let mut slopes = SMatrix::<f64, 3, VARIED>::identity();
-            slopes[(1, 2)] = bad;
+            let mut slopes: [Slopes; 3] = core::array::from_fn(|i| core::array::from_fn(|k| if i == k { 1.0 } else { 0.0 }));
+            slopes[1][2] = bad;
             assert!(matches!(uncertainty(&slopes, &evidence(FROM)), Err(NoSeparation::NotDetermined { .. })));
         }
     }

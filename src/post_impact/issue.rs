@@ -34,6 +34,8 @@ pub enum NoRest {
     Refused(SlideIssues),
     /// The vehicle does not come to rest within [`TIME_LIMIT`]: this is its state then.
     Moves(TrajectoryState),
+    /// It stops in this state on a grade that is steeper than its tires hold.
+    RollsBack(TrajectoryState),
     /// The integration failed at this state.
     NotFollowed(TrajectoryState),
 }
@@ -84,6 +86,7 @@ impl Issue for NoRest {
         match self {
             NoRest::Refused(issues) => issues.first().code(),
             NoRest::Moves(_) => "does-not-rest",
+            NoRest::RollsBack(_) => "rolls-back",
             NoRest::NotFollowed(_) => "integration-failed",
         }
     }
@@ -107,6 +110,14 @@ impl Issue for NoRest {
                 .figure(Measure::Speed, motion.velocity.length())
                 .text(" and turns at ")
                 .figure(Measure::YawRate, motion.yaw_rate),
+            NoRest::RollsBack(TrajectoryState { time, pose, .. }) => Message::new()
+                .text("the vehicle stops after ")
+                .figure(Measure::Time, *time)
+                .text(" at (")
+                .figure(Measure::Length, pose.position.x)
+                .text(", ")
+                .figure(Measure::Length, pose.position.y)
+                .text(") and rolls back: the grade there is steeper than its tires hold"),
             NoRest::NotFollowed(TrajectoryState { time, .. }) => {
                 Message::new().text("the integration of the motion fails at ").figure(Measure::Time, *time)
             }

@@ -1,6 +1,6 @@
 //! Forces of the ground on a moving vehicle: its equations of motion.
 
-use super::ground::Ground;
+use super::ground::{Ground, Surface};
 use super::vehicle::{Pose, SlidingVehicle};
 use crate::frame::{Heading, Xy};
 use crate::scalar::Real;
@@ -18,12 +18,14 @@ pub struct Slide<T = f64> {
 /// Forces of the ground on a vehicle in one pose and motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag<T = f64> {
-    /// The force on it, in N.
+    /// The force on it, in N: that of the tires, and the push of the ground downhill.
     pub force: Xy<T>,
     /// The moment about its center of mass, in N m.
     pub moment: T,
     /// The power that the tires dissipate, in W: their forces against the velocities of their contacts.
     pub dissipation: T,
+    /// The power that goes into height, in W; below zero downhill.
+    pub climb: T,
 }
 
 impl<T> Slide<T> {
@@ -35,19 +37,22 @@ impl<T> Slide<T> {
 
 impl<T: Real<Mask = bool>> Slide<T> {
     /// Computes the forces of the ground on the vehicle: at each wheel the force of [`Tires::force`](super::Tires::force) with the velocity v + ω × r of its
-    /// contact.
+    /// contact, and its load times the grade, downhill.
     pub fn drag(&self, pose: &Pose<T>, motion: &Motion<T>) -> Drag<T> {
         let heading = Heading::from_angle(pose.heading.clone());
-        let mut drag = Drag { force: Xy::zero(), moment: T::int(0), dissipation: T::int(0) };
+        let mut drag = Drag { force: Xy::zero(), moment: T::int(0), dissipation: T::int(0), climb: T::int(0) };
         for standing in self.vehicle.standing(self.ground.gravity.clone()) {
             let arm = heading.to_ground(standing.place);
             let velocity = motion.velocity.clone() + arm.clone().quarter_turn() * motion.yaw_rate.clone();
             let rolls_along = heading.clone().turned(standing.wheel.steer);
-            let friction = self.ground.friction_at(&(pose.position.clone() + arm.clone()));
+            let Surface { friction, grade } = self.ground.surface_at(&(pose.position.clone() + arm.clone()));
+            let uphill = grade * standing.load.clone();
             let slip = rolls_along.to_vehicle(velocity.clone());
             let force = rolls_along.to_ground(self.vehicle.tires.force(&standing.wheel.restraint, friction, standing.load, slip));
+            drag.dissipation = drag.dissipation - force.clone().dot(velocity.clone());
+            drag.climb = drag.climb + uphill.clone().dot(velocity);
+            let force = force - uphill;
             drag.moment = drag.moment + arm.cross(force.clone());
-            drag.dissipation = drag.dissipation - force.clone().dot(velocity);
             drag.force += force;
         }
         drag

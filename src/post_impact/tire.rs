@@ -72,12 +72,7 @@ impl<T: Real<Mask = bool>> Tires<T> {
         let across_squared = slip.left.clone().squared() + small;
         let speed = (slip.forward.clone().squared() + across_squared.clone()).square_root();
         let sliding = limit.clone() * slip.forward.clone() / speed.clone();
-        let rolling = self.rolling_resistance.clone() * load;
-        let drag = match restraint {
-            Restraint::Rolling => rolling,
-            Restraint::Braked(fraction) => rolling + fraction.clone() * limit.clone(),
-            Restraint::Locked => limit.clone(),
-        };
+        let drag = self.drag(restraint, limit.clone(), load);
         let turns = drag.less(&sliding.clone().magnitude());
         let (along, left_over) = if turns {
             let left_over = (limit.clone().squared() - drag.clone().squared()).square_root();
@@ -90,6 +85,47 @@ impl<T: Real<Mask = bool>> Tires<T> {
         let yielding = free * (self.slip_angle.clone() * slip.forward).squared();
         let across = left_over * slip.left / (across_squared + yielding).square_root();
         ForwardLeft { forward: -along, left: -across }
+    }
+
+    /// Returns the force of brake and rolling resistance, which may exceed that of friction.
+    fn drag(&self, restraint: &Restraint<T>, limit: T, load: T) -> T {
+        let rolling = self.rolling_resistance.clone() * load;
+        match restraint {
+            Restraint::Rolling => rolling,
+            Restraint::Braked(fraction) => rolling + fraction.clone() * limit,
+            Restraint::Locked => limit,
+        }
+    }
+}
+
+impl Tires {
+    /// Returns the limits of the force on a wheel that stands.
+    pub(super) fn limits(&self, restraint: &Restraint, friction: f64, load: f64) -> Limits {
+        let limit = friction * load;
+        Limits { limit, along: limit.min(self.drag(restraint, limit, load)) }
+    }
+}
+
+/// Limits of the force on a wheel that stands: the friction circle, and along the wheel what brake and rolling resistance hold.
+pub(super) struct Limits {
+    limit: f64,
+    along: f64,
+}
+
+impl Limits {
+    /// Returns the force within the limits that reaches farthest in a direction.
+    pub(super) fn farthest(&self, direction: ForwardLeft) -> ForwardLeft {
+        let length = direction.length();
+        if length == 0.0 {
+            return ForwardLeft::zero();
+        }
+        let on_circle = direction * (self.limit / length);
+        if on_circle.forward.abs() <= self.along {
+            return on_circle;
+        }
+        let across = (self.limit * self.limit - self.along * self.along).sqrt();
+        let toward = |size: f64, of: f64| if of == 0.0 { 0.0 } else { size.copysign(of) };
+        ForwardLeft { forward: toward(self.along, direction.forward), left: toward(across, direction.left) }
     }
 }
 

@@ -27,6 +27,8 @@ pub const REST_SPEED: f64 = 5.0;
 
 /// Maximum number of steps; each takes a few microseconds.
 const MOST_STEPS: usize = 30_000;
+/// Longest time down a grade whose gain of speed the steps are prepared for, in s.
+const DOWNHILL: f64 = 10.0;
 /// The error of a step, relative and in m, rad, m/s and rad/s. The inverse needs the end as a smooth function of the start to about 1e-10.
 const TOLERANCE: f64 = 1e-12;
 
@@ -96,7 +98,8 @@ impl ODE<f64, [f64; 7]> for Equations<'_> {
 impl Slide {
     /// Computes the rest position of the vehicle from a pose and a motion.
     ///
-    /// The trajectory ends when 2T/m = v² + k²ω² falls to the square of [`REST_SPEED`] · ε. The remaining motion is extrapolated with its deceleration at
+    /// The trajectory ends when 2T/m = v² + k²ω² falls to the square of [`REST_SPEED`] · ε and the ground holds the vehicle there ([`Slide::stands`]). One that
+    /// rolls up a grade without brakes would roll back, and is not followed there. The remaining motion is extrapolated with its deceleration at
     /// that point: T falls with the square of the remaining time, so the vehicle continues for T/Ṫ times its velocity and yaw rate, fractions of a millimeter
     /// for a sliding vehicle.
     ///
@@ -132,30 +135,36 @@ impl Slide {
         let end = follow(self, &Equations(self), start, TOLERANCE)?;
         let last = end.state.passing(end.time);
         let rest = self.stand_still(&last)?;
-        let left = if last.motion == Motion::rest() { 0.0 } else { self.remainder(&last.pose, &last.motion) };
-        let mut path = end.path;
+        let left = self.time_left(&last).unwrap_or(0.0);
+        // What is left of the energy goes into the tires, but for what goes into height.
+        let remaining = self.kinetic_energy(&last.motion) - left * self.drag(&last.pose, &last.motion).climb;
+        let mut path = end.trajectory();
         path.push(last);
-        Ok(Rest { pose: rest, time: last.time + 2.0 * left, dissipated: end.state[6] + self.kinetic_energy(&last.motion), last, path })
+        Ok(Rest { pose: rest, time: last.time + 2.0 * left, dissipated: end.state[6] + remaining, last, path })
     }
 
     /// Returns the pose at rest from the last state of the integration.
     pub(super) fn stand_still(&self, last: &TrajectoryState) -> Result<Pose, NoRest> {
-        // A vehicle at rest stays there, with or without friction.
-        if last.motion == Motion::rest() {
-            return Ok(last.pose);
+        match self.time_left(last) {
+            Some(_) => Ok(self.after_remainder(&last.pose, &last.motion)),
+            // A vehicle at rest stays there, with or without friction; on a grade, one that the ground holds.
+            None if last.motion == Motion::rest() || !self.ground.is_level() => Ok(last.pose),
+            None => Err(NoRest::Moves(*last)),
         }
+    }
+
+    /// Returns half of the remaining time of the motion, in s; `None` if its energy does not fall, as that of a vehicle at rest.
+    fn time_left(&self, last: &TrajectoryState) -> Option<f64> {
         let left = self.remainder(&last.pose, &last.motion);
-        if !(0.0..=TIME_LIMIT / 2.0).contains(&left) {
-            return Err(NoRest::Moves(*last));
-        }
-        Ok(self.after_remainder(&last.pose, &last.motion))
+        (last.motion != Motion::rest() && (0.0..=TIME_LIMIT / 2.0).contains(&left)).then_some(left)
     }
 }
 
 impl<T: Real<Mask = bool>> Slide<T> {
     /// Returns T/Ṫ, half of the remaining time of the motion, in s.
     fn remainder(&self, pose: &Pose<T>, motion: &Motion<T>) -> T {
-        self.kinetic_energy(motion) / self.drag(pose, motion).dissipation
+        let drag = self.drag(pose, motion);
+        self.kinetic_energy(motion) / (drag.dissipation + drag.climb)
     }
 
     /// Returns the pose in which the motion ends.
@@ -177,7 +186,15 @@ impl<T: Real<Mask = bool>> Slide<T> {
 pub(super) struct End<Y> {
     pub time: f64,
     pub state: Y,
-    pub path: Vec<TrajectoryState>,
+    /// The states before it, with their times.
+    pub path: Vec<(f64, Y)>,
+}
+
+impl<Y: Moving> End<Y> {
+    /// Returns pose and motion of the states before it.
+    pub(super) fn trajectory(&self) -> Vec<TrajectoryState> {
+        self.path.iter().map(|(time, state)| state.passing(*time)).collect()
+    }
 }
 
 /// Integrates equations of motion from a state until it counts as rest, each step within a tolerance.
@@ -185,9 +202,12 @@ pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, sta
     let mut watch = Watch { slide, path: Vec::new(), end: None, steps: 0 };
     let from = start.passing(0.0);
     if slide.is_at_rest(&from.motion) {
+        if !slide.stands(&from.pose) {
+            return Err(NoRest::RollsBack(from));
+        }
         return Ok(End { time: 0.0, state: start, path: Vec::new() });
     }
-    watch.path.push(from);
+    watch.path.push((0.0, start.clone()));
     let (mut time, mut state) = (0.0, start);
     let longest = slide.longest_step(&from.motion);
     loop {
@@ -202,6 +222,7 @@ pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, sta
             Ok(solution) => {
                 let last = solution.t.last().copied().zip(solution.y.last().cloned());
                 return match watch.end {
+                    Some((time, state)) if !slide.stands(&state.passing(time).pose) => Err(NoRest::RollsBack(state.passing(time))),
                     Some((time, state)) => Ok(End { time, state, path: watch.path }),
                     None => Err(NoRest::Moves(last.map_or(from, |(time, state)| state.passing(time)))),
                 };
@@ -226,7 +247,10 @@ impl Slide {
         }
         let vehicle = &self.vehicle;
         let arm = vehicle.front_axle.max(vehicle.rear_axle) + vehicle.track;
-        let fastest = start.velocity.length() + arm * start.yaw_rate.abs();
+        let grades = self.ground.regions.iter().map(|region| region.grade).chain([self.ground.grade]);
+        let steepest = grades.map(|grade| grade.length()).fold(0.0, f64::max);
+        let gained = steepest * self.ground.gravity * DOWNHILL;
+        let fastest = start.velocity.length() + arm * start.yaw_rate.abs() + gained;
         (self.ground.contact_length / fastest).clamp(1e-4, TIME_LIMIT)
     }
 }
@@ -234,7 +258,7 @@ impl Slide {
 /// Checks after each step whether the vehicle is at rest.
 struct Watch<'a, Y> {
     slide: &'a Slide,
-    path: Vec<TrajectoryState>,
+    path: Vec<(f64, Y)>,
     end: Option<(f64, Y)>,
     steps: usize,
 }
@@ -260,7 +284,7 @@ impl<Y: Moving> Solout<f64, Y> for Watch<'_, Y> {
         self.steps += 1;
         let now = state.passing(time);
         if !self.slide.is_at_rest(&now.motion) {
-            self.path.push(now);
+            self.path.push((time, state.clone()));
             return ControlFlag::Continue;
         }
         // Bisection of the step finds the instant to the last bit, and cannot leave the step.
@@ -350,7 +374,7 @@ mod tests {
     #[test]
     fn no_step_jumps_over_a_narrow_region() {
         let strip = |from: Xy, toward: Xy| {
-            let half_plane = |friction, from| Region { friction, area: Area::HalfPlane { from, toward } };
+            let half_plane = |friction, from| Region { friction, grade: Xy::zero(), area: Area::HalfPlane { from, toward } };
             alloc::vec![half_plane(0.0, from), half_plane(0.7, from + toward * 0.03)]
         };
         let across = strip(Xy { x: 10.0, y: 0.0 }, Xy { x: 1.0, y: 0.0 });

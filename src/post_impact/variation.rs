@@ -3,15 +3,18 @@
 //! The iteration is in f64 alone. The derivatives of the state are additional unknowns of the same integrator: S' = ∂f/∂y S + ∂f/∂φ, each column of it one
 //! pass of the equations of motion on dual numbers. They are exact for the flow, not for the steps, so the tolerance applies to them too.
 
+use alloc::vec::Vec;
+
 use differential_equations::ode::ODE;
 use num_dual::Dual64;
 
 use super::issue::NoRest;
+use super::path_point::{On, PathPoint};
 use super::slide::Slide;
 use super::trajectory::{Moving, REST_SPEED, follow};
 use super::trajectory_state::TrajectoryState;
 use super::vehicle::Pose;
-use crate::frame::Xy;
+use crate::frame::{Heading, Xy};
 use crate::vehicle::Motion;
 
 /// V_x, V_y, Ω and the common factor of the frictions.
@@ -24,10 +27,15 @@ pub(super) const COARSE: f64 = 1e-5;
 /// Error of a step if the derivatives are the result.
 pub(super) const FINE: f64 = 1e-9;
 
-/// Derivatives of a pose at rest.
+/// Derivatives by V_x, V_y, Ω and the factor of the frictions.
+pub(super) type Slopes = [f64; VARIED];
+
+/// Derivatives of a pose at rest, and of the residuals of points along the path.
 pub(super) struct VariedRest {
-    /// Rows of x, y and heading at rest, with columns of V_x, V_y, Ω and the factor of the frictions.
-    pub by: [[f64; VARIED]; 3],
+    /// Those of x, y and heading at rest.
+    pub by: [Slopes; 3],
+    /// Those of the residuals of each point.
+    pub points: Vec<[Slopes; 2]>,
 }
 
 /// The equations of motion on dual numbers, with the common factor of the frictions constant or varied.
@@ -81,7 +89,7 @@ impl ODE<f64, [f64; SIZE]> for VariationalEquations {
 
 impl Slide {
     /// Computes the derivatives of the end of a checked slide.
-    pub(super) fn varied_rest(&self, from: &Pose, motion: &Motion, tolerance: f64) -> Result<VariedRest, NoRest> {
+    pub(super) fn varied_rest(&self, from: &Pose, motion: &Motion, points: &[PathPoint], tolerance: f64) -> Result<VariedRest, NoRest> {
         let mut start = [0.0; SIZE];
         start[..6].copy_from_slice(&[
             from.position.x,
@@ -112,8 +120,42 @@ impl Slide {
                 row[varied] = value.eps;
             }
         }
-        Ok(VariedRest { by })
+        let mut states = end.path;
+        states.push((end.time, end.state));
+        let path: Vec<TrajectoryState> = states.iter().map(|(time, state)| state.passing(*time)).collect();
+        let of_point = |point: &PathPoint| {
+            let Some(passage) = point.passage(self, &path) else { return [[0.0; VARIED]; 2] };
+            let of_pose = |varied: usize| match passage.on {
+                On::Start => [0.0; 3],
+                On::Step { first, share, .. } => {
+                    let duration = path[first + 1].time - path[first].time;
+                    core::array::from_fn(|i| between(&states[first].1, &states[first + 1].1, 6 * (1 + varied) + i, share, duration))
+                }
+                On::End => core::array::from_fn(|i| by[i][varied]),
+            };
+            let arm = Heading::from_angle(passage.pose.heading).to_ground(point.arm(self)).quarter_turn();
+            let columns: [Xy; VARIED] = core::array::from_fn(|varied| {
+                let [x, y, heading] = of_pose(varied);
+                let change = point.scaled(Xy { x, y } + arm * heading);
+                // The nearest place moves along the path, which does not change the distance from it.
+                match passage.on {
+                    On::Step { normal, .. } => Xy { x: normal.dot(change), y: 0.0 },
+                    On::Start | On::End => change,
+                }
+            });
+            [columns.map(|column| column.x), columns.map(|column| column.y)]
+        };
+        Ok(VariedRest { by, points: points.iter().map(of_point).collect() })
     }
+}
+
+/// Interpolates the derivative of x, y or heading within a step, by the cubic that has it and its rate of change, the derivative of the motion, at both ends.
+fn between(from: &[f64; SIZE], to: &[f64; SIZE], of: usize, share: f64, duration: f64) -> f64 {
+    let (start, end) = (from[of], to[of]);
+    let [leaving, arriving] = [from, to].map(|state| state[of + 3] * duration);
+    let left = 1.0 - share;
+    let value = left * left * ((1.0 + 2.0 * share) * start + share * leaving);
+    value + share * share * ((1.0 + 2.0 * left) * end - left * arriving)
 }
 
 /// Returns the state at the event, whose time depends on the varied quantities: the instant changes by −(∂g/∂y · S)/(∂g/∂y · f).
@@ -141,7 +183,11 @@ mod tests {
         };
         let vehicle = SlidingVehicle::sedan(wheels);
         let locked = SlidingVehicle { wheels: Wheels::all(Wheel::LOCKED), ..vehicle };
-        let ice = Region { friction: 0.3, area: Area::HalfPlane { from: Xy { x: 5.0, y: 0.0 }, toward: Xy { x: 1.0, y: 0.3 } } };
+        let ice = Region {
+            friction: 0.3,
+            grade: Xy::zero(),
+            area: Area::HalfPlane { from: Xy { x: 5.0, y: 0.0 }, toward: Xy { x: 1.0, y: 0.3 } },
+        };
         let with_ice = Ground { regions: vec![ice], ..Ground::uniform(0.7) };
         vec![
             Slide { vehicle, ground: Ground::uniform(0.7) },
@@ -157,7 +203,7 @@ mod tests {
         let motion = |v: [f64; 3]| Motion { velocity: Xy { x: v[0], y: v[1] }, yaw_rate: v[2] };
         let at = [9.0, 4.0, 2.5];
         for (number, slide) in slides().into_iter().enumerate() {
-            let varied = slide.varied_rest(&from, &motion(at), FINE).expect("it comes to rest");
+            let varied = slide.varied_rest(&from, &motion(at), &[], FINE).expect("it comes to rest");
             for k in 0..VARIED {
                 let end = |by: f64| {
                     let mut v = at;

@@ -55,6 +55,26 @@ pub struct SlidingVehicle<T = f64> {
     pub tires: Tires<T>,
 }
 
+/// Position of a wheel on its vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum WheelPosition {
+    /// Front left.
+    FrontLeft,
+    /// Front right.
+    FrontRight,
+    /// Rear left.
+    RearLeft,
+    /// Rear right.
+    RearRight,
+}
+
+impl WheelPosition {
+    /// Every wheel.
+    pub const ALL: [WheelPosition; 4] =
+        [WheelPosition::FrontLeft, WheelPosition::FrontRight, WheelPosition::RearLeft, WheelPosition::RearRight];
+}
+
 #[cfg(test)]
 impl SlidingVehicle {
     /// Returns a sedan with these wheels.
@@ -96,6 +116,16 @@ impl<W: Clone> Wheels<W> {
 }
 
 impl<W> Wheels<W> {
+    /// Returns the value of a wheel.
+    pub fn of(&self, wheel: WheelPosition) -> &W {
+        match wheel {
+            WheelPosition::FrontLeft => &self.front_left,
+            WheelPosition::FrontRight => &self.front_right,
+            WheelPosition::RearLeft => &self.rear_left,
+            WheelPosition::RearRight => &self.rear_right,
+        }
+    }
+
     /// Converts the value of each wheel.
     pub fn map<V>(self, mut f: impl FnMut(W) -> V) -> Wheels<V> {
         Wheels {
@@ -133,13 +163,17 @@ impl<T: Real> SlidingVehicle<T> {
     /// Returns where its wheels stand in a pose, in ground axes and m.
     pub fn wheel_places(&self, pose: &Pose<T>) -> Wheels<Xy<T>> {
         let heading = Heading::from_angle(pose.heading.clone());
-        let [front_left, front_right, rear_left, rear_right] =
-            self.standing(T::int(0)).map(|standing| pose.position.clone() + heading.to_ground(standing.place));
-        Wheels { front_left, front_right, rear_left, rear_right }
+        self.places().map(|place| pose.position.clone() + heading.to_ground(place))
     }
 }
 
 impl<T: Field> SlidingVehicle<T> {
+    /// Returns where its wheels are relative to the center of mass.
+    pub(super) fn places(&self) -> Wheels<ForwardLeft<T>> {
+        let [front_left, front_right, rear_left, rear_right] = self.standing(T::int(0)).map(|standing| standing.place);
+        Wheels { front_left, front_right, rear_left, rear_right }
+    }
+
     /// Returns the wheels with their positions and loads. The load of an axle follows from its distance from the center of mass, m g b/(a + b), half of it on
     /// each side, also in motion: neither pitch nor roll changes it.
     pub(super) fn standing(&self, gravity: T) -> [Standing<T>; 4] {

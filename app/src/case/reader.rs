@@ -17,6 +17,7 @@ mod sample;
 mod unknown;
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
@@ -27,6 +28,7 @@ pub(crate) use self::fitted::report as report_file;
 use self::implied::ImpliedValues;
 use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;
+pub(crate) use self::recorder::Recorded;
 pub(crate) use self::sample::read_cell;
 use super::domain::Domain;
 use super::inputs::Inputs;
@@ -37,9 +39,10 @@ use super::rest::RestInputs;
 use super::uncertain::{Uncertain, UncertainInput};
 use super::vehicle::{Inertia, Size, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
+use crate::issue::Issues;
 use crate::notice::Notice;
 use crate::quantity::{Kind, Quantity};
-use crate::source::Open;
+use crate::source::{Open, Source};
 use crate::units::Units;
 use crate::wording::{barrier_instead, percent_meant};
 
@@ -61,7 +64,7 @@ pub(super) struct Read {
 pub(crate) struct CaseReader {
     pub(crate) notices: RefCell<Vec<Notice>>,
     uncertain: RefCell<Vec<UncertainInput>>,
-    open: Option<Open>,
+    open: Option<Rc<dyn Fn(&str) -> Result<Source, Issues>>>,
     fitted: RefCell<Vec<FittedToTests>>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
@@ -72,7 +75,7 @@ pub(crate) struct CaseReader {
 impl CaseReader {
     /// Creates a reader of a case that may name other files.
     pub(crate) fn opening(open: Open) -> Self {
-        CaseReader { open: Some(open), ..CaseReader::default() }
+        CaseReader { open: Some(open.into()), ..CaseReader::default() }
     }
 
     /// Returns the system of units that most quantities use.

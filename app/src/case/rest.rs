@@ -5,6 +5,9 @@ use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separ
 use super::Case;
 use crate::issue::{Issue, Issues};
 
+/// The names of the wheels, in the order of `WheelPosition::ALL`.
+pub const WHEELS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
+
 /// Rest positions of a case file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestInputs {
@@ -63,6 +66,8 @@ fn help(why: &NoSeparation) -> Option<&'static str> {
         NoSeparation::NoRest(_) => "give it brakes or a rolling resistance",
         NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
         NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
+        NoSeparation::NoPath => "leave `points` or `method` out",
+        NoSeparation::NotHeld => "check `grade`, which is positive uphill, the friction, and which wheels are locked",
         NoSeparation::Driven | NoSeparation::Turned { .. } => "method = \"slide\" follows what each wheel does",
         NoSeparation::TooShort { .. } => "a vehicle that hardly moved says little of its speed",
         _ => return None,

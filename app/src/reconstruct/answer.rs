@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
+use super::from_rest::SeparationFromRest;
 use super::posterior::{Drawn, Draws, Posterior};
 use super::question::{Question, measure_in, measure_of, name_in};
 use crate::answer::Answer;
@@ -22,8 +23,14 @@ use crate::units::trim;
 pub struct Reconstruction {
     /// `agrees`, `several solutions`, `undetermined`, `contradicted` or `bounds exclude`.
     pub verdict: &'static str,
-    /// `true` if several separations lead to the same rest position, of which one is used.
+    /// `true` if other separations, which lead to the same rest positions, agree with the evidence too.
     pub other_separations: bool,
+    /// The separations that are used, from rest positions and points along the paths; left out without `[rest]`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub separations: Vec<SeparationFromRest>,
+    /// The answers from the other separations that lead to the same rest positions, the best first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub by_other_separations: Vec<Reconstruction>,
     /// `true` if a search converged; otherwise there is no answer.
     pub converged: bool,
     /// Number of steps of the search that found the best solution.
@@ -243,10 +250,12 @@ pub(super) struct Solved<'a> {
 }
 
 impl Solved<'_> {
-    /// Returns the overall verdict. If vehicles could have separated in other ways, the solution is one of several.
+    /// Returns the overall verdict. Evidence contradicts itself too if no slide comes past the points along its path.
     fn verdict(&self) -> Verdict {
         match self.answer.verdict {
-            Verdict::Agrees if self.question.has_other_separations => Verdict::SeveralSolutions,
+            Verdict::Agrees | Verdict::SeveralSolutions if self.question.separations.iter().any(SeparationFromRest::is_contradicted) => {
+                Verdict::Contradicted
+            }
             verdict => verdict,
         }
     }
@@ -269,7 +278,9 @@ impl Solved<'_> {
             verdict: self.verdict().name(),
             status: self.verdict(),
             is_answer: self.is_answer(),
-            other_separations: self.question.has_other_separations,
+            other_separations: false,
+            separations: self.question.separations.clone(),
+            by_other_separations: Vec::new(),
             converged: true,
             iterations: best.iterations,
             unknown: best.unknowns.iter().map(|estimate| (name(estimate.of), self.unknown(estimate))).collect(),
@@ -454,6 +465,33 @@ fn bound_name(bound: Bound) -> &'static str {
 }
 
 impl Reconstruction {
+    /// Largest excess of χ² over that of the best at which another separation is an alternative: by chance it is exceeded in one case of a thousand.
+    const NEARLY_AS_GOOD: f64 = 10.83;
+
+    /// Returns χ² of the evidence and of the slides that lead to it.
+    pub fn total_chi_square(&self) -> f64 {
+        self.chi_square + self.separations.iter().map(SeparationFromRest::chi_square).sum::<f64>()
+    }
+
+    /// Returns `true` if points along a path contradict the rest position, while the rest of the evidence agrees.
+    pub fn is_contradicted_by_path(&self) -> bool {
+        /// Probability below which evidence contradicts itself.
+        const BY_CHANCE: f64 = 0.001;
+        self.probability >= BY_CHANCE && self.separations.iter().any(SeparationFromRest::is_contradicted)
+    }
+
+    /// Adds the answers from other separations. If one of them agrees as well, the solution is one of several.
+    pub(super) fn with_others(mut self, others: Vec<Reconstruction>) -> Self {
+        let limit = self.total_chi_square() + Self::NEARLY_AS_GOOD;
+        let agrees = |other: &Reconstruction| !matches!(other.status, Verdict::Contradicted | Verdict::BoundsExclude);
+        self.other_separations = others.iter().any(|other| agrees(other) && other.total_chi_square() <= limit);
+        if self.other_separations && self.status == Verdict::Agrees {
+            (self.status, self.verdict, self.is_answer) = (Verdict::SeveralSolutions, Verdict::SeveralSolutions.name(), false);
+        }
+        self.by_other_separations = others;
+        self
+    }
+
     /// Returns `true` if the best solution is an answer or the best fit to inconsistent evidence, not one of many.
     pub fn has_solution(&self) -> bool {
         self.solution.is_some()

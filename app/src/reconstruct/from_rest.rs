@@ -2,13 +2,25 @@
 
 use planar_impact::post_impact::{Separation, SeparationEvidence};
 use planar_impact::reconstruct::{Correlation, Measurand};
-use planar_impact::{Output, Side};
+use planar_impact::{Motion, Output, Side, Xy};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::case::{Case, Known, vehicle_number};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
-use crate::notice::Notice;
+use crate::named::positive_zero;
+use crate::notice::{Notice, Notices};
+use crate::slide::PointFit;
 use crate::units::Measure;
+
+/// The separations of both vehicles, as far as rest positions give them.
+pub type Separations = [Option<Separation>; 2];
+
+/// Probability of a χ² below which pose and points contradict each other.
+const BY_CHANCE: f64 = 0.001;
+/// Maximum number of combinations of separations that are reconstructed.
+const MOST_COMBINATIONS: usize = 8;
 
 /// A case whose rest positions have been converted into evidence.
 pub struct FromRest {
@@ -16,18 +28,48 @@ pub struct FromRest {
     pub case: Case,
     /// Correlations of their errors.
     pub correlations: Vec<Correlation>,
-    /// `true` if a vehicle could have separated in several ways and come to the same rest position.
-    pub has_others: bool,
+}
+
+/// The separation of a vehicle, from where it came to rest.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SeparationFromRest {
+    /// The number of the vehicle, 1 or 2.
+    pub vehicle: usize,
+    /// Its velocity at separation along x and y, in m/s.
+    pub velocity: [f64; 2],
+    /// Its yaw rate at separation, in rad/s.
+    pub yaw_rate: f64,
+    /// Standard deviations of both components of the velocity and of the yaw rate.
+    pub sd: [f64; 3],
+    /// How the slide fits the evidence; `null` for the closed form.
+    pub fit: Option<SlideFit>,
+}
+
+/// How a slide fits the rest position, and the points along its path.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SlideFit {
+    /// Computed less given position at rest, along x and y, in m.
+    pub position: [f64; 2],
+    /// Computed less given heading at rest, in rad.
+    pub heading: f64,
+    /// Points along the path, in the order of the file.
+    pub points: Vec<PointFit>,
+    /// The sum of the squares of what pose and points are missed by, in standard deviations.
+    pub chi_square: f64,
+    /// The number of points.
+    pub degrees_of_freedom: usize,
+    /// Probability that chi-square is larger by chance; 1 without points.
+    pub probability: f64,
 }
 
 impl FromRest {
-    /// Converts a case, with or without `[rest]`.
+    /// Converts a case, with or without `[rest]`, with the separations that are used.
     ///
     /// # Errors
     ///
     /// Returns the reason if a rest position does not determine a separation.
-    pub fn of(case: &Case) -> Result<Self, Issues> {
-        let (mut case, separations) = (case.clone(), case.separations_from_rest()?);
+    pub fn of(case: &Case, separations: &Separations) -> Result<Self, Issues> {
+        let mut case = case.clone();
         let unfit: Vec<Issue> = (0..2).filter_map(|i| unfit(&case, i, separations[i].as_ref()?)).collect();
         if !unfit.is_empty() {
             return Err(case.unfit(unfit));
@@ -50,23 +92,95 @@ impl FromRest {
                 is_from_crush: false,
             });
         }
-        let mut has_others = false;
-        for (side, separation) in [Side::One, Side::Two].into_iter().zip(&separations) {
+        for (side, separation) in Side::ALL.into_iter().zip(separations) {
             let Some(separation) = separation else { continue };
             let number = vehicle_number(side);
             let message = format!("vehicle.{number}: its separation velocity and yaw rate are reconstructed from its rest position");
             case.notices.0.push(Notice::note("separation-from-rest", key(side), message));
-            let others = separation.fit.as_ref().map_or(0, |fit| fit.others.len());
-            if others > 0 {
-                has_others = true;
-                let them = if others == 1 { "one other motion leads".to_owned() } else { format!("{others} other motions lead") };
-                let message = format!(
-                    "vehicle.{number}: {them} to the same rest position; the one used here is nearest to the closed form, and not the only answer"
-                );
-                case.notices.0.push(Notice::warning("other-separations", key(side), message));
+            if let Some(fit) = separation.fit.as_ref().filter(|fit| fit.probability < BY_CHANCE) {
+                let message = Message::from(format!(
+                    "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {} of freedom",
+                    fit.chi_square, fit.degrees_of_freedom
+                ));
+                case.notices.0.push(Notice::warning("points-contradict-rest", format!("{}.points", key(side)), message));
             }
         }
-        Ok(FromRest { case, correlations, has_others })
+        Ok(FromRest { case, correlations })
+    }
+}
+
+/// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.
+pub fn combinations(separations: &Separations) -> (Vec<Separations>, Notices) {
+    let mut notices = Notices::default();
+    let choices = separations.each_ref().map(|separation| -> Vec<Option<Separation>> {
+        let Some(best) = separation else { return vec![None] };
+        let mut alone = best.clone();
+        let others = alone.fit.as_mut().map(|fit| std::mem::take(&mut fit.others)).unwrap_or_default();
+        // One without deviations cannot be weighed.
+        std::iter::once(alone).chain(others.into_iter().filter(Separation::has_deviations)).map(Some).collect()
+    });
+    for (side, choices) in Side::ALL.into_iter().zip(&choices) {
+        let others = choices.len() - 1;
+        if others > 0 {
+            let them = if others == 1 { "one other motion leads".to_owned() } else { format!("{others} other motions lead") };
+            let message = format!("vehicle.{}: {them} to the same rest position; each is reconstructed", vehicle_number(side));
+            notices.0.push(Notice::warning("other-separations", key(side), message));
+        }
+    }
+    let [one, two] = &choices;
+    let mut all: Vec<Separations> = one.iter().flat_map(|one| two.iter().map(|two| [one.clone(), two.clone()])).collect();
+    all.sort_by(|a, b| chi_square(a).total_cmp(&chi_square(b)));
+    if all.len() > MOST_COMBINATIONS {
+        let message = format!(
+            "{} combinations of separations lead to these rest positions: the {MOST_COMBINATIONS} that fit best are reconstructed",
+            all.len()
+        );
+        notices.0.push(Notice::warning("many-separations", "rest", message));
+        all.truncate(MOST_COMBINATIONS);
+    }
+    (all, notices)
+}
+
+/// Returns the sum of the squares of what slides miss, in standard deviations.
+fn chi_square(separations: &Separations) -> f64 {
+    let of_fit = |separation: &Separation| separation.fit.as_ref().map_or(0.0, |fit| fit.chi_square);
+    separations.iter().flatten().map(of_fit).sum()
+}
+
+impl SeparationFromRest {
+    /// Returns the separations that are used, with their fits.
+    pub fn of(case: &Case, separations: &Separations) -> Vec<Self> {
+        let pair = |v: Xy| [v.x, v.y].map(positive_zero);
+        let of_vehicle = |side: Side| {
+            let Separation { motion: Motion { velocity, yaw_rate }, covariance, fit, .. } = separations[side as usize].as_ref()?;
+            let given = case.rest.as_ref()?.vehicles[side as usize].as_ref()?.evidence.as_ref()?;
+            let fit = fit.as_ref().map(|fit| SlideFit {
+                position: pair(fit.miss.position),
+                heading: positive_zero(fit.miss.heading),
+                points: given.points.iter().zip(&fit.points).map(|(point, place)| PointFit::of(point, place)).collect(),
+                chi_square: fit.chi_square,
+                degrees_of_freedom: fit.degrees_of_freedom,
+                probability: fit.probability,
+            });
+            Some(SeparationFromRest {
+                vehicle: vehicle_number(side),
+                velocity: pair(*velocity),
+                yaw_rate: positive_zero(*yaw_rate),
+                sd: covariance.deviations(),
+                fit,
+            })
+        };
+        Side::ALL.into_iter().filter_map(of_vehicle).collect()
+    }
+
+    /// Returns the sum of the squares of what its slide misses, in standard deviations.
+    pub fn chi_square(&self) -> f64 {
+        self.fit.as_ref().map_or(0.0, |fit| fit.chi_square)
+    }
+
+    /// Returns `true` if its rest position and the points contradict each other.
+    pub fn is_contradicted(&self) -> bool {
+        self.fit.as_ref().is_some_and(|fit| fit.probability < BY_CHANCE)
     }
 }
 
@@ -81,8 +195,8 @@ fn unfit(case: &Case, i: usize, separation: &Separation) -> Option<Issue> {
         let message = "the rest position does not determine the uncertainty of the separation";
         return Some(Issue::at("no-separation", path, message).with_help("give the separation velocity as evidence instead"));
     }
-    let given = case.rest.as_ref()?.vehicles[i].as_ref().and_then(|rest| rest.evidence)?;
-    let miss = separation.miss_beyond(&given)?;
+    let given = case.rest.as_ref()?.vehicles[i].as_ref().and_then(|rest| rest.evidence.as_ref())?;
+    let miss = separation.miss_beyond(given)?;
     let message = Message::from("the slide that ends nearest misses the rest position by ")
         .figure(Measure::Length, miss.position.length())
         .text(" and ")

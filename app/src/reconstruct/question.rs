@@ -4,7 +4,7 @@ use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Unc
 use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
 use super::from_crush::FromCrush;
-use super::from_rest::FromRest;
+use super::from_rest::{FromRest, SeparationFromRest, Separations};
 use super::from_skids::FromSkids;
 use super::inputs::InputUnknowns;
 use crate::case::{Case, Inertia, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
@@ -30,8 +30,8 @@ pub struct Question {
     pub places: Places,
     /// Assumptions.
     pub notices: Notices,
-    /// `true` if a vehicle could have separated in other ways and come to the same rest position; only one of them is used.
-    pub has_other_separations: bool,
+    /// The separations from rest positions that are used.
+    pub separations: Vec<SeparationFromRest>,
 }
 
 /// Paths in the file of the parts of the question.
@@ -57,13 +57,14 @@ impl Places {
 }
 
 impl Question {
-    /// Sets up the question of a case.
+    /// Sets up the question of a case, with the separations that its rest positions lead to.
     ///
     /// # Errors
     ///
     /// Returns the contradictions in the case.
-    pub fn of(case: &Case) -> Result<Self, Issues> {
-        let FromRest { mut case, mut correlations, has_others } = FromRest::of(case)?;
+    pub fn of(case: &Case, separations: &Separations) -> Result<Self, Issues> {
+        let of_rest = SeparationFromRest::of(case, separations);
+        let FromRest { mut case, mut correlations } = FromRest::of(case, separations)?;
         let of_crush = FromCrush::of(&mut case);
         correlations.extend(of_crush.correlations);
         // Without a question and evidence there is nothing to learn of the inputs.
@@ -155,7 +156,7 @@ impl Question {
             certain,
             places: draft.places,
             notices: draft.notices,
-            has_other_separations: has_others,
+            separations: of_rest,
         })
     }
 }

@@ -264,7 +264,7 @@ fn whole_turns(case: &Case, best: &Solution, side: Side, all: &mut Vec<Slip>) {
     let Some(rest) = rest.filter(|_| is_off) else { return };
     rest.rest.heading -= TAU.copysign(fitted.residual);
     let heading = rest.rest.heading;
-    let Ok(question) = Question::of(&case) else { return };
+    let Ok(question) = case.separations_from_rest().and_then(|separations| Question::of(&case, &separations)) else { return };
     let path = format!("rest.vehicle.{}.heading", vehicle_number(side));
     let instead = Message::new().figure(Measure::Angle, heading).text(", a whole turn from it,");
     all.push(Slip { path, instead, problem: question.asked });

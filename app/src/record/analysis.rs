@@ -8,7 +8,8 @@ use planar_impact::barrier::{
 
 use super::recording::{Channel, Filter};
 use super::{
-    Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Clipped, Film, Peak, RecordAnswer, Recorder, Recording, Trace, Uncertain,
+    Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Clipped, Film, Kinematics, Peak, RecordAnswer, Recorder, Recording, Trace,
+    Uncertain,
 };
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
@@ -45,13 +46,14 @@ pub(super) fn analyse(recording: &Recording) -> Result<(RecordAnswer, Vec<Notice
     let films = all.each(ChannelQuantity::Distance, Analysis::film);
     let recorder = Recorder::of(recording, &mut all.issues, &mut all.notices);
     all.traces_of_recorder();
+    let kinematics = all.kinematics();
     let Analysis { issues, notices, traces, .. } = all;
     if !issues.is_empty() {
         let is_physics = issues.iter().all(|issue| issue.code == "tensile");
         return Err(recording.refuse(if is_physics { Cause::Physics } else { Cause::Input }, issues));
     }
     let file = recording.name.clone();
-    Ok((RecordAnswer { file, channels, barrier, accelerations, films, recorder, traces }, notices))
+    Ok((RecordAnswer { file, channels, barrier, accelerations, films, recorder, kinematics, traces }, notices))
 }
 
 impl Channel {
@@ -331,6 +333,15 @@ impl Analysis<'_> {
         self.plausible(&channel.name, restitution.value);
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
+    }
+
+    /// Returns the restitution of the measured kinematics.
+    fn kinematics(&mut self) -> Option<Kinematics> {
+        let measured = self.of.settings.kinematics.as_ref()?;
+        let answer = measured.answer();
+        let kinematics = self.report("kinematics", answer)?;
+        self.plausible("the kinematics", kinematics.restitution.value);
+        Some(kinematics)
     }
 
     fn traces_of_recorder(&mut self) {

@@ -22,12 +22,28 @@ pub struct Recorder {
     pub delta_v_left: Option<AtTime>,
     /// The greatest velocity change of both together; `null` unless both are recorded.
     pub maximum: Option<VelocityChange>,
-    /// `true` if a velocity change is clipped or truncated: the true one is greater.
+    /// `true` if a velocity change, or the sensor behind it, is clipped or truncated: the true one is greater.
     pub is_lower_bound: bool,
+    /// Velocity changes at the rate of the greatest acceleration that the sensors hold, where the recording says how much that is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub clipped_sensors: Vec<ClippedSensor>,
     /// Speeds before the impact.
     pub pre_crash: Vec<PreCrash>,
     /// The speed at the impact; `null` if no speed is recorded.
     pub speed_at_impact: Option<AtImpact>,
+}
+
+/// A stretch in which the acceleration was beyond what the sensor holds.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ClippedSensor {
+    /// The name of the column of the velocity change.
+    pub channel: String,
+    /// The greatest acceleration of the record, in m/s².
+    pub acceleration: f64,
+    /// When it begins, in s.
+    pub from: f64,
+    /// When it ends, in s.
+    pub to: f64,
 }
 
 /// A value with its uncertainty and its time.
@@ -123,6 +139,22 @@ impl<'a> Component<'a> {
         Component { channel, times: channel.record.times(), values, noise }
     }
 
+    /// Returns where the velocity changes as fast as a sensor of some range can tell, to within the resolution of the record; `None` if that is nowhere, or if
+    /// the record is too coarse to say.
+    fn clipped_sensor(&self, range: f64) -> Option<ClippedSensor> {
+        let step = self.noise.step.unwrap_or(0.0);
+        let is_at_range = |i: &usize| {
+            let most = range * (self.times[i + 1] - self.times[*i]);
+            most > 2.0 * step && (self.values[i + 1] - self.values[*i]).abs() >= most - step - ROUNDING * most
+        };
+        let mut at: Vec<usize> = (0..self.times.len() - 1).filter(is_at_range).collect();
+        let (first, last) = (*at.first()?, *at.last()?);
+        let rate = |i: usize| ((self.values[i + 1] - self.values[i]) / (self.times[i + 1] - self.times[i])).abs();
+        at.sort_by(|one, other| rate(*other).total_cmp(&rate(*one)));
+        let channel = self.channel.name.clone();
+        Some(ClippedSensor { channel, acceleration: rate(at[0]), from: self.times[first], to: self.times[last + 1] })
+    }
+
     fn extreme(&self) -> AtTime {
         let at = greatest(self.values.iter().map(|value| value.abs()));
         AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
@@ -174,11 +206,28 @@ impl Recorder {
                 notices.push(Notice::warning("begins-late", component.channel.path.clone(), message));
             }
         }
+        let range = recording.settings.accelerometer_range;
+        let clipped_sensors: Vec<ClippedSensor> =
+            range.map_or_else(Vec::new, |range| components().filter_map(|component| component.clipped_sensor(range)).collect());
+        for (sensor, range) in clipped_sensors.iter().zip(range.into_iter().cycle()) {
+            let message = Message::from(format!("the sensor of {} is clipped: from ", sensor.channel))
+                .figure(Measure::Time, sensor.from)
+                .text(" to ")
+                .figure(Measure::Time, sensor.to)
+                .text(" the velocity changes by up to ")
+                .figure(Measure::Acceleration, sensor.acceleration)
+                .text(", and it holds ")
+                .figure(Measure::Acceleration, range)
+                .text("; the true velocity change is greater");
+            notices.push(Notice::warning("sensor-clipped", sensor.channel.clone(), message));
+        }
         Some(Recorder {
             delta_v_forward: forward.as_ref().map(Component::extreme),
             delta_v_left: left.as_ref().map(Component::extreme),
             maximum,
-            is_lower_bound: components().any(|of| of.channel.clipped().is_some() || of.channel.is_truncated()),
+            is_lower_bound: !clipped_sensors.is_empty()
+                || components().any(|of| of.channel.clipped().is_some() || of.channel.is_truncated()),
+            clipped_sensors,
             pre_crash,
             speed_at_impact,
         })

@@ -3,17 +3,22 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
 
+use super::kinematics::MeasuredKinematics;
 use super::samples::{Fault, Samples, TIME};
 use super::{ChannelQuantity, RecordAnswer};
-use crate::case::{CaseReader, report_file};
-use crate::document::{Document, Table, Value};
+use crate::case::{CaseReader, one_of, report_file};
+use crate::document::{Document, Field, Table, Value};
 use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
 use crate::notice::{Notice, Notices};
 use crate::quantity::{Kind, excerpt};
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
+
+/// The key of the greatest acceleration that the sensors of a recorder hold.
+pub(crate) const ACCELEROMETER_RANGE: &str = "accelerometer_range";
 
 /// Channels over time, and what is known of the test or the vehicle.
 pub struct Recording {
@@ -67,6 +72,9 @@ pub(super) struct Settings {
     pub(super) neighbors: Option<usize>,
     pub(super) resolution: Option<f64>,
     pub(super) relative: f64,
+    /// The greatest acceleration that the sensors of a recorder hold.
+    pub(super) accelerometer_range: Option<f64>,
+    pub(super) kinematics: Option<MeasuredKinematics>,
 }
 
 impl Recording {
@@ -91,7 +99,7 @@ impl Recording {
         if is_document { Self::of_document(source, &open) } else { Self::of_samples(source) }
     }
 
-    fn of_samples(source: Source) -> Result<Recording, Issues> {
+    pub(crate) fn of_samples(source: Source) -> Result<Recording, Issues> {
         let samples = Samples::of(&source);
         let (mut channels, mut unused, mut faults, mut systems) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let time = samples.place(TIME).map_err(|fault| faults.push(fault)).ok();
@@ -148,12 +156,24 @@ impl Recording {
     }
 
     /// Says more of the channels of a recorder than the recording does.
-    pub(crate) fn set_recorder(&mut self, resolution: Option<f64>, relative: Option<f64>, range: Option<f64>) {
+    pub(crate) fn set_recorder(
+        &mut self,
+        resolution: Option<f64>,
+        relative: Option<f64>,
+        range: Option<f64>,
+        accelerometer_range: Option<f64>,
+    ) {
+        self.settings.accelerometer_range = accelerometer_range.or(self.settings.accelerometer_range);
         self.settings.resolution = resolution.or(self.settings.resolution);
         self.settings.relative = relative.unwrap_or(self.settings.relative);
         for channel in self.channels.iter_mut().filter(|channel| channel.quantity.is_running()) {
             channel.range = range.or(channel.range);
         }
+    }
+
+    /// Returns the closing speed that the file gives.
+    pub(crate) fn speed(&self) -> Option<Estimate> {
+        self.settings.speed
     }
 
     /// Computes what the recording tells.
@@ -204,10 +224,32 @@ impl CaseReader {
     fn recording(&self, root: &Table<'_>, open: &dyn Fn(&Path) -> Result<Source, Issues>) -> Option<Read> {
         let schema = root.required("schema").integer(1..=1);
         let title = root.optional("title").string().unwrap_or_default().to_owned();
-        let field = root.required("file");
-        let place = field.clone();
-        let source = field.string().and_then(|name| open(Path::new(name)).map_err(|issues| report_file(&place, &issues)).ok());
+        let kinematics = root.has("kinematics").then(|| root.optional("kinematics").table().and_then(|table| self.kinematics(&table)));
         let settings = self.settings(root);
+        let kinematics = match kinematics {
+            Some(kinematics) => Some(kinematics?),
+            None => None,
+        };
+        // Kinematics need no samples.
+        if kinematics.is_some() && !root.has("file") && !root.has("samples") {
+            let sound = needed(root, &[]) && !root.has("channel");
+            if root.has("channel") {
+                root.optional("channel").report_as("missing-partner", "channels need samples", Some("give `file` or `samples`".to_owned()));
+            }
+            let settings = Settings { kinematics, ..settings? };
+            return (schema.is_some() && sound).then_some((title, settings, Vec::new()));
+        }
+        let (place, source) = match one_of(root, "file", "samples")? {
+            "file" => {
+                let field = root.required("file");
+                let place = field.clone();
+                (place.clone(), field.string().and_then(|name| open(Path::new(name)).map_err(|issues| report_file(&place, &issues)).ok()))
+            }
+            _ => {
+                let field = root.required("samples");
+                (field.clone(), samples_of(field))
+            }
+        };
         let tables = if root.has("channel") { root.optional("channel").array_of_tables().map(Some) } else { Some(None) };
         let (source, tables) = (source?, tables?);
         let samples = Samples::of(&source);
@@ -246,7 +288,7 @@ impl CaseReader {
                 }
             }
         }
-        let settings = settings?;
+        let settings = Settings { kinematics, ..settings? };
         (schema.is_some() && time.is_some() && sound && needed(root, &channels)).then_some((title, settings, channels))
     }
 
@@ -255,6 +297,7 @@ impl CaseReader {
         let quantity = table.required("quantity").choice(&ChannelQuantity::names()).and_then(ChannelQuantity::of_column);
         let polarity = if table.has("polarity") { sign(table) } else { Some(1.0) };
         let of_kind = |key| match (table.has(key), quantity) {
+            (true, Some(ChannelQuantity::Acceleration)) => self.positive_acceleration(table.optional(key)).map(Some),
             (true, Some(quantity)) => self.positive(table.optional(key), quantity.kind().difference()).map(Some),
             _ => Some(None),
         };
@@ -289,6 +332,10 @@ impl CaseReader {
             false => Some(None),
         };
         let relative = if root.has("relative") { self.coefficient(root.optional("relative"), 1.0) } else { Some(0.0) };
+        let accelerometer_range = match root.has(ACCELEROMETER_RANGE) {
+            true => self.positive_acceleration(root.optional(ACCELEROMETER_RANGE)).map(Some),
+            false => Some(None),
+        };
         Some(Settings {
             filter: filter?,
             baseline: baseline?,
@@ -299,8 +346,29 @@ impl CaseReader {
             neighbors: neighbors?.and_then(|count| usize::try_from(count).ok()),
             resolution: resolution?,
             relative: relative?,
+            accelerometer_range: accelerometer_range?,
+            kinematics: None,
         })
     }
+
+    /// Reads an acceleration above zero, in which g is the standard gravity and not a gram.
+    pub(crate) fn positive_acceleration(&self, field: Field<'_>) -> Option<f64> {
+        let number = match field.value() {
+            Some(Value::String(text)) => text.trim().strip_suffix('g').map(str::trim).and_then(|number| number.parse::<f64>().ok()),
+            _ => None,
+        };
+        match number.filter(|number| number.is_finite() && *number > 0.0) {
+            Some(number) => Some(number * STANDARD_GRAVITY),
+            None => self.positive(field, Kind::ACCELERATION),
+        }
+    }
+}
+
+/// Returns the samples that a file has in itself: a text as of a CSV file.
+pub(crate) fn samples_of(field: Field<'_>) -> Option<Source> {
+    let name = field.path().to_owned();
+    // The line break after the opening quotes of a JSON or a one-line text is part of it.
+    field.string().map(|text| Source { name, text: text.trim_start_matches(['\r', '\n']).to_owned() })
 }
 
 fn sign(table: &Table<'_>) -> Option<f64> {
@@ -336,7 +404,8 @@ fn needed(root: &Table<'_>, channels: &[Channel]) -> bool {
     let (forces, films) = ([Q::NormalForce, Q::TangentialForce, Q::Acceleration], [Q::Distance]);
     let recorder = [Q::DeltaVForward, Q::DeltaVLeft, Q::DeltaVRight, Q::Speed];
     let impulses = [Q::NormalForce, Q::Acceleration, Q::Distance];
-    let partners: [(&'static str, &[Q]); 9] = [
+    let velocity_changes = [Q::DeltaVForward, Q::DeltaVLeft, Q::DeltaVRight];
+    let partners: [(&'static str, &[Q]); 10] = [
         ("mass", &forces),
         ("filter", &forces),
         ("baseline", &forces),
@@ -346,6 +415,7 @@ fn needed(root: &Table<'_>, channels: &[Channel]) -> bool {
         ("neighbors", &films),
         ("resolution", &recorder),
         ("relative", &recorder),
+        (ACCELEROMETER_RANGE, &velocity_changes),
     ];
     let mut sound = true;
     for (key, partners) in partners {

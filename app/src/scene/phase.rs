@@ -58,7 +58,7 @@ pub(super) fn phases(scene: &Scene, restitution: f64) -> Vec<Phase> {
 }
 
 fn at_rest(vehicle: &VehicleInScene) -> Option<RestPose> {
-    let given = vehicle.rest.map(|rest| RestPose { position: rest.position, heading: rest.heading });
+    let given = vehicle.rest.as_ref().map(|rest| RestPose { position: rest.position, heading: rest.heading });
     vehicle.slide.as_ref().map(|slide| slide.rest).or(given)
 }
 

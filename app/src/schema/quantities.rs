@@ -63,33 +63,23 @@ fn quantity(kind: &Kind, _: &str) -> Value {
 }
 
 fn measured(kind: &Kind, name: &str) -> Value {
-    let of_kind = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text });
-    let size = |text: &str| json!({ "$ref": format!("#/$defs/{name}"), "description": text, "minimum": 0 });
-    let mut properties = json!({
-        "value": of_kind("The value that was measured."),
-        "sd": size("Its standard deviation."),
-        "resolution": size("The step of the record that it was read from; instead of `sd`."),
-    });
-    let mut spreads = vec!["sd", "resolution"];
+    let mut schema = input(kind, name);
+    schema["description"] = json!(format!(
+        "{} as it was measured: a value, \"value ± standard deviation\", or a table that describes its distribution, of which mean and standard deviation count.",
+        capitalized(kind.name)
+    ));
     if kind.name == Kind::ENERGY.name {
-        properties["value"] = json!({ "anyOf": [{ "const": "from crush" }, of_kind("The value that was measured.")] });
-        properties["relative"] = json!({
-            "$ref": "#/$defs/pure_number", "description": "Its standard deviation as a share of the value; instead of `sd`.", "minimum": 0,
-        });
-        spreads.push("relative");
+        schema["properties"]["value"] = json!({ "anyOf": [{ "const": "from crush" }, schema["properties"]["value"].take()] });
     }
-    let one: Vec<Value> = spreads.iter().map(|spread| json!({ "type": "object", "required": [spread] })).collect();
-    json!({
-        "description": format!("{} as it was measured: a value, \"value ± standard deviation\", or a table.", capitalized(kind.name)),
-        "type": ["number", "string", "object"],
-        "pattern": pattern(kind),
-        "properties": properties,
-        "required": ["value"],
-        "additionalProperties": false,
-        "if": { "anyOf": one },
-        "then": { "oneOf": one },
-        "examples": [kind.example],
-    })
+    if let Some(forms) = schema["then"]["oneOf"].as_array_mut() {
+        forms.insert(0, json!({ "required": ["value"], "propertyNames": { "const": "value" } }));
+    }
+    if let Some(keys) = schema.as_object_mut() {
+        // What is measured is checked where it is used.
+        keys.remove("minimum");
+        keys.remove("maximum");
+    }
+    schema
 }
 
 fn unknown(kind: &Kind, name: &str) -> Value {

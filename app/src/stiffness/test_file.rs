@@ -2,13 +2,14 @@
 
 use planar_impact::barrier::{BarrierTest, MeasuredTest};
 
-use crate::case::{CaseReader, one_of};
+use crate::case::{CaseReader, Recorded, one_of};
 use crate::document::{Document, Table, Value};
 use crate::issue::{Cause, Issue, Issues};
-use crate::notice::Notices;
+use crate::message::Message;
+use crate::notice::{Notice, Notices};
 use crate::quantity::Kind;
 use crate::source::{Open, Source};
-use crate::units::Units;
+use crate::units::{Measure, Units};
 
 /// Maximum number of tests: inverting their covariance takes about a second for this number.
 const MOST_TESTS: usize = 500;
@@ -86,7 +87,7 @@ impl TestFile {
         TestFile::read(source, CaseReader::opening(open))
     }
 
-    fn read(source: Source, reader: CaseReader) -> Result<TestFile, Issues> {
+    pub(crate) fn read(source: Source, reader: CaseReader) -> Result<TestFile, Issues> {
         let document = Document::parse(source)?;
         let read = document.read(|root| reader.tests(root))?;
         let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, prediction }, has_deviations } = read;
@@ -181,15 +182,18 @@ impl CaseReader {
         let mass = self.positive(table.required("mass"), Kind::MASS);
         let speed = self.positive(table.required("speed"), Kind::SPEED);
         let recorded = is_recorded(table).then(|| self.recorded_restitution(&table.required("restitution")));
-        let restitution = match recorded {
-            Some(recorded) => recorded.map(|[restitution, _]| restitution),
+        let restitution = match &recorded {
+            Some(recorded) => recorded.as_ref().map(|recorded| recorded.restitution),
             None => self.restitution_of_test(table, speed),
         };
         let profile = self.profile(table);
         let deviation = |key, kind| table.has(key).then(|| self.not_negative(table.optional(key), kind));
         let speed_sd = deviation("speed_sd", Kind::SPEED);
+        if let (Some(Some(recorded)), Some(speed)) = (&recorded, speed) {
+            self.compare_speeds(table, speed, speed_sd.flatten(), recorded);
+        }
         let restitution_sd = match recorded {
-            Some(recorded) => Some(recorded.map(|[_, sd]| sd)),
+            Some(recorded) => Some(recorded.map(|recorded| recorded.sd)),
             None => deviation("restitution_sd", Kind::PURE),
         };
         let scatter = deviation("scatter", Kind::ROOT_FORCE);
@@ -201,6 +205,23 @@ impl CaseReader {
             None => Some(None),
         };
         Some(Read { test, speed_sd: known(speed_sd)?, restitution_sd: known(restitution_sd)?, scatter: known(scatter)? })
+    }
+
+    /// Warns if the speed of a test is not that of its recording, by more than two standard deviations of their difference.
+    fn compare_speeds(&self, table: &Table<'_>, speed: f64, sd: Option<f64>, recorded: &Recorded) {
+        /// Rounding, as a share of the speed.
+        const ROUNDING: f64 = 1e-9;
+        let Some(of_record) = recorded.speed else { return };
+        let scale = sd.unwrap_or(0.0).hypot(of_record.deviation());
+        if (speed - of_record.value).abs() <= (2.0 * scale).max(ROUNDING * speed) {
+            return;
+        }
+        let message = Message::from("the speed of the test is ")
+            .figure(Measure::RoadSpeed, speed)
+            .text(format!(", and that of {} is ", recorded.file))
+            .figure(Measure::RoadSpeed, of_record.value)
+            .text(": its restitution is for that speed");
+        self.notices.borrow_mut().push(Notice::warning("speeds-differ", format!("{}.speed", table.path()), message));
     }
 
     /// Reads the restitution of a test, or the speed at which the vehicle rebounds: e = v'/v.

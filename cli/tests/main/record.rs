@@ -404,3 +404,138 @@ fn bad_settings_are_refused_at_their_keys() {
     let missing = run(Folder::new().path(), &["record", "none.csv"]);
     assert!(missing.status == 2 && missing.err.contains("`none.csv` cannot be read"), "{}", missing.err);
 }
+
+/// A recorder whose sensor holds 50 g, sampled every 10 ms: by hand 4.9 m/s a step at most.
+#[test]
+fn a_clipped_sensor_inside_a_recorder_is_recognized() {
+    let samples = "time [ms],delta_v_forward [m/s]\n0,0\n10,-2\n20,-6.9\n30,-11.8\n40,-14\n50,-14.5\n60,-14.5\n70,-14.5\n80,-14.5\n90,-14.5\n100,-14.5\n";
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"50 g\"\nresolution = \"0.1 m/s\""));
+    assert_eq!(run.status, 1);
+    let [sensor] = &record["recorder"]["clipped_sensors"].as_array().expect("sensors")[..] else { panic!("one sensor") };
+    assert_eq!((&sensor["channel"], &sensor["from"], &sensor["to"]), (&json!("delta_v_forward"), &json!(0.01), &json!(0.03)));
+    close(&sensor["acceleration"], 490.0, 1e-9);
+    assert_eq!(record["recorder"]["is_lower_bound"], true);
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"60 g\"\nresolution = \"0.1 m/s\""));
+    assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)));
+    assert!(record["recorder"].get("clipped_sensors").is_none());
+}
+
+/// As in the documentation of `MeasuredContact::restitution`: e = (0.5 + Ω (0.2 cos 0.05 + 1.5 sin 0.05))/10, with a standard deviation from that of the
+/// velocity after, 0.2 m/s, and of the point.
+#[test]
+fn kinematics_give_the_restitution_of_the_contact_point() {
+    let folder = Folder::new();
+    let kinematics = "schema = 1\n[kinematics]\nduration = \"100 ms\"\npoint = [\"1.9 m\", \"0 m\"]\npoint_after = [\"1.5 m\", \"0.2 m ± 0.03 m\"]\n\
+        before = { velocity = [\"10 m/s\", \"0 m/s\"] }\nafter = { velocity = [\"-0.5 m/s ± 0.2 m/s\", \"0.3 m/s\"], yaw_rate = \"1 rad/s\" }\n";
+    folder.write("kinematics.toml", kinematics.as_bytes());
+    let run = run(folder.path(), &["record", "kinematics.toml", "--format", "json"]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let record: Value = serde_json::from_str(&run.out).expect("JSON");
+    let found = &record["records"][0]["kinematics"];
+    close(&found["restitution"]["value"], 0.0774719, 1e-6);
+    close(&found["restitution"]["sd"], 0.02_f64.hypot(0.003 * 0.05_f64.cos()), 1e-9);
+    close(&found["separation"][0], -0.774719, 1e-6);
+    close(&found["heading_at_separation"], 0.05, 1e-12);
+    // It is evidence of a barrier test.
+    let tests = "schema = 1\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = \"10 m/s\"\nspeed_sd = \"0.1 m/s\"\nrestitution = { record = \"kinematics.toml\" }\nwidth = 1.5\ndepths = [0.3, 0.3]\n\
+        [fit]\nb0 = \"2 m/s\"\n";
+    folder.write("tests.toml", tests.as_bytes());
+    let fit = crate::process::run(folder.path(), &["stiffness", "tests.toml", "--format", "json"]);
+    assert_eq!((fit.status, fit.err.as_str()), (0, ""));
+    close(&serde_json::from_str::<Value>(&fit.out).expect("JSON")["tests"][0]["restitution"], 0.0774719, 1e-6);
+    // A page without channels.
+    assert!(crate::process::run(folder.path(), &["record", "kinematics.toml"]).out.contains("0.077"));
+}
+
+/// The samples of a file in the file itself, of a recording and of a case.
+#[test]
+fn samples_stand_in_the_file_itself() {
+    let samples = "time [s],speed [km/h],delta_v_forward [km/h]\n-1,50,\n0,50,0\n0.05,,-8\n0.1,,-14\n0.15,,-15\n0.2,,-15\n0.25,,-15\n";
+    let (beside, _) = record_of(samples, Some(""));
+    let folder = Folder::new();
+    folder.write("inline.toml", format!("schema = 1\nsamples = \"\"\"\n{samples}\"\"\"\n").as_bytes());
+    let inline = run(folder.path(), &["record", "inline.toml", "--format", "json"]);
+    assert_eq!((inline.status, inline.err.as_str()), (0, ""));
+    let inline: Value = serde_json::from_str(&inline.out).expect("JSON");
+    assert_eq!(inline["records"][0]["recorder"], beside["recorder"]);
+    let case = |recorder: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
+         [contact]\ncrush_plane = 0\n[evidence.vehicle.1]\nrecorder = {recorder}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\ncontact.restitution = {{ start = 0.1, min = 0, max = 1 }}\n"
+        )
+    };
+    folder.write("edr.csv", samples.as_bytes());
+    folder.write("file.toml", case("{ file = \"edr.csv\", use = [\"speed\"] }").as_bytes());
+    folder.write("samples.toml", case(&format!("{{ samples = \"{}\", use = [\"speed\"] }}", samples.replace('\n', "\\n"))).as_bytes());
+    let [file, text] = ["file.toml", "samples.toml"].map(|name| run(folder.path(), &["reconstruct", name, "--format", "json"]));
+    let evidence = |run: &Run| serde_json::from_str::<Value>(&run.out).expect("JSON")["evidence"].clone();
+    assert_eq!(evidence(&file), evidence(&text), "{}{}", file.err, text.err);
+}
+
+/// Every fault of every file, and what is wrong with keys that belong together.
+#[test]
+fn bad_recordings_are_refused_all_at_once() {
+    let folder = Folder::new();
+    folder.write("a.csv", b"time [s],speed [m/s]\n0,1\n1,x\n");
+    folder.write("b.toml", b"schema = 1\nfile = \"none.csv\"\n");
+    folder.write("c.csv", b"time [s],speed [m/s]\n0,1\n1");
+    let refused = run(folder.path(), &["record", "a.csv", "b.toml", "c.csv"]);
+    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
+    for wanted in ["a.csv:3", "b.toml:2: ", "none.csv", "c.csv:3: "] {
+        assert!(refused.err.contains(wanted), "{wanted}: {}", refused.err);
+    }
+    for (text, wanted) in [
+        ("file = \"x.csv\"\nsamples = \"time\"", "exclude each other"),
+        ("", "missing `file` or `samples`"),
+        ("samples = \"\"\"\ntime [s],speed [m/s]\n0,1\n1,y\n\"\"\"", ":3: speed"),
+        ("samples = \"time [s],speed [m/s]\\n0,1\\n1,2\"\naccelerometer_range = \"50 g\"", "no channel of this recording uses it"),
+        ("samples = \"time [s],delta_v_forward [m/s]\\n0,0\\n1,2\"\naccelerometer_range = \"-50 g\"", "accelerometer_range"),
+        ("samples = \"time [s],delta_v_forward [m/s]\\n0,0\\n1,2\"\naccelerometer_range = \"50 km/h\"", "an acceleration is expected"),
+        ("[kinematics]\nduration = 0.1\npoint = [1, 0]\nbefore = { velocity = [10, 0] }", "kinematics.after: missing"),
+        ("[kinematics]\nduration = -0.1\npoint = [1, 0]\nbefore = { velocity = [10, 0] }\nafter = { velocity = [-1, 0] }", "duration"),
+        ("[kinematics]\nduration = 0.1\npoint = [1, 0]\nbefore = { velocity = [0, 5] }\nafter = { velocity = [-1, 0] }", "error: "),
+        (
+            "[kinematics]\nduration = \"0.1 m\"\npoint = [1, 0]\nbefore = { velocity = [10, 0] }\nafter = { velocity = [-1, 0] }",
+            "a duration is expected",
+        ),
+        (
+            "mass = 1500\n[kinematics]\nduration = 0.1\npoint = [1, 0]\nbefore = { velocity = [10, 0] }\nafter = { velocity = [-1, 0] }",
+            "no channel of this recording uses it",
+        ),
+    ] {
+        folder.write("bad.toml", format!("schema = 1\n{text}\n").as_bytes());
+        let refused = run(folder.path(), &["record", "bad.toml"]);
+        assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{text}: {}", refused.err);
+        assert!(refused.err.contains(wanted), "{text}: {}", refused.err);
+    }
+}
+
+/// A case names tests, these name a recording, and that names its samples; each lies beside the file that names it.
+#[test]
+fn the_tests_of_a_case_may_be_recorded() {
+    let folder = Folder::new();
+    for (name, from) in [("barrier.csv", "barrier.csv"), ("barrier.toml", "barrier.toml")] {
+        let text = std::fs::read(workspace().join("cli/examples/record").join(from)).expect("an example");
+        folder.write(&format!("data/{name}"), &text);
+    }
+    let tests = |speed: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = \"{speed}\"\nspeed_sd = \"0.03 m/s\"\nrestitution = {{ record = \"barrier.toml\" }}\nwidth = 1.5\ndepths = [0.3, 0.3]\n\
+         [fit]\nb0 = \"2 m/s\"\n"
+        )
+    };
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n\
+        [vehicle.crush]\nwidth = 1.5\ndepths = [0.3, 0.3]\nstiffness = { tests = \"data/tests.toml\" }\n\
+        [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n";
+    folder.write("case.toml", case.as_bytes());
+    // The recording was made at 10 m/s ± 0.03 m/s.
+    for (speed, differs) in [("10.05 m/s", false), ("11 m/s", true)] {
+        folder.write("data/tests.toml", tests(speed).as_bytes());
+        for call in [["stiffness", "data/tests.toml"], ["crush", "case.toml"]] {
+            let answer = run(folder.path(), &call);
+            assert!(answer.err.is_empty() && answer.status == 0, "{}", answer.err);
+            let words = answer.out.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(words.contains("its restitution is for that speed"), differs, "{speed} {call:?}: {}", answer.out);
+        }
+    }
+}

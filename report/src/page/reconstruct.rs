@@ -5,6 +5,7 @@ mod evidence;
 mod headline;
 mod posterior;
 mod rounding;
+mod separations;
 mod unknowns;
 
 use planar_impact_app::Answer;
@@ -24,7 +25,9 @@ impl Facts for Reconstruction {
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks = unknowns(self, units);
         blocks.extend(unknowns::alternatives(self, units));
+        blocks.extend(separations::alternatives(self, units));
         blocks.extend(under("Evidence", evidence::blocks(self, units)));
+        blocks.extend(under("Paths to rest", separations::points(self, units)));
         blocks.extend(under("Diagnostics", diagnostics::blocks(self, units)));
         blocks.extend(under("Collision", collision(self, units)));
         if let Some(comparison) = &self.crash3 {

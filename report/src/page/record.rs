@@ -21,7 +21,9 @@ impl Facts for Records {
             let page = Page { units };
             blocks.extend(page.results(record).map(Block::from));
             blocks.extend(record.recorder.iter().flat_map(|recorder| page.recorder(recorder)));
-            blocks.push(page.channels(record).into());
+            if !record.channels.is_empty() {
+                blocks.push(page.channels(record).into());
+            }
         }
         blocks
     }
@@ -67,6 +69,13 @@ impl Page {
             rows.extend(barrier.peak_force.map(|peak| self.row("peak normal force", Measure::Force, exact(peak.value), Some(peak.time))));
             rows.extend(barrier.delta_v.into_iter().flat_map(|of| self.speeds("delta-V", of, None)));
             rows.extend(barrier.restitution.map(|of| self.row("restitution", Measure::Ratio, of, None)));
+        }
+        if let Some(kinematics) = &record.kinematics {
+            let [normal, tangential] = kinematics.separation.map(exact);
+            rows.push(self.row("contact point: restitution", Measure::Ratio, kinematics.restitution, None));
+            rows.push(self.row("separates normal", Measure::Speed, normal, None));
+            rows.push(self.row("separates tangential", Measure::Speed, tangential, None));
+            rows.push(self.row("heading at separation", Measure::Angle, exact(kinematics.heading_at_separation), None));
         }
         for one in &record.accelerations {
             let name = |what: &str| format!("{}: {what}", shorten(&one.channel, 24));

@@ -27,6 +27,10 @@ impl Facts for Slides {
         for vehicle in &self.vehicles {
             blocks.push(Block::paragraph(format!("The path of {}:", shorten(&vehicle.name, NAME_WIDTH))));
             blocks.push(path(vehicle, units).into());
+            if !vehicle.points.is_empty() {
+                blocks.push(super::points::table("point", &vehicle.points, units).into());
+                blocks.push(Block::item("", "Residual: to the left of the path, in standard deviations."));
+            }
         }
         blocks
     }

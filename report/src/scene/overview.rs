@@ -54,9 +54,15 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
                 if vehicle.slide.is_none() {
                     vehicle::draw(svg, &view, vehicle, which, &pose, Detail::Small);
                 }
-                given(svg, &view, which, &pose, rest.position_sd);
+                for point in &rest.points {
+                    let name = point.wheel.map_or_else(|| "the center of mass".to_owned(), |wheel| wheel.replace('_', " "));
+                    let title = format!("point that {name} passed, with two standard deviations");
+                    given(svg, &view, &format!("given-point given-point-{}", which + 1), &title, point.position, point.position_sd, 3.0);
+                }
+                let title = "rest position of the case, with two standard deviations";
+                given(svg, &view, &format!("given-rest given-rest-{}", which + 1), title, rest.position, rest.position_sd, 5.0);
             }
-            let rest = vehicle.slide.as_ref().map(|slide| slide.rest.position).or(vehicle.rest.map(|rest| rest.position));
+            let rest = vehicle.slide.as_ref().map(|slide| slide.rest.position).or(vehicle.rest.as_ref().map(|rest| rest.position));
             if let Some(rest) = rest {
                 labels.want(view.place(rest), "rest", format!("{} {} at rest", which + 1, shorten(&vehicle.name, 18)));
             }
@@ -95,6 +101,7 @@ fn points(scene: &Scene) -> Vec<[f64; 2]> {
         }
         if let Some(rest) = &vehicle.rest {
             points.extend(extent(vehicle, &RestPose { position: rest.position, heading: rest.heading }));
+            points.extend(rest.points.iter().map(|point| point.position));
         }
     }
     points
@@ -118,20 +125,17 @@ fn tracks(svg: &mut Svg, view: &View, slide: &VehicleSlide, stroke: &str, labels
     }
 }
 
-/// Draws a rest position of the case with the ellipse of two standard deviations.
-fn given(svg: &mut Svg, view: &View, which: usize, pose: &RestPose, sd: [f64; 2]) {
-    let (x, y) = view.place(pose.position);
+/// Draws a place of the case as a cross of some size, with the ellipse of two standard deviations.
+fn given(svg: &mut Svg, view: &View, class: &str, title: &str, position: [f64; 2], sd: [f64; 2], size: f64) {
+    let (x, y) = view.place(position);
     let numbers = [x, y, (2.0 * sd[0] * view.scale).max(1.0), (2.0 * sd[1] * view.scale).max(1.0)].map(number);
-    svg.group(
-        &[("class", &format!("given-rest given-rest-{}", which + 1)), ("stroke", INK), ("stroke-width", "1.2"), ("fill", "none")],
-        |svg| {
-            svg.title("rest position of the case, with two standard deviations");
-            svg.element(
-                "ellipse",
-                &[("cx", &numbers[0]), ("cy", &numbers[1]), ("rx", &numbers[2]), ("ry", &numbers[3]), ("stroke-dasharray", "4 3")],
-            );
-            svg.line((x - 5.0, y), (x + 5.0, y), &[]);
-            svg.line((x, y - 5.0), (x, y + 5.0), &[]);
-        },
-    );
+    svg.group(&[("class", class), ("stroke", INK), ("stroke-width", "1.2"), ("fill", "none")], |svg| {
+        svg.title(title);
+        svg.element(
+            "ellipse",
+            &[("cx", &numbers[0]), ("cy", &numbers[1]), ("rx", &numbers[2]), ("ry", &numbers[3]), ("stroke-dasharray", "4 3")],
+        );
+        svg.line((x - size, y), (x + size, y), &[]);
+        svg.line((x, y - size), (x, y + size), &[]);
+    });
 }

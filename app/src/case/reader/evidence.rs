@@ -4,7 +4,7 @@ use planar_impact::Side;
 use planar_impact::reconstruct::{Measurand, Uncertainty};
 
 use super::CaseReader;
-use super::measured::{Amount, Measured, is_folder};
+use super::measured::{Amount, DISTRIBUTION_KEYS, Measured, is_folder};
 use crate::case::knowledge::{Known, names_of_evidence};
 use crate::case::parameter::number;
 use crate::case::vehicle::VehicleInputs;
@@ -66,7 +66,7 @@ impl CaseReader {
             return Some(());
         }
         match (field.value(), halves(name)) {
-            (Some(Value::Table(_)), _) if is_folder(&field, &["value", "sd", "resolution", "relative"]) => {
+            (Some(Value::Table(_)), _) if is_folder(&field, &DISTRIBUTION_KEYS) => {
                 field.table().filter(|table| self.walk_evidence(table, name, found)).map(|_| ())
             }
             (_, Some(halves)) => {

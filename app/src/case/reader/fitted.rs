@@ -12,7 +12,7 @@ use crate::case::uncertain::{InputCorrelation, UncertainInput};
 use crate::document::{Field, Table};
 use crate::issue::Issues;
 use crate::message::Message;
-use crate::notice::Notice;
+use crate::notice::{Notice, Notices};
 use crate::source::Source;
 use crate::stiffness::{TestFile, is_negative, message};
 use crate::units::{Measure, Units};
@@ -36,6 +36,7 @@ impl CaseReader {
         };
         let field = table.required("tests");
         let (key, place) = (field.path().to_owned(), field.clone());
+        let name = place.clone().string().unwrap_or_default().to_owned();
         let tests = self.opened(field, "give d0 and d1 as `planar-impact stiffness` prints them")?;
         let mut all = self.fitted.borrow_mut();
         let known = match all.iter().position(|known| known.tests.text == tests.text) {
@@ -46,7 +47,14 @@ impl CaseReader {
             }
             Some(known) => &mut all[known],
             None => {
-                let fitted = FittedToTests::of(tests, model).map_err(|issues| report(&place, &issues)).ok()?;
+                let reader = self.beside(&name);
+                let (fitted, notices) = FittedToTests::of(tests, model, reader).map_err(|issues| report(&place, &issues)).ok()?;
+                let of_key = |notice: Notice| Notice {
+                    message: Message::from(format!("{key}: ")).join(notice.message),
+                    path: key.clone(),
+                    ..notice
+                };
+                self.notices.borrow_mut().extend(notices.0.into_iter().map(of_key));
                 all.push(fitted);
                 all.last_mut()?
             }
@@ -79,6 +87,13 @@ impl CaseReader {
         open(name).map_err(|issues| report(&place, &issues)).ok()
     }
 
+    /// Returns a reader of a file that this one names, which may itself name files that lie beside it.
+    fn beside(&self, name: &str) -> CaseReader {
+        let Some(open) = self.open.clone() else { return CaseReader::default() };
+        let folder = Path::new(name).parent().map(Path::to_path_buf).unwrap_or_default();
+        CaseReader::opening(Box::new(move |name| open(&folder.join(name).to_string_lossy())))
+    }
+
     /// Opens a file that another file names.
     pub(super) fn open_at(&self, path: &Path) -> Result<Source, Issues> {
         match &self.open {
@@ -99,11 +114,13 @@ impl CaseReader {
 }
 
 impl FittedToTests {
-    fn of(tests: Source, model: CrushModel) -> Result<Self, Issues> {
-        let file = TestFile::parse(tests.clone())?;
+    /// Fits a stiffness to the tests of a file. What the recordings that it names are to be known for comes with it.
+    fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
+        let mut file = TestFile::read(tests.clone(), reader)?;
         let fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
-        Ok(FittedToTests { tests, model, fit, is_uncertain, of: Vec::new() })
+        let notices = std::mem::take(&mut file.notices);
+        Ok((FittedToTests { tests, model, fit, is_uncertain, of: Vec::new() }, notices))
     }
 
     /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes is one number.

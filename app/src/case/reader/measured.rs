@@ -10,6 +10,8 @@ use super::CaseReader;
 use super::sample::normal_of;
 use crate::case::domain::Domain;
 use crate::document::{Field, Table, Value};
+use crate::message::Message;
+use crate::notice::Notice;
 use crate::quantity::{self, Kind, QuantityError};
 use crate::units::Measure;
 
@@ -100,19 +102,28 @@ enum Percent {
 }
 
 impl CaseReader {
-    /// Reads a value, a value with ± and its standard deviation, or { value, sd } or { value, resolution }.
+    /// Reads a value, a value with ± and its standard deviation, { value, sd }, { value, resolution } or { value, relative }, or any other distribution of an
+    /// uncertain number by its mean and standard deviation.
     pub(super) fn measured(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
         match field.value() {
+            Some(Value::Table(entries)) if entries.iter().any(|entry| is_of_distribution(&entry.key)) => self.moments(field, measure),
             Some(Value::Table(_)) => self.measured_in(&field.table()?, measure),
             Some(Value::String(text)) => match PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)) {
                 Some((value, deviation)) => {
-                    let percent = if measure == Measure::Energy { Percent::Share } else { Percent::Hundredth };
-                    self.with_deviation(&field, value, deviation, measure.into(), percent)
+                    let kind = Kind::from(measure);
+                    let percent = if kind.dimension == Kind::PURE.dimension { Percent::Hundredth } else { Percent::Share };
+                    self.with_deviation(&field, value, deviation, kind, percent)
                 }
                 None => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
             },
             _ => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
         }
+    }
+
+    /// Reads a value with its uncertainty, as an estimate.
+    pub(crate) fn measured_estimate(&self, field: Field<'_>, measure: Measure) -> Option<Estimate> {
+        let Measured { amount: Amount::Number(value), spread } = self.measured(field, measure)? else { return None };
+        Some(Estimate::with_deviation(value, spread.of(value).standard_deviation().unwrap_or(0.0)))
     }
 
     /// Reads a positive value with its uncertainty, as an estimate.
@@ -121,6 +132,24 @@ impl CaseReader {
         let Measured { amount: Amount::Number(value), spread } = self.measured(field, measure)? else { return None };
         let value = self.above_zero(&place, value, measure.into())?;
         Some(Estimate::with_deviation(value, spread.of(value).standard_deviation().unwrap_or(0.0)))
+    }
+
+    /// Reads a distribution as a measurement: evidence is normal, so its mean and standard deviation are what counts.
+    fn moments(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
+        let (place, path) = (field.clone(), field.path().to_owned());
+        let read = self.distribution_in(&field.table()?, measure.into(), Domain::Any)?;
+        let (mean, sd) = read.distribution.map_or((read.nominal, 0.0), |distribution| (distribution.mean(), distribution.sd()));
+        if !(mean.is_finite() && sd.is_finite()) {
+            let help = "a mean of two or three measurements has none: give more, or `sd` alone".to_owned();
+            place.report("this distribution has no standard deviation", Some(help));
+            return None;
+        }
+        let message = Message::from(format!("{path}: it counts as normal, by the mean of its distribution, "))
+            .figure(measure, mean)
+            .text(", and its standard deviation, ")
+            .figure(measure, sd);
+        self.notices.borrow_mut().push(Notice::note("moments-of-distribution", path, message));
+        Some(Measured { amount: Amount::Number(mean), spread: Spread::StandardDeviation(sd) })
     }
 
     fn amount(&self, field: Field<'_>, measure: Measure) -> Option<Amount> {
@@ -153,9 +182,16 @@ impl CaseReader {
 
     fn measured_in(&self, table: &Table<'_>, measure: Measure) -> Option<Measured> {
         let amount = self.amount(table.required("value"), measure);
-        let spread = self.spread(table, measure.into(), measure == Measure::Energy);
+        let spread = self.spread(table, measure.into(), true);
         table.finish();
-        Some(Measured { amount: amount?, spread: spread? })
+        let (amount, spread) = (amount?, spread?);
+        if let (Amount::Number(0.0), Spread::Relative(share)) = (amount, spread)
+            && share > 0.0
+        {
+            table.optional("relative").report("the value is 0, and so is any share of it", Some("give `sd`".to_owned()));
+            return None;
+        }
+        Some(Measured { amount, spread })
     }
 
     /// Reads at most one of `sd`, `resolution` and, if `has_share`, `relative`.
@@ -340,6 +376,11 @@ impl CaseReader {
 /// Every key of a table that describes the distribution of an input.
 pub(super) const DISTRIBUTION_KEYS: [&str; 14] =
     ["value", "sd", "resolution", "relative", "min", "mode", "max", "median", "factor", "mean", "n", "values", "file", "column"];
+
+/// Returns `true` for the keys that a value with a spread does not have.
+fn is_of_distribution(key: &str) -> bool {
+    DISTRIBUTION_KEYS.contains(&key) && !["value", "sd", "resolution", "relative"].contains(&key)
+}
 
 /// Lists keys as in `` `a`, `b` and `c` ``.
 fn listed<'a>(keys: impl Iterator<Item = &'a &'a str>) -> String {

@@ -1,20 +1,32 @@
 //! Evidence from recordings: `vehicle.N.recorder`, `contact.record`, and the restitution of a barrier test.
 
 use planar_impact::Side;
+use planar_impact::barrier::Estimate;
 use planar_impact::reconstruct::{Measurand, Variable};
 use planar_impact::{Input, Output};
 
-use super::CaseReader;
 use super::evidence::Piece;
 use super::fitted::report;
 use super::measured::{Amount, Measured, Spread};
+use super::{CaseReader, one_of};
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::Kind;
-use crate::record::{Barrier, RecordAnswer, Recording, Uncertain};
+use crate::record::{ACCELEROMETER_RANGE, Barrier, RecordAnswer, Recording, Uncertain, samples_of};
 
 /// What of a recorder may be evidence.
 const USES: [&str; 5] = ["delta_v_forward", "delta_v_left", "delta_v_magnitude", "pdof", "speed"];
+
+/// The restitution of a recording.
+pub(crate) struct Recorded {
+    pub(crate) restitution: f64,
+    /// Its standard deviation.
+    pub(crate) sd: f64,
+    /// The closing speed that it was computed with, if the file gives one.
+    pub(crate) speed: Option<Estimate>,
+    /// The name of the file.
+    pub(crate) file: String,
+}
 
 impl CaseReader {
     /// Reads the pieces of evidence of a recording, if `name` is that of one; `None` for another name.
@@ -34,12 +46,16 @@ impl CaseReader {
             false => Some(None),
         };
         let (resolution, range) = (positive("resolution"), positive("range"));
+        let of_sensor = match table.has(ACCELEROMETER_RANGE) {
+            true => self.positive_acceleration(table.optional(ACCELEROMETER_RANGE)).map(Some),
+            false => Some(None),
+        };
         let relative = if table.has("relative") { self.coefficient(table.optional("relative"), 1.0).map(Some) } else { Some(None) };
         let uses = if table.has("use") { uses(&table).map(Some) } else { Some(None) };
         let mut recording = self.recording_of(&table);
         table.finish();
-        let (resolution, range, relative, uses) = (resolution?, range?, relative?, uses?);
-        recording.as_mut()?.set_recorder(resolution, relative, range);
+        let (resolution, range, relative, of_sensor, uses) = (resolution?, range?, relative?, of_sensor?, uses?);
+        recording.as_mut()?.set_recorder(resolution, relative, range, of_sensor);
         let answer = self.analysed(field, &recording?)?;
         let Some(recorder) = &answer.recorder else {
             let help = "name its columns delta_v_forward, delta_v_left or delta_v_right, and speed".to_owned();
@@ -70,7 +86,9 @@ impl CaseReader {
             };
             if recorder.is_lower_bound && key != "speed" {
                 let bounds = answer.channels.iter().filter(|channel| channel.clipped.is_some() || channel.is_truncated);
-                let names: Vec<&str> = bounds.map(|channel| channel.name.as_str()).collect();
+                let mut names: Vec<&str> = bounds.map(|channel| channel.name.as_str()).collect();
+                let of_sensors = recorder.clipped_sensors.iter().map(|sensor| sensor.channel.as_str());
+                names.extend(of_sensors.filter(|name| !names.contains(name)).collect::<Vec<_>>());
                 let message =
                     format!("{} of {} is clipped or truncated: {key} is a lower bound, not a value", names.join(", "), answer.file);
                 let help = "`planar-impact record` shows it; give use = [\"speed\"] to leave the velocity change out".to_owned();
@@ -102,12 +120,13 @@ impl CaseReader {
         read.collect::<Vec<_>>().into_iter().collect()
     }
 
-    /// Reads { record = "file" } in place of a restitution: its value and its standard deviation.
-    pub(crate) fn recorded_restitution(&self, field: &Field<'_>) -> Option<[f64; 2]> {
+    /// Reads { record = "file" } in place of a restitution.
+    pub(crate) fn recorded_restitution(&self, field: &Field<'_>) -> Option<Recorded> {
         let table = field.clone().table()?;
-        let source = self.recording_at(table.required("record"));
+        let recording = self.recording_at(table.required("record"));
         table.finish();
-        let answer = self.analysed(field, &source?)?;
+        let recording = recording?;
+        let answer = self.analysed(field, &recording)?;
         let Some(Uncertain { value, sd }) = restitution(&answer) else {
             let help = "it needs mass and speed with forces, speed with an acceleration, or a film".to_owned();
             field.report(format!("{} has no restitution", answer.file), Some(help));
@@ -122,11 +141,17 @@ impl CaseReader {
             field.report(format!("the restitution of {} has no standard deviation", answer.file), Some(help));
             return None;
         };
-        Some([value, sd])
+        Some(Recorded { restitution: value, sd, speed: recording.speed(), file: answer.file })
     }
 
+    /// Reads the recording that `file` names, or whose `samples` stand in the case itself.
     fn recording_of(&self, table: &Table<'_>) -> Option<Recording> {
-        self.recording_at(table.required("file"))
+        if one_of(table, "file", "samples")? == "file" {
+            return self.recording_at(table.required("file"));
+        }
+        let field = table.required("samples");
+        let source = samples_of(field.clone())?;
+        Recording::of_samples(source).map_err(|issues| report(&field, &issues)).ok()
     }
 
     fn recording_at(&self, field: Field<'_>) -> Option<Recording> {
@@ -178,9 +203,10 @@ fn uses(table: &Table<'_>) -> Option<Vec<&'static str>> {
     Some(chosen)
 }
 
-/// Returns the restitution that a recording has: that of its load cells, or else of an acceleration, or of a film.
+/// Returns the restitution that a recording has: that of the contact point by kinematics, or else of its load cells, of an acceleration, or of a film.
 fn restitution(answer: &RecordAnswer) -> Option<Uncertain> {
     let of_barrier = answer.barrier.as_ref().and_then(|barrier: &Barrier| barrier.restitution);
     let of_acceleration = || answer.accelerations.iter().find_map(|one| one.restitution);
-    of_barrier.or_else(of_acceleration).or_else(|| answer.films.first().map(|film| film.restitution))
+    let of_kinematics = answer.kinematics.as_ref().map(|kinematics| kinematics.restitution);
+    of_kinematics.or(of_barrier).or_else(of_acceleration).or_else(|| answer.films.first().map(|film| film.restitution))
 }

@@ -1,13 +1,14 @@
 //! The keys of `[rest]`, the rest positions.
 
 use planar_impact::post_impact::{
-    Area, Ground, MOST_FRICTION, Method, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel, Wheels,
+    Area, Ground, MOST_FRICTION, MOST_GRADE, Method, PathPoint, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel,
+    WheelPosition, Wheels,
 };
 use planar_impact::{Heading, Xy};
 
 use super::measured::{Amount, Measured};
 use super::{CaseReader, one_of};
-use crate::case::rest::{RestInputs, RestOfVehicle};
+use crate::case::rest::{RestInputs, RestOfVehicle, WHEELS};
 use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
@@ -16,6 +17,8 @@ use crate::units::Measure;
 /// Maximum number of regions, and of corners of a region: each one is evaluated in every step.
 const MOST_REGIONS: usize = 32;
 const MOST_CORNERS: usize = 256;
+/// Maximum number of points along a path.
+const MOST_POINTS: usize = 64;
 
 /// A value and its standard deviation, if the file gives one.
 struct Estimate {
@@ -76,9 +79,10 @@ impl CaseReader {
             holds
         });
         let gravity = if rest.has("gravity") { self.gravity_of_rest(rest.optional("gravity")) } else { Some(self.gravity()) };
-        let regions = if rest.has("regions") { self.regions(rest.optional("regions")) } else { Some(Vec::new()) };
+        let grade = self.grade(rest);
+        let regions = if rest.has("regions") { self.regions(rest.optional("regions"), grade) } else { Some(Vec::new()) };
         let friction = friction?;
-        let ground = Ground { regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
+        let ground = Ground { grade: grade?, regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
         Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })
     }
 
@@ -96,26 +100,65 @@ impl CaseReader {
         }
     }
 
-    fn regions(&self, field: Field<'_>) -> Option<Vec<Region>> {
+    /// Reads a grade: its shares along x and y, or its rise and the direction uphill. Without one the ground is level.
+    fn grade(&self, table: &Table<'_>) -> Option<Xy> {
+        if !table.has("grade") {
+            return Some(Xy::zero());
+        }
+        let field = table.optional("grade");
+        match field.value() {
+            Some(Value::Table(_)) => {
+                let grade = field.table()?;
+                let rise = self.share_of_grade(grade.required("rise"), 0.0);
+                let toward = self.quantity(grade.required("toward"), Kind::ANGLE);
+                grade.finish();
+                let (rise, (sin, cos)) = (rise?, toward?.sin_cos());
+                Some(Xy { x: rise * cos, y: rise * sin })
+            }
+            _ => {
+                let expected =
+                    "an array of two shares, along x and y, such as [\"2 %\", \"-1 %\"], or { rise = \"2 %\", toward = \"90 deg\" }";
+                let shares = field.items(expected, 2..=2)?;
+                let read: Vec<_> = shares.into_iter().map(|share| self.share_of_grade(share, -MOST_GRADE)).collect();
+                let [x, y] = read.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()?;
+                Some(Xy { x, y })
+            }
+        }
+    }
+
+    fn share_of_grade(&self, field: Field<'_>, least: f64) -> Option<f64> {
+        let place = field.clone();
+        let share = self.quantity(field, Kind::PURE)?;
+        if (least..=MOST_GRADE).contains(&share) {
+            return Some(share);
+        }
+        let help = "a grade is height over distance: \"2 %\" or 0.02; `toward` is the direction uphill";
+        place.report(format!("it is {share}; it must be from {least} to {MOST_GRADE}"), Some(help.to_owned()));
+        None
+    }
+
+    fn regions(&self, field: Field<'_>, grade: Option<Xy>) -> Option<Vec<Region>> {
         let place = field.clone();
         let tables = field.array_of_tables()?;
         if tables.len() > MOST_REGIONS {
             place.report(format!("{} regions are more than the {MOST_REGIONS} that are taken", tables.len()), None);
             return None;
         }
-        let read: Vec<Option<Region>> = tables.iter().map(|table| self.region(table)).collect();
+        let read: Vec<Option<Region>> = tables.iter().map(|table| self.region(table, grade)).collect();
         read.into_iter().collect()
     }
 
-    fn region(&self, table: &Table<'_>) -> Option<Region> {
+    /// Reads a region; without a grade of its own it has that of the ground around it.
+    fn region(&self, table: &Table<'_>, around: Option<Xy>) -> Option<Region> {
         let friction = self.coefficient(table.required("friction"), MOST_FRICTION);
+        let grade = if table.has("grade") { self.grade(table) } else { around };
         let area = match one_of(table, "polygon", "half_plane") {
             Some("polygon") => self.polygon(table.required("polygon")),
             Some(_) => self.half_plane(table.required("half_plane")),
             None => None,
         };
         table.finish();
-        Some(Region { friction: friction?, area: area? })
+        Some(Region { friction: friction?, grade: grade?, area: area? })
     }
 
     fn polygon(&self, field: Field<'_>) -> Option<Area> {
@@ -153,11 +196,18 @@ impl CaseReader {
             let heading = self.uncertain(table.required("heading"), Measure::Angle, "135 deg ± 5 deg");
             position.zip(heading)
         });
+        let points = if table.has("points") { self.path_points(table) } else { Some(Vec::new()) };
         let vehicle = self.sliding_vehicle(table, inputs);
         let method = match table.optional("method").choice(&["slide", "closed-form"]) {
             Some("closed-form") => Method::ClosedForm,
             _ => Method::Slide,
         };
+        if table.has("points") && method == Method::ClosedForm {
+            table
+                .optional("method")
+                .report("the closed form follows no path, and `points` lie on one", Some("leave one of them out".to_owned()));
+            return None;
+        }
         table.finish();
         let GivenGround { ground, friction_deviation } = ground?;
         let separation = separation?;
@@ -170,6 +220,7 @@ impl CaseReader {
                     position_deviation: Xy { x: x_deviation, y: y_deviation },
                     heading_deviation,
                     friction_deviation: *friction_deviation,
+                    points: points?,
                 })
             }
             None => None,
@@ -205,6 +256,39 @@ impl CaseReader {
         let items = field.items("an array of two values, each a length with its deviation, such as \"12.3 m ± 0.3 m\"", 2..=2)?;
         let read: Vec<_> = items.into_iter().map(|item| self.uncertain(item, Measure::Length, "12.3 m ± 0.3 m")).collect();
         read.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
+    }
+
+    /// Reads points that the vehicle passed, such as tire marks. They are evidence beside the rest pose, not in place of it.
+    fn path_points(&self, table: &Table<'_>) -> Option<Vec<PathPoint>> {
+        let field = table.optional("points");
+        let place = field.clone();
+        let tables = field.array_of_tables()?;
+        if tables.is_empty() || tables.len() > MOST_POINTS {
+            place.report(format!("{} points; expected 1 to {MOST_POINTS}", tables.len()), None);
+            return None;
+        }
+        let read: Vec<Option<PathPoint>> = tables.iter().map(|point| self.path_point(point)).collect();
+        if !table.has("position") && !table.has("heading") {
+            let help = "give `position` and `heading` at rest too";
+            place.report("points along the path do not say where the vehicle came to rest", Some(help.to_owned()));
+            return None;
+        }
+        read.into_iter().collect()
+    }
+
+    fn path_point(&self, table: &Table<'_>) -> Option<PathPoint> {
+        let position = self.position_at_rest(table.required("position"));
+        let wheel = table.has("wheel").then(|| {
+            let name = table.optional("wheel").choice(&WHEELS)?;
+            WHEELS.into_iter().zip(WheelPosition::ALL).find_map(|(known, wheel)| (known == name).then_some(wheel))
+        });
+        table.finish();
+        let [(x, x_deviation), (y, y_deviation)] = position?;
+        let wheel = match wheel {
+            Some(wheel) => Some(wheel?),
+            None => None,
+        };
+        Some(PathPoint { wheel, position: Xy { x, y }, deviation: Xy { x: x_deviation, y: y_deviation } })
     }
 
     fn sliding_vehicle(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<SlidingVehicle> {

@@ -14,6 +14,88 @@ pub const BAD: &[Bad] = &[
     wrong("a region on a line", &[("[\"9 m\", \"5 m\"]", "[\"19 m\", \"-5 m\"]")], 24, &["rest.regions.1.polygon", "on a line"]).of(RESTED),
     wrong("a region without a place", &[(", polygon", ", polyp")], 24, &["rest.regions.1", "`polygon` or `half_plane`"]).of(RESTED),
     wrong("a region below zero", &[("friction = 0.4", "friction = -0.4")], 24, &["rest.regions.1.friction", "from 0 to 10"]).of(RESTED),
+    wrong("a grade in degrees", &[("[rest]\n", "[rest]\ngrade = [\"2 deg\", 0]\n")], 23, &["rest.grade.1", "a pure number is expected"])
+        .of(RESTED),
+    wrong("a grade in percent without its sign", &[("[rest]\n", "[rest]\ngrade = [2, 0]\n")], 23, &["rest.grade.1", "from -1 to 1", "2 %"])
+        .of(RESTED),
+    wrong("a grade of one share", &[("[rest]\n", "[rest]\ngrade = \"2 %\"\n")], 23, &["rest.grade", "along x and y"]).of(RESTED),
+    wrong("a grade without a direction", &[("[rest]\n", "[rest]\ngrade = { rise = 0.02 }\n")], 23, &["rest.grade.toward", "missing"])
+        .of(RESTED),
+    wrong(
+        "a rise below zero",
+        &[("[rest]\n", "[rest]\ngrade = { rise = -0.02, toward = 0 }\n")],
+        23,
+        &["rest.grade.rise", "from 0 to 1", "uphill"],
+    )
+    .of(RESTED),
+    wrong(
+        "a grade of a region that is a wall",
+        &[("friction = 0.4,", "friction = 0.4, grade = [0, 3],")],
+        24,
+        &["rest.regions.1.grade.2", "from -1 to 1"],
+    )
+    .of(RESTED),
+    wrong(
+        "points without deviations",
+        &[("track =", "points = [{ position = [\"3 m\", \"1 m\"] }]\ntrack =")],
+        31,
+        &["rest.vehicle.1.points.1.position.1", "no standard deviation"],
+    )
+    .of(RESTED),
+    wrong(
+        "a point in degrees",
+        &[("track =", "points = [{ position = [\"3 deg ± 1 deg\", \"1 m ± 1 m\"] }]\ntrack =")],
+        31,
+        &["rest.vehicle.1.points.1.position.1", "a length is expected"],
+    )
+    .of(RESTED),
+    wrong(
+        "a point of a fifth wheel",
+        &[("track =", "points = [{ wheel = \"spare\", position = [\"3 m ± 1 m\", \"1 m ± 1 m\"] }]\ntrack =")],
+        31,
+        &["rest.vehicle.1.points.1.wheel", "\"front_left\""],
+    )
+    .of(RESTED),
+    wrong(
+        "a point nowhere",
+        &[("track =", "points = [{ wheel = \"front_left\" }]\ntrack =")],
+        31,
+        &["rest.vehicle.1.points.1.position", "missing"],
+    )
+    .of(RESTED),
+    wrong("no points", &[("track =", "points = []\ntrack =")], 31, &["rest.vehicle.1.points", "1 to 64"]).of(RESTED),
+    wrong(
+        "points and no rest",
+        &[
+            ("position = [\"12 m ± 0.3 m\", \"-4 m ± 0.3 m\"]\nheading = \"135 deg ± 5 deg\"\n", ""),
+            ("track =", "points = [{ position = [\"3 m ± 1 m\", \"1 m ± 1 m\"] }]\ntrack ="),
+        ],
+        29,
+        &["rest.vehicle.1.points", "do not say where the vehicle came to rest"],
+    )
+    .of(RESTED),
+    wrong(
+        "points of the closed form",
+        &[("track =", "method = \"closed-form\"\npoints = [{ position = [\"3 m ± 1 m\", \"1 m ± 1 m\"] }]\ntrack =")],
+        31,
+        &["rest.vehicle.1.method", "follows no path"],
+    )
+    .of(RESTED),
+    wrong("a friction by nothing", &[("\"0.7 ± 0.05\"", "{ min = 0.8, max = 0.6 }")], 23, &["rest.friction.max", "above `min`"]).of(RESTED),
+    wrong(
+        "a friction of two measurements",
+        &[("\"0.7 ± 0.05\"", "{ mean = 0.7, sd = 0.05, n = 2 }")],
+        23,
+        &["rest.friction", "no standard deviation"],
+    )
+    .of(RESTED),
+    wrong(
+        "a friction of two forms",
+        &[("\"0.7 ± 0.05\"", "{ median = 0.7, factor = 1.1, sd = 0.1 }")],
+        23,
+        &["rest.friction.sd", "exclude each other"],
+    )
+    .of(RESTED),
     wrong("a rest of nobody", &[("[rest.vehicle.1]", "[rest.vehicle.3]")], 26, &["rest.vehicle.3: unknown key"]).of(RESTED),
     wrong("a rest of the wall", &[("[rest.vehicle.1]", "[rest.vehicle.2]")], 26, &["rest.vehicle.2", "a fixed barrier"]).of(RESTED),
     wrong(

@@ -63,6 +63,7 @@ fn verdict(answer: &Reconstruction, units: Units) -> Vec<Block> {
         "several solutions" if answer.other_separations => other_separations(answer),
         "several solutions" => several(answer),
         "undetermined" => undetermined(answer, units),
+        "contradicted" if answer.is_contradicted_by_path() => path_contradicted(answer),
         "contradicted" => contradicted(answer, units),
         "bounds exclude" => bounds_exclude(answer, units),
         other => vec![headline(format!("{other}: {}.", chi_square(answer)))],
@@ -134,16 +135,30 @@ fn several(answer: &Reconstruction) -> Vec<Block> {
     ]
 }
 
-/// Explains that several separations lead to the same rest position, of which only one was used.
+/// Explains that several separations lead to the same rest positions and agree with the evidence.
 fn other_separations(answer: &Reconstruction) -> Vec<Block> {
+    let count = 1 + answer.by_other_separations.len();
     vec![
         headline(format!(
-            "Several separations lead to the same rest position: this page is about one of them, and is not the only answer. {}.",
+            "{count} separations lead to the same rest positions, and the evidence cannot distinguish them; none of them alone is the answer. {}.",
             chi_square(answer)
         )),
         Block::paragraph(
-            "Next: look which way the tire marks turn, and give the separation velocity or yaw rate as evidence in place of that vehicle's rest.",
+            "Next: give `points` along the path, such as tire marks, which decide between them. The answer from each is listed below; the rest of this page is \
+             about the first, which fits best.",
         ),
+    ]
+}
+
+/// Explains that a rest position and the points along the path contradict each other.
+fn path_contradicted(answer: &Reconstruction) -> Vec<Block> {
+    vec![
+        headline("Inconsistent evidence: no slide comes past the points and ends in the rest position."),
+        Block::paragraph(format!(
+            "The rest of the evidence agrees: {}. Next: look at the residuals of the points below; check which wheel made each mark, the heading at rest \
+             with its whole turns, and which wheels were locked.",
+            chi_square(answer)
+        )),
     ]
 }
 

@@ -1,0 +1,111 @@
+//! `[kinematics]` of a recording: the restitution of a point of the vehicle from its measured motion at contact and at separation.
+
+use num_dual::Dual64;
+use planar_impact::barrier::{Estimate, MeasuredContact, TestIssues};
+use planar_impact::{CrushPlane, ForwardLeft, Heading, Motion, Nt, Xy};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::Uncertain;
+use crate::case::CaseReader;
+use crate::document::Table;
+use crate::named::positive_zero;
+use crate::quantity::Kind;
+use crate::units::Measure;
+
+/// The restitution of a point from measured kinematics, in SI.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Kinematics {
+    /// Restitution of the point along the normal of the barrier.
+    pub restitution: Uncertain,
+    /// Velocity of the point at separation: along the normal, and along the barrier, in m/s.
+    pub separation: [f64; 2],
+    /// Heading at separation, in rad.
+    pub heading_at_separation: f64,
+}
+
+/// The measured numbers, in this order: velocity and yaw rate before and after, the point before and after, the duration; with the angles of the heading and the
+/// barrier, which count as exact.
+pub(super) struct MeasuredKinematics {
+    numbers: [Estimate; 11],
+    heading: f64,
+    barrier: f64,
+}
+
+impl CaseReader {
+    pub(super) fn kinematics(&self, table: &Table<'_>) -> Option<MeasuredKinematics> {
+        let angle = |key| match table.has(key) {
+            true => self.quantity(table.optional(key), Kind::ANGLE),
+            false => Some(0.0),
+        };
+        let (heading, barrier) = (angle("heading"), angle("barrier"));
+        let motion = |key| {
+            let table = table.required(key).table()?;
+            let velocity = self.pair_of_estimates(&table, "velocity", Measure::Speed);
+            let yaw_rate = match table.has("yaw_rate") {
+                true => self.measured_estimate(table.optional("yaw_rate"), Measure::YawRate),
+                false => Some(EXACT_ZERO),
+            };
+            table.finish();
+            Some((velocity?, yaw_rate?))
+        };
+        let (before, after) = (motion("before"), motion("after"));
+        let point = self.pair_of_estimates(table, "point", Measure::Length);
+        let deformed = match table.has("point_after") {
+            true => self.pair_of_estimates(table, "point_after", Measure::Length),
+            false => point,
+        };
+        let duration = self.measured_estimate(table.required("duration"), Measure::Time);
+        table.finish();
+        let (([vx, vy], w), ([wx, wy], after_w), [forward, left], [forward_after, left_after]) = (before?, after?, point?, deformed?);
+        let numbers = [vx, vy, w, wx, wy, after_w, forward, left, forward_after, left_after, duration?];
+        Some(MeasuredKinematics { numbers, heading: heading?, barrier: barrier? })
+    }
+
+    fn pair_of_estimates(&self, table: &Table<'_>, key: &'static str, measure: Measure) -> Option<[Estimate; 2]> {
+        let expected = format!("an array of two values, each {}", Kind::from(measure).wanted());
+        let items = table.required(key).items(&expected, 2..=2)?;
+        let read: Vec<_> = items.into_iter().map(|item| self.measured_estimate(item, measure)).collect();
+        read.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()
+    }
+}
+
+const EXACT_ZERO: Estimate = Estimate { value: 0.0, variance: 0.0 };
+
+impl MeasuredKinematics {
+    /// Returns the restitution, with its variance to first order: the numbers are independent.
+    pub(super) fn answer(&self) -> Result<Kinematics, TestIssues> {
+        let values = self.numbers.map(|number| number.value);
+        let contact = contact(values, [self.heading, self.barrier]);
+        let restitution = contact.restitution()?;
+        let by = |i: usize| {
+            let seeded = core::array::from_fn(|k| Dual64::new(values[k], f64::from(u8::from(k == i))));
+            self::contact(seeded, [self.heading, self.barrier].map(Dual64::from))
+                .restitution()
+                .map_or(f64::NAN, |restitution| restitution.eps)
+        };
+        let variance: f64 = self.numbers.iter().enumerate().map(|(i, number)| by(i) * by(i) * number.variance).sum();
+        let is_known = self.numbers.iter().any(|number| number.variance > 0.0);
+        let Nt { n, t } = contact.separation();
+        Ok(Kinematics {
+            restitution: Uncertain::of(Estimate { value: restitution, variance }, is_known),
+            separation: [n, t].map(positive_zero),
+            heading_at_separation: positive_zero(contact.at_separation().heading.angle()),
+        })
+    }
+}
+
+fn contact<T: planar_impact::scalar::Real>(
+    [vx, vy, w, wx, wy, after_w, forward, left, forward_after, left_after, duration]: [T; 11],
+    [heading, barrier]: [T; 2],
+) -> MeasuredContact<T> {
+    MeasuredContact {
+        heading: Heading::from_angle(heading),
+        before: Motion { velocity: Xy { x: vx, y: vy }, yaw_rate: w },
+        after: Motion { velocity: Xy { x: wx, y: wy }, yaw_rate: after_w },
+        duration,
+        point_before: ForwardLeft { forward, left },
+        point_after: ForwardLeft { forward: forward_after, left: left_after },
+        barrier: CrushPlane::from_angle(barrier),
+    }
+}
