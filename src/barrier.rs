@@ -46,6 +46,7 @@
 //! ```
 //!
 //! A speed b₀ that leaves no crush may be known from elsewhere: [`StiffnessFit::with_onset`] holds d₀ = b₀ √(m/w) and fits d₁ alone, for which one test is enough.
+//! So may the force A at which crush begins: [`StiffnessFit::with_force`] holds d₀ d₁ = A.
 //!
 //! # No corrections
 //!
@@ -73,6 +74,7 @@ mod film;
 mod filter;
 mod fit;
 mod fitted;
+mod held_force;
 mod issue;
 mod kinematics;
 mod line_fit;

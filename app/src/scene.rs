@@ -100,6 +100,7 @@ pub struct GivenRest {
     pub heading_sd: f64,
     /// Points that the vehicle passed on the way.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub points: Vec<GivenPoint>,
 }
 

@@ -36,6 +36,7 @@ pub struct VehicleSlide {
     pub miss: Option<Miss>,
     /// Points along the path that the case gives, beside the places of this path that are nearest to them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub points: Vec<PointFit>,
     /// Time from separation to rest, in s.
     pub time: f64,

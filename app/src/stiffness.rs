@@ -183,8 +183,8 @@ pub struct Predicted {
 ///
 /// Every reason for which the tests do not determine a stiffness.
 pub fn stiffness(file: &TestFile, _: &(), _: &dyn Control) -> Result<Answer<StiffnessAnswer>, Issues> {
-    if file.onset.is_none() && file.count() < 2 {
-        let help = "give a second test, or assume the speed that leaves no crush: b0 = \"2 m/s\" under [fit], or onset";
+    if file.onset.is_none() && file.force.is_none() && file.count() < 2 {
+        let help = "give a second test, or assume the speed that leaves no crush: b0 = \"2 m/s\" under [fit], or onset; or hold the force at which crush begins: A";
         return Err(file.unfit([Issue::at("too-few", "vehicle", "one test cannot determine stiffness").with_help(help)]));
     }
     fit(file).map_err(|problems| file.unfit(problems))
@@ -210,7 +210,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     }
     let mut notices = file.notices.clone();
     let mut note = |code, message: &'static str| notices.0.push(Notice::note(code, "vehicle", message));
-    let fits = if file.count() < 2 && !file.holds_onset {
+    let fits = if file.count() < 2 && !file.holds() {
         Vec::new()
     } else {
         match file.fits(&observations) {

@@ -24,6 +24,7 @@ __all__ = [
     "CheckReport",
     "CheckedRecord",
     "Clipped",
+    "ClippedSensor",
     "Comparison",
     "ComparisonReconstruction",
     "ComparisonVehicle",
@@ -56,6 +57,7 @@ __all__ = [
     "Impulse",
     "ImpulsePlane",
     "Interval",
+    "Kinematics",
     "LinePoint",
     "Linear",
     "Miss",
@@ -68,6 +70,7 @@ __all__ = [
     "Peak",
     "Planar",
     "PlaneImpulse",
+    "PointFit",
     "Pooled",
     "PooledNumber",
     "Posterior",
@@ -77,6 +80,7 @@ __all__ = [
     "Probability",
     "Reconstruction",
     "ReconstructionComparison",
+    "ReconstructionReconstruction",
     "ReconstructionSolution",
     "ReconstructionVehicle",
     "RecordAnswer",
@@ -86,9 +90,11 @@ __all__ = [
     "Residuals",
     "RestPose",
     "SecondOrder",
+    "SeparationFromRest",
     "ShapleyEffect",
     "Share",
     "Skid",
+    "SlideFit",
     "Slides",
     "Solution",
     "State",
@@ -937,6 +943,65 @@ class Draws(Facts[Any]):
     """The seed of the draws."""
 
 
+class PointFit(Facts[Any]):
+    """A point along the path, beside the place of the path that is nearest to it in standard deviations."""
+
+    __slots__ = ()
+
+    computed: list[float]
+    """The nearest place of the path, in m."""
+    given: list[float]
+    """Its place along x and y in the file, in m."""
+    is_end: bool
+    """``true`` if the nearest place is an end of the path."""
+    sd: list[float]
+    """Its standard deviations along x and y, in m."""
+    standardised_residual: float
+    """Distance from the path in standard deviations, positive where the point is to the left of the path."""
+    time: float
+    """The time since separation of the vehicle there, in s."""
+    wheel: str | None
+    """The wheel that passed it; ``null`` for the center of mass."""
+
+
+class SlideFit(Facts[Any]):
+    """How a slide fits the rest position, and the points along its path."""
+
+    __slots__ = ()
+    _parts = {"points": PointFit}
+
+    chi_square: float
+    """The sum of the squares of what pose and points are missed by, in standard deviations."""
+    degrees_of_freedom: int
+    """The number of points."""
+    heading: float
+    """Computed less given heading at rest, in rad."""
+    points: list[PointFit]
+    """Points along the path, in the order of the file."""
+    position: list[float]
+    """Computed less given position at rest, along x and y, in m."""
+    probability: float
+    """Probability that chi-square is larger by chance; 1 without points."""
+
+
+class SeparationFromRest(Facts[Any]):
+    """The separation of a vehicle, from where it came to rest."""
+
+    __slots__ = ()
+    _parts = {"fit": SlideFit}
+
+    fit: SlideFit | None
+    """How the slide fits the evidence; ``null`` for the closed form."""
+    sd: list[float]
+    """Standard deviations of both components of the velocity and of the yaw rate."""
+    vehicle: int
+    """The number of the vehicle, 1 or 2."""
+    velocity: list[float]
+    """Its velocity at separation along x and y, in m/s."""
+    yaw_rate: float
+    """Its yaw rate at separation, in rad/s."""
+
+
 class ReconstructionSolution(Facts[Any]):
     """An answer in SI and radians: the facts of a verb, with title and notices."""
 
@@ -985,12 +1050,97 @@ class Unknown(Facts[Any]):
     """Its value; ``null`` if the evidence does not determine it."""
 
 
+class ReconstructionReconstruction(Facts[Any]):
+    """A collision found from evidence, in SI and radians."""
+
+    __slots__ = ()
+    _parts = {"by_other_separations": ReconstructionReconstruction, "correlation": partial(Facts, part=Facts), "covariance": partial(Facts, part=Facts), "crash3": ReconstructionComparison, "derived": partial(Facts, part=Derived), "diagnostics": Diagnostic, "evidence": partial(Facts, part=Evidence), "furthest_off": FurthestOff, "influence": partial(Facts, part=Facts), "open_directions": Facts, "other_minima": Alternative, "posterior": Draws, "priors": partial(Facts, part=Evidence), "probabilities": Facts, "separations": SeparationFromRest, "solution": ReconstructionSolution, "solutions": Alternative, "unknown": partial(Facts, part=Unknown), "without_bounds": Alternative, "worse": Alternative}
+
+    by_other_separations: list[ReconstructionReconstruction]
+    """The answers from the other separations that lead to the same rest positions, the best first."""
+    chi_square: float
+    """Sum of the squares of the standardised residuals."""
+    converged: bool
+    """``true`` if a search converged; otherwise there is no answer."""
+    correlation: Facts[Facts[float | None]]
+    """Correlation of the unknowns."""
+    covariance: Facts[Facts[float | None]]
+    """Covariance of the unknowns; ``null`` where an unknown has no standard deviation."""
+    crash3: ReconstructionComparison | None
+    """CRASH3 results from the same evidence."""
+    degrees_of_freedom: int
+    """Number of pieces of evidence minus number of unknowns."""
+    derived: Facts[Derived]
+    """What follows from the unknowns and is asked for most: ΔV and principal direction of force of each vehicle, closing speed,
+    energies, impulse ratio, and equivalent energy speed of each vehicle where its share of the crush energy is known."""
+    diagnostics: list[Diagnostic]
+    """Diagnostics of the best solution: what users of crash programs ask next."""
+    evidence: Facts[Evidence]
+    """The evidence, compared with the best solution."""
+    furthest_off: FurthestOff | None
+    """The piece of evidence, or the prior, with the largest standardised residual in the best solution; ``null`` if all are exact."""
+    hardly_determined: list[str]
+    """Deprecated name of ``weakly_determined``."""
+    impulse_ratio_is_fraction: bool
+    """``true`` if ``contact.impulse_ratio`` is the fraction of the critical ratio, as the case gives it."""
+    influence: Facts[Facts[float | None]]
+    """Change of each unknown per unit of each piece of evidence; ``null`` if the unknown is not determined."""
+    iterations: int
+    """Number of steps of the search that found the best solution."""
+    limits: list[str]
+    """The limits of the physics that the best solution lies on, by the code of the refusal beyond them."""
+    not_determined: list[str]
+    """Combinations of unknowns that the evidence does not constrain, in words."""
+    open_directions: list[Facts[float]]
+    """The same as numbers: the change of each unknown along the combination."""
+    other_minima: list[Alternative]
+    """Other minima of chi-square, which the evidence distinguishes from the best one."""
+    other_separations: bool
+    """``true`` if other separations, which lead to the same rest positions, agree with the evidence too."""
+    posterior: Draws | None
+    """Draws from the posterior, on request."""
+    priors: Facts[Evidence] | None
+    """Prior values of unknowns, compared with the best solution."""
+    probabilities: Facts[float] | None
+    """The probability of each statement of the call."""
+    probability: float
+    """Probability that chi-square is larger by chance."""
+    searches: int
+    """Number of searches."""
+    searches_at_solutions: list[int]
+    """Number of searches that ended at each solution, the best first."""
+    searches_converged: int
+    """Number of searches that converged."""
+    seed: int
+    """The seed of the starts."""
+    separations: list[SeparationFromRest]
+    """The separations that are used, from rest positions and points along the paths; left out without ``[rest]``."""
+    solution: ReconstructionSolution | None
+    """The collision of the best solution; ``null`` where the evidence leaves an unknown open."""
+    solutions: list[Alternative]
+    """Every solution that fits the evidence; several only if the evidence cannot distinguish them."""
+    starts: int
+    """Maximum number of starts."""
+    unknown: Facts[Unknown]
+    """The unknowns."""
+    verdict: str
+    """``agrees``, ``several solutions``, ``undetermined``, ``contradicted`` or ``bounds exclude``."""
+    weakly_determined: list[str]
+    """Unknowns that the evidence barely constrains."""
+    without_bounds: Alternative | None
+    """The best fit without bounds, if it lies outside the bounds."""
+    worse: list[Alternative]
+    """Deprecated name of ``other_minima``."""
+
+
 class Reconstruction(Answer):
     """An answer in SI and radians: the facts of a verb, with title and notices."""
 
     __slots__ = ()
-    _parts = {"correlation": partial(Facts, part=Facts), "covariance": partial(Facts, part=Facts), "crash3": ReconstructionComparison, "derived": partial(Facts, part=Derived), "diagnostics": Diagnostic, "evidence": partial(Facts, part=Evidence), "furthest_off": FurthestOff, "influence": partial(Facts, part=Facts), "messages": NoticeEntry, "open_directions": Facts, "other_minima": Alternative, "posterior": Draws, "priors": partial(Facts, part=Evidence), "probabilities": Facts, "solution": ReconstructionSolution, "solutions": Alternative, "unknown": partial(Facts, part=Unknown), "without_bounds": Alternative, "worse": Alternative}
+    _parts = {"by_other_separations": ReconstructionReconstruction, "correlation": partial(Facts, part=Facts), "covariance": partial(Facts, part=Facts), "crash3": ReconstructionComparison, "derived": partial(Facts, part=Derived), "diagnostics": Diagnostic, "evidence": partial(Facts, part=Evidence), "furthest_off": FurthestOff, "influence": partial(Facts, part=Facts), "messages": NoticeEntry, "open_directions": Facts, "other_minima": Alternative, "posterior": Draws, "priors": partial(Facts, part=Evidence), "probabilities": Facts, "separations": SeparationFromRest, "solution": ReconstructionSolution, "solutions": Alternative, "unknown": partial(Facts, part=Unknown), "without_bounds": Alternative, "worse": Alternative}
 
+    by_other_separations: list[ReconstructionReconstruction]
+    """The answers from the other separations that lead to the same rest positions, the best first."""
     chi_square: float
     """Sum of the squares of the standardised residuals."""
     converged: bool
@@ -1033,7 +1183,7 @@ class Reconstruction(Answer):
     other_minima: list[Alternative]
     """Other minima of chi-square, which the evidence distinguishes from the best one."""
     other_separations: bool
-    """``true`` if several separations lead to the same rest position, of which one is used."""
+    """``true`` if other separations, which lead to the same rest positions, agree with the evidence too."""
     posterior: Draws | None
     """Draws from the posterior, on request."""
     priors: Facts[Evidence] | None
@@ -1052,6 +1202,8 @@ class Reconstruction(Answer):
     """Number of searches that converged."""
     seed: int
     """The seed of the starts."""
+    separations: list[SeparationFromRest]
+    """The separations that are used, from rest positions and points along the paths; left out without ``[rest]``."""
     solution: ReconstructionSolution | None
     """The collision of the best solution; ``null`` where the evidence leaves an unknown open."""
     solutions: list[Alternative]
@@ -1329,7 +1481,7 @@ class VehicleSlide(Facts[Any]):
     """The slide of a vehicle from separation to rest."""
 
     __slots__ = ()
-    _parts = {"miss": Miss, "path": State, "rest": RestPose}
+    _parts = {"miss": Miss, "path": State, "points": PointFit, "rest": RestPose}
 
     distance: float
     """Length of the path of the center of mass, in m."""
@@ -1339,6 +1491,8 @@ class VehicleSlide(Facts[Any]):
     """Its name."""
     path: list[State]
     """The motion, from separation to rest."""
+    points: list[PointFit]
+    """Points along the path that the case gives, beside the places of this path that are nearest to them."""
     rest: RestPose
     """Where it comes to rest."""
     separation_from: str
@@ -1700,6 +1854,33 @@ class Film(Facts[Any]):
     """The time at which the point has separated, in s."""
 
 
+class Kinematics(Facts[Any]):
+    """The restitution of a point from measured kinematics, in SI."""
+
+    __slots__ = ()
+    _parts = {"restitution": Uncertain}
+
+    heading_at_separation: float
+    """Heading at separation, in rad."""
+    restitution: Uncertain
+    """Restitution of the point along the normal of the barrier."""
+    separation: list[float]
+    """Velocity of the point at separation: along the normal, and along the barrier, in m/s."""
+
+
+class ClippedSensor(Facts[Any]):
+    """A stretch in which the acceleration was beyond what the sensor holds."""
+
+    __slots__ = ()
+
+    acceleration: float
+    """The greatest acceleration of the record, in m/s²."""
+    channel: str
+    """The name of the column of the velocity change."""
+    to: float
+    """When it ends, in s."""
+
+
 class AtTime(Facts[Any]):
     """A value with its uncertainty and its time."""
 
@@ -1759,14 +1940,16 @@ class Recorder(Facts[Any]):
     """What an event data recorder kept, in SI and radians."""
 
     __slots__ = ()
-    _parts = {"delta_v_forward": AtTime, "delta_v_left": AtTime, "maximum": VelocityChange, "pre_crash": PreCrash, "speed_at_impact": AtImpact}
+    _parts = {"clipped_sensors": ClippedSensor, "delta_v_forward": AtTime, "delta_v_left": AtTime, "maximum": VelocityChange, "pre_crash": PreCrash, "speed_at_impact": AtImpact}
 
+    clipped_sensors: list[ClippedSensor]
+    """Velocity changes at the rate of the greatest acceleration that the sensors hold, where the recording says how much that is."""
     delta_v_forward: AtTime | None
     """The longitudinal velocity change of greatest magnitude, forward positive; ``null`` if it is not recorded."""
     delta_v_left: AtTime | None
     """The lateral velocity change of greatest magnitude, to the left positive; ``null`` if it is not recorded."""
     is_lower_bound: bool
-    """``true`` if a velocity change is clipped or truncated: the true one is greater."""
+    """``true`` if a velocity change, or the sensor behind it, is clipped or truncated: the true one is greater."""
     maximum: VelocityChange | None
     """The greatest velocity change of both together; ``null`` unless both are recorded."""
     pre_crash: list[PreCrash]
@@ -1794,7 +1977,7 @@ class RecordAnswer(Facts[Any]):
     """What a recording tells, in SI."""
 
     __slots__ = ()
-    _parts = {"accelerations": Accelerated, "barrier": Barrier, "channels": ChannelAnswer, "films": Film, "recorder": Recorder, "traces": Trace}
+    _parts = {"accelerations": Accelerated, "barrier": Barrier, "channels": ChannelAnswer, "films": Film, "kinematics": Kinematics, "recorder": Recorder, "traces": Trace}
 
     accelerations: list[Accelerated]
     """Each acceleration."""
@@ -1806,6 +1989,8 @@ class RecordAnswer(Facts[Any]):
     """The name of the file."""
     films: list[Film]
     """Each film."""
+    kinematics: Kinematics | None
+    """The restitution of a point from measured kinematics; left out without them."""
     recorder: Recorder | None
     """The event data recorder; ``null`` without one."""
     traces: list[Trace]

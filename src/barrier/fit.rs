@@ -105,7 +105,7 @@ impl<T: Ordered<Mask = bool>> StiffnessFit<T> {
     }
 
     /// Returns an error if the numbers were so large or so small that a result is not finite.
-    fn within_range(self) -> Result<Self, TestIssues<T>> {
+    pub(super) fn within_range(self) -> Result<Self, TestIssues<T>> {
         let mut issues = IssueCollector::<TestIssue<T>>::new();
         for (name, number) in [
             ("fitted d0", &self.stiffness.onset),
@@ -202,7 +202,7 @@ impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
 }
 
 impl<T: Field> StiffnessFit<T> {
-    fn of(
+    pub(super) fn of(
         stiffness: CrushStiffness<T>,
         covariance: StiffnessCovariance<T>,
         model: CrushModel,

@@ -27,9 +27,11 @@ pub struct Reconstruction {
     pub other_separations: bool,
     /// The separations that are used, from rest positions and points along the paths; left out without `[rest]`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub separations: Vec<SeparationFromRest>,
     /// The answers from the other separations that lead to the same rest positions, the best first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub by_other_separations: Vec<Reconstruction>,
     /// `true` if a search converged; otherwise there is no answer.
     pub converged: bool,

@@ -338,8 +338,17 @@ impl Analysis<'_> {
     /// Returns the restitution of the measured kinematics.
     fn kinematics(&mut self) -> Option<Kinematics> {
         let measured = self.of.settings.kinematics.as_ref()?;
-        let answer = measured.answer();
-        let kinematics = self.report("kinematics", answer)?;
+        let kinematics = match measured.answer() {
+            Ok(kinematics) => kinematics,
+            Err(issues) => {
+                for issue in issues.iter() {
+                    let path = issue.path().map_or_else(|| "kinematics".to_owned(), |path| format!("kinematics.{path}"));
+                    let help = issue.help().unwrap_or_else(|| "correct the measured motion".into());
+                    self.issues.push(Issue::at(issue.code(), path, issue.message()).with_help(help));
+                }
+                return None;
+            }
+        };
         self.plausible("the kinematics", kinematics.restitution.value);
         Some(kinematics)
     }

@@ -26,6 +26,7 @@ pub struct Recorder {
     pub is_lower_bound: bool,
     /// Velocity changes at the rate of the greatest acceleration that the sensors hold, where the recording says how much that is.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     pub clipped_sensors: Vec<ClippedSensor>,
     /// Speeds before the impact.
     pub pre_crash: Vec<PreCrash>,

@@ -126,6 +126,9 @@ impl TestFile {
     }
 
     fn fitted(&self, observations: &Observations, model: CrushModel) -> Result<StiffnessFit, Unfitted> {
+        if let Some(force) = self.force {
+            return Ok(self.with_scatter(StiffnessFit::with_force(observations, force, model)?));
+        }
         let fit = match (self.onset.filter(|_| self.holds_onset), model) {
             (Some(speed), _) => {
                 let roots = || {
@@ -208,6 +211,7 @@ impl TestFile {
             StiffnessFit::with_onset(&observations, speed * mean / tested.tests.len() as f64, model).ok()
         };
         let fit = match self.onset {
+            _ if self.force.is_some() => self.force.and_then(|force| StiffnessFit::with_force(&observations, force, model).ok()),
             Some(speed) if self.holds_onset || tested.tests.len() < 2 => held(speed),
             _ => free(),
         };

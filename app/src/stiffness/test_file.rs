@@ -25,6 +25,8 @@ pub struct TestFile {
     pub onset: Option<f64>,
     /// `true` if a fit holds that speed.
     pub holds_onset: bool,
+    /// The force A at the onset of crush that a fit holds, in N/m.
+    pub force: Option<f64>,
     /// The flat crush whose energy the fit predicts, if given.
     pub prediction: Option<Prediction>,
     /// `true` if the file gives any standard deviation.
@@ -90,9 +92,14 @@ impl TestFile {
     pub(crate) fn read(source: Source, reader: CaseReader) -> Result<TestFile, Issues> {
         let document = Document::parse(source)?;
         let read = document.read(|root| reader.tests(root))?;
-        let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, prediction }, has_deviations } = read;
+        let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, force, prediction }, has_deviations } = read;
         let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
-        Ok(TestFile { document, title, vehicles, onset, holds_onset, prediction, has_deviations, units, notices })
+        Ok(TestFile { document, title, vehicles, onset, holds_onset, force, prediction, has_deviations, units, notices })
+    }
+
+    /// Returns `true` if a fit holds d0 or A, so that one test is enough.
+    pub fn holds(&self) -> bool {
+        self.holds_onset || self.force.is_some()
     }
 
     /// Returns the number of tests.
@@ -119,6 +126,7 @@ struct ReadFile {
 struct ReadFit {
     onset: Option<f64>,
     holds_onset: bool,
+    force: Option<f64>,
     prediction: Option<Prediction>,
 }
 
@@ -243,7 +251,12 @@ impl CaseReader {
     fn fit(&self, table: &Table<'_>) -> Option<ReadFit> {
         let holds_onset = table.has("b0");
         let key = if holds_onset || table.has("onset") { one_of(table, "onset", "b0") } else { None };
-        let is_both = holds_onset && key == Some("onset");
+        let mut is_both = holds_onset && key == Some("onset");
+        let force = table.has("A").then(|| self.positive(table.optional("A"), Kind::from(Measure::ForcePerWidth)));
+        if let Some(key) = key.filter(|_| force.is_some()) {
+            table.optional("A").report(format!("`A` and `{key}` exclude each other"), Some("give one of them".to_owned()));
+            is_both = true;
+        }
         let onset = key.map(|key| self.not_negative(table.optional(key), Kind::SPEED));
         let asked = table.has("depth") || table.has("width");
         let prediction = asked.then(|| {
@@ -256,11 +269,15 @@ impl CaseReader {
             Some(onset) => Some(onset?),
             None => None,
         };
+        let force = match force {
+            Some(force) => Some(force?),
+            None => None,
+        };
         let prediction = match prediction {
             Some(prediction) => Some(prediction?),
             None => None,
         };
-        (!is_both).then_some(ReadFit { onset, holds_onset, prediction })
+        (!is_both).then_some(ReadFit { onset, holds_onset, force, prediction })
     }
 }
 

@@ -298,8 +298,10 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
         assert!((one - other).abs() < 1e-6 * one.abs(), "{one} and {other}");
     }
     // What is not wanted is left out; magnitude and direction in place of the components.
-    let polar =
-        unknowns(two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\", \"delta_v_magnitude\", \"pdof\"] }"));
+    let polar = unknowns(two_cars(
+        &samples,
+        "vehicle.2.recorder = { file = \"edr.csv\", resolution = \"1 km/h\", use = [\"speed\", \"delta_v_magnitude\", \"pdof\"] }",
+    ));
     assert!((polar[0] - by_file[0]).abs() < 0.05, "{polar:?}");
     let clipped = samples.replace("0.25,,-29", "0.25,,-34").replace("0.24,,-29", "0.24,,-32");
     let refused = two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\" }");
@@ -461,12 +463,15 @@ fn samples_stand_in_the_file_itself() {
     let case = |recorder: &str| {
         format!(
             "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
-         [contact]\ncrush_plane = 0\n[evidence.vehicle.1]\nrecorder = {recorder}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\ncontact.restitution = {{ start = 0.1, min = 0, max = 1 }}\n"
+         [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence.vehicle.1]\nrecorder = {recorder}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\n"
         )
     };
     folder.write("edr.csv", samples.as_bytes());
-    folder.write("file.toml", case("{ file = \"edr.csv\", use = [\"speed\"] }").as_bytes());
-    folder.write("samples.toml", case(&format!("{{ samples = \"{}\", use = [\"speed\"] }}", samples.replace('\n', "\\n"))).as_bytes());
+    folder.write("file.toml", case("{ file = \"edr.csv\", resolution = \"1 km/h\", use = [\"speed\"] }").as_bytes());
+    folder.write(
+        "samples.toml",
+        case(&format!("{{ samples = \"{}\", resolution = \"1 km/h\", use = [\"speed\"] }}", samples.replace('\n', "\\n"))).as_bytes(),
+    );
     let [file, text] = ["file.toml", "samples.toml"].map(|name| run(folder.path(), &["reconstruct", name, "--format", "json"]));
     let evidence = |run: &Run| serde_json::from_str::<Value>(&run.out).expect("JSON")["evidence"].clone();
     assert_eq!(evidence(&file), evidence(&text), "{}{}", file.err, text.err);

@@ -132,7 +132,7 @@ fn wrong_cases_do_not_validate() {
         ("/evidence/vehicle/2/colour", json!("1 m")),
         ("/evidence/vehicle/3", json!({"speed": "1 m/s"})),
         ("/evidence/crush_energy/sd", json!("1 kJ")),
-        ("/evidence/vehicle/1", json!({"speed": {"value": "1 m/s", "relative": 0.1}})),
+        ("/evidence/vehicle/1", json!({"speed": {"value": "1 m/s", "relative": 0.1, "sd": "1 m/s"}})),
         ("/evidence/vehicle/1", json!({"separation_velocity": ["1 m/s"]})),
         ("/unknown", json!({"vehicle": {"1": {"speed": {"begin": "1 m/s"}}}})),
         ("/unknown", json!({"vehicle": {"1": {"delta_v_magnitude": {}}}})),

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::process::{Run, run_with_input, workspace};
+use crate::process::{Folder, Run, run, run_with_input, workspace};
 
 fn example(name: &str) -> String {
     std::fs::read_to_string(workspace().join("cli/examples/tests").join(name)).expect("the example can be read")
@@ -363,4 +363,48 @@ fn a_rebound_speed_gives_the_restitution() {
     );
     assert!(refused("1.95 m/s", "-1 m/s").contains("below zero"));
     assert!(refused("rebound_speed", "restitution = 0.1\nrebound_speed").contains("`restitution` and `rebound_speed` exclude each other"));
+}
+
+/// A held: by hand, of one test d1 solves C d1² − E* d1 + A = 0, and A = d0 d1 stays as given for any number of tests.
+#[test]
+fn a_held_force_leaves_one_coefficient() {
+    let folder = Folder::new();
+    let test = |speed: f64, depth: f64| {
+        format!("[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [{depth}, {depth}]\n")
+    };
+    let answer = |tests: &[String], fit: &str| {
+        folder.write("tests.toml", format!("schema = 1\n[[vehicle]]\nnew_cars = true\n{}[fit]\n{fit}\n", tests.concat()).as_bytes());
+        run(folder.path(), &["stiffness", "tests.toml", "--format", "json"])
+    };
+    let fits = |run: &Run| serde_json::from_str::<Value>(&run.out).unwrap_or_else(|_| panic!("{}", run.err))["fits"].clone();
+    let one = fits(&answer(&[test(13.0, 0.4)], "A = \"50 kN/m\""));
+    // E* = v √((1 − e²) m/w).
+    let intensity = 13.0 * (0.99 * 1500.0 / 1.5_f64).sqrt();
+    let slope = (intensity + (intensity * intensity - 4.0 * 50e3 * 0.4).sqrt()) / 0.8;
+    for fit in one.as_array().expect("two fits") {
+        let number = |key: &str| fit[key].as_f64().expect("a number");
+        assert!(
+            (number("d1") / slope - 1.0).abs() < 1e-9 && (number("A") / 50e3 - 1.0).abs() < 1e-9 && fit["degrees_of_freedom"] == 0,
+            "{fit}"
+        );
+    }
+    let three = fits(&answer(&[test(6.0, 0.1), test(10.0, 0.3), test(14.0, 0.45)], "A = \"50 kN/m\""));
+    for fit in three.as_array().expect("two fits") {
+        assert!((fit["A"].as_f64().expect("a number") / 50e3 - 1.0).abs() < 1e-9 && fit["degrees_of_freedom"] == 2, "{fit}");
+        // No other d1 with this A is nearer: the residuals are balanced.
+        let (d0, d1) = (fit["d0"].as_f64().expect("a number"), fit["d1"].as_f64().expect("a number"));
+        let pulls = fit["residuals"].as_array().expect("residuals").iter().zip([0.1, 0.3, 0.45]);
+        let pull: f64 = pulls.map(|(residual, depth)| residual["difference"].as_f64().expect("a number") * (depth - d0 / d1)).sum();
+        assert!(pull.abs() < 1e-6, "{pull}: {fit}");
+    }
+    for (fit, wanted) in [
+        ("A = \"50 kN/m\"\nb0 = \"2 m/s\"", "`A` and `b0` exclude each other"),
+        ("A = \"50 kN/m\"\nonset = \"2 m/s\"", "`A` and `onset` exclude each other"),
+        ("A = \"-50 kN/m\"", "fit.A"),
+        ("A = \"50 kN\"", "fit.A"),
+    ] {
+        let refused = answer(&[test(13.0, 0.4)], fit);
+        assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{fit}");
+        assert!(refused.err.contains(wanted), "{fit}: {}", refused.err);
+    }
 }

@@ -74,10 +74,10 @@ pub(super) const UNREADABLE: &[Bad] = &[
     ),
     question("not a number", &[("\"40 kJ ± 2 kJ\"", "nan")], 22, &["evidence.crush_energy", "not a finite number"]),
     question(
-        "a restitution relative to itself",
-        &[(ENERGY, "contact.restitution = { value = 0.1, relative = 0.1 }\n")],
+        "a restitution by a share of nothing",
+        &[(ENERGY, "contact.restitution = { value = 0, relative = 0.1 }\n")],
         22,
-        &["relative: unknown key"],
+        &["evidence.contact.restitution.relative", "any share of it"],
     ),
     question(
         "no crush to take it from",

@@ -1,0 +1,106 @@
+//! A fit with the force A at the onset of crush held: d₀ = A/d₁, so that d₁ alone is fitted.
+
+use alloc::vec::Vec;
+
+use super::fit::{CrushModel, StiffnessFit};
+use super::fitted::StiffnessCovariance;
+use super::issue::{TestIssue, TestIssues};
+use super::line_fit;
+use super::observation::Observations;
+use super::profile_fit;
+use super::test::mean_square_depth;
+use super::weight::dot;
+use crate::crush::{CrushStiffness, ProfileMoments};
+use crate::scalar::{Ordered, Real, is_positive, slack};
+
+/// Maximum number of steps, and steps after the value has converged to rounding, for the derivatives.
+const STEPS: usize = 200;
+const STEPS_OF_DERIVATIVES: usize = 2;
+
+impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
+    /// Fits d₁ to one or more tests with A = d₀ d₁ held, in N/m.
+    ///
+    /// A test whose energy is between two solutions has the one with the larger d₁, in which most of the energy comes from the depth. Where A is more than the
+    /// energy of a test allows, the fit misses it.
+    ///
+    /// ```
+    /// use planar_impact::barrier::{CrushModel, Observation, Observations, StiffnessFit};
+    /// use planar_impact::crush::ProfileMoments;
+    /// let flat = |depth, intensity| Observation { crush: ProfileMoments::of(1.5, &[depth, depth]).unwrap(), intensity, deviation: 10.0 };
+    /// // d₀ = 60 √N and d₁ = 1000 √N/m.
+    /// let tests = Observations::independent(&[flat(0.1, 160.0), flat(0.5, 560.0)])?;
+    /// let fit = StiffnessFit::<f64>::with_force(&tests, 60e3, CrushModel::MeanDepth)?;
+    /// assert!((fit.stiffness.slope - 1000.0).abs() < 1e-9 && (fit.stiffness.onset - 60.0).abs() < 1e-9);
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If there is no test, a test has no depth, the covariance is not positive definite, or the fit does not converge.
+    pub fn with_force(observations: &Observations<T>, force: T, model: CrushModel) -> Result<Self, TestIssues<T>> {
+        let weight = line_fit::ready_for_slope(observations)?;
+        let with = |slope: &T| CrushStiffness { onset: force.clone() / slope.clone(), slope: slope.clone() };
+        let fitted = |stiffness: &CrushStiffness<T>, crush: &ProfileMoments<T>| match model {
+            CrushModel::MeanDepth => stiffness.crush_intensity(crush.mean_depth()),
+            CrushModel::Profile => profile_fit::intensity(stiffness, crush),
+        };
+        // The derivative by d₁, with that of d₀ = A/d₁.
+        let by_slope = |stiffness: &CrushStiffness<T>, crush: &ProfileMoments<T>| {
+            let CrushStiffness { onset, slope } = stiffness.clone();
+            let mean = crush.mean_depth();
+            let falls = onset.clone() / slope.clone();
+            match model {
+                CrushModel::MeanDepth => mean - falls,
+                CrushModel::Profile => {
+                    let by_onset = onset.clone() + slope.clone() * mean.clone();
+                    let by_slope = onset * mean + slope * mean_square_depth(crush);
+                    (by_slope - falls * by_onset) / fitted(stiffness, crush)
+                }
+            }
+        };
+        let mut slope = start(observations, &force)?;
+        let mut settled_for = 0;
+        let mut information = T::int(0);
+        for _ in 0..STEPS {
+            let stiffness = with(&slope);
+            let by: Vec<T> = observations.points.iter().map(|point| by_slope(&stiffness, &point.crush)).collect();
+            let off: Vec<T> = observations.points.iter().map(|point| point.intensity.clone() - fitted(&stiffness, &point.crush)).collect();
+            let weighed = weight.times(&by);
+            information = dot(&weighed, &by);
+            if settled_for > STEPS_OF_DERIVATIVES {
+                break;
+            }
+            let step = dot(&weighed, &off) / information.clone();
+            settled_for = if (slope.clone() * slack()).less(&step.clone().magnitude()) { 0 } else { settled_for + 1 };
+            let next = slope.clone() + step;
+            // Half of the way to zero is the farthest, so that d₁ stays above it.
+            slope = if slope.clone().half().less(&next) { next } else { slope.half() };
+        }
+        if settled_for <= STEPS_OF_DERIVATIVES || !is_positive(&information) {
+            return Err(TestIssue::NotConverged { steps: STEPS }.into());
+        }
+        let stiffness = with(&slope);
+        let variance = information.inv();
+        let falls = stiffness.onset.clone() / slope;
+        let covariance = StiffnessCovariance {
+            onset: falls.clone().squared() * variance.clone(),
+            between: -(falls * variance.clone()),
+            slope: variance,
+        };
+        let (residuals, chi_square) = line_fit::residuals(observations, &weight, |crush| fitted(&stiffness, crush));
+        let degrees_of_freedom = residuals.len() - 1;
+        let fit = Self::of(stiffness, covariance, model, residuals, chi_square);
+        StiffnessFit { degrees_of_freedom, ..fit }.within_range()
+    }
+}
+
+/// Returns d₁ of the mean test: the larger solution of C d₁² − E* d₁ + A = 0, or that of the least E* where there is none.
+fn start<T: Real + Ordered<Mask = bool>>(observations: &Observations<T>, force: &T) -> Result<T, TestIssues<T>> {
+    let sum = |of: &dyn Fn(usize) -> T| (0..observations.len()).fold(T::int(0), |sum, i| sum + of(i));
+    let depth = sum(&|i| observations.points[i].crush.mean_depth());
+    let intensity = sum(&|i| observations.points[i].intensity.clone());
+    let count = T::from_usize(observations.len()).ok_or(TestIssue::NotConverged { steps: 0 })?;
+    let square = intensity.clone().squared() - T::int(4) * force.clone() * depth.clone() * count;
+    let root = if is_positive(&square) { square.square_root() } else { T::int(0) };
+    Ok((intensity + root) / (T::int(2) * depth))
+}
