@@ -167,6 +167,8 @@ trait Portable: Sized {
     fn portable_atan2(self, x: Self) -> Self;
     #[cfg(feature = "dual")]
     fn portable_pow(self, exponent: Self) -> Self;
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self;
 }
 
 impl Portable for f64 {
@@ -184,6 +186,11 @@ impl Portable for f64 {
     fn portable_pow(self, exponent: Self) -> Self {
         libm::pow(self, exponent)
     }
+
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self {
+        libm::log(self)
+    }
 }
 
 impl Portable for f32 {
@@ -200,6 +207,11 @@ impl Portable for f32 {
     #[cfg(feature = "dual")]
     fn portable_pow(self, exponent: Self) -> Self {
         libm::powf(self, exponent)
+    }
+
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self {
+        libm::logf(self)
     }
 }
 
