@@ -3,6 +3,8 @@
 //!
 //! Called with a question and a number of rounds, it asks the question of 256 collisions in each. The difference between two numbers of rounds leaves out
 //! what happens once. Batches use the vector instructions that every x86-64 has.
+// Examples and comparisons compute as their readers do.
+#![allow(clippy::disallowed_methods)]
 
 use std::hint::black_box;
 

@@ -1,4 +1,6 @@
 //! A test in the CI of another simulator: each of its collisions must obey the laws of impact.
+// Examples and comparisons compute as their readers do.
+#![allow(clippy::disallowed_methods)]
 
 use planar_impact::check::{Options, Record, State, Subject, check};
 use planar_impact::prelude::*;

@@ -1,4 +1,6 @@
 //! A fit by Gauss and Newton: both approach speeds from the ΔV that two event data recorders have stored.
+// Examples and comparisons compute as their readers do.
+#![allow(clippy::disallowed_methods)]
 
 use planar_impact::nalgebra::{Matrix2, Vector2};
 use planar_impact::prelude::*;

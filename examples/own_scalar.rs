@@ -1,4 +1,6 @@
 //! A scalar of one's own: a float that counts the multiplications and divisions that it came from.
+// Examples and comparisons compute as their readers do.
+#![allow(clippy::disallowed_methods)]
 
 use planar_impact::prelude::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};

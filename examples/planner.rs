@@ -1,4 +1,6 @@
 //! A planner's inner loop: the least harmful steering angle before an unavoidable impact, by the gradient of a cost of several outputs.
+// Examples and comparisons compute as their readers do.
+#![allow(clippy::disallowed_methods)]
 
 use planar_impact::prelude::*;
 use planar_impact::sensitivity::Gradient;

@@ -8,6 +8,8 @@
 //! from 1/5 (second derivatives, CRASH3) to 1/300 (slides with extreme inputs), and at least 32; formulas run 1/100, and
 //! inverted slides 8 cases. All are the same in every run unless `PROPTEST_RNG_SEED` is set. The loops of `reconstruct/`
 //! have their own counts, except that each row of its table runs half of `PROPTEST_CASES`.
+// Tests compute with the functions of the platform, so that they do not repeat the program.
+#![allow(clippy::disallowed_methods)]
 
 mod angles;
 mod barrier;

@@ -44,6 +44,8 @@
 //! Without the feature `alloc` the crate needs no allocator, and has the modules that a controller needs: collisions, impacts, refusals by their codes and
 //! values, and derivatives. The others, messages among them, are `barrier`, `check`, `crush`, `formula`, `guideline` and `message`.
 #![cfg_attr(not(feature = "std"), no_std)]
+// Tests compute with the functions of the platform, so that they do not repeat the program.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
 // Without an allocator the refusals are where the result is.
 #![cfg_attr(not(feature = "alloc"), allow(clippy::result_large_err))]
 

@@ -168,6 +168,8 @@ trait Portable: Sized {
     fn portable_atan2(self, x: Self) -> Self;
     #[cfg(feature = "dual")]
     fn portable_pow(self, exponent: Self) -> Self;
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self;
 }
 
 impl Portable for f64 {
@@ -185,6 +187,11 @@ impl Portable for f64 {
     fn portable_pow(self, exponent: Self) -> Self {
         libm::pow(self, exponent)
     }
+
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self {
+        libm::log(self)
+    }
 }
 
 impl Portable for f32 {
@@ -201,6 +208,11 @@ impl Portable for f32 {
     #[cfg(feature = "dual")]
     fn portable_pow(self, exponent: Self) -> Self {
         libm::powf(self, exponent)
+    }
+
+    #[cfg(feature = "dual")]
+    fn portable_ln(self) -> Self {
+        libm::logf(self)
     }
 }
 

@@ -164,7 +164,7 @@ fn solved(case: &Case, solution: &Solution) -> (Case, Impact) {
     }
     let impulse = solution.impact.impulse_on_ground;
     let collision = solution.collision.along_impulse(impulse);
-    let of_contact = [(Input::CrushPlane, impulse.y.atan2(impulse.x)), (Input::Restitution, collision.restitution)];
+    let of_contact = [(Input::CrushPlane, libm::atan2(impulse.y, impulse.x)), (Input::Restitution, collision.restitution)];
     values.extend(of_contact.map(|(input, value)| (Parameter::Input(input), value)));
     (case.with_collision(&values, collision), collision.impact_by(impulse))
 }

@@ -285,12 +285,12 @@ impl VehicleInScene {
 
     /// Returns the speed after the impact in m/s.
     pub fn speed_after(&self) -> f64 {
-        self.after.velocity[0].hypot(self.after.velocity[1])
+        libm::hypot(self.after.velocity[0], self.after.velocity[1])
     }
 
     /// Returns the magnitude of the change of velocity in m/s.
     pub fn delta_v_magnitude(&self) -> f64 {
-        self.delta_v[0].hypot(self.delta_v[1])
+        libm::hypot(self.delta_v[0], self.delta_v[1])
     }
 
     /// Returns the principal direction of force on a clock with 12 straight ahead.

@@ -124,7 +124,7 @@ pub struct Motion {
 impl Motion {
     /// Returns the speed in m/s.
     pub fn speed(&self) -> f64 {
-        self.velocity[0].hypot(self.velocity[1])
+        libm::hypot(self.velocity[0], self.velocity[1])
     }
 }
 
@@ -355,9 +355,9 @@ impl Solution {
 
     /// The size that numbers of a measure have in this collision: 10⁻¹² of it is rounding.
     pub fn scale(&self, measure: Measure) -> f64 {
-        let length = |v: [f64; 2]| v[0].hypot(v[1]);
-        let approach = self.contact.approach.normal.hypot(self.contact.approach.tangential);
-        let impulse = self.contact.impulse.normal.hypot(self.contact.impulse.tangential);
+        let length = |v: [f64; 2]| libm::hypot(v[0], v[1]);
+        let approach = libm::hypot(self.contact.approach.normal, self.contact.approach.tangential);
+        let impulse = libm::hypot(self.contact.impulse.normal, self.contact.impulse.tangential);
         match measure {
             Measure::Speed | Measure::RoadSpeed => {
                 let velocities = self.vehicles.iter().flat_map(|vehicle| [vehicle.before.velocity, vehicle.velocity]);
@@ -373,7 +373,7 @@ impl Solution {
 impl Vehicle {
     /// Returns the speed after the impact in m/s.
     pub fn speed(&self) -> f64 {
-        self.velocity[0].hypot(self.velocity[1])
+        libm::hypot(self.velocity[0], self.velocity[1])
     }
 
     fn of(name: &str, party: &Party, response: &Response, crush: Option<&CrushOutputs>, crash3: Option<&Crash3Outputs>) -> Self {

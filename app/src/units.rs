@@ -139,7 +139,7 @@ impl Units {
             return format!("{value:.3e}");
         }
         // At least two significant digits.
-        let leading = value.abs().log10().floor();
+        let leading = libm::log10(value.abs()).floor();
         let needed = if leading < 1.0 { (1.0 - leading) as usize } else { 0 };
         format!("{value:.0$}", usual.max(needed))
     }
@@ -168,7 +168,7 @@ pub fn trim(value: f64) -> String {
     if !(1e-9..1e12).contains(&value.abs()) && value != 0.0 {
         return value.to_string();
     }
-    let digits = (5.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
+    let digits = (5.0 - libm::log10(value.abs().max(1e-9)).floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

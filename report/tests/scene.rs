@@ -1,4 +1,6 @@
 //! Reads drawings of scenes back: arrows, headings, crushed sides and clocks have the signs of the numbers, in random cases and in their mirror images.
+// Tests compute with the functions of the platform, so that they do not repeat the program.
+#![allow(clippy::disallowed_methods)]
 
 use planar_impact_app::scene::{Scene, draw};
 use planar_impact_app::{Answer, Case, Source, Uncontrolled, Units, solve};

@@ -9,6 +9,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::quadratic_program::{self, Condition};
 use super::{Bound, CONVERGED, Minimum, ParameterBounds, scaled};
+use crate::scalar::Field as _;
 
 /// Residuals, margins and the fixed quantity at a point, with their derivatives by the unknowns.
 #[derive(Clone, Debug)]
@@ -175,7 +176,7 @@ impl<'a> Walk<'a> {
         let jacobian = &self.here.jacobian;
         let stiffness: Vec<f64> = jacobian.column_iter().map(|column| (column.norm() * STIFFNESS.1).max(STIFFNESS.0)).collect();
         let straight = jacobian.tr_mul(jacobian);
-        let with = |factor: f64| &straight + DMatrix::from_fn(n, n, |i, k| if i == k { (factor * stiffness[i]).powi(2) } else { 0.0 });
+        let with = |factor: f64| &straight + DMatrix::from_fn(n, n, |i, k| if i == k { (factor * stiffness[i]).squared() } else { 0.0 });
         if taken >= SLOW {
             let bend = of.bend(&self.unknowns, &self.margins, &self.fixed);
             let bend = scaled(scaled(bend, self.spans).transpose(), self.spans);
@@ -216,7 +217,7 @@ impl<'a> Walk<'a> {
     fn step(&self, program: &Program) -> Option<Step> {
         /// Number of times that the share is halved.
         const HALVINGS: i32 = 8;
-        (0..=HALVINGS).find_map(|k| self.step_for(program, 0.5_f64.powi(k)))
+        (0..=HALVINGS).find_map(|k| self.step_for(program, libm::scalbn(1.0, -k)))
     }
 
     fn step_for(&self, program: &Program, share: f64) -> Option<Step> {

@@ -7,6 +7,7 @@ use super::tire::Restraint;
 use super::vehicle::{Pose, SlidingVehicle};
 use crate::issue::{IssueCollector, Place};
 use crate::measure::Measure;
+use crate::scalar::Field as _;
 
 /// Largest accepted coefficient of friction: no tire transmits more than this many times its load.
 pub const MOST_FRICTION: f64 = 10.0;
@@ -57,7 +58,7 @@ pub(super) fn check_proportions(issues: &mut IssueCollector<SlideIssue>, vehicle
     if ![mass, yaw_inertia, front_axle, rear_axle, track].iter().all(|value| value.is_finite() && *value > 0.0) {
         return;
     }
-    let farthest_squared = front_axle.max(rear_axle).powi(2) + (track / 2.0).powi(2);
+    let farthest_squared = front_axle.max(rear_axle).squared() + (track / 2.0).squared();
     let [least, greatest] = GYRATION.map(|radius| to_two_digits(mass * radius * radius * farthest_squared));
     if issues.within(Place::of("track", Measure::Length), &track, 0.0, Some(to_two_digits(WIDEST * (front_axle + rear_axle)))) {
         issues.within(Place::of("yaw_inertia", Measure::YawInertia), &yaw_inertia, least, Some(greatest));
@@ -66,7 +67,7 @@ pub(super) fn check_proportions(issues: &mut IssueCollector<SlideIssue>, vehicle
 
 /// Rounds a limit to two digits: more would suggest that it is exact.
 fn to_two_digits(value: f64) -> f64 {
-    let digits = 10_f64.powi(1 - value.log10().floor() as i32);
+    let digits = libm::exp10(1.0 - libm::log10(value).floor());
     (value * digits).round() / digits
 }
 

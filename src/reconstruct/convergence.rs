@@ -139,7 +139,7 @@ fn independent(chains: &[Vec<f64>]) -> Option<f64> {
         time += 2.0 * least;
     }
     // Draws that alternate are worth more than independent ones, but not without limit.
-    Some(draws / time.max(1.0 / draws.log10()))
+    Some(draws / time.max(1.0 / libm::log10(draws)))
 }
 
 #[cfg(test)]

@@ -129,7 +129,7 @@ impl<'a> Ensembles<'a> {
             for _ in 0..CANDIDATES * self.walkers {
                 let mut draw = proposal.draw(&mut random);
                 if halvings > 0 {
-                    let shrink = 0.5_f64.powi(halvings);
+                    let shrink = libm::scalbn(1.0, -halvings);
                     draw.iter_mut().zip(best).for_each(|(x, best)| *x = best + shrink * (*x - best));
                 }
                 let weight = self.density.log(&draw) - proposal.log_density(&draw);

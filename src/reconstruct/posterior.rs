@@ -191,7 +191,7 @@ impl ReconstructionProblem {
             width.filter(|width| width.is_finite() && *width > 0.0).unwrap_or(density.spans[i].scale)
         };
         // Where the evidence leaves an unknown open, it goes as far as its interval.
-        let widest = DMatrix::from_fn(of.len(), of.len(), |i, k| if i == k { width(i).powi(-2) } else { 0.0 });
+        let widest = DMatrix::from_fn(of.len(), of.len(), |i, k| if i == k { 1.0 / (width(i) * width(i)) } else { 0.0 });
         let around = |solution: &Solution| {
             let center = solution.values();
             let slopes = density.model.weights.whiten(density.model.derivatives(&center));

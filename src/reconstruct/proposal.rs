@@ -27,7 +27,7 @@ struct Student {
 impl Student {
     fn of(center: &[f64], factor: Option<Cholesky<f64, Dyn>>) -> Option<Self> {
         let spread = factor?.unpack();
-        let log_volume = spread.diagonal().iter().map(|x| x.ln()).sum::<f64>();
+        let log_volume = spread.diagonal().iter().map(|x| libm::log(*x)).sum::<f64>();
         log_volume.is_finite().then(|| Student { center: DVector::from_column_slice(center), spread, log_volume })
     }
 
@@ -40,7 +40,7 @@ impl Student {
     /// Returns the logarithm of its density, up to a constant that all of the same dimension share.
     fn log_density(&self, at: &DVector<f64>) -> f64 {
         let away = self.spread.solve_lower_triangular(&(at - &self.center)).map_or(f64::INFINITY, |away| away.norm_squared());
-        -self.log_volume - 0.5 * (FREEDOM + self.center.len() as f64) * (away / FREEDOM).ln_1p()
+        -self.log_volume - 0.5 * (FREEDOM + self.center.len() as f64) * libm::log1p(away / FREEDOM)
     }
 }
 
@@ -73,7 +73,7 @@ impl Proposal {
         let at = DVector::from_column_slice(at);
         let logs: Vec<f64> = self.0.iter().map(|student| student.log_density(&at)).collect();
         let greatest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        greatest + logs.iter().map(|log| (log - greatest).exp()).sum::<f64>().ln()
+        greatest + libm::log(logs.iter().map(|log| libm::exp(log - greatest)).sum())
     }
 }
 

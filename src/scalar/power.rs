@@ -57,7 +57,8 @@ mod dual {
                 let whole = power.to_i32().filter(|&n| n > 0 && FromPrimitive::from_i32(n) == Some(power));
                 return whole.map_or(value, |n| self.powi(n));
             }
-            let logarithm = exponent * self.ln();
+            // The logarithm of a number whose real part is one is exactly zero there, and carries only the derivatives.
+            let logarithm = exponent * ((self / T::from(base)).ln() + T::from(base.portable_ln()));
             let rest = logarithm.clone() - T::from(logarithm.re());
             value * rest.exp()
         }

@@ -3,7 +3,9 @@
 use crate::data::DataError;
 use crate::sheet::Sheet;
 use planar_impact::crush::CrushStiffness;
-use planar_impact::{Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Vehicle, Xy};
+use planar_impact::{
+    Collision, CrushPlane, ForwardLeft, Heading, Impact, ImpulseRatio, Law, Moment, Motion, Party, Real as _, Vehicle, Xy,
+};
 use std::collections::HashMap;
 
 const FILE: &str = "geometry.csv";
@@ -138,7 +140,7 @@ impl Geometry {
 
     /// Returns forward and lateral components of a crabbed car's velocity.
     pub(crate) fn crabbed_velocity(&self, speed: f64) -> Xy {
-        let (sin, cos) = self.crab_angle.to_radians().sin_cos();
+        let (sin, cos) = self.crab_angle.to_radians().sin_and_cos();
         Xy { x: speed * cos, y: speed * sin }
     }
 

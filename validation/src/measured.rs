@@ -10,6 +10,7 @@ mod worked;
 
 use crate::data::DataError;
 use crate::sheet::{Printed, Row};
+use planar_impact::scalar::Field as _;
 use std::fmt;
 
 pub use frontal::{Coefficient, Frontal};
@@ -130,8 +131,8 @@ impl RootMeanSquare {
     pub(crate) fn of<'a>(readings: impl IntoIterator<Item = (&'a Reading, f64)>) -> Self {
         let (mut errors, mut percents, mut count) = (0.0, 0.0, 0.0);
         for (reading, computed) in readings {
-            errors += reading.error_of(computed).powi(2);
-            percents += reading.percent_of(computed).powi(2);
+            errors += reading.error_of(computed).squared();
+            percents += reading.percent_of(computed).squared();
             count += 1.0;
         }
         RootMeanSquare { error: f64::sqrt(errors / count), percent: f64::sqrt(percents / count) }

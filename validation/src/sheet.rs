@@ -43,7 +43,7 @@ impl Printed {
 
     /// Returns half a unit of the last digit.
     pub fn half_unit(&self) -> f64 {
-        0.5 * 10_f64.powi(-self.decimals)
+        0.5 * libm::exp10(-f64::from(self.decimals))
     }
 
     /// Returns `true` if `computed` rounds to it. A tie may round either way regardless of its last binary digit,

@@ -137,8 +137,8 @@ impl CaseOutputs {
             let before = [after[0] - of(Output::DeltaVX(side)), after[1] - of(Output::DeltaVY(side))];
             after.into_iter().chain(before)
         });
-        let approach = of(Output::NormalApproach).hypot(of(Output::TangentialApproach));
-        let impulse = of(Output::NormalImpulse).hypot(of(Output::TangentialImpulse));
+        let approach = libm::hypot(of(Output::NormalApproach), of(Output::TangentialApproach));
+        let impulse = libm::hypot(of(Output::NormalImpulse), of(Output::TangentialImpulse));
         match measure {
             Measure::Speed | Measure::RoadSpeed => speeds.map(f64::abs).fold(approach, f64::max),
             Measure::Energy => (impulse * approach).max(of(Output::EnergyBefore)).max(of(Output::EnergyAfter)),

@@ -53,7 +53,7 @@ impl FromCrush {
                 continue;
             }
             let own = known.uncertainty.standard_deviation().unwrap_or(0.0);
-            deviations[i] = own.hypot(of_crush);
+            deviations[i] = libm::hypot(own, of_crush);
             known.uncertainty = Uncertainty::StandardDeviation(deviations[i]);
             let mut message = Message::from(format!("{}: the uncertain crush gives it a standard deviation of ", known.of.name()))
                 .figure(Measure::Energy, of_crush);

@@ -117,7 +117,7 @@ impl Noise {
     }
 
     fn sd(self, value: f64) -> Option<f64> {
-        self.step.map(|step| (step / 12.0_f64.sqrt()).hypot(self.relative * value))
+        self.step.map(|step| libm::hypot(step / 12.0_f64.sqrt(), self.relative * value))
     }
 
     fn with(self, value: f64) -> Uncertain {
@@ -245,13 +245,13 @@ fn both(forward: &Component<'_>, left: &Component<'_>, issues: &mut Vec<Issue>) 
         issues.push(Issue::at("instants-differ", left.channel.path.clone(), message).with_help(help));
         return None;
     }
-    let at = greatest(forward.values.iter().zip(&left.values).map(|(forward, left)| forward.hypot(*left)));
+    let at = greatest(forward.values.iter().zip(&left.values).map(|(forward, left)| libm::hypot(*forward, *left)));
     let (f, l) = (forward.values[at], left.values[at]);
     let sds = forward.noise.sd(f).zip(left.noise.sd(l));
-    let magnitude = f.hypot(l);
+    let magnitude = libm::hypot(f, l);
     let pdof = ForceDirection::of_push(ForwardLeft { forward: f, left: l }).direction();
     // To first order; the two components are independent.
-    let along = |by: [f64; 2]| sds.map(|(sd_f, sd_l)| (by[0] * sd_f).hypot(by[1] * sd_l));
+    let along = |by: [f64; 2]| sds.map(|(sd_f, sd_l)| libm::hypot(by[0] * sd_f, by[1] * sd_l));
     let is_moving = magnitude > 0.0;
     Some(VelocityChange {
         time: forward.times[at],
@@ -288,6 +288,6 @@ fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue
             .text(", which its standard deviation includes");
         notices.push(Notice::warning("speed-before-impact", path, message));
     }
-    let number = Uncertain { value: last.speed + 0.0, sd: noise.sd(last.speed).map(|sd| sd.hypot(change)) };
+    let number = Uncertain { value: last.speed + 0.0, sd: noise.sd(last.speed).map(|sd| libm::hypot(sd, change)) };
     Some(AtImpact { number, time: last.time })
 }

@@ -26,7 +26,7 @@ pub struct Phase {
 ///
 /// The impulse at maximum compression is 1/(1 + e) of the whole.
 pub(super) fn phases(scene: &Scene, restitution: f64) -> Vec<Phase> {
-    let speed = |vehicle: &VehicleInScene| vehicle.before.velocity[0].hypot(vehicle.before.velocity[1]);
+    let speed = |vehicle: &VehicleInScene| libm::hypot(vehicle.before.velocity[0], vehicle.before.velocity[1]);
     let length = |vehicle: &VehicleInScene| vehicle.outline.map_or(4.0, |outline| outline.front + outline.rear);
     let of_both =
         |of: &dyn Fn(&VehicleInScene) -> f64| scene.vehicles.iter().filter(|vehicle| !vehicle.barrier).map(of).fold(0.0, f64::max);

@@ -153,7 +153,7 @@ fn decimal_scale(numbers: [f64; 2]) -> Option<f64> {
             scaled.abs() < 1e14 && scaled / scale == *x
         })
     };
-    (0..=12).map(|digits| 10_f64.powi(digits)).find(|&scale| whole_at(scale))
+    (0..=12).map(|digits| libm::exp10(f64::from(digits))).find(|&scale| whole_at(scale))
 }
 
 #[cfg(test)]

@@ -149,7 +149,7 @@ impl Digits {
         let power = !(1e-4..1e7).contains(&most);
         // A tick is about a tenth of the axis; the margin keeps rounding from adding a digit.
         let unit = if power { most } else { 1.0 };
-        let decimals = (-(1.001 * length / unit / 10.0).log10().floor()).clamp(0.0, 15.0) as usize;
+        let decimals = (-libm::log10(1.001 * length / unit / 10.0).floor()).clamp(0.0, 15.0) as usize;
         Digits { decimals, power }
     }
 

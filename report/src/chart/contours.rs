@@ -197,7 +197,7 @@ fn levels(values: &[f64]) -> Vec<f64> {
         bulk if bulk > 0.0 => bulk,
         _ => (quantile(1.0) - quantile(0.0)) / LEVELS,
     };
-    let power = 10_f64.powf(rough.log10().floor());
+    let power = libm::exp10(libm::log10(rough).floor());
     let step = [1.0, 2.0, 5.0].into_iter().map(|factor| factor * power).find(|&step| step >= rough / 1.2).unwrap_or(10.0 * power);
     let (first, last) = ((quantile(0.02) / step).floor(), (quantile(0.98) / step).ceil());
     // Multiplied instead of summed, so that the level zero is exact.

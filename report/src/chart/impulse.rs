@@ -259,8 +259,8 @@ fn frame(marks: &[(Mark, Place)], solution: Place) -> [std::ops::Range<f64>; 2] 
     /// Flattest shape of the points at equal scales, and that which is drawn like a line.
     const FLATTEST: f64 = 0.3;
     const LINE: f64 = 0.02;
-    let reach = FARTHEST * solution.0.hypot(solution.1);
-    let near = || marks.iter().map(|(_, at)| *at).filter(|at| at.0.hypot(at.1) <= reach).chain([(0.0, 0.0)]);
+    let reach = FARTHEST * libm::hypot(solution.0, solution.1);
+    let near = || marks.iter().map(|(_, at)| *at).filter(|at| libm::hypot(at.0, at.1) <= reach).chain([(0.0, 0.0)]);
     let mut x = span(near().map(|at| at.0), 0.15);
     let mut y = span(near().map(|at| at.1), 0.15);
     let (wide, high) = (x.end - x.start, ASPECT * (y.end - y.start));
@@ -296,7 +296,7 @@ fn between(from: Place, to: Place, share: f64) -> Place {
 
 /// Returns the part within the frame of the line on which `row` · P has a value; `None` if there is none.
 fn line_in(frame: &[std::ops::Range<f64>; 2], row: [f64; 2], value: f64) -> Option<[Place; 2]> {
-    let length = row[0].hypot(row[1]);
+    let length = libm::hypot(row[0], row[1]);
     // The foot of the perpendicular from the origin, and the direction of the line.
     let foot = (value * row[0] / length / length, value * row[1] / length / length);
     let direction = (-row[1] / length, row[0] / length);

@@ -146,7 +146,7 @@ impl Panel<'_> {
             return Vec::new();
         }
         let peak = 1.0 / (sd * (2.0 * std::f64::consts::PI).sqrt());
-        (-70..=70).map(|i| f64::from(i) / 20.0).map(|z| (mean + z * sd, peak * (-0.5 * z * z).exp())).collect()
+        (-70..=70).map(|i| f64::from(i) / 20.0).map(|z| (mean + z * sd, peak * libm::exp(-0.5 * z * z))).collect()
     }
 
     /// Draws the share of each input in the variance, the greatest first.

@@ -66,7 +66,7 @@ fn vehicles(answer: &CrushAnswer, units: Units) -> Table {
     let length = units.unit(Measure::Length);
     let moment = |what: &str, power: usize| {
         let unit = if power == 1 { length.to_owned() } else { format!("{length}^{power}") };
-        let factor = units.convert(Measure::Length, 1.0).powi(power as i32);
+        let factor = libm::pow(units.convert(Measure::Length, 1.0), power as f64);
         row(what, &unit, &|vehicle| format!("{:.4}", vehicle.moments[power - 1] * factor))
     };
     let mut rows = vec![

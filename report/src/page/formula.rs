@@ -68,7 +68,7 @@ fn number(value: f64) -> String {
     if !value.is_finite() {
         return "no number".to_owned();
     }
-    let magnitude = value.abs().log10().floor();
+    let magnitude = libm::log10(value.abs()).floor();
     let text = format!("{value:.5e}");
     let (digits, exponent) = match text.split_once('e') {
         Some((digits, exponent)) if !(-4.0..6.0).contains(&magnitude) => (digits.to_owned(), format!("e{exponent}")),

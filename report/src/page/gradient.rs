@@ -135,7 +135,7 @@ fn significant(value: f64) -> String {
     if !(1e-4..1e7).contains(&value.abs()) {
         return format!("{value:.3e}");
     }
-    let decimals = (3.0 - value.abs().log10().floor()).max(0.0) as usize;
+    let decimals = (3.0 - libm::log10(value.abs()).floor()).max(0.0) as usize;
     format!("{value:.decimals$}")
 }
 

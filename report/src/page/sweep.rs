@@ -95,7 +95,7 @@ fn decimals(values: &[f64], usual: usize, scale: f64) -> usize {
     if !change.is_finite() || change <= 1e-12 * scale {
         return usual;
     }
-    usual.max((1.0 - change.log10()).ceil().clamp(0.0, 12.0) as usize)
+    usual.max((1.0 - libm::log10(change)).ceil().clamp(0.0, 12.0) as usize)
 }
 
 /// Returns the number of decimals with which the values of an input were given.

@@ -62,7 +62,7 @@ fn samples_drawn(answer: &Uncertainty) -> Block {
         count => {
             let share = 100.0 * count as f64 / answer.samples as f64;
             // Few are not none.
-            let decimals = (-share.log10().floor()).clamp(2.0, 12.0) as usize;
+            let decimals = (-libm::log10(share).floor()).clamp(2.0, 12.0) as usize;
             format!("physics refuses {count} ({share:.decimals$} %: {}), and the figures are of the others", reasons.join(", "))
         }
     };
@@ -83,7 +83,7 @@ fn table_of_inputs(answer: &Uncertainty, units: Units) -> Block {
 fn table_of_probabilities(answer: &Uncertainty) -> Option<Block> {
     let row = |(text, found): (&str, &Probability)| {
         // Two digits of the standard error, and at least four decimals.
-        let decimals = if found.se > 0.0 { (1.0 - found.se.log10().floor()).clamp(4.0, 12.0) as usize } else { 4 };
+        let decimals = if found.se > 0.0 { (1.0 - libm::log10(found.se).floor()).clamp(4.0, 12.0) as usize } else { 4 };
         vec![text.to_owned(), format!("{:.decimals$}", found.value), format!("{:.decimals$}", found.se)]
     };
     let rows: Vec<Vec<String>> = answer.probabilities.iter().map(row).collect();
@@ -98,7 +98,7 @@ pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> S
     if !has_digits {
         return units.number(measure, si, 0.0);
     }
-    let decimals = (1.0 - deviation.log10().floor()).clamp(0.0, 12.0) as usize;
+    let decimals = (1.0 - libm::log10(deviation).floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
     // Minus nothing.
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }

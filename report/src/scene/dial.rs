@@ -17,7 +17,7 @@ pub const HEIGHT: f64 = 190.0;
 /// Draws the clock of a vehicle below and around a place in its middle.
 pub fn draw(svg: &mut Svg, vehicle: &VehicleInScene, which: usize, units: Units, middle: Place) {
     let Style { stroke, fill } = STYLES[which];
-    let rim = |angle: f64, radius: f64| (middle.0 + radius * angle.sin(), middle.1 - radius * angle.cos());
+    let rim = |angle: f64, radius: f64| (middle.0 + radius * libm::sin(angle), middle.1 - radius * libm::cos(angle));
     let centered = |svg: &mut Svg, y: f64, size: f64, text: &str| {
         let (x, y, size) = (number(middle.0), number(y), number(size));
         svg.element_with(

@@ -128,7 +128,7 @@ fn tail(vehicle: &VehicleInScene) -> [f64; 2] {
 
 /// Returns the tangent and the normal of the crush plane through the impact center, each from its tail to its tip.
 fn plane(scene: &Scene, size: f64) -> [[[f64; 2]; 2]; 2] {
-    let (sin, cos) = scene.crush_plane.sin_cos();
+    let (sin, cos) = libm::sincos(scene.crush_plane);
     let at = |along: f64, [x, y]: [f64; 2]| [scene.impact_point[0] + along * size * x, scene.impact_point[1] + along * size * y];
     [[at(-0.45, [-sin, cos]), at(0.5, [-sin, cos])], [at(0.0, [cos, sin]), at(NORMAL, [cos, sin])]]
 }
@@ -169,7 +169,7 @@ fn speed_range(svg: &mut Svg, view: &View, scene: &Scene, vehicle: &VehicleInSce
 
 fn vectors(scene: &Scene, units: Units, size: f64) -> Vec<Vector<'static>> {
     let fastest = fastest(scene);
-    let impulse = scene.impulse[0].hypot(scene.impulse[1]);
+    let impulse = libm::hypot(scene.impulse[0], scene.impulse[1]);
     let mut vectors = Vec::new();
     for (i, vehicle) in scene.vehicles.iter().enumerate().filter(|(_, vehicle)| !vehicle.barrier) {
         let Style { stroke, .. } = STYLES[i];
@@ -218,7 +218,7 @@ fn arrow(svg: &mut Svg, view: &View, vector: &Vector<'_>) {
         let head = 3.0 + 2.0 * vector.width;
         // The line ends inside the head.
         let (dx, dy) = (tip.0 - from.0, tip.1 - from.1);
-        let share = 1.0 - (head / dx.hypot(dy).max(1e-9)).min(1.0);
+        let share = 1.0 - (head / libm::hypot(dx, dy).max(1e-9)).min(1.0);
         let end = (from.0 + share * dx, from.1 + share * dy);
         let dashes = if vector.is_dashed { "9 5" } else { "none" };
         svg.line(from, end, &[("stroke", vector.color), ("stroke-width", &width), ("stroke-dasharray", dashes)]);
@@ -236,7 +236,7 @@ fn rotation(svg: &mut Svg, view: &View, vehicle: &VehicleInScene, which: usize, 
     // A quarter turn for a quarter turn a second, within what an arc can show.
     let sweep = rate.signum() * rate.abs().clamp(0.35, 4.7);
     let start = vehicle.heading + std::f64::consts::FRAC_PI_2;
-    let at = |angle: f64| (center.0 + radius * angle.cos(), center.1 - radius * angle.sin());
+    let at = |angle: f64| (center.0 + radius * libm::cos(angle), center.1 - radius * libm::sin(angle));
     let (from, tip) = (at(start), at(start + sweep));
     let is_large = u8::from(sweep.abs() > std::f64::consts::PI);
     // On the page a counter-clockwise arc has the sweep flag 0.

@@ -104,7 +104,7 @@ impl Labels {
             }
             for direction in 0..DIRECTIONS {
                 let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
-                let (cos, sin) = (angle.cos(), angle.sin());
+                let (sin, cos) = libm::sincos(angle);
                 let x = wanted.at.0 + cos * (distance + width / 2.0) - width / 2.0;
                 let y = wanted.at.1 + sin * (distance + height / 2.0) - height / 2.0;
                 consider(&mut best, Frame { x, y, width, height }, distance);
@@ -115,7 +115,7 @@ impl Labels {
                 for column in 0..8 {
                     let x = self.frame.x + (self.frame.width - width) * f64::from(column) / 7.0;
                     let y = self.frame.y + row as f64 * height;
-                    consider(&mut best, Frame { x, y, width, height }, ANYWHERE + (x - wanted.at.0).hypot(y - wanted.at.1));
+                    consider(&mut best, Frame { x, y, width, height }, ANYWHERE + libm::hypot(x - wanted.at.0, y - wanted.at.1));
                 }
             }
         }

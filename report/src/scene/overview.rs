@@ -36,7 +36,7 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
                     ],
                 );
                 labels.avoid(a, b);
-                let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
                 let middle = ((a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0);
                 labels.want(
                     middle,

@@ -57,8 +57,8 @@ fn points(scene: &Scene, phase: &Phase) -> Vec<[f64; 2]> {
 
 /// Draws the velocity; the fastest is as long as a quarter of the picture's height.
 fn motion(svg: &mut Svg, view: &View, scene: &Scene, which: usize, pose: &RestPose, velocity: [f64; 2]) {
-    let fastest = scene.phases.iter().flat_map(|phase| phase.velocities).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
-    let speed = velocity[0].hypot(velocity[1]);
+    let fastest = scene.phases.iter().flat_map(|phase| phase.velocities).map(|[x, y]| libm::hypot(x, y)).fold(0.0, f64::max);
+    let speed = libm::hypot(velocity[0], velocity[1]);
     if speed <= 0.02 * fastest {
         return;
     }

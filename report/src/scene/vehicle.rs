@@ -10,7 +10,7 @@ use crate::svg::{INK, Place, Svg};
 
 /// Returns places on the page of points in the axes of a vehicle at a pose.
 pub fn placed(view: &View, pose: &RestPose, points: &[[f64; 2]]) -> Vec<Place> {
-    let (sin, cos) = pose.heading.sin_cos();
+    let (sin, cos) = libm::sincos(pose.heading);
     let on_ground =
         |[forward, left]: [f64; 2]| [pose.position[0] + forward * cos - left * sin, pose.position[1] + forward * sin + left * cos];
     points.iter().map(|point| view.place(on_ground(*point))).collect()

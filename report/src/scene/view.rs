@@ -79,7 +79,7 @@ impl View {
     pub fn bar(&self, svg: &mut Svg, units: Units) -> Vec<Frame> {
         let meters = 1.0 / units.convert(Measure::Length, 1.0);
         let most = 0.3 * self.frame.width / self.scale / meters;
-        let power = 10f64.powf(most.log10().floor());
+        let power = libm::exp10(libm::log10(most).floor());
         let length = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|length| *length <= most).unwrap_or(power);
         let text = format!("{} {}", number(length), units.unit(Measure::Length));
         let (x, y) = (self.frame.x + 12.0, self.frame.y + self.frame.height - 14.0);
@@ -107,7 +107,7 @@ impl View {
 /// Draws the head of an arrow at its tip.
 pub fn arrow_head(svg: &mut Svg, from: Place, tip: Place, size: f64, attributes: &[(&str, &str)]) {
     let (dx, dy) = (tip.0 - from.0, tip.1 - from.1);
-    let length = dx.hypot(dy);
+    let length = libm::hypot(dx, dy);
     if length <= 0.0 || !length.is_finite() {
         return;
     }

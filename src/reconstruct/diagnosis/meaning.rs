@@ -74,6 +74,6 @@ impl fmt::Display for Figure {
 
 /// Rounds a number to a number of decimals, without trailing zeros and without a negative zero.
 fn rounded(value: f64, decimals: i32) -> f64 {
-    let unit = 10_f64.powi(decimals);
+    let unit = libm::exp10(f64::from(decimals));
     (value * unit).round() / unit + 0.0
 }

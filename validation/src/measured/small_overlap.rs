@@ -84,7 +84,7 @@ fn collision(row: &Row<'_>, law: Law) -> Result<Collision, DataError> {
         mass: number("car_lb")? / GRAVITY,
         yaw_inertia: number("yaw_inertia_slugft2")?,
         heading: Heading { cos: 1.0, sin: 0.0 },
-        impact_center: ForwardLeft { forward: distance * bearing.cos(), left: distance * bearing.sin() },
+        impact_center: ForwardLeft { forward: distance * libm::cos(bearing), left: distance * libm::sin(bearing) },
         motion: Motion { velocity: Xy { x: number("v_ftps")?, y: 0.0 }, yaw_rate: 0.0 },
     };
     Ok(Collision {

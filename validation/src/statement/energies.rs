@@ -9,6 +9,7 @@ use crate::geometry::Wall;
 use crate::reconstruction::{Reconstruction, Reconstructions, columns};
 use crate::series::{CrabbedTest, Restitution};
 use planar_impact::crush::equivalent_energy_speed;
+use planar_impact::scalar::Field as _;
 
 const PLACE: &str = "comparison with CRASH3";
 
@@ -143,7 +144,7 @@ fn rounding_explains_the_bounds(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Res
 
 fn crash3_takes_a_rounded_angle(cells: &Cells<'_>) -> Statement {
     let rows: Vec<&Computed> = cells.table_b2.iter().filter(|cell| cell.column == "crash3_T_Lt").collect();
-    let tangential = |row: &str, alpha: f64| printed(cells.table_b2, row, "crash3_T_Ln") * alpha.to_radians().tan().powi(2);
+    let tangential = |row: &str, alpha: f64| printed(cells.table_b2, row, "crash3_T_Ln") * libm::tan(alpha.to_radians()).squared();
     let angle = value(cells.table_b1, "1 0.00", "pdof");
     let agrees = |alpha| rows.iter().filter(|cell| cell.printed.agrees_with(tangential(&cell.row, alpha))).count();
     Statement {

@@ -74,7 +74,7 @@ fn momentum(cells: &Cells<'_>, crabbed: &Crabbed<'_>) -> Statement {
         let wing = given.map_or(f64::NAN, |given| given.printed.value());
         let approach = crabbed.geometry.crabbed_velocity(test.speed.value()).x;
         let mass = crabbed.geometry.barrier_mass * newton_seconds;
-        (normal / (mass * approach), normal.hypot(wing) / (mass * test.delta_v_mph / MPH))
+        (normal / (mass * approach), libm::hypot(normal, wing) / (mass * test.delta_v_mph / MPH))
     });
     let shares: Vec<_> = shares.collect();
     Statement {

@@ -179,7 +179,7 @@ impl CaseReader {
         let toward = self.quantity(table.required("toward"), Kind::ANGLE);
         table.finish();
         let ([x, y], toward) = (from?, toward?);
-        Some(Area::HalfPlane { from: Xy { x, y }, toward: Xy { x: toward.cos(), y: toward.sin() } })
+        Some(Area::HalfPlane { from: Xy { x, y }, toward: Xy { x: libm::cos(toward), y: libm::sin(toward) } })
     }
 
     fn rest_of(
@@ -305,7 +305,7 @@ impl CaseReader {
             tires.rolling_resistance = resistance?;
         }
         if let Some(angle) = slip_angle {
-            tires.slip_angle = angle?.tan();
+            tires.slip_angle = libm::tan(angle?);
         }
         let (mass, yaw_inertia) = (inputs?.mass, inputs?.yaw_inertia());
         Some(SlidingVehicle { mass, yaw_inertia, front_axle: front_axle?, rear_axle: rear_axle?, track: track?, wheels: wheels?, tires })

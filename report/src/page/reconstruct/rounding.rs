@@ -18,7 +18,7 @@ pub fn rounded(measure: Measure, value: f64, sd: Option<f64>, units: Units) -> S
             let text = match usize::try_from(decimals) {
                 Ok(decimals) => format!("{value:.decimals$}"),
                 Err(_) => {
-                    let step = 10_f64.powi(-decimals);
+                    let step = libm::exp10(-f64::from(decimals));
                     format!("{:.0}", (value / step).round() * step)
                 }
             };
@@ -29,7 +29,7 @@ pub fn rounded(measure: Measure, value: f64, sd: Option<f64>, units: Units) -> S
 
 /// Returns the number of decimals that show two significant digits of a number; negative if these end before the point.
 fn decimals(of: f64) -> i32 {
-    (1.0 - of.abs().log10().floor()).clamp(-12.0, 9.0) as i32
+    (1.0 - libm::log10(of.abs()).floor()).clamp(-12.0, 9.0) as i32
 }
 
 /// Removes the sign of a zero, whatever its number of decimals.

@@ -126,7 +126,7 @@ struct Significant(f64);
 
 impl std::fmt::Display for Significant {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let whole = self.0.abs().log10().floor().clamp(0.0, 15.0) as usize + 1;
+        let whole = libm::log10(self.0.abs()).floor().clamp(0.0, 15.0) as usize + 1;
         write!(f, "{:.*}", f.precision().unwrap_or(8).saturating_sub(whole), self.0)
     }
 }
