@@ -195,7 +195,7 @@ fn quoted(text: &str) -> String {
 
 /// Writes a number with the decimals that a resolution needs.
 fn rounded(value: f64, resolution: f64) -> String {
-    let decimals = (-resolution.abs().log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
+    let decimals = (-libm::log10(resolution.abs()) - 1e-9).ceil().clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }

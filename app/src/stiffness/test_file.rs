@@ -220,7 +220,7 @@ impl CaseReader {
         /// Rounding, as a share of the speed.
         const ROUNDING: f64 = 1e-9;
         let Some(of_record) = recorded.speed else { return };
-        let scale = sd.unwrap_or(0.0).hypot(of_record.deviation());
+        let scale = libm::hypot(sd.unwrap_or(0.0), of_record.deviation());
         if (speed - of_record.value).abs() <= (2.0 * scale).max(ROUNDING * speed) {
             return;
         }

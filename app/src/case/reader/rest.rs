@@ -112,7 +112,7 @@ impl CaseReader {
                 let rise = self.share_of_grade(grade.required("rise"), 0.0);
                 let toward = self.quantity(grade.required("toward"), Kind::ANGLE);
                 grade.finish();
-                let (rise, (sin, cos)) = (rise?, toward?.sin_cos());
+                let (rise, (sin, cos)) = (rise?, libm::sincos(toward?));
                 Some(Xy { x: rise * cos, y: rise * sin })
             }
             _ => {
