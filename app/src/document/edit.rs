@@ -46,6 +46,7 @@ impl Document {
         let (key, text) = (key_of(path), text.trim());
         let is_number = text.parse::<f64>().is_ok_and(f64::is_finite) && text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
         match self.find(&key) {
+            Some(node) if self.has_header(node) => Err(self.refuse_edit(&key, node.span.clone(), "is a table; write one of its keys")),
             Some(node) => {
                 let keeps_bare = is_number && matches!(node.value, Value::Number(_));
                 let raw = keeps_bare || text.starts_with('{') && text.ends_with('}');
@@ -76,9 +77,7 @@ impl Document {
             return edit.map(|edit| vec![edit]).ok_or_else(no_quantity);
         };
         let place = |name: &str| entries.iter().find(|entry| entry.key == name).map(|entry| &entry.node);
-        let value = |name: &str| place(name).and_then(|node| self.number(node, kind)).map(|number| number.si);
-        let nominal = ["value", "mode", "median", "start"].into_iter().find_map(value);
-        let from = nominal.or_else(|| Some((value("min")? + value("max")?) / 2.0)).ok_or_else(no_quantity)?;
+        let from = self.nominal(node, kind).ok_or_else(no_quantity)?;
         // Bounds of a search are not of the value; limits of a distribution are where it stands.
         let moves: &[&str] = if place("start").is_some() { &["start"] } else { &PLACES };
         let edits = moves.iter().filter_map(|name| place(name)).map(|node| self.moved(node, kind, resolution, |old| old + (si - from)));
@@ -88,11 +87,30 @@ impl Document {
     /// Returns the value in SI of an input as it stands in the file, that of the middle of its range if it has one.
     pub fn number_at(&self, parameter: Parameter) -> Option<f64> {
         let node = self.find(&key_of(&parameter.to_string()))?;
-        self.number(node, parameter.kind()).map(|number| number.si)
+        self.nominal(node, parameter.kind())
+    }
+
+    /// Returns the value of a quantity in SI, that of a distribution where it stands, or the middle of its range.
+    fn nominal(&self, node: &Node, kind: Kind) -> Option<f64> {
+        let Value::Table(entries) = &node.value else { return self.number(node, kind).map(|number| number.si) };
+        let place = |name: &str| entries.iter().find(|entry| entry.key == name);
+        let value = |name: &str| place(name).and_then(|entry| self.number(&entry.node, kind)).map(|number| number.si);
+        let nominal = ["value", "mode", "median", "start"].into_iter().find_map(value);
+        nominal.or_else(|| Some((value("min")? + value("max")?) / 2.0))
     }
 
     fn refuse_edit(&self, path: &str, span: Range<usize>, message: &'static str) -> Issues {
         self.refuse(Cause::Input, vec![Issue { span: Some(span), ..Issue::at("edit", path, message) }])
+    }
+
+    /// Returns `true` for a table, or an array of tables, whose keys stand below its header.
+    fn has_header(&self, node: &Node) -> bool {
+        let first = match &node.value {
+            Value::Table(_) => Some(node),
+            Value::Array(items) => items.first().filter(|item| matches!(item.value, Value::Table(_))),
+            _ => None,
+        };
+        first.is_some_and(|table| !self.source.text[table.span.clone()].starts_with('{'))
     }
 
     fn find(&self, key: &str) -> Option<&Node> {
@@ -144,10 +162,11 @@ impl Document {
     fn insert(&self, key: &str, value: &str) -> Result<Edit, Issues> {
         let text = &self.source.text;
         let (table, name) = key.rsplit_once('.').unwrap_or(("", key));
+        let is_bare = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
         let missing = || {
             Issues::new(Cause::Input, self.source.clone(), vec![Issue::at("edit", key, "has no place in the file yet; add it to the text")])
         };
-        let node = self.find(table).ok_or_else(missing)?;
+        let node = self.find(table).filter(|_| is_bare).ok_or_else(missing)?;
         let (Value::Table(entries), Some('[')) = (&node.value, text[node.span.clone()].chars().next()) else { return Err(missing()) };
         let is_own = |node: &Node| match &node.value {
             Value::Table(_) => text[node.span.clone()].starts_with('{'),
@@ -262,6 +281,12 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
     }
 
     #[test]
+    fn a_number_that_is_a_table_stands_at_its_mode_or_middle() {
+        let at = |name: &str| document(TEXT).number_at(Parameter::named(name).unwrap());
+        assert_eq!((at("contact.restitution"), at("vehicle.2.speed").map(|speed| (speed * 3.6).round())), (Some(0.1), Some(41.0)));
+    }
+
+    #[test]
     fn a_missing_key_is_added_to_its_table() {
         let lines = |name: &str, text: &str| {
             let edited = apply(TEXT, vec![document(TEXT).write_text(name, text).unwrap()]);
@@ -271,6 +296,10 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
         assert_eq!(lines("vehicle.1.yaw_rate", "3 deg/s"), "impact_center = [\"6.3 ft\", \"5 ft 2 in\"]|yaw_rate = \"3 deg/s\"");
         assert_eq!(lines("contact.impulse_ratio", "0.5"), "restitution = { mode = 0.1, min = 0, max = 0.3 }|impulse_ratio = 0.5");
         assert!(document(TEXT).write_text("scene.friction", "1").is_err());
+        // Neither a name that needs quotes nor a table below a header can be written in place: the file could not be read any more.
+        for path in ["contact.", "contact.a b", "contact", "vehicle.1", "vehicle"] {
+            assert!(document(TEXT).write_text(path, "1").is_err(), "{path}");
+        }
         assert_eq!(moved("vehicle.1.yaw_rate", 1.0, 0.01), ["yaw_rate = \"57.3 deg/s\""]); // 180/π
     }
 
