@@ -26,6 +26,8 @@ mod crush;
 mod endings;
 #[path = "main/examples.rs"]
 mod examples;
+#[path = "main/faults.rs"]
+mod faults;
 #[path = "main/formula.rs"]
 mod formula;
 #[path = "main/gradient.rs"]
