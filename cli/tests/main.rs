@@ -3,6 +3,8 @@
 //! One test binary, because each one would link the program's dependencies again. `bad_inputs` holds inputs that must
 //! be refused, `check` the findings in results of other programs, `examples` the examples of the manual, `reference`,
 //! `gradient`, `crush` and `uncertainty` the numbers of an independent solver, and `pins` every number of the output.
+// Tests compute with the functions of the platform, so that they do not repeat the program.
+#![allow(clippy::disallowed_methods)]
 
 #[path = "main/action.rs"]
 mod action;
@@ -24,6 +26,8 @@ mod crush;
 mod endings;
 #[path = "main/examples.rs"]
 mod examples;
+#[path = "main/faults.rs"]
+mod faults;
 #[path = "main/formula.rs"]
 mod formula;
 #[path = "main/gradient.rs"]
