@@ -1,5 +1,7 @@
 //! The text of a file.
 
+use std::rc::Rc;
+
 use crate::issue::Issues;
 
 /// The text of a file and the name that messages give it.
@@ -13,6 +15,9 @@ pub struct Source {
 
 /// Opens a file that another one names, as that one writes its name.
 pub type Open = Box<dyn Fn(&str) -> Result<Source, Issues>>;
+
+/// The same for several readers: a file that another one names may name further ones.
+pub(crate) type SharedOpen = Rc<dyn Fn(&str) -> Result<Source, Issues>>;
 
 impl Source {
     /// Maximum size of a file of a case or of tests, in bytes. A typical one has a few thousand.

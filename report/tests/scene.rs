@@ -295,7 +295,7 @@ fn a_rest_position_has_two_standard_deviations_around_it() {
     let page = Document::parse(&svg).expect("well-formed");
     let root = page.root_element();
     for (i, vehicle) in answer.vehicles.iter().enumerate() {
-        let rest = vehicle.rest.expect("a rest position");
+        let rest = vehicle.rest.as_ref().expect("a rest position");
         let given = of_class(of_class(root, "overview"), &format!("given-rest-{}", i + 1));
         let ellipse = child(given, "ellipse");
         // The path of the slide is to the same scale.

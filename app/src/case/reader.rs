@@ -17,7 +17,6 @@ mod sample;
 mod unknown;
 
 use std::cell::{Cell, RefCell};
-use std::rc::Rc;
 
 use planar_impact::reconstruct::Variable;
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
@@ -39,10 +38,9 @@ use super::rest::RestInputs;
 use super::uncertain::{Uncertain, UncertainInput};
 use super::vehicle::{Inertia, Size, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
-use crate::issue::Issues;
 use crate::notice::Notice;
 use crate::quantity::{Kind, Quantity};
-use crate::source::{Open, Source};
+use crate::source::{Open, SharedOpen};
 use crate::units::Units;
 use crate::wording::{barrier_instead, percent_meant};
 
@@ -64,7 +62,7 @@ pub(super) struct Read {
 pub(crate) struct CaseReader {
     pub(crate) notices: RefCell<Vec<Notice>>,
     uncertain: RefCell<Vec<UncertainInput>>,
-    open: Option<Rc<dyn Fn(&str) -> Result<Source, Issues>>>,
+    open: Option<SharedOpen>,
     fitted: RefCell<Vec<FittedToTests>>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
