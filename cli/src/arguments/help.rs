@@ -213,7 +213,7 @@ pub(super) const RECORD: &str = r#"A recording is a CSV file. Its first line nam
   speed [km/h]                       # before the impact, at times up to zero
 A cell is empty where a channel has no sample. A TOML or JSON file can say more:
   schema = 1
-  file = "test.csv"                  # beside it
+  file = "test.csv"                  # beside it; or samples = "the text of such a file"
   mass = "1500 kg"                   # for delta-V; may have a standard deviation
   speed = "10 m/s ± 0.05 m/s"        # normal to the barrier, for the restitution
   filter = 60                        # class of SAE J211 of peaks and traces; false for none
@@ -221,12 +221,18 @@ A cell is empty where a channel has no sample. A TOML or JSON file can say more:
   window = ["0 ms", "110 ms"]        # the contact
   separation = "115 ms"              # of the point of a film
   resolution = "1 km/h"              # of a recorder, and relative = 0.05 for its other errors
+  accelerometer_range = "50 g"       # what the sensors of a recorder hold
   [[channel]]                        # without any, columns are known by their names
   column = "F3"
   quantity = "normal_force"          # the names above
   calibration = "50 N"               # what one in the column is, if its header has no unit
   polarity = -1                      # if its sign is reversed
   range = "400 kN"                   # what it can hold
+  [kinematics]                       # restitution of a point by its motion; needs no samples
+  before = { velocity = ["10 m/s", "0 m/s"] }
+  after = { velocity = ["-0.5 m/s ± 0.2 m/s", "0.3 m/s"], yaw_rate = "1 rad/s" }
+  duration = "100 ms"
+  point = ["1.9 m", "0 m"]           # forward, left; and point_after, on the deformed vehicle
 Integrals are of the raw channels. Exit status 1: a channel is clipped, or ends before the event.
 
 Evidence of `reconstruct`, and the restitution of a test of `stiffness`:
@@ -257,6 +263,7 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
   scatter = "10 N^0.5"               # of E* from causes other than speed or restitution
   [fit]                              # optional
   b0 = "2 m/s"                       # speed that leaves no crush, held: fits d1 alone; or
+  A = "50 kN/m"                      # force at which crush begins, held; or
   onset = "2 m/s"                    # assumed, for the stiffness from each first test alone
   depth = "0.4 m"                    # of a profile, for the uncertainty of its E_C
   width = "1.5 m"
