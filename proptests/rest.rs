@@ -460,7 +460,7 @@ proptest! {
     #![proptest_config(Config { cases: 1000, max_global_rejects: 20_000, ..fewer(300) })]
 
     /// The same on a thousand cases, which take a quarter of an hour in a release build.
-    #[ignore = "a campaign: cargo test --release --test proptests -- --ignored a_thousand_times"]
+    #[ignore = "a campaign, in which fifteen of a thousand separations are not found yet: cargo test --release --test proptests -- --ignored a_thousand_times"]
     #[test]
     fn forward_and_back_a_thousand_times(wheels in wheels(), motion in motions(), grade in grades()) {
         let mut slide = on_a_road(wheels);

@@ -20,8 +20,8 @@ const NARROW: f64 = 0.01;
 /// Maximum number of zones: measured stiffnesses have few zones, and each zone is evaluated for every depth.
 const MOST_ZONES: usize = 32;
 
-/// Maximum number of depths of a vehicle, each of which is an input; a crush profile has six, and a scan is thinned to this.
-const MOST_DEPTHS: usize = 1000;
+/// Maximum number of depths of a vehicle, each of which is an input: a crush profile has six, and a million took a gigabyte.
+const MOST_DEPTHS: usize = 20_000;
 
 impl CaseReader {
     pub(super) fn crush(&self, field: Field<'_>, side: Side) -> Option<CrushInputs> {
@@ -138,7 +138,7 @@ impl CaseReader {
     }
 
     fn lengths(&self, field: Field<'_>, side: Option<Side>, key: fn(usize) -> CrushKey, domain: Domain) -> Option<Vec<f64>> {
-        let items = field.items("an array of 2 to 1000 values, each a length, such as \"0.1 m\"", 2..=MOST_DEPTHS)?;
+        let items = field.items("an array of at least 2 and at most 20000 values, each a length, such as \"0.1 m\"", 2..=MOST_DEPTHS)?;
         let length = |(i, item)| self.of_crush(item, side, key(i + 1), domain);
         items.into_iter().enumerate().map(length).collect::<Vec<_>>().into_iter().collect()
     }
