@@ -36,7 +36,7 @@ impl CaseReader {
         };
         let field = table.required("tests");
         let (key, place) = (field.path().to_owned(), field.clone());
-        let name = place.clone().string().unwrap_or_default().to_owned();
+        let name = place.clone().string()?.to_owned();
         let tests = self.opened(field, "give d0 and d1 as `planar-impact stiffness` prints them")?;
         let mut all = self.fitted.borrow_mut();
         let known = match all.iter().position(|known| known.tests.text == tests.text) {

@@ -59,6 +59,8 @@ pub const BAD: &[Bad] = &[
     wrong("A in the unit of B", &[(D0_D1, "{ A = \"50 lbf/in^2\", B = \"50 lbf/in^2\" }")], 18, &["vehicle.2.crush.stiffness.A"])
         .of(CRUSHED),
     wrong("d0 without a root", &[("48.27 lbf^0.5", "48.27 lbf")], 18, &["vehicle.2.crush.stiffness.d0", "a root of a force"]).of(CRUSHED),
+    wrong("tests that are a number", &[(D0_D1, "{ tests = 5 }")], 18, &["vehicle.2.crush.stiffness.tests", "expected a string"])
+        .of(CRUSHED),
     wrong("no zone", &[(D0_D1, "[]")], 18, &["vehicle.2.crush.stiffness", "no zone"]).of(CRUSHED),
     wrong("a zone without an end", &[(D0_D1, "[{ d0 = 1, d1 = 2 }, { d0 = 1, d1 = 2 }]")], 18, &["stiffness.1.to: missing"]).of(CRUSHED),
     wrong("a last zone with an end", &[(D0_D1, "[{ d0 = 1, d1 = 2, to = 3 }]")], 18, &["stiffness.1.to", "leave `to` out"]).of(CRUSHED),

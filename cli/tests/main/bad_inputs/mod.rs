@@ -205,6 +205,11 @@ fn check_with(table: &[Bad], words: &[&str]) {
         for fault in faults_of(&run, bad.status, bad.file(), &wanted) {
             faults.push_str(&format!("{}: {fault}\n{}\n\n", bad.name, run.err));
         }
+        // An issue with its place is said once.
+        let said: Vec<&str> = run.err.split("\n\n").collect();
+        if said.iter().enumerate().any(|(i, one)| one.contains(" --> ") && said[..i].contains(one)) {
+            faults.push_str(&format!("{}: said twice\n{}\n\n", bad.name, run.err));
+        }
     }
     assert!(faults.is_empty(), "\n{faults}");
 }
