@@ -218,6 +218,11 @@ impl<'a> Batch<'a> {
         self.forms.map_or(self.form, |forms| forms[row])
     }
 
+    /// Returns `true` if a row has one of the [forms of its tile](Self::forms_of), of which there is one without a column.
+    fn has_form(&self, row: usize, form: Form) -> bool {
+        self.forms.is_none_or(|forms| forms[row] == form)
+    }
+
     /// Computes outputs of every row as [`Collision::evaluate`] does, whether or not its impact is possible.
     #[must_use]
     pub fn evaluate(&self, of: &[Output]) -> Columns {
@@ -255,13 +260,13 @@ impl<'a> Batch<'a> {
                         self.instructions.run(&mut Asked { tile: &mut tile, form, is_checked, has_angles, scalar: PhantomData::<Row> });
                     }
                     block.answer(self.instructions, form, &tile, rows.clone());
-                    answer.take(&tile, &block.answers, rows.clone(), |row| self.forms.is_none_or(|forms| forms[row] == form));
+                    answer.take(&tile, &block.answers, rows.clone(), |row| self.has_form(row, form));
                 }
                 // Where every row of the tile has its answer there is nothing to look for.
                 if form.is_in_tiles() && self.forms.is_none() && !(is_checked && tile.has_impossible()) && block.are_finite() {
                     continue;
                 }
-                for (place, row) in rows.clone().enumerate().filter(|(_, row)| self.form(*row) == form) {
+                for (place, row) in rows.clone().enumerate().filter(|(_, row)| self.has_form(*row, form)) {
                     let is_done = form.is_in_tiles() && !(is_checked && tile.possible[place] == 0) && block.is_finite(place);
                     if !is_done {
                         answer.put(row, alone(&self.row(row), row, is_checked, question));

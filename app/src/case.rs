@@ -30,6 +30,7 @@ pub use model::ContactModel;
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
 pub use parameter::{Parameter, number as vehicle_number};
 pub(crate) use reader::{CaseReader, Recorded, Rows, one_of, read_cell, report_file};
+pub(crate) use rest::wheel_name;
 pub use rest::{RestInputs, RestOfVehicle, WHEELS};
 pub use restitution::{CurvePoint, Restitution, RestitutionCurve, closing_speed};
 pub use setup::Setup;

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, Parameter, WHEELS};
+use crate::case::{Case, Parameter, wheel_name};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
@@ -200,7 +200,7 @@ impl Scene {
                         .points
                         .iter()
                         .map(|point| GivenPoint {
-                            wheel: point.wheel.map(|wheel| WHEELS[wheel as usize]),
+                            wheel: point.wheel.map(wheel_name),
                             position: components(point.position + shift),
                             position_sd: [point.deviation.x, point.deviation.y],
                         })

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, RestOfVehicle, WHEELS, vehicle_number};
+use crate::case::{Case, RestOfVehicle, vehicle_number, wheel_name};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
@@ -157,7 +157,7 @@ impl PointFit {
     pub(crate) fn of(point: &PathPoint, place: &NearestPlace) -> Self {
         let pair = |v: Xy| [v.x, v.y].map(positive_zero);
         PointFit {
-            wheel: point.wheel.map(|wheel| WHEELS[wheel as usize]),
+            wheel: point.wheel.map(wheel_name),
             given: pair(point.position),
             sd: pair(point.deviation),
             computed: pair(place.position),

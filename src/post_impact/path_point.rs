@@ -71,12 +71,12 @@ impl Passage {
     }
 
     pub(super) fn nearest_place(&self) -> NearestPlace {
-        let [residual, is_end] = match self.on {
+        let (standardized_residual, is_end) = match self.on {
             // The point is to the left of the path where the path is to its right.
-            On::Step { normal, .. } => [-normal.dot(self.miss), 0.0],
-            On::Start | On::End => [self.miss.length(), 1.0],
+            On::Step { normal, .. } => (-normal.dot(self.miss), false),
+            On::Start | On::End => (self.miss.length(), true),
         };
-        NearestPlace { time: self.time, position: self.place, standardized_residual: residual, is_end: is_end > 0.0 }
+        NearestPlace { time: self.time, position: self.place, standardized_residual, is_end }
     }
 }
 

@@ -1,12 +1,17 @@
 //! Rest positions of a case file, and the separation velocities computed from them.
 
-use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separation, Slide};
+use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separation, Slide, WheelPosition};
 
 use super::Case;
 use crate::issue::{Issue, Issues};
 
 /// The names of the wheels, in the order of `WheelPosition::ALL`.
 pub const WHEELS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
+
+/// Returns the name of a wheel in files and answers.
+pub(crate) fn wheel_name(wheel: WheelPosition) -> &'static str {
+    WHEELS[wheel as usize]
+}
 
 /// Rest positions of a case file.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! The page of `slide`, and its motion as CSV.
 
+use planar_impact_app::case::WHEELS;
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::slide::{Slides, State, VehicleSlide};
 use planar_impact_app::units::{Measure, Units};
@@ -126,7 +127,6 @@ pub fn records(slides: &Slides, units: Units) -> Vec<Vec<String>> {
         ("vy", Measure::Speed, |state| state.vy),
         ("yaw_rate", Measure::YawRate, |state| state.yaw_rate),
     ];
-    const WHEELS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
     let head = |name: &str, measure| format!("{name} [{}]", units.unit(measure));
     let of_wheels = WHEELS.iter().flat_map(|wheel| ["x", "y"].map(|axis| head(&format!("{wheel}.{axis}"), Measure::Length)));
     let header = ["vehicle".to_owned()].into_iter().chain(COLUMNS.iter().map(|(name, measure, _)| head(name, *measure))).chain(of_wheels);
