@@ -7,7 +7,10 @@ use differential_equations::solout::DefaultSolout;
 use planar_impact::post_impact::*;
 use planar_impact::*;
 use proptest::prelude::*;
-use proptest::test_runner::Config;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, TestRunner};
+use std::thread;
+use std::time::Instant;
 
 const GRAVITY: f64 = 9.80665;
 
@@ -456,17 +459,43 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(Config { cases: 1000, max_global_rejects: 20_000, ..fewer(300) })]
-
-    /// The same on a thousand cases, which take a quarter of an hour in a release build.
-    #[ignore = "a campaign, in which fifteen of a thousand separations are not found yet: cargo test --release --test proptests -- --ignored a_thousand_times"]
-    #[test]
-    fn forward_and_back_a_thousand_times(wheels in wheels(), motion in motions(), grade in grades()) {
+/// The same on a thousand cases, on a level, on a grade, or across a lane, and each within two seconds.
+#[ignore = "minutes in release: a thousand inverses, cargo test --release --test proptests -- --ignored --nocapture a_thousand_times"]
+#[test]
+fn forward_and_back_a_thousand_times() {
+    let mut runner = TestRunner::deterministic();
+    let grounds = prop_oneof![grades().prop_map(|grade| (grade, vec![])), Just((Xy::zero(), lane()))];
+    let cases = (wheels(), motions(), grounds);
+    let mut draw = || cases.new_tree(&mut runner).expect("nothing is rejected").current();
+    let drawn: Vec<(Slide, Motion)> = std::iter::repeat_with(|| {
+        let (wheels, motion, (grade, regions)) = draw();
         let mut slide = on_a_road(wheels);
-        slide.ground.grade = grade;
-        there_and_back(&slide, &motion)?;
-    }
+        (slide.ground.grade, slide.ground.regions) = (grade, regions);
+        (slide, motion)
+    })
+    .filter(|(slide, motion)| slide.to_rest(&Pose::default(), motion).is_ok_and(|rest| ends_well(&rest)))
+    .take(1000)
+    .collect();
+    let faults = |from: usize| -> Vec<String> {
+        let fault = |(number, (slide, motion)): (usize, &(Slide, Motion))| {
+            let start = Instant::now();
+            let found = there_and_back(slide, motion);
+            let seconds = start.elapsed().as_secs_f64();
+            (found.is_err() || seconds > 2.0).then(|| format!("{number}: {seconds:.1} s, {found:?}, {slide:?}"))
+        };
+        drawn.iter().enumerate().skip(from).step_by(2).filter_map(fault).collect()
+    };
+    let [even, odd] = thread::scope(|scope| {
+        let odd = scope.spawn(|| faults(1));
+        [faults(0), odd.join().expect("it does not panic")]
+    });
+    let all = [even, odd].concat();
+    assert!(all.is_empty(), "{} of 1000:\n{}", all.len(), all.join("\n"));
+}
+
+/// Vehicles that roll far are excluded, because the end of their path depends sensitively on every input.
+fn ends_well(rest: &Rest) -> bool {
+    rest.pose.position.length() > 1.0 && rest.time < 5.0
 }
 
 /// Tests that the slide from a separation that is computed from a rest position ends there, to a millionth, and that the motion that led there is among those
@@ -475,8 +504,7 @@ fn there_and_back(slide: &Slide, motion: &Motion) -> Result<(), TestCaseError> {
     let rest = slide.to_rest(&Pose::default(), motion);
     prop_assume!(rest.is_ok());
     let Ok(rest) = rest else { return Ok(()) };
-    // Vehicles that roll far are excluded, because the end of their path depends sensitively on every input.
-    prop_assume!(rest.pose.position.length() > 1.0 && rest.time < 5.0);
+    prop_assume!(ends_well(&rest));
     let evidence = RestEvidence {
         separation: Pose::default(),
         rest: rest.pose,

@@ -59,6 +59,7 @@ mod scene;
 mod search;
 mod solution;
 mod solve_error;
+mod standstill;
 mod variable;
 mod verdict;
 mod weight;

@@ -12,6 +12,7 @@ use super::residuals::Model;
 use super::scene::Scene;
 use super::solution::{Seen, Solution};
 use super::solve_error::{SolveError, Stop};
+use super::standstill::best_at_standstill;
 use super::variable::{Variable, party, speed, turns};
 use super::verdict::{Answer, Verdict};
 use super::within_limits::WithinLimits;
@@ -181,9 +182,16 @@ impl Found {
         self.searches += 1;
         let near = soft.and_then(|soft| least_squares::minimum(soft, start, spans, search.iterations).ok());
         let start = near.as_ref().map_or(start, |near| &near.unknowns);
-        match least_squares::minimum(model, start, spans, search.iterations) {
-            Ok(minimum) => self.add(model, spans, minimum),
-            Err(FitError::NotConverged(stopped)) => {
+        let end = least_squares::minimum(model, start, spans, search.iterations);
+        let reached = match &end {
+            Ok(minimum) => &minimum.unknowns,
+            Err(FitError::NotConverged(stopped)) => &stopped.unknowns,
+            Err(FitError::NoStart) => return,
+        };
+        let at_standstill = best_at_standstill(model, reached, spans, search.iterations);
+        match (at_standstill, end) {
+            (Some(minimum), _) | (None, Ok(minimum)) => self.add(model, spans, minimum),
+            (None, Err(FitError::NotConverged(stopped))) => {
                 if let Some(minimum) = at_the_edge(model, &stopped, spans, search) {
                     return self.add(model, spans, minimum);
                 }
@@ -191,7 +199,7 @@ impl Found {
                     self.nearest = Some(stopped);
                 }
             }
-            Err(FitError::NoStart) => (),
+            (None, Err(FitError::NoStart)) => (),
         }
     }
 
