@@ -8,7 +8,7 @@ pub(crate) mod limited;
 mod polish;
 mod quadratic_program;
 
-pub(crate) use polish::{decomposed, scaled};
+pub(crate) use polish::{decomposed, scaled, weakest};
 
 use alloc::vec::Vec;
 use core::convert::Infallible;

@@ -280,7 +280,9 @@ fn searched(stratum: Stratum, seeds: impl Iterator<Item = u64>) -> [Vec<u64>; 3]
     for seed in seeds {
         let Crash { problem, chi_square, .. } = crash(stratum, &mut Source::of(seed));
         let best = |search: &Search| problem.solve(search).ok().map(|answer| answer.best().chi_square);
-        let [Some(first), Some(second)] = [Search::default(), Search { seed: 1_000 + seed, ..Search::default() }].map(|search| best(&search)) else {
+        let [Some(first), Some(second)] =
+            [Search::default(), Search { seed: 1_000 + seed, ..Search::default() }].map(|search| best(&search))
+        else {
             faults[0].push(seed);
             continue;
         };

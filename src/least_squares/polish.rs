@@ -184,6 +184,17 @@ pub(crate) fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
     SVD::try_new(matrix, true, true, f64::EPSILON, ROTATIONS)
 }
 
+/// Returns the direction that the residuals depend on least, of length 1, or `None` without unknowns.
+pub(crate) fn weakest(derivatives: DMatrix<f64>) -> Option<Vec<f64>> {
+    if derivatives.is_empty() {
+        return None;
+    }
+    let svd = decomposed(derivatives)?;
+    // Singular values are in descending order.
+    let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
+    Some(last)
+}
+
 /// Returns the Newton step of the free unknowns, or `None` if the curvature is not positive or almost zero.
 fn newton(
     jacobian: &DMatrix<f64>,

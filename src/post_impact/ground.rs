@@ -78,9 +78,23 @@ impl Ground {
         Ground { friction, grade: Xy { x: 0.0, y: 0.0 }, regions: Vec::new(), contact_length: 0.2, gravity: crate::STANDARD_GRAVITY }
     }
 
+    /// Returns the distance of a point from the nearest border of a region, in m; infinite without regions.
+    pub(super) fn distance_to_border(&self, point: &Xy) -> f64 {
+        let distance = |region: &Region| match &region.area {
+            Area::HalfPlane { from, toward } => (*point - *from).dot(*toward).abs() / toward.length(),
+            Area::Polygon(corners) => distance_squared(sides(corners), point).map_or(f64::INFINITY, f64::sqrt),
+        };
+        self.regions.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the steepest of its grades.
+    pub(super) fn steepest(&self) -> f64 {
+        self.regions.iter().map(|region| region.grade.length()).fold(self.grade.length(), f64::max)
+    }
+
     /// Returns `true` if it has no grade anywhere.
     pub(super) fn is_level(&self) -> bool {
-        self.grade == Xy::zero() && self.regions.iter().all(|region| region.grade == Xy::zero())
+        self.steepest() == 0.0
     }
 }
 
@@ -151,11 +165,11 @@ impl<T: Real<Mask = bool>> Area<T> {
             Area::Polygon(corners) if corners.len() < 3 => return zero,
             Area::Polygon(corners) => {
                 let is_inside = contains(corners, point);
-                let to_border = distance_squared(corners, point);
                 // The root is computed only where needed, and never of zero with derivatives.
-                if !to_border.less(&reach.clone().squared()) {
+                let near = sides(corners).filter(|side| is_near(side, point, &reach));
+                let Some(to_border) = distance_squared(near, point).filter(|it| it.less(&reach.clone().squared())) else {
                     return if is_inside { one } else { zero };
-                }
+                };
                 let distance = to_border.square_root();
                 if is_inside { distance } else { -distance }
             }
@@ -191,8 +205,17 @@ fn contains<T: Real<Mask = bool>>(corners: &[Xy<T>], point: &Xy<T>) -> bool {
     })
 }
 
-/// Returns the square of the distance from the border.
-fn distance_squared<T: Real<Mask = bool>>(corners: &[Xy<T>], point: &Xy<T>) -> T {
+/// Returns `false` if the point is farther than the reach from a side, as the side's extent along x and y tells at once.
+fn is_near<T: Real<Mask = bool>>((a, b): &(&Xy<T>, &Xy<T>), point: &Xy<T>, reach: &T) -> bool {
+    let within = |a: &T, b: &T, at: &T| {
+        let (least, most) = (at.clone() - reach.clone(), at.clone() + reach.clone());
+        !(a.less(&least) && b.less(&least) || most.less(a) && most.less(b))
+    };
+    within(&a.x, &b.x, &point.x) && within(&a.y, &b.y, &point.y)
+}
+
+/// Returns the square of the distance from the nearest of some sides.
+fn distance_squared<'a, T: Real<Mask = bool> + 'a>(sides: impl Iterator<Item = (&'a Xy<T>, &'a Xy<T>)>, point: &Xy<T>) -> Option<T> {
     let of_side = |(a, b): (&Xy<T>, &Xy<T>)| {
         let (zero, one) = (T::int(0), T::int(1));
         let (side, from) = (b.clone() - a.clone(), point.clone() - a.clone());
@@ -206,7 +229,7 @@ fn distance_squared<T: Real<Mask = bool>>(corners: &[Xy<T>], point: &Xy<T>) -> T
         (from - side * along).length_squared()
     };
     let nearer = |a: T, b: T| if b.less(&a) { b } else { a };
-    sides(corners).map(of_side).reduce(nearer).unwrap_or_else(|| T::int(0))
+    sides.map(of_side).reduce(nearer)
 }
 
 #[cfg(test)]

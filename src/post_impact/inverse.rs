@@ -14,6 +14,7 @@ use super::evidence::{Miss, MotionCovariance, NoSeparation, RestEvidence, Separa
 use super::issue::NoRest;
 use super::path_point::{NearestPlace, Passage};
 use super::slide::Slide;
+use super::trajectory::Effort;
 use super::variation::{COARSE, FINE, Slopes, VARIED};
 use crate::frame::Xy;
 use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
@@ -24,12 +25,17 @@ const STARTS: usize = 12;
 /// Number of starts that are random, and of candidates from which the others are chosen.
 const AT_RANDOM: usize = 4;
 const LOOKED_AT: usize = 160;
+/// Distances, in the scales, at which a twin of a solution is looked for, and the number of solutions for which it is.
+const BESIDE: [f64; 4] = [1.0, -1.0, 3.0, -3.0];
+const MOST_WITH_TWINS: usize = 3;
 /// Maximum number of steps of one search.
 const ITERATIONS: usize = 60;
 /// Maximum number of integration steps in all searches together, about a second: starts beyond it are not tried.
-const WORK: usize = 600_000;
+const WORK: usize = 300_000;
+/// Maximum number of steps of one slide, ten times those of an ordinary one: a vehicle that rolls for minutes takes more.
+const MOST_STEPS: usize = 5_000;
 /// Cost of a step with its derivatives, in steps without.
-const COST_OF_DERIVATIVES: usize = 6;
+const COST_OF_DERIVATIVES: usize = 3;
 /// Significant changes of speed, in m/s, and of the yaw rate, in rad/s.
 const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
 /// Largest distance, in these scales, of two solutions that are the same.
@@ -45,8 +51,6 @@ const REACHED: f64 = 1e-10;
 const NEARLY_AS_GOOD: f64 = 10.83;
 /// Share of the largest singular value below which a direction does not change the pose at rest.
 const NOTHING: f64 = 1e-8;
-/// Maximum number of iterations of a 3×3 decomposition, which needs a handful.
-const MOST_SWEEPS: usize = 1000;
 
 /// The pose at rest and the path, computed less given, in standard deviations.
 struct ToRest<'a> {
@@ -56,9 +60,8 @@ struct ToRest<'a> {
     nearest: RefCell<Option<Nearest>>,
     /// The reason why the first motion that does not come to rest does not.
     never: RefCell<Option<NoRest>>,
-    /// The remaining number of integration steps, and the number of steps of the last slide.
+    /// The remaining number of integration steps.
     work: Cell<usize>,
-    last: Cell<usize>,
 }
 
 /// A motion, the miss of its slide, and that miss in squares of standard deviations.
@@ -80,9 +83,9 @@ impl ToRest<'_> {
 
     /// Returns what a motion misses: the pose at rest, and each point.
     fn missed(&self, unknowns: &[f64]) -> Result<(Miss, Vec<Passage>), NoRest> {
-        let rest = self.slide.to_rest(&self.evidence.separation, &motion(unknowns));
-        // A motion that does not come to rest takes the longest.
-        self.spend(rest.as_ref().map_or(1000, |rest| rest.path.len()));
+        let mut effort = Effort::of(MOST_STEPS);
+        let rest = self.slide.to_rest_within(&self.evidence.separation, &motion(unknowns), &mut effort);
+        self.spend(effort.taken);
         let rest = rest?;
         let passages = self.evidence.points.iter().filter_map(|point| point.passage(self.slide, &rest.path)).collect();
         Ok((Miss::of(&rest.pose, &self.evidence.rest), passages))
@@ -123,14 +126,16 @@ impl ToRest<'_> {
     }
 
     fn spend(&self, steps: usize) {
-        self.last.set(steps);
         self.work.set(self.work.get().saturating_sub(steps));
     }
 
     /// Returns the derivatives of the residuals by the motion and by the factor of the frictions.
     fn slopes(&self, unknowns: &[f64], tolerance: f64) -> Vec<Slopes> {
         let evidence = self.evidence;
-        match self.slide.varied_rest(&evidence.separation, &motion(unknowns), &evidence.points, tolerance) {
+        let mut effort = Effort::of(MOST_STEPS);
+        let varied = self.slide.varied_rest(&evidence.separation, &motion(unknowns), &evidence.points, tolerance, &mut effort);
+        self.spend(COST_OF_DERIVATIVES * effort.taken);
+        match varied {
             Ok(varied) => {
                 let of_rest = varied.by.into_iter().zip(self.deviations()).map(|(by, sd)| by.map(|slope| slope / sd));
                 of_rest.chain(varied.points.into_iter().flatten()).collect()
@@ -139,14 +144,40 @@ impl ToRest<'_> {
         }
     }
 
+    /// Searches from one start.
+    fn from(&self, start: &[f64; 3], has_points: bool) -> Option<Found> {
+        let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
+        match least_squares::minimum(self, start, &spans, ITERATIONS) {
+            Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
+            Err(FitError::NotConverged(NotConverged { unknowns, iterations, step, .. })) => {
+                // If its work was used up, the search stopped evaluating the residuals: evaluate them here.
+                let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
+                // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need finer
+                // derivatives than a search affords.
+                (sum_of_squares <= REACHED || has_points && step <= CLOSE).then_some(Found { unknowns, sum_of_squares, iterations })
+            }
+            Err(FitError::NoStart) => None,
+        }
+    }
+
+    /// Returns starts beside each solution, along the direction that the pose constrains least: there another one may be close, where a fold made two of one.
+    fn twins(&self, found: &[Found]) -> Vec<[f64; 3]> {
+        let beside = |one: &Found| {
+            let slopes = self.slopes(&one.unknowns, COARSE);
+            let direction = least_squares::weakest(DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k])).unwrap_or_default();
+            let at = |distance: f64| core::array::from_fn(|k| one.unknowns[k] + distance * direction[k] * SCALES[k]);
+            if direction.is_empty() { Vec::new() } else { BESIDE.map(at).to_vec() }
+        };
+        found.iter().take(MOST_WITH_TWINS).flat_map(beside).collect()
+    }
+
     /// Takes the last steps to a minimum, by Gauss and Newton with fine derivatives, as long as the sum of squares does not grow.
     fn refined(&self, mut found: Found) -> Found {
         for _ in 0..LAST_STEPS {
             let Ok(residuals) = self.residuals(&found.unknowns) else { break };
             let slopes = self.slopes(&found.unknowns, FINE);
             let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-            let step =
-                jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS).and_then(|svd| svd.solve(&DVector::from_vec(residuals), 0.0).ok());
+            let step = least_squares::decomposed(jacobian).and_then(|svd| svd.solve(&DVector::from_vec(residuals), 0.0).ok());
             let Some(step) = step.filter(|step| step.amax() > NO_STEP) else { break };
             let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
             match self.sum_of_squares(&unknowns) {
@@ -186,7 +217,6 @@ impl Residuals for ToRest<'_> {
     }
 
     fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        self.work.set(self.work.get().saturating_sub(COST_OF_DERIVATIVES * self.last.get()));
         let slopes = self.slopes(unknowns, COARSE);
         DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k])
     }
@@ -202,39 +232,26 @@ struct Found {
 
 impl Slide {
     pub(super) fn separation_by_slide(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
-        let search = ToRest {
-            slide: self,
-            evidence,
-            nearest: RefCell::new(None),
-            never: RefCell::new(None),
-            work: Cell::new(WORK),
-            last: Cell::new(0),
-        };
+        let search = ToRest { slide: self, evidence, nearest: RefCell::new(None), never: RefCell::new(None), work: Cell::new(WORK) };
         let first = self.first_guess(evidence);
         let mut found: Vec<Found> = Vec::new();
         let (mut tried, mut converged) = (0, 0);
         let has_points = !evidence.points.is_empty();
-        for start in starts(&search, first) {
-            if search.work.get() == 0 {
-                break;
-            }
+        let mut search_from = |start: [f64; 3], found: &mut Vec<Found>| {
             tried += 1;
-            let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
-            let end = match least_squares::minimum(&search, &start, &spans, ITERATIONS) {
-                Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
-                Err(FitError::NotConverged(NotConverged { unknowns, iterations, step, .. })) => {
-                    // If its work was used up, the search stopped evaluating the residuals: evaluate them here.
-                    let Ok(sum_of_squares) = search.sum_of_squares(&unknowns) else { continue };
-                    let end = Found { unknowns, sum_of_squares, iterations };
-                    // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need
-                    // finer derivatives than a search affords.
-                    (sum_of_squares <= REACHED || has_points && step <= CLOSE).then_some(end)
-                }
-                Err(FitError::NoStart) => continue,
-            };
-            if let Some(end) = end {
+            if let Some(end) = search.from(&start, has_points) {
                 converged += 1;
-                keep(&mut found, end, if has_points { CLOSE } else { SAME });
+                keep(found, end, if has_points { CLOSE } else { SAME });
+            }
+        };
+        for start in starts(&search, first) {
+            if search.work.get() > WORK / 3 {
+                search_from(start, &mut found);
+            }
+        }
+        for start in search.twins(&found) {
+            if search.work.get() > 0 {
+                search_from(start, &mut found);
             }
         }
         if has_points {
@@ -338,10 +355,10 @@ struct Uncertain {
 fn uncertainty(slopes: &[Slopes], evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
     let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
     let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-    // NaN has no decomposition, and the search for one would not end.
-    let svd =
-        if slopes.iter().flatten().all(|slope| slope.is_finite()) { jacobian.try_svd(true, true, f64::EPSILON, MOST_SWEEPS) } else { None };
-    let Some(svd) = svd else { return Err(NoSeparation::NotDetermined { along: Motion::rest() }) };
+    let by_friction_is_finite = slopes.iter().all(|slopes| slopes[VARIED - 1].is_finite());
+    let Some(svd) = least_squares::decomposed(jacobian).filter(|_| by_friction_is_finite) else {
+        return Err(NoSeparation::NotDetermined { along: Motion::rest() });
+    };
     let largest = svd.singular_values.max();
     let (smallest, least) = svd.singular_values.argmin();
     let is_determined = least > NOTHING * largest;
@@ -497,7 +514,7 @@ mod tests {
         let points = alloc::vec![at(Some(WheelPosition::RearRight), 4.0, 3.0), at(None, rest.position.x + 3.0, rest.position.y + 1.0)];
         let evidence = RestEvidence { points, ..evidence(rest) };
         let (nearest, never) = (RefCell::new(None), RefCell::new(None));
-        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK), last: Cell::new(0) };
+        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK) };
         let slopes = search.slopes(&MOTIONS[0], FINE);
         for k in 0..3 {
             let by = |step: f64| {

@@ -15,7 +15,7 @@ use super::check::check_pose;
 use super::issue::{NoRest, SlideIssues};
 use super::slide::Slide;
 use super::trajectory_state::{TIME_LIMIT, TrajectoryState};
-use super::vehicle::Pose;
+use super::vehicle::{Pose, Wheels};
 use crate::frame::Xy;
 use crate::issue::Place;
 use crate::measure::Measure;
@@ -27,8 +27,8 @@ pub const REST_SPEED: f64 = 5.0;
 
 /// Maximum number of steps; each takes a few microseconds.
 const MOST_STEPS: usize = 30_000;
-/// Longest time down a grade whose gain of speed the steps are prepared for, in s.
-const DOWNHILL: f64 = 10.0;
+/// Longest section on a grade, in s: on level ground nothing gets faster.
+const ON_A_GRADE: f64 = 1.0;
 /// The error of a step, relative and in m, rad, m/s and rad/s. The inverse needs the end as a smooth function of the start to about 1e-10.
 const TOLERANCE: f64 = 1e-12;
 
@@ -130,9 +130,14 @@ impl Slide {
     /// # Ok::<(), NoRest>(())
     /// ```
     pub fn to_rest(&self, from: &Pose, motion: &Motion) -> Result<Rest, NoRest> {
+        self.to_rest_within(from, motion, &mut Effort::of(MOST_STEPS))
+    }
+
+    /// As [`Slide::to_rest`], with a limited number of steps.
+    pub(super) fn to_rest_within(&self, from: &Pose, motion: &Motion, effort: &mut Effort) -> Result<Rest, NoRest> {
         self.check_start(from, motion).map_err(NoRest::Refused)?;
         let start = [from.position.x, from.position.y, from.heading, motion.velocity.x, motion.velocity.y, motion.yaw_rate, 0.0];
-        let end = follow(self, &Equations(self), start, TOLERANCE)?;
+        let end = follow(self, &Equations(self), start, TOLERANCE, effort)?;
         let last = end.state.passing(end.time);
         let rest = self.stand_still(&last)?;
         let left = self.time_left(&last).unwrap_or(0.0);
@@ -197,9 +202,31 @@ impl<Y: Moving> End<Y> {
     }
 }
 
+/// The number of steps of an integration: the most that it may take, and those taken.
+pub(super) struct Effort {
+    most: usize,
+    pub taken: usize,
+}
+
+impl Effort {
+    pub(super) fn of(most: usize) -> Self {
+        Effort { most, taken: 0 }
+    }
+
+    fn left(&self) -> usize {
+        self.most.saturating_sub(self.taken)
+    }
+}
+
 /// Integrates equations of motion from a state until it counts as rest, each step within a tolerance.
-pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, start: Y, tolerance: f64) -> Result<End<Y>, NoRest> {
-    let mut watch = Watch { slide, path: Vec::new(), end: None, steps: 0 };
+pub(super) fn follow<Y: Moving>(
+    slide: &Slide,
+    equations: &impl ODE<f64, Y>,
+    start: Y,
+    tolerance: f64,
+    effort: &mut Effort,
+) -> Result<End<Y>, NoRest> {
+    let mut watch = Watch { slide, path: Vec::new(), end: None, effort };
     let from = start.passing(0.0);
     if slide.is_at_rest(&from.motion) {
         if !slide.stands(&from.pose) {
@@ -209,26 +236,36 @@ pub(super) fn follow<Y: Moving>(slide: &Slide, equations: &impl ODE<f64, Y>, sta
     }
     watch.path.push((0.0, start.clone()));
     let (mut time, mut state) = (0.0, start);
-    let longest = slide.longest_step(&from.motion);
     loop {
-        let mut method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).h_max(longest).max_steps(MOST_STEPS - watch.steps);
-        match solve_ode(&mut method, equations, time, TIME_LIMIT, &state, &mut watch) {
+        let Section { duration, step } = slide.section(&state.passing(time));
+        let until = (time + duration).min(TIME_LIMIT);
+        let mut method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).h_max(step).max_steps(watch.effort.left());
+        (time, state) = match solve_ode(&mut method, equations, time, until, &state, &mut watch) {
             // The integrator reports stiffness for a wheel that rolls slowly: short steps suffice.
-            Err(Error::Stiffness { t, y }) if t > time && watch.steps < MOST_STEPS => (time, state) = (t, y),
+            Err(Error::Stiffness { t, y }) if t > time && watch.effort.left() > 0 => (t, y),
             Err(Error::MaxSteps { t, y } | Error::StepSize { t, y } | Error::Stiffness { t, y }) => {
                 return Err(NoRest::NotFollowed(y.passing(t)));
             }
             Err(_) => return Err(NoRest::NotFollowed(state.passing(time))),
-            Ok(solution) => {
-                let last = solution.t.last().copied().zip(solution.y.last().cloned());
-                return match watch.end {
-                    Some((time, state)) if !slide.stands(&state.passing(time).pose) => Err(NoRest::RollsBack(state.passing(time))),
-                    Some((time, state)) => Ok(End { time, state, path: watch.path }),
-                    None => Err(NoRest::Moves(last.map_or(from, |(time, state)| state.passing(time)))),
-                };
-            }
+            Ok(solution) => match solution.t.last().copied().zip(solution.y.last().cloned()) {
+                Some(last) => last,
+                None => return Err(NoRest::NotFollowed(state.passing(time))),
+            },
+        };
+        if let Some((time, state)) = watch.end {
+            let end = state.passing(time);
+            return if slide.stands(&end.pose) { Ok(End { time, state, path: watch.path }) } else { Err(NoRest::RollsBack(end)) };
+        }
+        if time >= TIME_LIMIT {
+            return Err(NoRest::Moves(state.passing(time)));
         }
     }
+}
+
+/// A part of the way that is integrated in one go, and the longest step in it, both in s.
+struct Section {
+    duration: f64,
+    step: f64,
 }
 
 impl Slide {
@@ -240,18 +277,26 @@ impl Slide {
         self.above_rest(motion, self.rest_speed()) <= 0.0
     }
 
-    /// Limits the step so that it cannot jump over a border.
-    fn longest_step(&self, start: &Motion) -> f64 {
+    /// Returns the time in which no wheel can come to a border, or near one a time with steps that cannot jump over it.
+    fn section(&self, from: &TrajectoryState) -> Section {
         if self.ground.regions.is_empty() {
-            return TIME_LIMIT;
+            return Section { duration: TIME_LIMIT, step: TIME_LIMIT };
         }
-        let vehicle = &self.vehicle;
-        let arm = vehicle.front_axle.max(vehicle.rear_axle) + vehicle.track;
-        let grades = self.ground.regions.iter().map(|region| region.grade).chain([self.ground.grade]);
-        let steepest = grades.map(|grade| grade.length()).fold(0.0, f64::max);
-        let gained = steepest * self.ground.gravity * DOWNHILL;
-        let fastest = start.velocity.length() + arm * start.yaw_rate.abs() + gained;
-        (self.ground.contact_length / fastest).clamp(1e-4, TIME_LIMIT)
+        let (ground, vehicle) = (&self.ground, &self.vehicle);
+        let (longest, gained) = match ground.steepest() {
+            0.0 => (TIME_LIMIT, 0.0),
+            steepest => (ON_A_GRADE, steepest * ground.gravity * ON_A_GRADE),
+        };
+        // |v| + r |ω| is greatest, for an energy, at √(1 + r²/k²) times √(v² + k²ω²): the tires may turn one into the other.
+        let arm = libm::hypot(vehicle.front_axle.max(vehicle.rear_axle), vehicle.track / 2.0);
+        let moves = (2.0 * self.kinetic_energy(&from.motion) / vehicle.mass).sqrt() + gained;
+        let fastest = moves * (1.0 + arm * arm * vehicle.mass / vehicle.yaw_inertia).sqrt();
+        let step = (ground.contact_length / fastest).clamp(1e-4, longest);
+        let Wheels { front_left, front_right, rear_left, rear_right } =
+            vehicle.wheel_places(&from.pose).map(|place| ground.distance_to_border(&place));
+        let nearest = front_left.min(front_right).min(rear_left).min(rear_right);
+        let clear = (nearest - ground.contact_length / 2.0) / fastest;
+        if clear > step { Section { duration: clear.min(longest), step: longest } } else { Section { duration: 2.0 * step, step } }
     }
 }
 
@@ -260,7 +305,7 @@ struct Watch<'a, Y> {
     slide: &'a Slide,
     path: Vec<(f64, Y)>,
     end: Option<(f64, Y)>,
-    steps: usize,
+    effort: &'a mut Effort,
 }
 
 impl<Y: Moving> Solout<f64, Y> for Watch<'_, Y> {
@@ -281,7 +326,7 @@ impl<Y: Moving> Solout<f64, Y> for Watch<'_, Y> {
         if time <= time_before {
             return ControlFlag::Continue;
         }
-        self.steps += 1;
+        self.effort.taken += 1;
         let now = state.passing(time);
         if !self.slide.is_at_rest(&now.motion) {
             self.path.push((time, state.clone()));

@@ -51,17 +51,6 @@ pub(super) fn blind(derivatives: &DMatrix<f64>, sizes: &[f64]) -> Vec<Vec<f64>> 
     (0..unknowns).filter(is_blind).map(|k| directions.row(k).iter().copied().collect()).collect()
 }
 
-/// Returns the direction that the evidence constrains least, of length 1, or `None` without unknowns.
-pub(super) fn weakest(derivatives: DMatrix<f64>) -> Option<Vec<f64>> {
-    if derivatives.is_empty() {
-        return None;
-    }
-    let svd = decomposed(derivatives)?;
-    // Singular values are in descending order.
-    let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
-    Some(last)
-}
-
 /// Returns `true` if a part of a direction is above rounding relative to its largest part.
 pub(super) fn is_moved(part: f64, direction: &[f64]) -> bool {
     let largest = direction.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
@@ -116,6 +105,6 @@ mod tests {
     fn what_is_no_number_has_no_directions() {
         let derivatives = DMatrix::from_row_slice(2, 2, &[1.0, f64::NAN, f64::INFINITY, 1.0]);
         assert!(blind(&derivatives, &[1.0; 2]).len() <= 2);
-        assert_eq!(weakest(derivatives), None);
+        assert_eq!(least_squares::weakest(derivatives), None);
     }
 }

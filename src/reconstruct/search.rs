@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
 use super::closed_form::at_crush_energy;
-use super::determined::{Direction, named, weakest};
+use super::determined::{Direction, named};
 use super::given::{ReconstructionProblem, Search, Unknown};
 use super::measurand::Measurand;
 use super::residuals::Model;
@@ -225,7 +225,7 @@ impl Found {
         let mut starts = Vec::new();
         for (minimum, _) in self.minima.iter().take(MINIMA) {
             let jacobian = least_squares::scaled(model.jacobian(&minimum.unknowns), spans);
-            let Some(direction) = weakest(jacobian) else { continue };
+            let Some(direction) = least_squares::weakest(jacobian) else { continue };
             for distance in DISTANCES {
                 let step = |i: usize| minimum.unknowns[i] + distance * direction[i] * spans[i].scale;
                 starts.push((0..spans.len()).map(|i| step(i).clamp(spans[i].min, spans[i].max)).collect());
