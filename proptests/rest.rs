@@ -528,16 +528,3 @@ fn there_and_back(slide: &Slide, motion: &Motion) -> Result<(), TestCaseError> {
     prop_assert!(error < 1e-7 * (x + y + rate).max(1.0), "{:?} is not {:?}", found, motion);
     Ok(())
 }
-
-#[ignore]
-#[test]
-fn probe() {
-    let all = a_thousand_slides();
-    for k in [200, 294, 718, 730, 860, 225, 357, 639] {
-        let (slide, motion) = &all[k];
-        let rest = slide.to_rest(&Pose::default(), motion).unwrap();
-        println!("=== {k}: {} steps, {:.2} s, to {:?}, {motion:?}", rest.path.len(), rest.time, rest.pose);
-        let found = there_and_back(slide, motion);
-        println!("{}", found.is_ok());
-    }
-}

@@ -25,6 +25,11 @@ const STARTS: usize = 16;
 /// Number of starts that are random, and of candidates from which the others are chosen.
 const AT_RANDOM: usize = 6;
 const LOOKED_AT: usize = 160;
+/// Maximum number of further starts if none of these led to a solution.
+const MORE_STARTS: usize = 40;
+/// Yaw rates beside that of the first guess, in rad/s: for candidates, and for starts at random.
+const NEAR: f64 = 0.5;
+const FAR: f64 = 2.5;
 /// Distances, in the scales, at which a twin of a solution is looked for, and the number of solutions for which it is.
 const BESIDE: [f64; 4] = [1.0, -1.0, 3.0, -3.0];
 const MOST_WITH_TWINS: usize = 3;
@@ -32,8 +37,8 @@ const MOST_WITH_TWINS: usize = 3;
 const ITERATIONS: usize = 60;
 /// Maximum number of integration steps in all searches together, about a second: starts beyond it are not tried.
 const WORK: usize = 300_000;
-/// The same in one search. Those that reach the pose take a fifth of it, and others, beside a path that only comes near, would go on for ten times as long.
-const WORK_OF_SEARCH: usize = 20_000;
+/// The same in one search. Those that reach the pose mostly take a third of it, and others, beside a path that only comes near, would go on for twenty times as long.
+const WORK_OF_SEARCH: usize = 10_000;
 /// Maximum number of steps of one slide, ten times those of an ordinary one: a vehicle that rolls for minutes takes more.
 const MOST_STEPS: usize = 5_000;
 /// Cost of a step with its derivatives, in steps without.
@@ -158,7 +163,9 @@ impl ToRest<'_> {
                 let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
                 // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need finer
                 // derivatives than a search affords.
-                (sum_of_squares <= REACHED || has_points && step <= CLOSE).then_some(Found { unknowns, sum_of_squares, iterations })
+                let end = Found { unknowns, sum_of_squares, iterations };
+                let is_close = has_points && step <= CLOSE;
+                if is_close { Some(end) } else { (sum_of_squares <= REACHED).then(|| self.refined(end)) }
             }
             Err(FitError::NoStart) => None,
         }
@@ -255,9 +262,15 @@ impl Slide {
                 keep(found, end, if has_points { CLOSE } else { SAME });
             }
         };
-        for start in starts(&search, first) {
+        let mut starts = Starts::around(first);
+        for start in starts.chosen(&search) {
             if search.work.get() > WORK / 4 {
                 search_from(start, &mut found);
+            }
+        }
+        for _ in 0..MORE_STARTS {
+            if found.is_empty() && search.work.get() > WORK / 10 {
+                search_from(starts.draw(FAR), &mut found);
             }
         }
         for start in search.twins(&found) {
@@ -299,31 +312,43 @@ impl Slide {
     }
 }
 
-/// Returns the first guess and other starts around it: a few at random, to find other solutions, and those of many candidates whose slides end nearest to the
-/// pose. They deviate up to 90° to either side, from a third to one and a half times as fast, and rotate up to five times as fast.
-fn starts(search: &ToRest<'_>, first: [f64; 3]) -> Vec<[f64; 3]> {
-    let mut random = ChaCha8Rng::seed_from_u64(1966);
-    let speed = libm::hypot(first[0], first[1]);
-    let mut draw = || {
-        let aside = random.random_range(-FRAC_PI_2..FRAC_PI_2);
-        let faster = random.random_range(0.33..1.5);
-        let turning = random.random_range(-1.0..5.0) * first[2] + random.random_range(-0.5..0.5);
-        let (sin, cos) = libm::sincos(libm::atan2(first[1], first[0]) + aside);
-        [faster * speed * cos, faster * speed * sin, turning]
-    };
-    let at_random: Vec<[f64; 3]> = (0..AT_RANDOM).map(|_| draw()).collect();
-    let mut near: Vec<(f64, [f64; 3])> = Vec::new();
-    for _ in 0..LOOKED_AT {
-        let start = draw();
-        if search.work.get() > WORK / 2
-            && let Some(residuals) = search.at(&start)
-        {
-            near.push((residuals.iter().map(|residual| residual * residual).sum(), start));
-        }
+/// Draws starts around the first guess: up to 90° to either side, from a third to one and a half times as fast, and up to five times as fast in rotation.
+struct Starts {
+    random: ChaCha8Rng,
+    first: [f64; 3],
+}
+
+impl Starts {
+    fn around(first: [f64; 3]) -> Self {
+        Starts { random: ChaCha8Rng::seed_from_u64(1966), first }
     }
-    near.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let near = near.into_iter().take(STARTS - 1 - AT_RANDOM).map(|(_, start)| start);
-    core::iter::once(first).chain(near).chain(at_random).collect()
+
+    /// Draws a start, with a yaw rate up to a limit beside what the first guess suggests, in rad/s.
+    fn draw(&mut self, beside: f64) -> [f64; 3] {
+        let [x, y, yaw_rate] = self.first;
+        let aside = self.random.random_range(-FRAC_PI_2..FRAC_PI_2);
+        let faster = self.random.random_range(0.33..1.5) * libm::hypot(x, y);
+        let turning = self.random.random_range(-1.0..5.0) * yaw_rate + self.random.random_range(-beside..beside);
+        let (sin, cos) = libm::sincos(libm::atan2(y, x) + aside);
+        [faster * cos, faster * sin, turning]
+    }
+
+    /// Returns the first guess, those of many candidates whose slides end nearest to the pose, and a few at random, to find other solutions.
+    fn chosen(&mut self, search: &ToRest<'_>) -> Vec<[f64; 3]> {
+        let at_random: Vec<[f64; 3]> = (0..AT_RANDOM).map(|_| self.draw(FAR)).collect();
+        let mut near: Vec<(f64, [f64; 3])> = Vec::new();
+        for _ in 0..LOOKED_AT {
+            let start = self.draw(NEAR);
+            if search.work.get() > WORK / 2
+                && let Some(residuals) = search.at(&start)
+            {
+                near.push((residuals.iter().map(|residual| residual * residual).sum(), start));
+            }
+        }
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let near = near.into_iter().take(STARTS - 1 - AT_RANDOM).map(|(_, start)| start);
+        core::iter::once(self.first).chain(near).chain(at_random).collect()
+    }
 }
 
 /// Keeps a result, or the earlier one if it is the same, to some distance, and better.
