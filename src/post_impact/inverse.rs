@@ -36,7 +36,7 @@ const MOST_WITH_TWINS: usize = 3;
 /// Maximum number of steps of one search.
 const ITERATIONS: usize = 60;
 /// Maximum number of integration steps in all searches together, about a second: starts beyond it are not tried.
-const WORK: usize = 300_000;
+const WORK: usize = 340_000;
 /// The same in one search. Those that reach the pose mostly take a third of it, and others, beside a path that only comes near, would go on for twenty times as long.
 const WORK_OF_SEARCH: usize = 10_000;
 /// Maximum number of steps of one slide, ten times those of an ordinary one: a vehicle that rolls for minutes takes more.
@@ -70,6 +70,8 @@ struct ToRest<'a> {
     /// The remaining number of integration steps, and that at which the present search stops.
     work: Cell<usize>,
     stop: Cell<usize>,
+    /// The best end of a search that did not reach the pose.
+    unfinished: RefCell<Option<Found>>,
 }
 
 /// A motion, the miss of its slide, and that miss in squares of standard deviations.
@@ -152,10 +154,10 @@ impl ToRest<'_> {
         }
     }
 
-    /// Searches from one start.
-    fn from(&self, start: &[f64; 3], has_points: bool) -> Option<Found> {
+    /// Searches from one start with a maximum of work.
+    fn from(&self, start: &[f64; 3], work: usize) -> Option<Found> {
         let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
-        self.stop.set(self.work.get().saturating_sub(WORK_OF_SEARCH));
+        self.stop.set(self.work.get().saturating_sub(work));
         match least_squares::minimum(self, start, &spans, ITERATIONS) {
             Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
             Err(FitError::NotConverged(NotConverged { unknowns, iterations, step, .. })) => {
@@ -164,10 +166,23 @@ impl ToRest<'_> {
                 // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need finer
                 // derivatives than a search affords.
                 let end = Found { unknowns, sum_of_squares, iterations };
-                let is_close = has_points && step <= CLOSE;
-                if is_close { Some(end) } else { (sum_of_squares <= REACHED).then(|| self.refined(end)) }
+                if !self.evidence.points.is_empty() && step <= CLOSE {
+                    Some(end)
+                } else if sum_of_squares <= REACHED {
+                    Some(self.refined(end))
+                } else {
+                    self.keep_unfinished(end);
+                    None
+                }
             }
             Err(FitError::NoStart) => None,
+        }
+    }
+
+    fn keep_unfinished(&self, end: Found) {
+        let mut best = self.unfinished.borrow_mut();
+        if best.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) {
+            *best = Some(end);
         }
     }
 
@@ -250,14 +265,15 @@ impl Slide {
             never: RefCell::new(None),
             work: Cell::new(WORK),
             stop: Cell::new(0),
+            unfinished: RefCell::new(None),
         };
         let first = self.first_guess(evidence);
         let mut found: Vec<Found> = Vec::new();
         let (mut tried, mut converged) = (0, 0);
         let has_points = !evidence.points.is_empty();
-        let mut search_from = |start: [f64; 3], found: &mut Vec<Found>| {
+        let mut search_from = |start: [f64; 3], work: usize, found: &mut Vec<Found>| {
             tried += 1;
-            if let Some(end) = search.from(&start, has_points) {
+            if let Some(end) = search.from(&start, work) {
                 converged += 1;
                 keep(found, end, if has_points { CLOSE } else { SAME });
             }
@@ -265,17 +281,22 @@ impl Slide {
         let mut starts = Starts::around(first);
         for start in starts.chosen(&search) {
             if search.work.get() > WORK / 4 {
-                search_from(start, &mut found);
+                search_from(start, WORK_OF_SEARCH, &mut found);
             }
         }
         for _ in 0..MORE_STARTS {
-            if found.is_empty() && search.work.get() > WORK / 10 {
-                search_from(starts.draw(FAR), &mut found);
+            if found.is_empty() && search.work.get() > WORK / 4 {
+                search_from(starts.draw(FAR), WORK_OF_SEARCH, &mut found);
             }
+        }
+        // Where a vehicle rolls far, steps are many and small: the best search goes on with what work is left.
+        let best = search.unfinished.take();
+        if let (true, Some(best)) = (found.is_empty(), best) {
+            search_from([best.unknowns[0], best.unknowns[1], best.unknowns[2]], WORK, &mut found);
         }
         for start in search.twins(&found) {
             if search.work.get() > 0 {
-                search_from(start, &mut found);
+                search_from(start, WORK_OF_SEARCH, &mut found);
             }
         }
         if has_points {
@@ -339,7 +360,7 @@ impl Starts {
         let mut near: Vec<(f64, [f64; 3])> = Vec::new();
         for _ in 0..LOOKED_AT {
             let start = self.draw(NEAR);
-            if search.work.get() > WORK / 2
+            if search.work.get() > WORK / 5 * 4
                 && let Some(residuals) = search.at(&start)
             {
                 near.push((residuals.iter().map(|residual| residual * residual).sum(), start));
@@ -549,8 +570,8 @@ mod tests {
         // One is passed; the vehicle ends before the other.
         let points = alloc::vec![at(Some(WheelPosition::RearRight), 4.0, 3.0), at(None, rest.position.x + 3.0, rest.position.y + 1.0)];
         let evidence = RestEvidence { points, ..evidence(rest) };
-        let (nearest, never) = (RefCell::new(None), RefCell::new(None));
-        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK), stop: Cell::new(0) };
+        let (nearest, never, unfinished) = (RefCell::new(None), RefCell::new(None), RefCell::new(None));
+        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK), stop: Cell::new(0), unfinished };
         let slopes = search.slopes(&MOTIONS[0], FINE);
         for k in 0..3 {
             let by = |step: f64| {
@@ -598,7 +619,7 @@ mod tests {
         let Err(NoSeparation::NotConverged { motion, miss }) = end else { panic!("{end:?}") };
         let rest = slide.to_rest(&FROM, &motion).expect("it comes to rest").pose;
         assert!(
-            rest.position.x < 9.0 && miss == Miss::of(&rest, &Pose { position: Xy { x: 40.0, y: 2.0 }, heading: 0.3 }),
+            rest.position.x < 30.0 && miss == Miss::of(&rest, &Pose { position: Xy { x: 40.0, y: 2.0 }, heading: 0.3 }),
             "{rest:?} {miss:?}"
         );
     }

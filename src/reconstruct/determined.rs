@@ -105,6 +105,6 @@ mod tests {
     fn what_is_no_number_has_no_directions() {
         let derivatives = DMatrix::from_row_slice(2, 2, &[1.0, f64::NAN, f64::INFINITY, 1.0]);
         assert!(blind(&derivatives, &[1.0; 2]).len() <= 2);
-        assert_eq!(least_squares::weakest(derivatives), None);
+        assert_eq!(crate::least_squares::weakest(derivatives), None);
     }
 }
