@@ -1,14 +1,12 @@
 //! Derivatives of the pose at rest by the motion at separation and by the friction: the variational equations, integrated with the equations of motion.
 //!
-//! The iteration is in f64 alone. The derivatives of the state are additional unknowns of the same integrator: S' = ∂f/∂y S + ∂f/∂φ, from one pass of the
-//! equations of motion on dual numbers with a part for each varied quantity. They are exact for the flow, not for the steps, so the tolerance applies to them
-//! too.
+//! The iteration is in f64 alone. The derivatives of the state are additional unknowns of the same integrator: S' = ∂f/∂y S + ∂f/∂φ, each column of it one
+//! pass of the equations of motion on dual numbers. They are exact for the flow, not for the steps, so the tolerance applies to them too.
 
 use alloc::vec::Vec;
 
 use differential_equations::ode::ODE;
-use nalgebra::SVector;
-use num_dual::{Derivative, DualSVec64};
+use num_dual::Dual64;
 
 use super::issue::NoRest;
 use super::path_point::{On, PathPoint};
@@ -40,41 +38,38 @@ pub(super) struct VariedRest {
     pub points: Vec<[Slopes; 2]>,
 }
 
-/// A number with its derivatives by the varied quantities.
-type Varied = DualSVec64<VARIED>;
-
-fn varied(re: f64, eps: Slopes) -> Varied {
-    Varied::new(re, Derivative::some(SVector::from(eps)))
+/// The equations of motion on dual numbers, with the common factor of the frictions constant or varied.
+struct VariationalEquations {
+    fixed: Slide<Dual64>,
+    more_friction: Slide<Dual64>,
 }
-
-fn slopes(of: &Varied) -> Slopes {
-    of.eps.0.map_or([0.0; VARIED], Into::into)
-}
-
-/// The equations of motion on dual numbers.
-struct VariationalEquations(Slide<Varied>);
 
 impl VariationalEquations {
     fn of(slide: &Slide) -> Self {
-        let mut slide = slide.clone().map(Varied::from);
-        let by_friction = core::array::from_fn(|varied| if varied == VARIED - 1 { 1.0 } else { 0.0 });
-        slide.ground = slide.ground.times(varied(1.0, by_friction));
-        VariationalEquations(slide)
+        let fixed = slide.clone().map(Dual64::from);
+        let mut more_friction = fixed.clone();
+        more_friction.ground = more_friction.ground.times(Dual64::new(1.0, 1.0));
+        VariationalEquations { fixed, more_friction }
+    }
+
+    /// Returns the slide for the derivative by a varied quantity.
+    fn slide(&self, varied: usize) -> &Slide<Dual64> {
+        if varied == VARIED - 1 { &self.more_friction } else { &self.fixed }
     }
 }
 
-/// Returns the state with its derivatives.
-fn with_slopes(state: &[f64; SIZE]) -> [Varied; 6] {
-    core::array::from_fn(|i| varied(state[i], core::array::from_fn(|varied| state[6 * (1 + varied) + i])))
+/// Returns the state with its derivative by one of the varied quantities.
+fn along(state: &[f64; SIZE], varied: usize) -> [Dual64; 6] {
+    core::array::from_fn(|i| Dual64::new(state[i], state[6 * (1 + varied) + i]))
 }
 
-fn on_duals(state: [Varied; 6]) -> (Pose<Varied>, Motion<Varied>) {
+fn on_duals(state: [Dual64; 6]) -> (Pose<Dual64>, Motion<Dual64>) {
     let [x, y, heading, vx, vy, yaw_rate] = state;
     (Pose { position: Xy { x, y }, heading }, Motion { velocity: Xy { x: vx, y: vy }, yaw_rate })
 }
 
 /// Evaluates the equations of motion.
-fn flow(slide: &Slide<Varied>, state: [Varied; 6]) -> [Varied; 6] {
+fn flow(slide: &Slide<Dual64>, state: [Dual64; 6]) -> [Dual64; 6] {
     let (pose, motion) = on_duals(state);
     let acceleration = slide.acceleration(&pose, &motion);
     [motion.velocity.x, motion.velocity.y, motion.yaw_rate, acceleration.velocity.x, acceleration.velocity.y, acceleration.yaw_rate]
@@ -82,10 +77,11 @@ fn flow(slide: &Slide<Varied>, state: [Varied; 6]) -> [Varied; 6] {
 
 impl ODE<f64, [f64; SIZE]> for VariationalEquations {
     fn diff(&self, _: f64, state: &[f64; SIZE], change: &mut [f64; SIZE]) {
-        for (i, rate) in flow(&self.0, with_slopes(state)).into_iter().enumerate() {
-            change[i] = rate.re;
-            for (varied, slope) in slopes(&rate).into_iter().enumerate() {
-                change[6 * (1 + varied) + i] = slope;
+        for varied in 0..VARIED {
+            let by = flow(self.slide(varied), along(state, varied));
+            for (i, rate) in by.into_iter().enumerate() {
+                change[i] = rate.re;
+                change[6 * (1 + varied) + i] = rate.eps;
             }
         }
     }
@@ -119,11 +115,17 @@ impl Slide {
         let last: TrajectoryState = end.state.passing(end.time);
         self.stand_still(&last)?;
         let mut by = [[0.0; VARIED]; 3];
-        if last.motion != Motion::rest() {
-            let state = with_slopes(&end.state);
-            let (at, motion) = on_duals(if end.time > 0.0 { at_the_event(&equations.0, state, self) } else { state });
-            let rest = equations.0.after_remainder(&at, &motion);
-            by = [rest.position.x, rest.position.y, rest.heading].map(|value| slopes(&value));
+        for varied in 0..VARIED {
+            let slide = equations.slide(varied);
+            let state = if end.time > 0.0 { at_the_event(slide, along(&end.state, varied), self) } else { along(&end.state, varied) };
+            let (at, motion) = on_duals(state);
+            if last.motion == Motion::rest() {
+                continue;
+            }
+            let rest = slide.after_remainder(&at, &motion);
+            for (row, value) in by.iter_mut().zip([rest.position.x, rest.position.y, rest.heading]) {
+                row[varied] = value.eps;
+            }
         }
         let mut states = end.path;
         states.push((end.time, end.state));
@@ -164,16 +166,13 @@ fn between(from: &[f64; SIZE], to: &[f64; SIZE], of: usize, share: f64, duration
 }
 
 /// Returns the state at the event, whose time depends on the varied quantities: the instant changes by −(∂g/∂y · S)/(∂g/∂y · f).
-fn at_the_event(slide: &Slide<Varied>, state: [Varied; 6], plain: &Slide) -> [Varied; 6] {
-    let rest_speed = Varied::from(REST_SPEED * plain.vehicle.tires.regularization);
-    let event = |state| slopes(&slide.above_rest(&on_duals(state).1, rest_speed));
+fn at_the_event(slide: &Slide<Dual64>, state: [Dual64; 6], plain: &Slide) -> [Dual64; 6] {
+    let rest_speed = Dual64::from(REST_SPEED * plain.vehicle.tires.regularization);
+    let event = |state| slide.above_rest(&on_duals(state).1, rest_speed).eps;
     let rate = flow(slide, state).map(|rate| rate.re);
-    let [falls, ..] = event(core::array::from_fn(|i| varied(state[i].re, [rate[i], 0.0, 0.0, 0.0])));
-    let later = event(state).map(|slope| -slope / falls);
-    core::array::from_fn(|i| {
-        let slopes = slopes(&state[i]);
-        varied(state[i].re, core::array::from_fn(|k| slopes[k] + rate[i] * later[k]))
-    })
+    let falls = event(core::array::from_fn(|i| Dual64::new(state[i].re, rate[i])));
+    let later = -event(state) / falls;
+    core::array::from_fn(|i| Dual64::new(state[i].re, state[i].eps + rate[i] * later))
 }
 
 #[cfg(test)]
