@@ -155,7 +155,7 @@ impl ToRest<'_> {
     }
 
     /// Searches from one start with a maximum of work.
-    fn from(&self, start: &[f64; 3], work: usize) -> Option<Found> {
+    fn end_of_search(&self, start: &[f64; 3], work: usize) -> Option<Found> {
         let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
         self.stop.set(self.work.get().saturating_sub(work));
         match least_squares::minimum(self, start, &spans, ITERATIONS) {
@@ -273,7 +273,7 @@ impl Slide {
         let has_points = !evidence.points.is_empty();
         let mut search_from = |start: [f64; 3], work: usize, found: &mut Vec<Found>| {
             tried += 1;
-            if let Some(end) = search.from(&start, work) {
+            if let Some(end) = search.end_of_search(&start, work) {
                 converged += 1;
                 keep(found, end, if has_points { CLOSE } else { SAME });
             }
