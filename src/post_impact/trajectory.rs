@@ -29,6 +29,8 @@ pub const REST_SPEED: f64 = 5.0;
 const MOST_STEPS: usize = 30_000;
 /// Longest section on a grade, in s: on level ground nothing gets faster.
 const ON_A_GRADE: f64 = 1.0;
+/// Half of the longest remaining time that is extrapolated, in s: a vehicle that the ground hardly brakes moves on, over ground that may be other.
+const LONGEST_REMAINDER: f64 = 30.0;
 /// The error of a step, relative and in m, rad, m/s and rad/s. The inverse needs the end as a smooth function of the start to about 1e-10.
 const TOLERANCE: f64 = 1e-12;
 
@@ -161,7 +163,7 @@ impl Slide {
     /// Returns half of the remaining time of the motion, in s; `None` if its energy does not fall, as that of a vehicle at rest.
     fn time_left(&self, last: &TrajectoryState) -> Option<f64> {
         let left = self.remainder(&last.pose, &last.motion);
-        (last.motion != Motion::rest() && (0.0..=TIME_LIMIT / 2.0).contains(&left)).then_some(left)
+        (last.motion != Motion::rest() && (0.0..=LONGEST_REMAINDER).contains(&left)).then_some(left)
     }
 }
 
