@@ -39,9 +39,13 @@ impl<T: Field> StiffnessCovariance<T> {
 }
 
 impl<T: Real> StiffnessCovariance<T> {
-    /// Returns the correlation of d₀ and d₁.
+    /// Returns the correlation of d₀ and d₁, from −1 to 1.
     pub fn correlation(&self) -> T {
-        self.between.clone() / (self.onset.clone().square_root() * self.slope.clone().square_root())
+        let correlation = self.between.clone() / (self.onset.clone().square_root() * self.slope.clone().square_root());
+        // With A held they are one number, and rounding may lead beyond.
+        let (least, most) = (T::int(-1), T::int(1));
+        let at_most = T::select(most.less(&correlation), most, correlation);
+        T::select(at_most.less(&least), least, at_most)
     }
 }
 

@@ -290,6 +290,42 @@ fn correlations_change_what_they_should() {
     assert_eq!((one.1, other.1, &one.2), (false, true, &other.2), "all else is the same");
 }
 
+/// A fit that holds A leaves d0 = A/d1, so that the two are one uncertain number: E_C = w (A C + d1² C²/2 + A²/(2 d1²)).
+#[test]
+fn a_stiffness_with_its_force_held_has_one_uncertain_number() {
+    let (force, width, depth) = (40_000.0, 1.5, 0.2);
+    let folder = Folder::new();
+    let test = |speed: f64, depth: f64| {
+        format!(
+            "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nspeed_sd = 0.1\nrestitution = 0.1\nwidth = {width}\ndepths = [{depth}, {depth}]\n"
+        )
+    };
+    let tests = [test(6.0, 0.1), test(10.0, 0.25), test(14.0, 0.4)].concat();
+    folder.write("tests.toml", format!("schema = 1\n[[vehicle]]\n{tests}[fit]\nA = {force}\n").as_bytes());
+    let case = wall("1500", "10", "0.1").replacen(
+        "[[vehicle]]",
+        &format!(
+            "[[vehicle]]\ncrush = {{ width = {width}, depths = [{depth}, {depth}], stiffness = {{ tests = \"tests.toml\" }}, pdof = 0 }}"
+        ),
+        1,
+    );
+    folder.write("case.toml", case.as_bytes());
+    let json = |arguments: &[&str]| -> Value {
+        let run = run(folder.path(), arguments);
+        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        serde_json::from_str(&run.out).expect("JSON")
+    };
+    let fitted = json(&["stiffness", "tests.toml", "--format", "json"]);
+    let fit = fitted["fits"].as_array().into_iter().flatten().find(|fit| fit["model"] == "profile").expect("a fit");
+    let (d1, sd) = (number(&fit["d1"]), number(&fit["covariance"]["d1_sd"]));
+    let energy = |d1: f64| width * (force * depth + 0.5 * (d1 * depth).powi(2) + 0.5 * (force / d1).powi(2));
+    let slope = width * (d1 * depth * depth - force * force / d1.powi(3));
+    let found = &json(&["uncertainty", "case.toml", "--of", "vehicle.1.crush_energy", "--method", "linear", "--format", "json"])["of"]["vehicle.1.crush_energy"];
+    let close = |found: &Value, wanted: f64| assert!((number(found) - wanted).abs() < 1e-9 * wanted, "{found}, not {wanted}");
+    close(&found["value"], energy(d1));
+    close(&found["linear"]["sd"], slope.abs() * sd);
+}
+
 /// A car into a wall, with one uncertain input each.
 fn wall(mass: &str, speed: &str, restitution: &str) -> String {
     format!(
