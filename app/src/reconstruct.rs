@@ -13,7 +13,7 @@ mod solve_error;
 mod statement;
 
 use planar_impact::momentum::approach_speeds;
-use planar_impact::reconstruct::{Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict};
+use planar_impact::reconstruct::{Answer as Found, Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict};
 use planar_impact::{Impact, Input, Side};
 
 use crate::answer::Answer;
@@ -25,13 +25,13 @@ use crate::message::Message;
 use crate::notice::Notice;
 use crate::scene::Scene;
 use crate::units::Measure;
-use answer::Solved;
+use answer::{Height, Solved};
 use from_rest::Separations;
 use posterior::Drawn;
 use question::{Question, key_of};
 use statement::Statement;
 
-pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, Reconstruction, Unknown};
+pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, ProfileLevel, Reconstruction, Unknown};
 pub use from_rest::{SeparationFromRest, SlideFit};
 pub use posterior::{Draws, PairDensity, Posterior, PosteriorDensity};
 
@@ -44,6 +44,8 @@ pub struct Options {
     pub seed: u64,
     /// The level of confidence of the intervals, and the probability of the ranges of the posterior.
     pub level: f64,
+    /// `true` for the profile of the likelihood of each unknown and of what follows from them.
+    pub profile: bool,
     /// `true` to draw from the posterior.
     pub posterior: bool,
     /// Statements whose probability under the posterior is wanted, such as `vehicle.1.speed > 50 km/h`. With any, the posterior is drawn.
@@ -60,7 +62,7 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { starts: 64, seed: 1, level: 0.95, posterior: false, probabilities: Vec::new(), draws: false }
+        Options { starts: 64, seed: 1, level: 0.95, profile: false, posterior: false, probabilities: Vec::new(), draws: false }
     }
 }
 
@@ -129,6 +131,7 @@ fn by_separations(
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
     let intervals = question.asked.intervals(&answer, options.level, &of);
+    let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
     let drawn = if options.draws_from_posterior() {
         let sampling = Sampling { seed: options.seed, ..Sampling::default() };
         let asked = posterior::Asked { sampling, statements: &statements, level: options.level, has_values: options.draws };
@@ -144,6 +147,7 @@ fn by_separations(
         impact,
         intervals,
         level: options.level,
+        profile,
         search,
         case: &solved,
         diagnostics,
@@ -153,6 +157,18 @@ fn by_separations(
     let mut facts = solved.reconstruction();
     facts.scene = scene.map(|(scene, notices)| (scene.with_ranges(&facts), notices));
     Ok(Answer::new(&case.title, facts, notices))
+}
+
+/// Returns the intervals at each height of a profile.
+fn heights(question: &Question, answer: &Found, of: &[Measurand], control: &dyn Control) -> Result<Vec<Height>, Issues> {
+    /// Roots of the heights, which are standard deviations where the evidence is linear in the unknowns.
+    const ROOTS: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
+    let height = |(done, root): (usize, f64)| {
+        control.proceed(done, ROOTS.len())?;
+        let level = libm::erf(root * std::f64::consts::FRAC_1_SQRT_2);
+        Ok(Height { chi_square: root * root, level, intervals: question.asked.intervals(answer, level, of) })
+    };
+    ROOTS.into_iter().enumerate().map(height).collect()
 }
 
 /// Returns the case with the values of a solution, and its impact. Momentum alone has no crush plane: the normal is along the impulse.

@@ -186,6 +186,8 @@ pub struct Trace {
     pub times: Vec<f64>,
     /// Values, in SI.
     pub values: Vec<f64>,
+    /// Values before the filter, in SI; `null` if it is not filtered.
+    pub unfiltered: Option<Vec<f64>>,
 }
 
 /// Analyses recordings.

@@ -35,6 +35,15 @@ pub enum ReportVerb {
     Uncertainty,
 }
 
+/// What a report of a case is to show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The verb; if none is given, that of the case.
+    pub verb: Option<ReportVerb>,
+    /// `true` to draw from the posterior of a reconstruction. Its last bits depend on the platform, and with them the bytes of the report.
+    pub posterior: bool,
+}
+
 impl ReportVerb {
     /// Returns the verb of a case for which none is asked: `reconstruct` with unknowns, otherwise `solve`.
     pub fn of(case: &Case) -> Self {
@@ -165,11 +174,14 @@ impl Identity {
 /// # Errors
 ///
 /// Those of the verb. What only goes beside the answer is left out where the case does not have it.
-pub fn report(case: &Case, verb: Option<ReportVerb>, control: &dyn Control) -> Result<CaseReport, Issues> {
-    let verb = verb.unwrap_or_else(|| ReportVerb::of(case));
+pub fn report(case: &Case, options: &Options, control: &dyn Control) -> Result<CaseReport, Issues> {
+    let verb = options.verb.unwrap_or_else(|| ReportVerb::of(case));
     let main = match verb {
         ReportVerb::Solve => MainAnswer::Solve(Box::new(solve::solve(case, &(), control)?)),
-        ReportVerb::Reconstruct => MainAnswer::Reconstruct(Box::new(reconstruct::reconstruct(case, &Default::default(), control)?)),
+        ReportVerb::Reconstruct => {
+            let asked = reconstruct::Options { profile: true, posterior: options.posterior, ..Default::default() };
+            MainAnswer::Reconstruct(Box::new(reconstruct::reconstruct(case, &asked, control)?))
+        }
         ReportVerb::Crush => MainAnswer::Crush(Box::new(crush::crush(case, &(), control)?)),
         ReportVerb::Crash3 => MainAnswer::Crash3(Box::new(crash3::crash3(case, &(), control)?)),
         ReportVerb::Uncertainty => MainAnswer::Uncertainty(Box::new(uncertainty::uncertainty(case, &Default::default(), control)?)),

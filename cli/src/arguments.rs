@@ -185,6 +185,9 @@ pub struct Reconstruct {
     /// Level of confidence of the intervals, between 0 and 1.
     #[arg(long, default_value_t = 0.95, value_parser = level)]
     pub level: f64,
+    /// Add the profile of the likelihood: how far chi-square rises as each quantity leaves its best value.
+    #[arg(long)]
+    pub profile: bool,
     /// Draw from the posterior: the priors times the likelihood of the evidence.
     #[arg(long)]
     pub posterior: bool,
@@ -321,6 +324,9 @@ pub struct Report {
     /// Sections, by name; may be repeated. Default: all that apply.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Part::ALL.map(Part::name))]
     pub sections: Vec<String>,
+    /// Draw the posterior of a reconstruction too. Its last bits, and so the bytes of the report, depend on the platform.
+    #[arg(long)]
+    pub posterior: bool,
     /// A date, in any words. Without it the report has none: the same input gives the same bytes.
     #[arg(long, value_name = "TEXT")]
     pub date: Option<String>,

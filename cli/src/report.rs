@@ -34,7 +34,8 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
         Some(ReportVerb::Validate) => return of_validation(call),
     };
     let (case, units) = verbs::read(one(call)?, call.units)?;
-    let answer = report::report(&case, verb, &Progress::new()).map_err(|issues| Failure::Issues(issues, units))?;
+    let answer = report::report(&case, &report::Options { verb, posterior: call.posterior }, &Progress::new())
+        .map_err(|issues| Failure::Issues(issues, units))?;
     write(call, &document::of_case(&answer, &options(call, units))?)
 }
 

@@ -151,6 +151,7 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
         starts: usize::try_from(call.starts).unwrap_or(usize::MAX),
         seed: call.seed,
         level: call.level,
+        profile: call.profile,
         posterior: call.posterior,
         probabilities: call.probability.clone(),
         draws: call.draws,

@@ -66,6 +66,7 @@ def reconstruct(
     starts: int,
     seed: int,
     level: float,
+    profile: bool,
     posterior: bool,
     probability: list[str],
     draws: bool,

@@ -172,6 +172,7 @@ def reconstruct(
     starts: int = 64,
     seed: int = 1,
     level: float = 0.95,
+    profile: bool = False,
     posterior: bool = False,
     probability: _Names = (),
     draws: bool = False,
@@ -185,6 +186,7 @@ def reconstruct(
         starts: Number of starts of the search, from 1 to 10000.
         seed: Seed of the starts and of the posterior.
         level: Level of confidence of the intervals, from 0.5 to 0.9999.
+        profile: Whether to follow the profile of the likelihood of each quantity.
         posterior: Whether to draw from the posterior distribution.
         probability: Statements whose probability is wanted, such as ``"vehicle.1.speed > 50 km/h"``; with any, the posterior is drawn.
         draws: Whether to return each draw.
@@ -202,7 +204,7 @@ def reconstruct(
     """
     statements = names(probability, "probability")
     starts, seed = _whole(starts, "starts"), _whole(seed, "seed")
-    question = (starts, seed, float(level), bool(posterior), statements, bool(draws))
+    question = (starts, seed, float(level), bool(profile), bool(posterior), statements, bool(draws))
     with reporting(progress) as report:
         return Reconstruction(_native.reconstruct(source(case), units, *question, report), units)
 

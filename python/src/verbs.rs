@@ -142,6 +142,7 @@ pub fn reconstruct(
     starts: u64,
     seed: u64,
     level: f64,
+    profile: bool,
     posterior: bool,
     probability: Vec<String>,
     draws: bool,
@@ -159,7 +160,7 @@ pub fn reconstruct(
         return Err(error::of(Issues::of_call(issues)));
     }
     let starts = usize::try_from(starts).unwrap_or(usize::MAX);
-    let options = Options { starts, seed, level, posterior, probabilities: probability, draws };
+    let options = Options { starts, seed, level, profile, posterior, probabilities: probability, draws };
     on_long_case(py, case, units, progress, |case, units, control| {
         let answer = Arc::new(reconstruct(case, &options, control)?);
         let (shown, title) = (answer.clone(), case.title.clone());
@@ -171,7 +172,7 @@ pub fn reconstruct(
         });
         let shown = Answer::of(&answer, units, Layout::Pretty).with_figure("scene", drawing);
         let shown = shown.with_chart("intervals", &answer, chart::intervals).with_chart("residuals", &answer, chart::residuals);
-        Ok(shown.with_chart("posterior", &answer, chart::posterior))
+        Ok(shown.with_chart("profile", &answer, chart::profile).with_chart("posterior", &answer, chart::posterior))
     })
 }
 

@@ -11,6 +11,7 @@ mod labels;
 mod lines;
 pub mod paper;
 mod posterior;
+mod profile;
 mod record;
 mod residuals;
 #[cfg(test)]
@@ -29,6 +30,7 @@ pub use energy::energy;
 pub use impulse::impulse;
 pub use intervals::intervals;
 pub use posterior::posterior;
+pub use profile::profile;
 pub use record::record;
 pub use residuals::residuals;
 pub use stiffness::stiffness;

@@ -296,6 +296,9 @@ fn figure(title: &str, svg: String) -> Block {
 pub fn figures_of_reconstruction(answer: &Answer<Reconstruction>, units: Units) -> Result<Vec<Block>, Issues> {
     let mut blocks = vec![figure("The unknowns with their intervals, within their bounds", chart::intervals(answer, units)?)];
     blocks.extend(chart::residuals(answer, units)?.map(|svg| figure("How far each piece of evidence is from the best fit", svg)));
+    blocks.extend(
+        chart::profile(answer, units)?.map(|svg| figure("The profile of the likelihood: how much worse the best fit becomes", svg)),
+    );
     blocks.extend(chart::posterior(answer, units)?.map(|svg| figure("The posterior of the unknowns", svg)));
     if let Some(solution) = &answer.solution {
         blocks.extend(figures_of_solution(solution, units)?);

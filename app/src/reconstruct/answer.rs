@@ -128,6 +128,9 @@ pub struct Unknown {
     pub at_bound: Option<&'static str>,
     /// The range that the evidence, all bounds and the physics allow; without ends if none could be found.
     pub interval: Interval,
+    /// The profile of the likelihood, outwards, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<Vec<ProfileLevel>>,
     /// Its posterior, on request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub posterior: Option<Posterior>,
@@ -151,6 +154,9 @@ pub struct Derived {
     pub sd: Option<f64>,
     /// The range that the evidence, all bounds and the physics allow.
     pub interval: Interval,
+    /// The profile of the likelihood, outwards, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<Vec<ProfileLevel>>,
     /// Its posterior, on request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub posterior: Option<Posterior>,
@@ -174,6 +180,19 @@ pub struct Interval {
     pub low_limited_by: Option<String>,
     /// The same of the upper end.
     pub high_limited_by: Option<String>,
+}
+
+/// The values at which the profile of the likelihood reaches a height.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ProfileLevel {
+    /// Its height: chi-square of the best fit of everything else, above the least one.
+    pub chi_square: f64,
+    /// The level of confidence of the interval between the two.
+    pub level: f64,
+    /// The value below the best one; `null` if nothing limits it. A bound or a limit of the physics has one value for all heights beyond.
+    pub low: Option<f64>,
+    /// The same above it.
+    pub high: Option<f64>,
 }
 
 /// A piece of evidence compared with a solution.
@@ -242,6 +261,8 @@ pub(super) struct Solved<'a> {
     pub(super) intervals: Vec<planar_impact::reconstruct::Interval>,
     /// Their level of confidence.
     pub(super) level: f64,
+    /// Intervals of the same at the heights of a profile, if it is asked for.
+    pub(super) profile: Option<Vec<Height>>,
     pub(super) search: Search,
     /// The case with the values of the best solution.
     pub(super) case: &'a Case,
@@ -249,6 +270,19 @@ pub(super) struct Solved<'a> {
     pub(super) crash3: Option<Comparison>,
     /// What is drawn from the posterior, if it is asked for.
     pub(super) drawn: Option<Drawn>,
+}
+
+/// The intervals at a height of the profile.
+pub(super) struct Height {
+    /// Chi-square above the least one.
+    pub(super) chi_square: f64,
+    pub(super) level: f64,
+    pub(super) intervals: Vec<planar_impact::reconstruct::Interval>,
+}
+
+/// Returns an end of an interval; `None` if nothing limits it.
+fn end(value: f64) -> Option<f64> {
+    value.is_finite().then(|| positive_zero(value))
 }
 
 impl Solved<'_> {
@@ -333,6 +367,7 @@ impl Solved<'_> {
             sd: estimate.sd,
             at_bound: estimate.at.map(bound_name),
             interval: self.interval(Measurand::Variable(estimate.of)).map_or_else(|| self.unlimited(), |interval| self.printed(interval)),
+            profile: self.profile(Measurand::Variable(estimate.of)),
             posterior: self.posterior(Measurand::Variable(estimate.of)),
             min,
             max,
@@ -349,8 +384,16 @@ impl Solved<'_> {
         self.intervals.iter().find(|interval| interval.of == of)
     }
 
+    fn profile(&self, of: Measurand) -> Option<Vec<ProfileLevel>> {
+        let level = |height: &Height| {
+            let interval = height.intervals.iter().find(|interval| interval.of == of)?;
+            let Height { chi_square, level, .. } = *height;
+            Some(ProfileLevel { chi_square, level, low: end(interval.low), high: end(interval.high) })
+        };
+        Some(self.profile.as_ref()?.iter().filter_map(level).collect())
+    }
+
     fn printed(&self, interval: &planar_impact::reconstruct::Interval) -> Interval {
-        let end = |value: f64| value.is_finite().then(|| positive_zero(value));
         let limit = |limit: Option<Limit>| {
             limit.map(|limit| match limit {
                 Limit::Bound(of, bound) => format!("{} {}", name_in(of, self.case), bound_name(bound)),
@@ -380,6 +423,7 @@ impl Solved<'_> {
                 value: (!is_open).then(|| positive_zero(interval.value)),
                 sd: interval.sd.filter(|_| !is_open),
                 interval: self.printed(interval),
+                profile: self.profile(interval.of),
                 posterior: self.posterior(interval.of),
                 measure: measure_of(interval.of, self.case),
             };

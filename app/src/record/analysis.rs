@@ -186,6 +186,7 @@ impl Analysis<'_> {
             None => record.clone(),
         };
         let class = self.class(name, path, quantity, record);
+        let unfiltered = class.is_some().then(|| corrected.values().to_vec());
         let filtered = match class {
             Some(class) => self.report("filter", corrected.filtered(class))?,
             None => corrected,
@@ -194,7 +195,7 @@ impl Analysis<'_> {
         let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
         let peak = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))?;
         let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
-        self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values });
+        self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })
     }
 
@@ -361,7 +362,7 @@ impl Analysis<'_> {
 
 fn plain(channel: &Channel) -> Trace {
     let (name, quantity, filter) = (channel.name.clone(), channel.quantity, None);
-    Trace { name, quantity, filter, times: channel.record.times(), values: channel.record.values().to_vec() }
+    Trace { name, quantity, filter, times: channel.record.times(), values: channel.record.values().to_vec(), unfiltered: None }
 }
 
 /// Returns the time from one sample to the next, if it is the same for all.

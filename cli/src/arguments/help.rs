@@ -324,8 +324,9 @@ An input in the evidence with an uncertainty is solved for too. Rest positions a
 separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
 Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of the
-physics that makes an end is named. --posterior adds the posterior: every value within the bounds of
-an unknown as likely as another unless its density is given, times the likelihood of the evidence.
+physics that makes an end is named. --profile adds where chi-square has risen by 1 and by 9.
+--posterior adds the posterior: every value within the bounds of an unknown as likely as another
+unless its density is given, times the likelihood of the evidence.
 
 Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
 several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with

@@ -17,7 +17,7 @@ const OF_CASES: [(&str, &[&str]); 12] = [
     ("sweep", &["--vary", "Gamma=-80 deg:80 deg:40 deg", "--vary", "e=0:0.2:0.1", "--of", "all"]),
     ("crush", &[]),
     ("crash3", &[]),
-    ("reconstruct", &["--starts", "4"]),
+    ("reconstruct", &["--starts", "4", "--profile"]),
     ("uncertainty", &["--samples", "2000", "--of", "dV1"]),
     ("uncertainty", &["--samples", "500", "--of", "T_L,dV1", "--probability", "dV1 > 18 mph", "--method", "linear,monte-carlo"]),
     ("formula", &["W_n", "--case"]),

@@ -83,6 +83,9 @@ fn a_half_sine_has_its_closed_form() {
     assert_eq!((trace["times"].as_array().map(Vec::len), trace["values"].as_array().map(Vec::len)), (Some(1401), Some(1401)));
     close(&trace["times"][700], 0.05, 1e-9);
     close(&trace["values"][700], 250e3, 2e-3);
+    // Before the filter, less the offset: the sine itself.
+    close(&trace["unfiltered"][700], 250e3, 1e-9);
+    close(&trace["unfiltered"][300], 250e3 * (std::f64::consts::PI * 0.1).sin(), 1e-9);
     let channel = &record["channels"][1];
     assert_eq!(
         (&channel["name"], &channel["quantity"], &channel["samples"]),
@@ -164,6 +167,8 @@ fn an_acceleration_and_a_film_agree_with_the_forces() {
     close(&film["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
     close(&film["closing_speed"]["value"], 10.0, 1e-9);
     close(&film["separation"], 0.12, 1e-9);
+    let of_film = record["traces"].as_array().into_iter().flatten().find(|trace| trace["quantity"] == "distance").expect("its trace");
+    assert_eq!((&of_film["filter"], &of_film["unfiltered"]), (&Value::Null, &Value::Null), "a film is not filtered");
     // Without a speed the film gives it, from the frames before the contact.
     let (record, _) = record_of(&samples, Some("mass = \"1500 kg\"\nseparation = \"115 ms\"\n"));
     close(&record["films"][0]["closing_speed"]["value"], 10.0, 1e-6);

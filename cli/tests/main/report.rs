@@ -141,6 +141,17 @@ fn sections_and_units_are_as_asked() {
 }
 
 #[test]
+fn a_reconstruction_has_its_profile_and_on_request_its_posterior() {
+    let [plain, with] = [&[][..], &["--posterior"]].map(|asked| report("reconstruct/crabbed-2.toml", asked));
+    for (html, is_drawn) in [(&plain, false), (&with, true)] {
+        let results = section(html, "results");
+        assert!(results.contains("<figcaption>The profile of the likelihood"), "profiles are drawn");
+        assert_eq!(results.contains("<figcaption>The posterior of the unknowns"), is_drawn);
+        assert_eq!(results.contains("chains of"), is_drawn, "the page has the numbers of what is drawn");
+    }
+}
+
+#[test]
 fn a_file_appears_only_when_it_is_whole() {
     let folder = tempfile::tempdir().expect("a folder");
     let (file, case) = (folder.path().join("report.html"), workspace().join("cli/examples/position-a.toml"));

@@ -111,14 +111,18 @@ impl Panel {
 }
 
 /// Returns the height of a sample in a legend, below rows of text.
-fn row_of(line: usize, rows: i32) -> i32 {
+pub(super) fn row_of(line: usize, rows: i32) -> i32 {
     30 + rows * 16 + 10 * line as i32
 }
 
 /// Draws a sample of a line with its name below rows of text; returns the number of rows of its name.
 pub(super) fn sample(area: &Area<'_>, line: usize, rows: i32, name: &str) -> Drawn<i32> {
-    let y = row_of(line, rows);
-    STYLES[line].sample(area, 8, 48, y)?;
+    sample_of(area, STYLES[line], row_of(line, rows), name)
+}
+
+/// Draws a sample of a line with its name at a height; returns the number of rows of its name.
+pub(super) fn sample_of(area: &Area<'_>, stroke: Stroke, y: i32, name: &str) -> Drawn<i32> {
+    stroke.sample(area, 8, 48, y)?;
     let parts = wrapped(name);
     for (row, part) in parts.iter().enumerate() {
         write(area, part, 17, (56, y - 8 + 16 * row as i32))?;

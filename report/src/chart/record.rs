@@ -6,8 +6,11 @@ use planar_impact_app::record::{ChannelQuantity, Records, Trace};
 use planar_impact_app::units::Measure;
 use planar_impact_app::{Answer, Units};
 
-use super::canvas::{self, Area, Axes, Drawn, WIDTH, span, with_unit};
-use super::lines::{LEGEND, LINES, PANEL, draw_run, sample, thinned};
+use super::canvas::{self, Area, Axes, Drawn, GRAY, Stroke, WIDTH, span, with_unit};
+use super::lines::{LEGEND, LINES, PANEL, draw_run, row_of, sample, sample_of, thinned};
+
+/// How values before the filter are drawn, beneath the filtered ones.
+const UNFILTERED: Stroke = Stroke::solid(GRAY, 1);
 
 /// The traces of one panel.
 struct Panel<'a> {
@@ -59,7 +62,8 @@ impl Panel<'_> {
 
     fn values(&self) -> impl Iterator<Item = f64> + Clone + '_ {
         let conversion = self.units.conversion(self.measure());
-        self.traces.iter().flat_map(|(_, trace)| &trace.values).map(move |value| conversion.of_si(*value))
+        let all = self.traces.iter().flat_map(|(_, trace)| trace.values.iter().chain(trace.unfiltered.iter().flatten()));
+        all.map(move |value| conversion.of_si(*value))
     }
 
     fn y(&self) -> std::ops::Range<f64> {
@@ -78,12 +82,21 @@ impl Panel<'_> {
             left,
         };
         let mut chart = axes.draw(&plot)?;
+        let points = |trace: &Trace, values: &[f64]| {
+            thinned(trace.times.iter().zip(values).map(|(time, value)| (*time, conversion.of_si(*value))).collect())
+        };
+        let unfiltered: Vec<_> = self.traces.iter().filter_map(|(_, trace)| Some(points(trace, trace.unfiltered.as_ref()?))).collect();
+        for line in &unfiltered {
+            UNFILTERED.line(&mut chart, line.iter().copied())?;
+        }
         let mut rows = 0;
         for (i, (name, trace)) in self.traces.iter().enumerate() {
-            let points = trace.times.iter().zip(&trace.values).map(|(time, value)| (*time, conversion.of_si(*value))).collect();
-            draw_run(&mut chart, &thinned(points), i)?;
+            draw_run(&mut chart, &points(trace, &trace.values), i)?;
             let filter = trace.filter.map_or_else(String::new, |class| format!(" CFC {class}"));
             rows += sample(&legend, i, rows, &(shorten(name, 40) + &filter))?;
+        }
+        if !unfiltered.is_empty() {
+            sample_of(&legend, UNFILTERED, row_of(self.traces.len(), rows), "before the filter")?;
         }
         Ok(())
     }

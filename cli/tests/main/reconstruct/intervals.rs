@@ -133,3 +133,35 @@ fn what_follows_is_that_of_the_solution() {
         near(derived(&format!("energy.{key}")), number(&solution["energy"][key]), 1e-6);
     }
 }
+
+/// A central impact on a wall, ΔV = (1 + e) v: chi-square is ((1.1 v − 11)/0.5)², down to the bound at 9.4 m/s.
+#[test]
+fn a_profile_of_linear_evidence_is_a_parabola_up_to_its_bound() {
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
+        [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence.vehicle.1]\ndelta_v_magnitude = { value = 11, sd = 0.5 }\n\
+        [unknown]\nvehicle.1.speed = { start = 12, min = 9.4 }\n";
+    let found: Value = serde_json::from_str(&text(case, &["--profile", "--format", "json"]).out).expect("JSON");
+    let levels = found["unknown"]["vehicle.1.speed"]["profile"].as_array().expect("a profile");
+    assert_eq!(levels.len(), 6);
+    for (level, (chi_square, confidence)) in
+        levels.iter().zip([(0.25, 0.382925), (1.0, 0.682689), (2.25, 0.866386), (4.0, 0.954500), (6.25, 0.987581), (9.0, 0.997300)])
+    {
+        assert_eq!(number(&level["chi_square"]), chi_square);
+        near(number(&level["level"]), confidence, 1e-6);
+        let far = chi_square.sqrt() * 0.5 / 1.1;
+        near(number(&level["high"]), 10.0 + far, 5e-4 * far);
+        near(number(&level["low"]), (10.0 - far).max(9.4), 5e-4 * far);
+    }
+    // ΔV follows, within the same bound.
+    let derived = found["derived"]["vehicle.1.delta_v_magnitude"]["profile"].as_array().expect("a profile");
+    near(number(&derived[5]["high"]), 12.5, 1e-3);
+    near(number(&derived[5]["low"]), 10.34, 1e-3);
+    let said = text(case, &["--profile"]).out;
+    let row = said.lines().find(|line| line.starts_with("vehicle.1.speed") && line.contains("11.36")).expect("a row of the profile");
+    let cells: Vec<&str> = row.split_whitespace().collect();
+    assert_eq!(cells, ["vehicle.1.speed", "9.55", "10.45", "9.40", "11.36", "m/s"], "{said}");
+    assert!(
+        serde_json::from_str::<Value>(&text(case, &["--format", "json"]).out).expect("JSON")["unknown"]["vehicle.1.speed"]["profile"]
+            .is_null()
+    );
+}
