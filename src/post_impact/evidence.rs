@@ -348,3 +348,66 @@ impl fmt::Display for NoSeparation {
 }
 
 impl core::error::Error for NoSeparation {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn separation(covariance: [[f64; 3]; 3], [x, y, yaw_rate]: [f64; 3]) -> Separation {
+        let by_friction = Motion { velocity: Xy { x, y }, yaw_rate };
+        Separation { motion: Motion::rest(), covariance: MotionCovariance(covariance), by_friction, fit: None }
+    }
+
+    /// By hand: a covariance over both deviations, of one vehicle from its own matrix, and of two from what the friction does to both.
+    #[test]
+    fn each_pair_has_its_own_correlation() {
+        let one = separation([[4.0, 1.0, 0.5], [1.0, 9.0, -0.6], [0.5, -0.6, 0.25]], [1.0, 0.0, 0.2]);
+        let two = separation([[1.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 1.0, 0.5]);
+        let found = SeparationEvidence::of([Some(&one), Some(&two)]).correlations;
+        let [x, y, spin] = [Output::VelocityX, Output::VelocityY, Output::YawRate];
+        let (first, second) = (Side::One, Side::Two);
+        let wanted = [
+            (x(first), y(first), 1.0 / 6.0),
+            (x(first), spin(first), 0.5),
+            (y(first), spin(first), -0.4),
+            (x(first), y(second), 0.25),
+            (x(first), spin(second), 0.25),
+            (spin(first), y(second), 0.2),
+            (spin(first), spin(second), 0.2),
+        ];
+        assert_eq!(found.len(), wanted.len(), "{found:?}");
+        for (found, (one, other, coefficient)) in found.iter().zip(wanted) {
+            assert_eq!((found.one, found.other), (Measurand::Output(one), Measurand::Output(other)));
+            assert!((found.coefficient - coefficient).abs() < 1e-15, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_slide_that_misses_any_part_of_the_pose_is_beyond_it() {
+        let rest = RestEvidence {
+            separation: Pose::default(),
+            rest: Pose::default(),
+            position_deviation: Xy { x: 0.3, y: 0.2 },
+            heading_deviation: 0.1,
+            friction_deviation: 0.05,
+            points: Vec::new(),
+        };
+        let miss = |x, y, heading| {
+            let miss = Miss { position: Xy { x, y }, heading };
+            let fit = SlideFit {
+                iterations: 1,
+                starts: 1,
+                converged: 1,
+                miss,
+                points: Vec::new(),
+                chi_square: 0.0,
+                degrees_of_freedom: 0,
+                probability: 1.0,
+                others: Vec::new(),
+            };
+            Separation { fit: Some(fit), ..separation([[1.0; 3]; 3], [0.0; 3]) }.miss_beyond(&rest) == Some(miss)
+        };
+        assert!(miss(0.31, 0.0, 0.0) && miss(0.0, -0.21, 0.0) && miss(0.0, 0.0, -0.11));
+        assert!(!miss(0.29, 0.19, 0.09) && !miss(0.0, 0.0, 0.0));
+    }
+}

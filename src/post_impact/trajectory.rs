@@ -448,4 +448,16 @@ mod tests {
             assert!(off < 1e-3, "{rest:?} {pose:?}");
         }
     }
+
+    #[test]
+    fn what_stands_stays_and_what_the_grade_takes_rolls_back_at_once() {
+        let on_a_grade = |wheels, grade| {
+            let ground = Ground { grade: Xy { x: grade, y: 0.0 }, ..Ground::uniform(0.7) };
+            Slide { vehicle: SlidingVehicle::sedan(wheels), ground }.to_rest(&Pose::default(), &Motion::rest())
+        };
+        let rest = on_a_grade(Wheels::all(Wheel::LOCKED), 0.05).expect("it stands");
+        assert_eq!((rest.time, rest.pose, rest.distance()), (0.0, Pose::default(), 0.0));
+        let rolls = on_a_grade(Wheels::all(Wheel::ROLLING), 0.05);
+        assert!(matches!(rolls, Err(NoRest::RollsBack(state)) if state.time == 0.0), "{rolls:?}");
+    }
 }

@@ -205,3 +205,35 @@ fn unfit(case: &Case, i: usize, separation: &Separation) -> Option<Issue> {
     let help = "check the heading at rest, whole turns counted, and which wheels are locked";
     Some(Issue::at("no-separation", path, message).with_help(help))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planar_impact::post_impact::{Miss, MotionCovariance, SlideFit};
+
+    fn separation(chi_square: f64, others: Vec<Separation>) -> Separation {
+        let miss = Miss { position: Xy::zero(), heading: 0.0 };
+        let (points, probability) = (Vec::new(), 1.0);
+        let fit = SlideFit { iterations: 1, starts: 1, converged: 1, miss, points, chi_square, degrees_of_freedom: 1, probability, others };
+        let covariance = MotionCovariance([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        Separation { motion: Motion::rest(), covariance, by_friction: Motion::rest(), fit: Some(fit) }
+    }
+
+    /// By hand: three separations each, with these sums of chi-square.
+    #[test]
+    fn combinations_begin_with_the_best_and_end_at_the_eighth() {
+        let alone = |chi_square| separation(chi_square, Vec::new());
+        let one = separation(1.0, vec![alone(3.0), alone(7.0)]);
+        let two = separation(0.5, vec![alone(1.0), alone(20.0)]);
+        let (all, notices) = combinations(&[Some(one.clone()), Some(two)]);
+        assert_eq!(all.iter().map(chi_square).collect::<Vec<_>>(), [1.5, 2.0, 3.5, 4.0, 7.5, 8.0, 21.0, 23.0]);
+        let codes: Vec<_> = notices.0.iter().map(|notice| notice.code).collect();
+        assert_eq!(codes, ["other-separations", "other-separations", "many-separations"]);
+        // What has no deviations cannot be weighed, and a vehicle without a rest position has one choice.
+        let mut unknown = alone(0.1);
+        unknown.covariance.0[0][0] = f64::INFINITY;
+        let (all, notices) = combinations(&[None, Some(separation(0.5, vec![unknown]))]);
+        assert!(all.len() == 1 && all[0][0].is_none() && notices.0.is_empty());
+        assert!(all[0][1].as_ref().and_then(|two| two.fit.as_ref()).is_some_and(|fit| fit.others.is_empty()));
+    }
+}

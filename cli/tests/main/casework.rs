@@ -305,6 +305,8 @@ fn a_straight_slide_is_that_of_a_block() {
         [rest.vehicle.1]\nfront_axle = 1.2\nrear_axle = 1.4\ntrack = 1.5\n\
         wheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }\n";
     let (solved, slid) = (json_of(&["solve"], case), json_of(&["slide"], case));
+    let says_where = |slid: &Value| slid.to_string().contains("places are counted from where each vehicle separated");
+    assert!(!says_where(&slid) && says_where(&json_of(&["slide"], &case.replace("[scene]\nimpact_point = [10, -3]\n", ""))));
     let speed = number(&solved["vehicles"][0]["velocity"][0]);
     let (distance, time) = (speed * speed / (2.0 * 0.6 * GRAVITY), speed / (0.6 * GRAVITY));
     let [vehicle] = &slid["vehicles"].as_array().expect("a list")[..] else { panic!("one vehicle has wheels") };

@@ -91,13 +91,18 @@ fn points_beside_the_path_are_off_by_their_distance() {
     close(&of_center["time"], (6.0 - (36.0 - 2.0 * drag).sqrt()) / drag, 1e-5);
     let text = run_with_input(&["slide", "-"], &block("friction = 0.6", points)).out;
     assert!(text.contains("2 rear right") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
-    let drawing = run_with_input(
-        &["draw", "-"],
-        &block("friction = 0.6", points)
-            .replace("[unknown]\nvehicle.1.speed = 10\n", "")
-            .replace("heading = 0\nimpact_center = [2, 0]", "heading = 0\nspeed = 10\nimpact_center = [2, 0]"),
-    );
+    let solved = block("friction = 0.6", points)
+        .replace("[unknown]\nvehicle.1.speed = 10\n", "")
+        .replace("heading = 0\nimpact_center = [2, 0]", "heading = 0\nspeed = 10\nimpact_center = [2, 0]");
+    let drawing = run_with_input(&["draw", "-"], &solved);
     assert_eq!(drawing.out.matches("class=\"given-point given-point-1\"").count(), 2, "{}", drawing.err);
+    // Places are counted from the separation, and the scene from the impact, 2 m ahead of it.
+    let scene = printed(&run_with_input(&["draw", "-", "--format", "json"], &solved), 0);
+    let of_scene = &scene["vehicles"][0]["slide"]["points"];
+    assert_eq!(of_scene.as_array().map(Vec::len), Some(2));
+    close(&of_scene[0]["given"][0], -1.0, 1e-12);
+    close(&of_scene[0]["given"][1], 0.1, 1e-12);
+    close(&of_scene[1]["computed"][0], 0.6 - 2.0, 1e-6);
 }
 
 fn example() -> String {
@@ -112,6 +117,14 @@ fn each_separation_is_reconstructed_and_points_decide() {
     assert_eq!((&several["verdict"], &several["other_separations"]), (&json!("several solutions"), &json!(true)));
     let others = several["by_other_separations"].as_array().expect("others");
     let speeds = || std::iter::once(&several).chain(others).map(|answer| number(&answer["unknown"]["vehicle.1.speed"]["value"]) * 3.6);
+    let codes = |answer: &Value| -> Vec<Value> {
+        let messages = answer["messages"].as_array().into_iter().flatten();
+        messages
+            .map(|message| message["code"].clone())
+            .filter(|code| code.as_str().is_some_and(|code| code.contains("separation")))
+            .collect()
+    };
+    assert_eq!(codes(&several), ["separation-from-rest", "other-separations"]);
     assert!(others.len() >= 2 && speeds().any(|speed| (speed - 75.3).abs() < 0.5), "{:?}", speeds().collect::<Vec<_>>());
     for other in others {
         assert_eq!(other["verdict"], "agrees");
@@ -126,6 +139,7 @@ fn each_separation_is_reconstructed_and_points_decide() {
     assert_eq!((&answer["verdict"], &answer["other_separations"]), (&json!("agrees"), &json!(false)));
     close(&answer["unknown"]["vehicle.1.speed"]["value"], 75.3 / 3.6, 0.2);
     close(&answer["unknown"]["vehicle.2.speed"]["value"], 60.8 / 3.6, 0.2);
+    assert_eq!(codes(&answer), ["separation-from-rest"]);
     let fit = &answer["separations"][0]["fit"];
     assert_eq!((fit["points"].as_array().map(Vec::len), &fit["degrees_of_freedom"]), (Some(4), &json!(4)));
     let residuals = fit["points"].as_array().expect("points").iter().map(|point| number(&point["standardised_residual"]).powi(2));
@@ -133,6 +147,33 @@ fn each_separation_is_reconstructed_and_points_decide() {
     let heading = number(&fit["heading"]) / 5.0_f64.to_radians();
     close(&fit["chi_square"], residuals.sum::<f64>() + x * x + y * y + heading * heading, 1e-9);
     assert!(number(&fit["chi_square"]) < 4.0 && number(&fit["probability"]) > 0.1, "{fit}");
+}
+
+/// A straight slide to x cannot come past a point a meter beside it.
+#[test]
+fn points_that_no_slide_passes_contradict_the_rest_position() {
+    let points = "position = [\"3.06 m ± 0.1 m\", \"0 m ± 0.1 m\"]\nheading = \"0 deg ± 3 deg\"\npoints = [{ position = [\"1 m ± 0.05 m\", \"1 m ± 0.05 m\"] }]";
+    let case = block("friction = \"0.6 ± 0.05\"", points);
+    let (before, after) = case.split_once("[evidence]\n").expect("evidence");
+    let (_, rest) = after.split_once("[unknown]").expect("an unknown");
+    let answer = printed(&run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{before}[unknown]{rest}")), 1);
+    assert_eq!(answer["verdict"], "contradicted");
+    let codes: Vec<&Value> = answer["messages"].as_array().into_iter().flatten().map(|message| &message["code"]).collect();
+    assert!(codes.contains(&&json!("points-contradict-rest")), "{codes:?}");
+}
+
+/// By hand: v² = 2 μ g d, so the standard deviation of v has half those of μ and of d, as shares.
+#[test]
+fn the_deviation_of_a_separation_is_that_of_distance_and_friction() {
+    let at_rest = "position = [\"3.06 m ± 0.153 m\", \"0 m ± 0.3 m\"]\nheading = \"0 deg ± 3 deg\"";
+    let case = block("friction = \"0.6 ± 0.06\"", at_rest);
+    let (before, after) = case.split_once("[evidence]\n").expect("evidence");
+    let (_, rest) = after.split_once("[unknown]").expect("an unknown");
+    let answer = printed(&run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{before}[unknown]{rest}")), 0);
+    let separation = &answer["separations"][0];
+    let speed = (2.0 * 0.6 * GRAVITY * 3.06_f64).sqrt();
+    close(&separation["velocity"][0], speed, 1e-4);
+    close(&separation["sd"][0], speed * 0.1_f64.hypot(0.05) / 2.0, 1e-4);
 }
 
 /// Evidence is normal: any distribution counts by its mean and standard deviation, and says so.

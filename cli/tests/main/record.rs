@@ -115,6 +115,29 @@ fn noise_is_in_the_impulse() {
     let (record, run) = record_of(&late.join("\n"), None);
     assert_eq!(record["barrier"]["normal_impulse"]["sd"], Value::Null);
     assert!(run.out.contains("no-baseline"), "{}", run.out);
+    // Of an acceleration the same noise in m/s², times the mass, which is exact.
+    let (record, _) = record_of(&csv("acceleration [m/s^2]", &[&|ms| 100.0 * pulse(ms) + noise(ms)]), Some("mass = 1500\n"));
+    let one = &record["accelerations"][0];
+    close(&one["delta_v"]["sd"], sd * 1e-3, 1e-3);
+    close(&one["impulse"]["sd"], 1500.0 * one["delta_v"]["sd"].as_f64().expect("a number"), 1e-9);
+}
+
+/// The unloaded samples are those before the time zero, whatever the window: the offset is 2 kN, and the half-sine from 20 ms on has F T (1 + cos 36°)/π.
+#[test]
+fn a_late_window_takes_its_offset_from_before_the_contact() {
+    let samples = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms) + 2.0]);
+    let (record, run) = record_of(&samples, Some("window = [\"20 ms\", \"100 ms\"]\n"));
+    assert_eq!(run.status, 0, "{}", run.err);
+    close(&record["barrier"]["normal_impulse"]["value"], 1e5 * 0.1 / PI * (1.0 + (0.2 * PI).cos()), 1e-6);
+}
+
+/// By hand: a test of 1500 kg at 5 m/s with an impulse of 250 kN · 2 T/π leaves faster than it came.
+#[test]
+fn an_impossible_restitution_is_a_warning() {
+    let (record, run) = record_of(&barrier(), Some("mass = 1500\nspeed = \"5 m/s\"\n"));
+    close(&record["barrier"]["restitution"]["value"], 250e3 * AREA / 7500.0 - 1.0, 2e-5);
+    assert!(run.out.contains("implausible-restitution") && run.out.contains("the restitution by the load cells is 1.12"), "{}", run.out);
+    assert!(!record_of(&barrier(), Some(CAR)).1.out.contains("implausible-restitution"));
 }
 
 #[test]
@@ -160,6 +183,10 @@ fn an_acceleration_and_a_film_agree_with_the_forces() {
     // The samples are exact; the speed is known to 1 %.
     close(&one["restitution"]["sd"], 0.01 * change / 10.0, 1e-6);
     assert!(one["delta_v"]["sd"].as_f64().is_some_and(|sd| sd < 1e-9));
+    // Of a sensor with the other sign everything has the other sign, its extreme too.
+    let mirrored = record_of(&csv("acceleration [g]", &[&|ms| -160.0 / 9.80665 * pulse(ms)]), None).0;
+    close(&mirrored["accelerations"][0]["peak"]["value"], -160.0, 2e-3);
+    close(&mirrored["accelerations"][0]["delta_v"]["value"], -change, 1e-6);
     // That of the closing speed, and what the curved distances of the contact add.
     assert!(film["restitution"]["sd"].as_f64().is_some_and(|sd| (0.01 * (change / 10.0 - 1.0)..5e-4).contains(&sd)));
     close(&film["closing_speed"]["sd"], 0.1, 1e-9);
@@ -173,6 +200,18 @@ fn an_acceleration_and_a_film_agree_with_the_forces() {
     let (record, _) = record_of(&samples, Some("mass = \"1500 kg\"\nseparation = \"115 ms\"\n"));
     close(&record["films"][0]["closing_speed"]["value"], 10.0, 1e-6);
     assert_eq!(record["accelerations"][0]["restitution"], Value::Null);
+    // Nine samples are in a line unless the file says otherwise, and it separates where the window ends.
+    let film = |settings: &str| record_of(&samples, Some(&format!("{CAR}{settings}"))).0["films"][0].clone();
+    assert_eq!(film("neighbors = 9\n"), film(""));
+    assert_ne!(film("neighbors = 7\n"), film(""));
+    let windowed = film("window = [\"0 ms\", \"110 ms\"]\n");
+    close(&windowed["separation"], 0.11, 1e-9);
+    assert_eq!(film("window = [\"0 ms\", \"110 ms\"]\nseparation = \"115 ms\"\n")["separation"], 0.115);
+    // To first order: the restitution of the film with an exact speed, and what 1 % of the speed is of it.
+    let [exact, measured] = ["\"10 m/s\"", "\"10 m/s ± 1 m/s\""]
+        .map(|speed| record_of(&samples, Some(&format!("speed = {speed}\n"))).0["films"][0]["restitution"].clone());
+    let (restitution, sd) = (measured["value"].as_f64().expect("a number"), exact["sd"].as_f64().expect("a number"));
+    close(&measured["sd"], sd.hypot(0.1 * restitution), 1e-3);
 }
 
 #[test]
@@ -188,6 +227,10 @@ fn clipped_and_truncated_copies_are_recognised() {
     let channel = "[[channel]]\ncolumn = \"normal_force\"\nquantity = \"normal_force\"\nrange = \"100 kN\"\n";
     let whole = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
     assert_eq!(record_of(&whole, Some(channel)).0["channels"][0]["clipped"]["samples"], 1);
+    // A range in g is one of standard gravity.
+    let at_range = csv("acceleration [m/s^2]", &[&|ms| 16.0 * 9.80665 * pulse(ms)]);
+    let channel = "[[channel]]\ncolumn = \"acceleration\"\nquantity = \"acceleration\"\nrange = \"16 g\"\n";
+    assert_eq!(record_of(&at_range, Some(channel)).0["channels"][0]["clipped"]["samples"], 1);
     let cut: Vec<&str> = whole.lines().take(1000).collect();
     let (record, run) = record_of(&cut.join("\n"), None);
     assert!(run.status == 1 && record["channels"][0]["is_truncated"] == true && run.out.contains("it ends at 0.080 s"), "{}", run.out);
@@ -240,11 +283,19 @@ fn a_recorder_by_hand() {
     let step = 6.0 * kmh; // the least step of its speeds
     close(&at_impact["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
     assert!(run.out.contains("speed-before-impact"));
+    // What it fell by earlier does not matter.
+    let (earlier, _) = record_of(&recorder("").replace("\n-1,60", "\n-2,80,,\n-1,60"), None);
+    close(&earlier["recorder"]["speed_at_impact"]["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
     // At the time zero nothing is added, and a given resolution and a relative error are.
     let (record, run) = record_of(&recorder("0,50,,\n").replace("\n0,,0,0", ""), Some("resolution = \"2 km/h\"\nrelative = 0.1\n"));
     let with = |value: f64| (2.0 * kmh / 12_f64.sqrt()).hypot(0.1 * value * kmh);
     close(&record["recorder"]["speed_at_impact"]["sd"], with(50.0), 1e-9);
-    close(&record["recorder"]["maximum"]["forward"]["sd"], with(40.0), 1e-9);
+    let maximum = &record["recorder"]["maximum"];
+    close(&maximum["forward"]["sd"], with(40.0), 1e-9);
+    close(&maximum["left"]["sd"], with(30.0), 1e-9);
+    close(&maximum["magnitude"]["sd"], (0.8 * with(40.0)).hypot(0.6 * with(30.0)), 1e-9);
+    // The lateral component turns the direction more than the longitudinal one.
+    close(&maximum["pdof"]["sd"], (30.0 * with(40.0)).hypot(40.0 * with(30.0)) / (2500.0 * kmh), 1e-9);
     assert!(!run.out.contains("speed-before-impact") && !run.out.contains("resolution-assumed"), "{}", run.out);
     // To the right as to the left with the other sign.
     let (left, _) = record_of(&recorder("").replace("right", "left"), None);
@@ -421,10 +472,15 @@ fn a_clipped_sensor_inside_a_recorder_is_recognized() {
     let [sensor] = &record["recorder"]["clipped_sensors"].as_array().expect("sensors")[..] else { panic!("one sensor") };
     assert_eq!((&sensor["channel"], &sensor["from"], &sensor["to"]), (&json!("delta_v_forward"), &json!(0.01), &json!(0.03)));
     close(&sensor["acceleration"], 490.0, 1e-9);
+    let said = run.out.contains("the sensor of delta_v_forward is clipped: from 0.010 s to 0.030 s the velocity changes by up to 490");
+    assert!(said, "{}", run.out);
     assert_eq!(record["recorder"]["is_lower_bound"], true);
     let (record, run) = record_of(samples, Some("accelerometer_range = \"60 g\"\nresolution = \"0.1 m/s\""));
     assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)));
     assert!(record["recorder"].get("clipped_sensors").is_none());
+    // In steps of 3 m/s no change tells 4.9 m/s from less.
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"50 g\"\nresolution = \"3 m/s\""));
+    assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)), "{}", run.out);
 }
 
 /// As in the documentation of `MeasuredContact::restitution`: e = (0.5 + Ω (0.2 cos 0.05 + 1.5 sin 0.05))/10, with a standard deviation from that of the
@@ -443,6 +499,12 @@ fn kinematics_give_the_restitution_of_the_contact_point() {
     close(&found["restitution"]["sd"], 0.02_f64.hypot(0.003 * 0.05_f64.cos()), 1e-9);
     close(&found["separation"][0], -0.774719, 1e-6);
     close(&found["heading_at_separation"], 0.05, 1e-12);
+    // Without an uncertainty of its numbers its own is not known.
+    folder.write("exact.toml", kinematics.replace(" ± 0.03 m", "").replace(" ± 0.2 m/s", "").as_bytes());
+    let exact = crate::process::run(folder.path(), &["record", "exact.toml", "--format", "json"]);
+    let exact: Value = serde_json::from_str(&exact.out).expect("JSON");
+    let restitution = &exact["records"][0]["kinematics"]["restitution"];
+    assert_eq!((&restitution["value"], &restitution["sd"]), (&found["restitution"]["value"], &Value::Null));
     // It is evidence of a barrier test.
     let tests = "schema = 1\n[[vehicle]]\n[[vehicle.test]]\nmass = 1500\nspeed = \"10 m/s\"\nspeed_sd = \"0.1 m/s\"\nrestitution = { record = \"kinematics.toml\" }\nwidth = 1.5\ndepths = [0.3, 0.3]\n\
         [fit]\nb0 = \"2 m/s\"\n";
