@@ -52,7 +52,7 @@ pub(crate) use instructions::Vectors;
 use self::derivative::Question;
 use self::lanes::Block;
 use self::row::{Fused, Row};
-use self::tile::{Asked, Column, ROWS, Tile};
+use self::tile::{ANGLES, Asked, Column, ROWS, Tile};
 use crate::collision::Collision;
 use crate::input::Input;
 use crate::output::{Output, Outputs};
@@ -244,22 +244,24 @@ impl<'a> Batch<'a> {
     fn ask<Q: Question>(&self, of: &[Output], is_checked: bool, question: &Q) -> (Columns, Vec<Vec<f64>>, Vec<Refused>) {
         let mut answer = Answer::of(of, question.numbers(), self.rows());
         let mut tile = Box::new(Tile::new());
-        for (column, common) in tile.inputs.iter_mut().zip(self.common) {
-            *column = [common; ROWS];
-        }
+        let mut copies = Box::new(self.common.map(|common| [common; ROWS]));
         let mut block = Block::asking(question);
+        let mut is_turned = [true; ANGLES.len()];
         let has_angles = of.iter().any(|output| matches!(output, Output::PrincipalDirectionOfForce(_)));
         for start in (0..self.rows()).step_by(ROWS) {
             let rows = start..(start + ROWS).min(self.rows());
-            self.fill(&mut tile, rows.clone());
+            let inputs = self.inputs(&mut copies, rows.clone());
             for form in self.forms_of(rows.clone()) {
                 if form.is_in_tiles() {
+                    let asked =
+                        Asked { tile: &mut tile, inputs: &inputs, form, is_turned, is_checked, has_angles, scalar: PhantomData::<Row> };
                     if self.is_fast && self.instructions.are_fused() {
-                        self.instructions.run(&mut Asked { tile: &mut tile, form, is_checked, has_angles, scalar: PhantomData::<Fused> });
+                        self.instructions.run(&mut asked.on::<Fused>());
                     } else {
-                        self.instructions.run(&mut Asked { tile: &mut tile, form, is_checked, has_angles, scalar: PhantomData::<Row> });
+                        self.instructions.run(&mut { asked });
                     }
-                    block.answer(self.instructions, form, &tile, rows.clone());
+                    is_turned = ANGLES.map(|angle| self.columns[angle.index()].is_some());
+                    block.answer(self.instructions, form, &inputs, rows.clone());
                     answer.take(&tile, &block.answers, rows.clone(), |row| self.has_form(row, form));
                 }
                 // Where every row of the tile has its answer there is nothing to look for.
@@ -278,14 +280,19 @@ impl<'a> Batch<'a> {
         (Columns::new(of, answer.outputs), answer.slopes, answer.refused)
     }
 
-    /// Copies rows into a tile; the places that remain have the numbers of the last row.
-    fn fill(&self, tile: &mut Tile, rows: Range<usize>) {
-        for (to, column) in tile.inputs.iter_mut().zip(&self.columns) {
-            let Some(column) = column else { continue };
-            let (given, rest) = to.split_at_mut(rows.len());
-            given.copy_from_slice(&column[rows.clone()]);
-            rest.fill(column[rows.end - 1]);
+    /// Returns the numbers of a tile: rows of the columns, where they fill it, or else copies of them, with those of the last row in the places that remain.
+    fn inputs<'c>(&'c self, copies: &'c mut [Column; Input::COUNT], rows: Range<usize>) -> [&'c Column; Input::COUNT] {
+        if rows.len() < ROWS {
+            for (to, column) in copies.iter_mut().zip(&self.columns) {
+                let Some(column) = column else { continue };
+                let (given, rest) = to.split_at_mut(rows.len());
+                given.copy_from_slice(&column[rows.clone()]);
+                rest.fill(column[rows.end - 1]);
+            }
         }
+        let copies = &*copies;
+        let of_column = |column: &'c [f64]| <&Column>::try_from(&column[rows.clone()]).ok();
+        core::array::from_fn(|i| self.columns[i].and_then(of_column).unwrap_or(&copies[i]))
     }
 
     /// Returns the forms of some rows, each once.
@@ -327,7 +334,8 @@ fn alone<Q: Question>(collision: &Collision, row: usize, is_checked: bool, quest
 
 impl<'a> Answer<'a> {
     fn of(of: &'a [Output], slopes: usize, rows: usize) -> Self {
-        Answer { of, outputs: vec![vec![0.0; rows]; of.len()], slopes: vec![vec![0.0; rows]; slopes], refused: Vec::new() }
+        let columns = |count: usize| (0..count).map(|_| Vec::with_capacity(rows)).collect();
+        Answer { of, outputs: columns(of.len()), slopes: columns(slopes), refused: Vec::new() }
     }
 
     /// Takes some rows from a tile.
@@ -335,6 +343,12 @@ impl<'a> Answer<'a> {
         let outputs = self.of.iter().map(|output| &tile.outputs[output.index()]);
         let all = rows.clone().all(&is_taken);
         for (from, to) in outputs.chain(slopes).zip(self.outputs.iter_mut().chain(&mut self.slopes)) {
+            // Rows of other forms follow in their places.
+            if to.len() == rows.start {
+                to.extend_from_slice(&from[..rows.len()]);
+                continue;
+            }
+            to.resize(rows.end, f64::NAN);
             let to = &mut to[rows.clone()];
             if all {
                 to.copy_from_slice(&from[..rows.len()]);
@@ -345,6 +359,9 @@ impl<'a> Answer<'a> {
     }
 
     fn put(&mut self, row: usize, alone: Alone) {
+        for column in self.outputs.iter_mut().chain(&mut self.slopes).filter(|column| column.len() <= row) {
+            column.resize(row + 1, f64::NAN);
+        }
         match alone {
             Ok((outputs, slopes)) => {
                 self.of.iter().zip(&mut self.outputs).for_each(|(output, column)| column[row] = outputs[*output]);

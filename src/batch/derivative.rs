@@ -84,7 +84,7 @@ impl Question for Nothing {
 /// What are the derivatives of some outputs by some inputs?
 struct OfAll<'a> {
     of: &'a [Output],
-    by: &'a [Input],
+    by: Vec<usize>,
 }
 
 impl Question for OfAll<'_> {
@@ -106,18 +106,18 @@ impl Question for OfAll<'_> {
         }
         collision.write_sensitivities_of(impact, table);
         for (of, to) in self.of.iter().zip(to.chunks_exact_mut(self.by.len())) {
-            write(&table[*of].by, self.by, to);
+            write(&table[*of].by, &self.by, to);
         }
     }
 }
 
 /// What are the derivatives of one output by some inputs?
-struct OfOne<'a> {
+struct OfOne {
     of: Output,
-    by: &'a [Input],
+    by: Vec<usize>,
 }
 
-impl Question for OfOne<'_> {
+impl Question for OfOne {
     fn numbers(&self) -> usize {
         self.by.len()
     }
@@ -131,7 +131,7 @@ impl Question for OfOne<'_> {
         _: &mut Outputs<Sensitive<T>>,
         to: &mut [T],
     ) {
-        write(&collision.sensitivity_of(impact, self.of).by, self.by, to);
+        write(&collision.sensitivity_of(impact, self.of).by, &self.by, to);
     }
 }
 
@@ -139,7 +139,7 @@ impl Question for OfOne<'_> {
 struct OfSum<'a> {
     of: &'a [Output],
     weights: &'a [Numbers<'a>],
-    by: &'a [Input],
+    by: Vec<usize>,
 }
 
 impl Question for OfSum<'_> {
@@ -160,7 +160,7 @@ impl Question for OfSum<'_> {
         _: &mut Outputs<Sensitive<T>>,
         to: &mut [T],
     ) {
-        write(&collision.pullback_of(impact, self.of.iter().copied().zip(given.iter().copied())), self.by, to);
+        write(&collision.pullback_of(impact, self.of.iter().copied().zip(given.iter().copied())), &self.by, to);
     }
 }
 
@@ -226,10 +226,15 @@ impl Question for Spread<'_> {
 }
 
 #[inline(always)]
-fn write<T: Copy>(gradient: &Gradient<T>, by: &[Input], to: &mut [T]) {
-    for (input, to) in by.iter().zip(to) {
-        *to = gradient[*input];
+fn write<T: Copy>(gradient: &Gradient<T>, by: &[usize], to: &mut [T]) {
+    for (place, to) in by.iter().zip(to) {
+        *to = gradient.0[*place];
     }
+}
+
+/// Returns the places of inputs in a gradient, found once and not in every row.
+fn places(by: &[Input]) -> Vec<usize> {
+    by.iter().map(|input| input.index()).collect()
 }
 
 impl Batch<'_> {
@@ -251,14 +256,14 @@ impl Batch<'_> {
     #[must_use]
     pub fn sensitivities(&self, of: &[Output], by: &[Input]) -> Derivatives<(Output, Input)> {
         let pairs: Vec<_> = of.iter().flat_map(|of| by.iter().map(move |by| (*of, *by))).collect();
-        self.derive(of, &pairs, &OfAll { of, by })
+        self.derive(of, &pairs, &OfAll { of, by: places(by) })
     }
 
     /// Computes one output of every row with its derivatives by inputs, as [`Collision::sensitivity`] does: faster than all, with other rounding.
     #[must_use]
     pub fn sensitivity(&self, of: Output, by: &[Input]) -> Derivatives<(Output, Input)> {
         let pairs: Vec<_> = by.iter().map(|by| (of, *by)).collect();
-        self.derive(&[of], &pairs, &OfOne { of, by })
+        self.derive(&[of], &pairs, &OfOne { of, by: places(by) })
     }
 
     /// Computes the derivatives by inputs of the sum of outputs, each times its weight, as [`Collision::pullback`] does: the product of a row vector with the
@@ -271,7 +276,7 @@ impl Batch<'_> {
     pub fn pullback(&self, weights: &[(Output, Numbers<'_>)], by: &[Input]) -> Derivatives<Input> {
         let (of, weights): (Vec<Output>, Vec<Numbers<'_>>) = weights.iter().copied().unzip();
         self.assert_rows(&weights);
-        self.derive(&of, by, &OfSum { of: &of, weights: &weights, by })
+        self.derive(&of, by, &OfSum { of: &of, weights: &weights, by: places(by) })
     }
 
     /// Computes the derivatives of outputs along a direction of the inputs, as [`Collision::pushforward`] does: the product of the Jacobian of each row with a

@@ -10,7 +10,7 @@ use core::ops::Range;
 use super::derivative::Question;
 use super::form::{Form, MomentForm};
 use super::instructions::{Instructions, Vectors};
-use super::tile::{Column, NOTHING, ROWS, Tile};
+use super::tile::{Column, NOTHING, ROWS};
 use crate::frame::{CrushPlane, Heading};
 use crate::input::{Input, Side};
 use crate::output::Outputs;
@@ -55,14 +55,14 @@ impl<'q, Q: Question> Block<'q, Q> {
         }
     }
 
-    /// Answers for some rows of one form, which a tile has.
-    pub(super) fn answer(&mut self, instructions: Instructions, form: Form, tile: &Tile, rows: Range<usize>) {
+    /// Answers for some rows of one form, which fill a tile.
+    pub(super) fn answer(&mut self, instructions: Instructions, form: Form, inputs: &[&Column; Input::COUNT], rows: Range<usize>) {
         if self.to.is_empty() {
             return;
         }
         self.form = form;
         for place in (0..rows.len()).step_by(WIDTH) {
-            self.gather(tile, place, &rows);
+            self.gather(inputs, place, &rows);
             instructions.run(self);
         }
     }
@@ -78,9 +78,9 @@ impl<'q, Q: Question> Block<'q, Q> {
     }
 
     /// Takes the rows at a place; the lanes that remain have the numbers of the last row.
-    fn gather(&mut self, tile: &Tile, place: usize, rows: &Range<usize>) {
+    fn gather(&mut self, inputs: &[&Column; Input::COUNT], place: usize, rows: &Range<usize>) {
         self.place = place;
-        for (lanes, column) in self.inputs.iter_mut().zip(&tile.inputs) {
+        for (lanes, column) in self.inputs.iter_mut().zip(inputs) {
             *lanes = Row::new(core::array::from_fn(|lane| column[place + lane]));
         }
         for (lanes, numbers) in self.given.iter_mut().zip(self.question.given()) {

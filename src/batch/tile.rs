@@ -25,10 +25,12 @@ pub(super) type Column = [f64; ROWS];
 
 pub(super) const NOTHING: Column = [0.0; ROWS];
 
+/// The inputs that are directions.
+pub(super) const ANGLES: [Input; 3] = [Input::Heading(Side::One), Input::Heading(Side::Two), Input::CrushPlane];
+
 /// Rows of one form.
 #[repr(align(64))]
 pub(super) struct Tile {
-    pub(super) inputs: [Column; Input::COUNT],
     pub(super) outputs: [Column; Output::COUNT],
     /// Cosine and sine of both headings and of the crush plane.
     directions: [[Column; 2]; 3],
@@ -43,7 +45,10 @@ pub(super) struct Tile {
 /// What is asked of a tile, to be computed on a scalar.
 pub(super) struct Asked<'a, N> {
     pub(super) tile: &'a mut Tile,
+    pub(super) inputs: &'a [&'a Column; Input::COUNT],
     pub(super) form: Form,
+    /// Whether the headings and the crush plane are other than in the tile before.
+    pub(super) is_turned: [bool; 3],
     /// Whether the impact is possible.
     pub(super) is_checked: bool,
     /// Whether arctangents are.
@@ -51,19 +56,27 @@ pub(super) struct Asked<'a, N> {
     pub(super) scalar: PhantomData<N>,
 }
 
+impl<'a, N> Asked<'a, N> {
+    /// Returns the same on another scalar.
+    pub(super) fn on<M>(self) -> Asked<'a, M> {
+        let Asked { tile, inputs, form, is_turned, is_checked, has_angles, .. } = self;
+        Asked { tile, inputs, form, is_turned, is_checked, has_angles, scalar: PhantomData }
+    }
+}
+
 impl<N: Number> Vectors for Asked<'_, N> {
     const FUSED: bool = N::FUSED;
 
     #[inline(always)]
     fn compute(&mut self) {
-        self.tile.evaluate::<N>(self.form, self.is_checked, self.has_angles);
+        self.tile.turn::<N>(self.inputs, self.is_turned);
+        self.tile.evaluate::<N>(self.inputs, self.form, self.is_checked, self.has_angles);
     }
 }
 
 impl Tile {
     pub(super) const fn new() -> Self {
         Tile {
-            inputs: [NOTHING; Input::COUNT],
             outputs: [NOTHING; Output::COUNT],
             directions: [[NOTHING; 2]; 3],
             forces: [[NOTHING; 2]; 2],
@@ -77,13 +90,19 @@ impl Tile {
         self.possible.iter().fold(false, |any, possible| any | (*possible == 0))
     }
 
+    /// Computes the directions that are other than in the tile before.
+    #[inline(always)]
+    fn turn<N: Number>(&mut self, inputs: &[&Column; Input::COUNT], is_turned: [bool; 3]) {
+        for ((angle, is_turned), [cos, sin]) in ANGLES.into_iter().zip(is_turned).zip(&mut self.directions) {
+            if is_turned {
+                sines::<N>(inputs[angle.index()], sin, cos);
+            }
+        }
+    }
+
     /// Computes the outputs of every row.
     #[inline(always)]
-    fn evaluate<N: Number>(&mut self, form: Form, is_checked: bool, has_angles: bool) {
-        let angles = [Input::Heading(Side::One), Input::Heading(Side::Two), Input::CrushPlane];
-        for (angle, [cos, sin]) in angles.into_iter().zip(&mut self.directions) {
-            sines::<N>(&self.inputs[angle.index()], sin, cos);
-        }
+    fn evaluate<N: Number>(&mut self, inputs: &[&Column; Input::COUNT], form: Form, is_checked: bool, has_angles: bool) {
         // Each form is a loop of its own, without a choice in it. A barrier is one even if the other party is.
         let Form { is_vehicle: [one, two], ratio, law, .. } = form;
         macro_rules! of_form {
@@ -91,7 +110,7 @@ impl Tile {
                 match (one, two, ratio) {
                     $(($one, $two, RatioForm::$ratio) => {
                         let form = Form { is_vehicle: [$one, $two], ratio: RatioForm::$ratio, law, ..Form::default() };
-                        if is_checked { self.mechanics::<N, true>(form) } else { self.mechanics::<N, false>(form) }
+                        if is_checked { self.mechanics::<N, true>(inputs, form) } else { self.mechanics::<N, false>(inputs, form) }
                     })*
                     (false, false, _) => (),
                 }
@@ -106,8 +125,8 @@ impl Tile {
     }
 
     #[inline(always)]
-    fn mechanics<N: Number, const CHECKED: bool>(&mut self, form: Form) {
-        let Tile { inputs, outputs, directions, forces, critical, possible } = self;
+    fn mechanics<N: Number, const CHECKED: bool>(&mut self, inputs: &[&Column; Input::COUNT], form: Form) {
+        let Tile { outputs, directions, forces, critical, possible } = self;
         mechanics::<N, CHECKED>(form, inputs, directions, outputs, forces, critical, possible);
     }
 
@@ -165,7 +184,7 @@ fn angles<N: Number>(right: &Column, ahead: &Column, angle: &mut Column) {
 #[inline(always)]
 fn mechanics<N: Number, const CHECKED: bool>(
     form: Form,
-    inputs: &[Column; Input::COUNT],
+    inputs: &[&Column; Input::COUNT],
     directions: &[[Column; 2]; 3],
     outputs: &mut [Column; Output::COUNT],
     forces: &mut [[Column; 2]; 2],
