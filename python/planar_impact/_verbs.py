@@ -395,6 +395,7 @@ def report(
     case: Case,
     *,
     verb: Literal["solve", "reconstruct", "crush", "crash3", "uncertainty"] | None = None,
+    posterior: bool = False,
     date: str | None = None,
     units: Units | None = None,
     sections: _Names = None,
@@ -404,6 +405,7 @@ def report(
     Args:
         case: As for :func:`solve`.
         verb: What the report is about. Default: ``"reconstruct"`` for a case with unknowns, otherwise ``"solve"``.
+        posterior: Whether to draw the posterior of a reconstruction too. Its last bits depend on the platform.
         date: A date in any words, printed as it is.
         units: Units of the report.
         sections: Parts of the report, such as ``["summary", "results"]``. Default: all that apply.
@@ -412,7 +414,7 @@ def report(
     >>> planar_impact.report(planar_impact.template("barrier"), sections="results").startswith("<!DOCTYPE html>")
     True
     """
-    return _native.report(source(case), units, verb, date, names(sections, "sections"))
+    return _native.report(source(case), units, verb, bool(posterior), date, names(sections, "sections"))
 
 
 def template(kind: str = "t-bone") -> str:

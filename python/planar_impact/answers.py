@@ -78,6 +78,7 @@ __all__ = [
     "PreCrash",
     "Predicted",
     "Probability",
+    "ProfileLevel",
     "Reconstruction",
     "ReconstructionComparison",
     "ReconstructionReconstruction",
@@ -822,16 +823,34 @@ class Posterior(Facts[Any]):
     """The standard deviation."""
 
 
+class ProfileLevel(Facts[Any]):
+    """The values at which the profile of the likelihood reaches a height."""
+
+    __slots__ = ()
+
+    chi_square: float
+    """Its height: chi-square of the best fit of everything else, above the least one."""
+    high: float | None
+    """The same above it."""
+    level: float
+    """The level of confidence of the interval between the two."""
+    low: float | None
+    """The value below the best one; ``null`` if nothing limits it. A bound or a limit of the physics has one value for all heights
+    beyond."""
+
+
 class Derived(Facts[Any]):
     """What follows from the unknowns, in the best solution."""
 
     __slots__ = ()
-    _parts = {"interval": Interval, "posterior": Posterior}
+    _parts = {"interval": Interval, "posterior": Posterior, "profile": ProfileLevel}
 
     interval: Interval
     """The range that the evidence, all bounds and the physics allow."""
     posterior: Posterior | None
     """Its posterior, on request."""
+    profile: list[ProfileLevel] | None
+    """The profile of the likelihood, outwards, on request."""
     sd: float | None
     """Its standard deviation, from those of the unknowns; ``null`` if one of them has none."""
     value: float | None
@@ -1030,7 +1049,7 @@ class Unknown(Facts[Any]):
     """An unknown in the best solution."""
 
     __slots__ = ()
-    _parts = {"interval": Interval, "posterior": Posterior}
+    _parts = {"interval": Interval, "posterior": Posterior, "profile": ProfileLevel}
 
     at_bound: str | None
     """``min`` or ``max`` if it lies on a bound."""
@@ -1044,6 +1063,8 @@ class Unknown(Facts[Any]):
     """Its lower bound in the file."""
     posterior: Posterior | None
     """Its posterior, on request."""
+    profile: list[ProfileLevel] | None
+    """The profile of the likelihood, outwards, on request."""
     sd: float | None
     """Its standard deviation; ``null`` if there is none, as with exact evidence or at a bound."""
     value: float | None
@@ -1054,7 +1075,7 @@ class ReconstructionReconstruction(Facts[Any]):
     """A collision found from evidence, in SI and radians."""
 
     __slots__ = ()
-    _parts = {"by_other_separations": ReconstructionReconstruction, "correlation": partial(Facts, part=Facts), "covariance": partial(Facts, part=Facts), "crash3": ReconstructionComparison, "derived": partial(Facts, part=Derived), "diagnostics": Diagnostic, "evidence": partial(Facts, part=Evidence), "furthest_off": FurthestOff, "influence": partial(Facts, part=Facts), "open_directions": Facts, "other_minima": Alternative, "posterior": Draws, "priors": partial(Facts, part=Evidence), "probabilities": Facts, "separations": SeparationFromRest, "solution": ReconstructionSolution, "solutions": Alternative, "unknown": partial(Facts, part=Unknown), "without_bounds": Alternative, "worse": Alternative}
+    _parts = {"correlation": partial(Facts, part=Facts), "covariance": partial(Facts, part=Facts), "crash3": ReconstructionComparison, "derived": partial(Facts, part=Derived), "diagnostics": Diagnostic, "evidence": partial(Facts, part=Evidence), "furthest_off": FurthestOff, "influence": partial(Facts, part=Facts), "open_directions": Facts, "other_minima": Alternative, "posterior": Draws, "priors": partial(Facts, part=Evidence), "probabilities": Facts, "separations": SeparationFromRest, "solution": ReconstructionSolution, "solutions": Alternative, "unknown": partial(Facts, part=Unknown), "without_bounds": Alternative, "worse": Alternative}
 
     by_other_separations: list[ReconstructionReconstruction]
     """The answers from the other separations that lead to the same rest positions, the best first."""
@@ -1131,6 +1152,9 @@ class ReconstructionReconstruction(Facts[Any]):
     """The best fit without bounds, if it lies outside the bounds."""
     worse: list[Alternative]
     """Deprecated name of ``other_minima``."""
+
+
+ReconstructionReconstruction._parts["by_other_separations"] = ReconstructionReconstruction
 
 
 class Reconstruction(Answer):
@@ -1971,6 +1995,8 @@ class Trace(Facts[Any]):
     """What it records."""
     times: list[float]
     """Times, in s."""
+    unfiltered: list[float] | None
+    """Values before the filter, in SI; ``null`` if it is not filtered."""
 
 
 class RecordAnswer(Facts[Any]):

@@ -306,10 +306,11 @@ pub fn report(
     case: &Source,
     units: Option<&str>,
     verb: Option<&str>,
+    posterior: bool,
     date: Option<String>,
     sections: Vec<String>,
 ) -> PyResult<String> {
-    use planar_impact_app::report::{ReportVerb, report};
+    use planar_impact_app::report::{self, ReportVerb};
     let all = [ReportVerb::Solve, ReportVerb::Reconstruct, ReportVerb::Crush, ReportVerb::Crash3, ReportVerb::Uncertainty];
     let quoted = |names: &mut dyn Iterator<Item = &'static str>| names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
     let verb = verb.map(|name| {
@@ -322,7 +323,7 @@ pub fn report(
     };
     let (verb, parts) = (verb.transpose()?, sections.iter().map(part).collect::<PyResult<Vec<Part>>>()?);
     on_case(py, case, units, |case, units, control| {
-        let answer = report(case, verb, control)?;
+        let answer = report::report(case, &report::Options { verb, posterior }, control)?;
         Ok(html::render(&document::of_case(&answer, &document::Options { units, date, parts })?))
     })
 }

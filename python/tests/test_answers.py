@@ -91,8 +91,8 @@ FIGURES: list[tuple[Any, list[str]]] = [
     (lambda: planar_impact.sweep(EXAMPLES / "position-a.toml", vary="e=0:0.2:0.1"), ["sweep"]),
     (lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", of="dV1", samples=1000), ["uncertainty", "effects"]),
     (
-        lambda: planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", starts=8, posterior=True),
-        ["scene", "intervals", "residuals", "posterior"],
+        lambda: planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", starts=8, profile=True, posterior=True),
+        ["scene", "intervals", "residuals", "profile", "posterior"],
     ),
     (lambda: planar_impact.stiffness(EXAMPLES / "tests/malibu.toml"), ["stiffness"]),
     (lambda: planar_impact.record(EXAMPLES / "record/barrier.toml"), ["record"]),
@@ -115,4 +115,9 @@ def test_figures(verb: Any, names: list[str]) -> None:
 
 def test_a_figure_that_an_answer_does_not_have() -> None:
     assert planar_impact.crush(EXAMPLES / "cavalier-crush.toml").figures == []
-    assert planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", starts=4).to_svg("posterior") is None
+    answer = planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", starts=4)
+    assert answer.to_svg("posterior") is None and answer.to_svg("profile") is None
+    answer = planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", starts=4, profile=True)
+    speed = answer.to_dict()["unknown"]["vehicle.1.speed"]
+    assert [level["chi_square"] for level in speed["profile"]] == [0.25, 1, 2.25, 4, 6.25, 9]
+    assert speed["profile"][2]["low"] > speed["interval"]["low"] > speed["profile"][3]["low"]

@@ -49,11 +49,14 @@ class Classes:
         if name in self.schemas:
             name = prefix + name
         self.schemas[name] = schema
-        parts, lines = [], []
+        parts, late, lines = [], [], []
         required = schema.get("required", ())
         for key, entry in schema["properties"].items():
             hint, part = self.kind(entry, prefix, definitions)
-            if part:
+            if re.search(rf"\b{name}\b", part):
+                # A class that holds others of itself has a name only after its body.
+                late.append(f'{name}._parts["{key}"] = {part}')
+            elif part:
                 parts.append(f'"{key}": {part}')
             if key in TAKEN or not key.isidentifier() or keyword.iskeyword(key):
                 continue
@@ -63,9 +66,9 @@ class Classes:
             if described := entry.get("description"):
                 lines.append(docstring(described))
         body = [docstring(schema.get("description", f"{name}.")), "", "    __slots__ = ()"]
-        if parts:
+        if parts or late:
             body.append("    _parts = {" + ", ".join(parts) + "}")
-        self.text[name] = "\n".join([f"class {name}({base}):", *body, "", *lines])
+        self.text[name] = "\n".join([f"class {name}({base}):", *body, "", *lines, *(["", "", *late] if late else [])])
         return name
 
     def kind(self, schema: dict[str, Any], prefix: str, definitions: dict[str, Any]) -> tuple[str, str]:

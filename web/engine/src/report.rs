@@ -1,6 +1,6 @@
 //! The report of a case: one file to hand in.
 
-use planar_impact_app::report::report as report_of;
+use planar_impact_app::report;
 use planar_impact_app::{Issues, Units};
 use planar_impact_report::{document, html};
 use wasm_bindgen::prelude::*;
@@ -16,7 +16,7 @@ pub fn report(case: &str) -> Reply {
         let case = input.case().map_err(|issues| Reply::refusal(&issues, input.units_or(Units::Si)))?;
         let units = input.units(&case);
         let write = || -> Result<String, Issues> {
-            let answer = report_of(&case, None, &Reporter)?;
+            let answer = report::report(&case, &report::Options::default(), &Reporter)?;
             Ok(html::render(&document::of_case(&answer, &document::Options { units, date: None, parts: Vec::new() })?))
         };
         write().map_err(|issues| Reply::refusal(&issues, units))
