@@ -118,7 +118,8 @@ fn parabola(best: f64, sd: f64, x: &std::ops::Range<f64>, top: f64) -> Vec<(f64,
     let (low, high) = ((best - half).max(x.start), (best + half).min(x.end));
     let point = |i: i32| {
         let value = low + (high - low) * f64::from(i) / f64::from(POINTS);
-        (value, ((value - best) / sd).powi(2))
+        let root = (value - best) / sd;
+        (value, root * root)
     };
     (0..=POINTS).map(point).collect()
 }
