@@ -13,6 +13,8 @@ const PANEL: u32 = 236;
 const FOOT: u32 = 34;
 /// Width of the numbers and the name of the vertical axis, in pixels.
 const LEFT: u32 = 52;
+/// Width beside a panel, in pixels.
+const RIGHT: u32 = 26;
 /// Number of panels beside each other.
 const COLUMNS: usize = 2;
 
@@ -40,7 +42,8 @@ pub fn profile(answer: &Answer<Reconstruction>, units: Units) -> Result<Option<S
     page(&title, &format!("Profiles of the likelihood. {description}."), height, |area| {
         let (body, foot) = area.split_vertically(px(PANEL * rows as u32));
         for (curve, panel) in curves.iter().zip(body.split_evenly((rows, COLUMNS))) {
-            curve.draw(&panel)?;
+            // Half of a number may stand beyond the axis.
+            curve.draw(&panel.margin(0, 0, 0, px(RIGHT)))?;
         }
         legend(&foot)
     })
