@@ -341,7 +341,6 @@ impl<'a> Answer<'a> {
     /// Takes some rows from a tile.
     fn take(&mut self, tile: &Tile, slopes: &[Column], rows: Range<usize>, is_taken: impl Fn(usize) -> bool) {
         let outputs = self.of.iter().map(|output| &tile.outputs[output.index()]);
-        let all = rows.clone().all(&is_taken);
         for (from, to) in outputs.chain(slopes).zip(self.outputs.iter_mut().chain(&mut self.slopes)) {
             // Rows of other forms follow in their places.
             if to.len() == rows.start {
@@ -349,12 +348,8 @@ impl<'a> Answer<'a> {
                 continue;
             }
             to.resize(rows.end, f64::NAN);
-            let to = &mut to[rows.clone()];
-            if all {
-                to.copy_from_slice(&from[..rows.len()]);
-            } else {
-                rows.clone().zip(from).zip(to).filter(|((row, _), _)| is_taken(*row)).for_each(|((_, from), to)| *to = *from);
-            }
+            let rows = rows.clone().zip(from).zip(&mut to[rows.clone()]);
+            rows.filter(|((row, _), _)| is_taken(*row)).for_each(|((_, from), to)| *to = *from);
         }
     }
 

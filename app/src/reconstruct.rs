@@ -2,6 +2,7 @@
 
 mod answer;
 pub mod diagnostics;
+mod estimated;
 mod from_crush;
 mod from_rest;
 mod from_skids;
@@ -32,6 +33,7 @@ use question::{Question, key_of};
 use statement::Statement;
 
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, ProfileLevel, Reconstruction, Unknown};
+pub use estimated::Estimated;
 pub use from_rest::{SeparationFromRest, SlideFit};
 pub use posterior::{Draws, PairDensity, Posterior, PosteriorDensity};
 

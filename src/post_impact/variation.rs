@@ -115,16 +115,14 @@ impl Slide {
         let last: TrajectoryState = end.state.passing(end.time);
         self.stand_still(&last)?;
         let mut by = [[0.0; VARIED]; 3];
-        for varied in 0..VARIED {
-            let slide = equations.slide(varied);
-            let state = if end.time > 0.0 { at_the_event(slide, along(&end.state, varied), self) } else { along(&end.state, varied) };
-            let (at, motion) = on_duals(state);
-            if last.motion == Motion::rest() {
-                continue;
-            }
-            let rest = slide.after_remainder(&at, &motion);
-            for (row, value) in by.iter_mut().zip([rest.position.x, rest.position.y, rest.heading]) {
-                row[varied] = value.eps;
+        if last.motion != Motion::rest() {
+            for varied in 0..VARIED {
+                let (slide, state) = (equations.slide(varied), along(&end.state, varied));
+                let (at, motion) = on_duals(if end.time > 0.0 { at_the_event(slide, state, self) } else { state });
+                let rest = slide.after_remainder(&at, &motion);
+                for (row, value) in by.iter_mut().zip([rest.position.x, rest.position.y, rest.heading]) {
+                    row[varied] = value.eps;
+                }
             }
         }
         let mut states = end.path;

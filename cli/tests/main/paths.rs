@@ -21,6 +21,14 @@ fn block(rest: &str, of_vehicle: &str) -> String {
     )
 }
 
+/// Reconstructs the block from where it came to rest, without other evidence.
+fn from_rest_alone(friction: &str, of_vehicle: &str, status: i32) -> Value {
+    let case = block(&format!("friction = {friction}"), of_vehicle);
+    let (before, after) = case.split_once("[evidence]\n").expect("evidence");
+    let (_, rest) = after.split_once("[unknown]").expect("an unknown");
+    printed(&run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{before}[unknown]{rest}")), status)
+}
+
 fn printed(run: &Run, status: i32) -> Value {
     assert_eq!((run.status, run.err.as_str()), (status, ""));
     serde_json::from_str(&run.out).expect("JSON")
@@ -153,10 +161,7 @@ fn each_separation_is_reconstructed_and_points_decide() {
 #[test]
 fn points_that_no_slide_passes_contradict_the_rest_position() {
     let points = "position = [\"3.06 m ± 0.1 m\", \"0 m ± 0.1 m\"]\nheading = \"0 deg ± 3 deg\"\npoints = [{ position = [\"1 m ± 0.05 m\", \"1 m ± 0.05 m\"] }]";
-    let case = block("friction = \"0.6 ± 0.05\"", points);
-    let (before, after) = case.split_once("[evidence]\n").expect("evidence");
-    let (_, rest) = after.split_once("[unknown]").expect("an unknown");
-    let answer = printed(&run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{before}[unknown]{rest}")), 1);
+    let answer = from_rest_alone("\"0.6 ± 0.05\"", points, 1);
     assert_eq!(answer["verdict"], "contradicted");
     let codes: Vec<&Value> = answer["messages"].as_array().into_iter().flatten().map(|message| &message["code"]).collect();
     assert!(codes.contains(&&json!("points-contradict-rest")), "{codes:?}");
@@ -166,10 +171,7 @@ fn points_that_no_slide_passes_contradict_the_rest_position() {
 #[test]
 fn the_deviation_of_a_separation_is_that_of_distance_and_friction() {
     let at_rest = "position = [\"3.06 m ± 0.153 m\", \"0 m ± 0.3 m\"]\nheading = \"0 deg ± 3 deg\"";
-    let case = block("friction = \"0.6 ± 0.06\"", at_rest);
-    let (before, after) = case.split_once("[evidence]\n").expect("evidence");
-    let (_, rest) = after.split_once("[unknown]").expect("an unknown");
-    let answer = printed(&run_with_input(&["reconstruct", "-", "--format", "json"], &format!("{before}[unknown]{rest}")), 0);
+    let answer = from_rest_alone("\"0.6 ± 0.06\"", at_rest, 0);
     let separation = &answer["separations"][0];
     let speed = (2.0 * 0.6 * GRAVITY * 3.06_f64).sqrt();
     close(&separation["velocity"][0], speed, 1e-4);

@@ -1,7 +1,7 @@
 //! The unknowns of a reconstruction and what follows from them: estimates, intervals, bounds, and where it is drawn the posterior.
 
 use planar_impact_app::issue::Issues;
-use planar_impact_app::reconstruct::{Derived, Interval, Posterior, Reconstruction, Unknown};
+use planar_impact_app::reconstruct::{Estimated, Interval, Posterior, Reconstruction};
 use planar_impact_app::units::Measure;
 use planar_impact_app::{Answer, Units};
 use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, ShapeStyle, WHITE};
@@ -56,16 +56,12 @@ struct Row<'a> {
     posterior: Option<&'a Posterior>,
 }
 
-fn rows(answer: &Reconstruction) -> Vec<Row<'_>> {
-    let of_unknown = answer.unknown.iter().map(|(name, unknown)| {
-        let Unknown { value, measure, min, max, .. } = *unknown;
-        Row { name, measure, value, interval: &unknown.interval, bounds: [min, max], posterior: unknown.posterior.as_ref() }
-    });
-    let of_derived = answer.derived.iter().map(|(name, derived)| {
-        let Derived { value, measure, .. } = *derived;
-        Row { name, measure, value, interval: &derived.interval, bounds: [None, None], posterior: derived.posterior.as_ref() }
-    });
-    of_unknown.chain(of_derived).collect()
+fn rows<'a>(answer: &'a Reconstruction) -> Vec<Row<'a>> {
+    let row = |of: Estimated<'a>| {
+        let Estimated { name, measure, value, interval, bounds, posterior, .. } = of;
+        Row { name, measure, value, interval, bounds, posterior }
+    };
+    answer.estimates().map(row).collect()
 }
 
 impl Row<'_> {

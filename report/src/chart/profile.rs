@@ -1,8 +1,7 @@
 //! The profile of the likelihood of each unknown, and of what follows from them.
 
 use planar_impact_app::issue::Issues;
-use planar_impact_app::reconstruct::{ProfileLevel, Reconstruction};
-use planar_impact_app::units::Measure;
+use planar_impact_app::reconstruct::{Estimated, ProfileLevel, Reconstruction};
 use planar_impact_app::{Answer, Units};
 use plotters::prelude::{Circle, Color};
 
@@ -60,19 +59,17 @@ struct Curve {
 }
 
 fn curves(answer: &Reconstruction, units: Units) -> Vec<Curve> {
-    let curve = |name: &str, measure: Measure, value: Option<f64>, sd: Option<f64>, levels: Option<&[ProfileLevel]>| {
-        let (best, levels) = (value?, levels?);
-        let convert = |si: f64| units.convert(measure, si);
+    let curve = |of: Estimated<'_>| {
+        let (best, levels) = (of.value?, of.profile?);
+        let convert = |si: f64| units.convert(of.measure, si);
         let ends =
-            |of: fn(&ProfileLevel) -> Option<f64>| levels.iter().filter_map(move |level| Some((convert(of(level)?), level.chi_square)));
+            |end: fn(&ProfileLevel) -> Option<f64>| levels.iter().filter_map(move |level| Some((convert(end(level)?), level.chi_square)));
         let (below, above) = (ends(|level| level.low), ends(|level| level.high));
         let points = below.rev().chain([(convert(best), 0.0)]).chain(above).collect();
-        let sd = sd.map(|sd| (convert(best + sd) - convert(best)).abs());
-        Some(Curve { name: with_unit(name, units.unit(measure)), best: convert(best), sd, points }).filter(Curve::varies)
+        let sd = of.sd.map(|sd| (convert(best + sd) - convert(best)).abs());
+        Some(Curve { name: with_unit(of.name, units.unit(of.measure)), best: convert(best), sd, points }).filter(Curve::varies)
     };
-    let unknown = answer.unknown.iter().filter_map(|(name, of)| curve(name, of.measure, of.value, of.sd, of.profile.as_deref()));
-    let derived = answer.derived.iter().filter_map(|(name, of)| curve(name, of.measure, of.value, of.sd, of.profile.as_deref()));
-    unknown.chain(derived).collect()
+    answer.estimates().filter_map(curve).collect()
 }
 
 impl Curve {

@@ -11,9 +11,7 @@ use crate::block::{Block, Table};
 /// Renders means, medians and shortest ranges, then the probabilities that were asked for; nothing without a posterior.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let Some(draws) = &answer.posterior else { return Vec::new() };
-    let unknown = answer.unknown.iter().map(|(name, unknown)| (name, unknown.measure, unknown.posterior.as_ref()));
-    let derived = answer.derived.iter().map(|(name, derived)| (name, derived.measure, derived.posterior.as_ref()));
-    let all = unknown.chain(derived).filter_map(|(name, measure, posterior)| Some((name, measure, posterior?)));
+    let all = answer.estimates().filter_map(|of| Some((of.name, of.measure, of.posterior?)));
     let rows = all.flat_map(|(name, measure, posterior)| {
         let road = units.on_the_road(measure).map(|road| row("", road, posterior, units));
         [Some(row(name, measure, posterior, units)), road].into_iter().flatten()

@@ -11,14 +11,12 @@ const HEIGHTS: [f64; 2] = [1.0, 9.0];
 
 /// Renders how far each quantity goes until the best fit of everything else is worse by a height; nothing without profiles.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
-    let unknown = answer.unknown.iter().map(|(name, of)| (name, of.measure, of.sd, of.profile.as_deref()));
-    let derived = answer.derived.iter().map(|(name, of)| (name, of.measure, of.sd, of.profile.as_deref()));
-    let all: Vec<_> = unknown.chain(derived).filter_map(|(name, measure, sd, levels)| Some((name, measure, sd, shown(levels?)?))).collect();
-    let Some((.., levels)) = all.first() else { return Vec::new() };
+    let all: Vec<_> = answer.estimates().filter_map(|of| Some((of, shown(of.profile?)?))).collect();
+    let Some((_, levels)) = all.first() else { return Vec::new() };
     let [near, far] = levels.map(|level| format!("{} from", share(level.level)));
-    let rows = all.iter().flat_map(|(name, measure, sd, levels)| {
-        let road = units.on_the_road(*measure).map(|road| row("", road, *sd, levels, units));
-        [Some(row(name, *measure, *sd, levels, units)), road].into_iter().flatten()
+    let rows = all.iter().flat_map(|(of, levels)| {
+        let road = units.on_the_road(of.measure).map(|road| row("", road, of.sd, levels, units));
+        [Some(row(of.name, of.measure, of.sd, levels, units)), road].into_iter().flatten()
     });
     let table = Table::new(["profile", &near, "to", &far, "to", "unit"], "lrrrrl", rows.collect()).narrow();
     let what = "Chi-square of the best fit of everything else rises by 1 up to the inner ends, and by 9 up to the outer ones.";
