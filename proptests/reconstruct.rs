@@ -5,6 +5,7 @@ mod calibration;
 mod closed_form;
 mod coverage;
 mod diagnosis;
+mod guaranteed;
 mod intervals;
 mod posterior;
 mod scene;

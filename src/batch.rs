@@ -50,7 +50,7 @@ pub use instructions::Instructions;
 pub(crate) use instructions::Vectors;
 
 use self::derivative::Question;
-use self::lanes::Block;
+use self::lanes::Asking;
 use self::row::{Fused, Row};
 use self::tile::{ANGLES, Asked, Column, ROWS, Tile};
 use crate::collision::Collision;
@@ -242,10 +242,10 @@ impl<'a> Batch<'a> {
 
     /// Computes outputs of every row, and the numbers of a question about its derivatives.
     fn ask<Q: Question>(&self, of: &[Output], is_checked: bool, question: &Q) -> (Columns, Vec<Vec<f64>>, Vec<Refused>) {
-        let mut answer = Answer::of(of, question.numbers(), self.rows());
+        let mut answer = Answer::of(of, self.rows());
         let mut tile = Box::new(Tile::new());
         let mut copies = Box::new(self.common.map(|common| [common; ROWS]));
-        let mut block = Block::asking(question);
+        let mut asking = Asking::of(question, self.rows());
         let mut is_turned = [true; ANGLES.len()];
         let has_angles = of.iter().any(|output| matches!(output, Output::PrincipalDirectionOfForce(_)));
         for start in (0..self.rows()).step_by(ROWS) {
@@ -261,23 +261,25 @@ impl<'a> Batch<'a> {
                         self.instructions.run(&mut { asked });
                     }
                     is_turned = ANGLES.map(|angle| self.columns[angle.index()].is_some());
-                    block.answer(self.instructions, form, &inputs, rows.clone());
-                    answer.take(&tile, &block.answers, rows.clone(), |row| self.has_form(row, form));
+                    asking.answer(self.instructions, form, &inputs, rows.clone(), |row| self.has_form(row, form));
+                    answer.take(&tile, rows.clone(), |row| self.has_form(row, form));
                 }
                 // Where every row of the tile has its answer there is nothing to look for.
-                if form.is_in_tiles() && self.forms.is_none() && !(is_checked && tile.has_impossible()) && block.are_finite() {
+                if form.is_in_tiles() && self.forms.is_none() && !(is_checked && tile.has_impossible()) && asking.are_finite() {
                     continue;
                 }
                 for (place, row) in rows.clone().enumerate().filter(|(_, row)| self.has_form(*row, form)) {
-                    let is_done = form.is_in_tiles() && !(is_checked && tile.possible[place] == 0) && block.is_finite(place);
+                    let is_done = form.is_in_tiles() && !(is_checked && tile.possible[place] == 0) && asking.is_finite(place);
                     if !is_done {
-                        answer.put(row, alone(&self.row(row), row, is_checked, question));
+                        let alone = alone(&self.row(row), row, is_checked, question);
+                        asking.put(row, alone.as_ref().ok().map(|(_, numbers)| &numbers[..]));
+                        answer.put(row, alone);
                     }
                 }
             }
         }
         answer.refused.sort_by_key(|refused| refused.row);
-        (Columns::new(of, answer.outputs), answer.slopes, answer.refused)
+        (Columns::new(of, answer.outputs), asking.into_columns(), answer.refused)
     }
 
     /// Returns the numbers of a tile: rows of the columns, where they fill it, or else copies of them, with those of the last row in the places that remain.
@@ -312,7 +314,6 @@ impl<'a> Batch<'a> {
 struct Answer<'a> {
     of: &'a [Output],
     outputs: Vec<Vec<f64>>,
-    slopes: Vec<Vec<f64>>,
     refused: Vec<Refused>,
 }
 
@@ -323,25 +324,24 @@ type Alone = Result<(Outputs, Vec<f64>), Refusals>;
 fn alone<Q: Question>(collision: &Collision, row: usize, is_checked: bool, question: &Q) -> Alone {
     let impact = if is_checked { collision.solve()? } else { collision.evaluate() };
     let given: Vec<f64> = question.given().iter().map(|numbers| numbers.at(row)).collect();
-    let mut slopes = vec![0.0; question.numbers()];
-    question.answer(collision, &impact, &given, &mut Outputs::default(), &mut slopes);
-    if slopes.iter().all(|slope| slope.is_finite()) {
-        Ok((Outputs::of(collision, &impact), slopes))
+    let mut numbers = Vec::with_capacity(question.numbers());
+    question.answer(collision, &impact, &given, &mut numbers);
+    if numbers.iter().all(|number| number.is_finite()) {
+        Ok((Outputs::of(collision, &impact), numbers))
     } else {
         Err(Refusal::OutOfFloatRange.into())
     }
 }
 
 impl<'a> Answer<'a> {
-    fn of(of: &'a [Output], slopes: usize, rows: usize) -> Self {
-        let columns = |count: usize| (0..count).map(|_| Vec::with_capacity(rows)).collect();
-        Answer { of, outputs: columns(of.len()), slopes: columns(slopes), refused: Vec::new() }
+    fn of(of: &'a [Output], rows: usize) -> Self {
+        Answer { of, outputs: of.iter().map(|_| Vec::with_capacity(rows)).collect(), refused: Vec::new() }
     }
 
     /// Takes some rows from a tile.
-    fn take(&mut self, tile: &Tile, slopes: &[Column], rows: Range<usize>, is_taken: impl Fn(usize) -> bool) {
-        let outputs = self.of.iter().map(|output| &tile.outputs[output.index()]);
-        for (from, to) in outputs.chain(slopes).zip(self.outputs.iter_mut().chain(&mut self.slopes)) {
+    fn take(&mut self, tile: &Tile, rows: Range<usize>, is_taken: impl Fn(usize) -> bool) {
+        for (output, to) in self.of.iter().zip(&mut self.outputs) {
+            let from = &tile.outputs[output.index()];
             // Rows of other forms follow in their places.
             if to.len() == rows.start {
                 to.extend_from_slice(&from[..rows.len()]);
@@ -354,18 +354,10 @@ impl<'a> Answer<'a> {
     }
 
     fn put(&mut self, row: usize, alone: Alone) {
-        for column in self.outputs.iter_mut().chain(&mut self.slopes).filter(|column| column.len() <= row) {
-            column.resize(row + 1, f64::NAN);
+        for (output, column) in self.of.iter().zip(&mut self.outputs) {
+            column.resize(column.len().max(row + 1), f64::NAN);
+            column[row] = alone.as_ref().map_or(f64::NAN, |(outputs, _)| outputs[*output]);
         }
-        match alone {
-            Ok((outputs, slopes)) => {
-                self.of.iter().zip(&mut self.outputs).for_each(|(output, column)| column[row] = outputs[*output]);
-                slopes.iter().zip(&mut self.slopes).for_each(|(slope, column)| column[row] = *slope);
-            }
-            Err(refusals) => {
-                self.outputs.iter_mut().chain(&mut self.slopes).for_each(|column| column[row] = f64::NAN);
-                self.refused.push(Refused { row, refusals });
-            }
-        }
+        self.refused.extend(alone.err().map(|refusals| Refused { row, refusals }));
     }
 }

@@ -9,6 +9,7 @@
 //! | the problem | [`ReconstructionProblem`] of [`Unknown`]s and [`Evidence`] |
 //! | the answer | [`Answer`]: a [`Verdict`] and every [`Solution`] |
 //! | answers in closed form | [`closed_form`] |
+//! | ranges that hold everything that meets exact evidence | [`GuaranteedRange`] |
 //! | intervals by profile likelihood | [`Interval`], and the [`Limit`] that makes an end |
 //! | the posterior, as draws | [`Posterior`], and the [`Marginal`] of a quantity |
 //! | diagnostics of an answer | [`diagnosis`] |
@@ -21,6 +22,7 @@
 //! | solving the forward problem and reconstructing gives the true values, for each line of the table in `guide::reconstruction`, or the undetermined quantities are named | `table.rs` |
 //! | intervals of 95 % contain the true value in 95 % of the cases, and its ranks are uniform | `calibration.rs` |
 //! | intervals by profile likelihood contain the true value as often as they say, on bounds too, and end where the best fit of the rest leaves the limit; no answer fits worse than the truth | `coverage.rs` |
+//! | whatever meets exact evidence is within the guaranteed ranges, whose ends are those of closed forms and of dense searches | `guaranteed.rs` |
 //! | intervals of linear evidence are those of the normal distribution, and what makes an end is named: a bound, the physics, a whole turn | `intervals.rs` |
 //! | draws are as frequent as integrals over a grid say, modes and bounds included; priors come back where evidence says nothing; ranks of the truth are uniform | `posterior.rs` |
 //! | the influence is the change that a change of the evidence causes, and the covariance is that caused by its errors | `answers.rs`, `the_influence_is_the_difference_that_the_evidence_makes`, `the_covariance_is_what_the_errors_of_the_evidence_make` |
@@ -45,6 +47,7 @@ mod determined;
 pub mod diagnosis;
 mod ensemble;
 mod given;
+mod guaranteed;
 mod interval;
 mod issue;
 mod limit;
@@ -68,6 +71,7 @@ mod within_limits;
 pub use crush_share::crush_share;
 pub use determined::Direction;
 pub use given::{Correlation, Evidence, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};
+pub use guaranteed::{GuaranteedRange, GuaranteedSearch, NoRange};
 pub use interval::{Interval, Method};
 pub use issue::{ReconstructionIssue, ReconstructionIssues};
 pub use limit::Limit;

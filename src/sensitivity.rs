@@ -113,6 +113,12 @@ pub struct Curved<T = f64> {
     pub twice: Hessian<T>,
 }
 
+/// What is done with the gradients of one output after the other. Not a closure, which would not always be compiled for the instructions around it.
+#[cfg(feature = "batch")]
+pub(crate) trait Gradients<T> {
+    fn take(&mut self, gradient: &Gradient<T>);
+}
+
 impl<T> Gradient<T> {
     /// Returns each input and the derivative by it, in the order of [`Input::ALL`].
     pub fn iter(&self) -> impl Iterator<Item = (Input, &T)> {
@@ -185,6 +191,19 @@ impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
         match self.moment {
             Moment::None => jacobian::write(self, &self.contact(), impact, to),
             _ => *to = by_definition(self),
+        }
+    }
+
+    /// Gives the derivatives of some outputs of a given impact by every input, one output after the other, as [`Collision::sensitivities_of`].
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn give_gradients_of(&self, impact: &Impact<T>, of: &[Output], to: &mut impl Gradients<T>) {
+        match self.moment {
+            Moment::None => jacobian::give(self, &self.contact(), impact, of, to),
+            _ => {
+                let table = by_definition(self);
+                of.iter().for_each(|of| to.take(&table[*of].by));
+            }
         }
     }
 

@@ -6,6 +6,7 @@ mod estimated;
 mod from_crush;
 mod from_rest;
 mod from_skids;
+mod guaranteed;
 mod inputs;
 mod posterior;
 mod question;
@@ -21,7 +22,7 @@ use crate::answer::Answer;
 use crate::case::{Case, Parameter};
 use crate::control::Control;
 use crate::crash3::Comparison;
-use crate::issue::{Cause, Issues};
+use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::scene::Scene;
@@ -35,6 +36,7 @@ use statement::Statement;
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, ProfileLevel, Reconstruction, Unknown};
 pub use estimated::Estimated;
 pub use from_rest::{SeparationFromRest, SlideFit};
+pub use guaranteed::Guaranteed;
 pub use posterior::{Draws, PairDensity, Posterior, PosteriorDensity};
 
 /// Options of the search, and what is asked of the posterior.
@@ -48,6 +50,10 @@ pub struct Options {
     pub level: f64,
     /// `true` for the profile of the likelihood of each unknown and of what follows from them.
     pub profile: bool,
+    /// `true` for the guaranteed range of each unknown.
+    pub guaranteed: bool,
+    /// Standard deviations at which a guaranteed range ends evidence and inputs without limits.
+    pub bounds_sd: f64,
     /// `true` to draw from the posterior.
     pub posterior: bool,
     /// Statements whose probability under the posterior is wanted, such as `vehicle.1.speed > 50 km/h`. With any, the posterior is drawn.
@@ -60,11 +66,29 @@ impl Options {
     fn draws_from_posterior(&self) -> bool {
         self.posterior || self.draws || !self.probabilities.is_empty()
     }
+
+    fn check(&self) -> Result<(), Issues> {
+        if self.bounds_sd > 0.0 && self.bounds_sd <= 40.0 {
+            return Ok(());
+        }
+        let message = format!("{} is not above 0 and at most 40", self.bounds_sd);
+        Err(Issues::of_call(vec![Issue::of_call("--bounds-sd", message, Some("for instance 3".to_owned()))]))
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { starts: 64, seed: 1, level: 0.95, profile: false, posterior: false, probabilities: Vec::new(), draws: false }
+        Options {
+            starts: 64,
+            seed: 1,
+            level: 0.95,
+            profile: false,
+            guaranteed: false,
+            bounds_sd: 3.0,
+            posterior: false,
+            probabilities: Vec::new(),
+            draws: false,
+        }
     }
 }
 
@@ -75,6 +99,7 @@ impl Default for Options {
 /// Everything wrong with the question, or why no search converges.
 pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
     control.proceed(0, 1)?;
+    options.check()?;
     case.needs_one_restitution()?;
     let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest()?);
     let mut answers: Vec<Answer<Reconstruction>> = Vec::new();
@@ -134,6 +159,8 @@ fn by_separations(
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
     let intervals = question.asked.intervals(&answer, options.level, &of);
     let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
+    let guaranteed =
+        if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };
     let drawn = if options.draws_from_posterior() {
         let sampling = Sampling { seed: options.seed, ..Sampling::default() };
         let asked = posterior::Asked { sampling, statements: &statements, level: options.level, has_values: options.draws };
@@ -150,6 +177,7 @@ fn by_separations(
         intervals,
         level: options.level,
         profile,
+        guaranteed: (guaranteed, options.bounds_sd),
         search,
         case: &solved,
         diagnostics,

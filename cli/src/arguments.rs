@@ -188,6 +188,12 @@ pub struct Reconstruct {
     /// Add the profile of the likelihood: how far chi-square rises as each quantity leaves its best value.
     #[arg(long)]
     pub profile: bool,
+    /// Add the guaranteed range of each unknown: outside of it nothing meets the evidence. Exact evidence is met exactly, and readings within half of their step.
+    #[arg(long)]
+    pub guaranteed: bool,
+    /// Standard deviations at which `--guaranteed` ends other evidence, and inputs without limits.
+    #[arg(long, value_name = "COUNT", default_value_t = 3.0)]
+    pub bounds_sd: f64,
     /// Draw from the posterior: the priors times the likelihood of the evidence.
     #[arg(long)]
     pub posterior: bool,

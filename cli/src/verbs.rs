@@ -152,6 +152,8 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
         seed: call.seed,
         level: call.level,
         profile: call.profile,
+        guaranteed: call.guaranteed,
+        bounds_sd: call.bounds_sd,
         posterior: call.posterior,
         probabilities: call.probability.clone(),
         draws: call.draws,

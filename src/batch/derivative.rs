@@ -6,9 +6,9 @@ use super::{Batch, Columns, Refused};
 use crate::collision::Collision;
 use crate::impact::Impact;
 use crate::input::Input;
-use crate::output::{Output, Outputs};
+use crate::output::Output;
 use crate::scalar::{Logic, Real};
-use crate::sensitivity::{Covariance, Gradient, Sensitive};
+use crate::sensitivity::{Covariance, Gradient, Gradients};
 
 /// A number of every row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,15 +50,25 @@ pub(super) trait Question {
         &[]
     }
 
-    /// Computes the numbers. The table is for all derivatives, should they be needed.
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        impact: &Impact<T>,
-        given: &[T],
-        table: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    );
+    /// Computes the numbers and puts them down, one after the other.
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, given: &[T], to: &mut impl Answers<T>);
+}
+
+/// The scalars of a question: one row, and several.
+pub(super) trait Scalar: Real<Mask: Logic> + Copy + Default + From<f64> {}
+
+impl<T: Real<Mask: Logic> + Copy + Default + From<f64>> Scalar for T {}
+
+/// The place of the numbers of an answer.
+pub(super) trait Answers<T: Copy> {
+    /// Puts down the next numbers, some of an array.
+    fn put<const N: usize>(&mut self, numbers: &[T; N], places: &[usize]);
+}
+
+impl Answers<f64> for Vec<f64> {
+    fn put<const N: usize>(&mut self, numbers: &[f64; N], places: &[usize]) {
+        self.extend(places.iter().map(|place| numbers[*place]));
+    }
 }
 
 /// No question.
@@ -70,15 +80,7 @@ impl Question for Nothing {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        _: &Collision<T>,
-        _: &Impact<T>,
-        _: &[T],
-        _: &mut Outputs<Sensitive<T>>,
-        _: &mut [T],
-    ) {
-    }
+    fn answer<T: Scalar>(&self, _: &Collision<T>, _: &Impact<T>, _: &[T], _: &mut impl Answers<T>) {}
 }
 
 /// What are the derivatives of some outputs by some inputs?
@@ -93,21 +95,21 @@ impl Question for OfAll<'_> {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        impact: &Impact<T>,
-        _: &[T],
-        table: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    ) {
-        if to.is_empty() {
-            return;
-        }
-        collision.write_sensitivities_of(impact, table);
-        for (of, to) in self.of.iter().zip(to.chunks_exact_mut(self.by.len())) {
-            write(&table[*of].by, &self.by, to);
-        }
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
+        collision.give_gradients_of(impact, self.of, &mut Chosen { by: &self.by, to });
+    }
+}
+
+/// Puts down the derivatives of each output by some inputs.
+struct Chosen<'a, A> {
+    by: &'a [usize],
+    to: &'a mut A,
+}
+
+impl<T: Copy, A: Answers<T>> Gradients<T> for Chosen<'_, A> {
+    #[inline(always)]
+    fn take(&mut self, gradient: &Gradient<T>) {
+        self.to.put(&gradient.0, self.by);
     }
 }
 
@@ -123,15 +125,8 @@ impl Question for OfOne {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        impact: &Impact<T>,
-        _: &[T],
-        _: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    ) {
-        write(&collision.sensitivity_of(impact, self.of).by, &self.by, to);
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
+        to.put(&collision.sensitivity_of(impact, self.of).by.0, &self.by);
     }
 }
 
@@ -152,15 +147,8 @@ impl Question for OfSum<'_> {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        impact: &Impact<T>,
-        given: &[T],
-        _: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    ) {
-        write(&collision.pullback_of(impact, self.of.iter().copied().zip(given.iter().copied())), &self.by, to);
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, given: &[T], to: &mut impl Answers<T>) {
+        to.put(&collision.pullback_of(impact, self.of.iter().copied().zip(given.iter().copied())).0, &self.by);
     }
 }
 
@@ -181,20 +169,15 @@ impl Question for Along<'_> {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        _: &Impact<T>,
-        given: &[T],
-        _: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    ) {
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, _: &Impact<T>, given: &[T], to: &mut impl Answers<T>) {
         let mut direction = [T::int(0); Input::COUNT];
         for (input, along) in self.inputs.iter().zip(given) {
             direction[input.index()] = *along;
         }
         let outputs = collision.pushforward_of(&direction);
-        self.of.iter().zip(to).for_each(|(of, to)| *to = outputs[*of]);
+        for of in self.of {
+            to.put(&[outputs[*of]], &[0]);
+        }
     }
 }
 
@@ -210,25 +193,21 @@ impl Question for Spread<'_> {
     }
 
     #[inline(always)]
-    fn answer<T: Real<Mask: Logic> + Copy + Default + From<f64>>(
-        &self,
-        collision: &Collision<T>,
-        impact: &Impact<T>,
-        _: &[T],
-        table: &mut Outputs<Sensitive<T>>,
-        to: &mut [T],
-    ) {
-        collision.write_sensitivities_of(impact, table);
-        for (of, to) in self.of.iter().zip(to) {
-            *to = self.covariance.variance_in(&table[*of].by, T::from);
-        }
+    fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
+        collision.give_gradients_of(impact, self.of, &mut Variances { covariance: self.covariance, to });
     }
 }
 
-#[inline(always)]
-fn write<T: Copy>(gradient: &Gradient<T>, by: &[usize], to: &mut [T]) {
-    for (place, to) in by.iter().zip(to) {
-        *to = gradient.0[*place];
+/// Puts down the variance of each output.
+struct Variances<'a, A> {
+    covariance: &'a Covariance,
+    to: &'a mut A,
+}
+
+impl<T: Scalar, A: Answers<T>> Gradients<T> for Variances<'_, A> {
+    #[inline(always)]
+    fn take(&mut self, gradient: &Gradient<T>) {
+        self.to.put(&[self.covariance.variance_in(gradient, T::from)], &[0]);
     }
 }
 

@@ -3,109 +3,176 @@
 //! A derivative has several times the operations of its output, and more numbers than there are registers: a loop over the rows of a tile would not become one
 //! over vectors. In lanes each operation is one, whatever surrounds it.
 
-use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::derivative::Question;
+use super::derivative::{Answers, Question};
 use super::form::{Form, MomentForm};
 use super::instructions::{Instructions, Vectors};
-use super::tile::{Column, NOTHING, ROWS};
+use super::tile::{Column, ROWS};
 use crate::frame::{CrushPlane, Heading};
 use crate::input::{Input, Side};
-use crate::output::Outputs;
 use crate::scalar::lanes::Lanes;
-use crate::sensitivity::Sensitive;
 
-/// Number of rows: four have the table of all derivatives in the first cache.
-pub(super) const WIDTH: usize = 4;
+/// Number of rows.
+const WIDTH: usize = 4;
 
 const _: () = assert!(ROWS.is_multiple_of(WIDTH), "a tile has a whole number of blocks");
 
-type Row = Lanes<WIDTH>;
+type Block = Lanes<WIDTH>;
 
-/// Rows of one form.
-pub(super) struct Block<'q, Q> {
+/// A question, and the answers so far.
+pub(super) struct Asking<'q, Q: Question> {
     question: &'q Q,
-    form: Form,
-    inputs: [Row; Input::COUNT],
-    /// The numbers of the question.
-    given: Vec<Row>,
-    table: Box<Outputs<Sensitive<Row>>>,
-    to: Vec<Row>,
-    place: usize,
-    /// The answers of a tile.
-    pub(super) answers: Vec<Column>,
-    /// Zero where every number of an answer is finite, and otherwise not a number.
-    finite: Column,
+    /// A column for each number.
+    answers: Vec<Vec<f64>>,
+    /// Zero where every number of the answer to a row of the tile is finite.
+    infinite: [u64; ROWS],
 }
 
-impl<'q, Q: Question> Block<'q, Q> {
-    pub(super) fn asking(question: &'q Q) -> Self {
-        Block {
-            question,
-            form: Form::default(),
-            inputs: [Row::default(); Input::COUNT],
-            given: question.given().iter().map(|_| Row::default()).collect(),
-            table: Box::default(),
-            to: (0..question.numbers()).map(|_| Row::default()).collect(),
-            place: 0,
-            answers: (0..question.numbers()).map(|_| NOTHING).collect(),
-            finite: NOTHING,
-        }
+impl<'q, Q: Question> Asking<'q, Q> {
+    /// Asks a question about a number of rows.
+    pub(super) fn of(question: &'q Q, rows: usize) -> Self {
+        Asking { question, answers: (0..question.numbers()).map(|_| Vec::with_capacity(rows)).collect(), infinite: [0; ROWS] }
     }
 
     /// Answers for some rows of one form, which fill a tile.
-    pub(super) fn answer(&mut self, instructions: Instructions, form: Form, inputs: &[&Column; Input::COUNT], rows: Range<usize>) {
-        if self.to.is_empty() {
+    pub(super) fn answer(
+        &mut self,
+        instructions: Instructions,
+        form: Form,
+        inputs: &[&Column; Input::COUNT],
+        rows: Range<usize>,
+        has_form: impl Fn(usize) -> bool,
+    ) {
+        if self.answers.is_empty() {
             return;
         }
-        self.form = form;
-        for place in (0..rows.len()).step_by(WIDTH) {
-            self.gather(inputs, place, &rows);
-            instructions.run(self);
-        }
+        let given = self.question.given().iter().map(|_| Block::default()).collect();
+        // Where the rows are the next of every column, whatever another form has there is written over later.
+        let are_next = self.answers.iter().all(|column| column.len() == rows.start);
+        let kept = core::array::from_fn(|place| place < rows.len() && has_form(rows.start + place));
+        self.infinite = [0; ROWS];
+        // Four lanes fill the vectors of AVX2; with those of AVX-512 the same takes longer.
+        let instructions = if instructions == Instructions::Avx512 { Instructions::Avx2 } else { instructions };
+        instructions.run(&mut Tiled { asking: self, form, inputs, given, rows, kept, are_next });
     }
 
-    /// Returns `true` if every number of the answer at a place is finite.
+    /// Returns `true` if every number of the answer at a place of the tile is finite.
     pub(super) fn is_finite(&self, place: usize) -> bool {
-        self.finite[place] == 0.0
+        self.infinite[place] == 0
     }
 
     /// Returns `true` if every number of the answers of the tile is finite.
     pub(super) fn are_finite(&self) -> bool {
-        self.finite.iter().fold(true, |all, finite| all & (*finite == 0.0))
+        self.infinite.iter().fold(0, |all, infinite| all | infinite) == 0
     }
 
-    /// Takes the rows at a place; the lanes that remain have the numbers of the last row.
-    fn gather(&mut self, inputs: &[&Column; Input::COUNT], place: usize, rows: &Range<usize>) {
-        self.place = place;
-        for (lanes, column) in self.inputs.iter_mut().zip(inputs) {
-            *lanes = Row::new(core::array::from_fn(|lane| column[place + lane]));
+    /// Puts down the answer of one row; none is known if it is refused.
+    pub(super) fn put(&mut self, row: usize, answer: Option<&[f64]>) {
+        for (i, column) in self.answers.iter_mut().enumerate() {
+            column.resize(column.len().max(row + 1), f64::NAN);
+            column[row] = answer.map_or(f64::NAN, |answer| answer[i]);
         }
-        for (lanes, numbers) in self.given.iter_mut().zip(self.question.given()) {
-            *lanes = Row::new(core::array::from_fn(|lane| numbers.at((rows.start + place + lane).min(rows.end - 1))));
+    }
+
+    /// Returns a column for each number.
+    pub(super) fn into_columns(self) -> Vec<Vec<f64>> {
+        self.answers
+    }
+}
+
+/// The rows of a tile that a question is asked about.
+struct Tiled<'a, 'q, Q: Question> {
+    asking: &'a mut Asking<'q, Q>,
+    form: Form,
+    inputs: &'a [&'a Column; Input::COUNT],
+    given: Vec<Block>,
+    rows: Range<usize>,
+    /// Whether the answer to each row is kept: it is one, and has the form.
+    kept: [bool; ROWS],
+    /// Whether every column ends where the rows begin.
+    are_next: bool,
+}
+
+impl<Q: Question> Vectors for Tiled<'_, '_, Q> {
+    #[inline(always)]
+    fn compute(&mut self) {
+        for place in (0..self.rows.len()).step_by(WIDTH) {
+            self.answer(place);
         }
     }
 }
 
-impl<Q: Question> Vectors for Block<'_, Q> {
+impl<Q: Question> Tiled<'_, '_, Q> {
+    /// Answers for the rows at a place; the lanes that remain have the numbers of the last row.
     #[inline(always)]
-    fn compute(&mut self) {
-        let number = |input: Input| self.inputs[input.index()];
-        let heading = |side| Heading::from_angle(number(Input::Heading(side)));
+    fn answer(&mut self, place: usize) {
+        let Asking { question, answers, infinite } = &mut *self.asking;
+        let mut inputs = [Block::default(); Input::COUNT];
+        for (lanes, column) in inputs.iter_mut().zip(self.inputs) {
+            *lanes = Block::of(&column[place..place + WIDTH]);
+        }
+        for (lanes, numbers) in self.given.iter_mut().zip(question.given()) {
+            *lanes = Block::new(core::array::from_fn(|lane| numbers.at((self.rows.start + place + lane).min(self.rows.end - 1))));
+        }
+        let heading = |side| Heading::from_angle(inputs[Input::Heading(side).index()]);
         let directions = [heading(Side::One), heading(Side::Two)];
         // Said once more, so that nothing is compiled for moments, which stand alone.
         let form = Form { moment: MomentForm::None, ..self.form };
-        let collision = form.collision().given(directions, CrushPlane::from_angle(number(Input::CrushPlane)), number);
-        let impact = collision.evaluate();
-        self.question.answer(&collision, &impact, &self.given, &mut self.table, &mut self.to);
-        let mut nothing = Row::default();
-        for (lanes, column) in self.to.iter().zip(&mut self.answers) {
-            column[self.place..self.place + WIDTH].copy_from_slice(lanes.as_array());
-            // Zero times a number is zero unless the number is not finite.
-            nothing = nothing + *lanes * Row::default();
+        let plane = CrushPlane::from_angle(inputs[Input::CrushPlane.index()]);
+        let collision = form.collision().given(directions, plane, |input| inputs[input.index()]);
+        let mut to = InColumns {
+            columns: answers.iter_mut(),
+            row: self.rows.start + place,
+            next: if self.are_next { (self.rows.len() - place).min(WIDTH) } else { 0 },
+            kept: &self.kept[place..place + WIDTH],
+            infinite: [0; WIDTH],
+        };
+        question.answer(&collision, &collision.evaluate(), &self.given, &mut to);
+        infinite[place..place + WIDTH].copy_from_slice(&to.infinite);
+    }
+}
+
+/// Rows of a number in one column after the other.
+struct InColumns<'a> {
+    columns: core::slice::IterMut<'a, Vec<f64>>,
+    row: usize,
+    /// How many are the next of their column.
+    next: usize,
+    /// Whether the answer to each row is kept.
+    kept: &'a [bool],
+    infinite: [u64; WIDTH],
+}
+
+impl Answers<Block> for InColumns<'_> {
+    #[inline(always)]
+    fn put<const N: usize>(&mut self, numbers: &[Block; N], places: &[usize]) {
+        let mut infinite = [0; WIDTH];
+        for (place, column) in places.iter().zip(&mut self.columns) {
+            let numbers = numbers[*place].as_array();
+            for lane in 0..WIDTH {
+                // A number less itself is zero unless it is not finite.
+                infinite[lane] |= (numbers[lane] - numbers[lane]).to_bits();
+            }
+            match self.next {
+                WIDTH => column.extend_from_slice(numbers),
+                0 => put_some(column, numbers, self.row, self.kept),
+                next => column.extend_from_slice(&numbers[..next]),
+            }
         }
-        self.finite[self.place..self.place + WIDTH].copy_from_slice(nothing.as_array());
+        for lane in 0..WIDTH {
+            self.infinite[lane] |= infinite[lane];
+        }
+    }
+}
+
+/// Puts down those rows of a number that are kept.
+#[cold]
+#[inline(never)]
+fn put_some(column: &mut Vec<f64>, numbers: &[f64; WIDTH], row: usize, kept: &[bool]) {
+    for (lane, number) in numbers.iter().enumerate().filter(|(lane, _)| kept[*lane]) {
+        column.resize(column.len().max(row + lane + 1), f64::NAN);
+        column[row + lane] = *number;
     }
 }

@@ -38,13 +38,7 @@ impl ReconstructionProblem {
     ///
     /// Every issue of the problem, such as crossed bounds or more unknowns than evidence.
     pub fn check(&self) -> Result<(), ReconstructionIssues> {
-        let mut found = IssueCollector::new();
-        unknowns(self, &mut found);
-        evidence(self, &mut found);
-        correlations(self, &mut found);
-        if self.unknowns.is_empty() {
-            found.push(ReconstructionIssue::NothingUnknown);
-        }
+        let mut found = self.issues_of_parts();
         let evidence = self.all_evidence().len();
         if self.unknowns.len() > evidence {
             found.push(ReconstructionIssue::TooLittleEvidence {
@@ -53,6 +47,22 @@ impl ReconstructionProblem {
             });
         }
         found.finish()
+    }
+
+    /// Checks everything but whether the evidence suffices.
+    pub(super) fn check_parts(&self) -> Result<(), ReconstructionIssues> {
+        self.issues_of_parts().finish()
+    }
+
+    fn issues_of_parts(&self) -> IssueCollector<ReconstructionIssue> {
+        let mut found = IssueCollector::new();
+        unknowns(self, &mut found);
+        evidence(self, &mut found);
+        correlations(self, &mut found);
+        if self.unknowns.is_empty() {
+            found.push(ReconstructionIssue::NothingUnknown);
+        }
+        found
     }
 }
 

@@ -46,6 +46,19 @@ impl<const N: usize> Lanes<N> {
         Lanes(lanes)
     }
 
+    /// Creates a value from the first numbers of a slice.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer numbers than lanes.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn of(numbers: &[f64]) -> Self {
+        let mut lanes = [0.0; N];
+        lanes.copy_from_slice(&numbers[..N]);
+        Lanes(lanes)
+    }
+
     /// Creates a value with the same number in every lane.
     #[inline(always)]
     pub const fn splat(x: f64) -> Self {

@@ -227,24 +227,37 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     /// Returns the gradient of a component of the approach velocity.
     #[inline(always)]
     pub(super) fn approach_row(&self, component: Nt<T>) -> Gradient<T> {
-        let [one, two] = &self.partials;
-        let of = |partials: &Option<BodyPartials<T>>| match partials {
-            Some(partials) => partials.of_approach(component, &self.plane),
-            None => ByVehicle::nothing(),
-        };
-        Gradient::of_parts(&of(one), &of(two), T::int(0), T::int(0))
+        let [mut one, mut two] = [ByVehicle::nothing(); 2];
+        for (to, partials) in [(&mut one, &self.partials[0]), (&mut two, &self.partials[1])] {
+            if let Some(partials) = partials {
+                *to = partials.of_approach(component, &self.plane);
+            }
+        }
+        Gradient::of_parts(&one, &two, T::int(0), T::int(0))
     }
 
     /// Returns the gradient of a component of −K P with the impulse held constant.
     #[inline(always)]
     pub(super) fn yielding_row(&self, component: Nt<T>) -> Gradient<T> {
-        let [one, two] = &self.partials;
-        let of = |partials: &Option<BodyPartials<T>>| match partials {
-            Some(partials) => partials.of_yielding(component, self.impulse),
-            None => ByVehicle::nothing(),
-        };
-        Gradient::of_parts(&of(one), &of(two), T::int(0), T::int(0))
+        let [mut one, mut two] = [ByVehicle::nothing(); 2];
+        for (to, partials) in [(&mut one, &self.partials[0]), (&mut two, &self.partials[1])] {
+            if let Some(partials) = partials {
+                *to = partials.of_yielding(component, self.impulse);
+            }
+        }
+        Gradient::of_parts(&one, &two, T::int(0), T::int(0))
     }
+}
+
+/// A gradient entry by entry, by a loop: a closure is not always compiled into the loop around it, nor for its instructions.
+macro_rules! each {
+    ($i:ident => $entry:expr) => {{
+        let mut gradient = Gradient::zero();
+        for $i in 0..Input::COUNT {
+            gradient.0[$i] = $entry;
+        }
+        gradient
+    }};
 }
 
 impl<T: Real + Copy> Gradient<T> {
@@ -265,12 +278,12 @@ impl<T: Real + Copy> Gradient<T> {
     /// Returns one gradient where the mask is true, and the other elsewhere.
     #[inline(always)]
     pub(super) fn select(mask: T::Mask, yes: &Gradient<T>, no: &Gradient<T>) -> Gradient<T> {
-        Gradient(core::array::from_fn(|i| T::select(mask.clone(), yes.0[i], no.0[i])))
+        each!(i => T::select(mask.clone(), yes.0[i], no.0[i]))
     }
 
     /// Returns a x + b y.
     #[inline(always)]
     pub(super) fn mix(a: T, x: &Gradient<T>, b: T, y: &Gradient<T>) -> Gradient<T> {
-        Gradient(core::array::from_fn(|i| a * x.0[i] + b * y.0[i]))
+        each!(i => a * x.0[i] + b * y.0[i])
     }
 }

@@ -9,6 +9,8 @@ use crate::frame::Nt;
 use crate::impact::{Impact, Response};
 use crate::law::ImpulseRatio;
 use crate::moment::Moment;
+#[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
+use crate::scalar::interval::Interval;
 use crate::scalar::{Logic, Ordered, is_finite, is_positive, is_zero, rounding, slack, tolerance};
 use crate::vehicle::Party;
 
@@ -50,6 +52,17 @@ fn has_sound_inputs<T: Ordered<Mask: Logic>>(party: &Party<T>) -> T::Mask {
         & is_finite(&vehicle.motion.yaw_rate)
 }
 
+#[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
+impl Collision<Interval> {
+    /// Returns `true` if the direction of sliding may reverse with a jump of the impulse. Where the normal change is not zero it reverses only where the
+    /// sticking impulse is along the normal, hence compressive: there the bodies stick in between, and the impulse is continuous.
+    pub(crate) fn friction_may_reverse(&self, contact: &Contact<Interval>) -> bool {
+        let ImpulseRatio::LimitedByFriction(_) = &self.impulse_ratio else { return false };
+        let moment = self.moment_impulse(contact);
+        self.sticking_change(contact, moment.as_ref()).n.contains(0.0)
+    }
+}
+
 impl<T: Ordered<Mask: Logic>> Collision<T> {
     /// Returns `true` if [`Collision::solve`] accepts the collision, given its contact and its impact.
     #[inline(always)]
@@ -69,7 +82,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns the same in exact arithmetic: of a box of collisions whose directions follow from angles, without the conditions that only rounding violates.
-    #[cfg(feature = "uncertainty")]
+    #[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
     pub(crate) fn is_possible_exactly(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
         self.parties().into_iter().fold(always::<T>(), |all, party| match party {
             Party::Barrier => all,

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
 use super::from_rest::SeparationFromRest;
+use super::guaranteed::Guaranteed;
 use super::posterior::{Drawn, Draws, Posterior};
 use super::question::{Question, measure_in, measure_of, name_in};
 use crate::answer::Answer;
@@ -134,6 +135,9 @@ pub struct Unknown {
     /// Its posterior, on request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub posterior: Option<Posterior>,
+    /// Its guaranteed range, on request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guaranteed: Option<Guaranteed>,
     /// Its lower bound in the file.
     pub min: Option<f64>,
     /// Its upper bound in the file.
@@ -263,6 +267,8 @@ pub(super) struct Solved<'a> {
     pub(super) level: f64,
     /// Intervals of the same at the heights of a profile, if it is asked for.
     pub(super) profile: Option<Vec<Height>>,
+    /// Guaranteed ranges, if they are asked for, and the standard deviations that they take.
+    pub(super) guaranteed: (Vec<planar_impact::reconstruct::GuaranteedRange>, f64),
     pub(super) search: Search,
     /// The case with the values of the best solution.
     pub(super) case: &'a Case,
@@ -369,6 +375,7 @@ impl Solved<'_> {
             interval: self.interval(Measurand::Variable(estimate.of)).map_or_else(|| self.unlimited(), |interval| self.printed(interval)),
             profile: self.profile(Measurand::Variable(estimate.of)),
             posterior: self.posterior(Measurand::Variable(estimate.of)),
+            guaranteed: self.guaranteed(estimate.of),
             min,
             max,
             is_input: self.question.inputs.contains(&estimate.of),
@@ -378,6 +385,12 @@ impl Solved<'_> {
 
     fn posterior(&self, of: Measurand) -> Option<Posterior> {
         self.drawn.as_ref()?.posterior(of)
+    }
+
+    fn guaranteed(&self, of: Variable) -> Option<Guaranteed> {
+        let (ranges, bounds_sd) = &self.guaranteed;
+        let range = ranges.iter().find(|range| range.of == of)?;
+        Some(Guaranteed::of(range, *bounds_sd, self.question))
     }
 
     fn interval(&self, of: Measurand) -> Option<&planar_impact::reconstruct::Interval> {

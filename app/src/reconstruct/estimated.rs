@@ -1,6 +1,7 @@
 //! What a reconstruction says of a quantity, whether it is an unknown or follows from them.
 
 use super::answer::{Interval, ProfileLevel, Reconstruction};
+use super::guaranteed::Guaranteed;
 use super::posterior::Posterior;
 use crate::units::Measure;
 
@@ -21,6 +22,8 @@ pub struct Estimated<'a> {
     pub bounds: [Option<f64>; 2],
     /// The profile of its likelihood, on request.
     pub profile: Option<&'a [ProfileLevel]>,
+    /// Its guaranteed range, which only an unknown has, on request.
+    pub guaranteed: Option<&'a Guaranteed>,
     /// Its posterior, on request.
     pub posterior: Option<&'a Posterior>,
 }
@@ -36,6 +39,7 @@ impl Reconstruction {
             interval: &of.interval,
             bounds: [of.min, of.max],
             profile: of.profile.as_deref(),
+            guaranteed: of.guaranteed.as_ref(),
             posterior: of.posterior.as_ref(),
         });
         let derived = self.derived.iter().map(|(name, of)| Estimated {
@@ -46,6 +50,7 @@ impl Reconstruction {
             interval: &of.interval,
             bounds: [None, None],
             profile: of.profile.as_deref(),
+            guaranteed: None,
             posterior: of.posterior.as_ref(),
         });
         unknown.chain(derived)

@@ -2,6 +2,7 @@
 
 mod diagnostics;
 mod evidence;
+mod guaranteed;
 mod headline;
 mod posterior;
 mod profile;
@@ -46,16 +47,17 @@ fn under(heading: &str, blocks: Vec<Block>) -> Vec<Block> {
     heading.into_iter().chain(blocks).collect()
 }
 
-/// Renders the verdict, the unknowns, what follows from them, and what is asked of profile and posterior alone, with title and notices.
+/// Renders the verdict, the unknowns, what follows from them, and what is asked of profile, guarantee and posterior alone, with title and notices.
 pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
     framed(answer, answer.summary(units).into_iter().chain(unknowns(answer, units)).collect(), units)
 }
 
-/// Renders the unknowns, what follows from them, and what is asked of profile and posterior.
+/// Renders the unknowns, what follows from them, and what is asked of profile, guarantee and posterior.
 fn unknowns(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let mut blocks = unknowns::blocks(answer, units);
     blocks.extend(unknowns::derived(answer, units));
     blocks.extend(profile::blocks(answer, units));
+    blocks.extend(guaranteed::blocks(answer, units));
     blocks.extend(posterior::blocks(answer, units));
     blocks
 }

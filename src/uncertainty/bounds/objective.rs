@@ -3,10 +3,8 @@
 use alloc::vec::Vec;
 
 use crate::collision::Collision;
-use crate::contact::Contact;
 use crate::impact::{Impact, Response};
 use crate::input::Side;
-use crate::law::ImpulseRatio;
 use crate::output::Output;
 use crate::scalar::Real;
 use crate::scalar::interval::{Interval, Truth};
@@ -121,7 +119,7 @@ impl<'a, M: Mapping> Objective<'a, M> {
         Enclosure {
             value,
             is_possible: collision.is_possible_exactly(&contact, &impact),
-            is_continuous: !is_cut && !friction_may_reverse(&collision, &contact),
+            is_continuous: !is_cut && !collision.friction_may_reverse(&contact),
         }
     }
 
@@ -153,12 +151,4 @@ fn response<T>(impact: &Impact<T>, side: Side) -> &Response<T> {
         Side::One => &impact.one,
         Side::Two => &impact.two,
     }
-}
-
-/// Returns `true` if the direction of sliding may reverse with a jump of the impulse. Where the normal change is not zero it reverses only where the sticking
-/// impulse is along the normal, hence compressive: there the bodies stick in between, and the impulse is continuous.
-fn friction_may_reverse(collision: &Collision<Interval>, contact: &Contact<Interval>) -> bool {
-    let ImpulseRatio::LimitedByFriction(_) = &collision.impulse_ratio else { return false };
-    let moment = collision.moment_impulse(contact);
-    collision.sticking_change(contact, moment.as_ref()).n.contains(0.0)
 }

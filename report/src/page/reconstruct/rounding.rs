@@ -32,6 +32,24 @@ fn decimals(of: f64) -> i32 {
     (1.0 - libm::log10(of.abs()).floor()).clamp(-12.0, 9.0) as i32
 }
 
+/// The side to which the end of a range is rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Toward {
+    Below,
+    Above,
+}
+
+/// Formats the end of a range with the decimals of a thousandth of its width, rounded to one side.
+pub fn ended(measure: Measure, value: f64, width: f64, toward: Toward, units: Units) -> String {
+    let decimals = decimals(units.convert(measure, width.max(1e-9) * 1e-3)).clamp(0, 9);
+    let (value, step) = (units.convert(measure, value), libm::exp10(-f64::from(decimals)));
+    let steps = match toward {
+        Toward::Below => (value / step).floor(),
+        Toward::Above => (value / step).ceil(),
+    };
+    without_sign_of_zero(format!("{:.*}", decimals as usize, steps * step))
+}
+
 /// Removes the sign of a zero, whatever its number of decimals.
 pub fn without_sign_of_zero(text: String) -> String {
     let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
