@@ -138,6 +138,7 @@ fn by_separations(
     let question = Question::of(case, separations)?;
     let statements = Statement::read_all(&options.probabilities, &question)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
+    solve_error::check(&question)?;
     let answer = question.asked.solve_while(&search, &|done, total| control.goes_on(done, total));
     let answer = answer.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
     let (solved, impact) = solved(&question.case, answer.best());

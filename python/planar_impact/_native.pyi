@@ -67,6 +67,8 @@ def reconstruct(
     seed: int,
     level: float,
     profile: bool,
+    guaranteed: bool,
+    bounds_sd: float,
     posterior: bool,
     probability: list[str],
     draws: bool,

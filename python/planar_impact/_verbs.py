@@ -173,6 +173,8 @@ def reconstruct(
     seed: int = 1,
     level: float = 0.95,
     profile: bool = False,
+    guaranteed: bool = False,
+    bounds_sd: float = 3.0,
     posterior: bool = False,
     probability: _Names = (),
     draws: bool = False,
@@ -187,6 +189,8 @@ def reconstruct(
         seed: Seed of the starts and of the posterior.
         level: Level of confidence of the intervals, from 0.5 to 0.9999.
         profile: Whether to follow the profile of the likelihood of each quantity.
+        guaranteed: Whether to find the guaranteed range of each unknown, outside of which nothing meets the evidence.
+        bounds_sd: Standard deviations at which ``guaranteed`` ends evidence and inputs without limits.
         posterior: Whether to draw from the posterior distribution.
         probability: Statements whose probability is wanted, such as ``"vehicle.1.speed > 50 km/h"``; with any, the posterior is drawn.
         draws: Whether to return each draw.
@@ -204,7 +208,7 @@ def reconstruct(
     """
     statements = names(probability, "probability")
     starts, seed = _whole(starts, "starts"), _whole(seed, "seed")
-    question = (starts, seed, float(level), bool(profile), bool(posterior), statements, bool(draws))
+    question = (starts, seed, float(level), bool(profile), bool(guaranteed), float(bounds_sd), bool(posterior), statements, bool(draws))
     with reporting(progress) as report:
         return Reconstruction(_native.reconstruct(source(case), units, *question, report), units)
 

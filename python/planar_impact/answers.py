@@ -54,6 +54,7 @@ __all__ = [
     "FormulaInput",
     "FurthestOff",
     "Gradient",
+    "Guaranteed",
     "Impulse",
     "ImpulsePlane",
     "Interval",
@@ -1045,14 +1046,40 @@ class ReconstructionSolution(Facts[Any]):
     """Vehicle 1 and vehicle 2."""
 
 
+class Guaranteed(Facts[Any]):
+    """The guaranteed range of an unknown: outside of it nothing meets the evidence, whatever the rounding."""
+
+    __slots__ = ()
+    _parts = {"at_high": Facts, "at_low": Facts}
+
+    at_high: Facts[float]
+    """The unknowns where the greatest value is attained."""
+    at_low: Facts[float]
+    """The unknowns where the least value is attained."""
+    bounds_sd: float
+    """Standard deviations within which evidence and priors without limits are taken to be."""
+    high: float
+    """No value that meets the evidence is above it."""
+    high_attained: float
+    """The greatest value that was found to meet it."""
+    is_tight: bool
+    """``true`` if both ends are attained to within a millionth."""
+    low: float
+    """No value that meets the evidence is below it."""
+    low_attained: float
+    """The least value that was found to meet it."""
+
+
 class Unknown(Facts[Any]):
     """An unknown in the best solution."""
 
     __slots__ = ()
-    _parts = {"interval": Interval, "posterior": Posterior, "profile": ProfileLevel}
+    _parts = {"guaranteed": Guaranteed, "interval": Interval, "posterior": Posterior, "profile": ProfileLevel}
 
     at_bound: str | None
     """``min`` or ``max`` if it lies on a bound."""
+    guaranteed: Guaranteed | None
+    """Its guaranteed range, on request."""
     interval: Interval
     """The range that the evidence, all bounds and the physics allow; without ends if none could be found."""
     is_input: bool

@@ -143,6 +143,8 @@ pub fn reconstruct(
     seed: u64,
     level: f64,
     profile: bool,
+    guaranteed: bool,
+    bounds_sd: f64,
     posterior: bool,
     probability: Vec<String>,
     draws: bool,
@@ -160,7 +162,7 @@ pub fn reconstruct(
         return Err(error::of(Issues::of_call(issues)));
     }
     let starts = usize::try_from(starts).unwrap_or(usize::MAX);
-    let options = Options { starts, seed, level, profile, posterior, probabilities: probability, draws };
+    let options = Options { starts, seed, level, profile, guaranteed, bounds_sd, posterior, probabilities: probability, draws };
     on_long_case(py, case, units, progress, |case, units, control| {
         let answer = Arc::new(reconstruct(case, &options, control)?);
         let (shown, title) = (answer.clone(), case.title.clone());

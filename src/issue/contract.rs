@@ -36,7 +36,7 @@ use crate::message::Message;
 /// | `does-not-rest`, `integration-failed` | the vehicle does not come to rest, or its motion cannot be integrated |
 /// | `underdetermined` | the evidence does not determine the result |
 /// | `driven`, `turned`, `too-short` | the closed form does not apply: the tires drive or turn the vehicle, or it barely moved |
-/// | `nothing-unknown`, `too-little-evidence` | there are no unknowns, or fewer pieces of evidence than unknowns |
+/// | `nothing-unknown`, `too-little-evidence` | there are no unknowns, or fewer pieces of evidence than unknowns without two bounds |
 /// | `not-in-case` | the collision has no such quantity |
 /// | `repeated` | the same quantity is given twice |
 /// | `speed-and-velocity` | a speed and a component of the same velocity are both unknown |

@@ -36,15 +36,16 @@ impl ReconstructionProblem {
     ///
     /// # Errors
     ///
-    /// Every issue of the problem, such as crossed bounds or more unknowns than evidence.
+    /// Every issue of the problem, such as crossed bounds or more unknowns without limits than evidence.
     pub fn check(&self) -> Result<(), ReconstructionIssues> {
         let mut found = self.issues_of_parts();
+        // An unknown between two limits takes none, but evidence has to say something.
+        let is_limited = |unknown: &Unknown| unknown.min.is_some() && unknown.max.is_some();
         let evidence = self.all_evidence().len();
-        if self.unknowns.len() > evidence {
-            found.push(ReconstructionIssue::TooLittleEvidence {
-                unknowns: self.unknowns.iter().map(|unknown| unknown.of).collect(),
-                evidence,
-            });
+        let unknowns = self.unknowns.iter().filter(|unknown| evidence == 0 || !is_limited(unknown));
+        let unknowns: Vec<Variable> = unknowns.map(|unknown| unknown.of).collect();
+        if unknowns.len() > evidence {
+            found.push(ReconstructionIssue::TooLittleEvidence { unknowns, evidence });
         }
         found.finish()
     }

@@ -241,6 +241,8 @@ impl<'a> Equations<'a> {
                 Variable::SkidSpeed(_) => FASTEST,
                 Variable::Input(Input::YawRate(_)) => FASTEST_TURN,
                 Variable::Input(Input::Heading(_)) => PI,
+                // That of such a change of velocity.
+                Variable::Impulse(_) => 2.0 * FASTEST * unknown.of.scale(&problem.collision, unknown.start),
                 _ => f64::INFINITY,
             };
             let around = |center: f64, by: f64| (center - by, center + by);

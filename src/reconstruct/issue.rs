@@ -30,9 +30,9 @@ pub enum ReconstructionIssue {
     },
     /// Nothing is unknown.
     NothingUnknown,
-    /// There are more unknowns than pieces of evidence, priors included.
+    /// There are more unknowns without two bounds than pieces of evidence, priors included; or unknowns alone.
     TooLittleEvidence {
-        /// The unknowns.
+        /// Those unknowns.
         unknowns: Vec<Variable>,
         /// Number of pieces of evidence.
         evidence: usize,
@@ -175,7 +175,7 @@ impl Issue for ReconstructionIssue {
         Some(match self {
             Unknown { issue, .. } | Evidence { issue, .. } => return issue.help(),
             TooLittleEvidence { .. } => {
-                "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence".into()
+                "add evidence, take an unknown as known, or give it min and max, or a standard deviation, which counts as evidence".into()
             }
             ShapeWithoutPrior(_) => "give that of the shape, with which the search takes a normal prior".into(),
             EvidenceTwice(_) => "combine them to one value with one standard deviation".into(),

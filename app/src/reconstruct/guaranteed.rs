@@ -32,7 +32,7 @@ pub struct Guaranteed {
 }
 
 /// Number of cells that the search for one unknown may divide.
-const CELLS: usize = 50_000;
+const CELLS: usize = 10_000;
 
 /// Searches for the guaranteed range of each unknown; none where nothing meets the evidence, which a notice says.
 pub(super) fn ranges(

@@ -31,6 +31,21 @@ pub fn issues(question: &Question, unsolved: &SolveError) -> Issues {
     }
 }
 
+/// Checks that there is as much evidence as there are unknowns under `[unknown]`. Uncertain inputs between limits need none.
+pub fn check(question: &Question) -> Result<(), Issues> {
+    let asked = &question.asked;
+    let evidence = asked.evidence.len() + asked.unknowns.iter().filter(|unknown| unknown.prior.is_some()).count();
+    let unknowns = asked.unknowns.iter().filter(|unknown| unknown.prior.is_some() || !question.inputs.contains(&unknown.of));
+    let unknowns: Vec<Variable> = unknowns.map(|unknown| unknown.of).collect();
+    if unknowns.len() <= evidence {
+        return Ok(());
+    }
+    let others = asked.check().err();
+    let others = others.iter().flatten().filter(|issue| !matches!(issue, ReconstructionIssue::TooLittleEvidence { .. }));
+    let few = ReconstructionIssue::TooLittleEvidence { unknowns, evidence };
+    Err(question.case.unfit(others.map(|issue| wrong(question, issue)).chain([wrong(question, &few)])))
+}
+
 /// Describes where and why the nearest search stopped, and what may help.
 fn stopped(question: &Question, nearest: &Stop) -> Message {
     let mut message = Message::from(format!("the nearest stopped after {} steps at ", nearest.iterations));
@@ -86,12 +101,7 @@ fn wrong(question: &Question, problem: &ReconstructionIssue) -> Issue {
         ReconstructionIssue::TooLittleEvidence { .. } => {
             let pieces: Vec<&str> = question.asked.evidence.iter().map(|evidence| evidence.of.name()).collect();
             let pieces = if pieces.is_empty() { String::new() } else { format!(": {}", pieces.join(", ")) };
-            let mut help = "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence".to_owned();
-            let inputs = question.asked.unknowns.iter().filter(|unknown| unknown.prior.is_none() && question.inputs.contains(&unknown.of));
-            let inputs: Vec<&str> = inputs.map(|unknown| unknown.of.name()).collect();
-            if !inputs.is_empty() {
-                help += &format!("; inputs between limits are unknowns without one: {}", inputs.join(", "));
-            }
+            let help = "add evidence, take an unknown as known, or give it a standard deviation, which counts as evidence";
             Issue::at("too-little-evidence", "unknown", format!("{problem}{pieces}")).with_help(help)
         }
         ReconstructionIssue::NotInCase(of) => not_in_case(question, *of),

@@ -325,12 +325,14 @@ separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
 
 Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of the
 physics that makes an end is named. --profile adds where chi-square has risen by 1 and by 9.
+--guaranteed adds the range outside of which nothing meets the evidence, proven with intervals: exact
+evidence exactly, readings within half a step, the rest within --bounds-sd standard deviations.
 --posterior adds the posterior: every value within the bounds of an unknown as likely as another
 unless its density is given, times the likelihood of the evidence.
 
 Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
 several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with
-its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if no search converges.
+its numbers; 2 if the input is wrong, such as more unlimited unknowns than evidence; 3 if no search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml

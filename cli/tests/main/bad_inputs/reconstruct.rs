@@ -164,6 +164,15 @@ pub(super) const UNANSWERABLE: &[Bad] = &[
         &["4 numbers are unknown", "vehicle.1.yaw_rate", "contact.impulse_ratio", "3 pieces of evidence", "crush_energy"],
     ),
     question(
+        "more unknowns than evidence, between limits",
+        &[(
+            "[unknown]\n",
+            "[unknown]\nvehicle.1.yaw_rate = { start = 0, min = -1, max = 1 }\ncontact.restitution = { start = 0.3, min = 0, max = 1 }\n",
+        )],
+        25,
+        &["4 numbers are unknown", "vehicle.1.yaw_rate", "contact.restitution", "3 pieces of evidence"],
+    ),
+    question(
         "min above max",
         &[("min = \"0 m/s\"", "min = \"20 m/s\", max = \"10 m/s\"")],
         26,

@@ -332,21 +332,6 @@ fn uncertain_inputs_that_cannot_be_solved_for() {
         &[
             wrong("uncertain inputs and no question", &[], 0, &["unknown: nothing is unknown"]).of(LOADED),
             wrong(
-                "an input between limits and little evidence",
-                &[
-                    ("\"2564 lb ± 50 lb\"", "{ min = 1000, max = 1200 }"),
-                    ("[contact]", EVIDENCE),
-                    (E, "restitution = { min = 0, max = 0.2 }"),
-                ],
-                0,
-                &[
-                    "4 numbers are unknown",
-                    "3 pieces of evidence",
-                    "inputs between limits are unknowns without one: vehicle.1.mass, contact.restitution",
-                ],
-            )
-            .of(LOADED),
-            wrong(
                 "a mean beyond the mechanics",
                 &[("[contact]", EVIDENCE), (E, "restitution = { median = 0.9, factor = 2 }")],
                 23,

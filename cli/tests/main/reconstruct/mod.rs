@@ -2,6 +2,7 @@
 
 mod forms;
 mod from_tests;
+mod guaranteed;
 mod intervals;
 mod posterior;
 mod report;

@@ -6,7 +6,7 @@ use planar_impact_app::units::{Measure, Units, trim};
 use super::rounding::{Toward, ended};
 use crate::block::{Block, Table};
 
-/// Renders the guaranteed range of each unknown, rounded outward, and the values that are found near its ends, rounded inward; nothing without ranges.
+/// Renders the guaranteed range of each unknown, rounded outward, and the values that are found near its ends; nothing without ranges.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let all: Vec<_> = answer.estimates().filter_map(|of| Some((of.name, of.measure, of.guaranteed?))).collect();
     let Some((_, _, first)) = all.first() else { return Vec::new() };
@@ -29,6 +29,6 @@ fn row(name: &str, measure: Measure, range: &Guaranteed, units: Units) -> Vec<St
     let width = range.high - range.low;
     let end = |value: f64, toward: Toward| ended(measure, value, width, toward, units);
     let ends = [end(range.low, Toward::Below), end(range.high, Toward::Above)];
-    let found = [end(range.low_attained, Toward::Above), end(range.high_attained, Toward::Below)];
+    let found = [range.low_attained, range.high_attained].map(|value| end(value, Toward::Nearest));
     std::iter::once(name.to_owned()).chain(ends).chain(found).chain([units.unit(measure).to_owned()]).collect()
 }

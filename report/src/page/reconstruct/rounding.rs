@@ -36,15 +36,17 @@ fn decimals(of: f64) -> i32 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Toward {
     Below,
+    Nearest,
     Above,
 }
 
-/// Formats the end of a range with the decimals of a thousandth of its width, rounded to one side.
+/// Formats the end of a range with the decimals of a thousandth of its width, or of a millionth of it, rounded to one side.
 pub fn ended(measure: Measure, value: f64, width: f64, toward: Toward, units: Units) -> String {
-    let decimals = decimals(units.convert(measure, width.max(1e-9) * 1e-3)).clamp(0, 9);
+    let decimals = decimals(units.convert(measure, (width * 1e-3).max(value.abs() * 1e-6).max(1e-9))).clamp(0, 9);
     let (value, step) = (units.convert(measure, value), libm::exp10(-f64::from(decimals)));
     let steps = match toward {
         Toward::Below => (value / step).floor(),
+        Toward::Nearest => (value / step).round(),
         Toward::Above => (value / step).ceil(),
     };
     without_sign_of_zero(format!("{:.*}", decimals as usize, steps * step))
