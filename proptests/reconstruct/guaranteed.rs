@@ -17,7 +17,7 @@ fn ranges(problem: &ReconstructionProblem) -> Vec<GuaranteedRange> {
 }
 
 fn assert_near(range: &GuaranteedRange, low: f64, high: f64) {
-    let room = 1e-6 * high.abs().max(1.0);
+    let room = 1e-6 * low.abs().max(high.abs()).max(1.0);
     assert!(range.is_tight, "{range:?}");
     for (bound, attained, end, sign) in [(range.low, range.low_attained, low, 1.0), (range.high, range.high_attained, high, -1.0)] {
         assert!(sign * (end - bound) >= -1e-12 * end.abs() && sign * (end - bound) <= room, "{end}: {range:?}");
@@ -76,6 +76,64 @@ fn bounds_and_priors_limit_what_is_sought() {
         Uncertainty::Exact,
     );
     assert_near(&ranges(&prior)[0], speed(0.04), speed(0.16));
+    // Without either a restitution is from 0 to 1, and no speed needs more than all of it.
+    let free = ReconstructionProblem::of(straight_into_barrier(0.0)).between(SPEED, 12.5, 12.0, 13.0).unknown(RESTITUTION, 0.1).evidence(
+        Measurand::CrushEnergy,
+        60e3,
+        Uncertainty::Exact,
+    );
+    let restitution = |speed: f64| (1.0 - 2.0 * 60e3 / mass() / (speed * speed)).sqrt();
+    assert_near(&ranges(&free)[1], restitution(12.0), restitution(13.0));
+}
+
+#[test]
+fn a_direction_and_its_opposite_are_told_apart() {
+    // A car that is hit from behind by a faster one, and drifted 0.1 rad to the left, at no more than 10 m/s either way.
+    let slow = Vehicle::new(1500.0, 2500.0).with_impact_center(-2.0, 0.0);
+    let fast = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.0).with_speed(40.0);
+    let collision = Collision::new(slow, fast).with_crush_plane(CrushPlane::from_angle(std::f64::consts::PI));
+    assert!(collision.solve().is_ok());
+    let [x, y] = [Input::VelocityX(Side::One), Input::VelocityY(Side::One)].map(Variable::Input);
+    let drift = |direction: f64| {
+        ReconstructionProblem::of(collision).between(x, 1.0, -10.0, 10.0).between(y, 0.0, -10.0, 10.0).evidence(
+            Measurand::ApproachDirection(Side::One),
+            direction,
+            Uncertainty::Exact,
+        )
+    };
+    let found = ranges(&drift(0.1));
+    assert_near(&found[0], 0.0, 10.0);
+    assert_near(&found[1], 0.0, 10.0 * 0.1_f64.tan());
+    assert_near(&ranges(&drift(0.1 - std::f64::consts::PI))[0], -10.0, 0.0);
+    // A heading, a whole turn away.
+    let heading = Variable::Input(Input::Heading(Side::Two));
+    let turned = ReconstructionProblem::of(collision).between(heading, 0.0, -3.1, 3.1).evidence(
+        Measurand::Variable(heading),
+        0.2 + std::f64::consts::TAU,
+        Uncertainty::Exact,
+    );
+    assert_near(&ranges(&turned)[0], 0.2, 0.2);
+}
+
+#[test]
+fn momentum_alone_has_ranges_in_closed_form() {
+    // One drives along x and the other along y, so that v₁ = V₁ₓ + (m₂/m₁) V₂ₓ and v₂ = V₂ᵧ + (m₁/m₂) V₁ᵧ.
+    let [east, north] = [0.0, std::f64::consts::FRAC_PI_2].map(Heading::from_angle);
+    let collision = Collision::new(Vehicle::new(1900.0, 1.0).with_heading(east), Vehicle::new(1700.0, 1.0).with_heading(north));
+    let after = [
+        (Output::VelocityX(Side::One), 6.0),
+        (Output::VelocityY(Side::One), 7.0),
+        (Output::VelocityX(Side::Two), 5.5),
+        (Output::VelocityY(Side::Two), 8.0),
+    ];
+    let problem = ReconstructionProblem::of(collision).unknown(SPEED, 13.0).unknown(Variable::Speed(Side::Two), 16.0).by_momentum();
+    let problem = after
+        .into_iter()
+        .fold(problem, |problem, (of, value)| problem.evidence(Measurand::Output(of), value, Uncertainty::StandardDeviation(0.1)));
+    let found = ranges(&problem);
+    for (range, (own, other, masses)) in found.iter().zip([(6.0, 5.5, 1700.0 / 1900.0), (8.0, 7.0, 1900.0 / 1700.0)]) {
+        assert_near(range, own - 0.3 + masses * (other - 0.3), own + 0.3 + masses * (other + 0.3));
+    }
 }
 
 #[test]
@@ -117,17 +175,21 @@ fn what_cannot_be_sought_is_named() {
 
 #[test]
 fn a_search_that_is_ended_has_ranges_that_still_hold() {
-    let whole = ranges(&by_energy(60e3, Uncertainty::Exact));
-    for cells in [1, 4, 16] {
+    let few = (1..40).map(|cells| (by_energy(60e3, Uncertainty::Exact), cells));
+    let more = (20..260).step_by(20).map(|cells| (turned(), cells));
+    for (problem, cells) in few.chain(more) {
+        let whole = ranges(&problem);
         let search = GuaranteedSearch { cells, ..GuaranteedSearch::default() };
-        match by_energy(60e3, Uncertainty::Exact).guaranteed(&search, &|_| true) {
+        match problem.guaranteed(&search, &|_| true) {
             Err(NoRange::NoPoint { cells: spent }) => assert!(spent <= cells),
             found => {
-                let found = found.expect("ranges");
-                for (range, whole) in found.iter().zip(&whole) {
+                for (range, whole) in found.expect("ranges").iter().zip(&whole) {
                     assert!(range.cells <= cells && range.low <= whole.low_attained && whole.high_attained <= range.high, "{range:?}");
+                    // A significant change of a speed is 1 m/s, and one of the others 0.1.
+                    let size = if range.of == SPEED { range.high_attained } else { range.high_attained.max(0.1) };
+                    let gap = (range.low_attained - range.low).max(range.high - range.high_attained);
+                    assert_eq!(range.is_tight, gap <= 1e-6 * size, "{range:?}");
                 }
-                assert!(cells > 4 || !found[0].is_tight, "{found:?}");
             }
         }
     }
@@ -196,7 +258,7 @@ proptest! {
         e in 0.0..0.3,
         plane in 0.0..0.5,
         form in 0..3_usize,
-        known in 0..4_usize,
+        known in 0..5_usize,
     ) {
         let [one, two] = cars(speeds[0], speeds[1]);
         let ratio = [ImpulseRatio::Critical, ImpulseRatio::LimitedByFriction(0.3), ImpulseRatio::OfCritical(0.7)][form];
@@ -209,7 +271,12 @@ proptest! {
         let problem = match known {
             0 => of(problem.between(SPEED, 12.0, 0.0, 40.0), Measurand::CrushEnergy, -impact.work.n),
             1 => of(problem.between(SPEED, 12.0, 0.0, 40.0), Measurand::Output(Output::DeltaVMagnitude(Side::One)), delta_v.length()),
-            2 => of(
+            2 => {
+                let speed = (2.0 * 0.4 * -impact.work.n / 1500.0).sqrt();
+                let problem = ReconstructionProblem { crush_share: Some(0.4), ..problem };
+                of(problem.between(SPEED, 12.0, 0.0, 40.0), Measurand::EquivalentEnergySpeed(Side::One), speed)
+            }
+            3 => of(
                 of(both(problem), Measurand::SeparationSpeed(Side::Two), after.length()),
                 Measurand::SeparationDirection(Side::Two),
                 after.y.atan2(after.x),
@@ -233,9 +300,9 @@ proptest! {
                     let there = Collision::new(one, two).with_restitution(at[0]).with_crush_plane(CrushPlane::from_angle(at[1])).with_impulse_ratio(ratio);
                     let met = there.solve().expect("physics accepts it");
                     let pairs = match known {
-                        0 => vec![(met.work.n, impact.work.n)],
+                        0 | 2 => vec![(met.work.n, impact.work.n)],
                         1 => vec![(met.one.delta_v.length(), delta_v.length())],
-                        2 => vec![(met.two.after.velocity.x, after.x), (met.two.after.velocity.y, after.y)],
+                        3 => vec![(met.two.after.velocity.x, after.x), (met.two.after.velocity.y, after.y)],
                         _ => vec![(met.one.delta_v_in_vehicle.forward, impact.one.delta_v_in_vehicle.forward), (met.approach.n.abs(), impact.approach.n.abs())],
                     };
                     for (met, given) in pairs {
