@@ -10,7 +10,7 @@ use super::impulse_adjoint::{Cotangent, ImpulseAdjoint, Slip};
 use super::{Gradient, Sensitive, cotangent};
 use crate::collision::Collision;
 use crate::contact::Contact;
-use crate::frame::{CrushPlane, Nt};
+use crate::frame::{CrushPlane, Nt, Xy};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::law::Law;
@@ -86,15 +86,42 @@ fn sliding<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &N
     }
 }
 
+/// Rows that several outputs have in common.
+struct Shared<T> {
+    on_ground: Xy<Gradient<T>>,
+    work: Nt<Gradient<T>>,
+}
+
+impl<T: Real<Mask: Logic> + Copy> Shared<T> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Shared { on_ground: Xy { x: Gradient::zero(), y: Gradient::zero() }, work: Nt { n: Gradient::zero(), t: Gradient::zero() } }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, collision: &Collision<T>, impact: &Impact<T>, rows: &Rows<T>) {
+        let CrushPlane { cos, sin } = collision.crush_plane;
+        let half = T::int(1).half();
+        let sum = (impact.approach + impact.separation) * -half;
+        let minus_half_p = impact.impulse * -half;
+        for i in 0..Input::COUNT {
+            let (n, t) = (rows.impulse.n.0[i], rows.impulse.t.0[i]);
+            self.on_ground.x.0[i] = cos * n - sin * t;
+            self.on_ground.y.0[i] = sin * n + cos * t;
+            // W = −½ P (v + V)
+            self.work.n.0[i] = sum.n * n + minus_half_p.n * (rows.approach.n.0[i] + rows.separation.n.0[i]);
+            self.work.t.0[i] = sum.t * t + minus_half_p.t * (rows.approach.t.0[i] + rows.separation.t.0[i]);
+        }
+    }
+}
+
 /// What the gradients of all outputs are combined from, and the numbers by which they are.
 struct Jacobian<'a, T: Ordered> {
     collision: &'a Collision<T>,
     impact: &'a Impact<T>,
     adjoint: &'a ImpulseAdjoint<T>,
     rows: &'a Rows<T>,
-    /// −½ (v + V) and −½ P, because W = −½ P (v + V).
-    velocity: Nt<T>,
-    force: Nt<T>,
+    shared: &'a Shared<T>,
     /// The derivatives of the ratio of the impulse, of its length and of its angle by the impulse.
     ratio: Nt<T>,
     length: Nt<T>,
@@ -106,16 +133,20 @@ struct Jacobian<'a, T: Ordered> {
 
 impl<'a, T: Real<Mask: Logic> + Copy> Jacobian<'a, T> {
     #[inline(always)]
-    fn of(collision: &'a Collision<T>, impact: &'a Impact<T>, adjoint: &'a ImpulseAdjoint<T>, rows: &'a Rows<T>) -> Self {
+    fn of(
+        collision: &'a Collision<T>,
+        impact: &'a Impact<T>,
+        adjoint: &'a ImpulseAdjoint<T>,
+        rows: &'a Rows<T>,
+        shared: &'a Shared<T>,
+    ) -> Self {
         let p = impact.impulse;
-        let half = T::int(1).half();
         Jacobian {
             collision,
             impact,
             adjoint,
             rows,
-            velocity: (impact.approach + impact.separation) * -half,
-            force: p * -half,
+            shared,
             ratio: Cotangent::of_ratio(p).impulse,
             length: p * p.length().inv(),
             angle: p.quarter_turn() * p.length_squared().inv(),
@@ -128,7 +159,7 @@ impl<'a, T: Real<Mask: Logic> + Copy> Jacobian<'a, T> {
     #[inline(always)]
     fn write(&self, of: Output, to: &mut Gradient<T>) {
         let Rows { impulse, approach, separation } = self.rows;
-        let CrushPlane { cos, sin } = self.collision.crush_plane;
+        let Shared { on_ground, work } = self.shared;
         // A letter each, because a function of their index would not always be compiled into the loop.
         macro_rules! each {
             ($i:ident => $entry:expr) => {
@@ -142,20 +173,15 @@ impl<'a, T: Real<Mask: Logic> + Copy> Jacobian<'a, T> {
                 $n * impulse.n.0[$i] + $t * impulse.t.0[$i]
             };
         }
-        macro_rules! work {
-            ($axis:ident, $i:ident) => {
-                self.velocity.$axis * impulse.$axis.0[$i] + self.force.$axis * (approach.$axis.0[$i] + separation.$axis.0[$i])
-            };
-        }
         let passed = |side: Side| &self.passed[side as usize];
         match of {
             Output::VelocityX(side) | Output::DeltaVX(side) => {
                 let push = passed(side).push;
-                each!(i => push * (cos * impulse.n.0[i] - sin * impulse.t.0[i]));
+                each!(i => push * on_ground.x.0[i]);
             }
             Output::VelocityY(side) | Output::DeltaVY(side) => {
                 let push = passed(side).push;
-                each!(i => push * (by_impulse!(sin, cos, i)));
+                each!(i => push * on_ground.y.0[i]);
             }
             Output::YawRate(side) => {
                 let twist = passed(side).twist;
@@ -173,8 +199,8 @@ impl<'a, T: Real<Mask: Logic> + Copy> Jacobian<'a, T> {
             Output::ImpulseRatio | Output::CriticalImpulseRatio => each!(i => by_impulse!(self.ratio.n, self.ratio.t, i)),
             Output::NormalImpulse => *to = impulse.n,
             Output::TangentialImpulse => *to = impulse.t,
-            Output::ImpulseX => each!(i => cos * impulse.n.0[i] - sin * impulse.t.0[i]),
-            Output::ImpulseY => each!(i => by_impulse!(sin, cos, i)),
+            Output::ImpulseX => *to = on_ground.x,
+            Output::ImpulseY => *to = on_ground.y,
             Output::NormalApproach => *to = approach.n,
             Output::TangentialApproach => *to = approach.t,
             Output::NormalSeparation => *to = separation.n,
@@ -182,11 +208,11 @@ impl<'a, T: Real<Mask: Logic> + Copy> Jacobian<'a, T> {
             Output::EnergyBefore => *to = cotangent::energy(self.collision),
             Output::EnergyAfter => {
                 *to = cotangent::energy(self.collision);
-                each!(i => to.0[i] - -(work!(n, i) + work!(t, i)));
+                each!(i => to.0[i] - -(work.n.0[i] + work.t.0[i]));
             }
-            Output::Loss => each!(i => -(work!(n, i) + work!(t, i))),
-            Output::NormalWork => each!(i => work!(n, i)),
-            Output::TangentialWork => each!(i => work!(t, i)),
+            Output::Loss => each!(i => -(work.n.0[i] + work.t.0[i])),
+            Output::NormalWork => *to = work.n,
+            Output::TangentialWork => *to = work.t,
             Output::Restitution | Output::Moment | Output::MomentWork => *to = Gradient::zero(),
         }
         // The others have no direct derivatives, or have them in the rows that they are combined from.
@@ -226,7 +252,9 @@ pub(super) fn give<T: Real<Mask: Logic> + Copy>(
     let adjoint = ImpulseAdjoint::of(collision, contact, impact);
     let mut rows = Rows::zero();
     rows.fill(&adjoint);
-    let jacobian = Jacobian { inputs: core::hint::black_box(Input::COUNT), ..Jacobian::of(collision, impact, &adjoint, &rows) };
+    let mut shared = Shared::zero();
+    shared.fill(collision, impact, &rows);
+    let jacobian = Jacobian { inputs: core::hint::black_box(Input::COUNT), ..Jacobian::of(collision, impact, &adjoint, &rows, &shared) };
     let mut gradient = Gradient::zero();
     for of in of {
         jacobian.write(*of, &mut gradient);
@@ -245,7 +273,9 @@ pub(super) fn write<T: Real<Mask: Logic> + Copy>(
     let adjoint = ImpulseAdjoint::of(collision, contact, impact);
     let mut rows = Rows::zero();
     rows.fill(&adjoint);
-    let jacobian = Jacobian::of(collision, impact, &adjoint, &rows);
+    let mut shared = Shared::zero();
+    shared.fill(collision, impact, &rows);
+    let jacobian = Jacobian::of(collision, impact, &adjoint, &rows, &shared);
     let values = Outputs::of(collision, impact);
     // Written out, so that the compiler knows each output.
     macro_rules! write {
