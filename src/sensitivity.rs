@@ -63,10 +63,14 @@ mod impulse_adjoint;
 mod jacobian;
 #[cfg(feature = "nalgebra")]
 mod matrix;
+#[cfg(feature = "batch")]
+mod one_by_one;
 
 #[cfg(feature = "alloc")]
 pub use covariance::{Covariance, NotACovariance};
 pub use definition::{by_definition, curvature_by_definition};
+#[cfg(feature = "batch")]
+pub(crate) use one_by_one::Gradients;
 
 use crate::collision::Collision;
 use crate::impact::Impact;
@@ -111,12 +115,6 @@ pub struct Curved<T = f64> {
     pub by: Gradient<T>,
     /// Its second derivatives.
     pub twice: Hessian<T>,
-}
-
-/// What is done with the gradients of one output after the other. Not a closure, which would not always be compiled for the instructions around it.
-#[cfg(feature = "batch")]
-pub(crate) trait Gradients<T> {
-    fn take(&mut self, gradient: &Gradient<T>);
 }
 
 impl<T> Gradient<T> {
@@ -199,7 +197,7 @@ impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
     #[inline(always)]
     pub(crate) fn give_gradients_of(&self, impact: &Impact<T>, of: &[Output], to: &mut impl Gradients<T>) {
         match self.moment {
-            Moment::None => jacobian::give(self, &self.contact(), impact, of, to),
+            Moment::None => one_by_one::give(self, &self.contact(), impact, of, to),
             _ => {
                 let table = by_definition(self);
                 of.iter().for_each(|of| to.take(&table[*of].by));
