@@ -169,6 +169,8 @@ fn what_cannot_be_sought_is_named() {
     assert!(NoRange::NoLimits(PLANE).to_string().starts_with("contact.crush_plane has no limits"));
     // At most 200 m/s: 30 MJ.
     assert_eq!(by_energy(40e6, Uncertainty::Exact).guaranteed(&search, &|_| true), Err(NoRange::Excluded));
+    // Without evidence everything between the limits meets it.
+    assert_near(&ranges(&ReconstructionProblem::of(straight_into_barrier(0.0)).between(SPEED, 10.0, 5.0, 15.0))[0], 5.0, 15.0);
     let twice = by_energy(60e3, Uncertainty::Exact).unknown(SPEED, 10.0);
     assert!(matches!(twice.guaranteed(&search, &|_| true), Err(NoRange::Problem(_))));
 }

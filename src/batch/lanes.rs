@@ -146,13 +146,13 @@ struct InColumns<'a> {
 }
 
 impl Answers<Block> for InColumns<'_> {
+    #[expect(clippy::eq_op, reason = "a number less itself is zero unless it is not finite")]
     #[inline(always)]
     fn put<const N: usize>(&mut self, numbers: &[Block; N], places: &[usize]) {
         let mut infinite = [0; WIDTH];
         for (place, column) in places.iter().zip(&mut self.columns) {
             let numbers = numbers[*place].as_array();
             for lane in 0..WIDTH {
-                // A number less itself is zero unless it is not finite.
                 infinite[lane] |= (numbers[lane] - numbers[lane]).to_bits();
             }
             match self.next {
@@ -161,8 +161,8 @@ impl Answers<Block> for InColumns<'_> {
                 next => column.extend_from_slice(&numbers[..next]),
             }
         }
-        for lane in 0..WIDTH {
-            self.infinite[lane] |= infinite[lane];
+        for (all, here) in self.infinite.iter_mut().zip(infinite) {
+            *all |= here;
         }
     }
 }

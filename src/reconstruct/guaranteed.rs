@@ -637,6 +637,10 @@ impl<'a, 'p> End<'a, 'p> {
         if of.len() < self.equations.problem.evidence.len() {
             return None;
         }
+        // Without evidence nothing is to be solved for.
+        if of.is_empty() {
+            return Some(point);
+        }
         for _ in 0..30 {
             let rows = self.equations.slopes(&point);
             let matrix = DMatrix::from_fn(rows.len(), of.len(), |i, j| rows[i][of[j]].derivative);

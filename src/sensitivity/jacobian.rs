@@ -79,7 +79,7 @@ fn sliding<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &N
     slides.add_scaled(-adjoint.compliance.nt, &impulse.n);
     slides.add_scaled(-adjoint.compliance.tt, &impulse.t);
     match &adjoint.slip {
-        Slip::Limited { slides: mask, .. } => Gradient::select(mask.clone(), &slides, &ends),
+        Slip::Limited { slides: mask, .. } => Gradient::select(*mask, &slides, &ends),
         _ => slides,
     }
 }
