@@ -8,12 +8,12 @@ use super::impulse_adjoint::{Cotangent, ImpulseAdjoint, Slip};
 use super::{Gradient, Sensitive, cotangent};
 use crate::collision::Collision;
 use crate::contact::Contact;
-use crate::frame::Nt;
+use crate::frame::{CrushPlane, Nt, Xy};
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::law::Law;
 use crate::output::{Output, Outputs};
-use crate::scalar::{Logic, Real};
+use crate::scalar::{Logic, Ordered, Real};
 
 /// The derivatives from which those of all other outputs follow.
 pub(super) struct Rows<T> {
@@ -25,26 +25,11 @@ pub(super) struct Rows<T> {
 impl<T: Real<Mask: Logic> + Copy> Rows<T> {
     #[inline(always)]
     pub(super) fn of(adjoint: &ImpulseAdjoint<T>) -> Self {
-        let mut rows = Rows::zero();
-        rows.fill(adjoint);
-        rows
-    }
-
-    #[inline(always)]
-    pub(super) fn zero() -> Self {
-        let [impulse, approach, separation] = [Nt { n: Gradient::zero(), t: Gradient::zero() }; 3];
-        Rows { impulse, approach, separation }
-    }
-
-    #[inline(always)]
-    pub(super) fn fill(&mut self, adjoint: &ImpulseAdjoint<T>) {
         let Nt { n, t } = axes();
-        self.impulse.n = adjoint.gradient(Cotangent::of_impulse(n));
-        self.impulse.t = adjoint.gradient(Cotangent::of_impulse(t));
-        self.approach.n = adjoint.approach_row(n);
-        self.approach.t = adjoint.approach_row(t);
-        self.separation.n = rebound(adjoint, &self.approach.n, adjoint.approach.n);
-        self.separation.t = sliding(adjoint, &self.impulse, &self.approach.t);
+        let impulse = Nt { n: adjoint.gradient(Cotangent::of_impulse(n)), t: adjoint.gradient(Cotangent::of_impulse(t)) };
+        let approach = Nt { n: adjoint.approach_row(n), t: adjoint.approach_row(t) };
+        let separation = Nt { n: rebound(adjoint, &approach.n, adjoint.approach.n), t: sliding(adjoint, &impulse, &approach.t) };
+        Rows { impulse, approach, separation }
     }
 }
 
@@ -100,12 +85,12 @@ pub(super) fn write<T: Real<Mask: Logic> + Copy>(
     to.separation.n.by = rebound(&adjoint, &to.approach.n.by, adjoint.approach.n);
     to.separation.t.by = sliding(&adjoint, &Nt { n: to.impulse.n.by, t: to.impulse.t.by }, &to.approach.t.by);
     to.kinetic_energy.before.by = cotangent::energy(collision);
-    mix(collision, impact, &adjoint, to);
+    mix(impact, &adjoint, to);
     for none in [&mut to.restitution, &mut to.moment, &mut to.work.m] {
         none.by = Gradient::zero();
     }
     add_direct(collision, impact, &adjoint, to);
-    if !matches!((&adjoint.slip, adjoint.law), (Slip::Ends, Law::Brach)) {
+    if !is_critical(&adjoint) {
         to.critical_impulse_ratio.by = critical(&adjoint, impact);
     }
     let values = Outputs::of(collision, impact);
@@ -119,6 +104,12 @@ pub(super) fn write<T: Real<Mask: Logic> + Copy>(
     value!(approach.n, approach.t, separation.n, separation.t, kinetic_energy.before, kinetic_energy.after, loss, work.n, work.t, work.m);
 }
 
+/// Returns `true` if the ratio of the impulse is the critical one.
+#[inline(always)]
+pub(super) fn is_critical<T: Ordered>(adjoint: &ImpulseAdjoint<T>) -> bool {
+    matches!((&adjoint.slip, adjoint.law), (Slip::Ends, Law::Brach))
+}
+
 /// Returns the gradient of the critical ratio if the impulse has another ratio. Rarely needed, and therefore a separate function.
 #[cold]
 #[inline(never)]
@@ -127,50 +118,77 @@ pub(super) fn critical<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>,
     adjoint.critical(critical).gradient(Cotangent::of_ratio(critical))
 }
 
+/// The numbers by which the rows of the impulse and of the velocities are combined to those of other outputs.
+pub(super) struct Mixture<T> {
+    plane: CrushPlane<T>,
+    /// −½ (v + V) and −½ P.
+    velocity: Nt<T>,
+    force: Nt<T>,
+    /// The derivatives of the ratio of the impulse, of its length and of its angle by the impulse.
+    pub(super) ratio: Nt<T>,
+    pub(super) length: Nt<T>,
+    pub(super) angle: Nt<T>,
+    pub(super) passed: [Passed<T>; 2],
+}
+
+impl<T: Real<Mask: Logic> + Copy> Mixture<T> {
+    #[inline(always)]
+    pub(super) fn of(impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>) -> Self {
+        let (p, half) = (impact.impulse, T::int(1).half());
+        Mixture {
+            plane: adjoint.plane,
+            velocity: (impact.approach + impact.separation) * -half,
+            force: p * -half,
+            ratio: Cotangent::of_ratio(p).impulse,
+            length: p * p.length().inv(),
+            angle: p.quarter_turn() * p.length_squared().inv(),
+            passed: [Passed::on(adjoint.partials[0].as_ref()), Passed::on(adjoint.partials[1].as_ref())],
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn on_ground(&self, impulse: Nt<T>) -> Xy<T> {
+        self.plane.to_ground(impulse)
+    }
+
+    /// W = −½ P (v + V)
+    #[inline(always)]
+    pub(super) fn work(&self, impulse: Nt<T>, approach: Nt<T>, separation: Nt<T>) -> Nt<T> {
+        Nt {
+            n: self.velocity.n * impulse.n + self.force.n * (approach.n + separation.n),
+            t: self.velocity.t * impulse.t + self.force.t * (approach.t + separation.t),
+        }
+    }
+}
+
 /// Writes the derivatives of each output through the impulse and the velocities.
 #[inline(always)]
-fn mix<T: Real<Mask: Logic> + Copy>(
-    collision: &Collision<T>,
-    impact: &Impact<T>,
-    adjoint: &ImpulseAdjoint<T>,
-    to: &mut Outputs<Sensitive<T>>,
-) {
-    let p = impact.impulse;
-    let (cos, sin) = (collision.crush_plane.cos, collision.crush_plane.sin);
-    let half = T::int(1).half();
-    let sum = (impact.approach + impact.separation) * -half;
-    let minus_half_p = p * -half;
-    let ratio = Cotangent::of_ratio(p).impulse;
-    let along = p * p.length().inv();
-    let across = p.quarter_turn() * p.length_squared().inv();
-    let (one, two) = (Passed::on(adjoint.partials[0].as_ref()), Passed::on(adjoint.partials[1].as_ref()));
+fn mix<T: Real<Mask: Logic> + Copy>(impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
+    let mixture = Mixture::of(impact, adjoint);
     for i in 0..Input::COUNT {
-        let (n, t) = (to.impulse.n.by.0[i], to.impulse.t.by.0[i]);
-        let (v_n, v_t) = (to.approach.n.by.0[i], to.approach.t.by.0[i]);
-        let (s_n, s_t) = (to.separation.n.by.0[i], to.separation.t.by.0[i]);
-        let (x, y) = (cos * n - sin * t, sin * n + cos * t);
+        let impulse = Nt { n: to.impulse.n.by.0[i], t: to.impulse.t.by.0[i] };
+        let approach = Nt { n: to.approach.n.by.0[i], t: to.approach.t.by.0[i] };
+        let separation = Nt { n: to.separation.n.by.0[i], t: to.separation.t.by.0[i] };
+        let Xy { x, y } = mixture.on_ground(impulse);
         to.impulse_on_ground.x.by.0[i] = x;
         to.impulse_on_ground.y.by.0[i] = y;
-        let by_ratio = ratio.n * n + ratio.t * t;
+        let by_ratio = mixture.ratio.dot(impulse);
         to.impulse_ratio.by.0[i] = by_ratio;
         to.critical_impulse_ratio.by.0[i] = by_ratio;
-        // W = −½ P (v + V)
-        let work_n = sum.n * n + minus_half_p.n * (v_n + s_n);
-        let work_t = sum.t * t + minus_half_p.t * (v_t + s_t);
-        let loss = -(work_n + work_t);
-        to.work.n.by.0[i] = work_n;
-        to.work.t.by.0[i] = work_t;
+        let work = mixture.work(impulse, approach, separation);
+        let loss = -(work.n + work.t);
+        to.work.n.by.0[i] = work.n;
+        to.work.t.by.0[i] = work.t;
         to.loss.by.0[i] = loss;
         to.kinetic_energy.after.by.0[i] = to.kinetic_energy.before.by.0[i] - loss;
-        let length = along.n * n + along.t * t;
-        let angle = across.n * n + across.t * t;
-        for (vehicle, passed) in [(&mut to.one, &one), (&mut to.two, &two)] {
+        let (length, angle) = (mixture.length.dot(impulse), mixture.angle.dot(impulse));
+        for (vehicle, passed) in [&mut to.one, &mut to.two].into_iter().zip(&mixture.passed) {
             let (dx, dy) = (passed.push * x, passed.push * y);
             vehicle.delta_v.x.by.0[i] = dx;
             vehicle.delta_v.y.by.0[i] = dy;
             vehicle.after.velocity.x.by.0[i] = dx;
             vehicle.after.velocity.y.by.0[i] = dy;
-            vehicle.after.yaw_rate.by.0[i] = passed.twist.n * n + passed.twist.t * t;
+            vehicle.after.yaw_rate.by.0[i] = passed.twist.dot(impulse);
             vehicle.delta_v_magnitude.by.0[i] = passed.inverse_mass * length;
             vehicle.principal_direction_of_force.by.0[i] = passed.direction * angle;
         }
