@@ -59,6 +59,8 @@ pub mod barrier;
 pub mod batch;
 pub mod body;
 mod catalogue;
+#[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
+mod cells;
 #[cfg(feature = "alloc")]
 pub mod check;
 pub mod collision;

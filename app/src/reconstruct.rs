@@ -22,10 +22,11 @@ use crate::answer::Answer;
 use crate::case::{Case, Parameter};
 use crate::control::Control;
 use crate::crash3::Comparison;
-use crate::issue::{Cause, Issue, Issues};
+use crate::issue::{Cause, Issues};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::scene::Scene;
+use crate::uncertainty::wrong_bounds_sd;
 use crate::units::Measure;
 use answer::{Height, Solved};
 use from_rest::Separations;
@@ -66,14 +67,6 @@ impl Options {
     fn draws_from_posterior(&self) -> bool {
         self.posterior || self.draws || !self.probabilities.is_empty()
     }
-
-    fn check(&self) -> Result<(), Issues> {
-        if self.bounds_sd > 0.0 && self.bounds_sd <= 40.0 {
-            return Ok(());
-        }
-        let message = format!("{} is not above 0 and at most 40", self.bounds_sd);
-        Err(Issues::of_call(vec![Issue::of_call("--bounds-sd", message, Some("for instance 3".to_owned()))]))
-    }
 }
 
 impl Default for Options {
@@ -99,7 +92,9 @@ impl Default for Options {
 /// Everything wrong with the question, or why no search converges.
 pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Result<Answer<Reconstruction>, Issues> {
     control.proceed(0, 1)?;
-    options.check()?;
+    if let Some(issue) = wrong_bounds_sd(options.bounds_sd) {
+        return Err(Issues::of_call(vec![issue]));
+    }
     case.needs_one_restitution()?;
     let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest()?);
     let mut answers: Vec<Answer<Reconstruction>> = Vec::new();

@@ -354,11 +354,16 @@ impl Options {
         if !(0.5..=0.9999).contains(&self.level) {
             wrong("--level", format!("{} is not from 0.5 to 0.9999", self.level), "for instance 0.95");
         }
-        if !(self.bounds_sd > 0.0 && self.bounds_sd <= 40.0) {
-            wrong("--bounds-sd", format!("{} is not above 0 and at most 40", self.bounds_sd), "for instance 3");
-        }
+        issues.extend(wrong_bounds_sd(self.bounds_sd));
         issues
     }
+}
+
+/// Returns the issue of a number of standard deviations that ends no input.
+pub(crate) fn wrong_bounds_sd(bounds_sd: f64) -> Option<Issue> {
+    let is_right = bounds_sd > 0.0 && bounds_sd <= 40.0;
+    let message = || format!("{bounds_sd} is not above 0 and at most 40");
+    (!is_right).then(|| Issue::of_call("--bounds-sd", message(), Some("for instance 3".to_owned())))
 }
 
 /// Returns the distribution of an input: of measured values themselves, where the file has them.

@@ -87,7 +87,7 @@ fn bounds_and_priors_limit_what_is_sought() {
 }
 
 #[test]
-fn a_direction_and_its_opposite_are_told_apart() {
+fn a_direction_is_not_its_opposite() {
     // A car that is hit from behind by a faster one, and drifted 0.1 rad to the left, at no more than 10 m/s either way.
     let slow = Vehicle::new(1500.0, 2500.0).with_impact_center(-2.0, 0.0);
     let fast = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.0).with_speed(40.0);

@@ -50,12 +50,8 @@ impl ReconstructionProblem {
         found.finish()
     }
 
-    /// Checks everything but whether the evidence suffices.
-    pub(super) fn check_parts(&self) -> Result<(), ReconstructionIssues> {
-        self.issues_of_parts().finish()
-    }
-
-    fn issues_of_parts(&self) -> IssueCollector<ReconstructionIssue> {
+    /// Returns every issue but that of too little evidence.
+    pub(super) fn issues_of_parts(&self) -> IssueCollector<ReconstructionIssue> {
         let mut found = IssueCollector::new();
         unknowns(self, &mut found);
         evidence(self, &mut found);

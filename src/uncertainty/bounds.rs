@@ -15,6 +15,7 @@ use core::fmt;
 
 use self::minimum::{Minimum, minimum, refused_part};
 use self::objective::Objective;
+use crate::cells::middle;
 use crate::collision::Collision;
 use crate::input::NoSuchInput;
 use crate::output::Output;
@@ -178,7 +179,7 @@ pub fn bounds(
     let mut least = Objective::new(base, mapping, of);
     let (refused, accepted) = refused_part(&least, &whole, search.cells.min(256));
     if refused == RefusedPart::All {
-        let at_the_middle = mapping.apply::<f64>(base, &objective::middle(&whole)).solve().err().map(Box::new);
+        let at_the_middle = mapping.apply::<f64>(base, &middle(&whole)).solve().err().map(Box::new);
         return Err(NoBounds::Refused { at_the_middle });
     }
     let start = accepted.or_else(|| least.accepted_in(&whole, search.cells)).ok_or(NoBounds::NoAcceptedPoint { cells: search.cells })?;

@@ -332,7 +332,7 @@ unless its density is given, times the likelihood of the evidence.
 
 Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
 several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with
-its numbers; 2 if the input is wrong, such as more unlimited unknowns than evidence; 3 if no search converges.
+its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if no search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml

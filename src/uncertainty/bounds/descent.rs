@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::objective::{Attained, Objective, middle};
+use super::objective::{Attained, Objective};
+use crate::cells::middle;
 use crate::scalar::interval::Interval;
 use crate::uncertainty::Mapping;
 

@@ -2,10 +2,10 @@
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use super::RefusedPart;
-use super::objective::{Attained, Objective, middle, middle_of};
+use super::objective::{Attained, Objective};
+use crate::cells::{LeastFirst, halves, is_divisible, middle, middle_of};
 use crate::scalar::Ordered;
 use crate::scalar::interval::Interval;
 use crate::sensitivity::dual::Dual;
@@ -32,53 +32,15 @@ pub(super) struct Minimum {
 
 struct Cell {
     ranges: Vec<Interval>,
-    bound: f64,
     /// Whether physics refuses no part of it.
     is_possible: bool,
     /// The number to divide, or `None` if the cell is too small.
     divide: Option<usize>,
 }
 
-impl Ord for Cell {
-    /// The cell with the least bound is the greatest: it comes first.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.bound.total_cmp(&self.bound)
-    }
-}
-
-impl PartialOrd for Cell {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Cell {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Cell {}
-
 /// Returns half of the width of a range; the width itself may overflow.
 fn half_width(range: Interval) -> f64 {
     0.5 * range.upper() - 0.5 * range.lower()
-}
-
-fn is_divisible(range: Interval) -> bool {
-    let middle = middle_of(range);
-    range.lower() < middle && middle < range.upper()
-}
-
-/// Returns the two halves of a cell.
-fn halves(ranges: &[Interval], by: usize) -> [Vec<Interval>; 2] {
-    let middle = middle_of(ranges[by]);
-    let half = |lower, upper| {
-        let mut half = ranges.to_vec();
-        half[by] = Interval::new(lower, upper).unwrap_or(half[by]);
-        half
-    };
-    [half(ranges[by].lower(), middle), half(middle, ranges[by].upper())]
 }
 
 /// Returns the widest number of a cell beside the whole box, that can be divided.
@@ -142,11 +104,11 @@ pub(super) fn minimum<M: Mapping>(
         if search.best.value - first.bound <= within + search.rounding {
             break true;
         }
-        let Some(by) = first.divide else { break false };
+        let Some(by) = first.cell.divide else { break false };
         if cells == budget || (cells % STRIDE == STRIDE - 1 && !goes_on(cells as u64)) {
             break false;
         }
-        let Some(cell) = search.open.pop() else { break true };
+        let Some(LeastFirst { cell, .. }) = search.open.pop() else { break true };
         cells += 1;
         for half in halves(&cell.ranges, by) {
             search.enter(half, cell.is_possible);
@@ -164,7 +126,7 @@ struct Minimization<'a, 'b, M> {
     /// The width of the enclosure at the best point, if it is no more than rounding.
     rounding: f64,
     best: Attained,
-    open: BinaryHeap<Cell>,
+    open: BinaryHeap<LeastFirst<Cell>>,
 }
 
 impl<M: Mapping> Minimization<'_, '_, M> {
@@ -230,7 +192,7 @@ impl<M: Mapping> Minimization<'_, '_, M> {
             if has_slopes && is_possible && hold_monotone(&mut ranges, &slopes) {
                 continue;
             }
-            self.open.push(Cell { ranges, bound, is_possible, divide: divide.map(|(i, _)| i) });
+            self.open.push(LeastFirst { bound, cell: Cell { ranges, is_possible, divide: divide.map(|(i, _)| i) } });
             return;
         }
     }

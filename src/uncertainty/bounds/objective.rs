@@ -37,15 +37,6 @@ pub(super) struct Enclosure {
     pub(super) is_continuous: bool,
 }
 
-/// Returns a number in the middle of an interval with finite bounds.
-pub(super) fn middle_of(range: Interval) -> f64 {
-    (0.5 * range.lower() + 0.5 * range.upper()).clamp(range.lower(), range.upper())
-}
-
-pub(super) fn middle(cell: &[Interval]) -> Vec<f64> {
-    cell.iter().copied().map(middle_of).collect()
-}
-
 impl<'a, M: Mapping> Objective<'a, M> {
     pub(super) fn new(base: &'a Collision, mapping: &'a M, of: Output) -> Self {
         Objective { base, mapping, of, is_negated: false, ahead: None }
