@@ -85,6 +85,27 @@ pub struct MotionAfter {
     pub velocity: [f64; 2],
     /// Yaw rate in rad/s; `null` where it is not determined.
     pub yaw_rate: Option<f64>,
+    /// Deviations of the velocity, to first order in uncertain inputs.
+    pub velocity_sd: Option<Deviations>,
+}
+
+/// The standard deviations of a vector in the plane, along the axes in which they are the greatest and the least.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Deviations {
+    /// The greatest and the least standard deviation, in the unit of the vector.
+    pub sd: [f64; 2],
+    /// The angle of the greatest from x, in rad.
+    pub angle: f64,
+}
+
+impl Deviations {
+    /// Returns the axes of a covariance.
+    fn of([[xx, xy], [_, yy]]: [[f64; 2]; 2]) -> Self {
+        let (middle, half) = (0.5 * (xx + yy), libm::hypot(0.5 * (xx - yy), xy));
+        // Rounding leaves a covariance without width below zero.
+        let sd = [middle + half, middle - half].map(|variance| libm::sqrt(variance.max(0.0)));
+        Deviations { sd, angle: positive_zero(0.5 * libm::atan2(2.0 * xy, xx - yy)) }
+    }
 }
 
 /// A rest position of the case.
@@ -124,7 +145,7 @@ pub fn draw(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Scene>,
     if case.knowledge.unknowns.is_empty() {
         let impact = case.impact()?;
         let (scene, notices) = Scene::of(case, &impact);
-        let scene = scene.with_uncertain_inputs(case, control);
+        let scene = scene.with_uncertain_inputs(case);
         return Ok(case.answer(scene, case.warnings(&impact).into_iter().chain(notices)));
     }
     let answer = reconstruct::reconstruct(case, &reconstruct::Options::default(), control)?;
@@ -184,6 +205,7 @@ impl Scene {
                 after: MotionAfter {
                     velocity: components(response.after.velocity),
                     yaw_rate: case.model.is_angular().then_some(positive_zero(response.after.yaw_rate)),
+                    velocity_sd: None,
                 },
                 delta_v: components(response.delta_v),
                 pdof: positive_zero(response.principal_direction_of_force()),
@@ -225,20 +247,17 @@ impl Scene {
     }
 
     /// Adds the ranges of uncertain inputs, to first order: 1.96 standard deviations to each side.
-    fn with_uncertain_inputs(mut self, case: &Case, control: &dyn Control) -> Scene {
+    fn with_uncertain_inputs(mut self, case: &Case) -> Scene {
         /// The quantile of the normal distribution at 97.5 %.
         const DEVIATIONS: f64 = 1.959_963_984_540_054;
         let around = |value: f64, sd: f64| sd.is_finite().then_some([value - DEVIATIONS * sd, value + DEVIATIONS * sd]);
         for (vehicle, side) in self.vehicles.iter_mut().zip(Side::ALL).filter(|(vehicle, _)| !vehicle.barrier) {
-            let name = Output::PrincipalDirectionOfForce(side).name();
-            let options =
-                uncertainty::Options { of: vec![name.to_owned()], methods: vec![uncertainty::Method::Linear], ..Default::default() };
-            if !case.uncertain.inputs.is_empty()
-                && let Ok(answer) = uncertainty::uncertainty(case, &options, control)
-            {
-                let linear = answer.of.get(name).and_then(|output| output.linear.as_ref());
-                vehicle.pdof_range = linear.filter(|linear| linear.sd > 0.0).and_then(|linear| around(vehicle.pdof, linear.sd));
-            }
+            let direction = uncertainty::covariances(case, &[Output::PrincipalDirectionOfForce(side)]).map(|variance| variance[0][0]);
+            vehicle.pdof_range =
+                direction.filter(|variance| *variance > 0.0).and_then(|variance| around(vehicle.pdof, libm::sqrt(variance)));
+            let velocity = uncertainty::covariances(case, &[Output::VelocityX(side), Output::VelocityY(side)]);
+            let deviations = velocity.map(|of| Deviations::of([[of[0][0], of[0][1]], [of[1][0], of[1][1]]]));
+            vehicle.after.velocity_sd = deviations.filter(|deviations| deviations.sd[0] > 0.0);
             let speed = case.uncertain.inputs.iter().find(|input| input.parameter == Parameter::Speed(side));
             vehicle.speed_range = speed.and_then(|speed| around(speed.distribution.mean(), speed.distribution.sd()));
         }
@@ -267,7 +286,7 @@ impl VehicleInScene {
             outline: None,
             damage: None,
             before: Motion { velocity: [0.0; 2], yaw_rate: 0.0 },
-            after: MotionAfter { velocity: [0.0; 2], yaw_rate: Some(0.0) },
+            after: MotionAfter { velocity: [0.0; 2], yaw_rate: Some(0.0), velocity_sd: None },
             delta_v: [0.0; 2],
             pdof: 0.0,
             pdof_range: None,
@@ -331,4 +350,23 @@ fn skids(position: Xy, velocity: Xy, skids: &[planar_impact::skid::Skid]) -> Vec
         .collect();
     placed.reverse();
     placed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_axes_of_a_covariance() {
+        // Deviations 3 and 1, the greater one at an angle: S = R diag(9, 1) R'.
+        for angle in [-1.5, -0.4, 0.0, 0.3, 1.2] {
+            let (sin, cos) = libm::sincos(angle);
+            let (xx, yy, xy) = (9.0 * cos * cos + sin * sin, 9.0 * sin * sin + cos * cos, 8.0 * sin * cos);
+            let found = Deviations::of([[xx, xy], [xy, yy]]);
+            let apart = [found.sd[0] - 3.0, found.sd[1] - 1.0, found.angle - angle];
+            assert!(apart.into_iter().all(|apart| apart.abs() < 1e-14), "{angle}: {found:?}");
+        }
+        let without_width = Deviations::of([[4.0, 0.0], [0.0, 0.0]]);
+        assert_eq!(without_width, Deviations { sd: [2.0, 0.0], angle: 0.0 });
+    }
 }

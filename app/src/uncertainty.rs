@@ -5,8 +5,8 @@ mod mapping;
 mod model;
 mod variance;
 
-use planar_impact::Refusals;
 use planar_impact::uncertainty::{self as library, Estimated, RefusedPart, Sampled, Search, Threshold, Uncertain};
+use planar_impact::{Output, Refusals};
 
 use crate::answer::Answer;
 use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
@@ -106,6 +106,25 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
 }
 
+/// Returns the covariances of outputs of the impact to first order in the uncertain inputs; `None` where the case has no such inputs or no such outputs, where
+/// physics refuses their means, and where a deviation is infinite.
+pub(crate) fn covariances(case: &Case, of: &[Output]) -> Option<Vec<Vec<f64>>> {
+    let uncertain = uncertain(case).ok().filter(|uncertain| !uncertain.numbers().is_empty())?;
+    let of: Vec<CaseOutput> = of.iter().copied().map(CaseOutput::Impact).collect();
+    let has_all = of.iter().all(|of| case.setup.outputs().contains(of));
+    let covariances = uncertain.covariances(&of).ok().filter(|_| has_all)?;
+    covariances.iter().flatten().all(|covariance| covariance.is_finite()).then_some(covariances)
+}
+
+/// Returns the model of a case with its uncertain numbers and their correlations.
+fn uncertain(case: &Case) -> Result<Uncertain<CaseModel>, Issues> {
+    let inputs = &case.uncertain.inputs;
+    let numbers = inputs.iter().map(number).collect::<Result<_, _>>().map_err(Issues::defect)?;
+    let place = |parameter: Parameter| inputs.iter().position(|input| input.parameter == parameter);
+    let pairs = case.uncertain.correlations.iter().filter_map(|pair| Some((place(pair.one)?, place(pair.other)?, pair.coefficient)));
+    Uncertain::new(CaseModel::of(case), numbers).with_correlations(&pairs.collect::<Vec<_>>()).map_err(Issues::defect)
+}
+
 /// What is asked, read and checked.
 struct Question<'a> {
     case: &'a Case,
@@ -137,13 +156,8 @@ impl<'a> Question<'a> {
         if !issues.is_empty() {
             return Err(Issues::of_call(issues));
         }
-        let inputs = &case.uncertain.inputs;
-        let numbers = inputs.iter().map(number).collect::<Result<_, _>>().map_err(Issues::defect)?;
-        let place = |parameter: Parameter| inputs.iter().position(|input| input.parameter == parameter);
-        let pairs = case.uncertain.correlations.iter().filter_map(|pair| Some((place(pair.one)?, place(pair.other)?, pair.coefficient)));
-        let uncertain = Uncertain::new(CaseModel::of(case), numbers);
-        let uncertain = uncertain.with_correlations(&pairs.collect::<Vec<_>>()).map_err(Issues::defect)?;
-        let parameters = inputs.iter().map(|input| input.parameter).collect();
+        let uncertain = uncertain(case)?;
+        let parameters = case.uncertain.inputs.iter().map(|input| input.parameter).collect();
         Ok(Question { case, options, uncertain, parameters, outputs, thresholds })
     }
 

@@ -1,8 +1,13 @@
-"""The mechanics of a collision at the critical impulse ratio, for arrays of any library."""
+"""The mechanics of a collision under the law of Brach, for arrays of any library and numbers of any precision."""
+
+from math import pi
 
 
-def mechanics(get, sin, cos, sqrt, arctan2):
-    """Return every output of `solve` by its name, from a function that returns an input by its name."""
+def mechanics(get, sin, cos, sqrt, arctan2, ratio=None):
+    """Return every output of `solve` by its name, from a function that returns an input by its name.
+
+    The impulse ratio is the critical one, or what the function `ratio` makes of it.
+    """
     gamma, e = get("contact.crush_plane"), get("contact.restitution")
     cg, sg = cos(gamma), sin(gamma)
     body = []
@@ -23,6 +28,11 @@ def mechanics(get, sin, cos, sqrt, arctan2):
     # The impulse is the one on vehicle 1; it ends the approach along t, and turns the one along n round.
     pn = ((1 + e) * un * ktt - ut * knt) / det
     pt = (ut * knn - (1 + e) * un * knt) / det
+    critical = mu = pt / pn
+    if ratio is not None:
+        mu = ratio(critical)
+        pn = (1 + e) * un / (knn + mu * knt)
+        pt = mu * pn
     px, py = pn * cg - pt * sg, pn * sg + pt * cg
     out = {}
     before = after = 0
@@ -37,8 +47,26 @@ def mechanics(get, sin, cos, sqrt, arctan2):
         after = after + 0.5 * (m * ((vx + dx) * (vx + dx) + (vy + dy) * (vy + dy)) + j * rate * rate)
     sn, st = un - (knn * pn + knt * pt), ut - (knt * pn + ktt * pt)
     wn, wt = -0.5 * pn * (un + sn), -0.5 * pt * (ut + st)
-    out |= {"result.contact.restitution": e, "result.contact.impulse_ratio": pt / pn, "contact.critical_impulse_ratio": pt / pn}
+    out |= {"result.contact.restitution": e, "result.contact.impulse_ratio": mu, "contact.critical_impulse_ratio": critical}
     out |= {"contact.impulse.normal": pn, "contact.impulse.tangential": pt, "contact.impulse.x": px, "contact.impulse.y": py}
     out |= {"contact.approach.normal": un, "contact.approach.tangential": ut, "contact.separation.normal": sn, "contact.separation.tangential": st}
     out |= {"energy.before": before, "energy.after": after, "energy.loss": -(wn + wt), "energy.normal_work": wn, "energy.tangential_work": wt}
     return out
+
+
+def difference(name, one, of, sqrt):
+    """Return how far an output is from the one that `of` returns by its name, relative to the largest of its kind in its row."""
+    speed = abs(of("contact.approach.normal")) + abs(of("contact.approach.tangential")) + abs(of("vehicle.1.speed"))
+    impulse = sqrt(of("contact.impulse.normal") ** 2 + of("contact.impulse.tangential") ** 2)
+    apart = abs(one - of(name))
+    if "energy" in name:
+        return apart / of("energy.before")
+    if ".impulse." in name:
+        return apart / impulse
+    if any(kind in name for kind in ("velocity", "delta_v", "approach", "separation")):
+        return apart / speed
+    if name.endswith("pdof"):
+        return abs((apart + pi) % (2 * pi) - pi) * of(f"{name[:9]}.delta_v_magnitude") / speed
+    if name.endswith("ratio"):
+        return apart * of("contact.impulse.normal") ** 2 / impulse**2
+    return apart

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Compare `planar-impact uncertainty` with NumPy, OpenTURNS and SALib on one case of six uncertain inputs.
+"""Compare `planar-impact uncertainty` with NumPy, JAX, OpenTURNS and SALib on one case of six uncertain inputs.
 
     cargo build --release -p planar-impact-cli
     pip install -r benches/peers/requirements.txt
     benches/peers/uncertainty.py
 
 Every peer has one thread and the same vectorised mechanics, which checks nothing; the inputs are drawn by its own means. Times are those of the processor: of a
-peer for the computation alone, of the program for the whole process, from the start to the JSON. Agreement is the largest difference of two estimates in
+peer for the computation alone, of the program for the whole process, from the start to the JSON. JAX has compiled its program before. Agreement is the largest difference of two estimates in
 standard errors of that difference.
 """
 
@@ -21,7 +21,11 @@ from pathlib import Path
 
 for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[threads] = "1"
+os.environ["XLA_FLAGS"] = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
+os.environ["JAX_ENABLE_X64"] = "1"
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import openturns as ot
 from SALib.analyze import sobol as analysis
@@ -61,10 +65,10 @@ def case():
     return json.dumps({"schema": 1, "vehicle": [vehicle(1), vehicle(2)], "contact": contact})
 
 
-def outputs(columns):
+def outputs(columns, of=np):
     get = lambda name: columns.get(name, FIXED.get(name))
-    found = mechanics(get, np.sin, np.cos, np.sqrt, np.arctan2)
-    return np.column_stack([found[name] for name in OUTPUTS])
+    found = mechanics(get, of.sin, of.cos, of.sqrt, of.arctan2)
+    return of.stack([found[name] for name in OUTPUTS], axis=-1)
 
 
 def with_program(*more):
@@ -96,6 +100,23 @@ def numpy_samples():
         "contact.restitution": rng.triangular(0, 0.1, 0.3, SAMPLES)}
     found = outputs(columns)
     return found.mean(axis=0), found.std(axis=0, ddof=1), np.quantile(found, QUANTILES, axis=0)
+
+
+@jax.jit
+def jax_summary(key):
+    keys = dict(zip(NAMES, jax.random.split(key, len(NAMES))))
+    normal = lambda name, mean, sd: mean + sd * jax.random.normal(keys[name], (SAMPLES,))
+    uniform = lambda name, low, high: jax.random.uniform(keys[name], (SAMPLES,), minval=low, maxval=high)
+    found = outputs({
+        "vehicle.1.mass": normal("vehicle.1.mass", 1450, 40), "vehicle.1.speed": normal("vehicle.1.speed", 52 * KMH, 3 * KMH),
+        "vehicle.2.mass": normal("vehicle.2.mass", 2180, 60), "vehicle.2.speed": uniform("vehicle.2.speed", 36 * KMH, 46 * KMH),
+        "contact.crush_plane": uniform("contact.crush_plane", -8 * DEG, 8 * DEG),
+        "contact.restitution": jax.random.triangular(keys["contact.restitution"], 0, 0.1, 0.3, (SAMPLES,))}, jnp)
+    return found.mean(axis=0), found.std(axis=0, ddof=1), jnp.quantile(found, jnp.array(QUANTILES), axis=0)
+
+
+def jax_samples():
+    return [np.asarray(found) for found in jax_summary(jax.random.key(1))]
 
 
 def openturns_samples():
@@ -155,7 +176,7 @@ def main():
     samples, seconds = least(lambda: with_program("--method", "monte-carlo", "--samples", str(SAMPLES)))
     print(f"mean, sd and five quantiles of {SAMPLES} samples")
     print(f"  planar-impact   {seconds:7.3f} s")
-    for peer, compute in (("NumPy", numpy_samples), ("OpenTURNS", openturns_samples)):
+    for peer, compute in (("NumPy", numpy_samples), ("JAX", jax_samples), ("OpenTURNS", openturns_samples)):
         found, taken = least(lambda: timed(compute))
         print(f"  {peer:15} {taken:7.3f} s   {taken / seconds:5.1f} x   {apart(of_samples(samples, found))} standard errors apart")
     shares, seconds = least(lambda: with_program("--method", "sobol", "--samples", str(5 * PAIRS)))

@@ -7,10 +7,9 @@ mod progress;
 mod sink;
 mod source;
 
-use std::io;
 use std::thread::available_parallelism;
 
-use arrow_schema::{ArrowError, SchemaRef};
+use arrow_schema::SchemaRef;
 use planar_impact_app::batch::{Header, Refused};
 use planar_impact_app::{Cause, Issue, Issues, Units};
 use planar_impact_arrow::{Options, Plan};
@@ -32,14 +31,15 @@ use source::{Part, Source};
 /// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
 pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
-    let rows = rows_of_a_part(format);
+    let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
     let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
     let mut sources = open(call, rows)?;
     let schema = sources[0].schema().clone();
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
-    let (mut sink, encoder) = Sink::create(&call.output, format, &plan.schema(), &headers(&schema, &plan)).map_err(Failure::Output)?;
+    let (columns, passing, headers) = (plan.schema(), schema.fields().len(), headers(&schema, &plan));
+    let (mut sink, encoder) = Sink::create(&call.output, format, &columns, passing, &headers).map_err(Failure::Output)?;
     interrupt::note();
     let threads = call.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from);
     let bytes = if sources.iter().any(|source| source.bytes() == 0) { 0 } else { sources.iter().map(Source::bytes).sum() };
@@ -59,8 +59,15 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     };
     let work = |(part, position): (Part, u64)| {
         let rows = part.batch.num_rows();
-        let solved = plan.solve_with(&part.batch, part.unreadable).map_err(of_arrow)?;
-        Ok(Done { rows, refused: solved.refused, encoded: encoder.encode(solved.batch).map_err(Failure::Output)?, position })
+        let mut refused = Vec::new();
+        let solved = (0..rows).step_by(together).map(|first| {
+            let solved = plan.solve_with(&part.batch.slice(first, together.min(rows - first)), part.unreadable_in(first..first + together));
+            let solved = solved.map_err(sink::of_arrow)?;
+            refused.extend(solved.refused.into_iter().map(|refused| Refused { row: first + refused.row, ..refused }));
+            Ok(solved.batch)
+        });
+        let encoded = encoder.encode(solved).map_err(Failure::Output)?;
+        Ok(Done { rows, refused, encoded, position })
     };
     let write = |done: Result<Done, Failure>| {
         let Done { rows, refused, encoded, position } = done?;
@@ -84,11 +91,19 @@ struct Done {
     position: u64,
 }
 
-/// Returns the number of rows that are solved together: lines of text are long, and row groups should be.
+/// Returns the number of rows that are read and written together: lines of text are long, and row groups should be.
 fn rows_of_a_part(format: Format) -> usize {
     match format {
         Format::Csv => 1 << 13,
         Format::Parquet | Format::Arrow => 1 << 16,
+    }
+}
+
+/// Returns the number of rows that are solved together: few enough that an encoder finds them in the cache, or the whole part where none needs them again.
+fn rows_solved_together(format: Format) -> usize {
+    match format {
+        Format::Parquet => 1 << 12,
+        Format::Csv | Format::Arrow => rows_of_a_part(format),
     }
 }
 
@@ -129,11 +144,4 @@ fn refused_at(row: u64, refused: &Refused) -> Failure {
     let cause = if refused.is_of_input { Cause::Input } else { Cause::Physics };
     let issue = Issue { path: format!("row {row}"), ..Issue::of_file("refused-row", refused.reason.clone()) };
     Failure::Issues(Issues::without_source(cause, vec![issue]), Units::Si)
-}
-
-fn of_arrow(error: ArrowError) -> Failure {
-    match error {
-        ArrowError::IoError(_, error) => Failure::Output(error),
-        other => Failure::Output(io::Error::other(other)),
-    }
 }

@@ -289,6 +289,35 @@ fn an_uncertain_speed_has_a_band_along_its_arrow() {
 }
 
 #[test]
+fn uncertain_inputs_have_an_ellipse_at_the_tip_of_the_velocity_after() {
+    // Of both speeds, one after the other in the file.
+    let text = include_str!("../../cli/examples/position-a.toml").replace("40 ft/s", "40 ft/s ± 4 ft/s");
+    let case = Case::parse(Source { name: "uncertain.toml".to_owned(), text }).expect("a readable file");
+    let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
+    let svg = scene(&answer, Units::Us);
+    let page = Document::parse(&svg).expect("well-formed");
+    let root = page.root_element();
+    for (i, vehicle) in answer.vehicles.iter().enumerate() {
+        let found = vehicle.after.velocity_sd.expect("uncertain inputs");
+        assert!(found.sd[1] > 0.05 * found.sd[0], "two inputs spread it in two directions: {found:?}");
+        let ellipse = of_class(root, &format!("velocity-sd-{}", i + 1)).children().find(|node| node.has_tag_name("ellipse"));
+        let ellipse = ellipse.expect("an ellipse");
+        let after = of_class(root, &format!("velocity-after-{}", i + 1));
+        let line = after.children().find(|node| node.has_tag_name("line")).expect("an arrow");
+        let length = (number(ellipse, "cx") - number(line, "x1")).hypot(number(ellipse, "cy") - number(line, "y1"));
+        for (axis, sd) in ["rx", "ry"].into_iter().zip(found.sd) {
+            let wanted = 2.0 * sd / vehicle.speed_after() * length;
+            assert!((number(ellipse, axis) - wanted).abs() < 0.02, "{axis}: {}, not {wanted}", number(ellipse, axis));
+        }
+        let place = [(number(ellipse, "cx") - number(line, "x1")), (number(line, "y1") - number(ellipse, "cy"))];
+        assert_along(place, vehicle.after.velocity, length / vehicle.speed_after(), "center");
+        let turn = ellipse.attribute("transform").expect("a rotation").trim_start_matches("rotate(");
+        let turn: f64 = turn.split(' ').next().and_then(|angle| angle.parse().ok()).expect("an angle");
+        assert!((turn + found.angle.to_degrees()).abs() < 0.01, "{turn} for {found:?}");
+    }
+}
+
+#[test]
 fn a_rest_position_has_two_standard_deviations_around_it() {
     let text = include_str!("../../cli/examples/to-rest.toml");
     let case = Case::parse(Source { name: "to-rest.toml".to_owned(), text: text.to_owned() }).expect("a readable file");

@@ -63,6 +63,32 @@ impl<M: Model> Uncertain<M> {
         })
     }
 
+    /// Returns the covariances of outputs to first order, row by row in their order: exact if they are linear in the numbers.
+    ///
+    /// ```
+    /// use planar_impact::*;
+    /// let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+    /// let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
+    /// let uncertain = collision.uncertain(&[(Input::VelocityX(Side::One), Distribution::Normal { mean: 15.0, sd: 1.0 })])?;
+    /// let covariances = uncertain.covariances(&[Output::VelocityX(Side::One), Output::VelocityY(Side::One)])?;
+    /// // One number moves both: they are wholly correlated.
+    /// assert!((covariances[0][0] * covariances[1][1] - covariances[0][1] * covariances[1][0]).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Refusals`] of the model at the means of the numbers.
+    pub fn covariances(&self, of: &[M::Output]) -> Result<Vec<Vec<f64>>, Refusals> {
+        let means = self.means();
+        let gradients = of.iter().map(|of| self.model.slope(&means, *of).map(|slope| slope.by)).collect::<Result<Vec<_>, _>>()?;
+        let row = |gradient: &Vec<f64>| {
+            let along = product(&self.covariance, gradient);
+            gradients.iter().map(|other| dot(other, &along)).collect()
+        };
+        Ok(gradients.iter().map(row).collect())
+    }
+
     /// Returns an output to second order. For normal numbers mean, standard deviation and skewness are those of the quadratic function; for others the third
     /// and fourth moments of each number count in the standard deviation, and its third moment in the skewness.
     ///

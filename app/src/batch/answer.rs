@@ -2,12 +2,12 @@
 
 use planar_impact::batch::{Batch, Form, MomentForm, RatioForm};
 use planar_impact::check::{Options, Record, Severity, check};
-use planar_impact::{Collision, Heading, ImpulseRatio, Input, Moment, Output, Party, Refusal, Side, Vehicle};
+use planar_impact::{Collision, Heading, ImpulseRatio, Input, Moment, Output, Party, Refusal, Side, Vehicle, Xy};
 
 use super::Plan;
 use super::column::{Column, Table};
-use super::row::{Fault, Row, describe};
-use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, VehicleInputs, Velocity};
+use super::row::{Fault, Row, RowVehicle, describe};
+use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, Velocity};
 use crate::derivative;
 use crate::message::Message;
 use crate::named::positive_zero;
@@ -185,10 +185,10 @@ impl Plan {
     /// Returns the numbers of the case file that a row stands for.
     fn case(&self, columns: &[Column<'_>], row: usize) -> Inputs {
         let mut cells = Row { keys: &self.inputs, columns, row, faults: Vec::new() };
-        let mut vehicles = [0, 1].map(|i| cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i]));
-        for (vehicle, crush) in vehicles.iter_mut().zip(self.crush_of(&mut cells)) {
-            vehicle.iter_mut().for_each(|vehicle| vehicle.crush = crush.clone());
-        }
+        let crush = self.crush_of(&mut cells);
+        let mut vehicle = |(i, crush): (usize, _)| Some(cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i])?.with_crush(crush));
+        let [one, two] = crush;
+        let vehicles = [(0, one), (1, two)].map(&mut vehicle);
         Inputs { vehicles, contact: cells.contact(&self.contact, &self.defaults) }
     }
 
@@ -309,26 +309,24 @@ impl Rows {
         refused.clear();
     }
 
-    fn push(&mut self, vehicles: &[Option<VehicleInputs>; 2], contact: &ContactInputs, faults: Vec<Fault>) {
+    fn push(&mut self, vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs, faults: Vec<Fault>) {
         let mut set = |input: Input, number: f64| self.columns[input.index()].push(number);
         for (i, (side, vehicle)) in Side::ALL.into_iter().zip(vehicles).enumerate() {
-            let numbers = vehicle.as_ref().map(|vehicle| (vehicle, vehicle.velocity()));
-            let mut of = |input: fn(Side) -> Input, number: fn(&VehicleInputs) -> f64| {
-                set(input(side), numbers.map_or(f64::NAN, |(vehicle, _)| number(vehicle)));
-            };
-            of(Input::Mass, |vehicle| vehicle.mass);
-            of(Input::YawInertia, VehicleInputs::yaw_inertia);
-            of(Input::Heading, |vehicle| vehicle.heading);
-            of(Input::YawRate, |vehicle| vehicle.yaw_rate);
-            of(Input::ImpactCenterForward, |vehicle| vehicle.impact_center.forward);
-            of(Input::ImpactCenterLeft, |vehicle| vehicle.impact_center.left);
-            set(Input::VelocityX(side), numbers.map_or(f64::NAN, |(_, velocity)| velocity.x));
-            set(Input::VelocityY(side), numbers.map_or(f64::NAN, |(_, velocity)| velocity.y));
-            self.speeds[i].push(vehicle.as_ref().map_or(f64::NAN, |vehicle| match vehicle.velocity {
+            let of = |number: fn(&RowVehicle) -> f64| vehicle.as_ref().map_or(f64::NAN, number);
+            set(Input::Mass(side), of(|vehicle| vehicle.mass));
+            set(Input::YawInertia(side), of(|vehicle| vehicle.inertia.of(vehicle.mass)));
+            set(Input::Heading(side), of(|vehicle| vehicle.heading));
+            set(Input::YawRate(side), of(|vehicle| vehicle.yaw_rate));
+            set(Input::ImpactCenterForward(side), of(|vehicle| vehicle.impact_center.forward));
+            set(Input::ImpactCenterLeft(side), of(|vehicle| vehicle.impact_center.left));
+            let velocity = vehicle.map_or(Xy { x: f64::NAN, y: f64::NAN }, |vehicle| vehicle.velocity.on_ground(vehicle.heading));
+            set(Input::VelocityX(side), velocity.x);
+            set(Input::VelocityY(side), velocity.y);
+            self.speeds[i].push(of(|vehicle| match vehicle.velocity {
                 Velocity::Speed(speed) => speed,
                 Velocity::Components(_) => f64::NAN,
             }));
-            self.radii[i].push(vehicle.as_ref().map_or(f64::NAN, |vehicle| match vehicle.inertia {
+            self.radii[i].push(of(|vehicle| match vehicle.inertia {
                 Inertia::Radius(radius) => radius,
                 Inertia::Yaw(_) => f64::NAN,
             }));

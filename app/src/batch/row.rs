@@ -75,6 +75,25 @@ pub(super) struct ContactColumns {
     pub(super) moment: [Option<usize>; 2],
 }
 
+/// The numbers of a vehicle in a row: those that its crush does not add.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowVehicle {
+    pub(super) mass: f64,
+    pub(super) inertia: Inertia,
+    pub(super) heading: f64,
+    pub(super) velocity: Velocity,
+    pub(super) yaw_rate: f64,
+    pub(super) impact_center: ForwardLeft,
+}
+
+impl RowVehicle {
+    /// Returns the numbers of the case file that they stand for.
+    pub(super) fn with_crush(self, crush: Option<CrushInputs>) -> VehicleInputs {
+        let RowVehicle { mass, inertia, heading, velocity, yaw_rate, impact_center } = self;
+        VehicleInputs { mass, inertia, heading, velocity, yaw_rate, impact_center, crush, size: Size::default(), braking: None }
+    }
+}
+
 /// Something wrong with a row, before the physics.
 #[derive(Clone, Debug)]
 pub(super) enum Fault {
@@ -227,7 +246,7 @@ impl Row<'_> {
     }
 
     /// Returns a vehicle, or `None` for a fixed barrier.
-    pub(super) fn vehicle(&mut self, of: &VehicleColumns, default: &VehicleDefaults) -> Option<VehicleInputs> {
+    pub(super) fn vehicle(&mut self, of: &VehicleColumns, default: &VehicleDefaults) -> Option<RowVehicle> {
         let side = of.side;
         if self.given(of.barrier).map_or(default.is_barrier, |truth| truth == 1.0) {
             self.nothing_else(of);
@@ -246,7 +265,7 @@ impl Row<'_> {
             (None, None) => default.inertia.unwrap_or_else(|| Inertia::Yaw(self.lacks(Parameter::Input(Input::YawInertia(side))))),
         };
         let velocity = self.velocity(of, default, heading);
-        Some(VehicleInputs {
+        Some(RowVehicle {
             mass,
             inertia,
             heading,
@@ -256,9 +275,6 @@ impl Row<'_> {
                 forward: self.number(of.center[0], default.forward, input(Input::ImpactCenterForward)),
                 left: self.number(of.center[1], default.left, input(Input::ImpactCenterLeft)),
             },
-            crush: None,
-            size: Size::default(),
-            braking: None,
         })
     }
 

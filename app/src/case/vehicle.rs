@@ -58,21 +58,35 @@ pub enum Velocity {
     Components(Xy),
 }
 
+impl Inertia {
+    /// Returns the yaw inertia of a vehicle of this mass.
+    pub fn of(self, mass: f64) -> f64 {
+        match self {
+            Inertia::Yaw(inertia) => inertia,
+            Inertia::Radius(radius) => mass * (radius * radius),
+        }
+    }
+}
+
+impl Velocity {
+    /// Returns the velocity in ground axes, of a vehicle with this heading.
+    pub fn on_ground(self, heading: f64) -> Xy {
+        match self {
+            Velocity::Speed(speed) => Heading::from_angle(heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
+            Velocity::Components(velocity) => velocity,
+        }
+    }
+}
+
 impl VehicleInputs {
     /// Returns the velocity in ground axes.
     pub fn velocity(&self) -> Xy {
-        match self.velocity {
-            Velocity::Speed(speed) => Heading::from_angle(self.heading).to_ground(ForwardLeft { forward: speed, left: 0.0 }),
-            Velocity::Components(velocity) => velocity,
-        }
+        self.velocity.on_ground(self.heading)
     }
 
     /// Returns the yaw inertia.
     pub fn yaw_inertia(&self) -> f64 {
-        match self.inertia {
-            Inertia::Yaw(inertia) => inertia,
-            Inertia::Radius(radius) => self.mass * (radius * radius),
-        }
+        self.inertia.of(self.mass)
     }
 
     fn ahead(&self) -> f64 {

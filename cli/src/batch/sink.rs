@@ -8,12 +8,12 @@ use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, DataType, SchemaRef};
+use arrow_schema::{ArrowError, DataType, FieldRef, SchemaRef};
 use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowRowGroupWriterFactory, compute_leaves};
+use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowColumnWriter, ArrowRowGroupWriterFactory, compute_leaves};
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesBuilder};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::ColumnPath;
 use tempfile::NamedTempFile;
@@ -55,16 +55,16 @@ pub enum Encoded {
     /// The columns of a row group.
     Parquet(Vec<ArrowColumnChunk>),
     /// The rows themselves.
-    Arrow(RecordBatch),
+    Arrow(Vec<RecordBatch>),
 }
 
 impl Sink {
-    /// Begins a table, with these headers if it is text; `-` is standard output.
+    /// Begins a table, with these headers if it is text; `-` is standard output. The columns after the first `passing` are computed.
     ///
     /// # Errors
     ///
     /// If the file cannot be written.
-    pub fn create(path: &Path, format: Format, schema: &SchemaRef, headers: &[String]) -> io::Result<(Sink, Encoder)> {
+    pub fn create(path: &Path, format: Format, schema: &SchemaRef, passing: usize, headers: &[String]) -> io::Result<(Sink, Encoder)> {
         let (rows, encoder) = if path.as_os_str() == "-" {
             output::write(&line(headers)?)?;
             (Rows::Stream, Encoder::Csv)
@@ -77,7 +77,7 @@ impl Sink {
                     (Rows::Csv(file), Encoder::Csv)
                 }
                 Format::Parquet => {
-                    let writer = ArrowWriter::try_new(file, schema.clone(), Some(properties(schema))).map_err(of_parquet)?;
+                    let writer = ArrowWriter::try_new(file, schema.clone(), Some(properties(schema, passing))).map_err(of_parquet)?;
                     let (writer, factory) = writer.into_serialized_writer().map_err(of_parquet)?;
                     (Rows::Parquet(writer), Encoder::Parquet(factory, schema.clone()))
                 }
@@ -104,7 +104,7 @@ impl Sink {
                 };
                 append(writer).map_err(of_parquet)
             }
-            (Rows::Arrow(writer), Encoded::Arrow(batch)) => writer.write(&batch).map_err(of_arrow),
+            (Rows::Arrow(writer), Encoded::Arrow(batches)) => batches.iter().try_for_each(|batch| writer.write(batch)).map_err(of_arrow),
             _ => Err(io::Error::other("rows of another format")),
         }
     }
@@ -130,41 +130,53 @@ impl Sink {
 }
 
 impl Encoder {
-    /// Encodes rows.
+    /// Encodes rows: those of several record batches, as one part of the table.
     ///
     /// # Errors
     ///
-    /// If a column is of a type that the format does not have.
-    pub fn encode(&self, batch: RecordBatch) -> io::Result<Encoded> {
+    /// If a column is of a type that the format does not have, or if a batch is one.
+    pub fn encode(&self, mut batches: impl Iterator<Item = io::Result<RecordBatch>>) -> io::Result<Encoded> {
         match self {
-            Encoder::Csv => lines(&batch).map(Encoded::Csv).map_err(of_arrow),
-            Encoder::Parquet(factory, schema) => {
-                let encode = || {
-                    let mut writers = factory.create_column_writers(0)?;
-                    let mut next = writers.iter_mut();
-                    for (field, array) in schema.fields().iter().zip(batch.columns()) {
-                        for leaf in compute_leaves(field, array)? {
-                            next.next().ok_or_else(|| ParquetError::General("a column without a writer".to_owned()))?.write(&leaf)?;
-                        }
-                    }
-                    writers.into_iter().map(|writer| writer.close()).collect::<Result<Vec<_>, ParquetError>>()
-                };
-                encode().map(Encoded::Parquet).map_err(of_parquet)
+            Encoder::Csv => {
+                let mut text = Vec::new();
+                batches.try_for_each(|batch| lines(&batch?, &mut text).map_err(of_arrow))?;
+                Ok(Encoded::Csv(text))
             }
-            Encoder::Arrow => Ok(Encoded::Arrow(batch)),
+            Encoder::Parquet(factory, schema) => {
+                let mut writers = factory.create_column_writers(0).map_err(of_parquet)?;
+                batches.try_for_each(|batch| add(&batch?, schema, &mut writers).map_err(of_parquet))?;
+                let columns = writers.into_iter().map(|writer| writer.close()).collect::<Result<_, _>>();
+                columns.map(Encoded::Parquet).map_err(of_parquet)
+            }
+            Encoder::Arrow => batches.collect::<Result<_, _>>().map(Encoded::Arrow),
         }
     }
 }
 
-/// Numbers in full, since they are seldom equal; words as a list of those that occur.
-fn properties(schema: &SchemaRef) -> WriterProperties {
+/// Adds rows to the columns of a row group.
+fn add(batch: &RecordBatch, schema: &SchemaRef, writers: &mut [ArrowColumnWriter]) -> Result<(), ParquetError> {
+    let mut next = writers.iter_mut();
+    for (field, array) in schema.fields().iter().zip(batch.columns()) {
+        for leaf in compute_leaves(field, array)? {
+            next.next().ok_or_else(|| ParquetError::General("a column without a writer".to_owned()))?.write(&leaf)?;
+        }
+    }
+    Ok(())
+}
+
+/// Numbers in full, since they are seldom equal, and computed ones uncompressed, since they do not become smaller; words as a list of those that occur.
+fn properties(schema: &SchemaRef, passing: usize) -> WriterProperties {
     let any = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_created_by(concat!("planar-impact ", env!("CARGO_PKG_VERSION")).to_owned());
-    let numbers = schema.fields().iter().filter(|field| *field.data_type() == DataType::Float64);
-    let path = |name: &str| ColumnPath::new(vec![name.to_owned()]);
-    numbers.fold(any, |any, field| any.set_column_dictionary_enabled(path(field.name()), false)).build()
+    let numbers = schema.fields().iter().enumerate().filter(|(_, field)| *field.data_type() == DataType::Float64);
+    let in_full = |any: WriterPropertiesBuilder, (i, field): (usize, &FieldRef)| {
+        let path = || ColumnPath::new(vec![field.name().clone()]);
+        let compression = if i < passing { Compression::SNAPPY } else { Compression::UNCOMPRESSED };
+        any.set_column_dictionary_enabled(path(), false).set_column_compression(path(), compression)
+    };
+    numbers.fold(any, in_full).build()
 }
 
 fn line(headers: &[String]) -> io::Result<Vec<u8>> {
@@ -174,7 +186,7 @@ fn line(headers: &[String]) -> io::Result<Vec<u8>> {
 }
 
 /// Writes rows as lines, each number with as many digits as tell it from every other.
-fn lines(batch: &RecordBatch) -> Result<Vec<u8>, ArrowError> {
+fn lines(batch: &RecordBatch, to: &mut Vec<u8>) -> Result<(), ArrowError> {
     let options = FormatOptions::default();
     let cells: Vec<Cells<'_>> = batch
         .columns()
@@ -185,7 +197,8 @@ fn lines(batch: &RecordBatch) -> Result<Vec<u8>, ArrowError> {
             _ => ArrayFormatter::try_new(column.as_ref(), &options).map(|formatter| Cells::Others(column.as_ref(), formatter)),
         })
         .collect::<Result<_, _>>()?;
-    let mut writer = csv::Writer::from_writer(Vec::with_capacity(16 * cells.len() * batch.num_rows()));
+    to.reserve(16 * cells.len() * batch.num_rows());
+    let mut writer = csv::Writer::from_writer(to);
     let mut digits = zmij::Buffer::new();
     for row in 0..batch.num_rows() {
         for column in &cells {
@@ -199,7 +212,7 @@ fn lines(batch: &RecordBatch) -> Result<Vec<u8>, ArrowError> {
         }
         writer.write_record(None::<&[u8]>).map_err(|error| ArrowError::CsvError(error.to_string()))?;
     }
-    writer.into_inner().map_err(|error| ArrowError::CsvError(error.to_string()))
+    writer.flush().map_err(|error| ArrowError::CsvError(error.to_string()))
 }
 
 enum Cells<'a> {
@@ -212,7 +225,8 @@ fn of_parquet(error: ParquetError) -> io::Error {
     io::Error::other(error)
 }
 
-fn of_arrow(error: ArrowError) -> io::Error {
+/// Returns an error of Arrow as one of a file.
+pub fn of_arrow(error: ArrowError) -> io::Error {
     match error {
         ArrowError::IoError(_, error) => error,
         other => io::Error::other(other),

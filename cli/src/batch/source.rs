@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -27,6 +28,13 @@ pub struct Part {
     pub batch: RecordBatch,
     /// Those that are no rows of the table, counted from 0.
     pub unreadable: Vec<usize>,
+}
+
+impl Part {
+    /// Returns those of some rows that are no rows of the table, counted from the first of them.
+    pub fn unreadable_in(&self, rows: Range<usize>) -> Vec<usize> {
+        self.unreadable.iter().filter(|row| rows.contains(row)).map(|row| row - rows.start).collect()
+    }
 }
 
 /// A table that is read part by part.

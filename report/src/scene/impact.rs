@@ -1,7 +1,7 @@
 //! The picture of the impact: vehicles, crush plane, impulses, velocities and rotation.
 
 use planar_impact_app::plain_text::shorten;
-use planar_impact_app::scene::{Scene, VehicleInScene};
+use planar_impact_app::scene::{Deviations, Scene, VehicleInScene};
 use planar_impact_app::units::{Measure, Units};
 
 use super::barrier;
@@ -56,7 +56,10 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     draw_plane(svg, &view, &plane, &mut labels);
     for (i, vehicle) in scene.vehicles.iter().enumerate() {
         speed_range(svg, &view, scene, vehicle, i, size);
+        velocity_deviations(svg, &view, scene, vehicle, i, size);
     }
+    let axes: Vec<Place> = ends_of_deviations(scene, size).map(|end| view.place(end)).collect();
+    axes.chunks_exact(2).for_each(|axis| labels.avoid(axis[0], axis[1]));
     for vector in &vectors {
         arrow(svg, &view, vector);
         labels.avoid(view.place(vector.from), view.place(vector.to));
@@ -98,7 +101,7 @@ fn view(scene: &Scene, vectors: &[Vector<'_>], plane: &[[[f64; 2]; 2]; 2], frame
     let moving = scene.vehicles.iter().filter(|vehicle| !vehicle.barrier);
     let points = moving.flat_map(|vehicle| extent(vehicle, &at_impact(vehicle)));
     let points = points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.iter().flatten().copied());
-    View::of(points, frame, ROOM)
+    View::of(points.chain(ends_of_deviations(scene, size(scene))), frame, ROOM)
 }
 
 /// Returns how the picture lies on the page.
@@ -165,6 +168,49 @@ fn speed_range(svg: &mut Svg, view: &View, scene: &Scene, vehicle: &VehicleInSce
         .map(|end| view.place(plus(vehicle.position, vehicle.before.velocity.map(|part| part * (end / speed)), fastest, VELOCITY * size)));
     let class = format!("speed-range speed-range-{}", which + 1);
     svg.line(ends[0], ends[1], &[("class", &class), ("stroke", STYLES[which].stroke), ("stroke-opacity", "0.35"), ("stroke-width", "11")]);
+}
+
+/// Returns the semi-axes of two standard deviations of a velocity after, along and across its greater one, on the ground at the tip of its arrow.
+fn deviations(scene: &Scene, vehicle: &VehicleInScene, size: f64) -> Option<[[f64; 2]; 2]> {
+    let (Some(Deviations { sd, angle }), fastest) = (vehicle.after.velocity_sd, fastest(scene)) else { return None };
+    let (sin, cos) = libm::sincos(angle);
+    let [along, across] = sd.map(|sd| 2.0 * sd * VELOCITY * size / fastest);
+    (fastest > 0.0).then_some([[along * cos, along * sin], [-across * sin, across * cos]])
+}
+
+/// Returns the tip of the arrow of the velocity after.
+fn tip_after(scene: &Scene, vehicle: &VehicleInScene, size: f64) -> [f64; 2] {
+    plus(vehicle.position, vehicle.after.velocity, fastest(scene), VELOCITY * size)
+}
+
+/// Returns the ends of the ellipses of the velocities after, axis by axis.
+fn ends_of_deviations(scene: &Scene, size: f64) -> impl Iterator<Item = [f64; 2]> {
+    scene
+        .vehicles
+        .iter()
+        .filter_map(move |vehicle| Some((tip_after(scene, vehicle, size), deviations(scene, vehicle, size)?)))
+        .flat_map(|(tip, axes)| axes.into_iter().flat_map(move |[x, y]| [1.0, -1.0].map(|sign| [tip[0] + sign * x, tip[1] + sign * y])))
+}
+
+/// Draws the ellipse of two standard deviations around the tip of the velocity after.
+fn velocity_deviations(svg: &mut Svg, view: &View, scene: &Scene, vehicle: &VehicleInScene, which: usize, size: f64) {
+    let Some(axes) = deviations(scene, vehicle, size) else { return };
+    let (x, y) = view.place(tip_after(scene, vehicle, size));
+    let [along, across] = axes.map(|[x, y]| number(view.scale * libm::hypot(x, y)));
+    // On the page y points down, and a positive angle turns clockwise.
+    let turn = format!("rotate({} {} {})", number(-libm::atan2(axes[0][1], axes[0][0]).to_degrees()), number(x), number(y));
+    let stroke = STYLES[which].stroke;
+    svg.group(&[("class", &format!("velocity-sd velocity-sd-{}", which + 1))], |svg| {
+        svg.title(&format!("velocity of {} after, two standard deviations", vehicle::name(vehicle)));
+        let (x, y) = (number(x), number(y));
+        let place = [("cx", &*x), ("cy", &*y), ("rx", &*along), ("ry", &*across), ("transform", &*turn)];
+        svg.element("ellipse", &[&place[..], &spread(stroke)].concat());
+    });
+}
+
+/// Returns how an ellipse of deviations is drawn.
+pub fn spread(stroke: &str) -> [(&str, &str); 4] {
+    [("fill", stroke), ("fill-opacity", "0.15"), ("stroke", stroke), ("stroke-dasharray", "4 3")]
 }
 
 fn vectors(scene: &Scene, units: Units, size: f64) -> Vec<Vector<'static>> {

@@ -4,7 +4,7 @@ use planar_impact_app::scene::{Scene, VehicleInScene};
 use planar_impact_app::units::{Measure, Units};
 
 use super::view::{Frame, arrow_head};
-use super::{SMALL, STYLES, dial, thin};
+use super::{SMALL, STYLES, dial, impact, thin};
 use crate::svg::{INK, Svg, number};
 
 const ROW: f64 = 21.0;
@@ -138,6 +138,17 @@ fn keys(svg: &mut Svg, scene: &Scene, frame: Frame, top: f64) {
             svg,
             &|svg, x, y| svg.line((x, y), (x + 46.0, y), &[("stroke", one.stroke), ("stroke-opacity", "0.35"), ("stroke-width", "11")]),
             "interval of the speed before",
+        );
+    }
+    if scene.vehicles.iter().any(|vehicle| vehicle.after.velocity_sd.is_some()) {
+        row(
+            svg,
+            &|svg, x, y| {
+                let (x, y) = (number(x + 23.0), number(y));
+                let place = [("cx", &*x), ("cy", &*y), ("rx", "20"), ("ry", "7")];
+                svg.element("ellipse", &[&place[..], &impact::spread(two.stroke)].concat());
+            },
+            "2 sd of the velocity after",
         );
     }
     if scene.vehicles.iter().any(|vehicle| !vehicle.skids.is_empty()) {

@@ -82,6 +82,16 @@ fn places_and_vectors_by_hand() {
     let derivative = document("gradient", &case, &["--of", "vehicle.1.pdof", "--wrt", "vehicle.1.speed"]);
     let slope = number(&derivative["of"]["vehicle.1.pdof"]["d"]["vehicle.1.speed"]).abs() * sd;
     assert_pair(&one["pdof_range"], [number(&one["pdof"]) - slope, number(&one["pdof"]) + slope]);
+    // One uncertain input moves the velocity along a line.
+    for (i, vehicle) in [one, two].into_iter().enumerate() {
+        let names = ["x", "y"].map(|axis| format!("vehicle.{}.velocity.{axis}", i + 1));
+        let slopes = document("gradient", &case, &["--of", &names.join(","), "--wrt", "vehicle.1.speed"]);
+        let [x, y] = names.map(|name| number(&slopes["of"][name]["d"]["vehicle.1.speed"]) * 2.0 / 3.6);
+        let found = &vehicle["after"]["velocity_sd"];
+        assert_close(&found["sd"][0], x.hypot(y));
+        assert!(number(&found["sd"][1]) < 1e-7 * x.hypot(y));
+        assert_close(&found["angle"], (y / x).atan());
+    }
     // Skids end at the center of mass, straight behind it: 3 m and 12 m along y.
     assert_pair(&two["skids"][1][1], [13.1, 4.7]);
     assert_pair(&two["skids"][1][0], [13.1, 1.7]);
