@@ -9,6 +9,7 @@
 //! | `crush` | a crush energy, the textbook's formula, its derivative, and CRASH3 |
 //! | `reconstruct` | reconstruction with six unknowns, from one start and from 64, and least squares assembled by hand (feature `reconstruct`) |
 //! | `uncertainty` | a million samples of six uncertain inputs: a batch alone, with moments and quantiles, and a plain loop |
+//! | `bounds` | guaranteed ranges over two inputs to 10⁻¹², and over six to 10⁻⁶ |
 //! | `scalars` | the same definition on duals, intervals and rationals |
 //!
 //! Every figure is for 256 distinct collisions; criterion prints the throughput in collisions per second.

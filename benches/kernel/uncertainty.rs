@@ -3,9 +3,9 @@
 
 use std::hint::black_box;
 
-use criterion::{Criterion, Throughput};
+use criterion::{BenchmarkId, Criterion, Throughput};
 use planar_impact::batch::Batch;
-use planar_impact::uncertainty::MonteCarlo;
+use planar_impact::uncertainty::{Direct, MonteCarlo, Search};
 use planar_impact::*;
 use rand::SeedableRng;
 use rand_distr::{Distribution as _, Normal};
@@ -78,5 +78,37 @@ pub fn uncertainty(c: &mut Criterion) {
             black_box(sums)
         });
     });
+    group.finish();
+    bounds(c, collision);
+}
+
+/// Guaranteed ranges over the paper's two doubtful numbers to 10⁻¹², and over six inputs to 10⁻⁶.
+fn bounds(c: &mut Criterion, collision: Collision) {
+    let around = |input: Input, by: f64| {
+        let middle = collision.input(input).expect("an input");
+        (input, (middle - by, middle + by))
+    };
+    let [one, two] = Side::ALL;
+    let paper = [around(Input::CrushPlane, 0.14), (Input::Restitution, (0.0, 0.3))];
+    let others = [
+        around(Input::VelocityX(one), 0.5),
+        around(Input::VelocityY(two), 0.5),
+        around(Input::Mass(one), 30.0),
+        around(Input::Mass(two), 30.0),
+    ];
+    let six = [&paper[..], &others].concat();
+    let mut group = c.benchmark_group("bounds");
+    for (name, box_, gap) in [("two", &paper[..], 1e-12), ("six", &six[..], 1e-6)] {
+        let (inputs, ranges): (Vec<Input>, Vec<(f64, f64)>) = box_.iter().copied().unzip();
+        let mapping = Direct(inputs);
+        for of in [Output::NormalWork, Output::Loss, Output::DeltaVMagnitude(one), Output::PrincipalDirectionOfForce(one)] {
+            // Enough for a tight range, and no more: an output whose range is not tight would take minutes.
+            let search = Search { gap, cells: 20_000 };
+            let range = || uncertainty::bounds(&collision, &mapping, &ranges, of, &search, &|_| true);
+            let found = range().expect("a box that physics accepts");
+            eprintln!("{of} over {name}: tight {}, {} cells", found.is_tight, found.cells);
+            group.bench_function(BenchmarkId::new(of.to_string(), name), |b| b.iter(|| black_box(range())));
+        }
+    }
     group.finish();
 }
