@@ -218,6 +218,41 @@ fn threads_and_formats_change_no_bit() {
     }
 }
 
+/// Rows of a Parquet file are read together, and solved some at a time.
+#[test]
+fn a_refused_row_of_a_long_part_has_its_number() {
+    let folder = Folder::new();
+    let (source, target) = (folder.path().join("in.csv"), folder.path().join("out.parquet"));
+    let mut table = "vehicle.1.speed,id\n".to_owned();
+    for i in 0..9000 {
+        table += &match i {
+            4095 => "-12,4095\n".to_owned(),
+            4096 => "fast,4096\n".to_owned(),
+            8500 => "12,8500,one cell too many\n".to_owned(),
+            _ => format!("12,{i}\n"),
+        };
+    }
+    fs::write(&source, table).expect("a table");
+    let done = batch(&[text(&source), "-o", text(&target), "--case", POSITION_A, "--of", "W_n,dV1"]);
+    let said: Vec<&str> = done.err.lines().collect();
+    assert!(said[0].starts_with("row 4096: separating: "), "{}", done.err);
+    assert!(said[1].starts_with("row 4097: unreadable: ") && said[2].starts_with("row 8501: unreadable: "), "{}", done.err);
+    assert_eq!(said[3..], ["3 of 9000 rows refused: 1 separating, 2 unreadable"]);
+    let answer = read(&target);
+    let refusals = answer["refusal"].as_string::<i32>();
+    let refused: Vec<usize> = (0..9000).filter(|row| refusals.is_valid(*row)).collect();
+    assert_eq!(refused, [4095, 4096, 8500]);
+    let works = answer["energy.normal_work"].as_primitive::<Float64Type>();
+    assert!((0..9000).all(|row| works.is_valid(row) != refused.contains(&row)));
+    assert!(works.iter().flatten().all(|work| work == works.value(0)), "one collision");
+    // One row group; computed numbers do not become smaller.
+    let reader = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(&target).expect("a table")).expect("a table");
+    assert_eq!(reader.metadata().num_row_groups(), 1);
+    let compressions: Vec<Compression> = reader.metadata().row_group(0).columns().iter().map(|column| column.compression()).collect();
+    let (snappy, none) = (Compression::SNAPPY, Compression::UNCOMPRESSED);
+    assert_eq!(compressions, [snappy, snappy, none, none, snappy]);
+}
+
 #[test]
 fn tables_of_one_call_follow_each_other() {
     let folder = Folder::new();
