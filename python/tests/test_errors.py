@@ -226,6 +226,8 @@ def interrupted(call: Any) -> float:
         signal.raise_signal(signal.SIGINT)
 
     timer = threading.Timer(0.3, send)
+    # A shell starts what runs in the background with interrupts ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):
@@ -233,6 +235,7 @@ def interrupted(call: Any) -> float:
         return time.monotonic() - sent[0]
     finally:
         timer.join()
+        signal.signal(signal.SIGINT, before)
 
 
 def test_an_interrupt_stops_a_long_call() -> None:
