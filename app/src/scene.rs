@@ -252,12 +252,14 @@ impl Scene {
         const DEVIATIONS: f64 = 1.959_963_984_540_054;
         let around = |value: f64, sd: f64| sd.is_finite().then_some([value - DEVIATIONS * sd, value + DEVIATIONS * sd]);
         for (vehicle, side) in self.vehicles.iter_mut().zip(Side::ALL).filter(|(vehicle, _)| !vehicle.barrier) {
-            let direction = uncertainty::covariances(case, &[Output::PrincipalDirectionOfForce(side)]).map(|variance| variance[0][0]);
-            vehicle.pdof_range =
-                direction.filter(|variance| *variance > 0.0).and_then(|variance| around(vehicle.pdof, libm::sqrt(variance)));
-            let velocity = uncertainty::covariances(case, &[Output::VelocityX(side), Output::VelocityY(side)]);
-            let deviations = velocity.map(|of| Deviations::of([[of[0][0], of[0][1]], [of[1][0], of[1][1]]]));
-            vehicle.after.velocity_sd = deviations.filter(|deviations| deviations.sd[0] > 0.0);
+            let of = [Output::PrincipalDirectionOfForce(side), Output::VelocityX(side), Output::VelocityY(side)];
+            if let Some(covariances) = uncertainty::covariances(case, &of) {
+                let velocity = [1, 2].map(|i| [covariances[i][1], covariances[i][2]]);
+                let deviations = velocity.iter().flatten().all(|covariance| covariance.is_finite()).then(|| Deviations::of(velocity));
+                vehicle.after.velocity_sd = deviations.filter(|deviations| deviations.sd[0] > 0.0);
+                let direction = covariances[0][0];
+                vehicle.pdof_range = (direction > 0.0).then(|| around(vehicle.pdof, libm::sqrt(direction))).flatten();
+            }
             let speed = case.uncertain.inputs.iter().find(|input| input.parameter == Parameter::Speed(side));
             vehicle.speed_range = speed.and_then(|speed| around(speed.distribution.mean(), speed.distribution.sd()));
         }

@@ -106,14 +106,13 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
 }
 
-/// Returns the covariances of outputs of the impact to first order in the uncertain inputs; `None` where the case has no such inputs or no such outputs, where
-/// physics refuses their means, and where a deviation is infinite.
+/// Returns the covariances of outputs of the impact to first order in the uncertain inputs, infinite or NaN where there are none; `None` where the case has no
+/// such inputs or no such outputs, and where physics refuses their means.
 pub(crate) fn covariances(case: &Case, of: &[Output]) -> Option<Vec<Vec<f64>>> {
     let uncertain = uncertain(case).ok().filter(|uncertain| !uncertain.numbers().is_empty())?;
     let of: Vec<CaseOutput> = of.iter().copied().map(CaseOutput::Impact).collect();
     let has_all = of.iter().all(|of| case.setup.outputs().contains(of));
-    let covariances = uncertain.covariances(&of).ok().filter(|_| has_all)?;
-    covariances.iter().flatten().all(|covariance| covariance.is_finite()).then_some(covariances)
+    uncertain.covariances(&of).ok().filter(|_| has_all)
 }
 
 /// Returns the model of a case with its uncertain numbers and their correlations.

@@ -185,10 +185,9 @@ impl Plan {
     /// Returns the numbers of the case file that a row stands for.
     fn case(&self, columns: &[Column<'_>], row: usize) -> Inputs {
         let mut cells = Row { keys: &self.inputs, columns, row, faults: Vec::new() };
-        let crush = self.crush_of(&mut cells);
-        let mut vehicle = |(i, crush): (usize, _)| Some(cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i])?.with_crush(crush));
-        let [one, two] = crush;
-        let vehicles = [(0, one), (1, two)].map(&mut vehicle);
+        let [one, two] = self.crush_of(&mut cells);
+        let mut vehicle = |i: usize, crush| Some(cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i])?.with_crush(crush));
+        let vehicles = [vehicle(0, one), vehicle(1, two)];
         Inputs { vehicles, contact: cells.contact(&self.contact, &self.defaults) }
     }
 

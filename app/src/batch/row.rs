@@ -87,7 +87,7 @@ pub(super) struct RowVehicle {
 }
 
 impl RowVehicle {
-    /// Returns the numbers of the case file that they stand for.
+    /// Returns the vehicle of a case file that has these numbers and this crush.
     pub(super) fn with_crush(self, crush: Option<CrushInputs>) -> VehicleInputs {
         let RowVehicle { mass, inertia, heading, velocity, yaw_rate, impact_center } = self;
         VehicleInputs { mass, inertia, heading, velocity, yaw_rate, impact_center, crush, size: Size::default(), braking: None }

@@ -58,8 +58,7 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
         speed_range(svg, &view, scene, vehicle, i, size);
         velocity_deviations(svg, &view, scene, vehicle, i, size);
     }
-    let axes: Vec<Place> = ends_of_deviations(scene, size).map(|end| view.place(end)).collect();
-    axes.chunks_exact(2).for_each(|axis| labels.avoid(axis[0], axis[1]));
+    axes_of_ellipses(scene, size).for_each(|[from, to]| labels.avoid(view.place(from), view.place(to)));
     for vector in &vectors {
         arrow(svg, &view, vector);
         labels.avoid(view.place(vector.from), view.place(vector.to));
@@ -101,7 +100,7 @@ fn view(scene: &Scene, vectors: &[Vector<'_>], plane: &[[[f64; 2]; 2]; 2], frame
     let moving = scene.vehicles.iter().filter(|vehicle| !vehicle.barrier);
     let points = moving.flat_map(|vehicle| extent(vehicle, &at_impact(vehicle)));
     let points = points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.iter().flatten().copied());
-    View::of(points.chain(ends_of_deviations(scene, size(scene))), frame, ROOM)
+    View::of(points.chain(axes_of_ellipses(scene, size(scene)).flatten()), frame, ROOM)
 }
 
 /// Returns how the picture lies on the page.
@@ -170,35 +169,39 @@ fn speed_range(svg: &mut Svg, view: &View, scene: &Scene, vehicle: &VehicleInSce
     svg.line(ends[0], ends[1], &[("class", &class), ("stroke", STYLES[which].stroke), ("stroke-opacity", "0.35"), ("stroke-width", "11")]);
 }
 
-/// Returns the semi-axes of two standard deviations of a velocity after, along and across its greater one, on the ground at the tip of its arrow.
-fn deviations(scene: &Scene, vehicle: &VehicleInScene, size: f64) -> Option<[[f64; 2]; 2]> {
-    let (Some(Deviations { sd, angle }), fastest) = (vehicle.after.velocity_sd, fastest(scene)) else { return None };
-    let (sin, cos) = libm::sincos(angle);
-    let [along, across] = sd.map(|sd| 2.0 * sd * VELOCITY * size / fastest);
-    (fastest > 0.0).then_some([[along * cos, along * sin], [-across * sin, across * cos]])
+/// Where the ellipse of two standard deviations of a velocity after is on the ground.
+struct Ellipse {
+    center: [f64; 2],
+    /// Along the greater deviation and across it.
+    semi_axes: [f64; 2],
+    angle: f64,
 }
 
-/// Returns the tip of the arrow of the velocity after.
-fn tip_after(scene: &Scene, vehicle: &VehicleInScene, size: f64) -> [f64; 2] {
-    plus(vehicle.position, vehicle.after.velocity, fastest(scene), VELOCITY * size)
+/// Returns the ellipse around the tip of a velocity after.
+fn ellipse(scene: &Scene, vehicle: &VehicleInScene, size: f64) -> Option<Ellipse> {
+    let (Deviations { sd, angle }, fastest) = (vehicle.after.velocity_sd?, fastest(scene));
+    let center = plus(vehicle.position, vehicle.after.velocity, fastest, VELOCITY * size);
+    (fastest > 0.0).then(|| Ellipse { center, semi_axes: sd.map(|sd| 2.0 * sd * VELOCITY * size / fastest), angle })
 }
 
-/// Returns the ends of the ellipses of the velocities after, axis by axis.
-fn ends_of_deviations(scene: &Scene, size: f64) -> impl Iterator<Item = [f64; 2]> {
-    scene
-        .vehicles
-        .iter()
-        .filter_map(move |vehicle| Some((tip_after(scene, vehicle, size), deviations(scene, vehicle, size)?)))
-        .flat_map(|(tip, axes)| axes.into_iter().flat_map(move |[x, y]| [1.0, -1.0].map(|sign| [tip[0] + sign * x, tip[1] + sign * y])))
+/// Returns the ends of both axes of each ellipse.
+fn axes_of_ellipses(scene: &Scene, size: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    scene.vehicles.iter().filter_map(move |vehicle| ellipse(scene, vehicle, size)).flat_map(
+        |Ellipse { center: [x, y], semi_axes, angle }| {
+            let (sin, cos) = libm::sincos(angle);
+            let [along, across] = semi_axes;
+            [[along * cos, along * sin], [-across * sin, across * cos]].map(|[dx, dy]| [[x + dx, y + dy], [x - dx, y - dy]])
+        },
+    )
 }
 
 /// Draws the ellipse of two standard deviations around the tip of the velocity after.
 fn velocity_deviations(svg: &mut Svg, view: &View, scene: &Scene, vehicle: &VehicleInScene, which: usize, size: f64) {
-    let Some(axes) = deviations(scene, vehicle, size) else { return };
-    let (x, y) = view.place(tip_after(scene, vehicle, size));
-    let [along, across] = axes.map(|[x, y]| number(view.scale * libm::hypot(x, y)));
+    let Some(Ellipse { center, semi_axes, angle }) = ellipse(scene, vehicle, size) else { return };
+    let (x, y) = view.place(center);
+    let [along, across] = semi_axes.map(|length| number(view.scale * length));
     // On the page y points down, and a positive angle turns clockwise.
-    let turn = format!("rotate({} {} {})", number(-libm::atan2(axes[0][1], axes[0][0]).to_degrees()), number(x), number(y));
+    let turn = format!("rotate({} {} {})", number(-angle.to_degrees()), number(x), number(y));
     let stroke = STYLES[which].stroke;
     svg.group(&[("class", &format!("velocity-sd velocity-sd-{}", which + 1))], |svg| {
         svg.title(&format!("velocity of {} after, two standard deviations", vehicle::name(vehicle)));
