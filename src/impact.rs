@@ -121,6 +121,21 @@ impl<T: Real> ForceDirection<T> {
     pub fn direction(self) -> T {
         self.right.arctangent(self.ahead)
     }
+
+    /// Returns its direction as the angle within a half turn of that of another force, so that an interval of directions near it is not cut at a half turn;
+    /// zero if the other one is no force.
+    pub fn direction_about(self, other: &ForceDirection) -> T
+    where
+        T: From<f64>,
+    {
+        if (other.ahead, other.right) == (0.0, 0.0) {
+            return T::int(0);
+        }
+        let (cos, sin) = (T::from(other.ahead), T::from(other.right));
+        let along = self.ahead.clone() * cos.clone() + self.right.clone() * sin.clone();
+        let across = self.right * cos.clone() - self.ahead * sin.clone();
+        across.arctangent(along) + sin.arctangent(cos)
+    }
 }
 
 impl<T: Field> Response<T> {

@@ -47,7 +47,7 @@ mod shapley;
 mod shares;
 mod tally;
 
-pub use bounds::{Bounds, NoBounds, RefusedPart, Search, bounds};
+pub use bounds::{Bounded, Bounds, Enclosure, NoBounds, RefusedPart, Search, bounds, bounds_of};
 pub use correlation::NotACorrelation;
 pub use linear::{Linear, SecondOrder};
 pub use mapping::{Direct, Mapping};

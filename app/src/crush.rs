@@ -1,6 +1,6 @@
 //! The verb `crush`: computes crush energy and equivalent speed from residual crush.
 
-use planar_impact::crash3::{DamagedPair, Surface, force_correction};
+use planar_impact::crash3::{Surface, force_correction};
 use planar_impact::crush::{CrushStiffness, ForceLine, MOST_FORCE_IMBALANCE, ProfileMoments, force_imbalance};
 use planar_impact::reconstruct::Variable;
 use planar_impact::{ForceDirection, Input};
@@ -145,7 +145,7 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
 fn directions_of_force(case: &Case) -> [Option<(Surface, ForceDirection)>; 2] {
     let is_known = case.knowledge.left_out.is_empty() && !case.model.is_momentum();
     let has_common_velocity = is_known && case.collision.at_common_velocity().solve().is_ok();
-    let pair = case.setup.investigated(DamagedPair::of_collision(&case.collision, [0.0; 2]));
+    let pair = case.setup.damaged_along([0.0; 2]);
     [(pair.one, 0), (pair.two, 1)].map(|(damaged, i)| {
         let crush = case.setup.crush[i].as_ref()?;
         let has_direction = crush.force_direction.is_some() || has_common_velocity;

@@ -1,11 +1,12 @@
 //! The verb `uncertainty`: what the outputs of a case are worth, given its uncertain inputs.
 
 mod answer;
+mod bounds;
 mod mapping;
 mod model;
 mod variance;
 
-use planar_impact::uncertainty::{self as library, Estimated, RefusedPart, Sampled, Search, Threshold, Uncertain};
+use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
 use planar_impact::{Output, Refusals};
 
 use crate::answer::Answer;
@@ -26,6 +27,7 @@ pub use answer::{
     Bounds, Density, Linear, MonteCarlo, OutputUncertainty, Probability, RefusedSamples, SecondOrder, ShapleyEffect, Share,
     UncertainNumber, Uncertainty,
 };
+pub(crate) use bounds::wrong_sd as wrong_bounds_sd;
 
 /// A way to say how uncertain an output is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -309,51 +311,6 @@ impl<'a> Question<'a> {
     }
 }
 
-/// Cells that a search for the bounds of an output may divide: a fraction of a second, and ten times as many if bounds are asked for by name.
-const CELLS: [usize; 2] = [20_000, 200_000];
-
-impl Question<'_> {
-    /// Adds guaranteed ranges.
-    fn bound(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
-        if !self.asks(Method::Bounds) {
-            return Ok(());
-        }
-        let cells = CELLS[usize::from(self.options.methods.contains(&Method::Bounds))];
-        let (impact, search) = (self.uncertain.model().impact(), Search { cells, ..Search::default() });
-        let ranges = self.uncertain.ranges(self.options.bounds_sd);
-        for (place, (of, to)) in self.outputs.iter().zip(&mut found.of).enumerate() {
-            let CaseOutput::Impact(output) = *of else {
-                let message = format!("{of} has no guaranteed bounds: they are of outputs of the impact");
-                found.notices.0.push(Notice::note("no-bounds", of.to_string(), message));
-                continue;
-            };
-            let total = cells * self.outputs.len();
-            let goes_on = |done: u64| control.goes_on(cells * place + saturated(done), total);
-            let range = library::bounds(impact.collision(), impact.mapping(), &ranges, output, &search, &goes_on);
-            control.proceed(cells * (place + 1), total)?;
-            match range {
-                Ok(range) => {
-                    to.bounds = Some(Bounds {
-                        low: positive_zero(range.low),
-                        high: positive_zero(range.high),
-                        low_attained: positive_zero(range.low_attained),
-                        high_attained: positive_zero(range.high_attained),
-                        at_low: self.named(range.at_low),
-                        at_high: self.named(range.at_high),
-                        is_tight: range.is_tight,
-                        is_whole: range.refused == RefusedPart::None,
-                    });
-                }
-                Err(reason) => {
-                    let message = format!("{of} has no guaranteed bounds: {reason}");
-                    found.notices.0.push(Notice::warning("no-bounds", of.to_string(), message));
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
 impl Options {
     fn issues(&self) -> Vec<Issue> {
         let mut issues = Vec::new();
@@ -367,16 +324,9 @@ impl Options {
         if !(0.5..=0.9999).contains(&self.level) {
             wrong("--level", format!("{} is not from 0.5 to 0.9999", self.level), "for instance 0.95");
         }
-        issues.extend(wrong_bounds_sd(self.bounds_sd));
+        issues.extend(bounds::wrong_sd(self.bounds_sd));
         issues
     }
-}
-
-/// Returns the issue of a number of standard deviations that ends no input.
-pub(crate) fn wrong_bounds_sd(bounds_sd: f64) -> Option<Issue> {
-    let is_right = bounds_sd > 0.0 && bounds_sd <= 40.0;
-    let message = || format!("{bounds_sd} is not above 0 and at most 40");
-    (!is_right).then(|| Issue::of_call("--bounds-sd", message(), Some("for instance 3".to_owned())))
 }
 
 /// Returns the distribution of an input: of measured values themselves, where the file has them.

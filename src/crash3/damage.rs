@@ -5,6 +5,7 @@ use super::surface::Surface;
 use crate::collision::Collision;
 use crate::frame::ForwardLeft;
 use crate::impact::{ForceDirection, Response};
+use crate::input::Side;
 use crate::scalar::{Field, Ordered, Real};
 use crate::vehicle::{Party, Vehicle};
 
@@ -107,20 +108,6 @@ impl<T: Ordered> Damaged<T> {
     }
 }
 
-impl<T: Real<Mask = bool>> DamagedPair<T> {
-    /// Creates the input from a collision and the crush energy of each vehicle. The surfaces are those along the crush plane, and the force is that of the
-    /// [common-velocity](Collision::at_common_velocity) impulse. The energy of a barrier is not used.
-    pub fn of_collision(collision: &Collision<T>, crush_energy: [T; 2]) -> Self {
-        let impact = collision.at_common_velocity().evaluate();
-        let [energy_1, energy_2] = crush_energy;
-        let damaged = |party: &Party<T>, response: &Response<T>, energy| {
-            let (vehicle, origin) = (party.vehicle()?, response.force_direction());
-            Some(Damaged::of(vehicle, Surface::along(&collision.crush_plane, &vehicle.heading, &origin), origin, energy))
-        };
-        DamagedPair { one: damaged(&collision.one, &impact.one, energy_1), two: damaged(&collision.two, &impact.two, energy_2) }
-    }
-}
-
 /// An investigator's findings on the damage of a vehicle, which replace those computed from the collision.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -132,17 +119,37 @@ pub struct Investigated<T = f64> {
 }
 
 impl<T: Real<Mask = bool>> DamagedPair<T> {
-    /// Replaces the surface and the direction of force of vehicle 1 and of vehicle 2 by an investigator's findings. A given direction of force without a
-    /// surface acts on the surface along the crush plane of the collision that faces it.
-    pub fn with_investigated(self, collision: &Collision<T>, found: [Investigated<T>; 2]) -> Self {
-        let [one, two] = found;
-        let with = |damaged: Option<Damaged<T>>, party: &Party<T>, found: Investigated<T>| {
-            let (damaged, vehicle) = (damaged?, party.vehicle()?);
-            let force_direction = found.force_direction.unwrap_or(damaged.force_direction.clone());
-            let along = || Surface::along(&collision.crush_plane, &vehicle.heading, &force_direction);
-            Some(Damaged { surface: found.surface.unwrap_or_else(along), force_direction, ..damaged })
+    /// Creates the input from a collision and the crush energy of each vehicle. The surfaces are those along the crush plane, and the force is that of the
+    /// [common-velocity](Collision::at_common_velocity) impulse. The energy of a barrier is not used.
+    pub fn of_collision(collision: &Collision<T>, crush_energy: [T; 2]) -> Self {
+        let found = [(); 2].map(|()| Investigated { surface: None, force_direction: None });
+        DamagedPair::investigated(collision, crush_energy, found, |_, vehicle, origin| {
+            Surface::along(&collision.crush_plane, &vehicle.heading, origin)
+        })
+    }
+}
+
+impl<T: Real> DamagedPair<T> {
+    /// Creates the input from a collision, the crush energy of each vehicle and what an investigator found. `surface` tells the crushed surface where that was
+    /// not found, from the vehicle and the direction of force: nothing else compares numbers, so that all else is written for intervals too.
+    pub fn investigated(
+        collision: &Collision<T>,
+        crush_energy: [T; 2],
+        found: [Investigated<T>; 2],
+        surface: impl Fn(Side, &Vehicle<T>, &ForceDirection<T>) -> Surface,
+    ) -> Self {
+        let impact = collision.at_common_velocity().evaluate();
+        let ([energy_1, energy_2], [found_1, found_2]) = (crush_energy, found);
+        let damaged = |side, party: &Party<T>, response: &Response<T>, energy, found: Investigated<T>| {
+            let vehicle = party.vehicle()?;
+            let origin = found.force_direction.unwrap_or_else(|| response.force_direction());
+            let surface = found.surface.unwrap_or_else(|| surface(side, vehicle, &origin));
+            Some(Damaged::of(vehicle, surface, origin, energy))
         };
-        DamagedPair { one: with(self.one, &collision.one, one), two: with(self.two, &collision.two, two) }
+        DamagedPair {
+            one: damaged(Side::One, &collision.one, &impact.one, energy_1, found_1),
+            two: damaged(Side::Two, &collision.two, &impact.two, energy_2, found_2),
+        }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::frame::{CrushPlane, Heading, Nt};
 use crate::impact::ForceDirection;
-use crate::scalar::{Field, Ordered, slack};
+use crate::scalar::interval::{Interval, Truth};
+use crate::scalar::{Field, Logic, Ordered, slack};
 
 /// An end or a side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,14 +37,7 @@ impl Surface {
     /// Returns the surface that faces a force: the one whose perpendicular is nearest to its direction. An end takes precedence over a side if both are
     /// equally near.
     pub fn facing<T: Ordered<Mask = bool>>(origin: &ForceDirection<T>) -> Surface {
-        let (ahead, right) = (origin.ahead.clone().magnitude(), origin.right.clone().magnitude());
-        if (ahead * (T::int(1) + slack())).less(&right) {
-            if origin.right.less(&T::int(0)) { Surface::Left } else { Surface::Right }
-        } else if origin.ahead.less(&T::int(0)) {
-            Surface::Rear
-        } else {
-            Surface::Front
-        }
+        Surface::facing_by(origin, Some).expect("a float decides")
     }
 
     /// Returns the surface of a vehicle that lies along a crush plane: the one whose perpendicular is nearest to the normal of the plane, on the side that
@@ -59,13 +53,41 @@ impl Surface {
     /// assert_eq!(Surface::facing(&origin), Surface::Right);
     /// ```
     pub fn along<T: Ordered<Mask = bool>>(plane: &CrushPlane<T>, heading: &Heading<T>, origin: &ForceDirection<T>) -> Surface {
+        Surface::along_by(plane, heading, origin, Some).expect("a float decides")
+    }
+
+    /// Returns the surface [`along`](Surface::along) a crush plane whatever the numbers in their intervals are, or `None` if they leave it open.
+    pub fn certainly_along(
+        plane: &CrushPlane<Interval>,
+        heading: &Heading<Interval>,
+        origin: &ForceDirection<Interval>,
+    ) -> Option<Surface> {
+        Surface::along_by(plane, heading, origin, Truth::decided)
+    }
+
+    fn facing_by<T: Ordered<Mask: Logic>>(origin: &ForceDirection<T>, decided: fn(T::Mask) -> Option<bool>) -> Option<Surface> {
+        let (ahead, right) = (origin.ahead.clone().magnitude(), origin.right.clone().magnitude());
+        let is_side = decided((ahead * (T::int(1) + slack())).less(&right))?;
+        let is_negative = decided(if is_side { &origin.right } else { &origin.ahead }.less(&T::int(0)))?;
+        Some(match (is_side, is_negative) {
+            (false, false) => Surface::Front,
+            (false, true) => Surface::Rear,
+            (true, false) => Surface::Right,
+            (true, true) => Surface::Left,
+        })
+    }
+
+    fn along_by<T: Ordered<Mask: Logic>>(
+        plane: &CrushPlane<T>,
+        heading: &Heading<T>,
+        origin: &ForceDirection<T>,
+        decided: fn(T::Mask) -> Option<bool>,
+    ) -> Option<Surface> {
         let normal = ForceDirection::of_push(heading.to_vehicle(plane.to_ground(Nt { n: T::int(1), t: T::int(0) })));
         let towards = normal.ahead.clone() * origin.ahead.clone() + normal.right.clone() * origin.right.clone();
-        if towards.less(&T::int(0)) {
-            Surface::facing(&ForceDirection { ahead: -normal.ahead, right: -normal.right })
-        } else {
-            Surface::facing(&normal)
-        }
+        let is_away = decided(towards.less(&T::int(0)))?;
+        let facing = if is_away { ForceDirection { ahead: -normal.ahead, right: -normal.right } } else { normal };
+        Surface::facing_by(&facing, decided)
     }
 }
 

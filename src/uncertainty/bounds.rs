@@ -1,27 +1,34 @@
 //! Guaranteed range of an output over a box of uncertain numbers.
 //!
 //! Branch and bound on interval arithmetic: the box is divided into cells, and each has a bound that no point of it exceeds, whatever the rounding. A bound is
-//! the better of two: that of the formula itself, and that of the mean value theorem about the best center of the cell (Baumann 1988) with the derivatives over
-//! the cell. Cells are divided in the order of their bounds until the best one is within the gap of a value that is attained. Where physics refuses no part
-//! of a cell, a number in which the output is monotone is held at its end.
+//! the best of these: that of the formula itself; that of the mean value theorem about the best center of the cell (Baumann 1988) with the derivatives over
+//! the cell; and, where few numbers are left, that of Taylor's theorem to second order. Cells are divided in the order of their bounds until the best one is
+//! within the gap of a value that is attained. Where physics refuses no part of a cell, a number in which the output is monotone is held at its end.
 
 mod descent;
+mod impact_output;
 mod minimum;
 mod objective;
+mod smooth;
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
+pub use self::objective::{Bounded, Enclosure};
+
+use self::impact_output::ImpactOutput;
 use self::minimum::{Minimum, minimum, refused_part};
 use self::objective::Objective;
-use crate::cells::middle;
 use crate::collision::Collision;
 use crate::input::NoSuchInput;
 use crate::output::Output;
 use crate::refusal::Refusals;
 use crate::scalar::interval::Interval;
 use crate::uncertainty::Mapping;
+
+/// Cells that may be divided to find out which part of a box physics refuses.
+const CELLS_OF_REFUSAL: usize = 256;
 
 /// Limits of a search for bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,25 +172,46 @@ pub fn bounds(
     search: &Search,
     goes_on: &(dyn Fn(u64) -> bool + Sync),
 ) -> Result<Bounds, NoBounds> {
-    if ranges.len() != mapping.numbers() {
-        return Err(NoBounds::Count { ranges: ranges.len(), numbers: mapping.numbers() });
-    }
     if let Some(input) = mapping.inputs().iter().copied().find(|input| base.input(*input).is_none()) {
         return Err(NoBounds::NoSuchInput(NoSuchInput(input)));
+    }
+    let range = bounds_of(&mut ImpactOutput::new(base, mapping, of), ranges, search, goes_on);
+    range.map_err(|reason| match reason {
+        NoBounds::Refused { .. } => {
+            let middle: Vec<f64> = ranges.iter().map(|(low, high)| 0.5 * low + 0.5 * high).collect();
+            NoBounds::Refused { at_the_middle: mapping.apply::<f64>(base, &middle).solve().err().map(Box::new) }
+        }
+        other => other,
+    })
+}
+
+/// Computes the guaranteed range of any [`Bounded`] function of uncertain numbers, each within its range: see [`bounds`].
+///
+/// # Errors
+///
+/// [`NoBounds`]: a range that is not finite or not in order, or a box of which no point is accepted.
+pub fn bounds_of<F: Bounded>(
+    of: &mut F,
+    ranges: &[(f64, f64)],
+    search: &Search,
+    goes_on: &(dyn Fn(u64) -> bool + Sync),
+) -> Result<Bounds, NoBounds> {
+    if ranges.len() != of.numbers() {
+        return Err(NoBounds::Count { ranges: ranges.len(), numbers: of.numbers() });
     }
     let mut whole = Vec::with_capacity(ranges.len());
     for (place, &(low, high)) in ranges.iter().enumerate() {
         let range = Interval::new(low, high).filter(|_| low.is_finite() && high.is_finite());
         whole.push(range.ok_or(NoBounds::Range { place, low, high })?);
     }
-    let mut least = Objective::new(base, mapping, of);
-    let (refused, accepted) = refused_part(&least, &whole, search.cells.min(256));
+    let (refused, accepted) = refused_part(&Objective::new(of), &whole, search.cells.min(CELLS_OF_REFUSAL));
     if refused == RefusedPart::All {
-        let at_the_middle = mapping.apply::<f64>(base, &middle(&whole)).solve().err().map(Box::new);
-        return Err(NoBounds::Refused { at_the_middle });
+        return Err(NoBounds::Refused { at_the_middle: None });
     }
-    let start = accepted.or_else(|| least.accepted_in(&whole, search.cells)).ok_or(NoBounds::NoAcceptedPoint { cells: search.cells })?;
-    least.turn_to(&start);
+    let start = accepted.or_else(|| Objective::new(of).accepted_in(&whole, search.cells));
+    let start = start.ok_or(NoBounds::NoAcceptedPoint { cells: search.cells })?;
+    of.turn_to(&start);
+    let least = Objective::new(of);
     let greatest = least.negated();
     let starts = [least.descend(&start, &whole), greatest.descend(&start, &whole)];
     let scale = starts.iter().fold(0.0, |scale: f64, found| scale.max(found.value.abs()));

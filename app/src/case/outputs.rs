@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use planar_impact::crash3::{Damaged, VehicleEstimate};
+use planar_impact::crash3::{Damaged, DamagedPair, PairEstimate, VehicleEstimate};
 use planar_impact::crush::ProfileMoments;
 use planar_impact::{Output, Outputs, Real, Side};
 
@@ -95,14 +95,24 @@ pub struct Crash3Outputs<T = f64> {
 }
 
 impl<T: Real> Crash3Outputs<T> {
-    /// Collects the results of a vehicle from its damage and the estimate.
-    pub(super) fn of(damaged: &Damaged<T>, estimate: VehicleEstimate<T>) -> Self {
-        let VehicleEstimate { correction, corrected_energy, effective_mass_factor, delta_v_magnitude, .. } = estimate;
-        let pdof = damaged.force_direction.clone().direction();
-        Crash3Outputs { pdof, correction, corrected_energy, effective_mass_factor, delta_v_magnitude }
+    /// Computes the results of each vehicle; `None` for a barrier.
+    pub fn of_pair(pair: DamagedPair<T>) -> [Option<Self>; 2] {
+        let PairEstimate { one, two, .. } = pair.evaluate();
+        let of = |damaged: Damaged<T>, estimate| {
+            let VehicleEstimate { correction, corrected_energy, effective_mass_factor, delta_v_magnitude, .. } = estimate;
+            Crash3Outputs {
+                pdof: damaged.force_direction.direction(),
+                correction,
+                corrected_energy,
+                effective_mass_factor,
+                delta_v_magnitude,
+            }
+        };
+        [(pair.one, one), (pair.two, two)].map(|(damaged, estimate)| Some(of(damaged?, estimate?)))
     }
 
-    fn get(&self, key: Crash3Key) -> T {
+    /// Returns a result.
+    pub fn get(&self, key: Crash3Key) -> T {
         match key {
             Crash3Key::Pdof => self.pdof.clone(),
             Crash3Key::Correction => self.correction.clone(),

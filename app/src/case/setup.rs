@@ -4,11 +4,12 @@
 //! turns with its heading, one given as components does not; a vehicle given by its radius of gyration changes its
 //! yaw inertia with its mass; a restitution over the closing speed follows whatever changes that speed.
 
-use planar_impact::crash3::{DamagedPair, Investigated};
+use planar_impact::crash3::{DamagedPair, Investigated, Surface};
 use planar_impact::crush::speed_of_energy;
 use planar_impact::skid::braking_speed;
 use planar_impact::{
-    Collision, CrushPlane, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals, Side, Vehicle, Xy,
+    Collision, CrushPlane, ForceDirection, ForwardLeft, Heading, Impact, Input, Moment, Motion, Output, Outputs, Party, Real, Refusals,
+    Side, Vehicle, Xy,
 };
 
 use super::crush::Crush;
@@ -115,58 +116,72 @@ impl<T: Real<Mask = bool>> Setup<T> {
         CaseOutputs {
             impact: Outputs::of(&self.collision, impact),
             crash3: self.crash3_outputs(&crush),
-            braking_speeds: self.braking_speeds(),
+            braking_speeds: Side::ALL.map(|side| self.braking_speed(side)),
             crush,
         }
     }
 
-    /// Computes the speed of each vehicle when it began to brake; `None` without skids.
-    fn braking_speeds(&self) -> [Option<T>; 2] {
-        let parties = self.collision.parties();
-        std::array::from_fn(|i| {
-            let (vehicle, skid) = (parties[i].vehicle()?, self.skid_speeds[i].clone()?);
-            Some(braking_speed(vehicle.motion.velocity.clone(), skid))
-        })
-    }
-
     /// Computes the crush outputs of each vehicle; `None` if its stations or depths are impossible.
     pub fn crush_outputs(&self) -> [Option<CrushOutputs<T>>; 2] {
-        let parties = self.collision.parties();
-        std::array::from_fn(|i| {
-            let (vehicle, crush) = (parties[i].vehicle()?, self.crush[i].as_ref()?);
-            let moments = crush.profile.clone().checked().ok()?.moments();
-            let energy = crush.energy();
-            let equivalent_speed = speed_of_energy(energy.clone(), vehicle.mass.clone());
-            Some(CrushOutputs { energy, equivalent_speed, mean_depth: moments.mean_depth(), moments })
-        })
+        let is_possible = |crush: &Option<Crush<T>>| crush.as_ref().is_some_and(|crush| crush.profile.clone().checked().is_ok());
+        Side::ALL.map(|side| self.crush_of(side).filter(|_| is_possible(&self.crush[side as usize])))
     }
 
     /// Returns the damage that CRASH3 starts from: the crush energy of every vehicle, and the direction of force
     /// given in the file or, if absent, that of the common-velocity impulse. Returns `None` if a vehicle has no
     /// crush.
     pub fn damaged_pair(&self, crush: &[Option<CrushOutputs<T>>; 2]) -> Option<DamagedPair<T>> {
-        let energies = crush.each_ref().map(|crush| crush.as_ref().map(|crush| crush.energy.clone()));
-        let lacks = |party: &Party<T>, energy: &Option<T>| party.vehicle().is_some() && energy.is_none();
-        if lacks(&self.collision.one, &energies[0]) || lacks(&self.collision.two, &energies[1]) {
-            return None;
-        }
-        Some(self.investigated(DamagedPair::of_collision(&self.collision, energies.map(|energy| energy.unwrap_or_else(|| T::int(0))))))
+        self.energies(crush).map(|energies| self.damaged_along(energies))
     }
 
-    /// Replaces surfaces and directions of force by those that the file gives.
-    pub(crate) fn investigated(&self, pair: DamagedPair<T>) -> DamagedPair<T> {
-        let found = self.crush.each_ref().map(|crush| Investigated {
-            surface: crush.as_ref().and_then(|crush| crush.surface),
-            force_direction: crush.as_ref().and_then(|crush| crush.force_direction.clone()),
-        });
-        pair.with_investigated(&self.collision, found)
+    /// Returns the damage of given crush energies on the surfaces that the file gives or, if absent, those along the crush plane.
+    pub fn damaged_along(&self, energies: [T; 2]) -> DamagedPair<T> {
+        self.damaged(energies, |_, vehicle, origin| Surface::along(&self.collision.crush_plane, &vehicle.heading, origin))
     }
 
     /// Computes the CRASH3 results of each vehicle; `None` if a vehicle has no crush.
     pub fn crash3_outputs(&self, crush: &[Option<CrushOutputs<T>>; 2]) -> [Option<Crash3Outputs<T>>; 2] {
-        let Some(pair) = self.damaged_pair(crush) else { return [None, None] };
-        let estimate = pair.evaluate();
-        [(pair.one, estimate.one), (pair.two, estimate.two)].map(|(damaged, estimate)| Some(Crash3Outputs::of(&damaged?, estimate?)))
+        self.damaged_pair(crush).map_or([None, None], Crash3Outputs::of_pair)
+    }
+}
+
+/// Nothing here compares numbers to decide, so that it holds for intervals too.
+impl<T: Real> Setup<T> {
+    /// Computes the speed of a vehicle when it began to brake; `None` without skids.
+    pub fn braking_speed(&self, side: Side) -> Option<T> {
+        let (vehicle, skid) = (self.vehicle(side)?, self.skid_speeds[side as usize].clone()?);
+        Some(braking_speed(vehicle.motion.velocity.clone(), skid))
+    }
+
+    /// Computes the crush outputs of a vehicle, unchecked; `None` without a crush.
+    pub fn crush_of(&self, side: Side) -> Option<CrushOutputs<T>> {
+        let (vehicle, crush) = (self.vehicle(side)?, self.crush[side as usize].as_ref()?);
+        let (moments, energy) = (crush.profile.moments(), crush.energy());
+        let equivalent_speed = speed_of_energy(energy.clone(), vehicle.mass.clone());
+        Some(CrushOutputs { energy, equivalent_speed, mean_depth: moments.mean_depth(), moments })
+    }
+
+    /// Returns the crush energies of the vehicles, 0 for a barrier; `None` if a vehicle has no crush.
+    pub fn energies(&self, crush: &[Option<CrushOutputs<T>>; 2]) -> Option<[T; 2]> {
+        let energy = |side: Side| match &crush[side as usize] {
+            Some(crush) => Some(crush.energy.clone()),
+            None => self.vehicle(side).is_none().then(|| T::int(0)),
+        };
+        Some([energy(Side::One)?, energy(Side::Two)?])
+    }
+
+    /// Returns the damage of given crush energies. Surfaces and directions of force are those that the file gives or, if absent, those that `surface` tells and
+    /// that of the common-velocity impulse.
+    pub fn damaged(&self, energies: [T; 2], surface: impl Fn(Side, &Vehicle<T>, &ForceDirection<T>) -> Surface) -> DamagedPair<T> {
+        let found = self.crush.each_ref().map(|crush| Investigated {
+            surface: crush.as_ref().and_then(|crush| crush.surface),
+            force_direction: crush.as_ref().and_then(|crush| crush.force_direction.clone()),
+        });
+        DamagedPair::investigated(&self.collision, energies, found, surface)
+    }
+
+    fn vehicle(&self, side: Side) -> Option<&Vehicle<T>> {
+        self.collision.parties()[side as usize].vehicle()
     }
 }
 

@@ -30,13 +30,24 @@ impl CaseModel {
         &self.impact
     }
 
-    fn at(&self, numbers: &[f64]) -> Inputs {
+    /// Returns the uncertain numbers.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    /// Returns the place of a parameter among the uncertain numbers, if it is one.
+    pub fn place(&self, parameter: Parameter) -> Option<usize> {
+        self.parameters.iter().position(|uncertain| *uncertain == parameter)
+    }
+
+    /// Returns the inputs of the case with given values of the uncertain numbers.
+    pub fn with(&self, numbers: &[f64]) -> Inputs {
         let values: Vec<(Parameter, f64)> = self.parameters.iter().copied().zip(numbers.iter().copied()).collect();
         self.inputs.set_all(&values)
     }
 
     /// Returns why the numbers of a crush or of skids are impossible.
-    fn unfit(&self, numbers: &[f64], setup: &Setup) -> Option<&'static str> {
+    pub fn unfit(&self, numbers: &[f64], setup: &Setup) -> Option<&'static str> {
         let beside = self.parameters.iter().zip(numbers).filter(|(parameter, _)| is_beside_impact(**parameter));
         let outside = beside.map(|(parameter, value)| (parameter.domain(), value)).find(|(domain, value)| domain.wanted(**value).is_some());
         match outside {
@@ -53,7 +64,7 @@ impl CaseModel {
 
     /// Returns an output with its derivatives by duals.
     fn derive(&self, numbers: &[f64], of: CaseOutput) -> Slope {
-        let inputs = self.at(numbers);
+        let inputs = self.with(numbers);
         let value = inputs.as_given().evaluate().get(of).unwrap_or(f64::NAN);
         let by = |parameter: &Parameter| {
             let found = derivative::by(&inputs, *parameter).get(of).map(|dual| dual.eps);
@@ -64,7 +75,7 @@ impl CaseModel {
 }
 
 /// Returns `true` for a number that the impact does not depend on.
-fn is_beside_impact(parameter: Parameter) -> bool {
+pub fn is_beside_impact(parameter: Parameter) -> bool {
     matches!(parameter, Parameter::Crush(..) | Parameter::Skid(..))
 }
 
@@ -90,7 +101,7 @@ impl Model for CaseModel {
     fn value(&self, numbers: &[f64], of: CaseOutput) -> f64 {
         match of {
             CaseOutput::Impact(output) => self.impact.value(numbers, output),
-            _ => self.at(numbers).as_given().evaluate().get(of).unwrap_or(f64::NAN),
+            _ => self.with(numbers).as_given().evaluate().get(of).unwrap_or(f64::NAN),
         }
     }
 
@@ -107,7 +118,7 @@ impl Model for CaseModel {
             let mut unfit = Vec::new();
             for sample in 0..samples {
                 let at: Vec<f64> = columns.iter().map(|column| column[sample]).collect();
-                let setup = self.at(&at).as_given();
+                let setup = self.with(&at).as_given();
                 if let Some(code) = self.unfit(&at, &setup) {
                     unfit.push((sample, code));
                     continue;
@@ -147,7 +158,7 @@ impl Model for CaseModel {
         }
         self.impact.at(numbers).solve()?;
         let Slope { value, by } = self.derive(numbers, of);
-        let inputs = self.at(numbers);
+        let inputs = self.with(numbers);
         let twice = |one: &Parameter, other: &Parameter| {
             let found = derivative::by_both(&inputs, *one, *other).get(of).map(|dual| dual.eps1eps2);
             derivative::defined(of, value, &[*one, *other], found)

@@ -2,10 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::objective::{Attained, Objective};
+use super::objective::{Attained, Bounded, Objective};
 use crate::cells::middle;
 use crate::scalar::interval::Interval;
-use crate::uncertainty::Mapping;
 
 /// Rounds of one step for each number.
 const ROUNDS: usize = 40;
@@ -17,7 +16,7 @@ const HALVINGS_TO_EDGE: usize = 40;
 /// Most numbers of which every corner of the box is tried.
 const CORNERS: usize = 6;
 
-impl<M: Mapping> Objective<'_, M> {
+impl<F: Bounded> Objective<'_, F> {
     /// Returns an accepted point of a box: its middle, a corner, or the first of points that fill the box evenly.
     pub(super) fn accepted_in(&self, whole: &[Interval], points: usize) -> Option<Vec<f64>> {
         // Additive recurrence by the powers of the root of x^(n+1) = x + 1 (Roberts 2018).

@@ -3,6 +3,7 @@
 //! `../../reference/keys.csv` has a line for each key of each verb's JSON, with the test in this or another module that checks it.
 
 mod bounds;
+mod bounds_of_crush;
 mod check;
 mod closing_speed;
 mod damage;

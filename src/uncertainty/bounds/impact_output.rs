@@ -1,0 +1,119 @@
+//! An output of the impact as a function of uncertain numbers.
+
+use super::minimum::refused_part;
+use super::objective::{Bounded, Enclosure, Objective};
+use super::{CELLS_OF_REFUSAL, RefusedPart};
+use crate::collision::Collision;
+use crate::impact::{ForceDirection, Impact, Response};
+use crate::input::Side;
+use crate::measure::Measure;
+use crate::output::Output;
+use crate::scalar::Real;
+use crate::scalar::interval::{Interval, Truth};
+use crate::uncertainty::{Mapped, Mapping};
+
+/// An output of a collision whose inputs follow from uncertain numbers.
+pub(super) struct ImpactOutput<'a, M> {
+    base: &'a Collision,
+    mapping: &'a M,
+    of: Output,
+    /// Direction from which the angle of a force is measured.
+    ahead: Option<ForceDirection>,
+}
+
+impl<'a, M: Mapping> ImpactOutput<'a, M> {
+    pub(super) fn new(base: &'a Collision, mapping: &'a M, of: Output) -> Self {
+        ImpactOutput { base, mapping, of, ahead: None }
+    }
+
+    fn value_of<T: Real + Copy + From<f64>>(&self, collision: &Collision<T>, impact: &Impact<T>) -> T {
+        match self.of {
+            // Of the magnitudes, whose squares are not negative on an interval either.
+            Output::DeltaVMagnitude(side) => {
+                let delta_v = response(impact, side).delta_v;
+                (delta_v.x.magnitude().squared() + delta_v.y.magnitude().squared()).square_root()
+            }
+            Output::PrincipalDirectionOfForce(side) => {
+                let force = response(impact, side).force_direction();
+                self.ahead.map_or_else(|| force.direction(), |ahead| force.direction_about(&ahead))
+            }
+            of => of.of(collision, impact),
+        }
+    }
+}
+
+impl<M: Mapping> Bounded for ImpactOutput<'_, M> {
+    fn numbers(&self) -> usize {
+        self.mapping.numbers()
+    }
+
+    fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
+        let collision = self.mapping.apply(self.base, numbers);
+        self.value_of(&collision, &collision.evaluate())
+    }
+
+    fn at(&self, point: &[f64]) -> Option<f64> {
+        let collision = self.mapping.apply::<f64>(self.base, point);
+        let impact = collision.solve().ok()?;
+        Some(self.value_of(&collision, &impact))
+    }
+
+    fn is_possible(&self, cell: &[Interval]) -> Truth {
+        is_possible(&self.mapping.apply(self.base, cell))
+    }
+
+    fn is_continuous(&self, cell: &[Interval], value: Interval) -> bool {
+        let collision = self.mapping.apply(self.base, cell);
+        !is_cut(self.of.measure(), value) && !collision.friction_may_reverse(&collision.contact())
+    }
+
+    fn over(&self, cell: &[Interval]) -> Enclosure {
+        let collision = self.mapping.apply(self.base, cell);
+        let contact = collision.contact();
+        let impact = collision.impact_at(&contact);
+        let value = self.value_of(&collision, &impact);
+        Enclosure {
+            value,
+            is_possible: collision.is_possible_exactly(&contact, &impact),
+            is_continuous: !is_cut(self.of.measure(), value) && !collision.friction_may_reverse(&contact),
+        }
+    }
+
+    fn turn_to(&mut self, accepted: &[f64]) {
+        if let Output::PrincipalDirectionOfForce(side) = self.of {
+            let collision = self.mapping.apply::<f64>(self.base, accepted);
+            self.ahead = Some(response(&collision.evaluate(), side).force_direction());
+        }
+    }
+}
+
+impl<M: Mapping> Mapped<M> {
+    /// Returns whether physics accepts the collision at every point of a cell, at none, or whether this is not decided.
+    pub fn is_possible(&self, cell: &[Interval]) -> Truth {
+        is_possible(&self.mapping().apply(self.collision(), cell))
+    }
+
+    /// Returns the part of a box that physics refuses, as far as some hundred cells of it tell.
+    pub fn refused_part(&self, whole: &[Interval]) -> RefusedPart {
+        // Any output will do: whether physics accepts the collision does not depend on it.
+        let output = ImpactOutput::new(self.collision(), self.mapping(), Output::NormalImpulse);
+        refused_part(&Objective::new(&output), whole, CELLS_OF_REFUSAL).0
+    }
+}
+
+fn is_possible(collision: &Collision<Interval>) -> Truth {
+    let contact = collision.contact();
+    collision.is_possible_exactly(&contact, &collision.impact_at(&contact))
+}
+
+/// Returns `true` if an angle may have been cut at a half turn.
+pub(super) fn is_cut(measure: Measure, value: Interval) -> bool {
+    measure == Measure::Angle && value.width() > 6.0
+}
+
+fn response<T>(impact: &Impact<T>, side: Side) -> &Response<T> {
+    match side {
+        Side::One => &impact.one,
+        Side::Two => &impact.two,
+    }
+}
