@@ -262,3 +262,78 @@ fn hold_monotone(ranges: &mut [Interval], slopes: &[Interval]) -> bool {
     }
     holds
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Real;
+    use crate::scalar::interval::Truth;
+
+    /// 2 x³ − 3 x y + y³ + x y z − z² with a corner, where x is 1/3, if it has one.
+    struct Cubic {
+        corner: f64,
+    }
+
+    impl Bounded for Cubic {
+        fn numbers(&self) -> usize {
+            3
+        }
+
+        fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
+            let [x, y, z] = [numbers[0], numbers[1], numbers[2]];
+            let beyond = x - T::int(1) / T::int(3);
+            let corner = T::select(beyond.less(&T::int(0)), T::int(0), beyond) * T::from(self.corner);
+            T::int(2) * x * x * x - T::int(3) * x * y + y * y * y + x * y * z - z * z + corner
+        }
+
+        fn at(&self, point: &[f64]) -> Option<f64> {
+            Some(self.value(point))
+        }
+
+        fn is_possible(&self, _: &[Interval]) -> Truth {
+            Truth::TRUE
+        }
+
+        fn is_continuous(&self, _: &[Interval], _: Interval) -> bool {
+            true
+        }
+    }
+
+    fn second_order(of: &Cubic, cell: [(f64, f64); 3]) -> f64 {
+        let ranges = cell.map(|(low, high)| Interval::new(low, high).expect("in order"));
+        let center = ranges.map(|range| Interval::from(middle_of(range)));
+        let objective = Objective::new(of);
+        let best = Attained { point: Vec::new(), value: f64::INFINITY };
+        let search = Minimization { of: &objective, whole: &ranges, rounding: 0.0, best, open: BinaryHeap::new() };
+        search.second_order(&ranges, &center, of.value(&center))
+    }
+
+    #[test]
+    fn the_second_order_is_below_every_value_and_near_the_least() {
+        let of = Cubic { corner: 0.0 };
+        for width in [0.5, 0.1, 0.01] {
+            for place in 0..200 {
+                let at = |share: f64| -2.0 + (f64::from(place) * share).fract() * 4.0;
+                let from = [at(0.618_034), at(0.754_878), at(0.569_84)];
+                for free in [[1, 0, 0], [0, 0, 1], [1, 1, 0], [1, 1, 1]] {
+                    let cell: [(f64, f64); 3] = core::array::from_fn(|i| (from[i], from[i] + width * f64::from(free[i])));
+                    let bound = second_order(&of, cell);
+                    let grid = |(low, high): (f64, f64)| (0..=8).map(move |step| low + (high - low) * f64::from(step) / 8.0);
+                    let points = grid(cell[0]).flat_map(|x| grid(cell[1]).flat_map(move |y| grid(cell[2]).map(move |z| [x, y, z])));
+                    let least = points.map(|point| of.value(&point)).fold(f64::INFINITY, f64::min);
+                    assert!(bound <= least, "{cell:?}: {bound}, {least}");
+                    // What the second derivatives of the quadratic part leave: about their half, times the square of the width.
+                    assert!(least - bound <= 40.0 * width * width, "{cell:?}: {bound}, {least}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn across_a_corner_there_is_no_second_order() {
+        let beside = second_order(&Cubic { corner: -50.0 }, [(0.0, 0.3), (1.0, 1.0), (0.0, 0.0)]);
+        let across = second_order(&Cubic { corner: -50.0 }, [(0.0, 0.5), (1.0, 1.0), (0.0, 0.0)]);
+        assert!(beside > -10.0 && across == f64::NEG_INFINITY, "{beside}, {across}");
+        assert_eq!(second_order(&Cubic { corner: 0.0 }, [(0.0, f64::MAX), (1.0, 1.0), (0.0, 0.0)]), f64::NEG_INFINITY);
+    }
+}
