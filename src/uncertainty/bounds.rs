@@ -187,6 +187,45 @@ pub fn bounds(
 
 /// Computes the guaranteed range of any [`Bounded`] function of uncertain numbers, each within its range: see [`bounds`].
 ///
+/// ```
+/// use planar_impact::crush::{CrushStiffness, ProfileMoments};
+/// use planar_impact::scalar::Real;
+/// use planar_impact::scalar::interval::{Interval, Truth};
+/// use planar_impact::uncertainty::{Bounded, Search, bounds_of};
+///
+/// /// The energy of an even crush 1.5 m wide, of its depth and d1.
+/// struct EvenCrush;
+///
+/// impl Bounded for EvenCrush {
+///     fn numbers(&self) -> usize {
+///         2
+///     }
+///
+///     fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
+///         let [depth, slope] = [numbers[0], numbers[1]];
+///         let moments = ProfileMoments::of_segment(T::from(1.5), depth, depth);
+///         CrushStiffness { onset: T::from(60.0), slope }.crush_energy(moments)
+///     }
+///
+///     fn at(&self, point: &[f64]) -> Option<f64> {
+///         (point[0] >= 0.0).then(|| self.value(point))
+///     }
+///
+///     fn is_possible(&self, cell: &[Interval]) -> Truth {
+///         if cell[0].lower() >= 0.0 { Truth::TRUE } else { Truth::UNKNOWN }
+///     }
+///
+///     fn is_continuous(&self, _cell: &[Interval], _value: Interval) -> bool {
+///         true
+///     }
+/// }
+///
+/// let range = bounds_of(&mut EvenCrush, &[(0.2, 0.4), (700.0, 900.0)], &Search::default(), &|_| true)?;
+/// let energy = |depth: f64, slope: f64| 0.75 * (60.0 + slope * depth).powi(2);
+/// assert!(range.is_tight && (range.high - energy(0.4, 900.0)).abs() < 1e-3 && (range.low - energy(0.2, 700.0)).abs() < 1e-3);
+/// # Ok::<(), planar_impact::uncertainty::NoBounds>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`NoBounds`]: a range that is not finite or not in order, or a box of which no point is accepted.

@@ -34,7 +34,9 @@ pub trait Bounded: Sync {
     }
 
     /// Prepares for a search around a point that physics accepts: an angle is measured from its direction there.
-    fn turn_to(&mut self, _accepted: &[f64]) {}
+    fn turn_to(&mut self, accepted: &[f64]) {
+        let _ = accepted;
+    }
 }
 
 /// Enclosure of a function over a cell.
