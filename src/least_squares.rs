@@ -11,6 +11,7 @@ mod quadratic_program;
 pub(crate) use polish::{decomposed, scaled, weakest};
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 use core::convert::Infallible;
 
 use basin::{BoundedLevenbergMarquardt, BoxBounds, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian, Residual};
@@ -94,6 +95,24 @@ pub enum FitError {
 
 /// Largest step, in scales, at which the search has converged.
 const CONVERGED: f64 = 1e-9;
+
+/// Difference of χ² that is of the rounding of a search: between fits that are closer, the last bits of a platform would choose.
+const ROUNDING: f64 = 1e-6;
+
+/// Compares fits by their χ², the better one first. Fits that differ by rounding alone, such as two that are exact, are equal: a stable sort leaves first the
+/// one that was found first.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use planar_impact::reconstruct::by_chi_square;
+///
+/// assert_eq!(by_chi_square(6e-20, 2e-22), Ordering::Equal);
+/// assert_eq!(by_chi_square(3.84, 0.0), Ordering::Greater);
+/// ```
+pub fn by_chi_square(one: f64, other: f64) -> Ordering {
+    let rounded = |chi_square: f64| libm::round(chi_square / ROUNDING);
+    rounded(one).total_cmp(&rounded(other))
+}
 
 /// Finds a local minimum of the sum of squares from a start.
 ///

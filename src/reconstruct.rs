@@ -68,6 +68,7 @@ mod verdict;
 mod weight;
 mod within_limits;
 
+pub use crate::least_squares::by_chi_square;
 pub use crush_share::crush_share;
 pub use determined::Direction;
 pub use given::{Correlation, Evidence, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};

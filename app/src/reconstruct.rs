@@ -15,7 +15,7 @@ mod solve_error;
 mod statement;
 
 use planar_impact::momentum::approach_speeds;
-use planar_impact::reconstruct::{Answer as Found, Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict};
+use planar_impact::reconstruct::{Answer as Found, Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict, by_chi_square};
 use planar_impact::{Impact, Input, Side};
 
 use crate::answer::Answer;
@@ -112,7 +112,7 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         }
     }
     // The sort is stable: of equally good ones the first stays first.
-    answers.sort_by(|a, b| a.facts.total_chi_square().total_cmp(&b.facts.total_chi_square()));
+    answers.sort_by(|a, b| by_chi_square(a.facts.total_chi_square(), b.facts.total_chi_square()));
     let mut answers = answers.into_iter();
     let Some(mut best) = answers.next() else { return Err(refused.unwrap_or_else(|| Issues::defect("no separation was reconstructed"))) };
     let others: Vec<Reconstruction> = answers.map(|answer| answer.facts).collect();

@@ -143,10 +143,7 @@ pub struct GivenPoint {
 /// Those of `solve` or of `reconstruct`; evidence that leaves an unknown open.
 pub fn draw(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Scene>, Issues> {
     if case.knowledge.unknowns.is_empty() {
-        let impact = case.impact()?;
-        let (scene, notices) = Scene::of(case, &impact);
-        let scene = scene.with_uncertain_inputs(case);
-        return Ok(case.answer(scene, case.warnings(&impact).into_iter().chain(notices)));
+        return draw_solved(case);
     }
     let answer = reconstruct::reconstruct(case, &reconstruct::Options::default(), control)?;
     let (notices, Reconstruction { scene, verdict, .. }) = (answer.notices, answer.facts);
@@ -162,6 +159,19 @@ pub fn draw(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Scene>,
     }
     notices.0.extend(more);
     Ok(Answer::new(&case.title, scene, notices))
+}
+
+/// Returns the scene of the solved collision, as `draw` does for a case without unknowns. A program that calls this alone is linked without the
+/// search of a reconstruction.
+///
+/// # Errors
+///
+/// Those of `solve`.
+pub fn draw_solved(case: &Case) -> Result<Answer<Scene>, Issues> {
+    let impact = case.impact()?;
+    let (scene, notices) = Scene::of(case, &impact);
+    let scene = scene.with_uncertain_inputs(case);
+    Ok(case.answer(scene, case.warnings(&impact).into_iter().chain(notices)))
 }
 
 impl Scene {

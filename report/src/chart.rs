@@ -7,6 +7,7 @@ mod contours;
 mod energy;
 mod impulse;
 mod intervals;
+mod joined;
 mod labels;
 mod lines;
 pub mod paper;

@@ -17,7 +17,7 @@ use super::slide::Slide;
 use super::trajectory::Effort;
 use super::variation::{COARSE, FINE, Slopes, VARIED};
 use crate::frame::Xy;
-use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
+use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals, by_chi_square};
 use crate::vehicle::Motion;
 
 /// Number of starts of the search; the first is the closed form.
@@ -395,7 +395,7 @@ fn best_of(found: &mut Vec<Found>, first: &[f64; 3], has_points: bool) -> Option
     found.retain(|one| one.sum_of_squares <= limit);
     found.sort_by(|a, b| distance(&a.unknowns, first).total_cmp(&distance(&b.unknowns, first)));
     if has_points {
-        found.sort_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
+        found.sort_by(|a, b| by_chi_square(a.sum_of_squares, b.sum_of_squares));
     }
     Some(found.remove(0))
 }

@@ -18,7 +18,7 @@ use super::verdict::{Answer, Verdict};
 use super::within_limits::WithinLimits;
 use crate::input::Side;
 use crate::least_squares::limited::{self, Until};
-use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
+use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals, by_chi_square};
 use crate::moment::Moment;
 use crate::refusal::Refusal;
 use crate::vehicle::{Motion, Party};
@@ -173,7 +173,7 @@ impl Found {
                 found.search_from(&twin, model, soft.as_ref(), spans, search);
             }
         }
-        found.minima.sort_by(|one, other| one.0.sum_of_squares.total_cmp(&other.0.sum_of_squares));
+        found.minima.sort_by(|one, other| by_chi_square(one.0.sum_of_squares, other.0.sum_of_squares));
         if found.minima.is_empty() { Err(found.not_converged(model)) } else { Ok(found) }
     }
 

@@ -39,7 +39,8 @@ const { metafile } = await build({
   define: { "process.env.NODE_ENV": '"production"' },
 });
 cpSync(join(web, "static"), dist, { recursive: true });
-cpSync(join(web, "generated/engine_bg.wasm"), join(dist, "engine.wasm"));
+for (const part of ["frame", "verbs"]) cpSync(join(web, `generated/${part}_bg.wasm`), join(dist, `${part}.wasm`));
+writeFileSync(join(dist, "case.schema.json"), JSON.stringify(JSON.parse(readFileSync(join(root, "schemas/case.schema.json"), "utf8"))));
 writeFileSync(join(dist, "LICENSES.txt"), licenses(Object.keys(metafile.inputs)));
 
 // The worker of the page keeps exactly these files, under a name that changes with their contents.

@@ -45,7 +45,10 @@ export const VERBS: Verb[] = [
   {
     name: "uncertainty",
     title: "Uncertainty",
-    options: [{ name: "samples", label: "Samples", value: "100000", kind: "number" }],
+    options: [
+      { name: "samples", label: "Samples", value: "100000", kind: "number" },
+      { name: "bounds", label: "Guaranteed ranges, which take seconds", value: "", kind: "switch" },
+    ],
     isLive: true,
     formats: ["json", "csv", "svg"],
   },
@@ -62,6 +65,9 @@ export const VERBS: Verb[] = [
   },
   { name: "check", title: "Check", options: [], isLive: false, formats: ["json"] },
 ];
+
+/** The methods of uncertainty that keep up with a change of the text; without a list all that apply are used. */
+const LIVE_METHODS = ["linear", "second-order", "monte-carlo", "sobol", "shapley"];
 
 const element = <K extends keyof HTMLElementTagNameMap>(name: K, className = ""): HTMLElementTagNameMap[K] => {
   const made = document.createElement(name);
@@ -105,11 +111,10 @@ export class Answers {
 
   constructor(
     place: HTMLElement,
-    module: Promise<WebAssembly.Module>,
     private readonly current: () => Case,
     private readonly goTo: (offset: number) => void,
   ) {
-    this.lane = new Lane(module, 0);
+    this.lane = new Lane("verbs", 0);
     const list = element("div", "tabs");
     list.setAttribute("role", "tablist");
     list.setAttribute("aria-label", "Answers");
@@ -259,7 +264,10 @@ export class Answers {
       case "reconstruct":
         return { posterior: this.inputs.get("posterior")?.checked ?? false };
       case "uncertainty":
-        return { samples: Math.min(Math.max(Math.round(Number(text("samples"))) || 100000, 100), 10_000_000) };
+        return {
+          samples: Math.min(Math.max(Math.round(Number(text("samples"))) || 100000, 100), 10_000_000),
+          methods: this.inputs.get("bounds")?.checked ? [] : LIVE_METHODS,
+        };
       case "formula":
         return { output: text("output"), wrt: list("wrt") };
       default:

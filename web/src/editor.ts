@@ -37,20 +37,20 @@ export class Editor {
   private isMarked = false;
   private before: { text: string; scroll: number } | null = null;
 
-  constructor(place: HTMLElement, text: string, schema: () => CaseSchema, changed: (byHand: boolean) => void) {
+  constructor(place: HTMLElement, text: string, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void) {
     const lines = (state: EditorState) => (number: number) => state.doc.line(number).text;
-    const complete = (context: CompletionContext): CompletionResult | null => {
+    const complete = async (context: CompletionContext): Promise<CompletionResult | null> => {
       const line = context.state.doc.lineAt(context.pos);
       const before = line.text.slice(0, context.pos - line.from);
       const table = tableAt(lines(context.state), line.number);
       const value = /^\s*([A-Za-z_][A-Za-z0-9_]*)\s*=\s*"([^"]*)$/.exec(before);
       if (value) {
-        const options = schema().words(table, value[1]!).map((label) => ({ label, type: "enum" }));
+        const options = (await schema()).words(table, value[1]!).map((label) => ({ label, type: "enum" }));
         return { from: context.pos - value[2]!.length, options };
       }
       const key = /^\s*([A-Za-z_][A-Za-z0-9_]*)?$/.exec(before);
       if (!key || (!key[1] && !context.explicit)) return null;
-      const options = schema().keys(table).map(({ name, description, examples }) => ({
+      const options = (await schema()).keys(table).map(({ name, description, examples }) => ({
         label: name,
         type: "property",
         info: description,
@@ -58,11 +58,11 @@ export class Editor {
       }));
       return { from: context.pos - (key[1]?.length ?? 0), options, validFor: /^[A-Za-z0-9_]*$/ };
     };
-    const hover = hoverTooltip((view, pos) => {
+    const hover = hoverTooltip(async (view, pos) => {
       const line = view.state.doc.lineAt(pos);
       const key = /^\s*([A-Za-z_][A-Za-z0-9_]*)\s*=/.exec(line.text);
       if (!key || pos - line.from > key[0].length) return null;
-      const { description, examples } = schema().key(tableAt(lines(view.state), line.number), key[1]!);
+      const { description, examples } = (await schema()).key(tableAt(lines(view.state), line.number), key[1]!);
       if (!description) return null;
       const create = () => {
         const dom = document.createElement("div");

@@ -1,5 +1,4 @@
-// The engine on this thread: what a frame needs. Everything longer runs in a worker.
-import init, * as engine from "../generated/engine.js";
+// What crosses the border to the engine, and its two modules.
 
 export interface Case {
   name: string;
@@ -68,58 +67,38 @@ export interface Reply {
   cause: string;
 }
 
-/** Called by the engine from a long verb. */
-declare global {
-  // eslint-disable-next-line no-var
-  var planarImpactProgress: (done: number, total: number) => void;
+/** The part of the engine that the page opens with, and the one that a worker fetches at the first answer that takes more. */
+export type Part = "frame" | "verbs";
+
+const compiled = new Map<Part, Promise<WebAssembly.Module>>();
+
+/** Fetches a part of the engine once; an attempt that fails is not kept. */
+export function compile(part: Part): Promise<WebAssembly.Module> {
+  let module = compiled.get(part);
+  if (!module) {
+    module = fetched(new URL(`${part}.wasm`, import.meta.url));
+    module.catch(() => compiled.delete(part));
+    compiled.set(part, module);
+  }
+  return module;
 }
 
-export async function load(module: WebAssembly.Module, progress: (done: number, total: number) => void): Promise<void> {
-  globalThis.planarImpactProgress = progress;
-  await init({ module_or_path: module });
+/** Compiles while the bytes arrive; a host that does not name their type makes it wait. */
+async function fetched(address: URL): Promise<WebAssembly.Module> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`the engine cannot be loaded: ${response.status}`);
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
 }
 
-const list = (json: string): Issue[] => (json === "" ? [] : (JSON.parse(json) as Issue[]));
+export const issues = (json: string): Issue[] => (json === "" ? [] : (JSON.parse(json) as Issue[]));
+
+/** A reply where it was made. */
+type Foreign = Omit<Reply, "issues"> & { issues: string; free(): void };
 
 /** Copies what crosses the border, and frees it there. */
-export function reply(of: engine.Reply): Reply {
-  const copy = { json: of.json, html: of.html, svg: of.svg, csv: of.csv, issues: list(of.issues), cause: of.cause };
+export function reply(of: Foreign): Reply {
+  const copy = { json: of.json, html: of.html, svg: of.svg, csv: of.csv, issues: issues(of.issues), cause: of.cause };
   of.free();
   return copy;
 }
-
-export function frame(of: Case): Frame {
-  const computed = engine.frame(JSON.stringify(of));
-  const { scene, impulse, energy, tables, gradient, cause, has_unknowns } = computed;
-  const handles = computed.handles === "" ? null : (JSON.parse(computed.handles) as Handles);
-  const issues = list(computed.issues);
-  computed.free();
-  return { scene, impulse, energy, tables, gradient, handles, issues, cause, has_unknowns };
-}
-
-export const answer = (verb: string, of: Case, options: object): Reply =>
-  reply(engine.answer(verb, JSON.stringify(of), JSON.stringify(options)));
-export const report = (of: Case): Reply => reply(engine.report(JSON.stringify(of)));
-export const check = (name: string, bytes: Uint8Array): Reply => reply(engine.check(name, bytes));
-
-/** The changes that move an input, or the issues that prevent it. */
-export function writeNumber(of: Case, input: string, si: number, resolution: number): Change[] | Issue[] {
-  const { json, issues } = reply(engine.write_number(of.name, of.text, input, si, resolution));
-  return json === "" ? issues : (JSON.parse(json) as Change[]);
-}
-
-export function writeText(of: Case, path: string, typed: string): Change[] | Issue[] {
-  const { json, issues } = reply(engine.write_text(of.name, of.text, path, typed));
-  return json === "" ? issues : (JSON.parse(json) as Change[]);
-}
-
-export const areChanges = (found: Change[] | Issue[]): found is Change[] => found.length > 0 && "insert" in found[0]!;
-
-/** The values at paths; `null` where the text cannot be read at all. */
-export function values(of: Case, paths: string[]): (({ from: number; to: number; text: string }) | null)[] | null {
-  const json = engine.values(of.name, of.text, JSON.stringify(paths));
-  return json === "" ? null : JSON.parse(json);
-}
-
-export const schema = (): unknown => JSON.parse(engine.case_schema());
-export const template = (kind: string): string => engine.case_template(kind);

@@ -1,5 +1,6 @@
 // The main inputs as fields, each with the value and unit that the text has.
-import * as engine from "./engine";
+import type { Case, Change, Issue } from "./engine";
+import { areChanges, values, writeText } from "./frame";
 
 const VEHICLE = [
   ["name", "Name"],
@@ -35,9 +36,9 @@ export class Form {
 
   constructor(
     place: HTMLElement,
-    private readonly current: () => engine.Case,
-    private readonly apply: (changes: engine.Change[]) => void,
-    private readonly refuse: (issues: engine.Issue[]) => void,
+    private readonly current: () => Case,
+    private readonly apply: (changes: Change[]) => void,
+    private readonly refuse: (issues: Issue[]) => void,
   ) {
     this.group(place, "Vehicle 1", VEHICLE.map(([key, label]) => [`vehicle.1.${key}`, label]));
     this.group(place, "Vehicle 2", VEHICLE.map(([key, label]) => [`vehicle.2.${key}`, label]));
@@ -69,16 +70,16 @@ export class Form {
   }
 
   private typed(path: string, input: HTMLInputElement): void {
-    const found = engine.writeText(this.current(), path, input.value);
-    if (engine.areChanges(found)) this.apply(found);
+    const found = writeText(this.current(), path, input.value);
+    if (areChanges(found)) this.apply(found);
     else this.refuse(found);
   }
 
   /** Shows the values of the text. A text that cannot be read leaves the fields as they are. */
   update(): void {
-    const values = engine.values(this.current(), this.fields.map(({ path }) => path));
-    for (const { box } of this.groups) box.disabled = values === null;
-    values?.forEach((value, place) => {
+    const found = values(this.current(), this.fields.map(({ path }) => path));
+    for (const { box } of this.groups) box.disabled = found === null;
+    found?.forEach((value, place) => {
       const { row, input, path } = this.fields[place]!;
       row.hidden = value === null && !ALWAYS.test(path);
       const text = value?.text ?? "";

@@ -1,4 +1,5 @@
 // A lane runs one task at a time in a worker of its own; a newer task takes the place of one that has not started, and `cancel` ends the worker.
+import { compile, type Part } from "./engine";
 import type { Task } from "./worker";
 
 export class Stopped extends Error {}
@@ -18,7 +19,8 @@ export class Lane {
   private timer = 0;
 
   constructor(
-    private readonly module: Promise<WebAssembly.Module>,
+    /** The part of the engine that the worker has. */
+    private readonly part: Part,
     /** Milliseconds after which a task is ended; never if 0. */
     private readonly patience: number,
   ) {}
@@ -50,9 +52,14 @@ export class Lane {
       if (worker === this.worker) this.hear(data);
     };
     worker.onerror = (event) => {
-      if (worker === this.worker) this.end(new Error(event.message || "the worker cannot be started"));
+      if (worker === this.worker) this.fail(new Error(event.message || "the worker cannot be started"));
     };
-    void this.module.then((module) => worker.postMessage({ module }));
+    compile(this.part).then(
+      (module) => worker.postMessage({ part: this.part, module }),
+      (error: unknown) => {
+        if (worker === this.worker) this.fail(error instanceof Error ? error : new Error(String(error)));
+      },
+    );
   }
 
   private hear(data: { ready?: true; progress?: [number, number]; trap?: string; result?: unknown; took?: number }): void {
@@ -70,6 +77,13 @@ export class Lane {
       done?.resolve({ result: data.result, took: data.took ?? 0 });
       this.next();
     }
+  }
+
+  /** Ends the worker and whatever waits for it: another would fail as well. */
+  private fail(error: Error): void {
+    this.waiting?.reject(error);
+    this.waiting = null;
+    this.end(error);
   }
 
   private end(error: Error): void {

@@ -1,13 +1,14 @@
 // The page: one text, and everything else made from it.
 import { Answers, issueList } from "./answers";
 import { Editor } from "./editor";
-import * as engine from "./engine";
+import { compile, type Case, type Change, type Frame, type Issue, type Reply } from "./engine";
 import * as files from "./files";
 import { Form } from "./form";
+import * as engine from "./frame";
 import { Lane, Stopped } from "./jobs";
 import { show } from "./morph";
 import { Scene } from "./scene";
-import { CaseSchema } from "./schema";
+import { caseSchema } from "./schema";
 import * as share from "./share";
 import { TOUR } from "./tour";
 import list from "../generated/examples.json";
@@ -23,21 +24,11 @@ const SLOW = 50;
 const PATIENCE = 10_000;
 
 const $ = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
-const compiled = compile(new URL("engine.wasm", import.meta.url));
-
-/** Compiles the engine while it arrives; a host that does not name its type makes it wait. */
-async function compile(address: URL): Promise<WebAssembly.Module> {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`the engine cannot be loaded: ${response.status}`);
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
-}
-
 const state = {
   name: "position-a.toml",
   files: {} as Record<string, string>,
   units: "",
-  frame: null as engine.Frame | null,
+  frame: null as Frame | null,
   /** What the last frame took in the worker, in milliseconds; `null` if the text has been replaced since. */
   took: null as number | null,
   drawing: "",
@@ -47,11 +38,10 @@ let editor: Editor;
 let scene: Scene;
 let form: Form;
 let answers: Answers;
-let schema: CaseSchema | null = null;
-const background = new Lane(compiled, PATIENCE);
-const drawer = new Lane(compiled, 60_000);
+const background = new Lane("frame", PATIENCE);
+const drawer = new Lane("verbs", 60_000);
 
-const current = (): engine.Case => ({ name: state.name, text: editor.text, files: state.files, units: state.units });
+const current = (): Case => ({ name: state.name, text: editor.text, files: state.files, units: state.units });
 
 function say(text: string, isError = false): void {
   const place = $("message");
@@ -88,7 +78,7 @@ function refresh(isTyped: boolean): void {
     performance.measure("frame", { start: started, end: performance.now() });
     return;
   }
-  background.run<engine.Frame>({ kind: "frame", case: of }).then(
+  background.run<Frame>({ kind: "frame", case: of }).then(
     ({ result, took }) => {
       state.took = took;
       if (of.text === editor.text) render(result);
@@ -99,7 +89,7 @@ function refresh(isTyped: boolean): void {
   );
 }
 
-function render(frame: engine.Frame): void {
+function render(frame: Frame): void {
   state.frame = frame;
   editor.mark(state.name, frame.issues);
   const isRefused = frame.issues.length > 0;
@@ -129,7 +119,7 @@ function render(frame: engine.Frame): void {
 async function draw(): Promise<void> {
   const of = current();
   try {
-    const { result } = await drawer.run<engine.Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
+    const { result } = await drawer.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
     if (of.text !== editor.text || state.frame?.handles) return;
     state.drawing = result.svg;
     if (result.svg !== "") scene.show(result.svg, null);
@@ -147,9 +137,9 @@ function slide(id: string, value: number, unit: string): void {
 
 const edit = {
   begin: () => editor.begin(),
-  apply: (changes: engine.Change[]) => editor.apply(changes),
+  apply: (changes: Change[]) => editor.apply(changes),
   end: () => editor.end(),
-  refuse: (issues: engine.Issue[]) => say(issues.map(({ path, message }) => `${path}: ${message}`).join("\n"), true),
+  refuse: (issues: Issue[]) => say(issues.map(({ path, message }) => `${path}: ${message}`).join("\n"), true),
 };
 
 function slider(id: string, input: string, toSi: number, resolution: number): void {
@@ -193,15 +183,15 @@ const base = (): string => state.name.replace(/^.*[/\\]/, "").replace(/\.[^.]*$/
 /** Makes a file of the text as it is now; nothing that was computed before is saved. */
 async function exported(kind: string): Promise<void> {
   const of = current();
-  const exporter = new Lane(compiled, 0);
+  const exporter = new Lane("verbs", 0);
   try {
     say("Exporting");
     if (kind === "report") {
-      const { result } = await exporter.run<engine.Reply>({ kind: "report", case: of });
+      const { result } = await exporter.run<Reply>({ kind: "report", case: of });
       if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
       files.save(`${base()}.html`, result.html, "text/html");
     } else if (kind === "svg" || kind === "png") {
-      const { result } = await exporter.run<engine.Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
+      const { result } = await exporter.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
       if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
       if (kind === "svg") files.save(`${base()}.svg`, result.svg, "image/svg+xml");
       else files.save(`${base()}.png`, await files.toPng(result.svg), "image/png");
@@ -307,16 +297,16 @@ function wire(): void {
 }
 
 async function start(): Promise<void> {
+  const module = compile("frame");
   const first = example("position-a.toml") ?? EXAMPLES[0]!;
   state.files = first.files;
-  schema = null;
-  editor = new Editor($("editor"), first.text, () => (schema ??= new CaseSchema(engine.schema() as Record<string, unknown>)), changed);
+  editor = new Editor($("editor"), first.text, caseSchema, changed);
   scene = new Scene($("scene"), current, edit);
   form = new Form($("form"), current, (changes) => editor.apply(changes), edit.refuse);
-  answers = new Answers($("answers"), compiled, current, (offset) => editor.goTo(offset));
+  answers = new Answers($("answers"), current, (offset) => editor.goTo(offset));
   $("name").textContent = state.name;
   wire();
-  await engine.load(await compiled, () => {});
+  await engine.load(await module);
   // The first example is known to be quick.
   state.took = 0;
   refresh(false);

@@ -15,6 +15,8 @@ interface Tag {
   name: string | null;
   children: Tag[];
   node: Element | Text | null;
+  /** Its attributes, read when they are first needed. */
+  attributes?: Map<string, string>;
 }
 
 const TOKEN = /<(\/?)([A-Za-z][\w:.-]*)([^>]*?)(\/?)>|[^<]+|</g;
@@ -56,14 +58,16 @@ function isAllowed(name: string, value: string): boolean {
   return !lower.startsWith("on") && lower !== "style" && !(/href$|^src$|^action$/.test(lower) && !value.startsWith("#"));
 }
 
-function attributes(raw: string): Map<string, string> {
+function attributes(tag: Tag): Map<string, string> {
+  if (tag.attributes) return tag.attributes;
+  const { raw } = tag;
   const found = new Map<string, string>();
   ATTRIBUTE.lastIndex = 0;
   for (let pair = ATTRIBUTE.exec(raw); pair; pair = ATTRIBUTE.exec(raw)) {
     const value = decode(pair[2]!);
     if (isAllowed(pair[1]!, value) && !pair[1]!.startsWith("xmlns")) found.set(pair[1]!, value);
   }
-  return found;
+  return (tag.attributes = found);
 }
 
 /** Makes an element or a text; `null` for what is left out. */
@@ -72,7 +76,7 @@ function make(tag: Tag, space: string): Element | Text | null {
   if (ACTIVE.has(tag.name.toLowerCase())) return null;
   const inner = SPACES[tag.name] ?? space;
   const element = document.createElementNS(inner, tag.name);
-  for (const [name, value] of attributes(tag.raw)) element.setAttribute(name, value);
+  for (const [name, value] of attributes(tag)) element.setAttribute(name, value);
   for (const child of tag.children) {
     const node = make(child, inner);
     if (node) element.appendChild(node);
@@ -80,30 +84,54 @@ function make(tag: Tag, space: string): Element | Text | null {
   return (tag.node = element);
 }
 
+/** How far ahead an element of the same name is looked for. */
+const AHEAD = 12;
+
+/** How many tags from a place come before one of a name; Infinity if none is near. */
+function distance(tags: Tag[], from: number, name: string | null): number {
+  const end = Math.min(from + AHEAD, tags.length);
+  for (let k = from; k < end; k++) if (tags[k]!.name === name) return k - from;
+  return Infinity;
+}
+
 function update(place: Element, old: Tag[], next: Tag[], space: string): void {
+  let at = 0;
   for (let k = 0; k < next.length; k++) {
-    const [was, is] = [old[k], next[k]!];
-    if (was && was.node && was.name === is.name) {
-      is.node = was.node;
-      if (is.name === null) {
-        if (was.raw !== is.raw) (is.node as Text).data = decode(is.raw);
-        continue;
-      }
-      const element = is.node as Element;
-      if (was.raw !== is.raw) {
-        const [before, after] = [attributes(was.raw), attributes(is.raw)];
-        for (const name of before.keys()) if (!after.has(name)) element.removeAttribute(name);
-        for (const [name, value] of after) if (before.get(name) !== value) element.setAttribute(name, value);
-      }
-      update(element, was.children, is.children, SPACES[is.name] ?? space);
-    } else {
-      const node = make(is, space);
-      if (was?.node && node) place.replaceChild(node, was.node);
-      else if (was?.node) was.node.remove();
-      else if (node) place.insertBefore(node, old.slice(k + 1).find((tag) => tag.node)?.node ?? null);
+    const is = next[k]!;
+    const gone = distance(old, at, is.name);
+    // Elements have come or gone: the nearer match decides which.
+    const isNew = gone > 0 && (at >= old.length || gone > distance(next, k, old[at]!.name));
+    if (gone < Infinity && !isNew) {
+      for (const end = at + gone; at < end; at++) old[at]!.node?.remove();
+      const was = old[at++]!;
+      if (was.node) keep(was, is, was.node, space);
+      continue;
     }
+    const node = make(is, space);
+    if (node) place.insertBefore(node, following(old, at));
   }
-  for (const rest of old.slice(next.length)) rest.node?.remove();
+  for (; at < old.length; at++) old[at]!.node?.remove();
+}
+
+/** The first node of tags from a place. */
+function following(tags: Tag[], from: number): Element | Text | null {
+  for (let k = from; k < tags.length; k++) if (tags[k]!.node) return tags[k]!.node;
+  return null;
+}
+
+/** Changes the node of a tag into that of another with the same name. */
+function keep(was: Tag, is: Tag, node: Element | Text, space: string): void {
+  is.node = node;
+  if (is.name === null) {
+    if (was.raw !== is.raw) (node as Text).data = decode(is.raw);
+    return;
+  }
+  if (was.raw !== is.raw) {
+    const [before, after] = [attributes(was), attributes(is)];
+    for (const name of before.keys()) if (!after.has(name)) (node as Element).removeAttribute(name);
+    for (const [name, value] of after) if (before.get(name) !== value) (node as Element).setAttribute(name, value);
+  }
+  update(node as Element, was.children, is.children, SPACES[is.name] ?? space);
 }
 
 const shown = new WeakMap<Element, { markup: string; tags: Tag[] }>();

@@ -1,6 +1,6 @@
 // The scene, live: the drawing of the report below, and over it the handles that drag the inputs of the case.
-import type { Case, Change, Handles, VehicleHandles } from "./engine";
-import * as engine from "./engine";
+import type { Case, Change, Handles, Issue, VehicleHandles } from "./engine";
+import { areChanges, writeNumber } from "./frame";
 import { show } from "./morph";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -103,6 +103,11 @@ function impactCenter({ vehicles }: Handles, by: Point): Move {
   });
 }
 
+/** Sets the attributes that differ: each that is set is laid out anew. */
+function set(element: Element, attributes: Record<string, string>): void {
+  for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
 export class Scene {
   private handles: Handles | null = null;
   private readonly drawing: HTMLElement;
@@ -113,7 +118,7 @@ export class Scene {
   constructor(
     place: HTMLElement,
     private readonly current: () => Case,
-    private readonly edit: { begin: () => void; apply: (changes: Change[]) => void; end: () => void; refuse: (issues: engine.Issue[]) => void },
+    private readonly edit: { begin: () => void; apply: (changes: Change[]) => void; end: () => void; refuse: (issues: Issue[]) => void },
   ) {
     this.drawing = document.createElement("div");
     this.drawing.className = "drawing";
@@ -158,18 +163,14 @@ export class Scene {
     for (const [handle, shape] of this.shapes) {
       const at = handles && handle.at(handles);
       const isHidden = !handles || !at || (handle.key.startsWith("vehicle") && !handles.vehicles[Number(handle.key[8]) - 1]);
-      shape.toggleAttribute("hidden", isHidden);
-      shape.setAttribute("display", isHidden ? "none" : "inline");
+      set(shape, { display: isHidden ? "none" : "inline" });
       if (isHidden) continue;
       const [x, y] = this.toPage(handles, at);
-      shape.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
       const value = handle.value(handles);
-      shape.setAttribute("role", value ? "slider" : "button");
+      set(shape, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`, role: value ? "slider" : "button" });
       if (!value) continue;
       const [now, least, most] = value;
-      shape.setAttribute("aria-valuenow", now.toFixed(1));
-      shape.setAttribute("aria-valuemin", String(least));
-      shape.setAttribute("aria-valuemax", String(most));
+      set(shape, { "aria-valuenow": now.toFixed(1), "aria-valuemin": String(least), "aria-valuemax": String(most) });
     }
   }
 
@@ -220,8 +221,8 @@ export class Scene {
     const of = this.current();
     const changes: Change[] = [];
     for (const [input, si, resolution] of values) {
-      const found = engine.writeNumber(of, input, si, resolution);
-      if (!engine.areChanges(found)) return this.edit.refuse(found);
+      const found = writeNumber(of, input, si, resolution);
+      if (!areChanges(found)) return this.edit.refuse(found);
       changes.push(...found);
     }
     if (changes.length > 0) this.edit.apply(changes);

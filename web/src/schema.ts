@@ -71,6 +71,17 @@ export class CaseSchema {
   }
 }
 
+let fetched: Promise<CaseSchema> | null = null;
+
+/** The schema of a case file, fetched when it is first asked for; an attempt that fails is not kept. */
+export function caseSchema(): Promise<CaseSchema> {
+  if (!fetched) {
+    fetched = fetch(new URL("case.schema.json", import.meta.url)).then(async (response) => new CaseSchema((await response.json()) as Schema));
+    fetched.catch(() => (fetched = null));
+  }
+  return fetched;
+}
+
 /** The table of a line: its header and how many vehicles come before, found by reading lines upwards. */
 export function tableAt(lines: (number: number) => string, line: number): string[] {
   for (let number = line; number >= 1; number--) {

@@ -1,10 +1,12 @@
 // Everything that may take long, away from the page's own thread. The page cancels by ending this worker.
-import * as engine from "./engine";
+import type { Case, Frame, Part, Reply } from "./engine";
+import * as frame from "./frame";
+import * as verbs from "./verbs";
 
 export type Task =
-  | { kind: "frame"; case: engine.Case }
-  | { kind: "answer"; verb: string; case: engine.Case; options: object }
-  | { kind: "report"; case: engine.Case }
+  | { kind: "frame"; case: Case }
+  | { kind: "answer"; verb: string; case: Case; options: object }
+  | { kind: "report"; case: Case }
   | { kind: "check"; name: string; bytes: Uint8Array };
 
 let last = 0;
@@ -17,22 +19,22 @@ function progress(done: number, total: number): void {
   }
 }
 
-function run(task: Task): engine.Frame | engine.Reply {
+function run(task: Task): Frame | Reply {
   switch (task.kind) {
     case "frame":
-      return engine.frame(task.case);
+      return frame.frame(task.case);
     case "answer":
-      return engine.answer(task.verb, task.case, task.options);
+      return verbs.answer(task.verb, task.case, task.options);
     case "report":
-      return engine.report(task.case);
+      return verbs.report(task.case);
     case "check":
-      return engine.check(task.name, task.bytes);
+      return verbs.check(task.name, task.bytes);
   }
 }
 
-onmessage = async ({ data }: MessageEvent<{ module: WebAssembly.Module } | { task: Task }>) => {
+onmessage = async ({ data }: MessageEvent<{ part: Part; module: WebAssembly.Module } | { task: Task }>) => {
   if ("module" in data) {
-    await engine.load(data.module, progress);
+    await (data.part === "frame" ? frame.load(data.module) : verbs.load(data.module, progress));
     postMessage({ ready: true });
     return;
   }

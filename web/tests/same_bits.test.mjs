@@ -7,8 +7,8 @@ import { test } from "node:test";
 import { cliLater, web } from "./browser.mjs";
 
 globalThis.planarImpactProgress = () => {};
-const engine = await import("../generated/engine.js");
-engine.initSync({ module: readFileSync(join(web, "generated/engine_bg.wasm")) });
+const engine = await import("../generated/verbs.js");
+engine.initSync({ module: readFileSync(join(web, "generated/verbs_bg.wasm")) });
 
 /** mulberry32: small, and the same everywhere. */
 function random(seed) {

@@ -1,7 +1,7 @@
 //! Converts rest positions into evidence of the separation velocities.
 
 use planar_impact::post_impact::{Separation, SeparationEvidence};
-use planar_impact::reconstruct::{Correlation, Measurand};
+use planar_impact::reconstruct::{Correlation, Measurand, by_chi_square};
 use planar_impact::{Motion, Output, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -129,7 +129,7 @@ pub fn combinations(separations: &Separations) -> (Vec<Separations>, Notices) {
     }
     let [one, two] = &choices;
     let mut all: Vec<Separations> = one.iter().flat_map(|one| two.iter().map(|two| [one.clone(), two.clone()])).collect();
-    all.sort_by(|a, b| chi_square(a).total_cmp(&chi_square(b)));
+    all.sort_by(|a, b| by_chi_square(chi_square(a), chi_square(b)));
     if all.len() > MOST_COMBINATIONS {
         let message = format!(
             "{} combinations of separations lead to these rest positions: the {MOST_COMBINATIONS} that fit best are reconstructed",

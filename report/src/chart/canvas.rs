@@ -15,6 +15,8 @@ use planar_impact_app::plain_text::{clean, shorten};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use quick_xml::escape::escape;
 
+use super::joined::joined;
+
 /// An area to draw on.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// A chart with linear axes.
@@ -71,7 +73,7 @@ pub fn page(title: &str, description: &str, height: u32, draw: impl FnOnce(&Area
     let titled = |element: &str, words: &str| format!("<{element}>{}</{element}>", escape(printable(words)));
     // Without a title the description is its name.
     let (title, description) = (titled("title", if title.is_empty() { description } else { title }), titled("desc", description));
-    Ok(format!("{}{root} role=\"img\">\n{title}\n{description}{drawing}", size(FINE)))
+    Ok(format!("{}{root} role=\"img\">\n{title}\n{description}{}", size(FINE), joined(drawing)))
 }
 
 /// Replaces the characters that XML does not allow, and those that a document interprets.

@@ -87,14 +87,20 @@ impl Labels {
     fn best(&self, wanted: &Wanted, width: f64, height: f64) -> Option<(Frame, f64)> {
         let mut best: Option<(f64, Frame, f64)> = None;
         let consider = |best: &mut Option<(f64, Frame, f64)>, frame: Frame, distance: f64| {
-            if !self.frame.contains(&frame) || self.taken.iter().any(|taken| taken.overlaps(&frame)) {
+            let least = best.map_or(f64::INFINITY, |(least, ..)| least);
+            if distance >= least || !self.frame.contains(&frame) || self.taken.iter().any(|taken| taken.overlaps(&frame)) {
                 return;
             }
-            let covered = self.lines.iter().filter(|(from, to)| crosses(&frame, *from, *to)).count() as f64;
             let middle = (frame.x + frame.width / 2.0, frame.y + frame.height / 2.0);
             let is_led_across = distance > LEADER && self.taken.iter().any(|taken| crosses(taken, middle, wanted.at));
-            let cost = distance + COVERED * covered + if is_led_across { ANYWHERE } else { 0.0 };
-            if best.is_none_or(|(least, ..)| cost < least) {
+            let mut cost = distance + if is_led_across { ANYWHERE } else { 0.0 };
+            for (from, to) in &self.lines {
+                if cost >= least {
+                    return;
+                }
+                cost += if crosses(&frame, *from, *to) { COVERED } else { 0.0 };
+            }
+            if cost < least {
                 *best = Some((cost, frame, distance));
             }
         };
@@ -136,8 +142,10 @@ fn crosses(frame: &Frame, from: Place, to: Place) -> bool {
             continue;
         }
         let (a, b) = ((low - start) / step, (high - start) / step);
-        enter = enter.max(a.min(b));
-        leave = leave.min(a.max(b));
+        let (first, last) = if a < b { (a, b) } else { (b, a) };
+        // Comparisons: on WebAssembly the functions of the least and the greatest number are calls.
+        enter = if first > enter { first } else { enter };
+        leave = if last < leave { last } else { leave };
     }
     enter <= leave
 }

@@ -9,6 +9,8 @@ use crate::scalar::{Ordered, Real};
 
 /// An interval with which a choice that is not decided is all real numbers: where a function changes from one formula to another its derivative may jump, and
 /// the hull of both second derivatives says nothing of that.
+///
+/// Its operations are calls: written out at each place, the two functions of second derivatives alone had a megabyte and a half, and the library two.
 #[derive(Clone, Copy)]
 pub(super) struct Smooth(pub(super) Interval);
 
@@ -23,7 +25,6 @@ macro_rules! of_intervals {
         $(impl $operator for Smooth {
             type Output = Self;
 
-            #[inline(always)]
             fn $name(self, other: Self) -> Self {
                 Smooth(self.0.$name(other.0))
             }
@@ -36,7 +37,6 @@ of_intervals!(Add add, Sub sub, Mul mul, Div div);
 impl Neg for Smooth {
     type Output = Self;
 
-    #[inline(always)]
     fn neg(self) -> Self {
         Smooth(-self.0)
     }
@@ -45,19 +45,16 @@ impl Neg for Smooth {
 impl Inv for Smooth {
     type Output = Self;
 
-    #[inline(always)]
     fn inv(self) -> Self {
         Smooth(self.0.inv())
     }
 }
 
 impl FromPrimitive for Smooth {
-    #[inline(always)]
     fn from_i64(n: i64) -> Option<Self> {
         Interval::from_i64(n).map(Smooth)
     }
 
-    #[inline(always)]
     fn from_u64(n: u64) -> Option<Self> {
         Interval::from_u64(n).map(Smooth)
     }
@@ -66,12 +63,10 @@ impl FromPrimitive for Smooth {
 impl Ordered for Smooth {
     type Mask = Truth;
 
-    #[inline(always)]
     fn less(&self, other: &Self) -> Truth {
         self.0.less(&other.0)
     }
 
-    #[inline(always)]
     fn select(mask: Truth, yes: Self, no: Self) -> Self {
         match mask.decided() {
             Some(true) => yes,
@@ -80,25 +75,21 @@ impl Ordered for Smooth {
         }
     }
 
-    #[inline(always)]
     fn finite(&self) -> Truth {
         self.0.finite()
     }
 }
 
 impl Real for Smooth {
-    #[inline(always)]
     fn square_root(self) -> Self {
         Smooth(self.0.square_root())
     }
 
-    #[inline(always)]
     fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = self.0.sin_and_cos();
         (Smooth(sin), Smooth(cos))
     }
 
-    #[inline(always)]
     fn arctangent(self, x: Self) -> Self {
         Smooth(self.0.arctangent(x.0))
     }

@@ -2,7 +2,7 @@
 
 use planar_impact_app::case::Parameter;
 use planar_impact_app::document::{Document, Edit};
-use planar_impact_app::{Issue, Issues, Source, Units, schema, template};
+use planar_impact_app::{Issue, Issues, Source, Units};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -72,16 +72,4 @@ pub fn write_number(name: &str, text: &str, input: &str, si: f64, resolution: f6
 pub fn number_at(name: &str, text: &str, input: &str) -> f64 {
     let (Ok(document), Some(parameter)) = (document(name, text), Parameter::named(input)) else { return f64::NAN };
     document.number_at(parameter).unwrap_or(f64::NAN)
-}
-
-/// Returns the JSON Schema of a case file.
-#[wasm_bindgen]
-pub fn case_schema() -> String {
-    schema::of("case").and_then(|schema| serde_json::to_string(&schema).ok()).unwrap_or_default()
-}
-
-/// Returns the template of a case file.
-#[wasm_bindgen]
-pub fn case_template(kind: &str) -> String {
-    template::of(kind).unwrap_or_default().to_owned()
 }

@@ -93,7 +93,7 @@ pub fn frame(case: &str) -> Frame {
 
 fn of(case: &Case, units: Units) -> Result<Frame, Issues> {
     let solution = solve::solve(case, &(), &Uncontrolled)?;
-    let drawn = scene::draw(case, &(), &Uncontrolled)?;
+    let drawn = scene::draw_solved(case)?;
     let principal = gradient::Options { of: Selection::Principal, wrt: Selection::Principal, second: false };
     let gradient = gradient::gradient(case, &principal, &Uncontrolled)?;
     Ok(Frame {
