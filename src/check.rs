@@ -113,6 +113,9 @@ pub fn check(record: &Record, options: &Options) -> Outcome {
 
 fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
     let known = Known::<N>::of(record);
+    if let Some(share) = known.touch.and_then(|touch| touch.wedging_share()) {
+        judge.allow_for_wedging(share);
+    }
     momentum::check(&known, judge);
     normal::check(&known, judge);
     tangent::check(&known, judge);

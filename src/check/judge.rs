@@ -16,6 +16,8 @@ use alloc::vec::Vec;
 pub(super) struct Judge {
     profile: Profile,
     tolerance: Option<f64>,
+    /// By how much more than a sum an impulse is rounded: a solver divides by K_nn + μ K_nt, which is rounded as its parts are.
+    amplification: f64,
     checked: Rules,
     findings: Vec<Finding>,
     pub(super) common: Vec<Common>,
@@ -68,7 +70,21 @@ impl<const N: usize> Residual<N> {
 
 impl Judge {
     pub(super) fn new(profile: Profile, options: &Options) -> Self {
-        Judge { profile, tolerance: options.tolerance, checked: Rules::default(), findings: Vec::new(), common: Vec::new() }
+        Judge {
+            profile,
+            tolerance: options.tolerance,
+            amplification: 0.0,
+            checked: Rules::default(),
+            findings: Vec::new(),
+            common: Vec::new(),
+        }
+    }
+
+    /// Allows for the rounding of the impulse of a pair that nearly wedges, with K_nn + μ K_nt a positive share of its parts.
+    pub(super) fn allow_for_wedging(&mut self, share: f64) {
+        if share > 0.0 {
+            self.amplification = 1.0 / share;
+        }
     }
 
     pub(super) fn done(self, record: &Record) -> Outcome {
@@ -108,7 +124,8 @@ impl Judge {
             spread if spread.is_finite() => spread,
             _ => f64::INFINITY,
         };
-        Bound { total: implied + self.profile.rounding() * residual.value.size, implied }
+        let rounded = residual.value.size.max(self.amplification * residual.scale);
+        Bound { total: implied + self.profile.rounding() * rounded, implied }
     }
 
     /// Checks a residual that must be zero.

@@ -130,6 +130,13 @@ impl<const N: usize> Touch<N> {
         Some(contact.compliance.impulse_for(self.moment.map_or(change, |moment| change - contact.moment_compliance().force * moment)))
     }
 
+    /// Returns K_nn + μ K_nt at the ratio of the impulse, as a share of its parts: where it is small the pair nearly wedges.
+    pub(super) fn wedging_share(&self) -> Option<f64> {
+        let (impulse, Contact { compliance, .. }) = (self.impulse?, self.values()?);
+        let ratio = impulse.t.value / impulse.n.value;
+        Some(compliance.along_ratio(ratio) / (compliance.nn + (ratio * compliance.nt).abs()))
+    }
+
     /// Returns the contact without resolutions, if the inertia of the bodies is known.
     pub(super) fn values(&self) -> Option<Contact> {
         let values = |i: usize| {

@@ -195,10 +195,8 @@ fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, ju
         );
         judge.warn(rule, impulse.t.value.abs(), 0.0, what);
     }
-    let Some(contact) = touch.values() else { return };
+    let Some(share) = touch.wedging_share() else { return };
     let ratio = impulse.t.value / impulse.n.value;
-    let (along, parts) = (contact.compliance.along_ratio(ratio), contact.compliance.nn + (ratio * contact.compliance.nt).abs());
-    let share = along / parts;
     if share < 0.01 {
         let what =
             format!("the pair nearly wedges at the impulse ratio {}: K_nn + mu K_nt is {} of its parts", Digits(ratio), Digits(share));

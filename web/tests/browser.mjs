@@ -93,3 +93,13 @@ export async function exported(page, kind) {
   const [download] = await Promise.all([page.waitForEvent("download", { timeout: 120_000 }), page.selectOption("#export", kind)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
+
+/** mulberry32: small, and the same everywhere. */
+export function random(seed) {
+  return () => {
+    seed = (seed + 0x6d2b79f5) | 0;
+    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}

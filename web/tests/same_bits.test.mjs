@@ -4,21 +4,11 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { cliLater, web } from "./browser.mjs";
+import { cliLater, random, web } from "./browser.mjs";
 
 globalThis.planarImpactProgress = () => {};
 const engine = await import("../generated/verbs.js");
 engine.initSync({ module: readFileSync(join(web, "generated/verbs_bg.wasm")) });
-
-/** mulberry32: small, and the same everywhere. */
-function random(seed) {
-  return () => {
-    seed = (seed + 0x6d2b79f5) | 0;
-    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
 
 /** Two vehicles that mostly drive towards each other; some cases are refused, which must agree too. */
 function collision(number) {
