@@ -87,6 +87,14 @@ impl<T: Field> Compliance<T> {
     }
 }
 
+impl Compliance {
+    /// Returns K_nn + μ K_nt as a share of its parts, at most 1. A pair that nearly wedges has a small one: the impulse is divided by the sum, which is rounded
+    /// as its parts are, so that of sixteen digits of the impulse as many are lost as the share has zeros.
+    pub fn wedging_share(&self, impulse_ratio: f64) -> f64 {
+        self.along_ratio(impulse_ratio) / (self.nn + (impulse_ratio * self.nt).abs())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -263,6 +263,8 @@ impl Case {
 
     /// Warnings about a result that is possible and deserves a second look.
     pub fn warnings(&self, impact: &Impact) -> Vec<Notice> {
+        /// Share of its parts below which K_nn + μ K_nt takes more than five digits of the impulse.
+        const NEARLY_WEDGED: f64 = 1e-5;
         let mut warnings = Vec::new();
         for (i, party) in self.collision.parties().into_iter().enumerate() {
             if let Some(vehicle) = party.vehicle() {
@@ -284,6 +286,13 @@ impl Case {
                 .figure(Measure::Ratio, admissible.restitution_for_any_approach)
                 .text(", beyond which some approach velocities gain energy in this contact");
             warnings.push(Notice::warning("restitution-can-gain-energy", "contact.restitution", message));
+        }
+        let share = self.collision.contact().compliance.wedging_share(impact.impulse_ratio()).abs();
+        if share < NEARLY_WEDGED {
+            let digits = (15.0 + libm::log10(share)).floor().max(0.0);
+            let message =
+                format!("the pair nearly wedges: K_nn + mu K_nt is {share:.1e} of its parts, so the impulse has about {digits} digits");
+            warnings.push(Notice::warning("nearly-wedged", "contact", message));
         }
         if impact.work.t > 0.0 && impact.work.t > 1e-9 * impact.loss() {
             let message = "the tangential impulse returns energy: W_t is positive";

@@ -63,8 +63,9 @@ fn moved(document: &Document, text: &str, name: &str, parameter: Parameter, to: 
             let edited = applied(text, edits);
             let again = Document::parse(cases::source(name, edited.clone())).unwrap_or_else(|issues| panic!("{issues}\n{text}\n{edited}"));
             let read = again.number_at(parameter).unwrap_or_else(|| panic!("{parameter} is gone:\n{edited}"));
-            // The file has at most twelve decimals in its own unit, and the width of a range is rounded too.
-            let allowed = resolution * 1.01 + (1e-9 * to.abs()).max(1e-9);
+            // The file has at most twelve decimals in its own unit, and the ends of a range are rounded as they were.
+            let from = document.number_at(parameter).map_or(0.0, f64::abs);
+            let allowed = resolution * 1.01 + (1e-9 * to.abs()).max(1e-9) + 1e-14 * from;
             assert!((read - to).abs() <= allowed, "{parameter} moved to {to} is {read} ({resolution}):\n{text}\n{edited}");
         }
     }

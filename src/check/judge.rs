@@ -124,8 +124,15 @@ impl Judge {
             spread if spread.is_finite() => spread,
             _ => f64::INFINITY,
         };
-        let rounded = residual.value.size.max(self.amplification * residual.scale);
-        Bound { total: implied + self.profile.rounding() * rounded, implied }
+        Bound { total: implied + self.profile.rounding() * residual.value.size, implied }
+    }
+
+    /// Returns the rounding of an impulse, of a size, that was solved for. Momentum holds for any impulse, and places do not depend on it.
+    fn rounding_of_impulse(&self, rule: Rule, size: f64) -> f64 {
+        match rule {
+            Rule::LinearMomentum | Rule::AngularMomentum | Rule::LineOfAction | Rule::Compressive | Rule::Interpenetration => 0.0,
+            _ => self.profile.rounding() * self.amplification * size,
+        }
     }
 
     /// Checks a residual that must be zero.
@@ -160,7 +167,7 @@ impl Judge {
     fn hold<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, size: f64, what: impl FnOnce(f64, f64) -> String) {
         self.checks(rule);
         let mut bound = self.bound(rule, &residual);
-        bound.total += residual.slack;
+        bound.total += residual.slack + self.rounding_of_impulse(rule, residual.scale);
         if !size.is_finite() {
             self.push(Rule::Finite, Severity::Fail, size, bound.total, format!("the numbers are so large that {rule} cannot be computed"));
         } else if size > bound.total && size <= bound.total + residual.leeway {

@@ -132,9 +132,8 @@ impl<const N: usize> Touch<N> {
 
     /// Returns K_nn + μ K_nt at the ratio of the impulse, as a share of its parts: where it is small the pair nearly wedges.
     pub(super) fn wedging_share(&self) -> Option<f64> {
-        let (impulse, Contact { compliance, .. }) = (self.impulse?, self.values()?);
-        let ratio = impulse.t.value / impulse.n.value;
-        Some(compliance.along_ratio(ratio) / (compliance.nn + (ratio * compliance.nt).abs()))
+        let (impulse, contact) = (self.impulse?, self.values()?);
+        Some(contact.compliance.wedging_share(impulse.t.value / impulse.n.value))
     }
 
     /// Returns the contact without resolutions, if the inertia of the bodies is known.

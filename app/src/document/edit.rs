@@ -78,9 +78,11 @@ impl Document {
         };
         let place = |name: &str| entries.iter().find(|entry| entry.key == name).map(|entry| &entry.node);
         let from = self.nominal(node, kind).ok_or_else(no_quantity)?;
+        // What stands at the value gets the new one itself: from far away the sum would round it.
+        let shifted = |old: f64| if old == from { si } else { old + (si - from) };
         // Bounds of a search are not of the value; limits of a distribution are where it stands.
         let moves: &[&str] = if place("start").is_some() { &["start"] } else { &PLACES };
-        let edits = moves.iter().filter_map(|name| place(name)).map(|node| self.moved(node, kind, resolution, |old| old + (si - from)));
+        let edits = moves.iter().filter_map(|name| place(name)).map(|node| self.moved(node, kind, resolution, shifted));
         edits.collect::<Option<Vec<Edit>>>().filter(|edits| !edits.is_empty()).ok_or_else(no_quantity)
     }
 

@@ -64,3 +64,23 @@ fn each_is_given_where_it_holds_and_nowhere_else() {
     }
     assert!(counts.iter().flatten().all(|&count| count >= 15), "both sides of each are tried: {counts:?}");
 }
+
+/// A vehicle that hits a barrier straight ahead of its center of mass does not turn: of K_nn + μ K_nt = 1/m the parts are 1/m + 2 (r sin Γ)²/I.
+#[test]
+fn digits_that_the_solution_loses_are_told() {
+    let warned = |gyration: f64| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = \"1000 kg\"\nradius_of_gyration = \"{gyration} m\"\nheading = \"0 deg\"\nspeed = \"10 m/s\"\n\
+             impact_center = [\"2 m\", \"0 m\"]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = \"30 deg\"\nrestitution = 0\n"
+        );
+        let run = run_with_input(&["solve", "-", "--format", "json"], &case);
+        assert_eq!(run.status, 0, "{}", run.err);
+        let solution = serde_json::from_str(&run.out).expect("JSON");
+        warning(&solution, "nearly-wedged").map(|message| (message["path"].clone(), message["text"].clone()))
+    };
+    let share = |gyration: f64| 1.0 / (1.0 + 2.0 * (2.0 * 0.5 / gyration).powi(2));
+    assert!(share(0.003) < 1e-5 && share(0.006) > 1e-5 && warned(0.006).is_none() && warned(1.3).is_none());
+    let (path, message) = warned(0.003).expect("a warning");
+    assert_eq!(path, "contact");
+    assert_eq!(message, "the pair nearly wedges: K_nn + mu K_nt is 4.5e-6 of its parts, so the impulse has about 9 digits");
+}
