@@ -127,10 +127,10 @@ impl Judge {
         Bound { total: implied + self.profile.rounding() * residual.value.size, implied }
     }
 
-    /// Returns the rounding of an impulse, of a size, that was solved for. Momentum holds for any impulse, and places do not depend on it.
+    /// Returns the rounding of an impulse, of a size, that was solved for. Momentum holds for any impulse.
     fn rounding_of_impulse(&self, rule: Rule, size: f64) -> f64 {
         match rule {
-            Rule::LinearMomentum | Rule::AngularMomentum | Rule::LineOfAction | Rule::Compressive | Rule::Interpenetration => 0.0,
+            Rule::LinearMomentum | Rule::AngularMomentum | Rule::LineOfAction => 0.0,
             _ => self.profile.rounding() * self.amplification * size,
         }
     }

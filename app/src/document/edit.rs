@@ -163,12 +163,12 @@ impl Document {
     /// Adds a key below the last one of its table.
     fn insert(&self, key: &str, value: &str) -> Result<Edit, Issues> {
         let text = &self.source.text;
-        let (table, name) = key.rsplit_once('.').unwrap_or(("", key));
-        let is_bare = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
+        let is_bare = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
         let missing = || {
             Issues::new(Cause::Input, self.source.clone(), vec![Issue::at("edit", key, "has no place in the file yet; add it to the text")])
         };
-        let node = self.find(table).filter(|_| is_bare).ok_or_else(missing)?;
+        let place = key.rsplit_once('.').filter(|(_, name)| is_bare(name)).and_then(|(table, name)| Some((self.find(table)?, name)));
+        let (node, name) = place.ok_or_else(missing)?;
         let (Value::Table(entries), Some('[')) = (&node.value, text[node.span.clone()].chars().next()) else { return Err(missing()) };
         let is_own = |node: &Node| match &node.value {
             Value::Table(_) => text[node.span.clone()].starts_with('{'),
