@@ -118,6 +118,8 @@ pub(super) fn norm<const N: usize>(v: Xy<Uncertain<N>>) -> Uncertain<N> {
     let (mut along, across) = along_and_across(v, length);
     let (a, b) = (along.radius(), across.radius());
     along.rest += if a < length { 0.5 * b * b / (length - a) } else { 2.0 * a + b };
+    // Of a difference that cancels, the rounding across may be more than the length itself.
+    along.size = along.size.max(across.size);
     along
 }
 
@@ -179,5 +181,12 @@ mod tests {
             assert!(farthest <= length.radius() * (1.0 + 1e-12), "{x} {y}: {farthest} beyond {}", length.radius());
             assert!(dx > 0.3 || length.radius() < 1.5 * farthest, "{x} {y}: {farthest} far within {}", length.radius());
         }
+    }
+    #[test]
+    fn a_length_is_rounded_as_what_cancels_across_it() {
+        // 1e-17 along x; along y two speeds of 3 km/s cancel, whose rounding hides as much.
+        let speed = Uncertain::<2>::exact(3000.0);
+        let v = Xy { x: Uncertain::exact(1e-17), y: speed - speed };
+        assert_eq!((norm(v).value, norm(v).size), (1e-17, 6000.0));
     }
 }
