@@ -122,7 +122,7 @@ pub const INK: &str = "#1a1a1a";
 
 /// Writes a number of pixels.
 pub fn number(value: f64) -> String {
-    if !(value.abs() < 1e12) {
+    if value.is_nan() || value.abs() >= 1e12 {
         return format!("{value:.2}");
     }
     // A drawing has thousands of them, and whole numbers are written in a third of the time.

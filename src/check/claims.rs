@@ -182,6 +182,7 @@ mod tests {
             assert!(dx > 0.3 || length.radius() < 1.5 * farthest, "{x} {y}: {farthest} far within {}", length.radius());
         }
     }
+
     #[test]
     fn a_length_is_rounded_as_what_cancels_across_it() {
         // 1e-17 along x; along y two speeds of 3 km/s cancel, whose rounding hides as much.

@@ -129,10 +129,8 @@ impl Judge {
 
     /// Returns the rounding of an impulse, of a size, that was solved for. Momentum holds for any impulse.
     fn rounding_of_impulse(&self, rule: Rule, size: f64) -> f64 {
-        match rule {
-            Rule::LinearMomentum | Rule::AngularMomentum | Rule::LineOfAction => 0.0,
-            _ => self.profile.rounding() * self.amplification * size,
-        }
+        let holds_for_any = matches!(rule, Rule::LinearMomentum | Rule::AngularMomentum | Rule::LineOfAction);
+        if holds_for_any || self.amplification == 0.0 { 0.0 } else { self.profile.rounding() * self.amplification * size }
     }
 
     /// Checks a residual that must be zero.
