@@ -125,7 +125,7 @@ pub fn number(value: f64) -> String {
     if value.is_nan() || value.abs() >= 1e12 {
         return format!("{value:.2}");
     }
-    // A drawing has thousands of them, and whole numbers are written in a third of the time.
+    // A drawing has thousands of them, and whole numbers are written faster than floats.
     let hundredths = libm::round(100.0 * value) as i64;
     let (sign, size) = (if hundredths < 0 { "-" } else { "" }, hundredths.unsigned_abs());
     match (size / 100, size % 100) {

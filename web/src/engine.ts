@@ -1,4 +1,5 @@
 // What crosses the border to the engine, and its two modules.
+import { once } from "./once";
 
 export interface Case {
   name: string;
@@ -68,24 +69,16 @@ export interface Reply {
 }
 
 /** The part of the engine that the page opens with, and the one that a worker fetches at the first answer that takes more. */
-export type Part = "frame" | "verbs";
+const PARTS = { frame: once(() => compiled("frame.wasm")), verbs: once(() => compiled("verbs.wasm")) };
 
-const compiled = new Map<Part, Promise<WebAssembly.Module>>();
+export type Part = keyof typeof PARTS;
 
-/** Fetches a part of the engine once; an attempt that fails is not kept. */
-export function compile(part: Part): Promise<WebAssembly.Module> {
-  let module = compiled.get(part);
-  if (!module) {
-    module = fetched(new URL(`${part}.wasm`, import.meta.url));
-    module.catch(() => compiled.delete(part));
-    compiled.set(part, module);
-  }
-  return module;
-}
+/** Fetches a part of the engine, once. */
+export const compile = (part: Part): Promise<WebAssembly.Module> => PARTS[part]();
 
-/** Compiles while the bytes arrive; a host that does not name their type makes it wait. */
-async function fetched(address: URL): Promise<WebAssembly.Module> {
-  const response = await fetch(address);
+/** Compiles a file while its bytes arrive; a host that does not name their type makes it wait. */
+async function compiled(name: string): Promise<WebAssembly.Module> {
+  const response = await fetch(new URL(name, import.meta.url));
   if (!response.ok) throw new Error(`the engine cannot be loaded: ${response.status}`);
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());

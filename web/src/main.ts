@@ -24,6 +24,7 @@ const SLOW = 50;
 const PATIENCE = 10_000;
 
 const $ = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
+
 const state = {
   name: "position-a.toml",
   files: {} as Record<string, string>,

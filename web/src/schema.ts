@@ -1,4 +1,6 @@
 // What the JSON Schema says about a place in a case file.
+import { once } from "./once";
+
 type Schema = Record<string, unknown>;
 
 const isSchema = (value: unknown): value is Schema => typeof value === "object" && value !== null && !Array.isArray(value);
@@ -71,16 +73,11 @@ export class CaseSchema {
   }
 }
 
-let fetched: Promise<CaseSchema> | null = null;
-
-/** The schema of a case file, fetched when it is first asked for; an attempt that fails is not kept. */
-export function caseSchema(): Promise<CaseSchema> {
-  if (!fetched) {
-    fetched = fetch(new URL("case.schema.json", import.meta.url)).then(async (response) => new CaseSchema((await response.json()) as Schema));
-    fetched.catch(() => (fetched = null));
-  }
-  return fetched;
-}
+/** The schema of a case file, which is a file of the page. */
+export const caseSchema = once(async () => {
+  const response = await fetch(new URL("case.schema.json", import.meta.url));
+  return new CaseSchema((await response.json()) as Schema);
+});
 
 /** The table of a line: its header and how many vehicles come before, found by reading lines upwards. */
 export function tableAt(lines: (number: number) => string, line: number): string[] {

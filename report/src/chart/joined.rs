@@ -7,26 +7,23 @@ const FEWEST: usize = 8;
 
 /// Returns a chart in which neighboring lines of one style, such as the dashes of a broken line, are one path. What it shows is the same.
 pub fn joined(chart: &str) -> String {
+    let lines: Vec<&str> = chart.split_inclusive('\n').collect();
     let mut joined = String::with_capacity(chart.len());
-    let mut lines = chart.split_inclusive('\n').peekable();
-    while let Some(line) = lines.next() {
-        let Some((style, points)) = polyline(line) else {
-            joined.push_str(line);
-            continue;
-        };
-        let (mut neighbors, mut parts) = (vec![line], vec![points]);
-        while let Some((next, more)) = lines.peek().and_then(|next| Some((*next, polyline(next).filter(|(other, _)| *other == style)?.1))) {
-            neighbors.push(next);
-            parts.push(more);
-            lines.next();
-        }
-        if parts.len() < FEWEST {
-            joined.extend(neighbors);
-        } else {
-            let _ = writeln!(joined, "<path{style}d=\"M{}\"/>", parts.join("M"));
+    for run in lines.chunk_by(|one, other| style(one).is_some() && style(one) == style(other)) {
+        match style(run[0]) {
+            Some(style) if run.len() >= FEWEST => {
+                let parts: Vec<&str> = run.iter().filter_map(|line| polyline(line)).map(|(_, points)| points).collect();
+                let _ = writeln!(joined, "<path{style}d=\"M{}\"/>", parts.join("M"));
+            }
+            _ => joined.extend(run.iter().copied()),
         }
     }
     joined
+}
+
+/// Returns the style of a line.
+fn style(line: &str) -> Option<&str> {
+    polyline(line).map(|(style, _)| style)
 }
 
 /// Returns style and points of a line that hides what is below it; where one can be seen through, a crossing shows both.
