@@ -77,6 +77,11 @@ impl Plan {
                 Err(issue) => issues.push(issue),
             }
         }
+        if base.is_some() && inputs.is_empty() && issues.is_empty() {
+            let message = "no column is an input of a collision, so every row would be the case itself";
+            let help = "name the columns as in a case file, such as vehicle.1.speed or contact.restitution";
+            issues.push(Issue::of_file("no-input-column", message).with_help(help));
+        }
         let crush = base.map_or([None, None], |case| case.inputs.vehicles.each_ref().map(|vehicle| vehicle.as_ref()?.crush.clone()));
         let mut plan = Plan {
             outputs: Vec::new(),

@@ -6,7 +6,7 @@ mod help;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use planar_impact_app::Units;
 use planar_impact_app::check::{Options, Severity};
@@ -22,6 +22,18 @@ pub struct Arguments {
     /// The verb.
     #[command(subcommand)]
     pub verb: Verb,
+}
+
+impl Arguments {
+    /// Parses the call. A number below zero is a value that may be wrong, and not an unknown option.
+    ///
+    /// # Errors
+    ///
+    /// If the call is wrong, or asks for help or the version.
+    pub fn of_call() -> Result<Arguments, clap::Error> {
+        let matches = Arguments::command().mut_subcommands(|verb| verb.allow_negative_numbers(true)).try_get_matches()?;
+        Arguments::from_arg_matches(&matches)
+    }
 }
 
 /// The verb to run.
@@ -220,7 +232,7 @@ pub struct Uncertainty {
     #[arg(long, value_enum, value_name = "METHODS", value_delimiter = ',')]
     pub method: Vec<UncertaintyMethod>,
     /// Number of samples; with a precision, the greatest.
-    #[arg(long, value_name = "COUNT", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(2..=1_000_000_000_000_000))]
+    #[arg(long, value_name = "COUNT", default_value_t = 100_000, value_parser = samples)]
     pub samples: u64,
     /// Draw until the standard error of every mean is this share of it, such as 0.1%; of the standard deviation if that is greater.
     #[arg(long, value_name = "SHARE", value_parser = share)]
@@ -577,6 +589,14 @@ fn share(text: &str) -> Result<f64, String> {
     };
     let value = unit * quantity::finite(number.trim()).map_err(|error| error.to_string())?;
     if value > 0.0 && value < 1.0 { Ok(value) } else { Err(format!("{text}; it must be above 0 and below 1, such as 0.1%")) }
+}
+
+/// Parses a number of samples, such as 100000 or 1e6.
+fn samples(text: &str) -> Result<u64, String> {
+    const MOST: f64 = 1e15;
+    let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
+    let is_valid = value.fract() == 0.0 && (2.0..=MOST).contains(&value);
+    if is_valid { Ok(value as u64) } else { Err(format!("{text}; it must be a whole number from 2 to 1e15, such as 1e6")) }
 }
 
 /// Parses a level of confidence.

@@ -4,6 +4,7 @@ mod format;
 mod in_order;
 mod lengths;
 mod progress;
+mod quotes;
 mod sink;
 mod source;
 
@@ -16,7 +17,7 @@ use planar_impact_arrow::{Options, Plan};
 
 use crate::arguments::Batch;
 use crate::exit::{Failure, Status};
-use crate::output::CommandOutput;
+use crate::output::{self, CommandOutput};
 use crate::{interrupt, verbs};
 use format::Format;
 use in_order::in_order;
@@ -31,6 +32,7 @@ use source::{Part, Source};
 /// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
 pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
+    output::is_no_input(&call.output, call.files.iter().chain(&call.case))?;
     let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
     let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
     let mut sources = open(call, rows)?;

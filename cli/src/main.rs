@@ -17,14 +17,13 @@ use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use arguments::Arguments;
-use clap::Parser;
 use exit::{Failure, Status};
 use output::CommandOutput;
 
 fn main() -> ExitCode {
     interrupt::install();
     defect::install();
-    let outcome = std::panic::catch_unwind(|| match Arguments::try_parse() {
+    let outcome = std::panic::catch_unwind(|| match Arguments::of_call() {
         Ok(arguments) => verbs::run(arguments.verb),
         // clap returns help and version as errors whose text belongs on standard output.
         Err(asked) if !asked.use_stderr() => Ok(CommandOutput::text(asked.render().to_string())),

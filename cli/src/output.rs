@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use planar_impact_app::json::{self, Layout};
+use planar_impact_app::{Cause, Issue, Issues};
 use planar_impact_report::{Block, text};
 use serde::Serialize;
 use tempfile::NamedTempFile;
@@ -70,6 +71,20 @@ impl CommandOutput {
         }
         Ok(self.status)
     }
+}
+
+/// Refuses a file to write that the call reads, and that would be replaced by what is computed from it.
+///
+/// # Errors
+///
+/// Returns an issue for each input that is the output.
+pub fn is_no_input<'a>(output: &Path, inputs: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Issues> {
+    let Ok(written) = output.canonicalize() else { return Ok(()) };
+    let is_written = |input: &&PathBuf| input.canonicalize().is_ok_and(|read| read == written);
+    let message =
+        |input: &PathBuf| format!("`{}` is read by this call, and would be replaced; name another file to write", input.display());
+    let issues: Vec<_> = inputs.into_iter().filter(is_written).map(|input| Issue::of_file("output-is-input", message(input))).collect();
+    if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
 }
 
 /// Creates a file beside the one that it will replace, with the permissions of any new file.

@@ -12,7 +12,7 @@ use planar_impact_report::html;
 
 use crate::arguments::{Arguments, Report, ReportVerb};
 use crate::exit::Failure;
-use crate::output::CommandOutput;
+use crate::output::{self, CommandOutput};
 use crate::progress::Progress;
 use crate::{check, files, interrupt, verbs};
 
@@ -20,8 +20,11 @@ use crate::{check, files, interrupt, verbs};
 ///
 /// # Errors
 ///
-/// Those of the verb that it is about; a call with the wrong number of files.
+/// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
+    if let Some(output) = &call.output {
+        output::is_no_input(output, &call.files)?;
+    }
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),

@@ -19,7 +19,7 @@ use crate::arguments::{
     UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
 };
 use crate::exit::Failure;
-use crate::output::CommandOutput;
+use crate::output::{self, CommandOutput};
 use crate::progress::Progress;
 use crate::{batch, check, files, report};
 
@@ -208,6 +208,9 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
 }
 
 fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
+    if let Some(output) = &call.output {
+        output::is_no_input(output, [&call.case])?;
+    }
     let (case, units) = read(&call.case, call.units)?;
     let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
     let output = match call.format {

@@ -137,7 +137,8 @@ impl InputColumn {
     /// An unknown name that begins as that of an input, or a unit that is not one of the input.
     pub fn of(place: usize, header: &Header) -> Result<Option<InputColumn>, Issue> {
         let Some(key) = Key::named(&header.name) else {
-            let is_of_case = ["vehicle.", "contact."].iter().any(|start| header.name.starts_with(start));
+            let lower = header.name.to_ascii_lowercase();
+            let is_of_case = ["vehicle.", "contact."].iter().any(|start| lower.starts_with(start));
             return if is_of_case { Err(unknown(&header.name)) } else { Ok(None) };
         };
         let conversion = match (&header.unit, key) {
@@ -217,7 +218,7 @@ fn unknown(name: &str) -> Issue {
     let inputs = planar_impact::Input::ALL.into_iter().map(|input| Key::Parameter(Parameter::Input(input)));
     let known: Vec<String> = inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law]).map(|key| key.to_string()).collect();
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
-    match nearest(name, known.iter().map(String::as_str)) {
+    match nearest(&name.to_ascii_lowercase(), known.iter().map(String::as_str)) {
         Some(meant) => issue.with_help(format!("did you mean `{meant}`?")),
         None => issue.with_help("rename the column, so that it passes through"),
     }

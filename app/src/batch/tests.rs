@@ -483,10 +483,16 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
     assert_eq!(wrong(&["vehicle.2.mass"], Some(&case), &all), [at("vehicle.2.barrier", "conflict")]);
     assert_eq!(wrong(&["vehicle.1.crush.depths.9"], Some(&case), &all), [at("vehicle.1.crush.depths.9", "not-in-case")]);
     assert_eq!(
-        wrong(&["energy.loss", "refusal", "result.energy.loss"], Some(&case), &all),
+        wrong(&["contact.restitution", "energy.loss", "refusal", "result.energy.loss"], Some(&case), &all),
         [at("energy.loss", "repeated-column"), at("refusal", "repeated-column"),]
     );
-    assert_eq!(wrong(&["energy.loss"], Some(&case), &Options { of: named(&["W_n"]), ..all.clone() }), []);
+    assert_eq!(wrong(&["contact.restitution", "energy.loss"], Some(&case), &Options { of: named(&["W_n"]), ..all.clone() }), []);
+    // Symbols and other words pass through; where nothing else stands, every row would be the case.
+    assert_eq!(wrong(&["e", "speed"], Some(&case), &all), [at("", "no-input-column")]);
+    assert_eq!(wrong(&["e", "speed", "contact.restitution"], Some(&case), &all), []);
+    for name in ["Vehicle.1.Speed", "CONTACT.restitution"] {
+        assert_eq!(wrong(&[name, "contact.crush_plane"], Some(&case), &all), [at(name, "unknown-column")]);
+    }
     let options = Options { of: named(&["T_X", "m1"]), wrt: named(&["T_L", "contact.friction"]), ..Options::default() };
     assert_eq!(
         wrong(&["vehicle.1.mass"], Some(&case), &options),

@@ -17,6 +17,7 @@ use planar_impact_app::{Issues, decode};
 
 use super::format::Format;
 use super::lengths;
+use super::quotes::Quotes;
 use crate::defect;
 use crate::files::Counted;
 
@@ -47,10 +48,12 @@ pub struct Source {
 }
 
 enum Rows {
-    Csv { reader: Box<csv::Reader<Box<dyn Read>>>, bytes: Arc<AtomicU64> },
+    Csv { reader: Box<Texts>, bytes: Arc<AtomicU64> },
     Parquet { reader: ParquetRecordBatchReader, all: u64, read: u64 },
     Arrow { reader: Box<dyn RecordBatchReader>, rest: Option<RecordBatch>, bytes: Arc<AtomicU64> },
 }
+
+type Texts = csv::Reader<Quotes<Box<dyn Read>>>;
 
 impl Source {
     /// Opens a table, to be read a number of rows at a time.
@@ -100,7 +103,7 @@ impl Source {
     }
 
     fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
-        let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(bytes_of);
+        let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Quotes::new(bytes_of));
         let headers = reader.headers().map_err(|error| not_a_table(name, &error))?.clone();
         if headers.is_empty() {
             return Err(decode::unreadable(name, "is empty; the first line of a table names its columns"));
@@ -158,8 +161,8 @@ impl Source {
     }
 }
 
-/// Reads rows as text, an empty cell where a row has too few. `None` without a row.
-fn texts(reader: &mut csv::Reader<Box<dyn Read>>, schema: &SchemaRef, rows: usize) -> Result<Option<Part>, Box<dyn std::error::Error>> {
+/// Reads rows as text, an empty cell where a row has too few. `None` without a row. A cell that never ends is an error: it has the rows after it.
+fn texts(reader: &mut Texts, schema: &SchemaRef, rows: usize) -> Result<Option<Part>, Box<dyn std::error::Error>> {
     let columns = schema.fields().len();
     let mut builders: Vec<StringBuilder> = (0..columns).map(|_| StringBuilder::with_capacity(rows, 8 * rows)).collect();
     let (mut record, mut read, mut unreadable) = (csv::ByteRecord::new(), 0, Vec::new());
@@ -179,6 +182,9 @@ fn texts(reader: &mut csv::Reader<Box<dyn Read>>, schema: &SchemaRef, rows: usiz
             unreadable.push(read);
         }
         read += 1;
+    }
+    if let Some(line) = reader.get_ref().open_since().filter(|_| read < rows) {
+        return Err(format!("the quote that begins a cell in line {line} is never closed").into());
     }
     if read == 0 {
         return Ok(None);

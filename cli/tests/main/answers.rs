@@ -18,7 +18,7 @@ const OF_CASES: [(&str, &[&str]); 12] = [
     ("crush", &[]),
     ("crash3", &[]),
     ("reconstruct", &["--starts", "4", "--profile"]),
-    ("uncertainty", &["--samples", "2000", "--of", "dV1"]),
+    ("uncertainty", &["--samples", "2e3", "--of", "dV1"]),
     ("uncertainty", &["--samples", "500", "--of", "T_L,dV1", "--probability", "dV1 > 18 mph", "--method", "linear,monte-carlo"]),
     ("formula", &["W_n", "--case"]),
     ("formula", &["dV1", "--wrt", "Gamma", "--case"]),

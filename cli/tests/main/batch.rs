@@ -281,9 +281,20 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("not.parquet"), "text").expect("a file");
     fs::write(path("not.arrow"), "text").expect("a file");
     fs::write(path("bad.csv"), "vehicle.1.sped,vehicle.1.mass [mph]\n1,2\n").expect("a file");
+    fs::write(path("other.csv"), "speed,e\n40,0.1\n").expect("a file");
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
-    let calls: [(&[&str], i32, &str); 11] = [
+    // The last row of a part, of another, and of one that the cell after it fills.
+    for rows in [1, 8192, 8193, 9000] {
+        let sound = "40,\"a \"\"note\"\", sound\"\n".repeat(rows - 1);
+        fs::write(path(&format!("open-{rows}.csv")), format!("vehicle.1.speed,note\n{sound}40,\"b\n41,c\n")).expect("a file");
+    }
+    let calls: [(&[&str], i32, &str); 16] = [
+        (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
+        (&[&path("open-8192.csv")], 2, "the quote that begins a cell in line 8193 is never closed"),
+        (&[&path("open-8193.csv")], 2, "the quote that begins a cell in line 8194 is never closed"),
+        (&[&path("open-9000.csv")], 2, "the quote that begins a cell in line 9001 is never closed"),
+        (&[&path("other.csv")], 2, "no column is an input of a collision, so every row would be the case itself"),
         (&["no-such.csv"], 2, "there is no such file"),
         (&["cli"], 2, "it must end in .csv, .parquet or .arrow"),
         (&["-", "-"], 2, "standard input can be read only once"),
@@ -310,7 +321,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 6, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 11, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

@@ -51,6 +51,31 @@ fn a_folder_that_cannot_be_written() {
     assert_eq!(files(folder.path()), Vec::<String>::new());
 }
 
+/// What is read is never replaced by what is computed from it, by whatever path the call names it.
+#[test]
+fn an_input_is_not_written_over() {
+    let folder = Folder::new();
+    let case = fs::read_to_string(position_a()).expect("an example");
+    folder.write("case.toml", case.as_bytes());
+    folder.write("speeds.csv", b"vehicle.1.speed\n17\n");
+    fs::create_dir(folder.path().join("inner")).expect("a folder");
+    std::os::unix::fs::symlink("case.toml", folder.path().join("link.csv")).expect("a link");
+    for call in [
+        &["report", "case.toml", "-o", "case.toml"][..],
+        &["draw", "case.toml", "-o", "inner/../case.toml"],
+        &["batch", "speeds.csv", "--case", "case.toml", "-o", "speeds.csv"],
+        &["batch", "speeds.csv", "--case", "case.toml", "-o", "link.csv"],
+    ] {
+        let run = run(folder.path(), call);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{call:?}: {}", run.err);
+        assert!(run.err.contains("is read by this call, and would be replaced; name another file to write"), "{call:?}: {}", run.err);
+    }
+    assert_eq!(fs::read_to_string(folder.path().join("case.toml")).expect("it is there"), case);
+    let written = run(folder.path(), &["batch", "speeds.csv", "--case", "case.toml", "-o", "other.csv"]);
+    assert_eq!(written.status, 0, "{}", written.err);
+    assert_eq!(files(folder.path()), ["case.toml", "inner", "link.csv", "other.csv", "speeds.csv"]);
+}
+
 /// A disk of a page: the file before stays as it was, and nothing else is left.
 #[test]
 fn a_full_disk_leaves_the_file_before() {

@@ -435,7 +435,7 @@ fn wrong_calls_are_refused() {
     folder.write("backward.toml", wall("\"1200 kg\"", "\"-10 m/s ± 1 m/s\"", "0.1").as_bytes());
     folder.write("beyond.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1\nimpulse_ratio = \"0.5 ± 0.01\"").as_bytes());
     folder.write("outside.toml", wall("\"1200 kg\"", "\"10 m/s\"", "\"-0.5 ± 0.05\"").as_bytes());
-    let calls: [(&[&str], i32, &[&str]); 26] = [
+    let calls: [(&[&str], i32, &[&str]); 29] = [
         (&["certain.toml"], 2, &["no input of the case is uncertain", "± 2 mph"]),
         (&["uncertain.toml", "--of", "dV3"], 2, &["dV3"]),
         (&["uncertain.toml", "--of", "e1"], 2, &["--of"]),
@@ -447,8 +447,11 @@ fn wrong_calls_are_refused() {
         (&["uncertain.toml", "--bounds-sd", "0"], 2, &["--bounds-sd"]),
         (&["uncertain.toml", "--bounds-sd=-1"], 2, &["--bounds-sd"]),
         (&["uncertain.toml", "--bounds-sd", "nan"], 2, &["--bounds-sd"]),
-        (&["uncertain.toml", "--samples", "1"], 2, &["--samples"]),
-        (&["uncertain.toml", "--samples", "1e6"], 2, &["--samples"]),
+        (&["uncertain.toml", "--samples", "1"], 2, &["--samples", "a whole number from 2 to 1e15"]),
+        (&["uncertain.toml", "--samples", "2.5"], 2, &["--samples", "a whole number from 2 to 1e15"]),
+        (&["uncertain.toml", "--samples", "1e16"], 2, &["--samples", "a whole number from 2 to 1e15"]),
+        (&["uncertain.toml", "--samples", "-1"], 2, &["--samples", "a whole number from 2 to 1e15"]),
+        (&["uncertain.toml", "--samples", "many"], 2, &["--samples", "`many` is not a number"]),
         (&["uncertain.toml", "--method", "guess"], 2, &["invalid value 'guess'"]),
         (&["uncertain.toml", "--points", "grid"], 2, &["invalid value 'grid'"]),
         (&["uncertain.toml", "--probability", "dV1"], 2, &["expected NAME > VALUE"]),
