@@ -166,7 +166,9 @@ impl Judge {
         self.checks(rule);
         let mut bound = self.bound(rule, &residual);
         bound.total += residual.slack + self.rounding_of_impulse(rule, residual.scale);
-        if !size.is_finite() {
+        // An infinite bound would hold for anything; one of the resolutions says that nothing is known.
+        let overflows = !residual.scale.is_finite() || (bound.implied.is_finite() && !bound.total.is_finite());
+        if !size.is_finite() || overflows {
             self.push(Rule::Finite, Severity::Fail, size, bound.total, format!("the numbers are so large that {rule} cannot be computed"));
         } else if size > bound.total && size <= bound.total + residual.leeway {
             let leeway = Digits(residual.leeway);

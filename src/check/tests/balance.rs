@@ -247,3 +247,57 @@ fn a_restitution_that_is_stated_lies_between_zero_and_one() {
     }
     finds(&claims, Rule::Restitution, Severity::Fail, 0.05, 2e-2);
 }
+
+/// A wrong record fails at every size, whatever of it overflows or vanishes.
+#[test]
+fn no_size_hides_what_is_wrong() {
+    let body = |mass, center, before, after| Subject {
+        mass: Some(mass),
+        yaw_inertia: Some(mass / 6.0),
+        center: Some(center),
+        before,
+        after,
+        ..Subject::default()
+    };
+    let state = |x, y, yaw_rate| State { velocity: Some(Xy { x, y }), yaw_rate: Some(yaw_rate) };
+    let sound = Record {
+        profile: Profile::Stepper,
+        one: body(1.0, Xy { x: -0.5, y: -0.2 }, state(3.0, 0.0, 0.0), state(0.475, -0.505, 1.515)),
+        two: body(1.0, Xy { x: 0.5, y: -0.1 }, state(-1.0, -2.5, 0.4), state(1.525, -1.995, -2.63)),
+        point: Some(Xy { x: 0.0, y: 0.0 }),
+        normal_angle: Some(0.0),
+        ..Record::default()
+    };
+    assert_eq!(verdict(&sound), Verdict::Pass);
+    let keys = |what: &str| match what {
+        "mass" => [Side::One, Side::Two].map(|side| vec![Key::Mass(side), Key::YawInertia(side)]).concat(),
+        "speed" => [Side::One, Side::Two]
+            .map(|side| {
+                vec![
+                    Key::BeforeX(side),
+                    Key::BeforeY(side),
+                    Key::BeforeYawRate(side),
+                    Key::AfterX(side),
+                    Key::AfterY(side),
+                    Key::AfterYawRate(side),
+                ]
+            })
+            .concat(),
+        _ => vec![Key::Mass(Side::One)],
+    };
+    for what in ["mass", "speed", "mass of one"] {
+        for power in -320..=308 {
+            let mut wrong = sound.clone();
+            if what != "mass of one" {
+                wrong.set(Key::AfterX(Side::One), 0.8);
+            }
+            for key in keys(what) {
+                let value = wrong.get(key).expect("it is known");
+                // In two steps, as the factor alone may vanish.
+                wrong.set(key, value * 10_f64.powi(power / 2) * 10_f64.powi(power - power / 2));
+            }
+            let is_sound = what == "mass of one" && power == 0;
+            assert_eq!(verdict(&wrong) != Verdict::Fail, is_sound, "{what} times 10^{power}: {}", check(&wrong, &Options::default()));
+        }
+    }
+}
