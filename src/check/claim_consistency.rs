@@ -65,6 +65,10 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             format!("{words} of what is reported are {a} N s and {b} N s: {size} off, {bound} may be")
         });
     };
+    if let (Some(p), Some(ratio)) = (nt, number(Key::ReportedRatio)) {
+        let scale = p.n.value.abs().max(p.t.value.abs());
+        equal(judge, "the impulse along t and the impulse ratio times that along n", p.t, ratio * p.n, scale);
+    }
     let of_nt = nt.map(|p| norm(Xy { x: p.n, y: p.t }));
     let of_xy = xy.map(norm);
     for (words, of) in [

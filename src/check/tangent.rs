@@ -218,6 +218,15 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
         });
     }
+    let critical_ratio = Some(Key::CriticalRatio).filter(|_| model.ratio_kind == RatioKind::Critical);
+    for key in [Some(Key::ReportedRatio), critical_ratio].into_iter().flatten() {
+        if let (Some(ratio), Some(reported)) = (of_model, known.number(key)) {
+            let residual = Residual::new(ratio - reported, ratio.value.abs().max(1.0));
+            judge.zero(Rule::ImpulseRatio, residual, |size, bound| {
+                format!("{}, and {key} is {}: {} off, {} may be", said(ratio), Digits(reported.value), Digits(size), Digits(bound))
+            });
+        }
+    }
     if let (Some(ratio), Some(critical)) = (given, known.number(Key::CriticalRatio)) {
         let side = if critical.value < 0.0 { -1.0 } else { 1.0 };
         let (ratio, critical) = (ratio.scaled(side), critical.scaled(side));

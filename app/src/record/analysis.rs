@@ -275,9 +275,19 @@ impl Analysis<'_> {
     /// Returns the restitution of the center of mass from its velocity change, e = ΔV/v − 1.
     fn restitution(&mut self, source: &str, change: Estimate, is_known: bool) -> Option<Uncertain> {
         let ratio = change.over(self.of.settings.speed?);
-        let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
+        let restitution = self.finite(source, Estimate { value: ratio.value - 1.0, ..ratio })?;
         self.plausible(source, restitution.value);
         Some(Uncertain::of(restitution, is_known))
+    }
+
+    /// Refuses a restitution beyond every float, which a closing speed next to zero gives.
+    fn finite(&mut self, source: &str, restitution: Estimate) -> Option<Estimate> {
+        if restitution.value.is_finite() && restitution.variance.is_finite() {
+            return Some(restitution);
+        }
+        let message = format!("the restitution by {source} overflows: the speed is next to zero");
+        self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
+        None
     }
 
     fn plausible(&mut self, source: &str, restitution: f64) {
@@ -331,6 +341,7 @@ impl Analysis<'_> {
         };
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
         let restitution = self.report(path, restitution_from_film(record, lowess, separation, closing))?;
+        let restitution = self.finite(&channel.name, restitution)?;
         self.plausible(&channel.name, restitution.value);
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })

@@ -432,6 +432,7 @@ fn bad_settings_are_refused_at_their_keys() {
     for (settings, says) in [
         ("mass = \"1500 m\"", "mass: `1500 m` is a length"),
         ("mass = -5", "it must be above zero"),
+        ("mass = 1500\nspeed = \"1e-300 m/s\"", "speed: the restitution by the load cells overflows"),
         ("filter = 100", "filter: 100 is no channel frequency class"),
         ("filter = 60\nwindow = [\"50 ms\", \"20 ms\"]", "window: "),
         ("window = [\"0 ms\", \"500 ms\"]", "window: "),

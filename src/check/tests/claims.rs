@@ -18,6 +18,21 @@ fn claims_are_held_against_each_other() {
     assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseMagnitude, 5.1)]), ["reported"]);
     assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseRatio, 1.3)]), ["impulse-ratio"]);
     assert_eq!(said(&[impulse[0], impulse[1], (Key::ImpulseX, -3.0), (Key::ImpulseY, 4.0), (Key::NormalAngle, 0.0)]), ["reported"]);
+    assert!(said(&[impulse[0], impulse[1], (Key::ReportedRatio, 4.0 / 3.0), (Key::ImpulseRatio, 4.0 / 3.0)]).is_empty());
+    assert_eq!(said(&[impulse[0], impulse[1], (Key::ReportedRatio, 1.3)]), ["reported"]);
+    assert_eq!(said(&[(Key::ReportedRatio, 0.3), (Key::ImpulseRatio, 0.31)]), ["impulse-ratio"]);
+    let critical = |claims: &[(Key, f64)]| {
+        let mut record = Record { model: Model { ratio_kind: RatioKind::Critical, ..Model::default() }, ..Record::default() };
+        claims.iter().for_each(|&(key, value)| record.set(key, value));
+        rules(&record)
+    };
+    assert!(critical(&[(Key::ImpulseRatio, 0.6), (Key::CriticalRatio, 0.6), (Key::ReportedRatio, 0.6)]).is_empty());
+    assert_eq!(critical(&[(Key::ImpulseRatio, 0.6), (Key::CriticalRatio, 0.7)]), ["impulse-ratio"]);
+    assert_eq!(critical(&[(Key::ImpulseRatio, 0.6), (Key::ReportedRatio, 0.5)]), ["impulse-ratio"]);
+    // The share of the critical ratio is no ratio.
+    let mut share = Record { model: Model { ratio_kind: RatioKind::OfCritical, ..Model::default() }, ..Record::default() };
+    [(Key::ImpulseRatio, 0.5), (Key::ReportedRatio, 0.3), (Key::CriticalRatio, 0.6)].iter().for_each(|&(key, value)| share.set(key, value));
+    assert!(rules(&share).is_empty());
     let passed = [(Key::Mass(Side::One), 1000.0), (Key::DeltaV(Side::One), 5.0), (Key::Mass(Side::Two), 2000.0)];
     assert!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.5)]).is_empty());
     assert_eq!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.6)]), ["reported"]);
