@@ -305,4 +305,17 @@ mod tests {
         assert_eq!(text.matches("four").count(), 60);
         assert_eq!(comment("a b", "% "), "% a b\n");
     }
+
+    /// The word that a person adds to the name of an input, as in a case file.
+    #[test]
+    fn an_input_says_in_which_form_it_is_given() {
+        let with = |impulse_ratio, moment| Collision { impulse_ratio, moment, ..Kind::default().collision() };
+        let given = with(ImpulseRatio::Given(()), Moment::Given(()));
+        let shares = with(ImpulseRatio::OfCritical(()), Moment::OfCritical(()));
+        let limited = with(ImpulseRatio::LimitedByFriction(()), Moment::None);
+        let of = |kind| [Input::ImpulseRatio, Input::Moment, Input::Restitution].map(|input| meaning(input, kind));
+        assert_eq!(of(&given), ["", "", ""]);
+        assert_eq!(of(&shares), [".of_critical", ".of_critical", ""]);
+        assert_eq!(of(&limited), [" (friction)", "", ""]);
+    }
 }

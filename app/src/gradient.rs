@@ -311,9 +311,39 @@ impl Gradient {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Mutex;
+
     use super::*;
+    use crate::Source;
     use crate::case::CrushKey;
     use planar_impact::Input;
+
+    /// Notes the steps that are reported.
+    #[derive(Default)]
+    struct Noted(Mutex<Vec<(usize, usize)>>);
+
+    impl Control for Noted {
+        fn goes_on(&self, done: usize, total: usize) -> bool {
+            self.0.lock().is_ok_and(|mut steps| {
+                steps.push((done, total));
+                true
+            })
+        }
+    }
+
+    /// Three inputs have three first derivatives and six second ones.
+    #[test]
+    fn progress_counts_every_derivative() {
+        let text = crate::template::of("t-bone").expect("a kind").to_owned();
+        let case = Case::parse(Source { name: "case".to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+        for (second, total) in [(false, 3), (true, 9)] {
+            let named = |names: &[&str]| Selection::Named(names.iter().map(|name| (*name).to_owned()).collect());
+            let (options, steps) = (Options { of: named(&["T_L"]), wrt: named(&["e", "Gamma", "m1"]), second }, Noted::default());
+            gradient(&case, &options, &steps).unwrap_or_else(|issues| panic!("{issues}"));
+            let steps = steps.0.into_inner().expect("no step panicked");
+            assert_eq!(steps, (0..total).map(|done| (done, total)).collect::<Vec<_>>());
+        }
+    }
 
     #[test]
     fn uncertainties_are_those_that_users_of_the_units_round_to() {

@@ -122,6 +122,15 @@ fn the_second_crabbed_test_of_table_b2() {
     assert_eq!(crush["vehicles"][1]["K"], serde_json::json!([0.0, 0.0, 0.0]));
 }
 
+/// CRASH3 knows no moment impulse, and planar mechanics with one is another collision: they are not compared.
+#[test]
+fn a_moment_impulse_is_not_compared() {
+    let with_moment = example("cavalier-crush.toml") + "\nmoment = \"100 N m s\"\n";
+    let run = run_with_input(&["crash3", "-"], &with_moment);
+    assert!(run.status == 0 && run.out.contains("CRASH3 has no moment impulse"), "{} {}", run.out, run.err);
+    assert!(!run_with_input(&["crash3", "-"], &example("cavalier-crush.toml")).out.contains("moment impulse"));
+}
+
 #[test]
 fn the_texts_fit_a_terminal() {
     for name in ["cavalier-crush.toml", "stiff-corner.toml", "oblique-surfaces.toml"] {

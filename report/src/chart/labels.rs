@@ -108,3 +108,36 @@ impl Labels {
 fn length(line: &[(i32, i32)]) -> i32 {
     line.windows(2).map(|pair| (pair[1].0 - pair[0].0).abs() + (pair[1].1 - pair[0].1).abs()).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use plotters::prelude::ChartBuilder;
+
+    use super::super::canvas::page;
+    use super::*;
+
+    /// Forty pixels to the frame, to a mark and to another label are enough; of places with as much room the first is taken.
+    #[test]
+    fn a_label_lies_where_there_is_most_room() {
+        let line = |high: f64| -> Line { (0..=200).map(|i| (f64::from(i) / 200.0, high)).collect() };
+        let drawn = page("", "", px(400), |area| {
+            let chart = ChartBuilder::on(area).build_cartesian_2d(0.0..1.0, 0.0..1.0)?;
+            let mut labels = Labels::default();
+            labels.reserve(&chart, (0.0, 0.5), 5);
+            labels.along(&chart, line(0.5), "12");
+            labels.along(&chart, line(0.5), "34");
+            let (across, down) = chart.plotting_area().get_pixel_range();
+            let middle = |label: &Label| f64::from((label.x.start + label.x.end) / 2 - across.start) / f64::from(across.end - across.start);
+            let [_, first, second] = &labels.placed[..] else { panic!("a mark and two labels") };
+            let room = |label: &Label| {
+                [label.x.start - across.start, across.end - label.x.end, label.y.start - down.start, down.end - label.y.end]
+            };
+            for label in [first, second] {
+                assert!(room(label).iter().all(|room| *room >= 40 * px(1) as i32 - 1), "{:?} at {}", room(label), middle(label));
+            }
+            assert!(second.x.start - first.x.end >= 40 * px(1) as i32 - 1, "{:?} {:?}", first.x, second.x);
+            Ok(())
+        });
+        assert!(drawn.is_ok());
+    }
+}

@@ -229,6 +229,9 @@ mod tests {
         {
             let mut answer = answer(text);
             assert_legible(&stiffness(&answer, Units::Us).expect("in memory"));
+            // A panel with a head.
+            answer.facts.fits_as_new_cars = answer.facts.fits.clone();
+            assert_legible(&stiffness(&answer, Units::Si).expect("in memory"));
             answer.title = hostile();
             // More vehicles than the legend names.
             let tests = answer.tests.clone();

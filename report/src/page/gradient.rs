@@ -151,4 +151,14 @@ mod tests {
         assert_eq!(significant(1.5e9), "1.500e9");
         assert_eq!(significant(-0.0), "0");
     }
+
+    /// The cosine of a quarter turn is no angle, length, rate or speed; of an energy nobody knows how small it may be.
+    #[test]
+    fn what_is_zero_within_rounding_prints_as_zero() {
+        for measure in [Measure::Angle, Measure::Length, Measure::YawRate, Measure::Speed] {
+            assert_eq!(Units::Si.number(measure, 6e-17, value_scale(measure)), "0", "{measure:?}");
+            assert_ne!(Units::Si.number(measure, 6e-3, value_scale(measure)), "0", "{measure:?}");
+        }
+        assert_ne!(Units::Si.number(Measure::Energy, 6e-17, value_scale(Measure::Energy)), "0");
+    }
 }

@@ -169,6 +169,23 @@ mod tests {
         );
     }
 
+    /// Alone, a label has its near edge at the least distance; where that is taken, at the next that is free.
+    #[test]
+    fn a_label_stands_beside_what_it_names() {
+        let frame = Frame { x: 0.0, y: 0.0, width: 400.0, height: 300.0 };
+        let wanted = Wanted { text: "label".to_owned(), class: "test".to_owned(), at: (200.0, 150.0) };
+        let gap = |frame: &Frame, (x, y): Place| {
+            let off = |at: f64, low: f64, size: f64| (low - at).max(at - low - size).max(0.0);
+            libm::hypot(off(x, frame.x, frame.width), off(y, frame.y, frame.height))
+        };
+        let mut labels = Labels::in_frame(frame);
+        let (alone, distance) = labels.best(&wanted, 60.0, 16.0).expect("the frame is free");
+        assert_eq!((distance, gap(&alone, wanted.at), alone.y + 8.0), (10.0, 10.0, 150.0));
+        labels.keep_clear(Frame { x: 185.0, y: 135.0, width: 30.0, height: 30.0 });
+        let (beside, distance) = labels.best(&wanted, 60.0, 16.0).expect("the frame is free");
+        assert_eq!((distance, gap(&beside, wanted.at)), (18.0, 18.0));
+    }
+
     #[test]
     fn labels_of_one_place_do_not_overlap() {
         let frame = Frame { x: 0.0, y: 0.0, width: 400.0, height: 300.0 };
