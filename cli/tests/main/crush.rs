@@ -363,6 +363,9 @@ fn the_crush_force_by_hand() {
     is(&two["crush_force_at_pdof"], 1.2 * 80e3 / 20_f64.to_radians().cos());
     let (larger, smaller) = (356_250.0 / 30_f64.to_radians().cos(), 96e3 / 20_f64.to_radians().cos());
     is(&document["force_imbalance"], larger / smaller - 1.0);
+    let page = run_with_input(&["crush", "-"], FORCES).out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = format!("the larger exceeds the smaller by {:.0} %;", 100.0 * (larger / smaller - 1.0));
+    assert!(page.contains(&said), "{said} in {page}");
     assert!(document["messages"].as_array().expect("messages").iter().any(|message| message["code"] == "crush-forces-not-balanced"));
     // The same forces, but for the angle of the crush plane of 0, are those of reconstruct's diagnosis.
     let unknown = format!("{}\n[evidence]\ncrush_energy = \"from crush\"\n[unknown]\nvehicle.1.speed = {{ start = \"15 m/s\" }}\n", FORCES);

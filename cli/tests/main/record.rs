@@ -131,6 +131,29 @@ fn a_late_window_takes_its_offset_from_before_the_contact() {
     close(&record["barrier"]["normal_impulse"]["value"], 1e5 * 0.1 / PI * (1.0 + (0.2 * PI).cos()), 1e-6);
 }
 
+/// Each line of the page has the number of the document, and behind ± its standard deviation, to two digits.
+#[test]
+fn the_page_has_the_standard_deviation_of_each_number() {
+    let file = workspace().join("cli/examples/record/barrier.toml").display().to_string();
+    let [page, document] = ["text", "json"].map(|format| run(&workspace(), &["record", &file, "--format", format]).out);
+    let document: Value = serde_json::from_str::<Value>(&document).expect("JSON")["records"][0].take();
+    let (barrier, sensor, film) = (&document["barrier"], &document["accelerations"][0], &document["films"][0]);
+    for (line, of) in [
+        (" normal impulse ", &barrier["normal_impulse"]),
+        (" tangential impulse ", &barrier["tangential_impulse"]),
+        (" impulse ratio ", &barrier["impulse_ratio"]),
+        (" restitution ", &barrier["restitution"]),
+        (" sensor: impulse ", &sensor["impulse"]),
+        (" target: restitution ", &film["restitution"]),
+    ] {
+        let written = page.lines().find_map(|text| text.strip_prefix(line)).unwrap_or_else(|| panic!("{line} in {page}"));
+        let numbers: Vec<f64> = written.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+        assert!(written.contains("± "), "{written}");
+        close(&of["value"], numbers[0], 5e-3);
+        close(&of["sd"], numbers[1], 6e-2);
+    }
+}
+
 /// By hand: a test of 1500 kg at 5 m/s with an impulse of 250 kN · 2 T/π leaves faster than it came.
 #[test]
 fn an_impossible_restitution_is_a_warning() {

@@ -92,6 +92,14 @@ mod tests {
     use crate::text::render;
 
     #[test]
+    fn cells_of_one_reason_share_its_mark() {
+        let mut reasons = Vec::new();
+        let marks = ["a", "b", "a", "c", "b"].map(|reason| mark(&mut reasons, reason));
+        assert_eq!(marks, ["[1]", "[2]", "[1]", "[3]", "[2]"]);
+        assert_eq!(reasons, ["a", "b", "c"]);
+    }
+
+    #[test]
     fn every_cell_and_every_misprint_is_shown() {
         let answer = planar_impact_app::validate::validate(&(), &planar_impact_app::Uncontrolled).expect("the tables can be read");
         let (report, text) = (&answer.report, render(&page(&answer)));
