@@ -1,6 +1,8 @@
 //! Output: all that the program writes passes through here, to standard output or to a file that appears when it is whole.
 
+#[cfg(unix)]
 use std::fs::Permissions;
+use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -63,9 +65,9 @@ impl CommandOutput {
     pub fn print(self) -> Result<Status, Failure> {
         interrupt::note();
         if let Some(path) = &self.file {
-            let mut file = temporary(path).map_err(Failure::Output)?;
+            let mut file = OutputFile::create(path).map_err(Failure::Output)?;
             file.write_all(self.text.as_bytes()).map_err(Failure::Output)?;
-            keep(file, path).map_err(Failure::Output)?;
+            file.keep().map_err(Failure::Output)?;
         } else if !self.text.is_empty() {
             write(self.text.as_bytes()).map_err(Failure::Output)?;
         }
@@ -87,29 +89,62 @@ pub fn is_no_input<'a>(output: &Path, inputs: impl IntoIterator<Item = &'a PathB
     if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
 }
 
-/// Creates a file beside the one that it will replace, with the permissions of any new file.
-///
-/// # Errors
-///
-/// Fails if the folder cannot be written.
-pub fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".planar-impact-");
-    #[cfg(unix)]
-    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-    builder.tempfile_in(folder)
+/// A file that is written, and appears when it is whole. A device or a pipe stays what it is, and takes what is written at once.
+pub enum OutputFile {
+    /// A file beside its place.
+    Beside(NamedTempFile, PathBuf),
+    /// A device or a pipe.
+    Straight(File),
 }
 
-/// Puts a complete file at its place.
-///
-/// # Errors
-///
-/// Fails if the file cannot be written.
-pub fn keep(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+impl OutputFile {
+    /// Begins a file beside the one that it will replace, with the permissions of any new file. Behind a link it replaces what the link leads to.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the folder cannot be written, or if a folder is at the place.
+    pub fn create(path: &Path) -> io::Result<OutputFile> {
+        let place = match path.metadata() {
+            Ok(known) if !known.is_file() => return OpenOptions::new().write(true).open(path).map(OutputFile::Straight),
+            Ok(_) => path.canonicalize()?,
+            Err(_) => path.to_owned(),
+        };
+        let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".planar-impact-");
+        #[cfg(unix)]
+        builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+        Ok(OutputFile::Beside(builder.tempfile_in(folder)?, place))
+    }
+
+    /// Puts the complete file at its place.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the file cannot be written.
+    pub fn keep(self) -> io::Result<()> {
+        if let OutputFile::Beside(file, place) = self {
+            file.as_file().sync_all()?;
+            file.persist(place)?;
+        }
+        Ok(())
+    }
+}
+
+impl Write for OutputFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            OutputFile::Beside(file, _) => file.write(bytes),
+            OutputFile::Straight(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            OutputFile::Beside(file, _) => file.flush(),
+            OutputFile::Straight(file) => file.flush(),
+        }
+    }
 }
 
 /// Writes to standard output. A reader that stops early, such as `head`, is not a failure.

@@ -1,7 +1,7 @@
 //! Tables that are written part by part, and appear when they are whole.
 
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
@@ -16,18 +16,16 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesBuilder};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::ColumnPath;
-use tempfile::NamedTempFile;
 
 use super::format::Format;
-use crate::output;
+use crate::output::{self, OutputFile};
 
 const BUFFER: usize = 1 << 18;
 
-type File = BufWriter<NamedTempFile>;
+type File = BufWriter<OutputFile>;
 
 /// A table that is being written.
 pub struct Sink {
-    path: PathBuf,
     rows: Rows,
 }
 
@@ -69,7 +67,7 @@ impl Sink {
             output::write(&line(headers)?)?;
             (Rows::Stream, Encoder::Csv)
         } else {
-            let file = BufWriter::with_capacity(BUFFER, output::temporary(path)?);
+            let file = BufWriter::with_capacity(BUFFER, OutputFile::create(path)?);
             match format {
                 Format::Csv => {
                     let mut file = file;
@@ -84,7 +82,7 @@ impl Sink {
                 Format::Arrow => (Rows::Arrow(Box::new(FileWriter::try_new(file, schema).map_err(of_arrow)?)), Encoder::Arrow),
             }
         };
-        Ok((Sink { path: path.to_owned(), rows }, encoder))
+        Ok((Sink { rows }, encoder))
     }
 
     /// Appends rows.
@@ -125,7 +123,7 @@ impl Sink {
             }
         };
         let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-        output::keep(file, &self.path)
+        file.keep()
     }
 }
 

@@ -76,6 +76,33 @@ fn an_input_is_not_written_over() {
     assert_eq!(files(folder.path()), ["case.toml", "inner", "link.csv", "other.csv", "speeds.csv"]);
 }
 
+/// A pipe stays a pipe, and its reader gets the whole document; a link stays a link, and what it leads to is replaced.
+#[test]
+fn what_is_no_file_is_written_and_not_replaced() {
+    use std::os::unix::fs::FileTypeExt;
+    let folder = Folder::new();
+    let case = position_a();
+    let plain = run(folder.path(), &["draw", &case]).out;
+    let pipe = folder.path().join("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().is_ok_and(|made| made.success()));
+    let reader = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::read_to_string(pipe)
+    });
+    let drawn = run(folder.path(), &["draw", &case, "-o", "pipe"]);
+    assert_eq!(drawn.status, 0, "{}", drawn.err);
+    assert_eq!(reader.join().expect("no panic").expect("it can be read"), plain);
+    assert!(fs::symlink_metadata(&pipe).expect("it is there").file_type().is_fifo());
+    fs::create_dir(folder.path().join("inner")).expect("a folder");
+    folder.write("inner/old.svg", b"old");
+    std::os::unix::fs::symlink("inner/old.svg", folder.path().join("link.svg")).expect("a link");
+    assert_eq!(run(folder.path(), &["draw", &case, "-o", "link.svg"]).status, 0);
+    assert!(fs::symlink_metadata(folder.path().join("link.svg")).expect("it is there").is_symlink());
+    assert_eq!(fs::read_to_string(folder.path().join("inner/old.svg")).expect("it is there"), plain);
+    let into_folder = run(folder.path(), &["draw", &case, "-o", "inner"]);
+    assert_eq!((into_folder.status, into_folder.out.as_str()), (74, ""), "{}", into_folder.err);
+}
+
 /// A disk of a page: the file before stays as it was, and nothing else is left.
 #[test]
 fn a_full_disk_leaves_the_file_before() {
