@@ -25,6 +25,7 @@ EXAMPLES = Path(__file__).parents[2] / "cli/examples"
 LIMIT = 16.0
 TEMPLATES = [pi.template(kind) for kind in ("t-bone", "head-on", "rear-end", "barrier", "momentum", "rest")]
 SOLVED, RECONSTRUCTED = pi.template("barrier"), sorted(EXAMPLES.glob("reconstruct/*.toml"))
+CASES = cycle(RECONSTRUCTED)
 OUTPUTS = ["T_L", "dV1", "mu0"]
 
 
@@ -45,7 +46,7 @@ def wrong() -> None:
     for verb in (pi.solve, pi.gradient, pi.crush, pi.crash3, pi.reconstruct, pi.uncertainty, pi.slide, pi.draw, pi.report):
         for case in (WRONG, "[", "nothing.toml", {"schema": 1, "vehicle": [{"mass": float("nan")}]}):
             try:
-                verb(case)  # type: ignore[operator]
+                verb(case)
             except (pi.Error, OSError, TypeError):
                 pass
 
@@ -84,7 +85,6 @@ VERBS: dict[str, Callable[[], object]] = {
     "wrong input": wrong,
     "stopped": stopped,
 }
-CASES = cycle(RECONSTRUCTED)
 
 
 def soak(seconds: float) -> float:
