@@ -77,7 +77,7 @@ impl Plan {
                 Err(issue) => issues.push(issue),
             }
         }
-        if base.is_some() && inputs.is_empty() && issues.is_empty() {
+        if base.is_some() && !headers.is_empty() && inputs.is_empty() && issues.is_empty() {
             let message = "no column is an input of a collision, so every row would be the case itself";
             let help = "name the columns as in a case file, such as vehicle.1.speed or contact.restitution";
             issues.push(Issue::of_file("no-input-column", message).with_help(help));

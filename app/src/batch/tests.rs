@@ -490,6 +490,7 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
     // Symbols and other words pass through; where nothing else stands, every row would be the case.
     assert_eq!(wrong(&["e", "speed"], Some(&case), &all), [at("", "no-input-column")]);
     assert_eq!(wrong(&["e", "speed", "contact.restitution"], Some(&case), &all), []);
+    assert_eq!(wrong(&[], Some(&case), &all), [], "no columns are the case itself");
     for name in ["Vehicle.1.Speed", "CONTACT.restitution"] {
         assert_eq!(wrong(&[name, "contact.crush_plane"], Some(&case), &all), [at(name, "unknown-column")]);
     }
