@@ -4,5 +4,7 @@
 pub mod format;
 #[path = "../../cli/src/batch/lengths.rs"]
 mod lengths;
+#[path = "../../cli/src/batch/quotes.rs"]
+mod quotes;
 #[path = "../../cli/src/batch/source.rs"]
 pub mod source;
