@@ -82,9 +82,16 @@ impl Curve {
     }
 
     fn described(&self) -> String {
+        let best = self.points.iter().position(|(_, height)| *height == 0.0).unwrap_or(0);
+        let (below, above) = self.points.split_at(best);
         let at = |chi_square: f64| {
-            let mut ends = self.points.iter().filter(|(_, height)| *height == chi_square).map(|(value, _)| *value);
-            format!("{} to {}", ends.next().unwrap_or(f64::NAN), ends.next_back().unwrap_or(f64::NAN))
+            let end = |side: &[(f64, f64)]| side.iter().find(|(_, height)| *height == chi_square).map(|(value, _)| *value);
+            match (end(below), end(above)) {
+                (Some(low), Some(high)) => format!("{low} to {high}"),
+                (Some(low), None) => format!("{low} or more"),
+                (None, Some(high)) => format!("{high} or less"),
+                (None, None) => "any value".to_owned(),
+            }
         };
         format!("{}: best {}, {} at chi-square 1, {} at chi-square 4", self.name, self.best, at(1.0), at(4.0))
     }
@@ -177,6 +184,16 @@ mod tests {
             answer.title = hostile();
             assert_legible(&profile(&answer, Units::Us).expect("in memory").expect("curves"));
         }
+    }
+
+    #[test]
+    fn an_open_end_is_told_in_words() {
+        let described = |points: &[(f64, f64)]| Curve { name: "x".to_owned(), best: 2.0, sd: None, points: points.to_vec() }.described();
+        let (low, best, high) = ([(0.5, 4.0), (1.0, 1.0)], [(2.0, 0.0)], [(3.0, 1.0), (5.0, 4.0)]);
+        assert_eq!(described(&[&low[..], &best, &high].concat()), "x: best 2, 1 to 3 at chi-square 1, 0.5 to 5 at chi-square 4");
+        assert_eq!(described(&[&low[..], &best].concat()), "x: best 2, 1 or more at chi-square 1, 0.5 or more at chi-square 4");
+        assert_eq!(described(&[&best[..], &high].concat()), "x: best 2, 3 or less at chi-square 1, 5 or less at chi-square 4");
+        assert_eq!(described(&[&low[1..], &best].concat()), "x: best 2, 1 or more at chi-square 1, any value at chi-square 4");
     }
 
     #[test]
