@@ -12,7 +12,6 @@ The collisions are drawn without a look at what either program makes of them, so
 import contextlib
 import csv
 import io
-import json
 import os
 import random
 import re
@@ -21,13 +20,13 @@ import sys
 import tempfile
 from collections import Counter
 from math import atan, cos, hypot, pi, radians, sin
-from pathlib import Path
+
+from checker import PROGRAM, broken_rules
 
 with contextlib.redirect_stdout(io.StringIO()):
     from pycrash.model_calcs.carpenter_momentum import IMPC
     from pycrash.vehicle import Vehicle
 
-PROGRAM = Path(os.environ.get("PLANAR_IMPACT", Path(__file__).parents[2] / "target/release/planar-impact"))
 GRAVITY, FEET_PER_MILE, MILES_PER_FOOT = 32.2, 1.46667, 0.681818
 AGREED = 1e-9
 FOOT, SLUG, FOOT_POUND = 0.3048, 4.4482216152605 / 0.3048, 4.4482216152605 * 0.3048
@@ -144,24 +143,15 @@ def batch(drawn, folder):
         return list(csv.DictReader(file))
 
 
-def check(drawn, theirs, folder):
-    """Return for each collision the rules that `planar-impact check` finds broken in pycrash's results."""
-    records = os.path.join(folder, "records.jsonl")
-    with open(records, "w", encoding="utf-8") as file:
-        print(json.dumps({"schema": "planar-impact-record/1", "units": {"length": "ft", "mass": "slug", "time": "s", "angle": "deg"}}), file=file)
-        for name, (each, (results, _)) in enumerate(zip(drawn, theirs)):
-            print(json.dumps(record(str(name), *each, results)), file=file)
-    found = subprocess.run([PROGRAM, "check", records, "--format", "json"], capture_output=True, text=True, check=False)
-    return [{finding["rule"] for finding in each["findings"] if finding["severity"] == "fail"} for each in json.loads(found.stdout)["records"]]
-
-
 def main():
     cases, seed = int(float(sys.argv[1])) if len(sys.argv) > 1 else 1000, int(sys.argv[2]) if len(sys.argv) > 2 else 1
     rng = random.Random(seed)
     drawn = [draw(rng) for _ in range(cases)]
     theirs = [with_pycrash(*each) for each in drawn]
     with tempfile.TemporaryDirectory() as folder:
-        answers, broken = batch(drawn, folder), check(drawn, theirs, folder)
+        answers = batch(drawn, folder)
+    records = [record(str(name), *each, results) for name, (each, (results, _)) in enumerate(zip(drawn, theirs))]
+    broken = broken_rules(records, "ft", "slug", "deg")
     assert len(answers) == len(broken) == cases
     counts, greatest, unexplained = Counter(), Counter(), []
     for number, (each, (results, loss), answer, rules) in enumerate(zip(drawn, theirs, answers, broken)):

@@ -10,22 +10,17 @@ exact rational arithmetic and shares nothing with the checker; its tolerances ar
 out by the record, or a law is broken by twice its tolerance and the checker says nothing.
 """
 
-import json
-import os
 import random
-import subprocess
 import sys
-import tempfile
 from collections import Counter
 from fractions import Fraction
 from math import atan2, cos, hypot, pi, sin, sqrt
-from pathlib import Path
 
 import Box2D
 import mujoco
 import pymunk
+from checker import broken_rules
 
-PROGRAM = Path(os.environ.get("PLANAR_IMPACT", Path(__file__).parents[2] / "target/release/planar-impact"))
 STEP, STEPS = 1 / 960, 2000
 # A contact of a millisecond, in which bodies hardly move, takes some twenty of its steps.
 MUJOCO_STEPS = 20
@@ -234,7 +229,7 @@ def motion(record):
         one, two = ((v[0] - w * (point[1] - c[1]), v[1] + w * (point[0] - c[0])) for c, v, w in zip(centers, velocities, rates))
         return less(two, one)
 
-    # Two points of one instant have no velocity in common: the first stands for both.
+    # Two points at one instant have different velocities; that of the first is used.
     before, after = relative(points[0], center, v, w), relative(points[-1] if "duration" in contact else points[0], center_after, V, W)
     speed, arm = size(before), max(size(less(point, place)) for point in points for place in center)
     ahead = 1 if dot(less(center[1], center[0]), n) >= 0 else -1
@@ -285,7 +280,7 @@ def main():
         rng = random.Random(seed)
         records = [{"id": f"{i}.{j}", **record} for i in range(pairs) for j, record in enumerate(engine(draw(rng)))]
         complaints, largest = Counter(), Counter()
-        for record, broken in zip(records, check(records), strict=True):
+        for record, broken in zip(records, broken_rules(records, "m", "kg", "rad"), strict=True):
             residuals = motion(record)
             complaints.update(broken)
             # What is within a factor of two of its bound depends on the size that the residual is taken of.
@@ -302,18 +297,6 @@ def main():
         print(*each, file=sys.stderr)
     print(f"\n{len(wrong)} judged otherwise by the exact laws")
     return bool(wrong)
-
-
-def check(records):
-    """Return the rules that `planar-impact check` finds broken in each record."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "records.jsonl")
-        with open(path, "w", encoding="utf-8") as file:
-            print(json.dumps({"schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "rad"}}), file=file)
-            for record in records:
-                print(json.dumps(record), file=file)
-        out = subprocess.run([PROGRAM, "check", path, "--format", "json"], capture_output=True, text=True, check=False)
-    return [{finding["rule"] for finding in each["findings"] if finding["severity"] == "fail"} for each in json.loads(out.stdout)["records"]]
 
 
 if __name__ == "__main__":

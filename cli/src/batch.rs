@@ -32,7 +32,7 @@ use source::{Part, Source};
 /// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
 pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
-    output::is_no_input(&call.output, call.files.iter().chain(&call.case))?;
+    output::is_no_input(Some(&call.output), call.files.iter().chain(&call.case))?;
     let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
     let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
     let mut sources = open(call, rows)?;

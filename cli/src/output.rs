@@ -80,8 +80,10 @@ impl CommandOutput {
 /// # Errors
 ///
 /// Returns an issue for each input that is the output.
-pub fn is_no_input<'a>(output: &Path, inputs: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Issues> {
-    let Ok(written) = output.canonicalize() else { return Ok(()) };
+pub fn is_no_input<'a>(output: Option<&Path>, inputs: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Issues> {
+    let Some(written) = output.filter(|output| output.as_os_str() != "-").and_then(|output| output.canonicalize().ok()) else {
+        return Ok(());
+    };
     let is_written = |input: &&PathBuf| input.canonicalize().is_ok_and(|read| read == written);
     let message =
         |input: &PathBuf| format!("`{}` is read by this call, and would be replaced; name another file to write", input.display());

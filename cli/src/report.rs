@@ -22,9 +22,7 @@ use crate::{check, files, interrupt, verbs};
 ///
 /// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
-    if let Some(output) = &call.output {
-        output::is_no_input(output, &call.files)?;
-    }
+    output::is_no_input(call.output.as_deref(), &call.files)?;
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),

@@ -208,9 +208,7 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
 }
 
 fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
-    if let Some(output) = &call.output {
-        output::is_no_input(output, [&call.case])?;
-    }
+    output::is_no_input(call.output.as_deref(), [&call.case])?;
     let (case, units) = read(&call.case, call.units)?;
     let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
     let output = match call.format {

@@ -275,14 +275,14 @@ impl Analysis<'_> {
     /// Returns the restitution of the center of mass from its velocity change, e = ΔV/v − 1.
     fn restitution(&mut self, source: &str, change: Estimate, is_known: bool) -> Option<Uncertain> {
         let ratio = change.over(self.of.settings.speed?);
-        let restitution = self.finite(source, Estimate { value: ratio.value - 1.0, ..ratio })?;
-        self.plausible(source, restitution.value);
+        let restitution = self.sound(source, Estimate { value: ratio.value - 1.0, ..ratio })?;
         Some(Uncertain::of(restitution, is_known))
     }
 
-    /// Refuses a restitution beyond every float, which a closing speed next to zero gives.
-    fn finite(&mut self, source: &str, restitution: Estimate) -> Option<Estimate> {
+    /// Refuses a restitution beyond every float, which a closing speed next to zero gives, and warns of one that is not plausible.
+    fn sound(&mut self, source: &str, restitution: Estimate) -> Option<Estimate> {
         if restitution.value.is_finite() && restitution.variance.is_finite() {
+            self.plausible(source, restitution.value);
             return Some(restitution);
         }
         let message = format!("the restitution by {source} overflows: the speed is next to zero");
@@ -341,8 +341,7 @@ impl Analysis<'_> {
         };
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
         let restitution = self.report(path, restitution_from_film(record, lowess, separation, closing))?;
-        let restitution = self.finite(&channel.name, restitution)?;
-        self.plausible(&channel.name, restitution.value);
+        let restitution = self.sound(&channel.name, restitution)?;
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
     }

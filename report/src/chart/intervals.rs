@@ -204,19 +204,16 @@ fn legend(area: &Area<'_>, level: f64, has_posterior: bool, top: i32) -> Drawn {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{Random, case, texts};
+    use super::super::samples::{Random, reconstructed, size, texts};
     use super::*;
-    use planar_impact_app::{Uncontrolled, reconstruct};
+    use planar_impact_app::reconstruct::Options;
 
     /// A row for each quantity, and a foot for the legend, which is the last that is written.
     #[test]
     fn a_chart_is_as_high_as_its_rows() {
-        let case = case(include_str!("../../../cli/examples/reconstruct/position-a.toml"));
-        let options = reconstruct::Options { starts: 4, ..reconstruct::Options::default() };
-        let answer = reconstruct::reconstruct(&case, &options, &Uncontrolled).unwrap_or_else(|issues| panic!("{issues}"));
+        let answer = reconstructed(include_str!("../../../cli/examples/reconstruct/position-a.toml"), Options::default());
         let svg = intervals(&answer, Units::Si).expect("in memory");
-        let height: f64 =
-            svg.split_once(" height=\"").and_then(|(_, rest)| rest.split_once('"')).expect("a root").0.parse().expect("a number");
+        let height = size(&svg, "height");
         let last = texts(&svg).iter().map(|text| text.y[1]).fold(0.0, f64::max);
         assert!(last < height && height - last < f64::from(FOOT), "{last} of {height}");
     }

@@ -240,9 +240,9 @@ fn wrapped(name: &str, most: usize) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{assert_legible, case};
+    use super::super::samples::{assert_legible, reconstructed};
     use super::*;
-    use planar_impact_app::{Uncontrolled, reconstruct};
+    use planar_impact_app::reconstruct::Options;
 
     #[test]
     fn cells_tile_their_panel_with_the_first_at_the_lower_left() {
@@ -261,9 +261,8 @@ mod tests {
 
     #[test]
     fn margins_of_a_pair_are_the_densities() {
-        let case = case(include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"));
-        let options = reconstruct::Options { starts: 4, posterior: true, draws: true, ..reconstruct::Options::default() };
-        let answer = reconstruct::reconstruct(&case, &options, &Uncontrolled).expect("an answer");
+        let options = Options { posterior: true, draws: true, ..Options::default() };
+        let answer = reconstructed(include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"), options);
         let draws = answer.posterior.as_ref().expect("draws");
         let density =
             |name: &str| answer.unknown.get(name).and_then(|unknown| unknown.posterior.as_ref()?.density.as_ref()).expect("a density");

@@ -145,14 +145,9 @@ fn legend(area: &Area<'_>) -> Drawn {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{assert_legible, case, hostile};
+    use super::super::samples::{assert_legible, hostile, reconstructed};
     use super::*;
-    use planar_impact_app::{Uncontrolled, reconstruct};
-
-    fn reconstructed(text: &str) -> Answer<Reconstruction> {
-        let options = reconstruct::Options { starts: 4, profile: true, ..reconstruct::Options::default() };
-        reconstruct::reconstruct(&case(text), &options, &Uncontrolled).expect("an answer")
-    }
+    use planar_impact_app::reconstruct::Options;
 
     #[test]
     fn a_profile_rises_outwards_and_passes_the_ends_of_the_interval() {
@@ -160,7 +155,7 @@ mod tests {
             include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"),
             include_str!("../../../cli/examples/reconstruct/position-a.toml"),
         ] {
-            let mut answer = reconstructed(text);
+            let mut answer = reconstructed(text, Options { profile: true, ..Options::default() });
             let curves = curves(&answer, Units::Us);
             assert!(!curves.is_empty());
             for curve in &curves {

@@ -91,9 +91,9 @@ fn draw(area: &Area<'_>, rows: &[Row]) -> Drawn {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{assert_legible, case, hostile};
+    use super::super::samples::{assert_legible, hostile, reconstructed};
     use super::*;
-    use planar_impact_app::{Uncontrolled, reconstruct};
+    use planar_impact_app::reconstruct::Options;
 
     #[test]
     fn squares_of_the_residuals_add_up_to_chi_square() {
@@ -102,8 +102,7 @@ mod tests {
             (include_str!("../../../cli/examples/reconstruct/crabbed-2.toml"), false),
             (include_str!("../../../cli/examples/reconstruct/uncertain-masses.toml"), true),
         ] {
-            let options = reconstruct::Options { starts: 4, ..reconstruct::Options::default() };
-            let mut answer = reconstruct::reconstruct(&case(text), &options, &Uncontrolled).expect("an answer");
+            let mut answer = reconstructed(text, Options::default());
             let sum: f64 = rows(&answer, Units::Si).iter().map(|row| row.residual * row.residual).sum();
             assert!(is_correlated || (sum - answer.chi_square).abs() <= 1e-6 * answer.chi_square.max(1.0), "{sum} {}", answer.chi_square);
             answer.title = hostile();

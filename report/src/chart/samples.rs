@@ -1,5 +1,6 @@
 //! Answers of random cases for the tests of figures, and a reader of what a figure writes.
 
+use planar_impact_app::reconstruct::{Options, Reconstruction, reconstruct};
 use planar_impact_app::solve::{Solution, solve};
 use planar_impact_app::{Answer, Case, Source, Uncontrolled};
 
@@ -28,6 +29,11 @@ pub fn case(text: &str) -> Case {
 
 pub fn solved(text: &str) -> Option<Answer<Solution>> {
     solve(&case(text), &(), &Uncontrolled).ok()
+}
+
+/// Reconstructs a case from few starts.
+pub fn reconstructed(text: &str, options: Options) -> Answer<Reconstruction> {
+    reconstruct(&case(text), &Options { starts: 4, ..options }, &Uncontrolled).expect("an answer")
 }
 
 /// A random case, and its mirror image in the x axis.
@@ -133,6 +139,12 @@ pub fn texts(svg: &str) -> Vec<Written> {
     svg.split("<text").skip(1).filter_map(read).collect()
 }
 
+/// Reads the width or the height of a figure.
+pub fn size(svg: &str, name: &str) -> f64 {
+    let (root, _) = svg.split_once('>').expect("a root");
+    root.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split_once('"')).expect(name).0.parse().expect(name)
+}
+
 /// Asserts that a figure is well formed and names itself, that its texts are within it, and that none covers another.
 #[track_caller]
 pub fn assert_legible(svg: &str) {
@@ -143,10 +155,7 @@ pub fn assert_legible(svg: &str) {
         assert!(!svg.contains(word), "{word}");
     }
     assert!(!svg.contains(|c: char| c != '\n' && planar_impact_app::plain_text::is_active(c)), "an active character");
-    let size = |name: &str| -> f64 {
-        root.split_once(&format!("{name}=\"")).and_then(|(_, rest)| rest.split_once('"')).expect(name).0.parse().expect(name)
-    };
-    let (width, height) = (size("width"), size("height"));
+    let (width, height) = (size(svg, "width"), size(svg, "height"));
     let texts = texts(svg);
     for (i, one) in texts.iter().enumerate() {
         assert!(!one.words.is_empty(), "nothing is written at {one:?}");
