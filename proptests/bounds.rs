@@ -159,7 +159,10 @@ fn the_refused_half_of_a_box_does_not_count() {
     assert!(found.refused == RefusedPart::Some && found.at_high[0] > 0.0 && (found.high - 1.0).abs() < 1e-8, "{found:?}");
     let mapping = Direct(vec![Input::VelocityX(One)]);
     let refused = of(&into_barrier(), &mapping, &[(-10.0, -5.0)], output, Search::default()).expect_err("they separate");
-    assert!(matches!(refused, NoBounds::Refused { at_the_middle: Some(_) }), "{refused}");
+    let Collision { one, .. } = into_barrier();
+    let middle = Collision { one: one.vehicle().expect("a vehicle").with_velocity(Xy { x: -7.5, y: 0.0 }).into(), ..into_barrier() };
+    let reasons = middle.solve().expect_err("they separate");
+    assert!(matches!(&refused, NoBounds::Refused { at_the_middle: Some(found) } if **found == reasons), "{refused}, not {reasons}");
 }
 
 /// The restitution falls towards the edge of what physics accepts, along which it has its least value in between.

@@ -65,6 +65,15 @@ proptest! {
     }
 
     #[test]
+    fn any_collision_reaches_a_common_velocity_without_its_restitution_its_law_and_its_moment(draw in draw(), m in -9..=9_i32) {
+        let collision = draw.exact().with_moment(Moment::Given(int(m))).at_common_velocity();
+        let impact = collision.evaluate();
+        prop_assert_eq!(&impact.separation, &Nt::zero());
+        prop_assert_eq!(impact.loss(), collision.contact().greatest_loss());
+        prop_assert_eq!(collision.moment, Moment::None);
+    }
+
+    #[test]
     fn the_peak_with_a_moment_is_where_all_three_relative_motions_end(draw in draw(), n in -9..=9_i32, t in -9..=9_i32, m in -9..=9_i32) {
         // The same completed square with three components: T_L(P, M) = peak − ½ δ₃·K₃δ₃.
         let draw = Draw { restitution: Fraction(0, 1), ratio: RatioDraw::Critical, law: Law::Brach, ..draw };

@@ -208,5 +208,26 @@ mod tests {
         assert_eq!(vehicle.kinetic_energy(vehicle.motion), 0.0);
         assert_eq!(Party::from(vehicle).vehicle(), Some(&vehicle));
         assert_eq!(Party::<f64>::Barrier.vehicle(), None);
+        let turned = vehicle.with_speed(5.0).with_yaw_rate(2.0);
+        assert_eq!(turned.motion, Motion { velocity: Xy { x: 5.0, y: 0.0 }, yaw_rate: 2.0 });
+        assert_eq!(Vehicle { motion: vehicle.motion, ..turned }, vehicle);
+    }
+
+    #[test]
+    fn a_vehicle_drives_along_its_heading_up_to_a_share() {
+        let drives = |x, y| {
+            let motion = Motion { velocity: Xy { x, y }, yaw_rate: 0.0 };
+            let vehicle = Vehicle {
+                mass: 2.0,
+                yaw_inertia: 3.0,
+                heading: Heading { cos: 0.0, sin: 1.0 },
+                impact_center: ForwardLeft { forward: 1.0, left: 0.0 },
+                motion,
+            };
+            vehicle.drives_along_heading(0.6)
+        };
+        // Of speed 5, forward and to either side.
+        assert!(drives(0.0, 5.0) && drives(3.0, 4.0) && drives(-3.0, 4.0) && drives(-3.0, -4.0) && drives(0.0, 0.0));
+        assert!(!drives(4.0, 3.0) && !drives(-4.0, 3.0));
     }
 }

@@ -17,8 +17,8 @@ use planar_impact_arrow::{Options, Plan};
 
 use crate::arguments::Batch;
 use crate::exit::{Failure, Status};
-use crate::output::{self, CommandOutput};
-use crate::{interrupt, verbs};
+use crate::output::CommandOutput;
+use crate::{files, interrupt, verbs};
 use format::Format;
 use in_order::in_order;
 use progress::Progress;
@@ -32,9 +32,10 @@ use source::{Part, Source};
 /// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
 pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
-    output::is_no_input(Some(&call.output), call.files.iter().chain(&call.case))?;
+    files::is_no_input(Some(&call.output), call.files.iter().chain(&call.case))?;
     let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
-    let base = call.case.as_deref().map(|path| verbs::read(path, None)).transpose()?.map(|(case, _)| case);
+    let base =
+        call.case.as_deref().map(|path| verbs::read_unless_written(path, None, Some(&call.output))).transpose()?.map(|(case, _)| case);
     let mut sources = open(call, rows)?;
     let schema = sources[0].schema().clone();
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };

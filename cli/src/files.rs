@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use planar_impact_app::check::{self, Entries, Options, Origin, Reader, reason, unusable};
-use planar_impact_app::{Issues, Open, Source, decode};
+use planar_impact_app::{Cause, Issue, Issues, Open, Source, decode};
 
 const BUFFER: usize = 1 << 16;
 
@@ -33,10 +33,35 @@ pub fn source(path: &Path) -> Result<Source, Issues> {
     from_reader(&name, file)
 }
 
-/// Returns a function that opens a file which the file at `path` names, relative to its folder.
-pub fn beside(path: &Path) -> Open {
+/// Returns a function that opens a file which the file at `path` names, relative to its folder, unless the call would write over it.
+pub fn beside(path: &Path, written: Option<&Path>) -> Open {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    Box::new(move |name| source(&folder.join(name)))
+    let written = written.map(Path::to_owned);
+    Box::new(move |name| {
+        let file = folder.join(name);
+        is_no_input(written.as_deref(), [&file])?;
+        source(&file)
+    })
+}
+
+/// Refuses a file to write that the call reads, and that would be replaced by what is computed from it.
+///
+/// # Errors
+///
+/// Returns an issue for each input that is the output.
+pub fn is_no_input(output: Option<&Path>, inputs: impl IntoIterator<Item = impl AsRef<Path>>) -> Result<(), Issues> {
+    let Some(written) = output.filter(|output| output.as_os_str() != "-").and_then(|output| output.canonicalize().ok()) else {
+        return Ok(());
+    };
+    let mut issues = Vec::new();
+    for input in inputs {
+        let input = input.as_ref();
+        if input.canonicalize().is_ok_and(|read| read == written) {
+            let message = format!("`{}` is read by this call, and would be replaced; name another file to write", input.display());
+            issues.push(Issue::of_file("output-is-input", message));
+        }
+    }
+    if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
 }
 
 /// Reads up to the maximum size, because the length of a pipe or a device is not known in advance.

@@ -7,7 +7,6 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use planar_impact_app::json::{self, Layout};
-use planar_impact_app::{Cause, Issue, Issues};
 use planar_impact_report::{Block, text};
 use serde::Serialize;
 use tempfile::NamedTempFile;
@@ -73,22 +72,6 @@ impl CommandOutput {
         }
         Ok(self.status)
     }
-}
-
-/// Refuses a file to write that the call reads, and that would be replaced by what is computed from it.
-///
-/// # Errors
-///
-/// Returns an issue for each input that is the output.
-pub fn is_no_input<'a>(output: Option<&Path>, inputs: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Issues> {
-    let Some(written) = output.filter(|output| output.as_os_str() != "-").and_then(|output| output.canonicalize().ok()) else {
-        return Ok(());
-    };
-    let is_written = |input: &&PathBuf| input.canonicalize().is_ok_and(|read| read == written);
-    let message =
-        |input: &PathBuf| format!("`{}` is read by this call, and would be replaced; name another file to write", input.display());
-    let issues: Vec<_> = inputs.into_iter().filter(is_written).map(|input| Issue::of_file("output-is-input", message(input))).collect();
-    if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
 }
 
 /// A file that is written, and appears when it is whole. A device or a pipe stays what it is, and takes what is written at once.

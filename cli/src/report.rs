@@ -12,7 +12,7 @@ use planar_impact_report::html;
 
 use crate::arguments::{Arguments, Report, ReportVerb};
 use crate::exit::Failure;
-use crate::output::{self, CommandOutput};
+use crate::output::CommandOutput;
 use crate::progress::Progress;
 use crate::{check, files, interrupt, verbs};
 
@@ -22,7 +22,7 @@ use crate::{check, files, interrupt, verbs};
 ///
 /// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
-    output::is_no_input(call.output.as_deref(), &call.files)?;
+    files::is_no_input(call.output.as_deref(), &call.files)?;
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),
@@ -34,7 +34,7 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
         Some(ReportVerb::Check) => return of_check(call),
         Some(ReportVerb::Validate) => return of_validation(call),
     };
-    let (case, units) = verbs::read(one(call)?, call.units)?;
+    let (case, units) = verbs::read_unless_written(one(call)?, call.units, call.output.as_deref())?;
     let answer = report::report(&case, &report::Options { verb, posterior: call.posterior }, &Progress::new())
         .map_err(|issues| Failure::Issues(issues, units))?;
     write(call, &document::of_case(&answer, &options(call, units))?)
@@ -44,7 +44,7 @@ fn of_stiffness(call: &Report) -> Result<CommandOutput, Failure> {
     let path = one(call)?;
     let source = files::source(path)?;
     let identity = Identity::of(&source);
-    let file = TestFile::parse_with(source, files::beside(path))?;
+    let file = TestFile::parse_with(source, files::beside(path, call.output.as_deref()))?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = stiffness::stiffness(&file, &(), &Progress::new()).map_err(|issues| Failure::Issues(issues, units))?;
     Ok(write(call, &document::of_stiffness(&answer, &identity, &options(call, units))?)?.holds(answer.headlines.is_empty()))

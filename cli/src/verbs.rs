@@ -19,7 +19,7 @@ use crate::arguments::{
     UncertaintyFormat, UncertaintyMethod, UnitSystem, Verb,
 };
 use crate::exit::Failure;
-use crate::output::{self, CommandOutput};
+use crate::output::CommandOutput;
 use crate::progress::Progress;
 use crate::{batch, check, files, report};
 
@@ -68,7 +68,13 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
 
 /// Reads a case file, and returns it with the units for its reader: those requested, or those that most of the file uses.
 pub fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Failure> {
-    let case = Case::parse_with(files::source(path)?, files::beside(path))?;
+    read_unless_written(path, units, None)
+}
+
+/// Reads a case file, and returns it as [`read`] does, unless the call would write over it or over a file that it names.
+pub fn read_unless_written(path: &Path, units: Option<UnitSystem>, written: Option<&Path>) -> Result<(Case, Units), Failure> {
+    files::is_no_input(written, [path])?;
+    let case = Case::parse_with(files::source(path)?, files::beside(path, written))?;
     let units = units.map_or(case.units, Units::from);
     Ok((case, units))
 }
@@ -208,8 +214,7 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
 }
 
 fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
-    output::is_no_input(call.output.as_deref(), [&call.case])?;
-    let (case, units) = read(&call.case, call.units)?;
+    let (case, units) = read_unless_written(&call.case, call.units, call.output.as_deref())?;
     let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
     let output = match call.format {
         DrawFormat::Svg => CommandOutput::text(planar_impact_report::scene::scene(&answer, units)),
@@ -219,7 +224,7 @@ fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
 }
 
 fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
-    let read = |path: &PathBuf| record::Recording::parse(files::source(path)?, &files::beside(path));
+    let read = |path: &PathBuf| record::Recording::parse(files::source(path)?, &files::beside(path, None));
     let recordings = Issues::all(call.files.iter().map(read))?;
     let units = call.units.map(Units::from).or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);
     let answer = in_units(record::record(&recordings, &(), &Progress::new()), units)?;
@@ -232,7 +237,7 @@ fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
 }
 
 fn fit(call: &arguments::Stiffness) -> Result<CommandOutput, Failure> {
-    let file = TestFile::parse_with(files::source(&call.tests)?, files::beside(&call.tests))?;
+    let file = TestFile::parse_with(files::source(&call.tests)?, files::beside(&call.tests, None))?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = in_units(stiffness::stiffness(&file, &(), &Progress::new()), units)?;
     Ok(print(&answer, call.format, units)?.holds(answer.headlines.is_empty()))

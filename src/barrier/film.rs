@@ -1,7 +1,7 @@
 //! Restitution from film: the distance of a point from the barrier over time, smoothed and differentiated.
 
 use super::estimate::Estimate;
-use super::issue::{TestIssue, TestIssues};
+use super::issue::{TestIssue, TestIssues, finite_estimate};
 use super::lowess::Lowess;
 use super::record::Record;
 use crate::issue::{IssueCollector, Place};
@@ -28,7 +28,8 @@ use crate::scalar::Ordered;
 ///
 /// # Errors
 ///
-/// As [`Lowess::smooth`], and for a separation time outside the record, a closing speed that is not above zero, or a negative variance.
+/// As [`Lowess::smooth`], and for a separation time outside the record, a closing speed that is not above zero or so small that the ratio is not finite, or a
+/// negative variance.
 pub fn restitution_from_film<T: Ordered<Mask = bool>>(
     distance: &Record<T>,
     lowess: Lowess,
@@ -40,7 +41,7 @@ pub fn restitution_from_film<T: Ordered<Mask = bool>>(
     issues.not_negative(Place::plain("variance of the closing speed"), &closing.variance);
     issues.finish()?;
     let line = lowess.smooth(distance)?.at(separation)?;
-    Ok(line.slope.over(closing))
+    finite_estimate("restitution", line.slope.over(closing))
 }
 
 #[cfg(test)]
@@ -77,5 +78,12 @@ mod tests {
         let issues = restitution_from_film(&film(0.0), LOWESS, 0.1, Estimate { value: -1.0, variance: -1.0 }).expect_err("two issues");
         assert_eq!(issues.len(), 2);
         assert!(restitution_from_film(&film(0.0), LOWESS, 0.2, Estimate::with_deviation(1.0, 0.0)).is_err());
+    }
+
+    #[test]
+    fn a_ratio_that_is_not_finite_is_refused() {
+        let closing = Estimate::with_deviation(1e-300, 1e-3);
+        let issues = restitution_from_film(&film(0.0), LOWESS, 0.1, closing).expect_err("a variance beyond every float");
+        assert_eq!(issues.first().place().map(|place| place.path().into_owned()).as_deref(), Some("variance of restitution"));
     }
 }

@@ -104,3 +104,42 @@ fn start<T: Real + Ordered<Mask = bool>>(observations: &Observations<T>, force: 
     let root = if is_positive(&square) { square.square_root() } else { T::int(0) };
     Ok((intensity + root) / (T::int(2) * depth))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::barrier::{CovarianceBasis, Observation};
+
+    /// A test with d₀ = 60 √N and d₁ = 1000 √N/m, at even depths, where the mean and the profile are one.
+    fn flat(depth: f64) -> Observation {
+        let crush = ProfileMoments::of(1.5, &[depth, depth]).expect("two depths");
+        Observation { crush, intensity: 60.0 + 1000.0 * depth, deviation: 10.0 }
+    }
+
+    #[test]
+    fn a_fit_is_poor_where_tests_differ_by_more_than_they_are_known_to() {
+        let fit = |off: f64| {
+            let tests = [flat(0.1), flat(0.2), Observation { intensity: 560.0 + off, ..flat(0.5) }];
+            let tests = Observations::independent(&tests).expect("tests");
+            StiffnessFit::<f64>::with_force(&tests, 60e3, CrushModel::MeanDepth).expect("a fit")
+        };
+        // Ten standard deviations, and half of one.
+        assert!(fit(100.0).is_poor() && !fit(5.0).is_poor());
+        // Residuals that set the scale themselves say nothing about it.
+        assert!(!StiffnessFit { basis: CovarianceBasis::Residuals, ..fit(100.0) }.is_poor());
+    }
+
+    #[test]
+    fn one_number_is_fitted_so_one_test_leaves_no_degree_of_freedom() {
+        for (depths, free) in [(&[0.3][..], 0), (&[0.1, 0.5], 1), (&[0.1, 0.2, 0.5], 2)] {
+            let tests = Observations::independent(&depths.iter().map(|depth| flat(*depth)).collect::<Vec<_>>()).expect("tests");
+            for model in [CrushModel::MeanDepth, CrushModel::Profile] {
+                let fit = StiffnessFit::<f64>::with_force(&tests, 60e3, model).expect("a fit");
+                assert_eq!(fit.degrees_of_freedom, free);
+                approx::assert_relative_eq!(fit.stiffness.slope, 1000.0, max_relative = 1e-9);
+                approx::assert_relative_eq!(fit.stiffness.onset, 60.0, max_relative = 1e-9);
+                assert!(!fit.is_poor());
+            }
+        }
+    }
+}

@@ -118,6 +118,7 @@ mod tests {
     #[test]
     fn energies_add_up() {
         let series = TestSeries::new([test(3.0, 0.1), test(4.0, 0.2)]).expect("in order");
+        assert_eq!(series.tests(), [test(3.0, 0.1), test(4.0, 0.2)]);
         assert_eq!(series.crush_energies(), [36.0, 100.0]);
         assert_eq!(series.equivalent_energy_speeds(), [3.0, 5.0]);
     }

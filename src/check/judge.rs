@@ -212,6 +212,24 @@ mod tests {
     }
 
     #[test]
+    fn a_residual_in_another_unit_is_the_same_residual() {
+        let value = Uncertain::<1>::input(8.0, 0, 2.0);
+        let turned = Residual::new(value, 16.0).open(4.0, 12.0).per(-4.0);
+        assert_eq!((turned.value.value, turned.value.size, turned.value.radius()), (-2.0, 2.0, 0.5));
+        assert_eq!((turned.scale, turned.slack, turned.leeway), (4.0, 1.0, 3.0));
+    }
+
+    #[test]
+    fn rounding_grows_as_the_share_that_wedging_leaves_shrinks() {
+        let amplified = |share| {
+            let mut judge = Judge::new(Profile::Impulse, &Options { tolerance: None });
+            judge.allow_for_wedging(share);
+            judge.amplification
+        };
+        assert_eq!([1.0, 0.25, 0.75, 0.0, -0.5, f64::NAN].map(amplified), [1.0, 4.0, 1.0 / 0.75, 0.0, 0.0, 0.0]);
+    }
+
+    #[test]
     fn resolutions_decide_or_else_the_profile() {
         let rule = Rule::Restitution;
         let rounding = 64.0 * f64::EPSILON * 1999.0;

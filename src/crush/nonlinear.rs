@@ -220,6 +220,19 @@ mod tests {
         }
     }
 
+    /// Depths and the reference depth in another unit: the same choice of method, and the same bits.
+    #[test]
+    fn the_energy_of_a_power_does_not_depend_on_the_unit_of_depth() {
+        let small = 1.0 / f64::from(1 << 20);
+        for (from, to) in [(0.5, 0.500_001), (0.5, 0.75), (0.375, 0.625), (0.1, 0.9), (0.25, 0.1)] {
+            let law = PowerLaw { energy_without_crush: 0.0, force: 10.0, reference_depth: 0.5, exponent: 1.5 };
+            let segment = Segment { width: 2.0, from, to };
+            let other = PowerLaw { reference_depth: 0.5 * small, ..law };
+            let same = Segment { from: from * small, to: to * small, ..segment };
+            assert_eq!(other.energy_of_segment(&same), law.energy_of_segment(&segment) * small, "{from} to {to}");
+        }
+    }
+
     #[test]
     fn a_power_law_by_hand() {
         // With F_r = 10, C_r = 1/2 and C = 2, (C/C_r)ⁿ is 2 and 8; the mean of (C/C_r)ⁿ⁺¹ from 0 is the last one over n + 2.

@@ -256,5 +256,10 @@ mod tests {
         assert!((Triangular { min: 1.0, mode: 1.5, max: 4.0 }.quantile(0.5 / 3.0) - 1.5).abs() < 1e-15);
         let whole = TruncatedNormal { mode: 2.0, scale: 1.0, min: -60.0, max: 60.0 };
         assert!((whole.quantile(0.025) - (2.0 - 1.959_963_984_540_054)).abs() < 1e-14);
+        // Either tail has its digits: it is that of the whole distribution.
+        for p in [1e-300, 1e-12, 0.25] {
+            let distance = Normal { mean: 0.0, sd: 1.0 }.quantile(p);
+            assert!(((whole.quantile(p) - 2.0) / distance - 1.0).abs() < 1e-14, "{p}");
+        }
     }
 }

@@ -20,3 +20,15 @@ pub(super) fn mix(x: u64) -> u64 {
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^ (x >> 31)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::mix;
+
+    #[test]
+    fn the_finishing_step_is_that_of_splitmix64() {
+        // The first numbers of the generator from the seed 1234567, as Rosetta Code lists them ("Pseudo-random numbers/Splitmix64").
+        let state = |n: u64| 1_234_567_u64.wrapping_add(n.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        assert_eq!([0, 1, 2].map(|n| mix(state(n))), [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
+    }
+}

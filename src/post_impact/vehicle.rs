@@ -194,3 +194,18 @@ impl<T: Field> SlidingVehicle<T> {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tire::Restraint;
+    use super::*;
+
+    #[test]
+    fn wheels_stand_around_the_center_of_mass_of_the_pose() {
+        let vehicle = SlidingVehicle::sedan(Wheels::all(Wheel { restraint: Restraint::Locked, steer: 0.0 }));
+        let pose = Pose { position: Xy { x: 10.0, y: 20.0 }, heading: 0.0 };
+        let Wheels { front_left, front_right, rear_left, rear_right } = vehicle.wheel_places(&pose);
+        assert_eq!([front_left, front_right], [Xy { x: 11.2, y: 20.75 }, Xy { x: 11.2, y: 19.25 }]);
+        assert_eq!([rear_left, rear_right], [Xy { x: 8.5, y: 20.75 }, Xy { x: 8.5, y: 19.25 }]);
+    }
+}

@@ -248,6 +248,13 @@ impl<const N: usize> Real for Lanes<N> {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_number_of_any_type_is_that_number_in_every_lane() {
+        let all = [Lanes::<2>::from_i32(-3), Lanes::from_i64(-3), Lanes::from_f64(-3.0)];
+        assert_eq!(all.map(|lanes| lanes.map(|lanes| lanes.0)), [Some([-3.0; 2]); 3]);
+        assert_eq!(Lanes::<2>::from_u64(3).map(|lanes| lanes.0), Some([3.0; 2]));
+    }
+
     /// Numbers of every size, with those beyond the range of the vectors in some of the lanes.
     fn numbers() -> impl Iterator<Item = [f64; 8]> {
         let odd = [1e22, f64::INFINITY, f64::NAN, -1e5, 1e5, 1e301, -0.0, 5e-324];

@@ -78,3 +78,38 @@ impl Reduce for Extremes {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OF: [Output; 1] = [Output::Loss];
+
+    fn of(parts: &[&[f64]]) -> [(f64, u64); 2] {
+        let mut first = 0;
+        let mut all = Extremes::of(&OF);
+        for part in parts {
+            let mut found = Extremes::of(&OF);
+            found.take(&Samples { of: &OF, columns: &[part.to_vec()], first, places: None });
+            first += part.len() as u64;
+            all.merge(found);
+        }
+        all.get(OF[0]).expect("a sample").map(|extreme| (extreme.value, extreme.sample))
+    }
+
+    #[test]
+    fn the_first_of_equal_extremes_stays_in_any_parts() {
+        for parts in [&[&[2.0, 1.0, 3.0, 1.0, 3.0][..]][..], &[&[2.0, 1.0], &[3.0, 1.0, 3.0]], &[&[], &[2.0], &[1.0, 3.0], &[1.0, 3.0]]] {
+            assert_eq!(of(parts), [(1.0, 1), (3.0, 2)]);
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_replaces_what_is_and_stays() {
+        for parts in [&[&[2.0, f64::NAN, 1.0, f64::NAN, 3.0][..]][..], &[&[2.0, f64::NAN], &[1.0], &[f64::NAN, 3.0]]] {
+            let [least, greatest] = of(parts);
+            assert!(least.0.is_nan() && greatest.0.is_nan());
+            assert_eq!([least.1, greatest.1], [1, 1]);
+        }
+    }
+}

@@ -74,3 +74,20 @@ impl Reduce for Histogram {
         self.not_a_number += later.not_a_number;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bin_begins_at_its_edge_and_nothing_is_lost() {
+        let column = vec![vec![-0.5, 0.0, 0.999, 1.0, 2.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY]];
+        let mut found = Histogram::of(Output::Loss, 0.0, 2.0, 2);
+        found.take(&Samples { of: &[Output::Loss], columns: &column, first: 0, places: None });
+        assert_eq!((found.counts(), found.below, found.above, found.not_a_number), (&[2, 1][..], 2, 2, 1));
+        let twice = found.clone();
+        found.merge(twice);
+        assert_eq!((found.counts(), found.below, found.above, found.not_a_number), (&[4, 2][..], 4, 4, 2));
+        assert_eq!([0, 1, 2].map(|bin| found.edge(bin)), [0.0, 1.0, 2.0]);
+    }
+}

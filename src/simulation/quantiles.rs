@@ -234,3 +234,59 @@ fn bin(x: f64) -> usize {
 fn edge(bin: usize) -> f64 {
     f64::from_bits((bin as u64) << (f64::MANTISSA_DIGITS - 1 - BITS))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(numbers: &[f64]) -> Bins {
+        let mut bins = Bins::default();
+        bins.add(numbers);
+        bins
+    }
+
+    #[test]
+    fn parts_that_are_merged_say_what_the_whole_says() {
+        let numbers: Vec<f64> = (0..1000).map(|i| if i % 10 == 0 { 0.0 } else { libm::sin(f64::from(i)) * 1e3 }).collect();
+        let whole = of(&numbers).sorted();
+        for at in [0, 1, 500, 1000] {
+            let (one, other) = numbers.split_at(at);
+            for [first, then] in [[one, other], [other, one]] {
+                let mut merged = of(first);
+                merged.merge(&of(then));
+                let merged = merged.sorted();
+                assert_eq!(merged.count(), 1000);
+                for share in [0.0, 0.1, 0.45, 0.5, 0.9, 1.0] {
+                    assert_eq!(merged.quantile(share), whole.quantile(share), "{at} {share}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_that_is_not_a_number_leaves_no_quantile_wherever_it_is_merged() {
+        let (good, bad) = (of(&[1.0, 2.0]), of(&[3.0, f64::NAN]));
+        for [first, then] in [[&good, &bad], [&bad, &good]] {
+            let mut merged = first.clone();
+            merged.merge(then);
+            assert!(merged.sorted().quantile(0.5).is_nan());
+        }
+        assert_eq!(good.sorted().quantile(1.0), 2.0);
+    }
+
+    #[cfg(feature = "uncertainty")]
+    #[test]
+    fn the_share_below_is_that_of_evenly_spread_numbers() {
+        // Some 400 numbers in each bin.
+        let even: Vec<f64> = (0..100_000).map(|i| 1.0 + (f64::from(i) + 0.5) * 1e-5).collect();
+        for sign in [1.0, -1.0] {
+            let numbers: Vec<f64> = even.iter().map(|x| sign * x).collect();
+            let sorted = of(&numbers).sorted();
+            for x in [1.0, 1.000_1, 1.37, 1.5, 1.999, 2.0] {
+                let wanted = if sign > 0.0 { x - 1.0 } else { 2.0 - x };
+                assert!((sorted.share_below(sign * x) - wanted).abs() < 1e-5, "{x}: {}", sorted.share_below(sign * x));
+            }
+            assert_eq!([-3.0, 3.0].map(|x| sorted.share_below(x)), [0.0, 1.0]);
+        }
+    }
+}

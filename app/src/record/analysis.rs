@@ -138,6 +138,7 @@ impl Analysis<'_> {
                 Some("channel") => (path, "a channel: "),
                 Some("samples in the baseline") => (path, "the baseline: "),
                 Some("time") => (path, "separation: "),
+                Some("restitution") => ("speed", "the restitution by a speed next to zero: "),
                 _ => (path, ""),
             };
             let message = Message::from(name).join(issue.message());
@@ -275,19 +276,14 @@ impl Analysis<'_> {
     /// Returns the restitution of the center of mass from its velocity change, e = ΔV/v − 1.
     fn restitution(&mut self, source: &str, change: Estimate, is_known: bool) -> Option<Uncertain> {
         let ratio = change.over(self.of.settings.speed?);
-        let restitution = self.sound(source, Estimate { value: ratio.value - 1.0, ..ratio })?;
-        Some(Uncertain::of(restitution, is_known))
-    }
-
-    /// Refuses a restitution beyond every float, which a closing speed next to zero gives, and warns of one that is not plausible.
-    fn sound(&mut self, source: &str, restitution: Estimate) -> Option<Estimate> {
-        if restitution.value.is_finite() && restitution.variance.is_finite() {
-            self.plausible(source, restitution.value);
-            return Some(restitution);
+        if !(ratio.value.is_finite() && ratio.variance.is_finite()) {
+            let message = format!("the restitution by {source} overflows: the speed is next to zero");
+            self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
+            return None;
         }
-        let message = format!("the restitution by {source} overflows: the speed is next to zero");
-        self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
-        None
+        let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
+        self.plausible(source, restitution.value);
+        Some(Uncertain::of(restitution, is_known))
     }
 
     fn plausible(&mut self, source: &str, restitution: f64) {
@@ -341,7 +337,7 @@ impl Analysis<'_> {
         };
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
         let restitution = self.report(path, restitution_from_film(record, lowess, separation, closing))?;
-        let restitution = self.sound(&channel.name, restitution)?;
+        self.plausible(&channel.name, restitution.value);
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
     }

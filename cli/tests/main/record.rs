@@ -634,4 +634,16 @@ fn the_tests_of_a_case_may_be_recorded() {
             assert_eq!(words.contains("its restitution is for that speed"), differs, "{speed} {call:?}: {}", answer.out);
         }
     }
+    // No file that is named along the way is written over.
+    for of in [&["case.toml", "--verb", "crush"][..], &["data/tests.toml", "--verb", "stiffness"], &["case.toml"]] {
+        for named in ["data/tests.toml", "data/barrier.toml", "data/barrier.csv"] {
+            let before = std::fs::read(folder.path().join(named)).expect("it is there");
+            let refused = run(folder.path(), &[&["report"], of, &["-o", named]].concat());
+            assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{of:?} {named}: {}", refused.err);
+            assert!(refused.err.contains("would be replaced; name another file to write"), "{of:?} {named}: {}", refused.err);
+            assert_eq!(std::fs::read(folder.path().join(named)).expect("it is there"), before, "{of:?} {named}");
+        }
+    }
+    let drawn = run(folder.path(), &["draw", "case.toml", "-o", "data/barrier.csv"]);
+    assert!(drawn.status == 2 && drawn.err.contains("would be replaced"), "{}", drawn.err);
 }
