@@ -58,26 +58,22 @@ fn figures(root: &Path) -> io::Result<String> {
         }
     }
     text.push_str("\nChanges of the program that were tried, by part; what does not compile is left out:\n\n| part | tried | noticed | survived |\n|---|---:|---:|---:|\n");
-    for part in ["src", "surfaces"] {
-        let [noticed, timed_out, survived] = changes(&read(".ci/mutants/counts.txt")?, part);
-        let (noticed, tried) = (noticed + timed_out, noticed + timed_out + survived);
-        if tried > 0 {
-            text.push_str(&format!("| {part} | {tried} | {noticed} | {survived} |\n"));
-        }
+    let counts = read(".ci/mutants/counts.txt")?;
+    let parts: Vec<(&str, [u64; 3])> = counts.lines().filter_map(changes).collect();
+    let sum = parts.iter().fold([0; 3], |sum, (_, of)| std::array::from_fn(|i| sum[i] + of[i]));
+    for (part, [noticed, timed_out, survived]) in parts.into_iter().chain([("all", sum)]) {
+        let noticed = noticed + timed_out;
+        text.push_str(&format!("| {part} | {} | {noticed} | {survived} |\n", noticed + survived));
     }
     Ok(text)
 }
 
-/// Returns how many changes of a part were noticed, never ended, and survived, over all lines such as `src 0/200: 70 noticed, 1 timed out, 2 survived`.
-fn changes(counts: &str, part: &str) -> [u64; 3] {
-    let mut sums = [0; 3];
-    for line in counts.lines().filter(|line| line.split(' ').next() == Some(part)) {
-        let numbers = line.split_once(": ").into_iter().flat_map(|(_, numbers)| numbers.split(", "));
-        for (sum, number) in sums.iter_mut().zip(numbers) {
-            *sum += number.split(' ').next().and_then(|number| number.parse::<u64>().ok()).unwrap_or(0);
-        }
-    }
-    sums
+/// Returns a part of the program with how many of its changes were noticed, never ended, and survived, from a line such as
+/// `src/check: 70 noticed, 1 timed out, 2 survived`.
+fn changes(line: &str) -> Option<(&str, [u64; 3])> {
+    let (part, numbers) = line.split_once(": ")?;
+    let mut counts = numbers.split(", ").filter_map(|number| number.split(' ').next()?.parse().ok());
+    Some((part, [counts.next()?, counts.next()?, counts.next()?]))
 }
 
 /// Calls a function with the text of every file of Rust below a folder.
