@@ -125,6 +125,12 @@ mod tests {
         };
         // Ten standard deviations, and half of one.
         assert!(fit(100.0).is_poor() && !fit(5.0).is_poor());
+        // A table of χ² has 3.841 and 5.991 for one and two degrees of freedom; without one nothing can be poor.
+        for (degrees_of_freedom, greatest) in [(1, 3.841), (2, 5.991), (10, 18.307)] {
+            let of = |chi_square| StiffnessFit { degrees_of_freedom, chi_square, ..fit(0.0) }.is_poor();
+            assert!(of(1.03 * greatest) && !of(0.96 * greatest), "{degrees_of_freedom}");
+        }
+        assert!(!StiffnessFit { degrees_of_freedom: 0, ..fit(100.0) }.is_poor());
         // Residuals that set the scale themselves say nothing about it.
         assert!(!StiffnessFit { basis: CovarianceBasis::Residuals, ..fit(100.0) }.is_poor());
     }

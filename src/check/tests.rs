@@ -238,3 +238,47 @@ fn body(mass: f64, (x, y): (f64, f64), before: (f64, f64), after: (f64, f64), ya
         ..Subject::default()
     }
 }
+
+/// A vehicle that meets a barrier straight ahead of its center of mass at Γ and does not turn: of K_nn + μ K_nt = 1/m the parts are 1/m + 2 (r sin Γ)²/I.
+#[test]
+fn a_pair_that_nearly_wedges_passes_with_the_rounding_of_its_impulse() {
+    use crate::collision::Collision;
+    use crate::frame::{CrushPlane, Heading};
+    use crate::vehicle::{Party, Vehicle};
+    let mut worst: f64 = 1.0;
+    for k in 1..=40 {
+        let (angle, radius) = (0.01 * f64::from(k) + 0.2, 1e-4 * f64::from(k));
+        let vehicle = Vehicle::new(1000.0, 1000.0 * radius * radius).with_heading(Heading::from_angle(0.3)).with_impact_center(2.0, 0.0);
+        let collision = Collision::new(vehicle.with_speed(10.0), Party::Barrier).with_crush_plane(CrushPlane::from_angle(0.3 + angle));
+        let impact = collision.solve().expect("a collision");
+        let outcome = check(&Record::of(&collision, &impact), &Options::default());
+        assert_ne!(outcome.verdict(), Verdict::Fail, "{outcome}");
+        let warned =
+            outcome.of(Rule::ImpulseRatio).map(|finding| finding.what.as_str()).find(|what| what.starts_with("the pair nearly wedges"));
+        assert!(warned.is_some(), "{outcome}");
+        worst = worst.min(collision.contact().compliance.wedging_share(impact.impulse.t / impact.impulse.n));
+    }
+    assert!(worst < 1e-6, "{worst}");
+}
+
+#[test]
+fn a_tangential_impulse_that_goes_too_far_is_told_with_the_critical_ratio() {
+    use crate::collision::Collision;
+    use crate::law::ImpulseRatio;
+    use crate::vehicle::{Motion, Party, Vehicle};
+    let motion = Motion { velocity: Xy { x: 10.0, y: -6.0 }, yaw_rate: 0.0 };
+    let base = Collision::new(Vehicle { motion, ..Vehicle::new(1000.0, 2000.0).with_impact_center(2.0, 0.5) }, Party::Barrier);
+    let critical = base.evaluate().critical_impulse_ratio();
+    let told = |share: f64| {
+        let collision = Collision { impulse_ratio: ImpulseRatio::Given(share * critical), ..base };
+        let outcome = check(&Record::of(&collision, &collision.evaluate()), &Options::default());
+        outcome.of(Rule::BeyondCritical).map(|finding| finding.what.clone()).collect::<Vec<_>>()
+    };
+    let digits = |x: f64| alloc::format!("{}", super::format::Digits(x));
+    let beyond = alloc::format!("the impulse ratio {} is beyond the critical one, {}: ", digits(1.5 * critical), digits(critical));
+    assert!(told(1.5)[0].starts_with(&beyond), "{:?}, not {beyond}", told(1.5));
+    let other =
+        alloc::format!("the impulse ratio {} has the other sign than the critical one, {}: ", digits(-0.5 * critical), digits(critical));
+    assert!(told(-0.5)[0].starts_with(&other), "{:?}, not {other}", told(-0.5));
+    assert!(told(0.5).is_empty() && told(1.0).is_empty());
+}

@@ -212,6 +212,21 @@ mod tests {
     }
 
     #[test]
+    fn what_is_no_covariance_is_told_by_its_inputs_and_its_number() {
+        let told = |issue: NotACovariance| alloc::format!("{issue}");
+        let [mass, restitution, _] = INPUTS;
+        assert_eq!(told(NotACovariance::NotSquare { inputs: 2, found: 3 }), "a covariance of 2 inputs has 2 rows and 2 columns, not 3");
+        assert_eq!(told(NotACovariance::Repeated(mass)), alloc::format!("{mass} stands twice in a covariance; name each input once"));
+        let variance = alloc::format!("the variance of {mass} must be finite and not negative, not -1");
+        assert_eq!(told(NotACovariance::NotANumber(mass, mass, -1.0)), variance);
+        let covariance = alloc::format!("the covariance of {mass} and {restitution} must be finite, not inf");
+        assert_eq!(told(NotACovariance::NotANumber(mass, restitution, f64::INFINITY)), covariance);
+        let twice = alloc::format!("the covariance of {mass} and {restitution} is given twice, with different values");
+        assert_eq!(told(NotACovariance::NotSymmetric(mass, restitution)), twice);
+        assert!(told(NotACovariance::Indefinite(mass, restitution)).contains("reduce the correlation of"));
+    }
+
+    #[test]
     fn the_variance_is_the_quadratic_form() {
         let rows = [[4.0, 1.0, -1.0], [1.0, 2.0, 0.5], [-1.0, 0.5, 1.0]];
         let covariance = Covariance::new(&INPUTS, &rows).unwrap();

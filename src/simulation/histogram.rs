@@ -84,6 +84,7 @@ mod tests {
         let column = vec![vec![-0.5, 0.0, 0.999, 1.0, 2.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY]];
         let mut found = Histogram::of(Output::Loss, 0.0, 2.0, 2);
         found.take(&Samples { of: &[Output::Loss], columns: &column, first: 0, places: None });
+        assert_eq!(found.outputs(), [Output::Loss]);
         assert_eq!((found.counts(), found.below, found.above, found.not_a_number), (&[2, 1][..], 2, 2, 1));
         let twice = found.clone();
         found.merge(twice);

@@ -159,3 +159,23 @@ fn product(one: &[f64], mean: f64, other: &[f64], mean_of_other: f64) -> f64 {
     }
     sums.iter().sum::<f64>() + rest.iter().zip(rest_of_other).map(|(x, y)| (x - mean) * (y - mean_of_other)).sum::<f64>()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The variance of a population has one sample less in it than there are.
+    #[test]
+    fn one_sample_has_no_variance_and_two_have() {
+        const OF: [Output; 2] = [Output::Loss, Output::NormalSeparation];
+        let of = |columns: &[Vec<f64>]| {
+            let mut found = Moments::of(&OF).with_covariances();
+            found.take(&Samples { of: &OF, columns, first: 0, places: None });
+            found
+        };
+        let one = of(&[vec![5.0], vec![-2.0]]);
+        assert!(one.variance(OF[0]).is_nan() && one.covariance(OF[0], OF[1]).is_nan());
+        let two = of(&[vec![1.0, 3.0], vec![-2.0, -8.0]]);
+        assert_eq!((two.variance(OF[0]), two.variance(OF[1]), two.covariance(OF[1], OF[0])), (2.0, 18.0, -6.0));
+    }
+}

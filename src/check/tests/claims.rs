@@ -41,6 +41,15 @@ fn claims_are_held_against_each_other() {
     assert!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.1)]).is_empty());
     assert_eq!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.2)]), ["restitution"]);
     assert!(said(&[(Key::ImpulseRatio, 0.5), (Key::CriticalRatio, 0.6)]).is_empty());
+    let told = |ratio: f64, critical: f64| {
+        let mut record = Record::default();
+        [(Key::ImpulseRatio, ratio), (Key::CriticalRatio, critical)].iter().for_each(|&(key, value)| record.set(key, value));
+        check(&record, &Options::default()).of(Rule::BeyondCritical).map(|finding| finding.what.clone()).collect::<Vec<_>>()
+    };
+    for (ratio, critical, off) in [(0.75, 0.5, 0.25), (-0.75, -0.5, 0.25), (0.25, -0.5, 0.25)] {
+        let wanted = alloc::format!("the impulse ratio {ratio} does not lie between 0 and the critical one, {critical}: {off} off, ");
+        assert!(matches!(&told(ratio, critical)[..], [what] if what.starts_with(&wanted)), "{:?}, not {wanted}", told(ratio, critical));
+    }
     for beyond in [0.7, -0.1] {
         assert_eq!(said(&[(Key::ImpulseRatio, beyond), (Key::CriticalRatio, 0.6)]), ["beyond-critical"]);
         assert_eq!(said(&[(Key::ImpulseRatio, -beyond), (Key::CriticalRatio, -0.6)]), ["beyond-critical"]);
@@ -58,6 +67,16 @@ fn equivalent_energy_speeds_stand_for_the_normal_work_or_for_all() {
     assert!(with(17.741).is_empty()); // √(2 · 183017/1163), the work of the normal impulse
     assert!(with(17.893).is_empty()); // √(2 · 186168/1163), the loss
     assert_eq!(with(17.80), ["reported"]);
+    // Without motions the work is what is claimed, below zero as it leaves the vehicle: ½ 2 · 3² = 9 J.
+    let claimed = |work: f64| {
+        let mut record = Record { two: Subject::FIXED, ..Record::default() };
+        for (key, value) in [(Key::Mass(Side::One), 2.0), (Key::EquivalentEnergySpeed(Side::One), 3.0), (Key::NormalWork, work)] {
+            record.set(key, value);
+        }
+        rules(&record)
+    };
+    assert!(claimed(-9.0).is_empty());
+    assert_eq!(claimed(-10.0), ["reported"]);
     // With two cars, the EES of one alone may not exceed the energy lost.
     let alone = |ees: f64| {
         let mut record = Record::default();
