@@ -233,3 +233,66 @@ impl<T: Ordered<Mask: Logic>> Impact<T> {
         self.loss().less(&-(exchanged * slack()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Input;
+    use crate::vehicle::Vehicle;
+
+    /// Two vehicles that meet with a given ratio and a given moment, so that every input counts.
+    fn collision() -> Collision {
+        let one = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0).with_yaw_rate(0.2);
+        let two = Vehicle::new(1000.0, 1400.0).with_impact_center(-1.5, 0.2).with_speed(5.0).with_yaw_rate(-0.1);
+        Collision { impulse_ratio: ImpulseRatio::Given(0.1), moment: Moment::Given(20.0), ..Collision::new(one, two).with_restitution(0.2) }
+    }
+
+    #[test]
+    fn one_input_that_is_not_sound_is_enough() {
+        assert!(collision().has_sound_inputs());
+        for input in Input::ALL {
+            let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].into_iter();
+            let beyond: &[f64] = match input {
+                // A great mass below zero leaves a compliance that is positive.
+                Input::Mass(_) | Input::YawInertia(_) => &[0.0, -1.0, -1e5],
+                Input::Restitution => &[-0.1, 1.1],
+                _ => &[],
+            };
+            for value in odd.chain(beyond.iter().copied()) {
+                let mut spoiled = collision();
+                spoiled.set(input, value).expect("an input of the collision");
+                assert!(!spoiled.has_sound_inputs(), "{input} {value}");
+                assert!(spoiled.solve().is_err(), "{input} {value}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_number_that_overflowed_is_enough() {
+        let impact = collision().evaluate();
+        assert!(impact.is_finite());
+        let numbers: [fn(&mut Impact) -> &mut f64; 14] = [
+            |impact| &mut impact.impulse.n,
+            |impact| &mut impact.impulse.t,
+            |impact| &mut impact.moment,
+            |impact| &mut impact.work.n,
+            |impact| &mut impact.work.t,
+            |impact| &mut impact.work.m,
+            |impact| &mut impact.one.after.yaw_rate,
+            |impact| &mut impact.two.after.yaw_rate,
+            |impact| &mut impact.kinetic_energy.before,
+            |impact| &mut impact.kinetic_energy.after,
+            |impact| &mut impact.one.delta_v.x,
+            |impact| &mut impact.one.delta_v.y,
+            |impact| &mut impact.two.delta_v.x,
+            |impact| &mut impact.two.delta_v.y,
+        ];
+        for (place, number) in numbers.into_iter().enumerate() {
+            for value in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+                let mut spoiled = impact.clone();
+                *number(&mut spoiled) = value;
+                assert!(!spoiled.is_finite(), "{place} {value}");
+            }
+        }
+    }
+}
