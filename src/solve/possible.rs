@@ -289,7 +289,7 @@ mod tests {
         ];
         for (place, number) in numbers.into_iter().enumerate() {
             for value in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-                let mut spoiled = impact.clone();
+                let mut spoiled = impact;
                 *number(&mut spoiled) = value;
                 assert!(!spoiled.is_finite(), "{place} {value}");
             }
