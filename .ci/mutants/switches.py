@@ -90,14 +90,13 @@ class Source:
             return node and Site(node.start_byte, node.end_byte, node, "MatchArmGuard")
         return Site(node.start_byte, node.end_byte, node, genre)
 
-    def is_constant(self, node: Node) -> bool:
-        while (parent := node.parent) is not None:
-            if parent.type in CONSTANT or parent.type == "function_item" and any(
-                child.type == "function_modifiers" and b"const" in child.text for child in parent.children
-            ):
+    def is_constant(self, node: Node | None) -> bool:
+        while node is not None:
+            modifiers = [child.text or b"" for child in node.children if child.type == "function_modifiers"]
+            if node.type in CONSTANT or node.type == "function_item" and any(b"const" in text for text in modifiers):
                 return True
-            node = parent
-        return node.type == "function_item" and any(child.type == "function_modifiers" and b"const" in child.text for child in node.children)
+            node = node.parent
+        return False
 
     def plain(self, node: Node) -> str:
         return self.bytes[node.start_byte : node.end_byte].decode()
