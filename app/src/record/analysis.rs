@@ -138,7 +138,6 @@ impl Analysis<'_> {
                 Some("channel") => (path, "a channel: "),
                 Some("samples in the baseline") => (path, "the baseline: "),
                 Some("time") => (path, "separation: "),
-                Some("restitution") => ("speed", "the restitution by a speed next to zero: "),
                 _ => (path, ""),
             };
             let message = Message::from(name).join(issue.message());
@@ -277,13 +276,17 @@ impl Analysis<'_> {
     fn restitution(&mut self, source: &str, change: Estimate, is_known: bool) -> Option<Uncertain> {
         let ratio = change.over(self.of.settings.speed?);
         if !(ratio.value.is_finite() && ratio.variance.is_finite()) {
-            let message = format!("the restitution by {source} overflows: the speed is next to zero");
-            self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
+            self.overflows(source);
             return None;
         }
         let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
         self.plausible(source, restitution.value);
         Some(Uncertain::of(restitution, is_known))
+    }
+
+    fn overflows(&mut self, source: &str) {
+        let message = format!("the restitution by {source} overflows: the speed is next to zero");
+        self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
     }
 
     fn plausible(&mut self, source: &str, restitution: f64) {
@@ -336,7 +339,13 @@ impl Analysis<'_> {
             }
         };
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
-        let restitution = self.report(path, restitution_from_film(record, lowess, separation, closing))?;
+        let restitution = match restitution_from_film(record, lowess, separation, closing) {
+            Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {
+                self.overflows(&channel.name);
+                return None;
+            }
+            other => self.report(path, other)?,
+        };
         self.plausible(&channel.name, restitution.value);
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })

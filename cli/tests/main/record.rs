@@ -475,6 +475,16 @@ fn bad_settings_are_refused_at_their_keys() {
         assert!(run.status == 2 && run.out.is_empty(), "{settings}: {}", run.err);
         assert!(run.err.contains(says) && run.err.contains("test.toml:"), "{settings}: {}", run.err);
     }
+    // The speed is that of every restitution: of the load cells, of the sensor and of the film.
+    let folder = Folder::new();
+    let example = |name: &str| std::fs::read_to_string(workspace().join("cli/examples/record").join(name)).expect("an example");
+    folder.write("barrier.csv", example("barrier.csv").as_bytes());
+    folder.write("barrier.toml", example("barrier.toml").replace("\"10 m/s ± 0.03 m/s\"", "\"1e-300 m/s\"").as_bytes());
+    let tiny = run(folder.path(), &["record", "barrier.toml"]);
+    assert!(tiny.status == 2 && tiny.out.is_empty(), "{}", tiny.err);
+    for said in ["overflows: the speed is next to zero", "help: give the closing speed of the test"] {
+        assert_eq!(tiny.err.matches(said).count(), 3, "{}", tiny.err);
+    }
     let (_, slow) = record_of("time [ms],normal_force [kN]\n-4,0\n-2,0\n0,0\n2,5\n4,0\n", Some("filter = 60\n"));
     assert!(slow.status == 2 && slow.err.contains("filter: the samples are 0.0020 s apart"), "{}", slow.err);
     let (_, uneven) = record_of("time [ms],normal_force [kN]\n-4,0\n-2,0\n0,0\n1,5\n4,0\n", None);
