@@ -216,15 +216,8 @@ mod tests {
     #[test]
     fn a_vehicle_drives_along_its_heading_up_to_a_share() {
         let drives = |x, y| {
-            let motion = Motion { velocity: Xy { x, y }, yaw_rate: 0.0 };
-            let vehicle = Vehicle {
-                mass: 2.0,
-                yaw_inertia: 3.0,
-                heading: Heading { cos: 0.0, sin: 1.0 },
-                impact_center: ForwardLeft { forward: 1.0, left: 0.0 },
-                motion,
-            };
-            vehicle.drives_along_heading(0.6)
+            let vehicle = Vehicle::new(2.0, 3.0).with_heading(Heading { cos: 0.0, sin: 1.0 });
+            vehicle.with_velocity(Xy { x, y }).drives_along_heading(0.6)
         };
         // Of speed 5, forward and to either side.
         assert!(drives(0.0, 5.0) && drives(3.0, 4.0) && drives(-3.0, 4.0) && drives(-3.0, -4.0) && drives(0.0, 0.0));

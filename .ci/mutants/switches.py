@@ -174,8 +174,7 @@ class Source:
     def without_field(self, node: Node, inner: list[Site], site: Site) -> str:
         body = node.child_by_field_name("body")
         assert body is not None
-        whole = self.part(node, [each for each in inner if each is not site])
-        text = whole
+        text = self.part(node, inner)
         for number, name in site.changes:
             fields = [child for child in body.named_children if self.field_name(child) != name]
             less = f"{self.plain(node.child_by_field_name('name'))} {{ {', '.join(self.plain(child) for child in fields)} }}"

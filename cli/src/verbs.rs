@@ -71,9 +71,8 @@ pub fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Fai
     read_unless_written(path, units, None)
 }
 
-/// Reads a case file, and returns it as [`read`] does, unless the call would write over it or over a file that it names.
+/// Reads a case file, and returns it as [`read`] does, unless the call would write over a file that it names.
 pub fn read_unless_written(path: &Path, units: Option<UnitSystem>, written: Option<&Path>) -> Result<(Case, Units), Failure> {
-    files::is_no_input(written, [path])?;
     let case = Case::parse_with(files::source(path)?, files::beside(path, written))?;
     let units = units.map_or(case.units, Units::from);
     Ok((case, units))
@@ -214,6 +213,7 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
 }
 
 fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
+    files::is_no_input(call.output.as_deref(), [&call.case])?;
     let (case, units) = read_unless_written(&call.case, call.units, call.output.as_deref())?;
     let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
     let output = match call.format {
