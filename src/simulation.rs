@@ -116,11 +116,11 @@ pub struct RefusedSamples {
 /// Accepted samples with consecutive numbers, but for those refused.
 #[derive(Clone, Copy, Debug)]
 pub struct Samples<'a, K = Output> {
-    of: &'a [K],
-    columns: &'a [Vec<f64>],
-    first: u64,
+    pub(crate) of: &'a [K],
+    pub(crate) columns: &'a [Vec<f64>],
+    pub(crate) first: u64,
     /// The place of each among those drawn, unless all are accepted.
-    places: Option<&'a [u64]>,
+    pub(crate) places: Option<&'a [u64]>,
 }
 
 impl<'a, K: Copy + PartialEq + fmt::Debug> Samples<'a, K> {
@@ -451,4 +451,63 @@ fn in_order<K, R: Reduce<K>>(
         answer.merge(stretch(i));
     }
     answer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Mutex;
+
+    /// Records the ranges that are solved at once.
+    struct Recording {
+        together: u64,
+        seen: Mutex<Vec<Range<u64>>>,
+    }
+
+    impl Source for Recording {
+        type Output = ();
+
+        fn together(&self) -> u64 {
+            self.together
+        }
+
+        fn solve(&self, samples: Range<u64>, of: &[()]) -> SolvedSamples {
+            self.seen.lock().expect("no panic").push(samples.clone());
+            let rows = (samples.end - samples.start) as usize;
+            SolvedSamples { columns: of.iter().map(|()| vec![1.0; rows]).collect(), refused: Vec::new() }
+        }
+    }
+
+    #[derive(Clone)]
+    struct Sum(f64);
+
+    impl Reduce<()> for Sum {
+        fn outputs(&self) -> Vec<()> {
+            vec![()]
+        }
+
+        fn take(&mut self, samples: &Samples<'_, ()>) {
+            self.0 += samples.column(()).iter().sum::<f64>();
+        }
+
+        fn merge(&mut self, later: Self) {
+            self.0 += later.0;
+        }
+    }
+
+    #[test]
+    fn samples_that_belong_together_are_solved_at_once_and_few_of_them() {
+        for together in [1, 7, 1000, CHUNK + 1] {
+            let source = Recording { together, seen: Mutex::default() };
+            let samples = together * (3 * CHUNK / together + 2);
+            let reduced = reduce(&source, samples, Sum(0.0), &|_| true);
+            assert_eq!((reduced.samples, reduced.summary.0), (samples, samples as f64));
+            let mut seen = source.seen.into_inner().expect("no panic");
+            seen.sort_by_key(|range| range.start);
+            assert!(seen.windows(2).all(|pair| pair[0].end == pair[1].start) && seen.len() > 1);
+            for range in seen {
+                assert!(range.start % together == 0 && range.end - range.start <= CHUNK.max(together), "{together}: {range:?}");
+            }
+        }
+    }
 }

@@ -224,6 +224,34 @@ mod tests {
     }
 
     #[test]
+    fn residuals_far_beyond_the_median_have_no_weight() {
+        // (1 − (r/6s)²)² with the median s, in the middle or between the two middle ones.
+        for (residuals, median) in [(&[1.0, -2.0, 3.0, -4.0, 30.0][..], 3.0), (&[1.0, -2.0, 4.0, -40.0], 3.0), (&[1.0, 5.0, 2.0], 2.0)] {
+            let trust = bisquare(residuals).expect("residuals");
+            for (found, residual) in trust.iter().zip(residuals) {
+                let share: f64 = residual / (6.0 * median);
+                let wanted = if share.abs() < 1.0 { (1.0 - share * share).powi(2) } else { 0.0 };
+                assert_abs_diff_eq!(*found, wanted, epsilon = 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn samples_at_one_time_have_no_line() {
+        for at in 1..40 {
+            let time = 5.0 + 0.04 * f64::from(at);
+            let smoothed = Smoothed {
+                times: alloc::vec![5.0, 5.0, 9.0],
+                values: alloc::vec![1.0, 2.0, 3.0],
+                neighbors: 3,
+                trust: alloc::vec![1.0; 3],
+                noise: 1.0,
+            };
+            assert!(smoothed.at(time).is_err(), "{time}");
+        }
+    }
+
+    #[test]
     fn one_line_through_all_is_the_textbook() {
         // With a very distant neighbor the weights are all but equal, so the line, its slope and their deviations are those of simple regression.
         // By hand: t = −1, 0, 1, y = 0, 3, 3: slope 3/2, mean 2, residuals −½, 1, −½, σ² = 3/2 over one degree of freedom.

@@ -150,6 +150,9 @@ mod tests {
         assert_eq!(speeds(&[0.0, 3.0, 9.0, 16.0, 22.0, 26.0, 28.0, 28.0, 28.0, 27.0, 27.0, 27.0]).flat_top(), None);
         let top = speeds(&[0.0, -3.0, -9.0, -16.0, -22.0, -22.0, -22.0]).flat_top().expect("a flat top");
         assert_eq!((top.value, top.from, top.samples), (-22.0, 0.04, 3));
+        // It slows down first, by less than the steps before, and holds for longer than it takes to fall again.
+        assert_eq!(speeds(&[0.0, 10.0, 20.0, 30.0, 31.0, 36.0, 36.0, 36.0]).flat_top(), None);
+        assert_eq!(speeds(&[0.0, 50.0, 100.0, 100.0, 100.0, 99.0, 98.0, 97.0, 60.0, 20.0, 0.0]).flat_top(), None);
         // Slow in coarse steps, or too few samples to tell.
         assert_eq!(speeds(&[0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 4.0]).flat_top(), None);
         assert_eq!(speeds(&[0.0, 20.0, 20.0, 20.0]).flat_top(), None);

@@ -175,6 +175,15 @@ mod tests {
     }
 
     #[test]
+    fn a_finding_has_the_middle_of_what_the_others_share() {
+        // 9.9 to 10.5: its middle is 10.2, and 12 is within half a unit.
+        let of_one = &outcomes(&[(10.0, 0.5), (12.0, 0.5), (10.4, 0.5)])[1];
+        let finding = of_one.of(Rule::Group).next().expect("a finding");
+        assert!((finding.size - 1.8).abs() < 1e-12 && (finding.bound - 0.8).abs() < 1e-12, "{finding:?}");
+        assert!(finding.what.contains("2 of the 3 records of the group agree on 10.2 J"), "{}", finding.what);
+    }
+
+    #[test]
     fn intervals_that_touch_agree() {
         assert_eq!(found(&[(10.0, 0.5), (11.0, 0.5)]), []);
         assert_eq!(found(&[(10.0, 0.5), (10.5, 0.5), (11.0, 0.5)]), []);

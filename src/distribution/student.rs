@@ -145,6 +145,16 @@ fn gamma_ratio(a: f64) -> f64 {
 mod tests {
     use super::*;
 
+    #[test]
+    fn far_out_the_tail_is_a_power() {
+        // P/(t f) = 1/ν (1 + (ν + 1)/(ν + 2) ν/t² + …), from P′ = −f.
+        for (t, freedom) in [(4e8, 4e9), (1e9, 1e8), (1e7, 1e3)] {
+            let share = freedom / (t * t);
+            let found = outer(t, freedom) * freedom - 1.0;
+            assert!((found - share * (freedom + 1.0) / (freedom + 2.0)).abs() < 4e-15, "{t} {freedom}: {found} {share}");
+        }
+    }
+
     /// Probabilities from the middle to a far tail.
     const TAILS: [f64; 6] = [0.4, 0.25, 0.07, 0.025, 1e-3, 1e-12];
 

@@ -197,6 +197,7 @@ impl Expression {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::formula::Glossary;
     use crate::scalar::symbol::Symbol;
     use crate::scalar::{Field, Ordered, Real};
@@ -230,6 +231,24 @@ mod tests {
     fn common_factors_stand_before_the_bracket() {
         assert_eq!(simplified(|x, y, z| x.clone() * y / z.clone() - x / z), "(y − 1) x/z");
         assert_eq!(simplified(|x, y, z| -(x.clone() * y.clone()).half() - (x * z).half()), "−½ x (y + z)");
+    }
+
+    #[test]
+    fn products_of_sums_are_multiplied_out_unless_they_divide() {
+        let [x, y, z] = ["x", "y", "z"].map(Expression::variable);
+        let terms = |of: &Expression| of.expanded().map(|terms| terms.len());
+        let sum = x.plus(&y);
+        assert_eq!(terms(&sum.multiplied(&z)), Some(2));
+        assert_eq!(terms(&sum.multiplied(&z.plus(&y.negative()))), Some(4));
+        assert_eq!(terms(&sum.power(-1).multiplied(&z)), Some(1));
+    }
+
+    #[test]
+    fn opposite_directions_differ() {
+        let [x, y] = ["x", "y"].map(Expression::variable);
+        let angle = |y: &Expression, x: &Expression| Expression::angle(y.clone(), x.clone());
+        assert!(angle(&y, &x).equals(&angle(&y, &x)));
+        assert!(!angle(&y, &x).equals(&angle(&y, &x.negative())) && !angle(&y, &x).equals(&angle(&y.negative(), &x)));
     }
 
     #[test]

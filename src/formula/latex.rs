@@ -136,6 +136,7 @@ pub(super) fn definition(label: &str, value: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formula::expression::Name;
 
     #[test]
     fn names_have_their_greek_letters_and_indices() {
@@ -154,6 +155,19 @@ mod tests {
             "e",
         ];
         assert_eq!(names.map(symbol), symbols);
+    }
+
+    #[test]
+    fn what_is_written_of_several_parts_is_no_symbol() {
+        let bond = |symbol: &str, by: &[&str], primes| {
+            let name = by.iter().fold(Name::of(symbol), |name, by| name.derivative(&(*by).into()));
+            Latex.quantity(&Label { name, primes }).bond
+        };
+        assert_eq!(bond("K_nn", &[], 0), Bond::Symbol);
+        for (symbol, by, primes) in [("det_K", &[][..], 0), ("K_nn", &["e"], 0), ("K_nn", &[], 1)] {
+            assert_eq!(bond(symbol, by, primes), Bond::Factor, "{symbol} {by:?} {primes}");
+        }
+        assert_eq!(Latex.minus(), "-");
     }
 
     #[test]

@@ -210,6 +210,7 @@ pub(super) fn spaced(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formula::expression::Name;
 
     #[test]
     fn names_have_their_greek_letters_and_indices() {
@@ -225,5 +226,14 @@ mod tests {
         let factors = definition("x", "aaaaaaaaaa\u{a0}bbbbbbbbbb\u{a0}cccccccccc", 20);
         assert_eq!(factors, "x = aaaaaaaaaa\n    bbbbbbbbbb\n    cccccccccc");
         assert_eq!(definition("x", "aaaaaaaaaaaaaaaaaaaaaaaa", 10), "x = aaaaaaaaaaaaaaaaaaaaaaaa");
+        // In the fewest brackets, if that is not far to the left.
+        let nested = definition("x", "aaaaaaaa\u{a0}+\u{202f}bbbb (cccc (dddd dddd))", 32);
+        assert_eq!(nested, "x = aaaaaaaa + bbbb\n    (cccc (dddd dddd))");
+    }
+
+    #[test]
+    fn a_determinant_divides_without_brackets() {
+        let bond = |symbol: &str| Text.quantity(&Label { name: Name::of(symbol), primes: 0 }).bond;
+        assert_eq!((bond("det_K"), bond("K_nn")), (Bond::Divisor, Bond::Symbol));
     }
 }

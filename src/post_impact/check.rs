@@ -94,3 +94,20 @@ fn check_region(issues: &mut IssueCollector<SlideIssue>, index: usize, region: &
         issues.push(SlideIssue::NoArea { region: index });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::post_impact::{Wheel, Wheels};
+
+    #[test]
+    fn a_track_is_at_most_three_wheelbases() {
+        // 3 (1.2 + 1.4) = 7.8.
+        for (track, is_refused) in [(1.5, false), (7.7, false), (7.9, true)] {
+            let vehicle = SlidingVehicle { front_axle: 1.2, rear_axle: 1.4, track, ..SlidingVehicle::sedan(Wheels::all(Wheel::LOCKED)) };
+            let mut issues = IssueCollector::<SlideIssue>::new();
+            check_proportions(&mut issues, &vehicle);
+            assert_eq!(issues.finish().is_err(), is_refused, "{track}");
+        }
+    }
+}

@@ -88,3 +88,64 @@ impl Move<Vec<f64>> for Proposal {
         (proposed, correction)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+
+    const PRECISION: [f64; 4] = [2.0, 0.6, 0.6, 1.0];
+
+    fn around(center: [f64; 2]) -> Proposal {
+        Proposal::around(std::iter::once((center.to_vec(), DMatrix::from_row_slice(2, 2, &PRECISION)))).expect("a covariance")
+    }
+
+    /// The logarithm of a density of Student's t in two dimensions, up to a constant.
+    fn log_density(away: [f64; 2]) -> f64 {
+        let [x, y] = away;
+        -3.5 * libm::log1p((2.0 * x * x + 1.2 * x * y + y * y) / 5.0)
+    }
+
+    #[test]
+    fn draws_have_the_covariance_of_students_t() {
+        let (proposal, mut random) = (around([3.0, -1.0]), ChaCha8Rng::seed_from_u64(5));
+        let draws: Vec<_> = (0..100_000).map(|_| proposal.draw(&mut random)).collect();
+        let mean = |of: &dyn Fn(&[f64]) -> f64| draws.iter().map(|draw| of(draw)).sum::<f64>() / draws.len() as f64;
+        assert!((mean(&|at| at[0]) - 3.0).abs() < 0.02 && (mean(&|at| at[1]) + 1.0).abs() < 0.02);
+        // ν/(ν − 2) times the inverse of the precision, whose determinant is 1.64.
+        let covariance = [[1.0, -0.6], [-0.6, 2.0]].map(|row| row.map(|entry| entry / 1.64 * 5.0 / 3.0));
+        for i in 0..2 {
+            for k in 0..2 {
+                let found = mean(&|at| (at[i] - [3.0, -1.0][i]) * (at[k] - [3.0, -1.0][k]));
+                assert!((found - covariance[i][k]).abs() < 0.05, "{i} {k}: {found} {}", covariance[i][k]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_move_is_corrected_by_the_densities() {
+        let (proposal, mut random) = (around([3.0, -1.0]), ChaCha8Rng::seed_from_u64(6));
+        let here = vec![4.0, 0.5];
+        for _ in 0..20 {
+            let (there, correction) = proposal.propose(&here, |_: &mut ChaCha8Rng| &here, &mut random);
+            let wanted = log_density([1.0, 1.5]) - log_density([there[0] - 3.0, there[1] + 1.0]);
+            assert!((correction - wanted).abs() < 1e-12, "{there:?}: {correction} {wanted}");
+        }
+    }
+
+    #[test]
+    fn earlier_draws_have_a_share_of_their_own() {
+        // Draws with the mean (1, 2) and the covariance of the identity.
+        let draws: Vec<Vec<f64>> = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| vec![1.0 + x, 2.0 + y]).to_vec();
+        let with = around([3.0, -1.0]).with_draws(&draws);
+        let density = |at: [f64; 2]| {
+            let [x, y] = [at[0] - 1.0, at[1] - 2.0];
+            // Of equal weight; the first one has the root of the determinant of its precision as a factor.
+            1.64_f64.sqrt() * log_density([at[0] - 3.0, at[1] + 1.0]).exp() + (-3.5 * ((x * x + y * y) / 5.0).ln_1p()).exp()
+        };
+        let [one, other] = [[1.2, 1.7], [2.8, -0.5]];
+        let (found, wanted) = (with.log_density(&one) - with.log_density(&other), (density(one) / density(other)).ln());
+        assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
+    }
+}

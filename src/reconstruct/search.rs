@@ -357,3 +357,29 @@ fn without_bounds(question: &ReconstructionProblem, best: &Solution, search: &Se
     let solution = answer.solutions.into_iter().next()?;
     (solution.is_explained() && answer.verdict != Verdict::Undetermined).then_some(solution)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Collision;
+    use crate::reconstruct::variable::Axis;
+    use crate::vehicle::Vehicle;
+
+    #[test]
+    fn starts_without_a_bound_lie_within_the_spread_on_either_side() {
+        let collision = Collision::new(Vehicle::new(1500.0, 2500.0).with_speed(15.0), Vehicle::new(1000.0, 2000.0));
+        let question = ReconstructionProblem::of(collision).unknown(Variable::Speed(Side::One), 15.0);
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let [low, high] = [f64::NEG_INFINITY, f64::INFINITY];
+        // The spread of speeds is 20 m/s.
+        for (min, max, from, to) in [(low, high, -5.0, 35.0), (low, 20.0, -5.0, 20.0), (14.0, high, 14.0, 35.0), (14.0, 15.5, 14.0, 15.5)] {
+            let span = ParameterBounds { min, max, scale: 1.0 };
+            let drawn: Vec<f64> = (0..1000).map(|_| draw(&question, 0, &span, &mut random)).collect();
+            let [least, greatest] = [f64::min, f64::max].map(|of| drawn.iter().copied().reduce(of).expect("draws"));
+            let margin = 0.02 * (to - from);
+            assert!((from..from + margin).contains(&least) && (to - margin..=to).contains(&greatest), "{min} {max}: {least} {greatest}");
+        }
+        // The reduced mass is 600 kg.
+        assert!((Variable::Impulse(Axis::X).spread(&collision, 0.0) - 12_000.0).abs() < 1e-9);
+    }
+}

@@ -167,6 +167,16 @@ mod tests {
     }
 
     #[test]
+    fn normal_numbers_of_the_farthest_tails_are_quantiles() {
+        let lower = [5e-324, 1e-300, 1e-20, 9.9e-11, 1.01e-10, 1e-6, 0.02, 0.3];
+        let probabilities: Vec<f64> = lower.iter().copied().chain(lower[3..].iter().map(|p| 1.0 - p)).collect();
+        let mut normals = vec![0.0; probabilities.len()];
+        write_normals(&probabilities, 2.0, 3.0, &mut normals);
+        let normal = Distribution::Normal { mean: 2.0, sd: 3.0 };
+        assert_eq!(normals, probabilities.iter().map(|p| normal.quantile(*p)).collect::<Vec<_>>());
+    }
+
+    #[test]
     fn normal_numbers_are_quantiles() {
         let columns = filled(&draws(), 0..10_000);
         let mut random = ChaCha8Rng::seed_from_u64(0);

@@ -339,3 +339,14 @@ fn error_of_mean(figures: impl Iterator<Item = f64> + Clone) -> f64 {
     let mean = figures.clone().sum::<f64>() / n;
     libm::sqrt(figures.map(|x| (x - mean) * (x - mean)).sum::<f64>() / (n * (n - 1.0)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::error_of_mean;
+
+    #[test]
+    fn the_error_of_a_mean_is_that_of_the_textbook() {
+        // Deviations −4/3, −1/3 and 5/3 from the mean: 42/9 over 3 · 2.
+        assert!((error_of_mean([1.0, 2.0, 4.0].into_iter()) - (7.0_f64 / 9.0).sqrt()).abs() < 1e-15);
+    }
+}

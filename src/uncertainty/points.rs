@@ -120,3 +120,20 @@ impl<M: Model> Uncertain<M> {
         if self.correlation.is_correlated(number) { probabilities.iter().map(|p| score(*p)).collect() } else { Vec::new() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::finer;
+
+    #[test]
+    fn a_point_keeps_its_bits_and_random_ones_follow() {
+        let last = 1.0 / (1 << 24) as f64;
+        for point in [0.0, 0.25, 1.0 - last] {
+            for random in [1e-300, 0.3, 1.0 - 1e-16] {
+                let behind = (finer(point as f32, random) - point) / last;
+                // Up to 2⁻²⁸ and the rounding of the whole.
+                assert!(behind > 0.0 && behind < 1.0 && (behind - random).abs() < 3e-8, "{point} {random}: {behind}");
+            }
+        }
+    }
+}

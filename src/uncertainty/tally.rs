@@ -170,3 +170,33 @@ impl Vectors for Powers<'_> {
 pub(super) fn nearest_turn(angle: f64, other: f64) -> f64 {
     angle - TAU * libm::round((angle - other) / TAU)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn moments(samples: &[f64], is_angle: bool, center: f64, scale: f64) -> Moments {
+        let mut tally = Tally::of((), is_angle, center, scale);
+        tally.take(&Samples { of: &[()], columns: &[samples.to_vec()], first: 0, places: None });
+        tally.moments()
+    }
+
+    #[test]
+    fn moments_do_not_depend_on_the_center_that_was_expected() {
+        // About the mean 3: 1, 1, 0, 0, −2, so that the second moment is 6/5, the third −6/5 and the fourth 18/5.
+        for (center, scale) in [(3.0, 1.0), (1.0, 2.0), (7.5, 0.5)] {
+            let Moments { mean, sd, skewness, kurtosis } = moments(&[4.0, 4.0, 3.0, 3.0, 1.0], false, center, scale);
+            assert!((mean - 3.0).abs() < 1e-12 && (sd - 1.5_f64.sqrt()).abs() < 1e-12, "{center}");
+            assert!((skewness + 1.2 / 1.2_f64.powf(1.5)).abs() < 1e-11 && (kurtosis - 3.6 / 1.44).abs() < 1e-11, "{center}");
+        }
+    }
+
+    #[test]
+    fn an_angle_is_that_of_the_turn_next_to_the_center() {
+        for center in [3.1, -3.1] {
+            let found = moments(&[-center, -center - 0.02, -center + 0.02], true, center, 0.1);
+            assert!((found.mean - (center.signum() * TAU - center)).abs() < 1e-12, "{center} {found:?}");
+            assert!((moments(&[-center], false, center, 0.1).mean + center).abs() < 1e-12);
+        }
+    }
+}

@@ -43,6 +43,16 @@ fn a_linear_output_has_the_variance_of_its_derivatives() {
         assert!((share - part * part / linear.sd.powi(2)).abs() < 1e-14);
     }
     assert!((linear.with_half[0] - (0.25 * a * a + b * b + c * c).sqrt()).abs() < 1e-14 * linear.sd);
+    let others = [of, Output::VelocityX(One), of];
+    let covariances = uncertain.covariances(&others).expect("a solution");
+    let slopes = others.map(|of| uncertain.linear(of).expect("a solution").derivatives);
+    for (row, one) in covariances.iter().zip(&slopes) {
+        for (found, other) in row.iter().zip(&slopes) {
+            let wanted = one[0] * other[0] + one[1] * other[1] / 3.0 + 0.04 * one[2] * other[2];
+            assert!((found - wanted).abs() < 1e-14 * linear.sd, "{covariances:?}");
+        }
+    }
+    assert_eq!((covariances.len(), covariances[1].len()), (3, 3));
     let second = uncertain.second_order(of).expect("a solution");
     assert!((second.mean - linear.mean).abs() < 1e-12 && (second.sd / linear.sd - 1.0).abs() < 1e-9, "{second:?} {linear:?}");
     assert!(second.skewness.abs() < 1e-9);
@@ -134,6 +144,8 @@ fn a_share_is_at_most_what_the_slope_says() {
     for (limit, (share, factor)) in limits.iter().zip(linear.shares.iter().zip([1.0, 12.0 / std::f64::consts::PI.powi(2)])) {
         let found = limit.expect("a limit");
         assert!((found.value - share * factor).abs() < 0.03 * share, "{found:?} {share}");
+        // One slope everywhere.
+        assert!(found.standard_error < 1e-9 * found.value, "{found:?}");
     }
     let curved = oblique().uncertain(&inputs).expect("uncertain");
     let (limits, shares) = (curved.shares_at_most(Output::Loss, 5).expect("independent"), curved.shares(&[Output::Loss], 200_000, 5));
@@ -145,6 +157,22 @@ fn a_share_is_at_most_what_the_slope_says() {
     }
     let tied = uncertain.with_correlations(&[(0, 1, 0.1)]).expect("a correlation");
     assert_eq!(tied.shares_at_most(of, 5), Err(Correlated(0, 1)));
+}
+
+#[test]
+fn a_quadratic_of_one_number_has_its_own_moments() {
+    // Loss ½ m (1 − e²) v² = c v².
+    let c = 0.5 * 1500.0 * (1.0 - 0.01);
+    let shapes: [(Distribution, fn(i32) -> f64); 2] = [
+        (Uniform { min: 14.0, max: 18.0 }, |k| (18.0_f64.powi(k + 1) - 14.0_f64.powi(k + 1)) / (4.0 * f64::from(k + 1))),
+        (LogNormal { median: 15.0, log_sd: 0.1 }, |k| 15.0_f64.powi(k) * (f64::from(k * k) / 200.0).exp()),
+    ];
+    for (shape, power) in shapes {
+        let second = head_on().uncertain(&[(V, shape)]).expect("uncertain").second_order(Output::Loss).expect("a solution");
+        let (mean, variance) = (c * power(2), c * c * (power(4) - power(2) * power(2)));
+        assert!((second.mean / mean - 1.0).abs() < 1e-12, "{second:?} {mean}");
+        assert!((second.sd / variance.sqrt() - 1.0).abs() < 1e-9, "{second:?} {}", variance.sqrt());
+    }
 }
 
 #[test]
@@ -307,6 +335,14 @@ fn what_is_certain_has_no_deviation() {
     assert!(found.quantiles.iter().all(|(_, quantile)| *quantile == Estimated { value: 0.1, standard_error: 0.0 }));
     let linear = uncertain.linear(of).expect("a solution");
     assert!(linear.sd == 0.0 && linear.shares[0].is_nan());
+    // What has always been so may not be the next time, however the points lie.
+    for points in [Points::Random, Points::Sobol] {
+        let always = Threshold { of, is_above: true, or_equal: false, value: 0.05 };
+        let question = MonteCarlo { points, statements: vec![always], ..MonteCarlo::of(16 * 1024) };
+        let [found] = uncertain.monte_carlo(&[], &question).probabilities[..] else { panic!("one statement") };
+        let least = 1.0 / (16.0 * 1024.0);
+        assert!(found.value == 1.0 && (found.standard_error / least - 1.0).abs() < 1e-3, "{points:?} {found:?}");
+    }
     let none = oblique().uncertain(&[]).expect("nothing uncertain");
     assert_eq!(none.monte_carlo(&[DELTA_V], &MonteCarlo::of(10)).output(DELTA_V).sd.value, 0.0);
 }
