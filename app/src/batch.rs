@@ -16,11 +16,12 @@ pub use header::Header;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{
-    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, Size, VehicleInputs, Velocity, parameter_of,
-    vehicle_number,
+    Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, Size, VehicleInputs, Velocity,
+    at_nominal_values, parameter_of, vehicle_number,
 };
 use crate::issue::{Issue, Issues};
 use crate::names;
+use crate::notice::Notice;
 
 /// What is asked of every row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -132,6 +133,12 @@ impl Plan {
     /// Whether every solved row is checked with the laws of mechanics.
     pub fn is_checked(&self) -> bool {
         self.is_checked
+    }
+
+    /// Returns what a reader of the answer must know of the case: which uncertain numbers of it rows use at their nominal values, because no column gives them.
+    pub fn notices(&self, base: Option<&Case>) -> Option<Notice> {
+        let is_given = |parameter: Parameter| self.inputs.iter().any(|column| column.key.replaces(parameter));
+        at_nominal_values(base?.uncertain.inputs.iter().map(|input| input.parameter).filter(|parameter| !is_given(*parameter)))
     }
 
     /// Returns the names of the columns that are added to those of the table: outputs, derivatives, the check, refusals.

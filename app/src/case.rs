@@ -18,7 +18,7 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 pub use crush::Crush;
@@ -297,6 +297,14 @@ impl Case {
         if impact.work.t > 0.0 && impact.work.t > 1e-9 * impact.loss() {
             let message = "the tangential impulse returns energy: W_t is positive";
             warnings.push(Notice::warning("tangential-work-positive", "contact", message));
+        }
+        // What is usual has all its digits.
+        if !warnings.is_empty() {
+            let outcome = check::check(&check::Record::of(&self.collision, impact), &check::Options::default());
+            if let Some(worst) = outcome.findings.iter().find(|finding| finding.severity == check::Severity::Fail) {
+                let message = format!("rounding takes digits that a check of this answer needs: {}", worst.what);
+                warnings.push(Notice::warning("few-digits", "contact", message));
+            }
         }
         warnings
     }

@@ -29,7 +29,7 @@ pub fn source(name: &str, mut bytes: Vec<u8>) -> Result<Source, Issues> {
 
 /// Returns the issue for a file that is too large.
 pub fn too_large(name: &str) -> Issues {
-    unreadable(name, &format!("is larger than {} MiB, which no case file is", Source::LARGEST >> 20))
+    unreadable(name, &format!("is larger than {} MiB, the most that is read of a file", Source::LARGEST >> 20))
 }
 
 /// Returns an issue with a file as a whole.
@@ -49,7 +49,7 @@ mod tests {
         let refused = |bytes: &[u8]| source("a.toml", bytes.to_vec()).unwrap_err().to_string();
         assert_eq!(refused(b"\xff\xfea\0"), "`a.toml` is UTF-16; save it as UTF-8");
         assert_eq!(refused(b"\xef\xbb\xbfab\xff"), "`a.toml` is not UTF-8 text: the byte at offset 5 is not valid");
-        assert_eq!(refused(&vec![b'a'; Source::LARGEST as usize + 1]), "`a.toml` is larger than 4 MiB, which no case file is");
+        assert_eq!(refused(&vec![b'a'; Source::LARGEST as usize + 1]), "`a.toml` is larger than 4 MiB, the most that is read of a file");
         for empty in [&b""[..], b" \r\n\t", b"\xef\xbb\xbf\n"] {
             assert_eq!(refused(empty), "`a.toml` is empty");
         }

@@ -43,9 +43,11 @@ fn without_rounding(message: &Message) -> Message {
     })
 }
 
-/// Returns a hint for a missing mass: a barrier may be meant.
-pub fn barrier_instead(key: &str) -> Option<String> {
-    ["mass", "weight"].iter().any(|mass| key.ends_with(mass)).then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
+/// Returns a hint for a missing mass of a vehicle: a barrier may be meant.
+pub fn barrier_instead(path: &str) -> Option<String> {
+    let (vehicle, key) = path.rsplit_once('.')?;
+    let is_mass_of_vehicle = matches!(vehicle, "vehicle.1" | "vehicle.2") && ["mass", "weight"].contains(&key);
+    is_mass_of_vehicle.then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
 }
 
 /// Returns a hint for a coefficient above 1: a percentage may be meant.

@@ -7,7 +7,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use planar_impact_app::batch::{self, Header, InputColumn, Options, Refused, Table};
 use planar_impact_app::quantity::Kind;
-use planar_impact_app::{Case, Issue, Issues};
+use planar_impact_app::{Case, Issue, Issues, Notice};
 
 use crate::{answer, cells};
 
@@ -67,6 +67,11 @@ impl Plan {
     pub fn with_numbers(self) -> Plan {
         let typed = Plan { is_typed: true, ..self };
         Plan { output: typed.negotiate(), ..typed }
+    }
+
+    /// Returns what a reader of the answer must know of the case, as [`batch::Plan::notices`].
+    pub fn notices(&self, base: Option<&Case>) -> Option<Notice> {
+        self.plan.notices(base)
     }
 
     /// Returns the schema of every answer: the columns of the table; a column for each output, each derivative, and the check if there is one; `refusal`.

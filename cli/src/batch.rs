@@ -40,6 +40,9 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let schema = sources[0].schema().clone();
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;
+    if let Some(notice) = plan.notices(base.as_ref()) {
+        eprintln!("note: {}", Units::Si.sentence(&notice.message));
+    }
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
     let (columns, passing, headers) = (plan.schema(), schema.fields().len(), headers(&schema, &plan));
     let (mut sink, encoder) = Sink::create(&call.output, format, &columns, passing, &headers).map_err(Failure::Output)?;
@@ -116,7 +119,7 @@ fn open(call: &Batch, rows: usize) -> Result<Vec<Source>, Issues> {
     let mut stdin_is_taken = false;
     for path in &call.files {
         if path.as_os_str() == "-" && std::mem::replace(&mut stdin_is_taken, true) {
-            issues.push(Issue::of_file("unreadable-file", "standard input can be read only once; `-` stands twice"));
+            issues.push(files::read_twice());
             continue;
         }
         match Source::open(path, rows) {
@@ -126,12 +129,31 @@ fn open(call: &Batch, rows: usize) -> Result<Vec<Source>, Issues> {
     }
     if let Some((first, others)) = sources.split_first() {
         for other in others.iter().filter(|other| other.schema().fields() != first.schema().fields()) {
-            let message =
-                format!("`{}` has other columns than `{}`; tables of one call have the same, in the same order", other.name, first.name);
-            issues.push(Issue::of_file("other-columns", message));
+            issues.push(Issue::of_file("other-columns", other_columns(first, other)));
+        }
+        for empty in sources.iter().filter(|source| source.schema().fields().is_empty()) {
+            let help = "name the columns as in a case file, such as vehicle.1.speed or contact.restitution";
+            issues.push(Issue::of_file("no-input-column", format!("`{}` has no columns", empty.name)).with_help(help));
         }
     }
     if issues.is_empty() { Ok(sources) } else { Err(Issues::without_source(Cause::Input, issues)) }
+}
+
+/// Says how the columns of two tables differ.
+fn other_columns(first: &Source, other: &Source) -> String {
+    let fields = || first.schema().fields().iter().zip(other.schema().fields());
+    let (has_same_names, has_same_count) =
+        (fields().all(|(one, other)| one.name() == other.name()), first.schema().fields().len() == other.schema().fields().len());
+    match fields().find(|(one, other)| one.data_type() != other.data_type()) {
+        Some((one, of_other)) if has_same_names && has_same_count => {
+            let (name, here, there) = (one.name(), of_other.data_type(), one.data_type());
+            format!(
+                "the column {name} is {here} in `{}` and {there} in `{}`; tables of one call have columns of the same types",
+                other.name, first.name
+            )
+        }
+        _ => format!("`{}` has other columns than `{}`; tables of one call have the same, in the same order", other.name, first.name),
+    }
 }
 
 /// Returns the headers of the answer as text: a unit of the table's metadata stands in brackets.

@@ -12,7 +12,7 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 use planar_impact_app::check::{Entries, Entry, Options, Severity, Summary, rules};
 use planar_impact_app::json::Layout;
-use planar_impact_app::{Cause, Issue, Issues};
+use planar_impact_app::{Cause, Issues};
 use planar_impact_report::document::CheckDigest;
 use planar_impact_report::page;
 
@@ -91,7 +91,7 @@ fn open(paths: &[PathBuf], options: Options, bytes: &Arc<AtomicU64>) -> Result<(
     let (mut size, mut stdin_is_taken) = (Some(0), false);
     for path in paths {
         if path.as_os_str() == "-" && std::mem::replace(&mut stdin_is_taken, true) {
-            issues.push(Issue::of_file("unreadable-file", "standard input can be read only once; `-` stands twice"));
+            issues.push(files::read_twice());
             continue;
         }
         match files::records(path, options, bytes) {

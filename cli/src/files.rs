@@ -25,7 +25,7 @@ pub fn source(path: &Path) -> Result<Source, Issues> {
     let file = File::open(path).map_err(|error| unreadable(&error))?;
     let metadata = file.metadata().map_err(|error| unreadable(&error))?;
     if metadata.is_dir() {
-        return Err(decode::unreadable(&name, "is a directory, not a case file"));
+        return Err(decode::unreadable(&name, "is a directory, not a file"));
     }
     if metadata.len() > Source::LARGEST {
         return Err(decode::too_large(&name));
@@ -62,6 +62,21 @@ pub fn is_no_input(output: Option<&Path>, inputs: impl IntoIterator<Item = impl 
         }
     }
     if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
+}
+
+/// Checks that standard input is named no more than once.
+///
+/// # Errors
+///
+/// If `-` stands twice.
+pub fn is_read_once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Issues> {
+    let times = paths.into_iter().filter(|path| path.as_os_str() == "-").count();
+    if times > 1 { Err(Issues::without_source(Cause::Input, vec![read_twice()])) } else { Ok(()) }
+}
+
+/// Returns the issue of standard input that is named again.
+pub fn read_twice() -> Issue {
+    Issue::of_file("unreadable-file", "standard input can be read only once; `-` stands twice")
 }
 
 /// Reads up to the maximum size, because the length of a pipe or a device is not known in advance.
@@ -141,13 +156,13 @@ mod tests {
     fn files_that_cannot_be_read() {
         let read = |path: &str| source(Path::new(path)).unwrap_err().to_string();
         assert_eq!(read("/no/such"), "`/no/such` cannot be read: there is no such file");
-        assert_eq!(read("/"), "`/` is a directory, not a case file");
+        assert_eq!(read("/"), "`/` is a directory, not a file");
     }
 
     #[test]
     fn endless_input_is_refused_after_the_largest_size() {
         let refused = from_reader("<stdin>", io::repeat(b'a')).unwrap_err().to_string();
-        assert_eq!(refused, "`<stdin>` is larger than 4 MiB, which no case file is");
+        assert_eq!(refused, "`<stdin>` is larger than 4 MiB, the most that is read of a file");
     }
 
     #[test]
@@ -156,6 +171,6 @@ mod tests {
         File::create(&path).and_then(|file| file.set_len(1 << 30)).unwrap(); // sparse
         let refused = source(&path).unwrap_err().to_string();
         std::fs::remove_file(&path).unwrap();
-        assert!(refused.ends_with("is larger than 4 MiB, which no case file is"), "{refused}");
+        assert!(refused.ends_with("is larger than 4 MiB, the most that is read of a file"), "{refused}");
     }
 }

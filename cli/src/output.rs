@@ -3,7 +3,7 @@
 #[cfg(unix)]
 use std::fs::Permissions;
 use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use planar_impact_app::json::{self, Layout};
@@ -145,6 +145,22 @@ pub fn write(text: &[u8]) -> io::Result<()> {
     match output.write_all(text).and_then(|()| output.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         other => other,
+    }
+}
+
+/// Writes a whole file to standard output.
+///
+/// # Errors
+///
+/// Fails if the file cannot be read, or standard output cannot be written.
+pub fn copy(mut file: File) -> io::Result<()> {
+    file.rewind()?;
+    let mut part = vec![0; 1 << 18];
+    loop {
+        match file.read(&mut part)? {
+            0 => return Ok(()),
+            read => write(&part[..read])?,
+        }
     }
 }
 

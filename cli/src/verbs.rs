@@ -127,6 +127,7 @@ fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
 }
 
 fn line_up(call: &arguments::Compare) -> Result<CommandOutput, Failure> {
+    files::is_read_once(&call.cases)?;
     let mut variants = Vec::with_capacity(call.cases.len());
     for path in &call.cases {
         variants.push(compare::Variant { name: path.display().to_string(), case: read(path, None)?.0 });
@@ -224,6 +225,7 @@ fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
 }
 
 fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
+    files::is_read_once(&call.files)?;
     let read = |path: &PathBuf| record::Recording::parse(files::source(path)?, &files::beside(path, None));
     let recordings = Issues::all(call.files.iter().map(read))?;
     let units = call.units.map(Units::from).or(recordings.first().map(|first| first.units)).unwrap_or(Units::Si);

@@ -221,7 +221,7 @@ fn rows(case: &Case, solution: Option<&Value>) {
     let (given, headers): (Vec<_>, Vec<Header>) = given
         .into_iter()
         .filter(|(key, _)| Key::named(&key.to_string()).is_some_and(Key::is_numeric) && !matches!(key, Parameter::Skid(..)))
-        .map(|(key, value)| ((key, value), Header { name: key.to_string(), unit: None }))
+        .map(|(key, value)| ((key, value), Header { name: key.to_string(), unit: Some(key.kind().si.to_owned()).filter(|unit| !unit.is_empty()) }))
         .unzip();
     for columns in [&headers[..], &[]] {
         let Ok(plan) = batch::Plan::of(columns, Some(case), &batch::Options { check: true, ..batch::Options::default() }) else { continue };

@@ -77,7 +77,9 @@ impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
             slope = if slope.clone().half().less(&next) { next } else { slope.half() };
         }
         if settled_for <= STEPS_OF_DERIVATIVES || !is_positive(&information) {
-            return Err(TestIssue::NotConverged { steps: STEPS }.into());
+            let most = greatest_force(observations)?;
+            let issue = if most.less(&force) { TestIssue::ForceTooLarge { force, most } } else { TestIssue::NotConverged { steps: STEPS } };
+            return Err(issue.into());
         }
         let stiffness = with(&slope);
         let variance = information.inv();
@@ -96,13 +98,23 @@ impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
 
 /// Returns d₁ of the mean test: the larger solution of C d₁² − E* d₁ + A = 0, or that of the least E* where there is none.
 fn start<T: Real + Ordered<Mask = bool>>(observations: &Observations<T>, force: &T) -> Result<T, TestIssues<T>> {
-    let sum = |of: &dyn Fn(usize) -> T| (0..observations.len()).fold(T::int(0), |sum, i| sum + of(i));
-    let depth = sum(&|i| observations.points[i].crush.mean_depth());
-    let intensity = sum(&|i| observations.points[i].intensity.clone());
-    let count = T::from_usize(observations.len()).ok_or(TestIssue::NotConverged { steps: 0 })?;
-    let square = intensity.clone().squared() - T::int(4) * force.clone() * depth.clone() * count;
+    let [depth, intensity] = means(observations)?;
+    let square = intensity.clone().squared() - T::int(4) * force.clone() * depth.clone();
     let root = if is_positive(&square) { square.square_root() } else { T::int(0) };
     Ok((intensity + root) / (T::int(2) * depth))
+}
+
+/// Returns the greatest A for which C d₁² − E* d₁ + A = 0 of the mean test has a solution.
+fn greatest_force<T: Real + Ordered<Mask = bool>>(observations: &Observations<T>) -> Result<T, TestIssues<T>> {
+    let [depth, intensity] = means(observations)?;
+    Ok(intensity.squared() / (T::int(4) * depth))
+}
+
+/// Returns the mean of the mean depths and that of the crush intensities.
+fn means<T: Real + Ordered<Mask = bool>>(observations: &Observations<T>) -> Result<[T; 2], TestIssues<T>> {
+    let count = T::from_usize(observations.len()).ok_or(TestIssue::NotConverged { steps: 0 })?;
+    let mean = |of: &dyn Fn(usize) -> T| (0..observations.len()).fold(T::int(0), |sum, i| sum + of(i)) / count.clone();
+    Ok([mean(&|i| observations.points[i].crush.mean_depth()), mean(&|i| observations.points[i].intensity.clone())])
 }
 
 #[cfg(test)]
@@ -133,6 +145,19 @@ mod tests {
         assert!(!StiffnessFit { degrees_of_freedom: 0, ..fit(100.0) }.is_poor());
         // Residuals that set the scale themselves say nothing about it.
         assert!(!StiffnessFit { basis: CovarianceBasis::Residuals, ..fit(100.0) }.is_poor());
+    }
+
+    #[test]
+    fn a_force_beyond_the_crush_energies_is_told_with_the_greatest() {
+        // E* = 360 √N at 0.3 m: at most 360²/(4 · 0.3) = 108 kN/m.
+        let tests = Observations::independent(&[flat(0.3)]).expect("tests");
+        let fit = |force| StiffnessFit::<f64>::with_force(&tests, force, CrushModel::MeanDepth);
+        assert!(fit(107e3).is_ok());
+        for force in [109e3, 5e6] {
+            let issues = fit(force).expect_err("too large");
+            let [TestIssue::ForceTooLarge { force: of, most }] = issues.as_slice() else { panic!("{issues}") };
+            assert!(*of == force && (most - 108e3).abs() < 1e-6, "{issues}");
+        }
     }
 
     #[test]

@@ -65,6 +65,13 @@ pub enum TestIssue<T = f64> {
         /// The time of the local line, in s.
         time: T,
     },
+    /// The force per width that is held leaves more crush energy than the tests have: (d₀ + d₁ C)² is at least 4 A C.
+    ForceTooLarge {
+        /// The force per width A, in N/m.
+        force: T,
+        /// The greatest one that the tests allow, in N/m.
+        most: T,
+    },
     /// The fit did not converge.
     NotConverged {
         /// Number of steps taken.
@@ -164,6 +171,7 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
             TestIssue::SampledTooSlowly { .. } => "sampled-too-slowly",
             TestIssue::NotUniform => "not-uniform",
             TestIssue::SpanTooNarrow { .. } => "span-too-narrow",
+            TestIssue::ForceTooLarge { .. } => "force-too-large",
             TestIssue::NotConverged { .. } => "not-converged",
         }
     }
@@ -204,6 +212,11 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
                 .text(alloc::format!("{neighbors} neighbors are too few for a line at "))
                 .figure(Measure::Time, time.clone())
                 .text(" and for its uncertainty"),
+            TestIssue::ForceTooLarge { force, most } => message
+                .text("the force per width A is held at ")
+                .figure(Measure::ForcePerWidth, force.clone())
+                .text("; the depths and crush energies of the tests allow at most ")
+                .figure(Measure::ForcePerWidth, most.clone()),
             TestIssue::NotConverged { steps } => message.text(alloc::format!("the fit did not converge in {steps} steps")),
         }
     }

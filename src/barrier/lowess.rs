@@ -2,7 +2,7 @@
 
 use super::estimate::Estimate;
 use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
-use super::record::{Record, whole};
+use super::record::{Record, slack_of_times, whole};
 use super::weight::dot;
 use crate::issue::{IssueCollector, Place};
 use crate::measure::Measure;
@@ -91,7 +91,8 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
     pub fn at(&self, time: T) -> Result<LocalLine<T>, TestIssues<T>> {
         let mut issues = IssueCollector::<TestIssue<T>>::new();
         if let [first, .., last] = self.times.as_slice() {
-            issues.within(Place::of("time", Measure::Time), &time, first.clone(), Some(last.clone()));
+            let slack = slack_of_times(first, last);
+            issues.within(Place::of("time", Measure::Time), &time, first.clone() - slack.clone(), Some(last.clone() + slack));
         }
         issues.finish()?;
         let shares = self.shares_at(&time)?;

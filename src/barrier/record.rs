@@ -164,8 +164,7 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {
         let mut issues = IssueCollector::<TestIssue<T>>::new();
         let (first, last) = (self.time(0), self.time(self.len() - 1));
-        // Times computed from a start and a step are rounded.
-        let slack = (last.clone() - first.clone()) * crate::scalar::slack();
+        let slack = self.slack_of_time();
         let (least, greatest) = (first - slack.clone(), last + slack);
         let from = issues.within(Place::of("window from", Measure::Time), &window.from, least.clone(), Some(greatest.clone()));
         let to = issues.within(Place::of("window to", Measure::Time), &window.to, least, Some(greatest));
@@ -175,11 +174,18 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         issues.finish()
     }
 
+    /// Returns the samples in a window, those on its edges among them.
     fn indices_in(&self, window: &Window<T>) -> impl Iterator<Item = usize> {
-        (0..self.len()).filter(|&i| {
+        let slack = self.slack_of_time();
+        let (from, to) = (window.from.clone() - slack.clone(), window.to.clone() + slack);
+        (0..self.len()).filter(move |&i| {
             let time = self.time(i);
-            !time.less(&window.from) && !window.to.less(&time)
+            !time.less(&from) && !to.less(&time)
         })
+    }
+
+    fn slack_of_time(&self) -> T {
+        slack_of_times(&self.time(0), &self.time(self.len() - 1))
     }
 
     /// Computes the weight of each sample in the integral over a window.
@@ -269,6 +275,11 @@ impl<T> Record<T> {
     pub fn len(&self) -> usize {
         self.values.len()
     }
+}
+
+/// Returns the difference of times between two others that are the same: those computed from a start and a step are rounded.
+pub(super) fn slack_of_times<T: Ordered<Mask = bool>>(first: &T, last: &T) -> T {
+    (last.clone() - first.clone()) * crate::scalar::slack()
 }
 
 /// Converts a count to a number.

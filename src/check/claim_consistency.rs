@@ -12,6 +12,7 @@ use crate::frame::{Nt, Xy};
 use crate::input::Side;
 use crate::scalar::Field;
 use alloc::format;
+use alloc::string::String;
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     energies(known, judge);
@@ -49,7 +50,14 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(loss), Some(works)) = (loss, works) {
         equal(judge, ("energy loss", loss), ("sum of the works makes it", works), loss.value.abs().max(works.size));
     }
-    if let (Some(before), Some(after), Some(loss)) = (known.number(Key::EnergyBefore), known.number(Key::EnergyAfter), loss.or(works)) {
+    // A wall that moves does work on the other body, which is no part of the loss.
+    let moves = |side| {
+        let subject = known.subject(side);
+        subject.fixed && subject.before.is_some_and(|v| [v.x, v.y].iter().any(|v| v.value != 0.0 || v.radius() > 0.0))
+    };
+    if let (Some(before), Some(after), Some(loss), false) =
+        (known.number(Key::EnergyBefore), known.number(Key::EnergyAfter), loss.or(works), Side::ALL.into_iter().any(moves))
+    {
         equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), loss.value.abs().max(before.value.abs()));
     }
 }
@@ -96,7 +104,8 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
-/// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss.
+/// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss. Where only one
+/// of the two is known, the speeds may be of the other, which is the larger one unless the tangential impulse does work on the bodies: possible, and rare.
 fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let energy = |side| {
         let speed = known.number(Key::EquivalentEnergySpeed(side))?;
@@ -104,30 +113,52 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
     };
     let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
     let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
-    let normal = sharper_known(known.number(Key::NormalWork).map(|work| -work), of_motion, Uncertain::radius);
-    let told = |size: f64, bound: f64, kept: f64, lost: f64, how: &str| {
-        let (kept, lost, size, bound) = (Digits(kept), Digits(lost), Digits(size), Digits(bound));
+    let of_works = || Some(known.number(Key::EnergyLoss)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?);
+    let claimed = known.number(Key::NormalWork).map(|work| -work).or_else(of_works);
+    let normal = sharper_known(claimed, of_motion, Uncertain::radius);
+    let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));
+    let is_claimed = known.record.reported.ees != [None, None];
+    let (kept, is_whole) = match (all(Side::One), all(Side::Two)) {
+        (Some(a), Some(b)) if is_claimed => (a + b, true),
+        _ => match energy(Side::One).or_else(|| energy(Side::Two)) {
+            Some(kept) => (kept, false),
+            None => return,
+        },
+    };
+    let residual = |lost: Uncertain<N>| Residual::new(kept - lost, kept.value.abs().max(lost.value.abs()));
+    let told = |lost: f64, how: &str, size: f64, bound: f64| {
+        let (kept, lost, size, bound) = (Digits(kept.value), Digits(lost), Digits(size), Digits(bound));
         format!("the equivalent energy speeds give {kept} J, {how} {lost} J: {size} off, {bound} may be")
     };
-    let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));
-    match (all(Side::One), all(Side::Two)) {
-        (Some(a), Some(b)) if known.record.reported.ees != [None, None] => {
-            let kept = a + b;
-            let candidates = [normal, loss].into_iter().flatten();
-            let residuals = candidates.map(|lost| (lost, Residual::new(kept - lost, kept.value.max(lost.value.abs()))));
+    let of_one = "for one body alone, and of both no more is lost than";
+    match (normal, loss) {
+        (Some(normal), Some(loss)) if is_whole => {
             let excess = |residual: &Residual<N>| residual.value.value.abs() / judge.bound(Rule::Reported, residual).total;
-            if let Some((lost, residual)) = residuals.min_by(|a, b| excess(&a.1).total_cmp(&excess(&b.1))) {
-                let how = "and neither the work of the normal impulse nor the loss is that, but";
-                judge.zero(Rule::Reported, residual, |size, bound| told(size, bound, kept.value, lost.value, how));
-            }
+            let lost = if excess(&residual(normal)) <= excess(&residual(loss)) { normal } else { loss };
+            let how = "and neither the work of the normal impulse nor the loss is that, but";
+            judge.zero(Rule::Reported, residual(lost), |size, bound| told(lost.value, how, size, bound));
         }
-        _ => {
-            let one_of_them = energy(Side::One).or_else(|| energy(Side::Two));
-            if let (Some(kept), Some(lost)) = (one_of_them, loss) {
-                let residual = Residual::new(kept - lost, kept.value.max(lost.value.abs()));
-                let how = "for one body alone, and the loss of both is";
-                judge.not_above(Rule::Reported, residual, |size, bound| told(size, bound, kept.value, lost.value, how));
-            }
+        (Some(normal), Some(loss)) => {
+            let most = if normal.value > loss.value { normal } else { loss };
+            judge.not_above(Rule::Reported, residual(most), |size, bound| told(most.value, of_one, size, bound));
         }
+        (None, Some(loss)) => {
+            let how = if is_whole { "and the loss is" } else { of_one };
+            warn_above(residual(loss), judge, |size, bound| told(loss.value, how, size, bound));
+        }
+        (Some(normal), None) if is_whole => {
+            let short = Residual::new(normal - kept, residual(normal).scale);
+            warn_above(short, judge, |size, bound| told(normal.value, "and the work of the normal impulse is", size, bound));
+        }
+        _ => (),
+    }
+}
+
+/// Warns of a quantity above zero.
+fn warn_above<const N: usize>(residual: Residual<N>, judge: &mut Judge, what: impl FnOnce(f64, f64) -> String) {
+    judge.checks(Rule::Reported);
+    if judge.sign(Rule::Reported, &residual) == Some(1.0) {
+        let (size, bound) = (residual.value.value, judge.bound(Rule::Reported, &residual).total);
+        judge.warn(Rule::Reported, size, bound, what(size, bound));
     }
 }

@@ -118,8 +118,13 @@ impl Region {
         outcome.checked.insert(Rule::Group);
         let is_told = self.only && 2 * self.votes > self.records;
         let (middle, half) = (0.5 * (self.lower + self.upper), 0.5 * (self.upper - self.lower));
-        let (size, bound) = ((common.value - middle).abs(), common.bound + half);
         let (lower, upper) = (common.value - common.bound, common.value + common.bound);
+        let (size, bound) = if is_told {
+            ((common.value - middle).abs(), common.bound + half)
+        } else {
+            // To the nearer end of the record that is farthest away.
+            ((common.value - self.least_upper).max(self.greatest_lower - common.value), common.bound)
+        };
         let agrees =
             if is_told { lower <= self.upper && self.lower <= upper } else { lower <= self.least_upper && self.greatest_lower <= upper };
         if agrees {
@@ -181,6 +186,18 @@ mod tests {
         let finding = of_one.of(Rule::Group).next().expect("a finding");
         assert!((finding.size - 1.8).abs() < 1e-12 && (finding.bound - 0.8).abs() < 1e-12, "{finding:?}");
         assert!(finding.what.contains("2 of the 3 records of the group agree on 10.2 J"), "{}", finding.what);
+    }
+
+    #[test]
+    fn without_a_majority_the_distance_is_to_the_farthest_record() {
+        let all = outcomes(&[(100.0, 0.5), (120.0, 0.5)]);
+        for (outcome, size) in all.iter().zip([19.5, 19.5]) {
+            let finding = outcome.of(Rule::Group).next().expect("a finding");
+            assert!(
+                (finding.size - size).abs() < 1e-9 && (finding.bound - 0.5).abs() < 1e-9 && finding.what.contains("19.5 off"),
+                "{finding:?}"
+            );
+        }
     }
 
     #[test]

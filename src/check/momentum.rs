@@ -145,7 +145,7 @@ fn line_of_action<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut 
     judge.zero(Rule::LineOfAction, Residual::new(gained, scale).open(slack, leeway), |size, bound| {
         let spin = subject.spin_gained().map_or(0.0, |spin| spin.value);
         format!(
-            "body {} gains a spin of {} N m s, and {cause} {} N m s: {} N m s too many, {} may be",
+            "body {} gains a spin of {} N m s, and {cause} {} N m s: {} N m s off, {} may be",
             number_of(side),
             Digits(spin),
             Digits(spin - gained.value),

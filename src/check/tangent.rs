@@ -218,7 +218,9 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
         });
     }
-    let critical_ratio = Some(Key::CriticalRatio).filter(|_| model.ratio_kind == RatioKind::Critical);
+    // The critical ratio that is reported is that of Brach's law; under another one sliding ends at another ratio.
+    let is_critical = model.law == Law::Brach;
+    let critical_ratio = Some(Key::CriticalRatio).filter(|_| model.ratio_kind == RatioKind::Critical && is_critical);
     for key in [Some(Key::ReportedRatio), critical_ratio].into_iter().flatten() {
         if let (Some(ratio), Some(reported)) = (of_model, known.number(key)) {
             let residual = Residual::new(ratio - reported, ratio.value.abs().max(1.0));
@@ -227,19 +229,31 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             });
         }
     }
-    if let (Some(ratio), Some(critical)) = (given, known.number(Key::CriticalRatio)) {
-        let side = if critical.value < 0.0 { -1.0 } else { 1.0 };
-        let (ratio, critical) = (ratio.scaled(side), critical.scaled(side));
-        let scale = critical.value.max(1.0);
-        let told = |size: f64, bound: f64| {
-            let (ratio, critical) = (Digits(side * ratio.value), Digits(side * critical.value));
-            format!(
-                "the impulse ratio {ratio} does not lie between 0 and the critical one, {critical}: {} off, {} may be",
-                Digits(size),
-                Digits(bound)
-            )
-        };
-        judge.not_above(Rule::BeyondCritical, Residual::new(ratio - critical, scale), told);
-        judge.not_above(Rule::BeyondCritical, Residual::new(-ratio, scale), told);
+    // With a moment the impulse may wedge, and the ratio has no bound.
+    if let (Some(ratio), Some(critical), true) = (given, known.number(Key::CriticalRatio), is_critical && known.moment.is_none()) {
+        beyond_claim(ratio, critical, judge);
     }
+}
+
+/// Checks that a reported ratio is not beyond the reported critical one. A ratio of the other sign is possible, and rare: where the impulse that ends sliding
+/// would be tensile.
+fn beyond_claim<const N: usize>(ratio: Uncertain<N>, critical: Uncertain<N>, judge: &mut Judge) {
+    let rule = Rule::BeyondCritical;
+    let scale = critical.value.abs().max(1.0);
+    let [sign, of_critical] = [ratio, critical].map(|of| judge.sign(rule, &Residual::new(of, scale)));
+    if let (Some(one), Some(other)) = (sign, of_critical)
+        && one != other
+    {
+        let what = format!(
+            "the impulse ratio {} has the other sign than the critical one, {}, which is possible if the impulse that ends sliding would be tensile, and rare",
+            Digits(ratio.value),
+            Digits(critical.value)
+        );
+        return judge.warn(rule, ratio.value.abs(), 0.0, what);
+    }
+    let side = sign.or(of_critical).unwrap_or(1.0);
+    judge.not_above(rule, Residual::new((ratio - critical).scaled(side), scale), |size, bound| {
+        let (ratio, critical) = (Digits(ratio.value), Digits(critical.value));
+        format!("the impulse ratio {ratio} is beyond the critical one, {critical}: {} off, {} may be", Digits(size), Digits(bound))
+    });
 }

@@ -8,7 +8,7 @@ use planar_impact::{Law, Side};
 use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
-use crate::quantity::{Conversion, excerpt, nearest};
+use crate::quantity::{Conversion, Reach, excerpt, nearest};
 
 /// What an input column gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,7 +61,7 @@ pub struct InputColumn {
     pub place: usize,
     /// What it gives.
     pub key: Key,
-    /// The least and the greatest number that a case file accepts.
+    /// The least and the greatest number that a case file accepts, with this unit or without one.
     limits: [f64; 2],
     conversion: Option<Conversion>,
 }
@@ -78,11 +78,27 @@ impl Key {
         }
     }
 
-    fn domain(self) -> Domain {
-        match self {
-            Key::Parameter(parameter) => parameter.domain(),
-            Key::Barrier(_) | Key::Law => Domain::Any,
+    /// Returns the least and the greatest number that a case file accepts, with a unit or without one.
+    fn limits(self, has_unit: bool) -> [f64; 2] {
+        let Key::Parameter(parameter) = self else { return Domain::Any.limits() };
+        let ([least, greatest], kind) = (parameter.domain().limits(), parameter.kind());
+        match if has_unit { kind.domain } else { kind.bare } {
+            Reach::Magnitude(most) => [least.max(-most), greatest.min(most)],
+            Reach::Positive(from, to) => [least.max(from), greatest.min(to)],
         }
+    }
+
+    /// Returns `true` if a cell of such a column gives what the case has as a parameter, be it in another form.
+    pub(super) fn replaces(self, parameter: Parameter) -> bool {
+        use planar_impact::Input::{ImpulseRatio, Moment, VelocityX, VelocityY, YawInertia};
+        let form = |parameter: Parameter| match parameter {
+            Parameter::Speed(side) | Parameter::Input(VelocityX(side) | VelocityY(side)) => Some((0, Some(side))),
+            Parameter::RadiusOfGyration(side) | Parameter::Input(YawInertia(side)) => Some((1, Some(side))),
+            Parameter::Friction | Parameter::RatioOfCritical | Parameter::Input(ImpulseRatio) => Some((2, None)),
+            Parameter::MomentOfCritical | Parameter::Input(Moment) => Some((3, None)),
+            _ => None,
+        };
+        matches!(self, Key::Parameter(own) if own == parameter || form(own).is_some_and(|own| form(parameter) == Some(own)))
     }
 
     /// Returns `true` if every cell is a number.
@@ -152,13 +168,18 @@ impl InputColumn {
                 return Err(Issue::at("invalid-unit", header.name.clone(), message));
             }
         };
-        Ok(Some(InputColumn { place, key, limits: key.domain().limits(), conversion }))
+        Ok(Some(InputColumn { place, key, limits: key.limits(conversion.is_some()), conversion }))
     }
 
-    /// Returns a number of the table in SI.
+    /// Returns a number of the table in SI; one that is not finite is the same in every unit.
     #[inline]
     fn to_si(&self, number: f64) -> f64 {
-        self.conversion.map_or(number, |conversion| conversion.to_si(number))
+        self.conversion.filter(|_| number.is_finite()).map_or(number, |conversion| conversion.to_si(number))
+    }
+
+    /// Returns `true` if its header has a unit.
+    pub(super) fn has_unit(&self) -> bool {
+        self.conversion.is_some()
     }
 
     /// Returns `true` for a number that a case file accepts, which is finite.

@@ -103,6 +103,8 @@ pub(super) enum Fault {
     Unreadable(Key),
     /// A number that a case file would not have.
     Outside(Parameter, f64),
+    /// A number that no such quantity has, with the unit of its column, or that was probably meant in another unit, without one.
+    Implausible { of: Parameter, number: f64, has_unit: bool },
     /// A cell is empty, and nothing else gives its number.
     Missing(Key),
     /// Two cells give the same quantity.
@@ -115,7 +117,7 @@ impl Fault {
             Fault::NotARow | Fault::Unreadable(_) => "unreadable",
             Fault::Outside(_, number) if !number.is_finite() => "not-finite",
             Fault::Outside(parameter, _) if parameter.domain() == Domain::Positive => "not-positive",
-            Fault::Outside(..) => "out-of-range",
+            Fault::Outside(..) | Fault::Implausible { .. } => "out-of-range",
             Fault::Missing(_) => "missing-key",
             Fault::Conflict(..) => "conflict",
         }
@@ -131,6 +133,17 @@ impl Fault {
                 }
                 None => format!("{parameter} is not finite: {number}").into(),
             },
+            Fault::Implausible { of, number, has_unit } => {
+                let (kind, said) = (of.kind(), Message::from(format!("{of} is ")).figure(of.measure(), *number));
+                match (*has_unit || kind.si.is_empty(), kind.likely.unwrap_or(kind.si)) {
+                    (true, _) if number.abs() < 1.0 => said.text(format!(", too small for {}", kind.name)),
+                    (true, _) => said.text(format!(", too large for {}", kind.name)),
+                    (false, unit) => {
+                        let si = if unit == kind.si { String::new() } else { format!(", or `{of} [{}]` if it is in that", kind.si) };
+                        said.text(format!(", which is not plausible without a unit; write the header `{of} [{unit}]`{si}"))
+                    }
+                }
+            }
             Fault::Missing(key) => format!("{key} is missing").into(),
             Fault::Conflict(one, other) => format!("{one} and {other} exclude each other").into(),
         }
@@ -220,6 +233,9 @@ impl Row<'_> {
     fn wrong(&mut self, column: usize, cell: Cell) -> f64 {
         let key = self.keys[column].key;
         self.faults.push(match (cell, key) {
+            (Cell::Number(number), Key::Parameter(of)) if number.is_finite() && of.domain().wanted(number).is_none() => {
+                Fault::Implausible { of, number, has_unit: self.keys[column].has_unit() }
+            }
             (Cell::Number(number), Key::Parameter(parameter)) => Fault::Outside(parameter, number),
             _ => Fault::Unreadable(key),
         });

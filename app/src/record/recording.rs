@@ -265,6 +265,18 @@ impl CaseReader {
             Some(tables) => {
                 for table in tables {
                     let channel = self.channel(table, &samples, time, &|faults| report(&table.optional("column"), faults));
+                    if let Some(twice) =
+                        channel.as_ref().filter(|channel| channels.iter().any(|other: &Channel| other.name == channel.name))
+                    {
+                        let help = "remove one of the two: forces of several load cells add up, and this one would count twice";
+                        let place = table.optional("column");
+                        place.report_as(
+                            "repeated-column",
+                            format!("the column {} is a channel already", excerpt(&twice.name)),
+                            Some(help.to_owned()),
+                        );
+                        sound = false;
+                    }
                     sound &= channel.is_some();
                     channels.extend(channel);
                 }
@@ -448,6 +460,19 @@ mod tests {
         assert_eq!(recording.units, Units::Us);
         let codes: Vec<_> = recording.notices.0.iter().map(|notice| notice.code).collect();
         assert_eq!(codes, ["unused-columns", "unit-assumed"]);
+    }
+
+    #[test]
+    fn a_column_is_one_channel() {
+        let channel = "[[channel]]\ncolumn = \"F\"\nquantity = \"normal_force\"\n";
+        let file = |channels: &str| format!("schema = 1\nsamples = \"time [s],F [N],G [N]\\n0,1,2\\n1,2,3\\n\"\n{channels}");
+        let read = |text: String| {
+            let none: Open = Box::new(|name| Err(crate::decode::unreadable(name, "is not there")));
+            Recording::parse(Source { name: "a.toml".into(), text }, &none)
+        };
+        assert!(read(file(&format!("{channel}{}", channel.replace('F', "G")))).is_ok());
+        let issues = read(file(&format!("{channel}{channel}"))).err().expect("a repeated column");
+        assert!(matches!(issues.list(), [issue] if issue.code == "repeated-column" && issue.path == "channel.2.column"), "{issues}");
     }
 
     #[test]

@@ -30,7 +30,8 @@ pub struct Sink {
 }
 
 enum Rows {
-    Stream,
+    /// Text for standard output, which gets nothing unless it is whole.
+    Printed(BufWriter<std::fs::File>),
     Csv(File),
     Parquet(SerializedFileWriter<File>),
     Arrow(Box<FileWriter<File>>),
@@ -64,8 +65,9 @@ impl Sink {
     /// If the file cannot be written.
     pub fn create(path: &Path, format: Format, schema: &SchemaRef, passing: usize, headers: &[String]) -> io::Result<(Sink, Encoder)> {
         let (rows, encoder) = if path.as_os_str() == "-" {
-            output::write(&line(headers)?)?;
-            (Rows::Stream, Encoder::Csv)
+            let mut file = BufWriter::with_capacity(BUFFER, tempfile::tempfile()?);
+            file.write_all(&line(headers)?)?;
+            (Rows::Printed(file), Encoder::Csv)
         } else {
             let file = BufWriter::with_capacity(BUFFER, OutputFile::create(path)?);
             match format {
@@ -92,7 +94,7 @@ impl Sink {
     /// If the file cannot be written.
     pub fn write(&mut self, encoded: Encoded) -> io::Result<()> {
         match (&mut self.rows, encoded) {
-            (Rows::Stream, Encoded::Csv(lines)) => output::write(&lines),
+            (Rows::Printed(file), Encoded::Csv(lines)) => file.write_all(&lines),
             (Rows::Csv(file), Encoded::Csv(lines)) => file.write_all(&lines),
             (Rows::Parquet(writer), Encoded::Parquet(columns)) => {
                 let append = |writer: &mut SerializedFileWriter<File>| {
@@ -114,7 +116,7 @@ impl Sink {
     /// If the file cannot be written.
     pub fn finish(self) -> io::Result<()> {
         let file = match self.rows {
-            Rows::Stream => return Ok(()),
+            Rows::Printed(file) => return output::copy(file.into_inner().map_err(io::IntoInnerError::into_error)?),
             Rows::Csv(file) => file,
             Rows::Parquet(writer) => writer.into_inner().map_err(of_parquet)?,
             Rows::Arrow(mut writer) => {

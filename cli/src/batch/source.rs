@@ -209,7 +209,15 @@ fn read<T>(name: &str, read: impl FnOnce() -> Result<T, Box<dyn std::error::Erro
 }
 
 fn not_a_table(name: &str, error: &(impl std::fmt::Display + ?Sized)) -> Issues {
-    decode::unreadable(name, &format!("cannot be read as a table: {error}"))
+    let error = error.to_string();
+    // The reader of Parquet names a compression that it is built without.
+    match error.split_once("Disabled feature at compile time: ") {
+        Some((_, compression)) => decode::unreadable(
+            name,
+            &format!("is compressed with {compression}; write it with snappy, gzip, lz4, zstd or without compression"),
+        ),
+        None => decode::unreadable(name, &format!("cannot be read as a table: {error}")),
+    }
 }
 
 #[cfg(test)]

@@ -130,9 +130,12 @@ fn every_format_has_the_same_numbers() {
     let at = |name: &str| folder.path().join(name);
     let create = |name: &str| fs::File::create(at(name)).expect("a file");
     let (table, schema) = (table(), table().schema());
-    for (name, compression) in
-        [("plain", Compression::UNCOMPRESSED), ("snappy", Compression::SNAPPY), ("zstd", Compression::ZSTD(Default::default()))]
-    {
+    for (name, compression) in [
+        ("plain", Compression::UNCOMPRESSED),
+        ("snappy", Compression::SNAPPY),
+        ("gzip", Compression::GZIP(Default::default())),
+        ("zstd", Compression::ZSTD(Default::default())),
+    ] {
         let properties = WriterProperties::builder().set_compression(compression).build();
         let mut writer = ArrowWriter::try_new(create(&format!("{name}.parquet")), schema.clone(), Some(properties)).expect("a writer");
         writer.write(&table).and_then(|()| writer.close().map(drop)).expect("it is written");
@@ -156,7 +159,7 @@ fn every_format_has_the_same_numbers() {
     let numbers: Vec<Vec<Option<f64>>> =
         rows(&first)[1..].iter().map(|row| row[4..6].iter().map(|cell| cell.parse().ok()).collect()).collect();
     assert!(numbers[0][0] < Some(0.0) && numbers[1][1] > Some(0.0) && numbers[2] == [None, None], "{first}");
-    for input in ["plain.parquet", "snappy.parquet", "zstd.parquet", "lz4.arrow", "stream.arrow", "text.csv"] {
+    for input in ["plain.parquet", "snappy.parquet", "gzip.parquet", "zstd.parquet", "lz4.arrow", "stream.arrow", "text.csv"] {
         let printed = fs::read_to_string(solve(input, "out.csv")).expect("a table");
         assert_eq!(printed.replace("30.0", "30"), first, "{input}");
         for output in ["out.parquet", "out.arrow"] {
@@ -289,7 +292,15 @@ fn a_call_that_fails_writes_no_file() {
         let sound = "40,\"a \"\"note\"\", sound\"\n".repeat(rows - 1);
         fs::write(path(&format!("open-{rows}.csv")), format!("vehicle.1.speed,note\n{sound}40,\"b\n41,c\n")).expect("a file");
     }
-    let calls: [(&[&str], i32, &str); 16] = [
+    let empty = fs::File::create(path("empty.arrow")).expect("a file");
+    arrow_ipc::writer::FileWriter::try_new(empty, &arrow_schema::Schema::empty()).and_then(|mut writer| writer.finish()).expect("a table");
+    let typed = RecordBatch::try_from_iter([("vehicle.1.speed", Arc::new(Float64Array::from(vec![40.0])) as ArrayRef)]).expect("a table");
+    let mut writer =
+        ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
+    writer.write(&typed).and_then(|()| writer.close()).expect("a table");
+    let calls: [(&[&str], i32, &str); 18] = [
+        (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
+        (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
         (&[&path("open-8192.csv")], 2, "the quote that begins a cell in line 8193 is never closed"),
         (&[&path("open-8193.csv")], 2, "the quote that begins a cell in line 8194 is never closed"),
@@ -308,7 +319,7 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("separating.csv"), "--wrt", "T_L"], 2, "this is an output, not an input"),
     ];
     for (arguments, status, message) in calls {
-        for output in [&out, &old] {
+        for output in [out.as_str(), &old, "-"] {
             let done = batch(&[arguments, &["-o", output, "--case", POSITION_A]].concat());
             assert_eq!((done.status, done.out.as_str()), (status, ""), "{arguments:?}: {}", done.err);
             assert!(done.err.contains(message), "{arguments:?}: {}", done.err);
@@ -321,7 +332,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 11, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 13, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

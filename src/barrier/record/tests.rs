@@ -26,6 +26,28 @@ fn the_baseline_is_the_mean_before_the_event() {
 }
 
 #[test]
+fn a_sample_on_the_edge_of_a_window_is_in_it_however_its_time_is_rounded() {
+    // 10 kHz from a whole number of milliseconds: −0.1 ms is a sum that is rounded, and a number of the file.
+    for start in -9..0 {
+        let samples = (20 - 10 * start) as usize;
+        let values = (0..samples).map(|i| if i as i32 == -10 * start - 1 { 300.0 } else { 0.0 }).collect();
+        let record: Record = Record::uniform(1e-3 * f64::from(start), 1e-4, values).expect("a good record");
+        let count = f64::from(-10 * start);
+        let baseline = record.baseline(&Window { from: 1e-3 * f64::from(start), to: -1e-4 }).expect("samples");
+        assert_relative_eq!(baseline.value, 300.0 / count, max_relative = 1e-12);
+        // Two samples, both on its edges; and a little less, none.
+        assert_eq!(record.baseline(&Window { from: -2e-4, to: -1e-4 }).expect("two samples").value, 150.0);
+        assert!(record.baseline(&Window { from: -1.999e-4, to: -1.001e-4 }).is_err());
+        // The last sample: at 1.9 ms.
+        let smoothed = crate::barrier::Lowess { neighbors: 8, robust_passes: 0 }.smooth(&record).expect("wide enough");
+        for time in [1e-3 * f64::from(start), 1.9e-3] {
+            assert!(smoothed.at(time).is_ok(), "{start} {time}");
+        }
+        assert!(smoothed.at(1.901e-3).is_err());
+    }
+}
+
+#[test]
 fn where_baseline_and_window_overlap_the_weights_are_one() {
     // Over the whole record with the whole record as baseline, the mean remains: the ends have half weight.
     let record = Record::uniform(0.0, 1.0, alloc::vec![1.0, 2.0, 6.0]).expect("a good record");
