@@ -118,6 +118,11 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     let others: Vec<Reconstruction> = answers.map(|answer| answer.facts).collect();
     if !others.is_empty() {
         best.facts = best.facts.with_others(others);
+        if best.facts.other_separations {
+            let of = if best.facts.posterior.is_some() { "intervals, posterior and probabilities are" } else { "intervals are" };
+            let message = format!("the {of} those of the first separation alone; the others fit as well, and have other speeds");
+            best.notices.0.push(Notice::warning("first-separation-alone", "rest", message));
+        }
     }
     best.notices.0.extend(notices.0);
     Ok(best)

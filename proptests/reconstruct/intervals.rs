@@ -233,3 +233,105 @@ fn a_heading_goes_on_beyond_half_a_turn() {
         assert!((of_draws.mean - turned).abs() < 0.005 && (of_draws.sd / 0.05 - 1.0).abs() < 0.1, "{of_draws:?}");
     }
 }
+
+#[test]
+fn what_the_unknowns_do_not_move_has_one_value() {
+    // Without sliding before the impact the critical ratio is a property of the contact, and so is the direction of the force.
+    let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+    let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
+    for collision in [collision, collision.with_impulse_ratio(ImpulseRatio::Given(0.05))] {
+        let problem = direct(collision, SPEED, 15.0, 0.5);
+        let impact = collision.solve().expect("possible");
+        for of in [Output::ImpulseRatio, Output::PrincipalDirectionOfForce(Side::One)] {
+            let found = interval(&problem, Measurand::Output(of));
+            let value = of.of(&collision, &impact);
+            assert!((found.low - value).abs() < 1e-12 && (found.high - value).abs() < 1e-12, "{found:?}");
+            assert_eq!((found.low_limited_by, found.high_limited_by, found.narrows), (None, None, true));
+        }
+        let loss = interval(&problem, Measurand::Output(Output::Loss));
+        assert!(loss.low < 0.9 * loss.value && loss.high > 1.1 * loss.value, "{loss:?}");
+    }
+}
+
+/// A region that bounds cut is not convex: its farthest points may lie on another branch than the best fit.
+#[test]
+fn no_point_that_the_evidence_allows_lies_outside_of_an_interval() {
+    const LEFT: Variable = Variable::Input(Input::ImpactCenterLeft(Side::One));
+    const SHARE: Variable = Variable::Input(Input::ImpulseRatio);
+    let vehicle = |mass: f64, radius: f64, heading: f64, [forward, left]: [f64; 2], speed: f64| {
+        Vehicle::new(mass, mass * radius * radius)
+            .with_impact_center(forward, left)
+            .with_heading(Heading::from_angle(heading))
+            .with_speed(speed)
+    };
+    let [x, y] = [Output::VelocityX, Output::VelocityY].map(|of| move |side| Measurand::Output(of(side)));
+    let delta_v = |side| Measurand::Output(Output::DeltaVMagnitude(side));
+    let oblique = Collision::new(vehicle(1054.0, 1.3, -0.177, [1.9, -0.06], 14.0), vehicle(1903.0, 1.35, 1.006, [-0.95, -0.141], 9.165))
+        .with_restitution(0.278)
+        .with_crush_plane(CrushPlane::from_angle(-0.123));
+    let sideswipe = Collision::new(
+        vehicle(1675.930_482_668_812_8, 1.3, 0.111_498_955, [1.9, -0.462_945_884], 18.809_547_4),
+        vehicle(1186.610_439_345, 1.35, 0.637_478_9, [-1.061_736_75, -0.701_447_09], 11.954_961_7),
+    )
+    .with_restitution(0.259_866_782)
+    .with_crush_plane(CrushPlane::from_angle(-0.203_252_507));
+    let cases = [
+        (
+            oblique,
+            [(SPEED, 14.0, 8.0, 22.0), (LEFT, -0.06, -0.566, 0.215), (SHARE, 0.9, 0.0, 1.0)],
+            vec![
+                (x(Side::One), 6.97, 0.15),
+                (y(Side::One), 1.03, 0.15),
+                (delta_v(Side::One), 7.66, 1.0),
+                (x(Side::Two), 8.67, 1.0),
+                (delta_v(Side::Two), 5.01, 1.0),
+            ],
+        ),
+        (
+            sideswipe,
+            [(SPEED, 18.8, 10.0, 50.0), (LEFT, -0.46, -0.906, -0.296), (SHARE, 0.9, 0.0, 1.0)],
+            vec![(Measurand::CrushEnergy, 20_854.8, 2085.48), (delta_v(Side::One), 3.4029, 0.5), (y(Side::One), 3.0411, 0.5)],
+        ),
+    ];
+    for (collision, unknowns, evidence) in cases {
+        let collision = collision.with_impulse_ratio(ImpulseRatio::OfCritical(0.9));
+        let mut problem = ReconstructionProblem::of(collision);
+        for (of, start, min, max) in unknowns {
+            problem = problem.between(of, start, min, max);
+        }
+        for &(of, value, sd) in &evidence {
+            problem = problem.evidence(of, value, Uncertainty::StandardDeviation(sd));
+        }
+        let answer = problem.solve(&Search::default()).expect("it has an answer");
+        let of: Vec<Output> = [Output::Loss, Output::NormalWork, Output::TangentialWork, Output::ImpulseRatio]
+            .into_iter()
+            .chain(Side::ALL.into_iter().flat_map(|side| [Output::DeltaVMagnitude(side), Output::PrincipalDirectionOfForce(side)]))
+            .collect();
+        let measurands = unknowns.iter().map(|(of, ..)| Measurand::Variable(*of)).chain(of.iter().map(|of| Measurand::Output(*of)));
+        let intervals = problem.intervals(&answer, 0.95, &measurands.collect::<Vec<_>>());
+        // The quantile of χ² with one degree of freedom (Abramowitz and Stegun, table 26.8).
+        let greatest = answer.best().chi_square + 3.841_459;
+        let mut source = Source::of(7);
+        let mut within = 0;
+        for _ in 0..100_000 {
+            let drawn = unknowns.map(|(of, _, min, max)| (of, source.between(min, max)));
+            let at = drawn.iter().fold(collision, |collision, (of, value)| with(&collision, *of, *value));
+            let Ok(impact) = at.solve() else { continue };
+            let value = |of: Measurand| match of {
+                Measurand::Output(of) => of.of(&at, &impact),
+                _ => -impact.work.n,
+            };
+            let chi_square: f64 = evidence.iter().map(|&(of, given, sd)| ((value(of) - given) / sd).powi(2)).sum();
+            if chi_square > greatest {
+                continue;
+            }
+            within += 1;
+            let values = drawn.iter().map(|(_, value)| *value).chain(of.iter().map(|of| of.of(&at, &impact)));
+            for (interval, value) in intervals.iter().zip(values) {
+                let slack = 2e-3 * (interval.high - interval.low);
+                assert!((interval.low - slack..=interval.high + slack).contains(&value), "{value} at {drawn:?}: {interval:?}");
+            }
+        }
+        assert!(within > 500, "{within}");
+    }
+}

@@ -4,8 +4,11 @@
 //! covers those of each.
 
 use nalgebra::{DMatrix, DVector};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use super::branches::Region;
 use super::given::{Evidence, Uncertainty, Unknown};
 use super::interval::{Interval, Method};
 use super::limit::Limit;
@@ -26,10 +29,10 @@ const SOLUTIONS: usize = 8;
 
 /// The likelihood around the solutions.
 pub(super) struct Profile<'a> {
-    model: &'a Model<'a>,
-    spans: Vec<ParameterBounds>,
+    pub(super) model: &'a Model<'a>,
+    pub(super) spans: Vec<ParameterBounds>,
     /// The unknowns of each solution whose χ² is within the limit, the best first.
-    solutions: Vec<Vec<f64>>,
+    pub(super) solutions: Vec<Vec<f64>>,
     /// The covariance of the unknowns at the best solution; `None` if one of them has no standard deviation.
     covariance: Option<DMatrix<f64>>,
     /// The largest χ² within the interval.
@@ -40,11 +43,11 @@ pub(super) struct Profile<'a> {
 
 /// One end of an interval.
 #[derive(Clone, Debug)]
-struct End {
-    value: f64,
+pub(super) struct End {
+    pub(super) value: f64,
     limited_by: Option<Limit>,
     /// The unknowns there.
-    at: Vec<f64>,
+    pub(super) at: Vec<f64>,
 }
 
 /// The best fit with the quantity held at a value.
@@ -67,23 +70,20 @@ impl<'a> Profile<'a> {
 
     /// Returns the intervals of the quantities that the unknowns determine.
     pub(super) fn intervals(&self, of: &[Measurand], level: f64) -> Vec<Interval> {
-        /// Number of times that the ends of one interval extend another.
-        const ROUNDS: usize = 3;
-        let of = of.iter().copied().filter(|of| self.model.question.determines(*of));
-        let quantities: Vec<Quantity<'_>> = of.filter_map(|of| self.quantity(of)).collect();
+        let of: Vec<Measurand> = of.iter().copied().filter(|of| self.model.question.determines(*of)).collect();
+        // With the unknowns themselves, whose ends lie all around the region.
+        let unknowns = self.model.question.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of));
+        let unknowns = unknowns.filter(|unknown| !of.contains(unknown));
+        let quantities: Vec<Quantity<'_>> = of.iter().copied().chain(unknowns).filter_map(|of| self.quantity(of)).collect();
         let mut ends: Vec<Option<[End; 2]>> = quantities.iter().map(|quantity| quantity.around(&self.solutions)).collect();
-        // The end of one interval may show that another is wider.
-        for _ in 0..ROUNDS {
-            let reached: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
-            for (quantity, ends) in quantities.iter().zip(&mut ends) {
-                let Some(ends) = ends else { continue };
-                for point in &reached {
-                    quantity.extend(ends, point);
-                }
-            }
+        extend_by_each_other(&quantities, &mut ends);
+        let region = Region::of(self, &ends);
+        for (quantity, ends) in quantities.iter().zip(&mut ends).filter(|(quantity, _)| !quantity.is_constant) {
+            ends.iter_mut().for_each(|ends| region.extend(quantity, ends));
         }
-        let interval = |(quantity, ends): (&Quantity<'_>, Option<[End; 2]>)| ends.map(|ends| quantity.interval(&ends, level));
-        quantities.iter().zip(ends).filter_map(interval).collect()
+        extend_by_each_other(&quantities, &mut ends);
+        let asked = quantities.iter().zip(ends).filter(|(quantity, _)| of.contains(&quantity.of));
+        asked.filter_map(|(quantity, ends)| Some(quantity.interval(&ends?, level))).collect()
     }
 
     fn quantity(&'a self, of: Measurand) -> Option<Quantity<'a>> {
@@ -94,7 +94,67 @@ impl<'a> Profile<'a> {
         // An angle without bounds repeats itself after half a turn to either side.
         let half_turn = of.period().filter(|_| bounds.iter().any(|bound| bound.is_infinite())).map_or(f64::INFINITY, |period| period / 2.0);
         let outer = [(value - half_turn).max(bounds[0]), (value + half_turn).min(bounds[1])];
-        Some(Quantity { profile: self, of, value, scale, period: of.period().filter(|_| variable.is_none()), outer, bounds })
+        let period = of.period().filter(|_| variable.is_none());
+        let is_constant = variable.is_none() && self.is_constant(of, value, period);
+        Some(Quantity { profile: self, of, value, scale, period, is_constant, outer, bounds })
+    }
+
+    /// Returns `true` if the unknowns do not move a quantity: not those at the solutions, nor others about them.
+    fn is_constant(&self, of: Measurand, value: f64, period: Option<f64>) -> bool {
+        /// Number of points about each solution.
+        const POINTS: usize = 24;
+        /// Largest difference that is rounding, of the value and of a size that matters.
+        const ROUNDING: f64 = 1e-10;
+        let size = ROUNDING * value.abs().max(of.least_size());
+        let mut random = ChaCha8Rng::seed_from_u64(1912);
+        let mut moved = 0;
+        for solution in &self.solutions {
+            for _ in 0..POINTS {
+                let point: Vec<f64> = solution
+                    .iter()
+                    .zip(&self.spans)
+                    .map(|(x, span)| (x + span.scale * random.random_range(-1.0..1.0)).clamp(span.min, span.max))
+                    .collect();
+                let Some(there) = self.value(of, &point) else { continue };
+                let difference = there - value;
+                if (difference - turns(difference, period)).abs() > size {
+                    return false;
+                }
+                moved += 1;
+            }
+        }
+        // A few points that the mechanics accepts show nothing.
+        moved >= POINTS / 4
+    }
+
+    /// Returns a point near a start that is within the limit, with a quantity near a value: the best fit, or where a search for it stopped.
+    pub(super) fn fit_within(&self, fixed: Fixed, start: &[f64]) -> Option<Vec<f64>> {
+        const ITERATIONS: usize = 40;
+        let accepted = self.model.solve(start).or_else(|_| self.model.solve(self.solutions.first().map_or(start, Vec::as_slice)));
+        let (placed, impact) = accepted.ok()?;
+        let mut problem = WithinLimits::around(self.model, &placed, &impact);
+        problem.hold(Some(fixed));
+        let unknowns = match limited::minimum(&problem, start, &self.released(fixed.of), ITERATIONS, Until::Sum) {
+            Ok(reached) => self.bounded(reached.unknowns),
+            Err(stopped) if !stopped.is_empty() => self.bounded(stopped),
+            Err(_) => return None,
+        };
+        let sum_of_squares: f64 = self.model.at(&unknowns)?.iter().map(|residual| residual * residual).sum();
+        (sum_of_squares <= self.greatest && self.model.solve(&unknowns).is_ok()).then_some(unknowns)
+    }
+
+    /// Returns the spans without the bounds of a quantity whose value is held.
+    fn released(&self, of: Measurand) -> Vec<ParameterBounds> {
+        let unknowns = &self.model.question.unknowns;
+        let free = |span: &ParameterBounds| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
+        let span = |(span, unknown): (&ParameterBounds, &Unknown)| if Measurand::Variable(unknown.of) == of { free(span) } else { *span };
+        self.spans.iter().zip(unknowns).map(span).collect()
+    }
+
+    /// Returns a point whose quantity, held at a bound, has not left it by rounding.
+    fn bounded(&self, mut unknowns: Vec<f64>) -> Vec<f64> {
+        unknowns.iter_mut().zip(&self.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
+        unknowns
     }
 
     /// Returns the standard deviation of a quantity at the best solution, to first order.
@@ -124,17 +184,33 @@ fn covariance(solution: &Solution) -> Option<DMatrix<f64>> {
     has_all.then(|| DMatrix::from_fn(n, n, |i, k| solution.covariance.get(i, k)))
 }
 
+/// Widens intervals by the ends of others: each may show that another is wider.
+fn extend_by_each_other(quantities: &[Quantity<'_>], ends: &mut [Option<[End; 2]>]) {
+    const ROUNDS: usize = 3;
+    for _ in 0..ROUNDS {
+        let reached: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
+        for (quantity, ends) in quantities.iter().zip(&mut *ends).filter(|(quantity, _)| !quantity.is_constant) {
+            let Some(ends) = ends else { continue };
+            for point in &reached {
+                quantity.extend(ends, point);
+            }
+        }
+    }
+}
+
 /// A quantity whose interval is wanted.
-struct Quantity<'a> {
-    profile: &'a Profile<'a>,
+pub(super) struct Quantity<'a> {
+    pub(super) profile: &'a Profile<'a>,
     of: Measurand,
     /// Its value at the best solution.
     value: f64,
     scale: f64,
     /// The period of an angle that is computed.
     period: Option<f64>,
+    /// Whether the unknowns do not move it.
+    is_constant: bool,
     /// The farthest values to look at: bounds, or half a turn away.
-    outer: [f64; 2],
+    pub(super) outer: [f64; 2],
     bounds: [f64; 2],
 }
 
@@ -163,6 +239,10 @@ impl Inside {
 impl Quantity<'_> {
     /// Returns the ends that enclose those around each solution.
     fn around(&self, solutions: &[Vec<f64>]) -> Option<[End; 2]> {
+        if self.is_constant {
+            let only = End { value: self.value, limited_by: None, at: solutions.first()?.clone() };
+            return Some([only.clone(), only]);
+        }
         let ends = |point: &Vec<f64>| {
             let value = self.unwrapped(point)?;
             Some([-1.0, 1.0].map(|direction| self.end(direction, point, value)))
@@ -186,13 +266,13 @@ impl Quantity<'_> {
     }
 
     /// Returns the value at a point; for an angle the turn next to the best one.
-    fn unwrapped(&self, point: &[f64]) -> Option<f64> {
+    pub(super) fn unwrapped(&self, point: &[f64]) -> Option<f64> {
         let value = self.profile.value(self.of, point)?;
         Some(value - turns(value - self.value, self.period))
     }
 
     /// Follows the best fit outwards from a point to the value at which χ² reaches its limit, or to what stops it.
-    fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
+    pub(super) fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
         /// Largest number of steps outwards, each twice the last.
         const STEPS: usize = 60;
         let profile = self.profile;
@@ -244,12 +324,13 @@ impl Quantity<'_> {
 
     /// Returns the end at a bound of the quantity, or half a turn away.
     fn at_outer(&self, inside: Inside, outer: f64) -> End {
-        let limit = match self.of {
-            Measurand::Variable(of) if outer == self.bounds[0] => Limit::Bound(of, Bound::Min),
-            Measurand::Variable(of) if outer == self.bounds[1] => Limit::Bound(of, Bound::Max),
-            _ => Limit::Period,
+        let limited_by = match self.of {
+            _ if outer.is_infinite() => None,
+            Measurand::Variable(of) if outer == self.bounds[0] => Some(Limit::Bound(of, Bound::Min)),
+            Measurand::Variable(of) if outer == self.bounds[1] => Some(Limit::Bound(of, Bound::Max)),
+            _ => Some(Limit::Period),
         };
-        End { value: outer, limited_by: Some(limit), at: inside.unknowns }
+        End { value: outer, limited_by, at: inside.unknowns }
     }
 
     /// Narrows the end down between a value within the limit and one beyond it, or beyond what can be.
@@ -300,19 +381,9 @@ impl Quantity<'_> {
         End { value: inside.value, limited_by: limited_by.or(inside.limited_by), at: inside.unknowns }
     }
 
-    /// Returns the spans without the bounds of the quantity itself, whose value is held.
-    fn released(&self) -> Vec<ParameterBounds> {
-        let unknowns = &self.profile.model.question.unknowns;
-        let free = |span: &ParameterBounds| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
-        let span =
-            |(span, unknown): (&ParameterBounds, &Unknown)| if Measurand::Variable(unknown.of) == self.of { free(span) } else { *span };
-        self.profile.spans.iter().zip(unknowns).map(span).collect()
-    }
-
-    /// Returns a point whose quantity, held at a bound, has not left it by rounding.
-    fn bounded(&self, mut reached: Reached) -> Reached {
-        reached.unknowns.iter_mut().zip(&self.profile.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
-        reached
+    /// Returns the quantity held at a value.
+    pub(super) fn fixed_at(&self, value: f64) -> Fixed {
+        Fixed { of: self.of, value, scale: self.scale, period: self.period }
     }
 
     /// Returns the root of the excess of χ² over the least, less that at the limit: for linear evidence it is linear in the quantity.
@@ -343,13 +414,13 @@ impl Quantity<'_> {
         /// Number of solutions from which it starts too.
         const OTHERS: usize = 3;
         let profile = self.profile;
-        problem.hold(Some(Fixed { of: self.of, value, scale: self.scale, period: self.period }));
-        let spans = self.released();
+        problem.hold(Some(self.fixed_at(value)));
+        let spans = profile.released(self.of);
         let others = profile.solutions.iter().take(OTHERS).cloned();
         let mut best: Option<Reached> = None;
         let mut closest: Option<f64> = None;
         for start in [inside.extrapolated(value), inside.unknowns.clone()].into_iter().chain(others) {
-            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum).map(|reached| self.bounded(reached)) {
+            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum).map(|reached| Reached { unknowns: profile.bounded(reached.unknowns.clone()), ..reached }) {
                 Ok(reached) if profile.model.solve(&reached.unknowns).is_ok() => {
                     let is_inside = reached.sum_of_squares <= profile.greatest;
                     if best.as_ref().is_none_or(|best| reached.sum_of_squares < best.sum_of_squares) {

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::determined::{blind, is_moved};
-use super::given::{Evidence, ReconstructionProblem};
+use super::given::{Evidence, ReconstructionProblem, Uncertainty};
 use super::limit::Limit;
 use super::measurand::Measurand;
 use super::residuals::Model;
@@ -124,6 +124,12 @@ impl Fitted {
     /// Returns the residual in standard deviations, or `None` for exact evidence.
     pub fn standardised_residual(&self) -> Option<f64> {
         Some(self.residual / self.sd?)
+    }
+
+    /// Returns the residual as the fit weighs it: in standard deviations, or of an exact value in a millionth of its size.
+    pub fn weighed_residual(&self) -> f64 {
+        let uncertainty = self.sd.map_or(Uncertainty::Exact, Uncertainty::StandardDeviation);
+        self.residual / Evidence { of: self.of, value: self.given, uncertainty }.weight_scale()
     }
 }
 

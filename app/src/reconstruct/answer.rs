@@ -499,10 +499,11 @@ impl Solved<'_> {
 
     fn furthest_off(&self) -> Option<FurthestOff> {
         let best = self.answer.best();
-        let off = |fitted: &&Fitted| fitted.standardised_residual().map(f64::abs);
-        let all = best.evidence.iter().chain(&best.priors).filter(|fitted| off(fitted).is_some());
-        let furthest = all.max_by(|one, other| off(one).unwrap_or(0.0).total_cmp(&off(other).unwrap_or(0.0)))?;
-        let (name, evidence) = self.named(furthest);
+        /// Residual of exact evidence, as a fit weighs it, that is none.
+        const MET: f64 = 1.0;
+        let off = |fitted: &Fitted| fitted.weighed_residual().abs();
+        let all = best.evidence.iter().chain(&best.priors).filter(|fitted| fitted.sd.is_some() || off(fitted) > MET);
+        let (name, evidence) = self.named(all.max_by(|one, other| off(one).total_cmp(&off(other)))?);
         Some(FurthestOff { name, evidence })
     }
 }

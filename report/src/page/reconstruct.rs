@@ -47,9 +47,13 @@ fn under(heading: &str, blocks: Vec<Block>) -> Vec<Block> {
     heading.into_iter().chain(blocks).collect()
 }
 
-/// Renders the verdict, the unknowns, what follows from them, and what is asked of profile, guarantee and posterior alone, with title and notices.
+/// Renders the verdict, the unknowns, what follows from them, what is asked of profile, guarantee and posterior, and the other solutions, with title and notices.
 pub fn brief(answer: &Answer<Reconstruction>, units: Units) -> Vec<Block> {
-    framed(answer, answer.summary(units).into_iter().chain(unknowns(answer, units)).collect(), units)
+    let mut blocks = answer.summary(units);
+    blocks.extend(unknowns(answer, units));
+    blocks.extend(unknowns::alternatives(answer, units));
+    blocks.extend(separations::alternatives(answer, units));
+    framed(answer, blocks, units)
 }
 
 /// Renders the unknowns, what follows from them, and what is asked of profile, guarantee and posterior.

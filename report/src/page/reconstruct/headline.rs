@@ -34,8 +34,13 @@ fn value(answer: &Reconstruction, name: &str, unknown: &Unknown, value: f64, uni
     let end = |end: Option<f64>| end.map_or_else(|| "no limit".to_owned(), |end| rounded(measure, end, step, units));
     let (low, high) = (end(unknown.interval.low), end(unknown.interval.high));
     let whose = vehicle_of(answer, name).map_or_else(String::new, |vehicle| format!(" ({})", shorten(vehicle, SUMMARY_WIDTH)));
+    // Without any uncertainty the interval has the tolerance of exact evidence alone.
+    let step = step.filter(|_| answer.has_uncertainty());
     let (value, unit) = (rounded(measure, value, step, units), units.unit(measure));
     let space = if unit.is_empty() { "" } else { " " };
+    if !answer.has_uncertainty() {
+        return format!("{name}{whose}: {value}{space}{unit}.");
+    }
     format!("{name}{whose}: {value}{space}{unit}, {} from {low} to {high}.", share(unknown.interval.level))
 }
 
@@ -191,13 +196,18 @@ fn contradicted(answer: &Reconstruction, units: Units) -> Vec<Block> {
         Some(furthest) => furthest_off(furthest, units),
         None => "All of it was given as exact, and no unknowns fit it.".to_owned(),
     };
+    let is_exact = |furthest: &FurthestOff| furthest.evidence.sd.is_none();
+    let next = match &answer.furthest_off {
+        Some(furthest) if is_exact(furthest) => "re-examine that piece, and give its standard deviation",
+        Some(_) => "re-examine that piece and its standard deviation",
+        None => "re-examine the evidence, and give the standard deviation of each piece",
+    };
     let reached = if answer.degrees_of_freedom == 0 { " The mechanics reaches no better fit." } else { "" };
     vec![
         headline(format!("Inconsistent evidence: at the best fit, {}.", chi_square(answer))),
         Block::paragraph(furthest),
         Block::paragraph(format!(
-            "Next: re-examine that piece and its standard deviation first, then the geometry: impact center and crush plane.{reached} The numbers \
-             below are the best fit, and not an answer."
+            "Next: {next} first, then the geometry: impact center and crush plane.{reached} The numbers below are the best fit, and not an answer."
         )),
     ]
 }
@@ -209,12 +219,11 @@ fn furthest_off(furthest: &FurthestOff, units: Units) -> String {
         let number = rounded(evidence.measure, value, evidence.sd, units);
         format!("{number} {}", units.unit(evidence.measure)).trim_end().to_owned()
     };
-    format!(
-        "Furthest off is {name}: given {}, computed {}, {:.1} standard deviations apart.",
-        quantity(evidence.given),
-        quantity(evidence.computed),
-        evidence.standardised_residual.unwrap_or(f64::NAN).abs()
-    )
+    let apart = match evidence.standardised_residual {
+        Some(residual) => format!("{:.1} standard deviations apart", residual.abs()),
+        None => "although it was given as exact".to_owned(),
+    };
+    format!("Furthest off is {name}: given {}, computed {}, {apart}.", quantity(evidence.given), quantity(evidence.computed))
 }
 
 fn bounds_exclude(answer: &Reconstruction, units: Units) -> Vec<Block> {

@@ -59,14 +59,14 @@ impl<'a> Row<'a> {
         Row { value, sd, interval: &derived.interval, is_at_bound: false, measure }
     }
 
-    /// Formats the row; without a name in another unit.
-    fn cells(&self, name: &str, measure: Measure, units: Units) -> Vec<String> {
+    /// Formats the row; without a name in another unit. Without any uncertainty there is no interval.
+    fn cells(&self, name: &str, measure: Measure, has_uncertainty: bool, units: Units) -> Vec<String> {
         let dash = || "-".to_owned();
         /// Share of the value below which the width of an interval is the tolerance of exact evidence.
         const EXACT: f64 = 1e-5;
         let Interval { low, high, .. } = *self.interval;
         let width = high.zip(low).map(|(high, low)| high - low);
-        let is_exact = width.zip(self.value).is_some_and(|(width, value)| width <= EXACT * value.abs());
+        let is_exact = !has_uncertainty || width.zip(self.value).is_some_and(|(width, value)| width <= EXACT * value.abs());
         // Without a standard deviation, the digits are those of a normal distribution as wide as the interval.
         let step = match width.filter(|_| !is_exact) {
             Some(width) => Some(self.sd.map_or(width / 4.0, |sd| sd.min(width))),
@@ -84,8 +84,9 @@ impl<'a> Row<'a> {
 /// Renders rows; a speed also in road units.
 fn table(head: &str, answer: &Reconstruction, rows: Vec<(&str, Row<'_>)>, units: Units) -> Block {
     let cells = |(name, row): (&str, Row<'_>)| {
-        let first = row.cells(name, row.measure, units);
-        let road = units.on_the_road(row.measure).map(|road| row.cells("", road, units));
+        let has_uncertainty = answer.has_uncertainty();
+        let first = row.cells(name, row.measure, has_uncertainty, units);
+        let road = units.on_the_road(row.measure).map(|road| row.cells("", road, has_uncertainty, units));
         [Some(first), road].into_iter().flatten()
     };
     Table::new([head, "value", "+/- sd", &from(answer), "to", "unit"], "lrrrrl", rows.into_iter().flat_map(cells).collect()).narrow().into()

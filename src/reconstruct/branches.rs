@@ -1,0 +1,81 @@
+//! Ends of intervals on other branches of the profile.
+//!
+//! The region within a quantile of the least χ² need not be convex: bounds and the limits of the physics cut it, and the evidence bends it. An end that is followed
+//! from a solution is that of its own branch. Here each quantity is held beyond its ends, and fits begin at points all over the region: one that is within the
+//! quantile leads to an end farther out.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::measurand::Measurand;
+use super::profile::{End, Profile, Quantity};
+use super::within_limits::Fixed;
+
+/// Largest number of points from which fits begin.
+const MOST: usize = 16;
+
+/// Number of points that are drawn, in addition to the ends of other intervals.
+const DRAWN: usize = 24;
+
+/// Distance beyond an end, in widths of the interval, at which fits are tried.
+const BEYOND: f64 = 0.01;
+
+/// Points of the region far from each other.
+pub(super) struct Region {
+    points: Vec<Vec<f64>>,
+}
+
+impl Region {
+    /// Collects points: ends of intervals, and best fits with an unknown held somewhere between its own ends.
+    pub(super) fn of(profile: &Profile<'_>, ends: &[Option<[End; 2]>]) -> Self {
+        let mut points: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
+        let ranges: Vec<[f64; 2]> = (0..profile.spans.len())
+            .map(|i| points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]))
+            .collect();
+        let mut random = ChaCha8Rng::seed_from_u64(1988);
+        let unknowns = &profile.model.question.unknowns;
+        for i in (0..unknowns.len()).cycle().take(if points.is_empty() { 0 } else { DRAWN }) {
+            let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
+            let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
+            points.extend(profile.fit_within(fixed, &start));
+        }
+        let distance = |one: &[f64], other: &[f64]| {
+            let squares = one.iter().zip(other).zip(&ranges).filter(|(_, [low, high])| high > low);
+            squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).powi(2)).sum::<f64>()
+        };
+        let mut chosen: Vec<Vec<f64>> = profile.solutions.iter().take(1).cloned().collect();
+        while chosen.len() <= MOST {
+            let nearest = |point: &Vec<f64>| chosen.iter().map(|other| distance(point, other)).fold(f64::INFINITY, f64::min);
+            let farthest = points.iter().map(|point| (nearest(point), point)).max_by(|one, other| one.0.total_cmp(&other.0));
+            // Another one is nearly one of those.
+            let Some((_, point)) = farthest.filter(|(distance, _)| *distance > 1e-4) else { break };
+            chosen.push(point.clone());
+        }
+        Region { points: chosen }
+    }
+
+    /// Moves the ends of an interval outwards as far as a branch of the profile goes.
+    pub(super) fn extend(&self, quantity: &Quantity<'_>, ends: &mut [End; 2]) {
+        /// Number of branches that one end may move to.
+        const BRANCHES: usize = 8;
+        for (k, direction) in [-1.0, 1.0].into_iter().enumerate() {
+            for _ in 0..BRANCHES {
+                let Some(end) = self.farther(quantity, ends, k, direction) else { break };
+                ends[k] = end;
+            }
+        }
+    }
+
+    /// Returns an end beyond one of an interval, if a fit begins there.
+    fn farther(&self, quantity: &Quantity<'_>, ends: &[End; 2], k: usize, direction: f64) -> Option<End> {
+        let width = ends[1].value - ends[0].value;
+        let value = ends[k].value + direction * BEYOND * width;
+        let is_within = width > 0.0 && value.is_finite() && direction * (quantity.outer[k] - value) > 0.0;
+        let fixed = quantity.fixed_at(Some(value).filter(|_| is_within)?);
+        self.points.iter().find_map(|point| {
+            let fit = quantity.profile.fit_within(fixed, point)?;
+            let reached = quantity.unwrapped(&fit).filter(|reached| direction * (reached - ends[k].value) > 0.5 * BEYOND * width)?;
+            Some(quantity.end(direction, &fit, reached))
+        })
+    }
+}
