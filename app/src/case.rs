@@ -1,6 +1,7 @@
 //! From a case file to the collision it describes.
 
 mod braking;
+mod contents;
 mod crush;
 mod domain;
 mod inputs;
@@ -21,6 +22,8 @@ use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
+use contents::Contents;
+pub use contents::{Entry, EntryValue};
 pub use crush::Crush;
 pub use crush::{CrushInputs, CrushKey, FormKey, StiffnessInputs};
 pub use domain::Domain;
@@ -50,6 +53,7 @@ use crate::units::{Measure, Units};
 #[derive(Clone)]
 pub struct Case {
     document: Document,
+    contents: Arc<Contents>,
     /// Its title; empty if it has none.
     pub title: String,
     /// The names of the two vehicles.
@@ -118,6 +122,7 @@ impl Case {
         let setup = read.inputs.as_given();
         Ok(Case {
             document,
+            contents: Arc::new(given.contents.take()),
             title: read.title,
             names: read.names,
             inputs: read.inputs,
@@ -135,11 +140,11 @@ impl Case {
         })
     }
 
-    /// Refuses a case that lists numbers under `[unknown]` which a verb needs.
+    /// Refuses a case that lists numbers under `[unknown]` which a verb needs, or that has them as uncertain evidence alone.
     ///
     /// # Errors
     ///
-    /// Each number that is needed and unknown.
+    /// Each number that is needed and unknown, at its entry under `[unknown]`, or at the vehicle or the contact that has only evidence of it.
     pub fn needs(&self, is_needed: impl Fn(Variable) -> bool) -> Result<(), Issues> {
         let missing: Vec<Issue> = self
             .knowledge
@@ -147,9 +152,15 @@ impl Case {
             .iter()
             .filter(|left_out| is_needed(left_out.of))
             .map(|left_out| {
+                let name = left_out.of.name().to_owned();
+                if left_out.is_evidence() {
+                    let message = "missing: `[evidence]` measures it with an uncertainty, and this verb needs a value";
+                    let help = "give it here; `planar-impact reconstruct` solves for it from the evidence";
+                    return self.document.place(Issue::at("unknown", name, message).with_help(help));
+                }
                 let at = Issue::at("unknown", left_out.key.clone(), "missing: listed under `[unknown]`, so this verb needs a value")
                     .with_help("`planar-impact reconstruct` solves for it");
-                Issue { path: left_out.of.name().to_owned(), ..self.document.place(at) }
+                Issue { path: name, ..self.document.place(at) }
             })
             .collect();
         if missing.is_empty() { Ok(()) } else { Err(self.document.refuse(Cause::Input, missing)) }

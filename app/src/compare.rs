@@ -1,17 +1,20 @@
 //! The verb `compare`: variants of a case side by side, with the inputs in which they differ.
 
-use planar_impact::reconstruct::Uncertainty;
-use planar_impact::{ImpulseRatio, Input};
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+
+use planar_impact::reconstruct::{Uncertainty, Verdict};
+use planar_impact::{Distribution, ImpulseRatio, Input, Side};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, Parameter, parameter_of};
+use crate::case::{Case, EntryValue, Parameter, UncertainInput, parameter_of};
 use crate::control::Control;
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Sentence;
 use crate::notice::{Notice, Notices};
-use crate::reconstruct::{self, Interval, Reconstruction};
+use crate::reconstruct::{self, Interval, Reconstruction, Unknown};
 use crate::solve::{self, Solution, TangentialLaw, Vehicle};
 use crate::units::Measure;
 
@@ -49,7 +52,7 @@ pub struct ComparedCase {
     /// The verdict of `reconstruct`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verdict: Option<&'static str>,
-    /// Why it has no answer; empty if it has one.
+    /// Why it has no answer; empty if it has one, or if the verdict is the reason.
     pub refusals: Vec<ComparedRefusal>,
     /// `false` if it is refused, or if its reconstruction is no unique answer.
     pub is_answer: bool,
@@ -69,7 +72,8 @@ pub struct ComparedRefusal {
 /// An input, or a piece of evidence, that differs between the cases.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ComparedInput {
-    /// Its name; evidence has `evidence.` before it, and a standard deviation ` sd` after it.
+    /// Its name; evidence has `evidence.` before it, a standard deviation ` sd` after it, and the shape and the limits of a distribution ` distribution`,
+    /// ` min` and ` max`. Any other entry of a file has its path.
     pub name: String,
     /// Its value in each case; `null` where the case does not have it.
     pub values: Vec<Option<InputValue>>,
@@ -84,8 +88,8 @@ pub struct ComparedInput {
 pub enum InputValue {
     /// A number in SI.
     Number(f64),
-    /// A word: a law, `critical`, `unknown`.
-    Word(&'static str),
+    /// A word: a law, `critical`, `unknown`, or any text of the file.
+    Word(Cow<'static, str>),
 }
 
 /// An output in each case.
@@ -117,23 +121,32 @@ pub fn compare(variants: &[Variant], _: &(), control: &dyn Control) -> Result<An
         return Err(Issues::of_call(vec![Issue::of_call("CASE", message, None)]));
     }
     let mut answers = Vec::with_capacity(variants.len());
-    let mut notices = Vec::new();
     for variant in variants {
-        let answered = Answered::of(&variant.case, control)?;
-        // What is said of each case in turn, once.
-        for notice in answered.notices() {
-            if !notices.contains(notice) {
-                notices.push(notice.clone());
-            }
-        }
-        answers.push(answered);
+        answers.push(Answered::of(&variant.case, control)?);
     }
     let comparison = CaseComparison {
         cases: variants.iter().zip(&answers).map(|(variant, answered)| ComparedCase::of(variant, answered)).collect(),
         inputs: differing_inputs(variants),
         outputs: outputs(variants, &answers),
     };
-    Ok(Answer::new(&variants[0].case.title, comparison, Notices(notices)))
+    Ok(Answer::new(&variants[0].case.title, comparison, notices(&answers)))
+}
+
+/// Returns the notices of all cases, each once, with the places of its cases before it, as in `[1, 3] `.
+fn notices(answers: &[Answered]) -> Notices {
+    let mut all: Vec<(&Notice, Vec<String>)> = Vec::new();
+    for (place, answered) in answers.iter().enumerate() {
+        for notice in answered.notices() {
+            let place = (place + 1).to_string();
+            match all.iter_mut().find(|(other, _)| *other == notice) {
+                Some((_, places)) if places.contains(&place) => (),
+                Some((_, places)) => places.push(place),
+                None => all.push((notice, vec![place])),
+            }
+        }
+    }
+    let of_cases = |(notice, places): (&Notice, Vec<String>)| notice.clone().prefixed(format!("[{}] ", places.join(", ")));
+    Notices(all.into_iter().map(of_cases).collect())
 }
 
 /// What became of a case.
@@ -192,16 +205,53 @@ impl ComparedCase {
             |issue: &Issue| ComparedRefusal { code: issue.code, path: issue.path.clone(), message: Sentence(issue.message.clone()) };
         let refusals = match answered {
             Answered::Refused(issues) => issues.list().iter().map(refusal).collect(),
-            _ => Vec::new(),
+            Answered::Reconstructed(answer) => open_unknowns(answer),
+            Answered::Solved(_) => Vec::new(),
         };
         ComparedCase {
             name: variant.name.clone(),
             title: variant.case.title.clone(),
             verb: if is_reconstructed(&variant.case) { "reconstruct" } else { "solve" },
             verdict: answered.reconstruction().map(|found| found.verdict),
-            is_answer: refusals.is_empty() && answered.reconstruction().is_none_or(|found| found.is_answer),
+            is_answer: !matches!(answered, Answered::Refused(_)) && answered.reconstruction().is_none_or(|found| found.is_answer),
             refusals,
         }
+    }
+}
+
+/// Returns why a reconstruction is no unique answer although the evidence agrees with it: the unknowns that it does not narrow down.
+fn open_unknowns(found: &Reconstruction) -> Vec<ComparedRefusal> {
+    /// Share of the range between the bounds that is rounding.
+    const ROUNDING: f64 = 1e-6;
+    if found.status != Verdict::Agrees || found.is_answer {
+        return Vec::new();
+    }
+    let reason =
+        |path: &str, message: String| ComparedRefusal { code: "not-narrowed", path: path.to_owned(), message: Sentence(message.into()) };
+    let is_open = |unknown: &Unknown| {
+        let width = |ends: [Option<f64>; 2]| Some(ends[1]? - ends[0]?);
+        let [found, given] = [[unknown.interval.low, unknown.interval.high], [unknown.min, unknown.max]].map(width);
+        !unknown.is_input && found.is_none_or(|found| given.is_some_and(|given| found >= given * (1.0 - ROUNDING)))
+    };
+    let open: Vec<ComparedRefusal> = found
+        .unknown
+        .iter()
+        .filter(|(_, unknown)| is_open(unknown))
+        .map(|(name, _)| reason(name, "its interval is no narrower than its bounds, so the evidence does not determine it".to_owned()))
+        .collect();
+    if open.is_empty() {
+        return vec![reason(
+            "",
+            "the evidence does not narrow every unknown down; `planar-impact reconstruct` shows the intervals".to_owned(),
+        )];
+    }
+    open
+}
+
+impl ComparedCase {
+    /// Returns `true` if it is refused, and so has no outputs; a reconstruction that is no unique answer has some.
+    pub fn is_refused(&self) -> bool {
+        self.verdict.is_none() && !self.refusals.is_empty()
     }
 }
 
@@ -212,47 +262,120 @@ impl CaseComparison {
     }
 }
 
-/// The inputs of a case: name, measure and value, in file order.
-fn inputs(case: &Case, keys: &[Parameter]) -> Vec<(String, Measure, InputValue)> {
+/// A row of the inputs of one case.
+struct Row {
+    name: String,
+    measure: Measure,
+    value: InputValue,
+    /// Differences below 10⁻¹² of this are rounding.
+    scale: f64,
+}
+
+impl Row {
+    fn number(name: String, measure: Measure, value: f64) -> Row {
+        Row { name, measure, value: InputValue::Number(value), scale: value.abs() }
+    }
+
+    fn word(name: String, word: impl Into<Cow<'static, str>>) -> Row {
+        Row { name, measure: Measure::Ratio, value: InputValue::Word(word.into()), scale: 0.0 }
+    }
+}
+
+/// What follows the name of an input in the row of the shape of its distribution.
+const SHAPE: &str = " distribution";
+
+/// The rows of a case: its inputs, its evidence, and every other entry of its file.
+fn rows(case: &Case, keys: &[Parameter]) -> Vec<Row> {
     let sought: Vec<Parameter> =
         case.knowledge.unknowns.iter().filter_map(|unknown| unknown.called.or_else(|| parameter_of(unknown.of))).collect();
     let mut all = Vec::new();
     for &key in keys {
-        let value = if sought.contains(&key) {
-            InputValue::Word("unknown")
+        if sought.contains(&key) {
+            all.push(Row::word(key.to_string(), "unknown"));
         } else if key == Parameter::Input(Input::ImpulseRatio) && case.inputs.contact.impulse_ratio == ImpulseRatio::Critical {
-            InputValue::Word("critical")
+            all.push(Row::word(key.to_string(), "critical"));
         } else if let Ok(value) = case.inputs.value(key) {
-            InputValue::Number(value)
+            let row = Row::number(key.to_string(), key.measure(), value);
+            all.push(Row { scale: scale(case, key).max(row.scale), ..row });
         } else {
             continue;
-        };
-        all.push((key.to_string(), key.measure(), value));
+        }
         if let Some(uncertain) = case.uncertain.of(key) {
-            all.push((format!("{key} sd"), key.measure(), InputValue::Number(uncertain.distribution.sd())));
+            all.extend(of_distribution(uncertain));
         }
     }
     let law = match case.inputs.contact.law.into() {
         TangentialLaw::Brach => "brach",
         TangentialLaw::KudlichSlibar => "kudlich-slibar",
     };
-    all.push(("contact.tangential_law".to_owned(), Measure::Ratio, InputValue::Word(law)));
+    all.push(Row::word("contact.tangential_law".to_owned(), law));
     if case.model.is_momentum() {
-        all.push(("contact.model".to_owned(), Measure::Ratio, InputValue::Word("momentum")));
+        all.push(Row::word("contact.model".to_owned(), "momentum"));
     }
     for known in &case.knowledge.evidence {
         let (name, measure) = (format!("evidence.{}", known.of.name()), known.of.measure());
-        all.push((name.clone(), measure, InputValue::Number(known.value)));
+        all.push(Row::number(name.clone(), measure, known.value));
         match known.uncertainty {
-            Uncertainty::StandardDeviation(sd) => all.push((format!("{name} sd"), measure, InputValue::Number(sd))),
-            Uncertainty::Resolution(step) => all.push((format!("{name} resolution"), measure, InputValue::Number(step))),
+            Uncertainty::StandardDeviation(sd) => all.push(Row::number(format!("{name} sd"), measure, sd)),
+            Uncertainty::Resolution(step) => all.push(Row::number(format!("{name} resolution"), measure, step)),
             Uncertainty::Exact => (),
         }
     }
+    // A word such as a law or `critical` is among the inputs.
+    let named: HashSet<String> = all.iter().map(|row| row.name.clone()).collect();
+    let further = case.further_entries().into_iter().filter(|entry| !named.contains(&entry.name));
+    all.extend(further.map(|entry| match entry.value {
+        EntryValue::Number(value, measure) => Row::number(entry.name, measure, value),
+        EntryValue::Word(word) => Row::word(entry.name, word),
+    }));
     all
 }
 
-/// Returns the inputs that are not the same in all cases, in the order in which the cases have them.
+/// Returns the size that the rounding of an input goes by: of a component of a velocity it is the speed.
+fn scale(case: &Case, key: Parameter) -> f64 {
+    match key {
+        Parameter::Input(Input::VelocityX(side) | Input::VelocityY(side)) => {
+            let component = |input: fn(Side) -> Input| case.inputs.value(Parameter::Input(input(side))).unwrap_or(0.0);
+            component(Input::VelocityX).hypot(component(Input::VelocityY))
+        }
+        _ => 0.0,
+    }
+}
+
+/// Returns the rows of the distribution of an input: its standard deviation, its shape, and the limits that a shape has.
+fn of_distribution(uncertain: &UncertainInput) -> Vec<Row> {
+    let (name, measure) = (uncertain.parameter.to_string(), uncertain.parameter.measure());
+    let shape = match uncertain.distribution {
+        _ if uncertain.values.is_some() => "measured values",
+        Distribution::Normal { .. } => "normal",
+        Distribution::TruncatedNormal { .. } => "truncated normal",
+        Distribution::Uniform { .. } => "uniform",
+        Distribution::Triangular { .. } => "triangular",
+        Distribution::LogNormal { .. } => "log-normal",
+        Distribution::StudentT { .. } => "Student's t",
+        _ => "another",
+    };
+    let mut rows =
+        vec![Row::number(format!("{name} sd"), measure, uncertain.distribution.sd()), Row::word(format!("{name}{SHAPE}"), shape)];
+    if let Distribution::TruncatedNormal { min, max, .. } | Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. } =
+        uncertain.distribution
+    {
+        rows.extend([("min", min), ("max", max)].map(|(end, value)| Row::number(format!("{name} {end}"), measure, value)));
+    }
+    rows
+}
+
+/// A row of all cases.
+struct MergedRow {
+    input: ComparedInput,
+    /// Differences below 10⁻¹² of this are rounding.
+    scale: f64,
+    /// The place of the row of the first case that it follows, or of its own there; then the case that has it first, and its place there.
+    order: [usize; 3],
+}
+
+/// Returns the inputs and the other entries that are not the same in all cases, in the order of the first case. What it does not have follows what is before it
+/// in the first case that has it.
 fn differing_inputs(variants: &[Variant]) -> Vec<ComparedInput> {
     // A key of one file may follow from other keys of another.
     let mut keys: Vec<Parameter> = Vec::new();
@@ -262,19 +385,42 @@ fn differing_inputs(variants: &[Variant]) -> Vec<ComparedInput> {
             keys.push(key);
         }
     }
-    let of_cases: Vec<_> = variants.iter().map(|variant| inputs(&variant.case, &keys)).collect();
-    let mut all: Vec<ComparedInput> = Vec::new();
-    for (place, of_case) in of_cases.into_iter().enumerate() {
-        for (name, measure, value) in of_case {
-            let at = all.iter().position(|input| input.name == name).unwrap_or_else(|| {
-                all.push(ComparedInput { name, values: vec![None; variants.len()], measure });
+    let mut all: Vec<MergedRow> = Vec::new();
+    let mut places: HashMap<String, usize> = HashMap::new();
+    for (case, variant) in variants.iter().enumerate() {
+        let mut after = 0;
+        for (place, Row { name, measure, value, scale }) in rows(&variant.case, &keys).into_iter().enumerate() {
+            let at = *places.entry(name).or_insert_with_key(|name| {
+                let input = ComparedInput { name: name.clone(), values: vec![None; variants.len()], measure };
+                all.push(MergedRow { input, scale: 0.0, order: [if case == 0 { place } else { after }, case, place] });
                 all.len() - 1
             });
-            all[at].values[place] = Some(value);
+            let merged = &mut all[at];
+            // A word has no measure.
+            if matches!(value, InputValue::Number(_)) {
+                merged.input.measure = measure;
+            }
+            merged.input.values[case] = Some(value);
+            merged.scale = merged.scale.max(scale);
+            after = merged.order[0];
         }
     }
-    all.retain(|input| input.values.iter().any(|value| *value != input.values[0]));
-    all
+    all.sort_by_key(|row| row.order);
+    all.into_iter().filter(|row| differs(&row.input, row.scale)).map(|row| row.input).collect()
+}
+
+/// Returns `true` if the values of an input differ by more than rounding. Where an input is certain in a case, its other rows say so.
+fn differs(input: &ComparedInput, scale: f64) -> bool {
+    let is_shape = input.name.ends_with(SHAPE);
+    let is_same = |one: &Option<InputValue>, other: &Option<InputValue>| match (one, other) {
+        (Some(InputValue::Number(one)), Some(InputValue::Number(other))) => {
+            one.total_cmp(other).is_eq() || (one - other).abs() <= 1e-12 * scale
+        }
+        (None, Some(_)) | (Some(_), None) => is_shape,
+        _ => one == other,
+    };
+    let first = input.values.iter().find(|value| value.is_some() || !is_shape);
+    first.is_some_and(|first| !input.values.iter().all(|value| is_same(first, value)))
 }
 
 /// A principal output: its name, its measure, and its value in a collision.

@@ -3,12 +3,13 @@
 use planar_impact::crash3::{
     Assumption, Assumptions, Consequence, Damaged, DamagedPair, PairEstimate, Surface, VehicleEstimate, approach_velocity,
 };
-use planar_impact::{Heading, Impact, Moment, Refusals, Xy};
+use planar_impact::reconstruct::Measurand;
+use planar_impact::{Heading, Impact, Moment, Output, Refusals, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::Case;
+use crate::case::{Case, Known, vehicle_number};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
@@ -134,6 +135,7 @@ pub fn crash3(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<Comparison>
     every_vehicle_has_crush(case)?;
     let mut notices = Vec::new();
     let comparison = Comparison::of(case, &mut notices)?;
+    notices.extend(unused_evidence(case));
     Ok(case.answer(comparison, notices))
 }
 
@@ -189,17 +191,62 @@ fn every_vehicle_has_crush(case: &Case) -> Result<(), Issues> {
 fn separations(case: &Case, impact: &Result<Impact, Refusals>, notices: &mut Vec<Notice>) -> Result<[Option<Xy>; 2], Issues> {
     let after = impact.as_ref().ok().map(|impact| [impact.one.after.velocity, impact.two.after.velocity]);
     let given = case.knowledge.separation();
-    let from_rest = case.separations_from_rest()?.map(|separation| separation.map(|separation| separation.motion.velocity));
-    for i in (0..2).filter(|&i| given[i].is_none() && from_rest[i].is_some()) {
+    let rests = [0, 1].map(|i| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
+    let is_needed = [0, 1].map(|i| given[i].is_none() && rests[i].is_some_and(|rest| rest.evidence.is_some()));
+    let from_rest = case.separations_from_rest_of(is_needed)?.map(|separation| separation.map(|separation| separation.motion.velocity));
+    for i in (0..2).filter(|&i| from_rest[i].is_some()) {
         let path = format!("rest.vehicle.{}", i + 1);
         let message = format!("vehicle.{}: the separation velocity is reconstructed from its rest position", i + 1);
         notices.push(Notice::note("separation-from-rest", path, message));
     }
-    if given.iter().chain(&from_rest).all(Option::is_none) && after.is_some() {
+    let parties = case.collision.parties();
+    let is_assumed = |i: &usize| after.is_some() && parties[*i].vehicle().is_some() && given[*i].or(from_rest[*i]).is_none();
+    let assumed: Vec<(usize, Option<String>)> =
+        (0..2).filter(is_assumed).map(|i| (i, incomplete(case, Side::ALL[i], rests[i].is_some()))).collect();
+    let is_of_all = given.iter().chain(&from_rest).all(Option::is_none) && assumed.iter().all(|(_, why)| why.is_none());
+    if is_of_all && !assumed.is_empty() {
         let message = "the separation velocities are those that planar mechanics has for the case: the evidence has none";
         notices.push(Notice::note("separation-of-case", "", message));
+    } else {
+        notices.extend(assumed.into_iter().map(|(i, why)| {
+            let path = format!("vehicle.{}", i + 1);
+            let why = why.unwrap_or_else(|| "the evidence has none".to_owned());
+            let message = format!("{path}: the separation velocity is the one that planar mechanics has for the case: {why}");
+            Notice::note("separation-of-case", path, message)
+        }));
     }
     Ok([0, 1].map(|i| given[i].or(from_rest[i]).or(after.map(|after| after[i]))))
+}
+
+/// Returns what the case lacks of the separation velocity of a vehicle, of which it has a part; `None` if it has nothing of it.
+fn incomplete(case: &Case, side: Side, has_rest: bool) -> Option<String> {
+    let number = vehicle_number(side);
+    let components = [Output::VelocityX(side), Output::VelocityY(side)].map(|output| case.knowledge.of(Measurand::Output(output)));
+    match components {
+        [Some(one), None] | [None, Some(one)] => Some(format!("the evidence has only {}; give both components", one.of.name())),
+        _ if has_rest => Some(format!("[rest.vehicle.{number}] does not say where it came to rest; give `position` and `heading` there")),
+        _ => None,
+    }
+}
+
+/// Returns the note of the evidence that CRASH3 does not use, or `None` if it uses all. It starts from the crush and from separation velocities.
+fn unused_evidence(case: &Case) -> Option<Notice> {
+    let is_used = |known: &&Known| match known.of {
+        // An approach is a number of the case.
+        Measurand::Variable(_) => true,
+        Measurand::Output(Output::VelocityX(_) | Output::VelocityY(_)) => true,
+        _ => known.is_from_crush,
+    };
+    let unused: Vec<&Known> = case.knowledge.evidence.iter().filter(|known| !is_used(known)).collect();
+    let names: Vec<&str> = unused.iter().map(|known| known.of.name()).collect();
+    let message = format!("CRASH3 takes no part of the evidence but separation velocities; not used: {}", names.join(", "));
+    let direction = unused.iter().find(|known| matches!(known.of, Measurand::Output(Output::PrincipalDirectionOfForce(_))));
+    let message = match direction {
+        Some(_) => format!("{message}; give the direction of the force as `pdof` under [vehicle.crush]"),
+        None => message,
+    };
+    let path = if let [one] = &unused[..] { one.key.clone() } else { "evidence".to_owned() };
+    (!unused.is_empty()).then(|| Notice::note("evidence-not-used", path, message))
 }
 
 /// Compares both methods for a crush energy, unless planar mechanics has no result.

@@ -58,6 +58,11 @@ impl Document {
         &self.source
     }
 
+    /// Returns the keys of the root and their values, in file order.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
     /// Walks the file from its root. Collects the issues that tables and fields report on the way; reports unknown
     /// keys of the root, except `$schema`, after `walk` returns.
     ///

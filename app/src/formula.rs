@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::SCHEMA;
-use crate::case::Case;
+use crate::case::{Case, Inertia, Restitution, Velocity};
 use crate::control::Control;
 use crate::issue::Issues;
 use crate::quantity::nearest;
@@ -123,7 +123,8 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
     let formulas = Formulas::of(&kind);
     let of_output = formulas.output(options.output);
     let formula = options.wrt.map_or_else(|| of_output.clone(), |input| of_output.derivative(input.symbol()));
-    let subject = subject(options.output, options.wrt, &kind);
+    let held = case.zip(options.wrt).and_then(|(case, input)| held(case, input));
+    let subject = subject(options.output, options.wrt, &kind) + held.unwrap_or_default();
     let value = |name: &str| Input::named(name).zip(collision).and_then(|(input, collision)| collision.input(input));
     let definition = |definition: formula::Definition| Definition {
         symbol: definition.name(),
@@ -272,6 +273,26 @@ fn subject(output: Output, by: Option<Input>, kind: &Collision<()>) -> String {
     format!("{derivative}{output}: {parties}, {ratio}{moment}, law of {law}.")
 }
 
+/// Says what the derivative of a formula holds that `gradient` moves: a case may give an input through another number.
+fn held(case: &Case, by: Input) -> Option<&'static str> {
+    let of = |side: Side| case.inputs.vehicles[side as usize].as_ref();
+    match by {
+        Input::Mass(side) if of(side).is_some_and(|of| matches!(of.inertia, Inertia::Radius(_))) => {
+            Some(" It holds the yaw inertia; `gradient` holds the radius of gyration, which the case gives.")
+        }
+        Input::Heading(side) if of(side).is_some_and(|of| matches!(of.velocity, Velocity::Speed(_))) => {
+            Some(" It holds the components of the velocity; `gradient` holds the speed along the heading, which the case gives.")
+        }
+        Input::ImpulseRatio if matches!(case.collision.impulse_ratio, ImpulseRatio::LimitedByFriction(_)) => {
+            Some(" The ratio is the friction that the case gives; `gradient` has it under contact.friction.")
+        }
+        _ if matches!(case.inputs.contact.restitution, Restitution::OfClosingSpeed(_)) => {
+            Some(" It holds the restitution; `gradient` follows its curve over the closing speed, which the case gives.")
+        }
+        _ => None,
+    }
+}
+
 /// Describes the form in which the number of an impulse ratio or a moment impulse is given, if not plainly.
 fn meaning(input: Input, kind: &Collision<()>) -> &'static str {
     match (input, kind.impulse_ratio, kind.moment) {
@@ -304,6 +325,25 @@ mod tests {
         assert!(text.lines().all(|line| line.starts_with("// four") && line.len() <= SOURCE), "{text}");
         assert_eq!(text.matches("four").count(), 60);
         assert_eq!(comment("a b", "% "), "% a b\n");
+    }
+
+    #[test]
+    fn a_derivative_says_what_it_holds_and_gradient_moves() {
+        let case = |vehicle: &str, contact: &str| {
+            let text = format!(
+                "schema = 1\n[[vehicle]]\nmass = 1000\nheading = 0\nimpact_center = [2, 0.3]\n{vehicle}\n[[vehicle]]\nbarrier = true\n\
+                 [contact]\ncrush_plane = 0\n{contact}\n"
+            );
+            Case::parse(crate::Source { name: "case.toml".into(), text }).expect("a case")
+        };
+        let through = case("radius_of_gyration = 1.4\nspeed = 15", "friction = 0.3\nrestitution = 0.1");
+        let plain = case("yaw_inertia = 1900\nvelocity = [15, 0]", "impulse_ratio = 0.05\nrestitution = 0.1");
+        let inputs = [Input::Mass(Side::One), Input::Heading(Side::One), Input::ImpulseRatio];
+        for (input, word) in inputs.into_iter().zip(["radius of gyration", "speed along the heading", "contact.friction"]) {
+            assert!(held(&through, input).is_some_and(|said| said.contains(word)), "{input}");
+            assert_eq!(held(&plain, input), None);
+        }
+        assert_eq!(held(&through, Input::Restitution), None);
     }
 
     /// The word that a person adds to the name of an input, as in a case file.

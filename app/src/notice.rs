@@ -38,8 +38,8 @@ impl Notice {
     }
 
     /// Adds words before its sentence.
-    pub fn prefixed(self, prefix: &'static str) -> Notice {
-        Notice { message: Message::from(prefix).join(self.message), ..self }
+    pub fn prefixed(self, prefix: impl Into<Message>) -> Notice {
+        Notice { message: prefix.into().join(self.message), ..self }
     }
 
     /// Creates a warning: a result that is possible but unusual.

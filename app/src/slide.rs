@@ -139,9 +139,9 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
         Notice::note("places-from-separation", "rest", message)
     });
     let is_uncertain = |of: &RestOfVehicle| of.evidence.as_ref().is_some_and(|evidence| evidence.friction_deviation > 0.0);
-    let friction = sides().any(|(_, of)| is_uncertain(of)).then(|| {
-        Notice::note("nominal-values", "rest.friction", "rest.friction is uncertain, and used at its nominal value")
-    });
+    let friction = sides()
+        .any(|(_, of)| is_uncertain(of))
+        .then(|| Notice::note("nominal-values", "rest.friction", "rest.friction is uncertain, and used at its nominal value"));
     Ok(case.answer(Slides { vehicles }, warnings.into_iter().chain(friction).chain(note)))
 }
 

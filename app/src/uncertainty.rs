@@ -6,8 +6,10 @@ mod mapping;
 mod model;
 mod variance;
 
+use std::collections::BTreeMap;
+
 use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
-use planar_impact::{Output, Refusals};
+use planar_impact::{Output, Refusals, simulation};
 
 use crate::answer::Answer;
 use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
@@ -143,6 +145,18 @@ struct Found {
     notices: Notices,
 }
 
+impl Found {
+    /// Adds samples to those drawn, and those that physics refuses of them.
+    fn count(&mut self, samples: u64, refused: &simulation::RefusedSamples) {
+        let all = &mut self.facts.refused;
+        let mut by_code: BTreeMap<&str, u64> = all.reasons.iter().map(|(code, count)| (code, *count)).collect();
+        refused.by_code.iter().for_each(|(code, count)| *by_code.entry(code).or_default() += count);
+        let reasons = by_code.into_iter().collect();
+        *all = RefusedSamples { count: all.count + refused.samples, reasons };
+        self.facts.samples += samples;
+    }
+}
+
 impl<'a> Question<'a> {
     fn read(case: &'a Case, options: &'a Options) -> Result<Self, Issues> {
         let mut issues = Vec::new();
@@ -164,6 +178,11 @@ impl<'a> Question<'a> {
 
     fn asks(&self, method: Method) -> bool {
         self.options.methods.is_empty() || self.options.methods.contains(&method)
+    }
+
+    /// Returns `true` if the outputs themselves are sampled, not their parts in the variance alone.
+    fn samples_outputs(&self) -> bool {
+        self.asks(Method::MonteCarlo) || !self.thresholds.is_empty()
     }
 
     fn named<V>(&self, values: impl IntoIterator<Item = V>) -> Named<V> {
@@ -254,7 +273,7 @@ impl<'a> Question<'a> {
 
     /// Adds what samples say.
     fn sample(&self, found: &mut Found, control: &dyn Control) -> Result<(), Issues> {
-        if !self.asks(Method::MonteCarlo) && self.thresholds.is_empty() {
+        if !self.samples_outputs() {
             return Ok(());
         }
         let Options { samples, seed, precision, level, points_of_sobol, .. } = *self.options;
@@ -290,11 +309,7 @@ impl<'a> Question<'a> {
         }
         let probability = |found: &Estimated| Probability { value: found.value, se: found.standard_error };
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
-        found.facts.samples = sampled.samples;
-        found.facts.refused = RefusedSamples {
-            count: sampled.refused.samples,
-            reasons: sampled.refused.by_code.iter().map(|(code, count)| (code, *count)).collect(),
-        };
+        found.count(sampled.samples, &sampled.refused);
         if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
             let message = format!("{samples} samples do not reach the precision of {} %: give more with --samples", 100.0 * precision);
             found.notices.0.push(Notice::warning("precision-not-reached", "", message));

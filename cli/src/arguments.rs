@@ -204,7 +204,7 @@ pub struct Reconstruct {
     #[arg(long)]
     pub guaranteed: bool,
     /// Standard deviations at which `--guaranteed` ends other evidence, and inputs without limits.
-    #[arg(long, value_name = "COUNT", default_value_t = 3.0)]
+    #[arg(long, value_name = "COUNT", default_value_t = 3.0, requires = "guaranteed")]
     pub bounds_sd: f64,
     /// Draw from the posterior: the priors times the likelihood of the evidence.
     #[arg(long)]
@@ -231,18 +231,18 @@ pub struct Uncertainty {
     /// Methods; may be repeated. Default: all that apply.
     #[arg(long, value_enum, value_name = "METHODS", value_delimiter = ',')]
     pub method: Vec<UncertaintyMethod>,
-    /// Number of samples; with a precision, the greatest.
-    #[arg(long, value_name = "COUNT", default_value_t = 100_000, value_parser = samples)]
-    pub samples: u64,
+    /// Number of samples; with a precision, the greatest. Default: 100000.
+    #[arg(long, value_name = "COUNT", value_parser = samples)]
+    pub samples: Option<u64>,
     /// Draw until the standard error of every mean is this share of it, such as 0.1%; of the standard deviation if that is greater.
     #[arg(long, value_name = "SHARE", value_parser = share)]
     pub precision: Option<f64>,
-    /// Seed of the samples. The same seed gives the same answer, for any number of threads.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
-    /// Where the samples lie.
-    #[arg(long, value_enum, default_value_t = SamplePoints::Random)]
-    pub points: SamplePoints,
+    /// Seed of the samples. The same seed gives the same answer, for any number of threads. Default: 1.
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Where the samples lie. Default: random.
+    #[arg(long, value_enum)]
+    pub points: Option<SamplePoints>,
     /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
@@ -258,6 +258,26 @@ pub struct Uncertainty {
     /// Units of text, CSV and SVG. Default: those of most values in the case file. JSON is always SI.
     #[arg(long, value_enum)]
     pub units: Option<UnitSystem>,
+}
+
+impl Uncertainty {
+    /// Returns the error of an option that has no effect with the methods of the call; a probability is sampled with any method.
+    pub fn without_effect(&self) -> Option<String> {
+        use UncertaintyMethod::{MonteCarlo, Shapley, Sobol};
+        if self.method.is_empty() || !self.probability.is_empty() || self.method.contains(&MonteCarlo) {
+            return None;
+        }
+        let draws = self.method.iter().any(|method| [Sobol, Shapley].contains(method));
+        // Shares in the variance have a plan of their own.
+        let of_outputs = [(self.points.is_some(), "--points"), (self.precision.is_some(), "--precision")];
+        let of_any = [(self.samples.is_some() && !draws, "--samples"), (self.seed.is_some() && !draws, "--seed")];
+        let idle = of_any.into_iter().chain(of_outputs).find_map(|(is_idle, option)| is_idle.then_some(option))?;
+        let (what, remedy) = match idle {
+            "--samples" | "--seed" => ("no method of the call draws samples", "monte-carlo, sobol or shapley"),
+            _ => ("it is for samples of the outputs, which no method of the call draws", "monte-carlo"),
+        };
+        Some(format!("{idle} has no effect: {what}; add {remedy} to --method, or leave {idle} out"))
+    }
 }
 
 /// A way to say how uncertain an output is.
@@ -342,7 +362,7 @@ pub struct Report {
     /// Sections, by name; may be repeated. Default: all that apply.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Part::ALL.map(Part::name))]
     pub sections: Vec<String>,
-    /// Draw the posterior of a reconstruction too. Its last bits, and so the bytes of the report, depend on the platform.
+    /// Draw the posterior of a reconstruction too, where that is what the report answers. Its last bits, and so the bytes of the report, depend on the platform.
     #[arg(long)]
     pub posterior: bool,
     /// A date, in any words. Without it the report has none: the same input gives the same bytes.
@@ -677,6 +697,35 @@ mod tests {
     #[test]
     fn the_command_line_is_sound() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn options_without_effect_are_refused() {
+        let uncertainty = |options: &str| {
+            let words = ["planar-impact", "uncertainty", "case.toml"].into_iter().chain(options.split_whitespace());
+            let Arguments { verb: Verb::Uncertainty(call), .. } = Arguments::try_parse_from(words).expect("a call") else {
+                panic!("{options}")
+            };
+            call.without_effect()
+        };
+        for (options, idle) in [
+            ("--method linear --samples 1000", Some("--samples")),
+            ("--method linear,bounds --seed 2", Some("--seed")),
+            ("--method second-order --points sobol", Some("--points")),
+            ("--method sobol --precision 1%", Some("--precision")),
+            ("--method shapley --points sobol", Some("--points")),
+            ("--method sobol --samples 1000 --seed 2", None),
+            ("--method linear --method monte-carlo --points sobol", None),
+            ("--samples 1000 --points sobol", None),
+            ("--method linear", None),
+        ] {
+            let found = uncertainty(options);
+            assert_eq!(found.as_deref().and_then(|message| message.split(' ').next()), idle, "{options}");
+        }
+        let reconstruct = |options: &[&str]| Arguments::try_parse_from([&["planar-impact", "reconstruct", "case.toml"], options].concat());
+        let error = reconstruct(&["--bounds-sd", "7"]).expect_err("no guarantee is asked for");
+        assert!(error.to_string().contains("--guaranteed"), "{error}");
+        assert!(reconstruct(&["--bounds-sd", "7", "--guaranteed"]).is_ok() && reconstruct(&[]).is_ok());
     }
 
     #[test]

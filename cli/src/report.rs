@@ -23,6 +23,9 @@ use crate::{check, files, interrupt, verbs};
 /// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
     files::is_no_input(call.output.as_deref(), &call.files)?;
+    if call.verb.is_some_and(|verb| verb != ReportVerb::Reconstruct) {
+        has_posterior(call, false)?;
+    }
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),
@@ -35,6 +38,7 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
         Some(ReportVerb::Validate) => return of_validation(call),
     };
     let (case, units) = verbs::read_unless_written(one(call)?, call.units, call.output.as_deref())?;
+    has_posterior(call, call.verb.is_some() || !case.knowledge.unknowns.is_empty())?;
     let answer = report::report(&case, &report::Options { verb, posterior: call.posterior }, &Progress::new())
         .map_err(|issues| Failure::Issues(issues, units))?;
     write(call, &document::of_case(&answer, &options(call, units))?)
@@ -84,6 +88,15 @@ fn write(call: &Report, document: &html::Document) -> Result<CommandOutput, Fail
 fn one(call: &Report) -> Result<&Path, Failure> {
     let [file] = &call.files[..] else { return Err(wrong_number("give one file")) };
     Ok(PathBuf::as_path(file))
+}
+
+/// Refuses the posterior in a report of another verb than `reconstruct`.
+fn has_posterior(call: &Report, is_reconstructed: bool) -> Result<(), Failure> {
+    if is_reconstructed || !call.posterior {
+        return Ok(());
+    }
+    let message = "--posterior has no effect: the report is not one of `reconstruct`; leave it out, or give --verb reconstruct and a case with unknowns";
+    Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)))
 }
 
 fn wrong_number(message: &str) -> Failure {

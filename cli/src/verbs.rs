@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
+use clap::error::ErrorKind;
 use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
@@ -174,6 +175,9 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
 }
 
 fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
+    if let Some(message) = call.without_effect() {
+        return Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)));
+    }
     let (case, units) = read(&call.case, call.units)?;
     let method = |method: &UncertaintyMethod| match method {
         UncertaintyMethod::Linear => uncertainty::Method::Linear,
@@ -183,12 +187,13 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         UncertaintyMethod::Shapley => uncertainty::Method::Shapley,
         UncertaintyMethod::Bounds => uncertainty::Method::Bounds,
     };
+    let default = uncertainty::Options::default();
     let options = uncertainty::Options {
         of: call.of.clone(),
         methods: call.method.iter().map(method).collect(),
-        samples: call.samples,
-        seed: call.seed,
-        points_of_sobol: call.points == SamplePoints::Sobol,
+        samples: call.samples.unwrap_or(default.samples),
+        seed: call.seed.unwrap_or(default.seed),
+        points_of_sobol: call.points == Some(SamplePoints::Sobol),
         precision: call.precision,
         probabilities: call.probability.clone(),
         level: call.level,

@@ -1472,9 +1472,10 @@ class Uncertainty(Answer):
     probabilities: Facts[Probability]
     """The probability of each statement, as it is written."""
     refused: RefusedSamples
-    """The samples that physics refuses: all figures of ``monte_carlo`` are of the others."""
+    """The samples that physics refuses: all figures of samples are of the others."""
     samples: int
-    """The samples drawn, refused ones included; 0 without the method ``monte-carlo``."""
+    """The samples drawn, refused ones included: those of ``monte-carlo`` and of probabilities, or without these the ones of ``sobol``
+    and ``shapley``; 0 if no method draws any."""
     schema: int
     """The version of this document."""
     seed: int

@@ -139,12 +139,9 @@ impl Issue for ReconstructionIssue {
             NothingUnknown => "nothing is unknown".into(),
             TooLittleEvidence { unknowns, evidence } => {
                 let names: Vec<&str> = unknowns.iter().map(|of| of.name()).collect();
-                let pieces = if *evidence == 1 { "piece" } else { "pieces" };
-                message.text(format!(
-                    "{} numbers are unknown ({}), and there are {evidence} {pieces} of evidence",
-                    names.len(),
-                    names.join(", ")
-                ))
+                let pieces = if *evidence == 1 { "is 1 piece".to_owned() } else { format!("are {evidence} pieces") };
+                let numbers = if names.len() == 1 { "1 number is".to_owned() } else { format!("{} numbers are", names.len()) };
+                message.text(format!("{numbers} unknown ({}), and there {pieces} of evidence", names.join(", ")))
             }
             NotInCase(_) | NothingToMeasure(_) => "the collision does not have it".into(),
             UnknownTwice(_) => "it is unknown twice".into(),

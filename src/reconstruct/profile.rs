@@ -420,7 +420,9 @@ impl Quantity<'_> {
         let mut best: Option<Reached> = None;
         let mut closest: Option<f64> = None;
         for start in [inside.extrapolated(value), inside.unknowns.clone()].into_iter().chain(others) {
-            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum).map(|reached| Reached { unknowns: profile.bounded(reached.unknowns.clone()), ..reached }) {
+            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum)
+                .map(|reached| Reached { unknowns: profile.bounded(reached.unknowns.clone()), ..reached })
+            {
                 Ok(reached) if profile.model.solve(&reached.unknowns).is_ok() => {
                     let is_inside = reached.sum_of_squares <= profile.greatest;
                     if best.as_ref().is_none_or(|best| reached.sum_of_squares < best.sum_of_squares) {

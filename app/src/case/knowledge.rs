@@ -12,7 +12,7 @@ pub struct Knowledge {
     pub evidence: Vec<Known>,
     /// The unknowns, in the order of the file.
     pub unknowns: Vec<RequestedUnknown>,
-    /// Keys left out of the vehicles and the contact because they are unknown.
+    /// Keys left out of the vehicles and the contact because they are unknown, or because the evidence measures them.
     pub left_out: Vec<LeftOut>,
 }
 
@@ -50,13 +50,20 @@ pub struct RequestedUnknown {
     pub called: Option<Parameter>,
 }
 
-/// A key left out of the file because it is unknown.
+/// A key left out of the vehicles and the contact because it is unknown, or because the evidence measures it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeftOut {
     /// The quantity left out.
     pub of: Variable,
-    /// Path of the entry that declares it unknown.
+    /// Path of the entry that declares it unknown, or of the evidence that measures it.
     pub key: String,
+}
+
+impl LeftOut {
+    /// Returns `true` if it is left out because the evidence measures it, and not because it is listed as unknown.
+    pub fn is_evidence(&self) -> bool {
+        self.key.starts_with("evidence.")
+    }
 }
 
 impl Known {
@@ -139,6 +146,21 @@ mod tests {
                 assert!(crate::quantity::parse(&text, measure.into()).is_ok(), "{}: {text}", of.name());
             }
         }
+    }
+
+    #[test]
+    fn evidence_alone_is_no_value() {
+        let text = include_str!("../../../cli/examples/reconstruct/two-cars.toml").to_owned();
+        let case = crate::case::Case::parse(crate::source::Source { name: "case.toml".to_owned(), text: text.clone() }).expect("a case");
+        let issues = case.needs_everything().expect_err("numbers are unknown");
+        let line = |name: &str| {
+            let issue = issues.list().iter().find(|issue| issue.path == name).expect("an issue");
+            (text[issue.span.clone().expect("a place")].to_owned(), issue.message.to_string())
+        };
+        let (place, message) = line("vehicle.2.speed");
+        assert!(place.starts_with("[[vehicle]]") && message.contains("`[evidence]` measures it"), "{place}: {message}");
+        let (place, message) = line("vehicle.1.speed");
+        assert!(place.contains("start") && message.contains("listed under `[unknown]`"), "{place}: {message}");
     }
 
     #[test]

@@ -29,6 +29,7 @@ use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;
 pub(crate) use self::recorder::Recorded;
 pub(crate) use self::sample::read_cell;
+use super::contents::Contents;
 use super::domain::Domain;
 use super::inputs::Inputs;
 use super::knowledge::Knowledge;
@@ -61,6 +62,8 @@ pub(super) struct Read {
 #[derive(Default)]
 pub(crate) struct CaseReader {
     pub(crate) notices: RefCell<Vec<Notice>>,
+    /// What the file gives, by path.
+    pub(super) contents: RefCell<Contents>,
     uncertain: RefCell<Vec<UncertainInput>>,
     open: Option<SharedOpen>,
     fitted: RefCell<Vec<FittedToTests>>,
@@ -81,8 +84,8 @@ impl CaseReader {
         if self.us.get() > self.si.get() { Units::Us } else { Units::Si }
     }
 
-    /// Returns the value in SI and records its unit.
-    fn take(&self, path: &str, quantity: Quantity) -> f64 {
+    /// Returns the value in SI, and records it and its unit.
+    fn take(&self, path: &str, quantity: Quantity, kind: Kind) -> f64 {
         let Quantity { si, unit, bare, pound_force, .. } = quantity;
         if bare && !unit.is_empty() {
             self.notices.borrow_mut().push(Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")));
@@ -96,12 +99,13 @@ impl CaseReader {
             Some(_) => self.si.update(|count| count + 1),
             None => (),
         }
+        self.contents.borrow_mut().numbers(path, [(path.to_owned(), si, kind.measure())]);
         si
     }
 
     pub(crate) fn quantity(&self, field: Field<'_>, kind: Kind) -> Option<f64> {
         let path = field.path().to_owned();
-        field.quantity(kind).map(|quantity| self.take(&path, quantity))
+        field.quantity(kind).map(|quantity| self.take(&path, quantity, kind))
     }
 
     /// Reads a quantity that must be above zero. The library checks this too; checking here reports it together with
@@ -168,6 +172,7 @@ impl CaseReader {
 
     /// Keeps the distribution of an input, if it has one. Returns its nominal value.
     fn keep(&self, parameter: Parameter, key: String, read: Distributed) -> f64 {
+        self.contents.borrow_mut().input(&key);
         let Distributed { nominal, distribution, values } = read;
         if let Some(distribution) = distribution {
             self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution, values });
@@ -202,7 +207,7 @@ impl CaseReader {
     pub(crate) fn pair(&self, field: Field<'_>, kind: Kind) -> Option<[f64; 2]> {
         let path = field.path().to_owned();
         let [a, b] = field.pair(kind)?;
-        Some([self.take(&format!("{path}.1"), a), self.take(&format!("{path}.2"), b)])
+        Some([self.take(&format!("{path}.1"), a, kind), self.take(&format!("{path}.2"), b, kind)])
     }
 
     /// Reads the whole case from the root of the file.

@@ -47,11 +47,20 @@ impl Case {
     ///
     /// Returns an issue, at its place in the file, for each vehicle whose separation cannot be determined.
     pub fn separations_from_rest(&self) -> Result<[Option<Separation>; 2], Issues> {
+        self.separations_from_rest_of([true, true])
+    }
+
+    /// The same for some of the vehicles only; `None` for the others.
+    ///
+    /// # Errors
+    ///
+    /// As [`Case::separations_from_rest`].
+    pub fn separations_from_rest_of(&self, is_needed: [bool; 2]) -> Result<[Option<Separation>; 2], Issues> {
         let Some(rest) = &self.rest else { return Ok([None, None]) };
         let mut issues = Vec::new();
         let separations = [0, 1].map(|i| {
             let path = format!("rest.vehicle.{}", i + 1);
-            let Some(separation) = rest.vehicles[i].as_ref()?.separation() else {
+            let Some(separation) = rest.vehicles[i].as_ref().filter(|_| is_needed[i])?.separation() else {
                 let help = "give `position` and `heading` at rest; `slide` alone does without them";
                 issues.push(Issue::at("missing-key", path, "missing: where it came to rest").with_help(help));
                 return None;

@@ -1,6 +1,7 @@
 //! The kinds of quantity in a case file: dimension, wording and limits.
 
 use super::unit::Dimension;
+use crate::units::Measure;
 
 /// A kind of quantity.
 #[derive(Debug, Clone, Copy)]
@@ -138,6 +139,15 @@ impl Kind {
         self
     }
 
+    /// Returns the measure of such values: [`Measure::Speed`] of every speed, and a ratio of every pure number.
+    pub fn measure(&self) -> Measure {
+        let is_of = |measure: &Measure| {
+            !matches!(measure, Measure::RoadSpeed | Measure::Area | Measure::InverseMass)
+                && Kind::from(*measure).dimension == self.dimension
+        };
+        Measure::ALL.into_iter().find(is_of).unwrap_or(Measure::Ratio)
+    }
+
     /// Describes the quantity required, such as `a mass, such as "1500 kg"`.
     pub fn wanted(&self) -> String {
         format!("{}, such as \"{}\"", self.name, self.example)
@@ -155,6 +165,14 @@ mod tests {
         let positive = Reach::Positive(0.1, 1e6);
         assert!(positive.holds(0.1) && positive.holds(1e6) && positive.holds(0.0) && positive.holds(-1e9));
         assert!(!positive.holds(0.09) && !positive.holds(1.1e6) && !positive.holds(f64::NAN));
+    }
+
+    #[test]
+    fn the_measure_of_a_kind_is_of_its_dimension() {
+        for kind in Kind::ALL {
+            assert_eq!(Kind::from(kind.measure()).dimension, kind.dimension, "{}", kind.name);
+        }
+        assert_eq!([Kind::PURE, Kind::SPEED, Kind::WEIGHT].map(|kind| kind.measure()), [Measure::Ratio, Measure::Speed, Measure::Force]);
     }
 
     #[test]

@@ -47,6 +47,9 @@ impl Range {
             ([Ok(from), Ok(to)], Ok(step)) => (from, to, step),
             ([from, to], step) => return Err([from.err(), to.err(), step.err()].into_iter().flatten().collect()),
         };
+        if let Some((message, help)) = some_without_unit(name, [&from, &to, &step].into_iter().zip(&parts)) {
+            return Err(issue(&message, help));
+        }
         let outside = |end: &Quantity| {
             let wanted = parameter.domain().wanted(end.si)?;
             Some(names::issue("--vary", name, &format!("{} {}; it must be {wanted}", end.value, end.unit).replace(" ;", ";"), None))
@@ -113,6 +116,17 @@ pub fn read(texts: &[String], inputs: &Inputs, issues: &mut Vec<Issue>) -> Vec<R
 
 fn too_many() -> Option<String> {
     Some(format!("the most is {MOST_POINTS} points; take a larger step"))
+}
+
+/// Returns the message and the help for a range in which only some of the three numbers have a unit; a zero needs none.
+fn some_without_unit<'a>(name: &str, parts: impl Iterator<Item = (&'a Quantity, &'a &'a str)>) -> Option<(String, Option<String>)> {
+    let parts: Vec<(&Quantity, &str)> = parts.map(|(quantity, text)| (quantity, text.trim())).collect();
+    let has_unit = |quantity: &Quantity| !quantity.bare && !quantity.unit.is_empty();
+    let unit = &parts.iter().find(|(quantity, _)| has_unit(quantity))?.0.unit;
+    let (_, without) = parts.iter().find(|(quantity, _)| !has_unit(quantity) && quantity.value != 0.0)?;
+    let whole = parts.iter().map(|(quantity, text)| if has_unit(quantity) { (*text).to_owned() } else { format!("{text} {unit}") });
+    let help = format!("write the unit of each: {name}={}", whole.collect::<Vec<_>>().join(":"));
+    Some((format!("{} has no unit, and others of FROM:TO:STEP have one", excerpt(without)), Some(help)))
 }
 
 fn wrong_step(from: &Quantity, to: &Quantity, step: &Quantity) -> Option<(String, Option<String>)> {
@@ -227,6 +241,9 @@ mod tests {
             ("m1=0 kg:100 kg:1 kg", "0 kg; it must be above zero"),
             ("k1=1 m:2 m:1 m", "the case gives `yaw_inertia` instead"),
             ("vehicle.1.crush.d0=1:2:1", "the vehicle has no crush in this case"),
+            ("v1=0:20:5 mph", "`20` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=0 mph:20 mph:5 mph"),
+            ("v1=10 mph:20 mph:5", "`5` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=10 mph:20 mph:5 mph"),
+            ("e=0:30 %:5", "write the unit of each: e=0 %:30 %:5 %"),
             ("e=0:nan:0.1", "not a finite number"),
             ("e=::", "the string is empty"),
         ] {

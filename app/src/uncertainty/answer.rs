@@ -9,11 +9,12 @@ use crate::named::Named;
 /// Outputs with their uncertainty, in SI and radians.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Uncertainty {
-    /// The samples drawn, refused ones included; 0 without the method `monte-carlo`.
+    /// The samples drawn, refused ones included: those of `monte-carlo` and of probabilities, or without these the ones of `sobol` and `shapley`; 0 if no
+    /// method draws any.
     pub samples: u64,
     /// The seed of the samples.
     pub seed: u64,
-    /// The samples that physics refuses: all figures of `monte_carlo` are of the others.
+    /// The samples that physics refuses: all figures of samples are of the others.
     pub refused: RefusedSamples,
     /// The uncertain inputs.
     pub inputs: Named<UncertainNumber>,

@@ -51,6 +51,9 @@ impl Question<'_> {
         if !control.goes_on(saturated(shares.samples), saturated(samples)) {
             return Err(Issues::interrupted());
         }
+        if !self.samples_outputs() {
+            found.count(shares.samples, &shares.refused);
+        }
         if let Some(reason) = too_many_refused(shares.refused.samples, shares.samples) {
             found.notices.0.push(left_out(reason));
             return Ok(());
@@ -75,11 +78,9 @@ impl Question<'_> {
         if !is_needed && !self.options.methods.contains(&Method::Shapley) {
             return Ok(());
         }
-        let mut leave_out = |reason: &str| {
-            found.notices.0.push(Notice::note("shapley-left-out", "", format!("the Shapley effects are left out: {reason}")));
-        };
+        let left_out = |reason: &str| Notice::note("shapley-left-out", "", format!("the Shapley effects are left out: {reason}"));
         if self.infinite().next().is_some() {
-            leave_out(INFINITE);
+            found.notices.0.push(left_out(INFINITE));
             return Ok(());
         }
         // A fifth of the samples, each with its steps.
@@ -89,8 +90,11 @@ impl Question<'_> {
         if !control.goes_on(saturated(effects.samples), saturated(samples)) {
             return Err(Issues::interrupted());
         }
+        if !self.samples_outputs() {
+            found.count(effects.samples, &effects.refused);
+        }
         if let Some(reason) = too_many_refused(effects.refused.samples, effects.samples) {
-            leave_out(&reason);
+            found.notices.0.push(left_out(&reason));
             return Ok(());
         }
         for (effects, to) in effects.outputs.iter().zip(&mut found.of) {

@@ -83,6 +83,163 @@ fn inputs_are_those_that_differ() {
     assert!(same.status == 0 && same.out.contains("do not differ"), "{}", same.out);
 }
 
+/// A case that gives something of everything.
+const EVERYTHING: &str = r#"
+schema = 1
+correlation = [["vehicle.1.mass", "vehicle.2.mass", 0.3]]
+[[vehicle]]
+mass = "1500 kg ± 50 kg"
+yaw_inertia = 2500
+heading = "180 deg"
+speed = "40 km/h ± 10 km/h"
+impact_center = [2, 0]
+length = "4.5 m"
+[vehicle.crush]
+width = 1.5
+depths = [0.2, 0.3]
+stiffness = { d0 = 90, d1 = 700 }
+surface = "front"
+[[vehicle]]
+mass = "1600 kg ± 50 kg"
+yaw_inertia = 2600
+heading = "90 deg"
+velocity = [0, 9]
+impact_center = [2, 0]
+[contact]
+crush_plane = "10 deg"
+restitution = { closing_speed = ["5 m/s", "20 m/s"], restitution = [0.3, 0.1], sd = 0.05 }
+[scene]
+impact_point = ["1 m", "2 m"]
+[rest]
+friction = "0.7 ± 0.05"
+[rest.vehicle.1]
+position = ["-15 m ± 0.3 m", "5 m ± 0.3 m"]
+heading = "-114 deg ± 3 deg"
+front_axle = 1.1
+rear_axle = 1.5
+track = 1.5
+wheels = { front_left = "locked", front_right = { braking = 0.3 }, rear_left = "rolling", rear_right = "rolling" }
+"#;
+
+/// Returns the names and the values of the inputs in which a case differs from itself with replacements.
+fn differences(replacements: &[(&str, &str)]) -> Vec<(String, [Value; 2])> {
+    let folder = Folder::new();
+    let other = replacements.iter().fold(EVERYTHING.to_owned(), |text, (one, other)| {
+        assert!(text.contains(one), "{one}");
+        text.replace(one, other)
+    });
+    folder.write("a.toml", EVERYTHING.as_bytes());
+    folder.write("b.toml", other.as_bytes());
+    let found = parsed(&run(folder.path(), &["compare", "a.toml", "b.toml", "--format", "json"]));
+    let inputs = found["inputs"].as_array().expect("inputs").iter();
+    inputs.map(|row| (row["name"].as_str().expect("a name").to_owned(), [row["values"][0].clone(), row["values"][1].clone()])).collect()
+}
+
+#[test]
+fn whatever_differs_in_the_files_is_listed() {
+    let number = |name: &str, one: f64, other: f64| (name.to_owned(), [json!(one), json!(other)]);
+    for (one, other, want) in [
+        ("friction = \"0.7 ± 0.05\"", "friction = \"0.6 ± 0.05\"", number("rest.friction", 0.7, 0.6)),
+        ("friction = \"0.7 ± 0.05\"", "friction = { value = 0.7, sd = 0.1 }", number("rest.friction sd", 0.05, 0.1)),
+        ("-15 m ± 0.3 m", "-1600 cm ± 0.3 m", number("rest.vehicle.1.position.1", -15.0, -16.0)),
+        ("[\"1 m\", \"2 m\"]", "[\"1 m\", 3]", number("scene.impact_point.2", 2.0, 3.0)),
+        ("braking = 0.3", "braking = 0.5", number("rest.vehicle.1.wheels.front_right.braking", 0.3, 0.5)),
+        ("4.5 m", "4.7 m", number("vehicle.1.length", 4.5, 4.7)),
+        ("sd = 0.05 }", "sd = 0.02 }", number("contact.restitution.sd", 0.05, 0.02)),
+        (", 0.3]]", ", 0.4]]", number("correlation of vehicle.1.mass and vehicle.2.mass", 0.3, 0.4)),
+        ("surface = \"front\"", "surface = \"left\"", ("vehicle.1.crush.surface".to_owned(), [json!("front"), json!("left")])),
+        (
+            "front_left = \"locked\"",
+            "front_left = \"rolling\"",
+            ("rest.vehicle.1.wheels.front_left".to_owned(), [json!("locked"), json!("rolling")]),
+        ),
+    ] {
+        assert_eq!(differences(&[(one, other)]), [want], "{other}");
+    }
+}
+
+#[test]
+fn other_words_for_the_same_are_no_difference() {
+    for (one, other) in [
+        ("\"40 km/h ± 10 km/h\"", "{ value = \"40 km/h\", sd = \"10 km/h\" }"),
+        ("\"0.7 ± 0.05\"", "{ value = \"70 %\", sd = 0.05 }"),
+        ("\"4.5 m\"", "4.5"),
+        ("[\"vehicle.1.mass\", \"vehicle.2.mass\", 0.3]", "[\"m2\", \"m1\", 0.3]"),
+        // cos(90 deg) is 6e-17.
+        ("velocity = [0, 9]", "speed = 9"),
+    ] {
+        let found = differences(&[(one, other)]);
+        let is_form = |(name, values): &(String, [Value; 2])| name == "vehicle.2.speed" && values[0] == values[1];
+        assert!(found.iter().all(is_form), "{other}: {found:?}");
+    }
+}
+
+#[test]
+fn distributions_of_one_mean_and_deviation_differ_in_shape() {
+    let found = differences(&[("\"40 km/h ± 10 km/h\"", "{ min = \"22.679491924311227 km/h\", max = \"57.32050807568877 km/h\" }")]);
+    let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["vehicle.1.speed distribution", "vehicle.1.speed min", "vehicle.1.speed max"]); // 10 √3 on each side
+    assert_eq!(found[0].1, [json!("normal"), json!("uniform")]);
+}
+
+#[test]
+fn unknowns_differ_in_their_bounds() {
+    let folder = Folder::new();
+    let text = std::fs::read_to_string(workspace().join(FOUND)).expect("the example");
+    let unknown = "vehicle.1.speed = { start = \"30 mph\", min = \"0 mph\" }";
+    assert!(text.contains(unknown), "{text}");
+    folder.write("a.toml", text.as_bytes());
+    folder.write("b.toml", text.replace(unknown, "v1 = { start = \"30 mph\", max = \"100 mph\", sd = \"40 mph\" }").as_bytes());
+    let found = parsed(&run(folder.path(), &["compare", "a.toml", "b.toml", "--format", "json"]));
+    let names: Vec<&Value> = found["inputs"].as_array().expect("inputs").iter().map(|input| &input["name"]).collect();
+    assert_eq!(names, ["unknown.vehicle.1.speed.max", "unknown.vehicle.1.speed.sd", "unknown.vehicle.1.speed.min"]);
+    assert_eq!(values(&found, "inputs", "unknown.vehicle.1.speed.max"), [Value::Null, json!(44.704)]);
+}
+
+#[test]
+fn a_notice_names_its_cases() {
+    let folder = Folder::new();
+    let text = std::fs::read_to_string(workspace().join(B)).expect("the example");
+    folder.write("a.toml", text.as_bytes());
+    folder.write("b.toml", text.replace("restitution = 0.15", "restitution = \"0.15 ± 0.05\"").as_bytes());
+    let notes = |cases: &[&str]| parsed(&run(folder.path(), &[&["compare"], cases, &["--format", "json"]].concat()))["notes"].clone();
+    let note = "contact.restitution is uncertain, and used at its nominal value";
+    assert_eq!(notes(&["a.toml", "b.toml"]), json!([format!("[2] {note}")]));
+    assert_eq!(notes(&["b.toml", "a.toml", "b.toml"]), json!([format!("[1, 3] {note}")]));
+}
+
+#[test]
+fn evidence_that_does_not_narrow_an_unknown_is_a_reason() {
+    let folder = Folder::new();
+    let text = r#"
+schema = 1
+[[vehicle]]
+mass = "1500 kg"
+yaw_inertia = "2400 kg m^2"
+heading = "0 deg"
+impact_center = ["1.9 m", "0 m"]
+[[vehicle]]
+barrier = true
+[contact]
+crush_plane = "0 deg"
+[evidence]
+vehicle.1.speed = "10 m/s ± 1 m/s"
+[unknown]
+vehicle.1.speed = { start = "9 m/s", min = "0 m/s", max = "20 m/s" }
+contact.restitution = { start = 0.1, min = 0.0999, max = 0.1001, sd = 0.1 }
+"#;
+    folder.write("a.toml", text.as_bytes());
+    let found = run(folder.path(), &["compare", "a.toml", "a.toml"]);
+    assert_eq!(found.status, 1, "{}", found.out);
+    let chart = run(folder.path(), &["compare", "a.toml", "a.toml", "--format", "svg"]);
+    assert!(!chart.out.contains("refused"), "it has values: {}", chart.out);
+    assert!(
+        found.out.contains("(reconstruct, agrees)") && found.out.contains("[2] no unique answer: contact.restitution: "),
+        "{}",
+        found.out
+    );
+}
+
 #[test]
 fn a_refused_case_is_a_column_with_its_reason() {
     let folder = Folder::new();

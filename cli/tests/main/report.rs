@@ -152,6 +152,19 @@ fn a_reconstruction_has_its_profile_and_on_request_its_posterior() {
 }
 
 #[test]
+fn the_posterior_is_refused_where_nothing_is_reconstructed() {
+    for call in [
+        &["report", "cli/examples/position-a.toml", "--posterior"][..],
+        &["report", "cli/examples/uncertain.toml", "--verb", "uncertainty", "--posterior"],
+        &["report", "--verb", "validate", "--posterior"],
+    ] {
+        let run = run(&workspace(), call);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{call:?}");
+        assert!(run.err.contains("--posterior has no effect") && run.err.contains("--verb reconstruct"), "{}", run.err);
+    }
+}
+
+#[test]
 fn a_file_appears_only_when_it_is_whole() {
     let folder = tempfile::tempdir().expect("a folder");
     let (file, case) = (folder.path().join("report.html"), workspace().join("cli/examples/position-a.toml"));

@@ -39,6 +39,54 @@ fn evidence_of_the_separation_goes_before_the_rest() {
     assert_eq!(crash3["vehicles"][0]["reconstruction"]["separation_velocity"], serde_json::json!([1.0, 2.0]));
 }
 
+/// Returns the notes of `crash3` about where its numbers come from, for the example without its rest positions and with further entries.
+fn notes_of_crash3(further: &str) -> Vec<String> {
+    let case = example().split("[rest]").next().expect("a case").to_owned() + further;
+    let notes = json(&["crash3", "-", "--format", "json"], &case)["notes"].clone();
+    let notes = notes.as_array().expect("notes").iter().map(|note| note.as_str().expect("words").to_owned());
+    notes.filter(|note| !note.contains("PDOF is that of the common-velocity impulse")).collect()
+}
+
+#[test]
+fn velocities_that_are_assumed_are_said_of_each_vehicle() {
+    let planar = "the separation velocity is the one that planar mechanics has for the case";
+    for (evidence, notes) in [
+        ("", vec!["the separation velocities are those that planar mechanics has for the case: the evidence has none".to_owned()]),
+        (
+            "separation_velocity.x = \"1 m/s\"",
+            vec![
+                format!("vehicle.1: {planar}: the evidence has only vehicle.1.separation_velocity.x; give both components"),
+                format!("vehicle.2: {planar}: the evidence has none"),
+            ],
+        ),
+        ("separation_velocity = [\"1 m/s\", \"2 m/s\"]", vec![format!("vehicle.2: {planar}: the evidence has none")]),
+    ] {
+        let evidence = if evidence.is_empty() { String::new() } else { format!("\n[evidence.vehicle.1]\n{evidence}\n") };
+        assert_eq!(notes_of_crash3(&evidence), notes, "{evidence}");
+    }
+}
+
+#[test]
+fn evidence_that_crash3_does_not_use_is_named() {
+    let note = |evidence: &str| notes_of_crash3(&format!("\n[evidence.vehicle.1]\n{evidence}\n")).pop().expect("a note");
+    let unused = "CRASH3 takes no part of the evidence but separation velocities; not used: vehicle.1.";
+    let help = "; give the direction of the force as `pdof` under [vehicle.crush]";
+    assert_eq!(note("pdof = \"20 deg ± 5 deg\""), format!("{unused}pdof{help}"));
+    assert_eq!(note("delta_v_magnitude = \"5 m/s ± 1 m/s\""), format!("{unused}delta_v_magnitude"));
+}
+
+#[test]
+fn crash3_needs_no_rest_pose() {
+    let rest = example().split_once("[rest]").expect("rest positions").1.to_owned();
+    let without_pose: Vec<&str> =
+        rest.split_inclusive('\n').filter(|line| !line.starts_with("position = ") && !line.starts_with("heading = ")).collect();
+    let notes = notes_of_crash3(&format!("[rest]{}", without_pose.concat()));
+    for number in [1, 2] {
+        let reason = format!("[rest.vehicle.{number}] does not say where it came to rest; give `position` and `heading` there");
+        assert!(notes.iter().any(|note| note.starts_with(&format!("vehicle.{number}: ")) && note.ends_with(&reason)), "{notes:?}");
+    }
+}
+
 #[test]
 fn the_text_says_where_the_velocity_is_from() {
     let run = run(&workspace(), &["crash3", "cli/examples/to-rest.toml"]);

@@ -173,7 +173,7 @@ fn the_csv_is_read_back() {
 fn the_csv_is_in_the_units_of_its_header() {
     let table = done(POSITION_A, &["--vary", "Gamma=0 deg:0 deg:1 deg", "--of", "W_n,dV1,Omega1", "--format", "csv"]);
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!(lines[0][1..4], ["energy.normal_work [ft lb]", "vehicle.1.delta_v_magnitude [ft/s]", "vehicle.1.yaw_rate [deg/s]"]);
+    assert_eq!(lines[0][1..4], ["energy.normal_work [ft lb]", "vehicle.1.delta_v_magnitude [ft/s]", "result.vehicle.1.yaw_rate [deg/s]"]);
     // Table 2 at 0 deg; the other rows as `solve` prints them.
     for (cell, want) in lines[1][1..4].iter().zip(["-30097.2", "22.7", "-252.1"]) {
         assert_eq!(format!("{:.1}", cell.parse::<f64>().expect("a number")), want);
@@ -354,4 +354,12 @@ fn bad_files_are_refused_as_solve_refuses_them() {
     let swept = run(folder.path(), &["sweep", "case.toml", "--vary", "Gamma=0:1:1"]);
     let solved = run(folder.path(), &["solve", "case.toml"]);
     assert_eq!((swept.status, swept.out.as_str(), &swept.err), (2, "", &solved.err));
+}
+
+#[test]
+fn the_columns_of_a_table_have_names_of_their_own() {
+    let of = ["--of", "result.vehicle.1.velocity.x,dV1", "--vary", "vehicle.1.velocity.x=-50 ft/s:-30 ft/s:10 ft/s"];
+    let csv = done(POSITION_A, &[&of[..], &["--format", "csv", "--units", "us"]].concat());
+    let wanted = "vehicle.1.velocity.x [ft/s],result.vehicle.1.velocity.x [ft/s],vehicle.1.delta_v_magnitude [ft/s],refused";
+    assert_eq!(csv.lines().next(), Some(wanted));
 }

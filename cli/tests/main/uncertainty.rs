@@ -404,8 +404,7 @@ fn what_is_left_out_or_refused_is_noted() {
 fn methods_are_those_asked_for() {
     let keys = |arguments: &[&str]| -> Vec<String> {
         let case = wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", "0.1");
-        let call = [&["uncertainty", "-", "--format", "json", "--of", "dV1", "--samples", "1000"], arguments].concat();
-        let answer = answered(&run_with_input(&call, &case));
+        let answer = answered(&run_with_input(&[&["uncertainty", "-", "--format", "json", "--of", "dV1"], arguments].concat(), &case));
         let has_samples = answer["samples"].as_u64() > Some(0);
         object(&answer["of"]["vehicle.1.delta_v_magnitude"]).keys().cloned().chain(has_samples.then(|| "samples".to_owned())).collect()
     };
@@ -413,16 +412,27 @@ fn methods_are_those_asked_for() {
         ("linear", "linear", false),
         ("second-order", "second_order", false),
         ("monte-carlo", "monte_carlo", true),
-        ("sobol", "sobol", false),
-        ("shapley", "shapley", false),
+        ("sobol", "sobol", true),
+        ("shapley", "shapley", true),
     ] {
         let mut wanted: BTreeSet<&str> = BTreeSet::from(["value", key]);
         wanted.extend(is_sampled.then_some("samples"));
-        let found = keys(&["--method", method]);
+        let count: &[&str] = if is_sampled { &["--samples", "1000"] } else { &[] };
+        let found = keys(&[&["--method", method], count].concat());
         assert_eq!(found.iter().map(String::as_str).collect::<BTreeSet<_>>(), wanted, "{method}");
     }
-    let both = keys(&["--method", "linear,sobol"]);
-    assert!(both.contains(&"linear".to_owned()) && both.contains(&"sobol".to_owned()) && both.len() == 3, "{both:?}");
+    let both = keys(&["--method", "linear,sobol", "--samples", "1000"]);
+    assert!(both.contains(&"linear".to_owned()) && both.contains(&"sobol".to_owned()) && both.len() == 4, "{both:?}");
+    // A fifth of the samples, each with two mixtures and one step for each of two inputs.
+    let drawn = |method: &str| {
+        let case = wall("\"1200 kg ± 50 kg\"", "\"10 m/s ± 1 m/s\"", "0.1");
+        let call = ["uncertainty", "-", "--of", "dV1", "--samples", "1000", "--method", method];
+        let answer = answered(&run_with_input(&[&call[..], &["--format", "json"]].concat(), &case));
+        let text = run_with_input(&call, &case).out;
+        assert!(text.contains(&format!("{} samples (seed 1)", answer["samples"])), "{text}");
+        answer["samples"].as_u64()
+    };
+    assert_eq!(["sobol", "shapley", "sobol,shapley", "monte-carlo,sobol"].map(drawn), [800, 600, 1400, 1000].map(Some));
     // A probability needs samples.
     assert!(keys(&["--method", "linear", "--probability", "dV1 > 10 m/s"]).contains(&"samples".to_owned()));
 }
@@ -435,7 +445,7 @@ fn wrong_calls_are_refused() {
     folder.write("backward.toml", wall("\"1200 kg\"", "\"-10 m/s ± 1 m/s\"", "0.1").as_bytes());
     folder.write("beyond.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1\nimpulse_ratio = \"0.5 ± 0.01\"").as_bytes());
     folder.write("outside.toml", wall("\"1200 kg\"", "\"10 m/s\"", "\"-0.5 ± 0.05\"").as_bytes());
-    let calls: [(&[&str], i32, &[&str]); 29] = [
+    let calls: [(&[&str], i32, &[&str]); 31] = [
         (&["certain.toml"], 2, &["no input of the case is uncertain", "± 2 mph"]),
         (&["uncertain.toml", "--of", "dV3"], 2, &["dV3"]),
         (&["uncertain.toml", "--of", "e1"], 2, &["--of"]),
@@ -447,6 +457,12 @@ fn wrong_calls_are_refused() {
         (&["uncertain.toml", "--bounds-sd", "0"], 2, &["--bounds-sd"]),
         (&["uncertain.toml", "--bounds-sd=-1"], 2, &["--bounds-sd"]),
         (&["uncertain.toml", "--bounds-sd", "nan"], 2, &["--bounds-sd"]),
+        (
+            &["uncertain.toml", "--method", "linear", "--samples", "1000"],
+            2,
+            &["--samples has no effect", "add monte-carlo, sobol or shapley"],
+        ),
+        (&["uncertain.toml", "--method", "sobol", "--points", "sobol"], 2, &["--points has no effect", "add monte-carlo to --method"]),
         (&["uncertain.toml", "--samples", "1"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "2.5"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "1e16"], 2, &["--samples", "a whole number from 2 to 1e15"]),

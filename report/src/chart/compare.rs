@@ -80,7 +80,7 @@ impl Panel<'_> {
     /// Returns the value of a case in words, with its interval.
     fn numbers(&self, place: usize) -> String {
         let output = self.output;
-        if !self.answer.cases[place].refusals.is_empty() {
+        if self.answer.cases[place].is_refused() {
             let refusals = &self.answer.cases[place].refusals;
             let others = if refusals.len() > 1 { format!(" and {} more", refusals.len() - 1) } else { String::new() };
             return format!("refused: {}{others}", refusals[0].code);
@@ -111,7 +111,7 @@ impl Panel<'_> {
             let case = &self.answer.cases[place];
             let label = format!("[{}] {}", place + 1, shorten(file_name(&case.name), NAME_WIDTH));
             Writing { down: VPos::Center, ..Writing::ending() }.write(area, &label, (NAMES, middle))?;
-            Writing { down: VPos::Center, color: if case.refusals.is_empty() { DARK } else { GRAY }, ..Writing::default() }.write(
+            Writing { down: VPos::Center, color: if case.is_refused() { GRAY } else { DARK }, ..Writing::default() }.write(
                 area,
                 &self.numbers(place),
                 (NUMBERS, middle),

@@ -14,12 +14,14 @@ const ABREAST: usize = 4;
 /// Widest name and title of a case, in columns.
 const NAME_WIDTH: usize = 60;
 const TITLE_WIDTH: usize = 60;
+/// Widest word of a case file in a cell, in columns.
+const WORD_WIDTH: usize = 24;
 
 impl Facts for CaseComparison {
     fn blocks(&self, units: Units) -> Vec<Block> {
         let mut blocks: Vec<Block> = self.cases.iter().enumerate().flat_map(|(place, case)| heading(place, case, units)).collect();
         if self.inputs.is_empty() {
-            blocks.push(Block::paragraph("The cases do not differ in an input."));
+            blocks.push(Block::paragraph("The cases do not differ in any entry of their files."));
         }
         let places: Vec<usize> = (0..self.cases.len()).collect();
         for places in places.chunks(ABREAST) {
@@ -47,7 +49,8 @@ fn heading(place: usize, case: &ComparedCase, units: Units) -> Vec<Block> {
     let mut blocks = vec![Block::item(label, format!("{}{title} ({}{verdict})", shorten(&case.name, NAME_WIDTH), case.verb))];
     blocks.extend(case.refusals.iter().map(|refusal| {
         let path = if refusal.path.is_empty() { String::new() } else { format!("{}: ", refusal.path) };
-        Block::item("! ", format!("[{}] refused: {path}{}.", place + 1, units.sentence(&refusal.message.0)))
+        let what = if case.is_refused() { "refused" } else { "no unique answer" };
+        Block::item("! ", format!("[{}] {what}: {path}{}.", place + 1, units.sentence(&refusal.message.0)))
     }));
     blocks
 }
@@ -62,11 +65,16 @@ fn of_input(input: &ComparedInput, places: &[usize], units: Units) -> Vec<String
     let measure = printed(input.measure);
     let number = |value: &Option<InputValue>| if let Some(InputValue::Number(value)) = value { value.abs() } else { 0.0 };
     let greatest = input.values.iter().map(number).fold(0.0, f64::max);
-    // Six digits, in which inputs that differ look different.
+    // Six digits, or all where inputs that differ would look the same.
+    let numbers = input.values.iter().flatten().filter_map(|value| if let InputValue::Number(value) = value { Some(*value) } else { None });
+    let texts: Vec<(f64, String)> = numbers.map(|value| (value, trim(units.convert(measure, value)))).collect();
+    let looks_same =
+        texts.iter().any(|(one, text)| texts.iter().any(|(other, same)| text == same && (one - other).abs() > 1e-12 * greatest));
     let cell = |place: &usize| match &input.values[*place] {
         None => "-".to_owned(),
-        Some(InputValue::Word(word)) => (*word).to_owned(),
+        Some(InputValue::Word(word)) => shorten(word, WORD_WIDTH),
         Some(InputValue::Number(value)) if value.abs() <= 1e-12 * greatest => "0".to_owned(),
+        Some(InputValue::Number(value)) if looks_same => units.convert(measure, *value).to_string(),
         Some(InputValue::Number(value)) => trim(units.convert(measure, *value)),
     };
     let has_number = input.values.iter().flatten().any(|value| matches!(value, InputValue::Number(_)));

@@ -8,7 +8,7 @@ use planar_impact_app::units::Units;
 pub fn records(sweep: &Sweep, units: Units) -> impl Iterator<Item = Vec<String>> + '_ {
     let header = |name: String, unit: &str| if unit.is_empty() { name } else { format!("{name} [{unit}]") };
     let varied = sweep.ranges.iter().map(|range| header(range.parameter.to_string(), &range.unit));
-    let computed = sweep.outputs.iter().map(|output| header(output.to_string(), units.unit(output.measure())));
+    let computed = sweep.outputs.iter().map(|output| header(output.qualified_name(), units.unit(output.measure())));
     let head = varied.chain(computed).chain(["refused".to_owned()]).collect();
     let conversions: Vec<_> = sweep.outputs.iter().map(|output| units.conversion(output.measure())).collect();
     let columns: Vec<&[f64]> = (0..sweep.outputs.len()).map(|output| sweep.column(output)).collect();

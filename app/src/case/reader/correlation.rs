@@ -5,6 +5,7 @@ use crate::case::parameter::Parameter;
 use crate::case::uncertain::{InputCorrelation, Uncertain};
 use crate::document::Field;
 use crate::quantity::{Kind, nearest};
+use crate::units::Measure;
 use crate::wording::percent_meant;
 
 /// What an entry looks like.
@@ -82,6 +83,12 @@ impl CaseReader {
             is_possible
         });
         let [one, other] = pair;
+        if let (Some(one), Some(other), Some(coefficient)) = (one, other, coefficient) {
+            let mut names = [one, other].map(|input| input.to_string());
+            names.sort();
+            let name = format!("correlation of {}", names.join(" and "));
+            self.contents.borrow_mut().numbers(&key, [(name, coefficient, Measure::Ratio)]);
+        }
         Some(InputCorrelation { one: one?, other: other?, coefficient: coefficient?, key })
     }
 

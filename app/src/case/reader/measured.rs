@@ -105,6 +105,20 @@ impl CaseReader {
     /// Reads a value, a value with ± and its standard deviation, { value, sd }, { value, resolution } or { value, relative }, or any other distribution of an
     /// uncertain number by its mean and standard deviation.
     pub(super) fn measured(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
+        let key = field.path().to_owned();
+        let measured = self.measured_at(field, measure)?;
+        if let Amount::Number(value) = measured.amount {
+            let size = match measured.spread.of(value) {
+                Uncertainty::StandardDeviation(sd) => Some((format!("{key} sd"), sd, measure)),
+                Uncertainty::Resolution(step) => Some((format!("{key} resolution"), step, measure)),
+                Uncertainty::Exact => None,
+            };
+            self.contents.borrow_mut().numbers(&key, [(key.clone(), value, measure)].into_iter().chain(size));
+        }
+        Some(measured)
+    }
+
+    fn measured_at(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
         match field.value() {
             Some(Value::Table(entries)) if entries.iter().any(|entry| is_of_distribution(&entry.key)) => self.moments(field, measure),
             Some(Value::Table(_)) => self.measured_in(&field.table()?, measure),
@@ -168,10 +182,10 @@ impl CaseReader {
         } else if share {
             let value = accept(field, quantity::parse(value, kind))?;
             let share = accept(field, quantity::parse(deviation, Kind::PURE))?;
-            (Amount::Number(self.take(field.path(), value)), share.si, Spread::Relative)
+            (Amount::Number(self.take(field.path(), value, kind)), share.si, Spread::Relative)
         } else {
             let [value, deviation] = accept(field, quantity::parse_pair(value, deviation, kind))?;
-            (Amount::Number(self.take(field.path(), value)), deviation.si, Spread::StandardDeviation)
+            (Amount::Number(self.take(field.path(), value, kind)), deviation.si, Spread::StandardDeviation)
         };
         if size < 0.0 {
             field.report("the standard deviation is below zero", None);

@@ -60,7 +60,7 @@ impl CaseReader {
             .map(|item| {
                 let at = item.clone();
                 let quantity = item.quantity(kind)?;
-                let si = if quantity.bare && is_noted.replace(true) { quantity.si } else { self.take(at.path(), quantity) };
+                let si = if quantity.bare && is_noted.replace(true) { quantity.si } else { self.take(at.path(), quantity, kind) };
                 self.within(&at, si, kind, domain)
             })
             .collect();
@@ -97,7 +97,7 @@ impl CaseReader {
             match read {
                 Ok(read) => {
                     if values.is_empty() {
-                        self.take_column(of_column.path(), &source, name, &read);
+                        self.take_column(of_column.path(), &source, name, &read, kind);
                     }
                     values.push(read.si);
                 }
@@ -120,12 +120,12 @@ impl CaseReader {
     }
 
     /// Records the unit of a column, which is that of its first cell.
-    fn take_column(&self, path: &str, source: &Source, name: &str, first: &Quantity) {
+    fn take_column(&self, path: &str, source: &Source, name: &str, first: &Quantity, kind: Kind) {
         if first.bare && !first.unit.is_empty() {
             let message = format!("{path}: the column {name} of {} has no unit: {} assumed", source.name, first.unit);
             self.notices.borrow_mut().push(Notice::note("unit-assumed", path, message));
         }
-        self.take(path, Quantity { bare: false, ..first.clone() });
+        self.take(path, Quantity { bare: false, ..first.clone() }, kind);
     }
 }
 

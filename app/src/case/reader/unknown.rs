@@ -49,12 +49,20 @@ impl CaseReader {
         let (place, key) = (field.clone(), field.path().to_owned());
         let measure = of.measure();
         let kind = Kind::from(measure);
+        let record = |requested: &RequestedUnknown| {
+            let name = called.map_or_else(|| of.name().to_owned(), |called| called.to_string());
+            let given = [("start", requested.start), ("min", requested.min), ("max", requested.max), ("sd", requested.prior)];
+            let numbers = given.into_iter().filter_map(|(part, value)| Some((format!("unknown.{name}.{part}"), value?, measure)));
+            self.contents.borrow_mut().numbers(&requested.key, numbers);
+        };
         let bare = RequestedUnknown { of, key, start: None, min: None, max: None, prior: None, called };
         if !matches!(field.value(), Some(Value::Table(_))) {
             let measured = self.measured(field, measure)?;
             let Amount::Number(value) = measured.amount else { return None };
             let prior = if let Spread::StandardDeviation(sd) = measured.spread { Some(sd) } else { None };
-            return Some(Asked { requested: RequestedUnknown { start: Some(value), prior, ..bare }, place });
+            let requested = RequestedUnknown { start: Some(value), prior, ..bare };
+            record(&requested);
+            return Some(Asked { requested, place });
         }
         let table = field.table()?;
         let number = |key| table.has(key).then(|| self.quantity(table.optional(key), kind));
@@ -63,6 +71,7 @@ impl CaseReader {
         table.finish();
         let all = |value: Option<Option<f64>>| value.map_or(Some(None), |value| value.map(Some));
         let requested = RequestedUnknown { start: all(start)?, min: all(min)?, max: all(max)?, prior: all(prior)?, ..bare };
+        record(&requested);
         Some(Asked { requested, place })
     }
 }

@@ -140,7 +140,9 @@ fn csv_and_page_are_the_document_in_their_units() {
             assert_eq!((heads.len(), rows.len()), (object(&swept["of"]).len() + 2, array(&swept["refused"]).len()));
             for (column, head) in heads[..heads.len() - 1].iter().enumerate() {
                 let (name, of) = headed(head);
-                let values = numbers(if column == 0 { &swept["vary"][name] } else { &swept["of"][name] });
+                // In a table the output of an input's name has `result.` before it.
+                let output = name.strip_prefix("result.").unwrap_or(name);
+                let values = numbers(if column == 0 { &swept["vary"][name] } else { &swept["of"][output] });
                 for (row, value) in rows.iter().zip(values) {
                     let got: f64 = row[column].parse().expect("a number");
                     close(got * unit(of), value, 1e-14 * value.abs(), head);

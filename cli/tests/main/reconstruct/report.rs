@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::{WALL, answer, example, number, text, two_cars};
+use crate::process::{run, run_with_input, workspace};
 
 /// The keys that other tools rely on.
 const KEYS: [&str; 9] =
@@ -93,4 +94,65 @@ fn the_same_seed_gives_the_same_answer() {
     assert_eq!((&found["searches"], &found["seed"]), (&Value::from(9 + 2 * 4), &Value::from(7)));
     let said = text(WALL, &["--starts", "9", "--seed", "7"]).out;
     assert!(said.contains("17 searches from 9 starts (--starts), drawn with seed 7 (--seed)"), "{said}");
+}
+
+#[test]
+fn a_piece_that_was_given_as_exact_is_found_to_be_furthest_off() {
+    let case = |pdof: &str, delta_v: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0.3]\n[[vehicle]]\nbarrier = true\n\
+             [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\nvehicle.1.delta_v_magnitude = \"{delta_v}\"\nvehicle.1.pdof = \"{pdof}\"\n\
+             [unknown]\nvehicle.1.speed = {{ start = 15, min = 0, max = 40 }}\n"
+        )
+    };
+    // The direction is −6.04 deg whatever the speed.
+    let page =
+        |pdof: &str, delta_v: &str| run_with_input(&["reconstruct", "-", "--brief"], &case(pdof, delta_v)).out.replace("\n    ", " ");
+    let exact = page("10 deg", "10 m/s ± 0.5 m/s");
+    assert!(
+        exact.contains("Furthest off is vehicle.1.pdof: given 10.0 deg, computed -6.0 deg, although it was given as exact."),
+        "{exact}"
+    );
+    assert!(exact.contains("Next: re-examine that piece, and give its standard deviation first,"), "{exact}");
+    let uncertain = page("10 deg ± 1 deg", "10 m/s");
+    assert!(
+        uncertain.contains("Furthest off is vehicle.1.pdof: given 10.0 deg, computed -6.0 deg, 16.0 standard deviations apart."),
+        "{uncertain}"
+    );
+    assert!(uncertain.contains("Next: re-examine that piece and its standard deviation first,"), "{uncertain}");
+    let document = answer(&case("10 deg", "10 m/s ± 0.5 m/s")).0;
+    assert_eq!(document["furthest_off"]["name"], "vehicle.1.pdof");
+}
+
+#[test]
+fn exact_evidence_has_values_and_no_intervals_on_the_page() {
+    let path = "cli/examples/reconstruct/crabbed-1.toml";
+    let page = run(&workspace(), &["reconstruct", path, "--brief"]).out;
+    assert!(page.contains("No piece of evidence has an uncertainty"), "{page}");
+    assert!(!page.contains("95 % from 1") && page.lines().any(|line| line == "- vehicle.1.velocity.x (Cavalier): 10.1 mph."), "{page}");
+    let row = page.lines().find(|line| line.starts_with("energy.tangential_work")).expect("a row");
+    assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["energy.tangential_work", "-1758", "-", "-", "-", "ft", "lb"]);
+}
+
+#[test]
+fn what_is_of_the_first_separation_alone_is_said_to_be() {
+    let path = "cli/examples/reconstruct/several-separations.toml";
+    let page = |more: &[&str]| run(&workspace(), &[&["reconstruct", path, "--brief"], more].concat()).out.replace("\n    ", " ");
+    let plain = page(&[]);
+    assert!(plain.contains("Warning: the intervals are those of the first separation alone;"), "{plain}");
+    assert!(plain.contains("answer from separation"), "the answers are listed");
+    let drawn = page(&["--probability", "vehicle.1.speed > 70 km/h"]);
+    assert!(drawn.contains("Warning: the intervals, posterior and probabilities are those of the first separation alone;"), "{drawn}");
+    let one = run(&workspace(), &["reconstruct", "cli/examples/reconstruct/two-cars.toml", "--brief"]).out;
+    assert!(!one.contains("first separation alone"), "{one}");
+}
+
+#[test]
+fn an_angle_that_is_rounding_is_none() {
+    let car = |heading: &str| {
+        format!("[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"{heading}\"\nspeed = \"50 km/h\"\nimpact_center = [2, 0]\n")
+    };
+    let case = format!("schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0.1\n", car("0 deg"), car("180 deg"));
+    let page = run_with_input(&["solve", "-"], &case).out.replace("\n    ", " ");
+    assert_eq!(page.matches("principal direction of force 0 deg;").count(), 2, "{page}");
 }
