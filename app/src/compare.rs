@@ -336,7 +336,7 @@ fn scale(case: &Case, key: Parameter) -> f64 {
     match key {
         Parameter::Input(Input::VelocityX(side) | Input::VelocityY(side)) => {
             let component = |input: fn(Side) -> Input| case.inputs.value(Parameter::Input(input(side))).unwrap_or(0.0);
-            component(Input::VelocityX).hypot(component(Input::VelocityY))
+            component(Input::VelocityX).abs().max(component(Input::VelocityY).abs())
         }
         _ => 0.0,
     }

@@ -270,8 +270,8 @@ fn no_point_that_the_evidence_allows_lies_outside_of_an_interval() {
         .with_restitution(0.278)
         .with_crush_plane(CrushPlane::from_angle(-0.123));
     let sideswipe = Collision::new(
-        vehicle(1675.930_482_668_812_8, 1.3, 0.111_498_955, [1.9, -0.462_945_884], 18.809_547_4),
-        vehicle(1186.610_439_345, 1.35, 0.637_478_9, [-1.061_736_75, -0.701_447_09], 11.954_961_7),
+        vehicle(1675.93, 1.3, 0.111_499, [1.9, -0.462_946], 18.809_547),
+        vehicle(1186.61, 1.35, 0.637_479, [-1.061_737, -0.701_447], 11.954_962),
     )
     .with_restitution(0.259_866_782)
     .with_crush_plane(CrushPlane::from_angle(-0.203_252_507));

@@ -10,6 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use super::measurand::Measurand;
 use super::profile::{End, Profile, Quantity};
 use super::within_limits::Fixed;
+use crate::scalar::Field as _;
 
 /// Largest number of points from which fits begin.
 const MOST: usize = 16;
@@ -41,7 +42,7 @@ impl Region {
         }
         let distance = |one: &[f64], other: &[f64]| {
             let squares = one.iter().zip(other).zip(&ranges).filter(|(_, [low, high])| high > low);
-            squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).powi(2)).sum::<f64>()
+            squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).squared()).sum::<f64>()
         };
         let mut chosen: Vec<Vec<f64>> = profile.solutions.iter().take(1).cloned().collect();
         while chosen.len() <= MOST {

@@ -163,13 +163,13 @@ fn a_share_is_at_most_what_the_slope_says() {
 fn a_quadratic_of_one_number_has_its_own_moments() {
     // Loss ½ m (1 − e²) v² = c v².
     let c = 0.5 * 1500.0 * (1.0 - 0.01);
-    let shapes: [(Distribution, fn(i32) -> f64); 2] = [
-        (Uniform { min: 14.0, max: 18.0 }, |k| (18.0_f64.powi(k + 1) - 14.0_f64.powi(k + 1)) / (4.0 * f64::from(k + 1))),
-        (LogNormal { median: 15.0, log_sd: 0.1 }, |k| 15.0_f64.powi(k) * (f64::from(k * k) / 200.0).exp()),
-    ];
-    for (shape, power) in shapes {
+    let of_uniform = |k: i32| (18.0_f64.powi(k + 1) - 14.0_f64.powi(k + 1)) / (4.0 * f64::from(k + 1));
+    let of_log_normal = |k: i32| 15.0_f64.powi(k) * (f64::from(k * k) / 200.0).exp();
+    let shapes =
+        [(Uniform { min: 14.0, max: 18.0 }, [2, 4].map(of_uniform)), (LogNormal { median: 15.0, log_sd: 0.1 }, [2, 4].map(of_log_normal))];
+    for (shape, [square, fourth]) in shapes {
         let second = head_on().uncertain(&[(V, shape)]).expect("uncertain").second_order(Output::Loss).expect("a solution");
-        let (mean, variance) = (c * power(2), c * c * (power(4) - power(2) * power(2)));
+        let (mean, variance) = (c * square, c * c * (fourth - square * square));
         assert!((second.mean / mean - 1.0).abs() < 1e-12, "{second:?} {mean}");
         assert!((second.sd / variance.sqrt() - 1.0).abs() < 1e-9, "{second:?} {}", variance.sqrt());
     }

@@ -100,7 +100,7 @@ fn a_wall_that_moves_does_work_that_is_not_lost() {
     let one = Subject { mass: Some(1000.0), before: motion(0.0), after: motion(5.0), ..Subject::default() };
     let with = |wall: f64, loss: f64| {
         let two = Subject { before: State { velocity: Some(Xy { x: wall, y: 0.0 }), ..State::default() }, ..Subject::FIXED };
-        let mut record = Record { one: one.clone(), two, ..Record::default() };
+        let mut record = Record { one, two, ..Record::default() };
         for (key, value) in [(Key::EnergyBefore, 0.0), (Key::EnergyAfter, 12_500.0), (Key::EnergyLoss, loss)] {
             record.set(key, value);
         }
