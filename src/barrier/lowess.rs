@@ -245,7 +245,7 @@ mod tests {
                 times: alloc::vec![5.0, 5.0, 9.0],
                 values: alloc::vec![1.0, 2.0, 3.0],
                 neighbors: 3,
-                trust: alloc::vec![1.0; 3],
+                trust: alloc::vec![1.0, 0.3, 1.0],
                 noise: 1.0,
             };
             assert!(smoothed.at(time).is_err(), "{time}");

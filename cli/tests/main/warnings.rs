@@ -84,3 +84,30 @@ fn digits_that_the_solution_loses_are_told() {
     assert_eq!(path, "contact");
     assert_eq!(message, "the pair nearly wedges: K_nn + mu K_nt is 4.5e-6 of its parts, so the impulse has about 9 digits");
 }
+
+#[test]
+fn digits_that_a_check_of_the_answer_needs_are_missed() {
+    // A radius of gyration of a hundredth of a millimetre: sliding is left over at the critical ratio, by rounding.
+    let case = |yaw_inertia: f64| {
+        format!(
+            r#"{{"schema": 1, "vehicle": [
+                {{"mass": "2123.6301985799887 kg", "yaw_inertia": "3663.67274522302 kg m^2", "heading": "-1.4524040577196542 rad",
+                  "velocity": ["1559.9567246489962 m/s", "-8.266180693529837 m/s"], "yaw_rate": "0.6357614434093192 rad/s",
+                  "impact_center": ["-3.6859524026034056 m", "0.6968256144259819 m"]}},
+                {{"mass": "6794.651308800243 kg", "yaw_inertia": "{yaw_inertia} kg m^2", "heading": "-2.4339952518176293 rad",
+                  "velocity": ["-6857.836974923591 m/s", "4.023791525513669e-05 m/s"],
+                  "impact_center": ["1.847646874549461 m", "-0.6011543413506671 m"]}}],
+                "contact": {{"crush_plane": "0.39814686621186635 rad", "restitution": 1.0}}}}"#
+        )
+    };
+    let solved = |yaw_inertia: f64| -> Value {
+        let run = run_with_input(&["solve", "-", "--format", "json"], &case(yaw_inertia));
+        serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err))
+    };
+    let few = solved(9.864_599_523_009_58e-7);
+    let said = warning(&few, "few-digits").and_then(|message| message["text"].as_str());
+    assert!(said.is_some_and(|said| said.starts_with("rounding takes digits that a check of this answer needs: ")), "{few}");
+    // As unusual, and with all its digits.
+    let enough = solved(1.0);
+    assert!(warning(&enough, "unusual-radius-of-gyration").is_some() && warning(&enough, "few-digits").is_none(), "{enough}");
+}
