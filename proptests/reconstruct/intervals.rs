@@ -253,6 +253,26 @@ fn what_the_unknowns_do_not_move_has_one_value() {
     }
 }
 
+/// A ratio that friction limits is the friction wherever the vehicles slide on, and less where they stick.
+#[test]
+fn what_moves_only_far_from_the_best_fit_has_its_whole_interval() {
+    const LEFT: Variable = Variable::Input(Input::ImpactCenterLeft(Side::One));
+    let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.6).with_speed(15.0);
+    let collision = Collision::new(car, Party::Barrier).with_restitution(0.1).with_impulse_ratio(ImpulseRatio::LimitedByFriction(0.1));
+    let problem = ReconstructionProblem::of(collision).unknown(SPEED, 15.0).between(LEFT, 0.6, -0.05, 0.9).evidence(
+        Measurand::DeltaVForward(Side::One),
+        -14.0,
+        Uncertainty::StandardDeviation(2.0),
+    );
+    let problem = problem.evidence(Measurand::Variable(LEFT), 0.6, Uncertainty::StandardDeviation(0.3));
+    let found = interval(&problem, Measurand::Output(Output::ImpulseRatio));
+    // At an offset of 0.6 ± 0.59 m: the critical ratio −K_nt/K_tt is in proportion to the offset and below the friction up to about 0.28 m.
+    let ratio = |left: f64| with(&collision, LEFT, left).solve().expect("possible").impulse_ratio().abs();
+    assert!((ratio(0.6) - 0.1).abs() < 1e-12 && ratio(0.02) < 0.02);
+    let least = found.low.abs().min(found.high.abs());
+    assert!(least < 0.01 && (found.low.abs().max(found.high.abs()) - 0.1).abs() < 1e-9, "{found:?}");
+}
+
 /// A region that bounds cut is not convex: its farthest points may lie on another branch than the best fit.
 #[test]
 fn no_point_that_the_evidence_allows_lies_outside_of_an_interval() {

@@ -59,6 +59,7 @@ impl Region {
     pub(super) fn extend(&self, quantity: &Quantity<'_>, ends: &mut [End; 2]) {
         /// Number of branches that one end may move to.
         const BRANCHES: usize = 8;
+        self.points.iter().for_each(|point| quantity.extend(ends, point));
         for (k, direction) in [-1.0, 1.0].into_iter().enumerate() {
             for _ in 0..BRANCHES {
                 let Some(end) = self.farther(quantity, ends, k, direction) else { break };

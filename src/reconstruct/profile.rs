@@ -78,7 +78,7 @@ impl<'a> Profile<'a> {
         let mut ends: Vec<Option<[End; 2]>> = quantities.iter().map(|quantity| quantity.around(&self.solutions)).collect();
         extend_by_each_other(&quantities, &mut ends);
         let region = Region::of(self, &ends);
-        for (quantity, ends) in quantities.iter().zip(&mut ends).filter(|(quantity, _)| !quantity.is_constant) {
+        for (quantity, ends) in quantities.iter().zip(&mut ends) {
             ends.iter_mut().for_each(|ends| region.extend(quantity, ends));
         }
         extend_by_each_other(&quantities, &mut ends);
@@ -96,16 +96,15 @@ impl<'a> Profile<'a> {
         let outer = [(value - half_turn).max(bounds[0]), (value + half_turn).min(bounds[1])];
         let period = of.period().filter(|_| variable.is_none());
         let is_constant = variable.is_none() && self.is_constant(of, value, period);
-        Some(Quantity { profile: self, of, value, scale, period, is_constant, outer, bounds })
+        let rounding = rounding(of, value);
+        Some(Quantity { profile: self, of, value, scale, period, is_constant, rounding, outer, bounds })
     }
 
-    /// Returns `true` if the unknowns do not move a quantity: not those at the solutions, nor others about them.
+    /// Returns `true` if the unknowns do not move a quantity, neither at the solutions nor about them.
     fn is_constant(&self, of: Measurand, value: f64, period: Option<f64>) -> bool {
         /// Number of points about each solution.
         const POINTS: usize = 24;
-        /// Largest difference that is rounding, of the value and of a size that matters.
-        const ROUNDING: f64 = 1e-10;
-        let size = ROUNDING * value.abs().max(of.least_size());
+        let rounding = rounding(of, value);
         let mut random = ChaCha8Rng::seed_from_u64(1912);
         let mut moved = 0;
         for solution in &self.solutions {
@@ -117,7 +116,7 @@ impl<'a> Profile<'a> {
                     .collect();
                 let Some(there) = self.value(of, &point) else { continue };
                 let difference = there - value;
-                if (difference - turns(difference, period)).abs() > size {
+                if (difference - turns(difference, period)).abs() > rounding {
                     return false;
                 }
                 moved += 1;
@@ -178,6 +177,11 @@ impl<'a> Profile<'a> {
     }
 }
 
+/// Returns the largest difference from a value that is rounding, beside the value or a size that matters.
+fn rounding(of: Measurand, value: f64) -> f64 {
+    1e-10 * value.abs().max(of.least_size())
+}
+
 fn covariance(solution: &Solution) -> Option<DMatrix<f64>> {
     let n = solution.unknowns.len();
     let has_all = solution.unknowns.iter().all(|estimate| estimate.sd.is_some());
@@ -189,7 +193,7 @@ fn extend_by_each_other(quantities: &[Quantity<'_>], ends: &mut [Option<[End; 2]
     const ROUNDS: usize = 3;
     for _ in 0..ROUNDS {
         let reached: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
-        for (quantity, ends) in quantities.iter().zip(&mut *ends).filter(|(quantity, _)| !quantity.is_constant) {
+        for (quantity, ends) in quantities.iter().zip(&mut *ends) {
             let Some(ends) = ends else { continue };
             for point in &reached {
                 quantity.extend(ends, point);
@@ -207,8 +211,10 @@ pub(super) struct Quantity<'a> {
     scale: f64,
     /// The period of an angle that is computed.
     period: Option<f64>,
-    /// Whether the unknowns do not move it.
-    is_constant: bool,
+    /// Whether the unknowns do not move it about the solutions. Far from them they may: a friction limits no ratio where the vehicles stick.
+    pub(super) is_constant: bool,
+    /// Largest difference of values that is rounding.
+    rounding: f64,
     /// The farthest values to look at: bounds, or half a turn away.
     pub(super) outer: [f64; 2],
     bounds: [f64; 2],
@@ -253,13 +259,14 @@ impl Quantity<'_> {
     }
 
     /// Follows an end from a point that lies beyond it.
-    fn extend(&self, ends: &mut [End; 2], point: &[f64]) {
+    pub(super) fn extend(&self, ends: &mut [End; 2], point: &[f64]) {
         /// Share of the width by which a point must lie beyond.
         const BEYOND: f64 = 1e-3;
         let Some(value) = self.unwrapped(point) else { return };
         let width = ends[1].value - ends[0].value;
         for (end, direction) in ends.iter_mut().zip([-1.0, 1.0]) {
-            if direction * (value - end.value) > BEYOND * width {
+            let beyond = direction * (value - end.value);
+            if beyond > BEYOND * width && beyond > self.rounding {
                 *end = self.end(direction, point, value);
             }
         }
