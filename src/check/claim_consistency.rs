@@ -15,9 +15,23 @@ use alloc::format;
 use alloc::string::String;
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    signs(known, judge);
     energies(known, judge);
     impulses(known, judge);
     equivalent_energy_speeds(known, judge);
+}
+
+/// Checks that speeds, lengths of vectors and energies of motion are not negative.
+fn signs<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    use Key::{ClosingSpeed, DeltaV, EnergyAfter, EnergyBefore, EquivalentEnergySpeed, ImpulseMagnitude, SeparationSpeed};
+    use Side::{One, Two};
+    let of_bodies = [DeltaV(One), DeltaV(Two), EquivalentEnergySpeed(One), EquivalentEnergySpeed(Two)];
+    for key in [ClosingSpeed, SeparationSpeed, ImpulseMagnitude, EnergyBefore, EnergyAfter].into_iter().chain(of_bodies) {
+        let Some(claimed) = known.number(key).filter(|claimed| claimed.value < 0.0) else { continue };
+        judge.not_above(Rule::Reported, Residual::new(-claimed, -claimed.value), |size, _| {
+            format!("{key} is said to be {}, and is at least zero", Digits(-size))
+        });
+    }
 }
 
 /// Returns the reported loss, or the loss that follows from the reported works.
@@ -26,7 +40,7 @@ pub(super) fn claimed_loss<const N: usize>(known: &Known<'_, N>) -> Option<Uncer
 }
 
 /// Returns −(W_n + W_t + W_m).
-fn claimed_works<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+pub(super) fn claimed_works<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
     Some(-(known.number(Key::NormalWork)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?))
 }
 
@@ -133,8 +147,8 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
     let of_one = "for one body alone, and of both no more is lost than";
     match (normal, loss) {
         (Some(normal), Some(loss)) if is_whole => {
-            let excess = |residual: &Residual<N>| residual.value.value.abs() / judge.bound(Rule::Reported, residual).total;
-            let lost = if excess(&residual(normal)) <= excess(&residual(loss)) { normal } else { loss };
+            let [of_normal, of_loss] = [normal, loss].map(|lost| judge.excess(Rule::Reported, &residual(lost)));
+            let lost = if of_normal <= of_loss { normal } else { loss };
             let how = "and neither the work of the normal impulse nor the loss is that, but";
             judge.zero(Rule::Reported, residual(lost), |size, bound| told(lost.value, how, size, bound));
         }

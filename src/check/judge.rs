@@ -44,13 +44,6 @@ pub(super) struct Bound {
     implied: f64,
 }
 
-impl Bound {
-    /// Returns the part from rounding.
-    pub(super) fn rounding(&self) -> f64 {
-        self.total - self.implied
-    }
-}
-
 impl<const N: usize> Residual<N> {
     pub(super) fn new(value: Uncertain<N>, scale: f64) -> Self {
         Residual { value, scale, slack: 0.0, leeway: 0.0 }
@@ -150,16 +143,16 @@ impl Judge {
         residuals: [Residual<N>; M],
         what: impl FnOnce(usize, f64, f64) -> String,
     ) {
-        let excess = |residual: &Residual<N>| {
-            let bound = self.bound(rule, residual).total;
-            // 0/0 counts as zero; any other NaN must be reported.
-            let share = residual.value.value.abs() / bound;
-            if residual.value.value == 0.0 { 0.0 } else { share }
-        };
-        let worst = (0..M).max_by(|&a, &b| excess(&residuals[a]).total_cmp(&excess(&residuals[b])));
+        let worst = (0..M).max_by(|&a, &b| self.excess(rule, &residuals[a]).total_cmp(&self.excess(rule, &residuals[b])));
         if let Some(worst) = worst {
             self.zero(rule, residuals[worst], |size, bound| what(worst, size, bound));
         }
+    }
+
+    /// Returns the distance of a residual from zero as a share of its bound. 0/0 counts as zero; any other NaN must be reported.
+    pub(super) fn excess<const N: usize>(&self, rule: Rule, residual: &Residual<N>) -> f64 {
+        let size = residual.value.value.abs();
+        if size == 0.0 { 0.0 } else { size / self.bound(rule, residual).total }
     }
 
     fn hold<const N: usize>(&mut self, rule: Rule, residual: Residual<N>, size: f64, what: impl FnOnce(f64, f64) -> String) {

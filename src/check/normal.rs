@@ -42,7 +42,7 @@ fn along_the_normal<const N: usize>(touch: &Touch<N>, leeway: f64, judge: &mut J
         if offset.value.radius() > 0.0 {
             judge.undecidable(Rule::Compressive, size, bound.total, offset.scale);
             judge.undecidable(Rule::Interpenetration, size, bound.total, offset.scale);
-        } else if size > bound.rounding() {
+        } else if size > 0.0 {
             // The tolerance of a law is no precision of positions.
             let what = format!(
                 "the centers of mass are {} m apart along the normal, within the tolerance of {} m, so the compressive direction is unknown",

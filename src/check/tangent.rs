@@ -212,11 +212,20 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let of_model = claimed.filter(|_| matches!(model.ratio_kind, RatioKind::Given | RatioKind::Critical));
     let said = |ratio: Uncertain<N>| -> String { format!("the impulse ratio is said to be {}", Digits(ratio.value)) };
     if let (Some(ratio), Some(n), Some(t)) = (of_model, known.number(Key::NormalImpulse), known.number(Key::TangentialImpulse)) {
-        let residual = Residual::new(t - ratio * n, n.value.abs().max(t.value.abs())).per(n.value.abs());
-        judge.zero(Rule::ImpulseRatio, residual, |size, bound| {
-            let has = Digits(t.value / n.value);
-            format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
-        });
+        let scale = n.value.abs().max(t.value.abs());
+        let residual = Residual::new(t - ratio * n, scale);
+        if judge.sign(Rule::ImpulseRatio, &Residual::new(n, scale)).is_some() {
+            judge.zero(Rule::ImpulseRatio, residual.per(n.value.abs()), |size, bound| {
+                let has = Digits(t.value / n.value);
+                format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
+            });
+        } else {
+            // Without a normal impulse there is no ratio, and friction has nothing to act with.
+            judge.zero(Rule::ImpulseRatio, residual, |size, bound| {
+                let has = format!("{} N s along n and {} N s along t", Digits(n.value), Digits(t.value));
+                format!("{}, and the impulse that is reported has {has}: {} N s off, {} may be", said(ratio), Digits(size), Digits(bound))
+            });
+        }
     }
     // The critical ratio that is reported is that of Brach's law; under another one sliding ends at another ratio.
     let is_critical = model.law == Law::Brach;

@@ -42,6 +42,55 @@ fn printed() -> Record {
     }
 }
 
+/// Two cars that stick together, with a share of the critical ratio that is half of the true one: wherever the origin is, and for any precision of the numbers.
+#[test]
+fn a_law_holds_wherever_the_origin_is() {
+    let collision = crate::Collision::new(
+        crate::Vehicle::new(1500.0, 2500.0).with_impact_center(1.0, -0.5).with_velocity(Xy { x: 10.0, y: 12.0 }),
+        crate::Vehicle::new(1000.0, 1500.0).with_impact_center(-1.5, 0.5).with_velocity(Xy { x: -5.0, y: 0.0 }),
+    );
+    let solved = Record::of(&collision, &collision.solve().expect("possible"));
+    for (profile, offsets) in [(Profile::Impulse, &[0.0, 30.0, 1e3, 1e6][..]), (Profile::StepperF32, &[0.0, 30.0, 1e3][..])] {
+        for offset in offsets {
+            let at = |place: Option<Xy>| place.map(|place| Xy { x: place.x + offset, y: place.y - offset });
+            let mut record = Record { profile, point: at(solved.point), ..solved.clone() };
+            (record.one.center, record.two.center) = (at(solved.one.center), at(solved.two.center));
+            let share = |share: f64| {
+                let model = Model { impulse_ratio: Some(share), ratio_kind: RatioKind::OfCritical, ..record.model };
+                rules(&Record { model, ..record.clone() })
+            };
+            assert_eq!((share(1.0), share(0.5)), (alloc::vec![], alloc::vec!["impulse-ratio"]), "{profile:?}, {offset} m");
+            let ratio = solved.reported.critical_impulse_ratio.expect("a ratio");
+            let claims = |ratio: f64| {
+                rules(&Record { reported: Reported { critical_impulse_ratio: Some(ratio), ..Reported::default() }, ..record.clone() })
+            };
+            assert_eq!((claims(ratio), claims(1.2 * ratio)), (alloc::vec![], alloc::vec!["reported"]), "{profile:?}, {offset} m");
+        }
+    }
+}
+
+/// Centers of mass within the rounding of their places: the less is known of them, the less can be said.
+#[test]
+fn sides_within_rounding_are_undecidable() {
+    let verdicts = [Profile::Impulse, Profile::StepperF32].map(|profile| {
+        let mut record = Record {
+            profile,
+            two: Subject::FIXED,
+            normal_angle: Some(0.0),
+            point: Some(Xy { x: 100.0001, y: 100.0 }),
+            ..Record::default()
+        };
+        record.one.center = Some(Xy { x: 100.0, y: 101.0 });
+        (record.one.before, record.one.after) = (
+            State { velocity: Some(Xy { x: 10.0, y: 0.0 }), yaw_rate: Some(0.0) },
+            State { velocity: Some(Xy { x: 5.0, y: 0.0 }), yaw_rate: Some(0.0) },
+        );
+        let exact = Record { point: Some(Xy { x: 100.0, y: 100.0 }), ..record.clone() };
+        [record, exact].map(|record| check(&record, &Options::default()).of(Rule::Compressive).next().map(|finding| finding.severity))
+    });
+    assert_eq!(verdicts, [[None, Some(Severity::Fail)], [Some(Severity::Undecidable), Some(Severity::Fail)]]);
+}
+
 fn verdict(record: &Record) -> Verdict {
     check(record, &Options::default()).verdict()
 }

@@ -9,10 +9,13 @@
 //! The spreads are u_i times the exact partial derivatives, so an input that occurs twice in a formula cancels correctly; the rest bounds everything of
 //! second order. The bound is therefore never too narrow, and too wide only to second order.
 //!
-//! `size` is the same formula with the magnitudes of all terms added up; rounding is a share of it.
+//! `size` is the same formula with the magnitudes of all terms added up, to first order in what a difference has lost; rounding is a share of it.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FromPrimitive, Inv};
+
+/// The largest share of a size that is taken for its rounding: that of single precision.
+const COARSEST: f64 = 1e-6;
 
 /// A number that depends on N inputs with a resolution.
 #[derive(Clone, Copy, Debug)]
@@ -132,7 +135,10 @@ impl<const N: usize> Mul for Uncertain<N> {
         let second_order = if N == 0 { 0.0 } else { self.radius() * other.radius() };
         let mut product = self;
         product.value = a * b;
-        product.size = self.size * other.size;
+        // What each factor has lost by cancelling is rounded once with the other factor, and both losses together only to second order: bodies far from the
+        // origin have short arms.
+        let (lost, also_lost) = (self.size - a.abs(), other.size - b.abs());
+        product.size = self.size * other.size - if lost > 0.0 && also_lost > 0.0 { (1.0 - COARSEST) * lost * also_lost } else { 0.0 };
         for (spread, more) in product.spread.iter_mut().zip(&other.spread) {
             *spread = *spread * b + more * a;
         }
@@ -235,6 +241,11 @@ mod tests {
         let difference = x - y;
         assert_eq!((difference.value, difference.size), (0.0, 2e6));
         assert_eq!((difference * y).size, 2e12);
+        // (0 ± ε 2e6)²: of second order.
+        assert!((difference * difference).size <= 1.0001e-6 * 4e12, "{:?}", difference * difference);
+        // (1 ± ε (2e6 + 1)) squared is 1 ± ε (4e6 + 1).
+        let one = difference + Two::exact(1.0);
+        assert!(((one * one).size / (4e6 + 1.0) - 1.0).abs() < 1.1, "{:?}", one * one);
         assert_eq!(y.inv().size, 1e-6);
     }
 

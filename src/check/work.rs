@@ -1,6 +1,6 @@
 //! The energy balance: `energy-gain`, `work-identity`.
 
-use super::claim_consistency::claimed_moment_work;
+use super::claim_consistency::{claimed_moment_work, claimed_works};
 use super::energy_loss::EnergyLoss;
 use super::format::Digits;
 use super::judge::{Judge, Residual};
@@ -10,12 +10,14 @@ use super::normal::length;
 use super::rule::Rule;
 use super::uncertain::{Uncertain, sharper};
 use crate::energy::Work;
+use crate::input::Side;
 use alloc::format;
 use alloc::string::String;
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    if let Some(fall) = &known.energy_loss {
-        energy_gain(fall, judge);
+    match &known.energy_loss {
+        Some(fall) => energy_gain(fall, judge),
+        None => gain_of_claims(known, judge),
     }
     work_identity(known, judge);
 }
@@ -52,6 +54,29 @@ fn energy_gain<const N: usize>(fall: &EnergyLoss<N>, judge: &mut Judge) {
     } else {
         judge.not_above(Rule::EnergyGain, Residual::new(-fall.sharpest(), fall.available), told);
     }
+}
+
+/// Checks that what is reported without motions states no gain. A wall that moves may give energy to what it hits, as seen from the ground; works are the same
+/// for every observer.
+fn gain_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let moves = |side| known.subject(side).fixed && known.subject(side).before.is_some_and(|v| v.x.value != 0.0 || v.y.value != 0.0);
+    let on_ground = ![Side::One, Side::Two].into_iter().any(moves);
+    let of_observer = |key| known.number(key).filter(|_| on_ground);
+    let energies = of_observer(Key::EnergyAfter).zip(of_observer(Key::EnergyBefore));
+    let (gain, words) = if let Some(works) = claimed_works(known) {
+        (-works, "the works that are reported add up to a gain of")
+    } else if let Some(loss) = of_observer(Key::EnergyLoss) {
+        (-loss, "the loss of energy that is reported is a gain of")
+    } else if let Some((after, before)) = energies {
+        (after - before, "the kinetic energies that are reported rise by")
+    } else {
+        return;
+    };
+    // What is lost of a large energy is rounded as that is.
+    let of_energies = known.number(Key::EnergyBefore).map_or(0.0, |before| before.value.abs());
+    judge.not_above(Rule::EnergyGain, Residual::new(gain, gain.size.max(of_energies)), |size, bound| {
+        format!("{words} {} J, {} may be", Digits(size), Digits(bound))
+    });
 }
 
 /// Checks W_n + W_t = T' − T, with the works that the motions imply, or else those that are reported.

@@ -97,7 +97,8 @@ impl<R: BufRead> Table<R> {
         let units = units.iter().map(String::as_str).chain(std::iter::repeat(""));
         let has_units = units.clone().take(names.len()).any(|unit| !unit.is_empty());
         let is_data = units.clone().take(names.len()).any(|unit| unit.parse::<f64>().is_ok_and(|number| number != 1.0));
-        if !has_units || is_data {
+        let is_missing = is_data || (!has_units && names.iter().any(|name| has_unit(name)));
+        if is_missing {
             of_units.push("", "the line of units is missing: behind the columns stands the unit of each, empty for a text or a ratio");
         }
         let mut columns = Vec::new();
@@ -105,7 +106,7 @@ impl<R: BufRead> Table<R> {
             if names[..i].contains(name) {
                 of_names.push(name, "the column stands twice");
             }
-            if let Some(column) = column(name, unit, &mut of_names, &mut of_units, !is_data && has_units) {
+            if let Some(column) = column(name, unit, &mut of_names, &mut of_units, !is_missing) {
                 columns.push(column);
             }
         }
@@ -183,6 +184,12 @@ fn read_head<R: BufRead>(lines: &mut Lines<R>, fields: &mut Fields) -> io::Resul
     }
     let [names, units] = [head.remove(0), head.remove(0)];
     Ok(Ok([names, units]))
+}
+
+/// Returns `true` if a column has numbers with a unit.
+fn has_unit(name: &str) -> bool {
+    let of_resolution = || resolution_keys(name.strip_prefix("resolution.")?).map(|(measure, _)| measure);
+    Key::named(name).map(Key::group).or_else(of_resolution).is_some_and(|measure| !kind_of(measure).si.is_empty())
 }
 
 /// Returns the content of a column with this name and unit.

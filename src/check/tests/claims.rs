@@ -231,3 +231,64 @@ fn claims_of_works_include_that_of_the_moment() {
         Reported { work_moment: Some(-2.25), energy_loss: None, kinetic_energy_before: None, kinetic_energy_after: None, ..wrong.reported };
     assert_eq!(rules(&wrong), ["work-identity"]);
 }
+
+/// Returns the rules that claims without motions break.
+fn broken(claims: &[(Key, f64)]) -> Vec<&'static str> {
+    let mut record = Record::default();
+    claims.iter().for_each(|&(key, value)| record.set(key, value));
+    rules(&record)
+}
+
+#[test]
+fn claims_without_motions_state_no_gain() {
+    let (before, after) = (Key::EnergyBefore, Key::EnergyAfter);
+    assert_eq!(broken(&[(before, 300.0), (after, 500.0)]), ["energy-gain"]);
+    assert_eq!(broken(&[(before, 300.0), (after, 500.0), (Key::EnergyLoss, -200.0)]), ["energy-gain"]);
+    assert_eq!(broken(&[(Key::EnergyLoss, -200.0)]), ["energy-gain"]);
+    assert_eq!(broken(&[(Key::NormalWork, 300.0), (Key::TangentialWork, 100.0)]), ["energy-gain"]);
+    assert!(broken(&[(before, 500.0), (after, 300.0), (Key::EnergyLoss, 200.0)]).is_empty());
+    // The tangential impulse may give back a part.
+    assert!(broken(&[(Key::NormalWork, -300.0), (Key::TangentialWork, 100.0)]).is_empty());
+    // Of a large energy the loss is rounded as that is.
+    assert!(broken(&[(before, 3e5), (after, 3e5), (Key::EnergyLoss, -1e-11)]).is_empty());
+    // A wall that moves may give energy to what it hits; works are the same for every observer.
+    let mut moving = Record {
+        two: Subject { before: State { velocity: Some(Xy { x: -5.0, y: 0.0 }), yaw_rate: None }, ..Subject::FIXED },
+        ..Record::default()
+    };
+    [(before, 300.0), (after, 500.0)].iter().for_each(|&(key, value)| moving.set(key, value));
+    assert!(rules(&moving).is_empty());
+    [(Key::NormalWork, 300.0), (Key::TangentialWork, 100.0)].iter().for_each(|&(key, value)| moving.set(key, value));
+    assert_eq!(rules(&moving), ["energy-gain"]);
+}
+
+#[test]
+fn lengths_and_speeds_are_not_negative() {
+    let side = Side::Two;
+    for key in [
+        Key::ClosingSpeed,
+        Key::SeparationSpeed,
+        Key::ImpulseMagnitude,
+        Key::DeltaV(side),
+        Key::EquivalentEnergySpeed(side),
+        Key::EnergyBefore,
+        Key::EnergyAfter,
+    ] {
+        assert_eq!((broken(&[(key, -1.0)]), broken(&[(key, 0.0)])), (alloc::vec!["reported"], alloc::vec![]), "{key}");
+    }
+}
+
+#[test]
+fn nothing_is_a_ratio_of_nothing() {
+    let of = |n: f64, t: f64| broken(&[(Key::ImpulseRatio, 0.3), (Key::NormalImpulse, n), (Key::TangentialImpulse, t)]);
+    assert!(of(0.0, 0.0).is_empty());
+    assert_eq!((of(0.0, 5.0), of(10.0, 3.1)), (alloc::vec!["impulse-ratio"], alloc::vec!["impulse-ratio"]));
+    // Elastic: no crush, and all that is lost is the work of friction.
+    let mut elastic = Record { two: Subject::FIXED, ..Record::default() };
+    [(Key::Mass(Side::One), 1000.0), (Key::EnergyLoss, 100.0), (Key::NormalWork, 0.0), (Key::EquivalentEnergySpeed(Side::One), 0.0)]
+        .iter()
+        .for_each(|&(key, value)| elastic.set(key, value));
+    assert!(rules(&elastic).is_empty());
+    elastic.set(Key::EquivalentEnergySpeed(Side::One), 2.0);
+    assert_eq!(rules(&elastic), ["reported"]);
+}

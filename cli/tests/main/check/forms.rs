@@ -196,3 +196,13 @@ fn a_reader_that_has_seen_enough_is_no_error() {
     let output = child.wait_with_output().expect("the program ends");
     assert_eq!((output.stderr.as_slice(), output.status.code()), (&b""[..], Some(1)));
 }
+
+/// Ratios have no unit, and so a line of units without any.
+#[test]
+fn a_table_of_ratios_needs_no_units() {
+    let text = "id,model.restitution,reported.impulse_ratio,reported.critical_impulse_ratio\n,,,\na,0.1,0.2,0.3\nb,0.1,0.4,0.3\n";
+    let run = check_file("a.csv", text.as_bytes(), &["--format", "json"]);
+    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+    let verdicts: Vec<&str> = records(&report).iter().map(|record| record["verdict"].as_str().expect("a verdict")).collect();
+    assert_eq!((run.status, verdicts), (1, vec!["pass", "fail"]));
+}
