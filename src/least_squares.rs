@@ -7,8 +7,10 @@
 pub(crate) mod limited;
 mod polish;
 mod quadratic_program;
+mod singular_values;
 
-pub(crate) use polish::{decomposed, scaled, weakest};
+pub(crate) use polish::{scaled, weakest};
+pub(crate) use singular_values::SingularValues;
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;

@@ -316,3 +316,24 @@ proptest! {
         }
     }
 }
+
+/// A cell that is too small to divide leaves the others: a search that met one before any point gave up.
+#[test]
+fn a_range_is_found_beside_cells_too_small_to_divide() {
+    let one = Vehicle::new(2165.0, 3890.0).with_impact_center(1.69, -0.25).with_speed(8.1);
+    let two = Vehicle::new(1235.0, 1746.0)
+        .with_heading(Heading::from_angle(std::f64::consts::PI))
+        .with_impact_center(-0.09, -0.37)
+        .with_speed(16.4);
+    let (speed, yaw_rate) = (Variable::Speed(Side::Two), Variable::Input(Input::YawRate(Side::Two)));
+    let of = |name| Measurand::named(name).expect("a measurand");
+    let problem = ReconstructionProblem::of(Collision::new(one, two).with_restitution(0.5))
+        .between(speed, 16.4, 15.6, 16.4)
+        .between(yaw_rate, 0.0, -1.0, 0.25)
+        .evidence(of("energy.loss"), 80e3, Uncertainty::StandardDeviation(46e3))
+        .evidence(of("vehicle.1.separation_speed"), 3.3, Uncertainty::StandardDeviation(2.0))
+        .evidence(of("vehicle.2.delta_v_magnitude"), 21.3, Uncertainty::StandardDeviation(0.3));
+    // The best fit: its loss is off by 1.65, its speed by 0.4, its change of velocity by 0.2 standard deviations.
+    let found = ranges(&problem);
+    assert!(found[0].low <= 16.07 && 16.07 <= found[0].high && found[1].low <= -0.99, "{found:?}");
+}

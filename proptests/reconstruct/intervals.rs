@@ -355,3 +355,110 @@ fn no_point_that_the_evidence_allows_lies_outside_of_an_interval() {
         assert!(within > 500, "{within}");
     }
 }
+
+const DEGREE: f64 = PI / 180.0;
+
+fn car(mass: f64, yaw_inertia: f64, heading: f64, speed: f64, forward: f64, left: f64) -> Vehicle {
+    Vehicle::new(mass, yaw_inertia).with_heading(Heading::from_angle(heading * DEGREE)).with_impact_center(forward, left).with_speed(speed)
+}
+
+fn of(name: &str) -> Measurand {
+    Measurand::named(name).expect("a measurand")
+}
+
+fn sd(sd: f64) -> Uncertainty {
+    Uncertainty::StandardDeviation(sd)
+}
+
+/// The struck car slides along the plane: its speed has a normal component of cos 90°, which floats do not have as zero.
+#[test]
+fn a_speed_along_the_crush_plane_is_open() {
+    for angle in [0.0, PI] {
+        let (struck, striking) = (car(2035.0, 4435.0, 90.0, 18.0, -0.25, 0.77), car(2292.0, 3904.0, 0.0, 6.0, 1.02, 0.21));
+        let collision = Collision::new(struck, striking)
+            .with_crush_plane(CrushPlane::from_angle(angle))
+            .with_restitution(0.1)
+            .with_impulse_ratio(ImpulseRatio::LimitedByFriction(0.3));
+        let delta_v = Measurand::Output(Output::DeltaVMagnitude(Side::Two));
+        let mut problem = ReconstructionProblem::of(collision).unknown(SPEED, 18.0).evidence(delta_v, 3.1, sd(0.1));
+        problem.unknowns[0].min = Some(10.0);
+        let answer = problem.solve(&Search::default()).expect("an answer");
+        assert_eq!((answer.verdict, answer.not_determined.len()), (Verdict::Undetermined, 1), "{angle}");
+        let [speed, closing] = problem.intervals(&answer, 0.95, &[Measurand::Variable(SPEED), Measurand::ClosingSpeed])[..] else {
+            panic!("two")
+        };
+        assert_eq!((speed.low, speed.high, speed.low_limited_by), (10.0, f64::INFINITY, Some(Limit::Bound(SPEED, Bound::Min))), "{angle}");
+        assert!((closing.low - 6.0).abs() < 1e-6 && (closing.high - 6.0).abs() < 1e-6, "{closing:?}");
+    }
+}
+
+/// Up to some speed the vehicles stick; above it they slide, and the evidence is the same for every speed.
+#[test]
+fn a_flat_valley_is_one_solution_and_bounds_what_it_determines() {
+    let [up, down] = [PI / 2.0, 3.0 * PI / 2.0].map(|angle| {
+        let (one, two) = (car(1671.0, 2386.0, 90.0, 14.4, 1.74, 0.02), car(1787.0, 2882.0, 0.0, 3.8, -0.07, -0.82));
+        let collision = Collision::new(one, two)
+            .with_crush_plane(CrushPlane::from_angle(angle))
+            .with_restitution(0.14)
+            .with_impulse_ratio(ImpulseRatio::LimitedByFriction(0.19));
+        let speed = Variable::Speed(Side::Two);
+        let mut problem =
+            ReconstructionProblem::of(collision).unknown(speed, 3.8).evidence(of("vehicle.1.separation_velocity.x"), 1.126, sd(0.3));
+        problem.unknowns[0].min = Some(1.4);
+        let answer = problem.solve(&Search::default()).expect("an answer");
+        assert_eq!((answer.verdict, answer.solutions.len()), (Verdict::SeveralSolutions, 2), "{angle}");
+        let pdof = Measurand::Output(Output::PrincipalDirectionOfForce(Side::One));
+        problem
+            .intervals(&answer, 0.95, &[Measurand::Variable(speed), pdof])
+            .iter()
+            .map(|found| [found.low, found.high])
+            .collect::<Vec<_>>()
+    });
+    // The ratio of the impulse is at most the friction, and at least that of the speed at the lower end.
+    let least = -0.19_f64.atan();
+    assert!((up[1][0] - least).abs() < 1e-3 && (-0.07..-0.06).contains(&up[1][1]) && up[0][1] == f64::INFINITY, "{up:?}");
+    assert!(
+        up.iter().flatten().zip(down.iter().flatten()).all(|(one, other)| one == other || (one - other).abs() < 1e-3),
+        "{up:?} {down:?}"
+    );
+}
+
+/// At e = 0 and μ = μ0 nothing depends on the crush plane: with one bound it has the whole turn from there.
+#[test]
+fn an_angle_with_one_bound_has_a_whole_turn() {
+    let (one, two) = (car(1147.0, 1551.0, 180.0, 2.8, 1.13, -0.57), car(1524.0, 2078.0, 0.0, 18.0, 1.01, 0.31));
+    let found_with = |bounds: [Option<f64>; 2]| {
+        let mut problem = ReconstructionProblem::of(Collision::new(one.clone(), two.clone()))
+            .between(SPEED, 2.8, -5.0, 20.0)
+            .unknown(PLANE, -DEGREE)
+            .evidence(Measurand::Output(Output::DeltaVMagnitude(Side::One)), 9.0, sd(0.5))
+            .evidence(of("vehicle.2.separation_yaw_rate"), 1.3, sd(0.2));
+        [problem.unknowns[1].min, problem.unknowns[1].max] = bounds.map(|bound| bound.map(|bound| bound * DEGREE));
+        let found = interval(&problem, Measurand::Variable(PLANE));
+        [found.low / DEGREE, found.high / DEGREE].map(f64::round)
+    };
+    assert_eq!(
+        [found_with([Some(-12.0), None]), found_with([None, Some(20.0)]), found_with([Some(-12.0), Some(168.0)])],
+        [[-12.0, 168.0], [-160.0, 20.0], [-12.0, 168.0]]
+    );
+}
+
+/// Head on only the sum of the speeds counts: no seed may find that the search has no end.
+#[test]
+fn a_flat_valley_is_found_from_every_seed() {
+    let one = car(1_941.495_156_863_766, 2_290.342_842_270_995_3, 180.0, 22.0, 0.387_666_187_719_634_8, -0.774_260_237_565_686);
+    let two = car(1_045.140_821_350_184, 1_637.705_470_906_456, 0.0, 0.0, 2.032_668_615_862_418, 0.138_785_307_511_497_65)
+        .with_yaw_rate(0.261_251_831_463_474_2);
+    let mut problem = ReconstructionProblem::of(Collision::new(one, two).with_restitution(0.05))
+        .unknown(SPEED, 22.192_126_891_916_487)
+        .between(Variable::Speed(Side::Two), -0.170_274_130_461_670_4, -9.904_153_490_776_862, 7.942_631_921_815_868_5)
+        .evidence(Measurand::Output(Output::DeltaVMagnitude(Side::Two)), 12.103_508_608_094_936, sd(2.0))
+        .evidence(of("vehicle.2.separation_yaw_rate"), 1.251_203_923_208_486, sd(0.4))
+        .evidence(of("vehicle.1.delta_v.x"), 7.212_278_696_572_949, sd(0.3))
+        .evidence(Measurand::DeltaVLeft(Side::One), 0.081_917_297_907_297_35, sd(0.3));
+    problem.unknowns[0].min = Some(19.763_421_236_771_705);
+    for seed in 1..=5 {
+        let answer = problem.solve(&Search { seed, ..Search::default() }).map(|answer| answer.verdict);
+        assert_eq!(answer.ok(), Some(Verdict::Undetermined), "{seed}");
+    }
+}

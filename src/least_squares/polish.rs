@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
-use nalgebra::{DMatrix, DVector, Dyn, SVD};
+use nalgebra::{DMatrix, DVector};
 
+use super::singular_values::SingularValues;
 use super::{Bound, CONVERGED, Minimum, NotConverged, ParameterBounds, Residuals, distance};
 
 /// Maximum number of steps. If the residuals are large, the steps only shrink by a factor.
@@ -169,19 +170,8 @@ fn wanted_step(
 
 /// Returns the Gauss–Newton step of the free unknowns; the others move by `step`.
 fn gauss_newton(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, step: &DVector<f64>, free: &[usize]) -> Option<DVector<f64>> {
-    let svd = decomposed(jacobian.select_columns(free))?;
-    let cutoff = svd.singular_values.max() * NOTHING;
-    svd.solve(&(residuals + jacobian * step), cutoff).ok()
-}
-
-/// Returns the singular value decomposition, or `None` if an entry is not finite.
-pub(crate) fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
-    /// More rotations than any matrix of this size needs.
-    const ROTATIONS: usize = 10_000;
-    if matrix.iter().any(|entry| !entry.is_finite()) {
-        return None;
-    }
-    SVD::try_new(matrix, true, true, f64::EPSILON, ROTATIONS)
+    let found = SingularValues::of(jacobian.select_columns(free))?;
+    Some(found.solve(&(residuals + jacobian * step), found.greatest() * NOTHING))
 }
 
 /// Returns the direction that the residuals depend on least, of length 1, or `None` without unknowns.
@@ -189,10 +179,8 @@ pub(crate) fn weakest(derivatives: DMatrix<f64>) -> Option<Vec<f64>> {
     if derivatives.is_empty() {
         return None;
     }
-    let svd = decomposed(derivatives)?;
-    // Singular values are in descending order.
-    let last = svd.v_t?.row(svd.singular_values.len() - 1).iter().copied().collect();
-    Some(last)
+    let found = SingularValues::of(derivatives)?;
+    Some(found.direction(found.least()))
 }
 
 /// Returns the Newton step of the free unknowns, or `None` if the curvature is not positive or almost zero.

@@ -203,7 +203,7 @@ impl ToRest<'_> {
             let Ok(residuals) = self.residuals(&found.unknowns) else { break };
             let slopes = self.slopes(&found.unknowns, FINE);
             let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-            let step = least_squares::decomposed(jacobian).and_then(|svd| svd.solve(&DVector::from_vec(residuals), 0.0).ok());
+            let step = least_squares::SingularValues::of(jacobian).map(|found| found.solve(&DVector::from_vec(residuals), 0.0));
             let Some(step) = step.filter(|step| step.amax() > NO_STEP) else { break };
             let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
             match self.sum_of_squares(&unknowns) {
@@ -413,21 +413,16 @@ fn uncertainty(slopes: &[Slopes], evidence: &RestEvidence) -> Result<Uncertain, 
     let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
     let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
     let by_friction_is_finite = slopes.iter().all(|slopes| slopes[VARIED - 1].is_finite());
-    let Some(svd) = least_squares::decomposed(jacobian).filter(|_| by_friction_is_finite) else {
+    let Some(found) = least_squares::SingularValues::of(jacobian).filter(|_| by_friction_is_finite) else {
         return Err(NoSeparation::NotDetermined { along: Motion::rest() });
     };
-    let largest = svd.singular_values.max();
-    let (smallest, least) = svd.singular_values.argmin();
-    let is_determined = least > NOTHING * largest;
+    let weakest = found.least();
+    let is_determined = found.values[weakest] > NOTHING * found.greatest();
     if !is_determined {
-        let of_scales = |v_t: DMatrix<f64>| scales * Vector3::from_fn(|i, _| v_t[(smallest, i)]);
-        let along = svd.v_t.map(of_scales).unwrap_or_default().normalize();
+        let along = (scales * Vector3::from_vec(found.direction(weakest))).normalize();
         return Err(NoSeparation::NotDetermined { along: motion(along.as_slice()) });
     }
-    let Ok(inverse) = svd.pseudo_inverse(0.0) else {
-        return Err(NoSeparation::NotDetermined { along: Motion::rest() });
-    };
-    let back = scales * inverse;
+    let back = scales * found.inverse();
     let by_friction = -&back * DVector::from_fn(slopes.len(), |i, _| slopes[i][VARIED - 1]) * evidence.friction_deviation;
     let covariance = &back * back.transpose() + by_friction * by_friction.transpose();
     let covariance = MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)])));

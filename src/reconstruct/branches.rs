@@ -2,7 +2,8 @@
 //!
 //! The region within a quantile of the least χ² need not be convex: bounds and the limits of the physics cut it, and the evidence bends it. An end that is followed
 //! from a solution is that of its own branch. Here each quantity is held beyond its ends, and fits begin at points all over the region: one that is within the
-//! quantile leads to an end farther out.
+//! quantile leads to an end farther out. Where a friction begins to hold or sliding changes its side, the region has edges along which no slope leads: small steps by
+//! chance do.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -53,6 +54,41 @@ impl Region {
             chosen.push(point.clone());
         }
         Region { points: chosen }
+    }
+
+    /// Moves the ends of an interval outwards by small steps by chance, as long as some lead on.
+    pub(super) fn climb(&self, quantity: &Quantity<'_>, ends: &mut [End; 2]) {
+        const STEPS: usize = 128;
+        /// Size of the first steps as a share of the region, its growth after a step outwards, and its decrease after another.
+        const SIZE: (f64, f64, f64) = (0.2, 1.5, 0.95);
+        /// Share of the width by which an end must move.
+        const BEYOND: f64 = 1e-3;
+        if quantity.is_constant {
+            return;
+        }
+        let (profile, mut random) = (quantity.profile, ChaCha8Rng::seed_from_u64(1687));
+        for (k, direction) in [-1.0, 1.0].into_iter().enumerate() {
+            let (mut value, mut at, mut size) = (ends[k].value, ends[k].at.clone(), SIZE.0);
+            for _ in 0..STEPS {
+                // Along differences of points of the region, which is narrow where the evidence ties unknowns to each other.
+                let mut point = at.clone();
+                for pair in self.points.windows(2) {
+                    let share = size * random.random_range(-1.0..1.0);
+                    point.iter_mut().zip(&pair[0]).zip(&pair[1]).for_each(|((x, one), other)| *x += share * (other - one));
+                }
+                point.iter_mut().zip(&profile.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
+                let there = quantity.unwrapped(&point).filter(|there| {
+                    direction * (there - value) > 0.0 && direction * (quantity.outer[k] - there) >= 0.0 && profile.allows(&point)
+                });
+                match there {
+                    Some(there) => (value, at, size) = (there, point, size * SIZE.1),
+                    None => size *= SIZE.2,
+                }
+            }
+            if direction * (value - ends[k].value) > BEYOND * (ends[1].value - ends[0].value) {
+                ends[k] = quantity.end(direction, &at, value);
+            }
+        }
     }
 
     /// Moves the ends of an interval outwards as far as a branch of the profile goes.

@@ -3,7 +3,7 @@
 use super::given::{ReconstructionProblem, Uncertainty, Unknown};
 use super::issue::{ReconstructionIssue, ReconstructionIssues};
 use super::measurand::Measurand;
-use super::variable::Variable;
+use super::variable::{Variable, party};
 use super::weight;
 use crate::input::{Input, Side};
 use crate::issue::{InputIssue, InputIssueKind, IssueCollector, Place};
@@ -88,6 +88,13 @@ fn unknowns(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
     }
 }
 
+/// Returns `true` if a vehicle stands, whatever the unknowns are: its velocity has no direction.
+fn stands_still(question: &ReconstructionProblem, side: Side) -> bool {
+    let moves = |of: Variable| of == Variable::Speed(side) || of == Variable::SkidSpeed(side) || is_component(of, side);
+    let is_at_rest = party(&question.collision, side).vehicle().is_some_and(|vehicle| vehicle.motion.velocity.length() == 0.0);
+    is_at_rest && !question.unknowns.iter().any(|unknown| moves(unknown.of))
+}
+
 fn is_component(variable: Variable, of: Side) -> bool {
     matches!(variable, Variable::Input(Input::VelocityX(side) | Input::VelocityY(side)) if side == of)
 }
@@ -148,7 +155,8 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
             found.push(ReconstructionIssue::ShareUnknown(of));
         }
         let lacks_skid = of.skid().is_some() && of.is_in(&question.collision) && !question.determines(of);
-        if lacks_skid || (question.is_by_momentum() && of.is_of_contact()) {
+        let has_no_direction = matches!(of, Measurand::ApproachDirection(side) if stands_still(question, side));
+        if lacks_skid || has_no_direction || (question.is_by_momentum() && of.is_of_contact()) {
             found.push(ReconstructionIssue::NothingToMeasure(of));
         }
         let mut numbers = IssueCollector::<InputIssue>::new();

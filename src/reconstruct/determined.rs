@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::variable::Variable;
-use crate::least_squares::decomposed;
+use crate::least_squares::SingularValues;
 
 /// Share of the largest singular value below which a direction changes no piece of evidence.
 const NOTHING: f64 = 1e-9;
@@ -44,11 +44,9 @@ pub(super) fn blind(derivatives: &DMatrix<f64>, sizes: &[f64]) -> Vec<Vec<f64>> 
             to.copy_from(&(from / length));
         }
     }
-    let Some(svd) = decomposed(matrix) else { return Vec::new() };
-    let Some(directions) = svd.v_t else { return Vec::new() };
-    let largest = svd.singular_values.max();
-    let is_blind = |k: &usize| svd.singular_values[*k] <= NOTHING * largest;
-    (0..unknowns).filter(is_blind).map(|k| directions.row(k).iter().copied().collect()).collect()
+    let Some(found) = SingularValues::of(matrix) else { return Vec::new() };
+    let largest = found.greatest();
+    (0..unknowns).filter(|k| found.values[*k] <= NOTHING * largest).map(|k| found.direction(k)).collect()
 }
 
 /// Returns `true` if a part of a direction is above rounding relative to its largest part.

@@ -24,6 +24,12 @@ use crate::least_squares::{self, Bound, FitError, ParameterBounds, Residuals, sc
 /// Precision of an end, as a share of its distance from the value.
 const PRECISE: f64 = 2e-4;
 
+/// Distance in scales from the best fit that no bound and no evidence limits: for a speed a thousand kilometers a second.
+const FAR: f64 = 1e6;
+
+/// Largest distance in scales of an unknown without a bound: farther out rounding changes the evidence.
+const FARTHEST: f64 = 1e8;
+
 /// Largest number of solutions from which ends are followed, the best first.
 const SOLUTIONS: usize = 8;
 
@@ -79,7 +85,10 @@ impl<'a> Profile<'a> {
         extend_by_each_other(&quantities, &mut ends);
         let region = Region::of(self, &ends);
         for (quantity, ends) in quantities.iter().zip(&mut ends) {
-            ends.iter_mut().for_each(|ends| region.extend(quantity, ends));
+            if let Some(ends) = ends {
+                region.extend(quantity, ends);
+                region.climb(quantity, ends);
+            }
         }
         extend_by_each_other(&quantities, &mut ends);
         let asked = quantities.iter().zip(ends).filter(|(quantity, _)| of.contains(&quantity.of));
@@ -91,9 +100,13 @@ impl<'a> Profile<'a> {
         let variable = self.model.question.place_of(of);
         let scale = variable.map_or_else(|| (0.1 * value.abs()).max(0.1 * of.least_size()), |i| self.spans[i].scale);
         let bounds = variable.map_or([f64::NEG_INFINITY, f64::INFINITY], |i| [self.spans[i].min, self.spans[i].max]);
-        // An angle without bounds repeats itself after half a turn to either side.
-        let half_turn = of.period().filter(|_| bounds.iter().any(|bound| bound.is_infinite())).map_or(f64::INFINITY, |period| period / 2.0);
-        let outer = [(value - half_turn).max(bounds[0]), (value + half_turn).min(bounds[1])];
+        // An angle repeats itself: after half a turn to either side, or a whole one from its only bound.
+        let outer = match (of.period(), bounds.map(f64::is_finite)) {
+            (Some(period), [false, false]) => [value - period / 2.0, value + period / 2.0],
+            (Some(period), [true, false]) => [bounds[0], bounds[0] + period],
+            (Some(period), [false, true]) => [bounds[1] - period, bounds[1]],
+            _ => bounds,
+        };
         let period = of.period().filter(|_| variable.is_none());
         let is_constant = variable.is_none() && self.is_constant(of, value, period);
         let rounding = rounding(of, value);
@@ -138,15 +151,26 @@ impl<'a> Profile<'a> {
             Err(stopped) if !stopped.is_empty() => self.bounded(stopped),
             Err(_) => return None,
         };
-        let sum_of_squares: f64 = self.model.at(&unknowns)?.iter().map(|residual| residual * residual).sum();
-        (sum_of_squares <= self.greatest && self.model.solve(&unknowns).is_ok()).then_some(unknowns)
+        self.allows(&unknowns).then_some(unknowns)
     }
 
-    /// Returns the spans without the bounds of a quantity whose value is held.
+    /// Returns `true` if χ² at a point that the mechanics accepts is within its limit.
+    pub(super) fn allows(&self, unknowns: &[f64]) -> bool {
+        let residuals = self.model.at(unknowns);
+        residuals.is_some_and(|residuals| residuals.iter().map(|residual| residual * residual).sum::<f64>() <= self.greatest)
+    }
+
+    /// Returns the spans without the bounds of a quantity whose value is held, and with an end where the others have none.
     fn released(&self, of: Measurand) -> Vec<ParameterBounds> {
         let unknowns = &self.model.question.unknowns;
-        let free = |span: &ParameterBounds| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
-        let span = |(span, unknown): (&ParameterBounds, &Unknown)| if Measurand::Variable(unknown.of) == of { free(span) } else { *span };
+        let span = |(span, unknown): (&ParameterBounds, &Unknown)| {
+            if Measurand::Variable(unknown.of) == of {
+                return ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
+            }
+            let reach = FARTHEST * span.scale;
+            let end = |bound: f64, reach: f64| if bound.is_finite() { bound } else { unknown.start + reach };
+            ParameterBounds { min: end(span.min, -reach), max: end(span.max, reach), ..*span }
+        };
         self.spans.iter().zip(unknowns).map(span).collect()
     }
 
@@ -296,6 +320,9 @@ impl Quantity<'_> {
             if direction * (next - inside.value) <= 0.0 {
                 return self.at_outer(inside, outer);
             }
+            if outer.is_infinite() && (next - self.value).abs() > FAR * self.scale {
+                break;
+            }
             let tried = self.tried(&mut problem, &inside, next, true);
             let Ok(reached) = &tried.reached else { return self.between(&mut problem, inside, tried) };
             let root = self.root(reached.sum_of_squares);
@@ -315,8 +342,9 @@ impl Quantity<'_> {
 
     /// Returns how far the quantity would go if the evidence were linear in the unknowns.
     fn first_step(&self, problem: &WithinLimits<'_>, unknowns: &[f64]) -> f64 {
-        /// The longest first step, in scales.
+        /// The longest first step, in scales, and the least one that is not rounding: of a quantity without a slope.
         const LONGEST: f64 = 20.0;
+        const LEAST: f64 = 1e-12;
         let longest = LONGEST * self.scale;
         let slopes = problem.slopes_of(self.of, unknowns);
         let Some((jacobian, slope)) = slopes else { return longest };
@@ -326,7 +354,7 @@ impl Quantity<'_> {
         let Some(factor) = stiff.cholesky() else { return longest };
         let sd = slope.dot(&factor.solve(&slope)).sqrt();
         let length = sd * self.profile.quantile.sqrt();
-        if length > 0.0 { length.min(longest) } else { 1e-3 * self.scale }
+        if length > LEAST * self.scale { length.min(longest) } else { 1e-3 * self.scale }
     }
 
     /// Returns the end at a bound of the quantity, or half a turn away.
@@ -508,8 +536,14 @@ impl Quantity<'_> {
         /// Least derivative of ½χ² by a limit that matters.
         const MATTERS: f64 = 1e-6;
         let unknowns = &self.profile.model.question.unknowns;
-        let of_bounds = reached.held.iter().zip(&reached.bound_multipliers).zip(unknowns).filter_map(|((held, multiplier), unknown)| {
-            let limit = Limit::Bound(unknown.of, (*held)?);
+        let held = reached.held.iter().zip(&self.profile.spans).map(|(held, span)| {
+            held.filter(|held| match held {
+                Bound::Min => span.min.is_finite(),
+                Bound::Max => span.max.is_finite(),
+            })
+        });
+        let of_bounds = held.zip(&reached.bound_multipliers).zip(unknowns).filter_map(|((held, multiplier), unknown)| {
+            let limit = Limit::Bound(unknown.of, held?);
             (Measurand::Variable(unknown.of) != self.of).then_some((limit, multiplier.abs()))
         });
         let of_margins = reached.margin_multipliers.iter().enumerate().map(|(k, multiplier)| (problem.limit(k), *multiplier));

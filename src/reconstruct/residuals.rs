@@ -21,12 +21,15 @@ pub(super) struct Model<'a> {
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
     scene: Scene,
+    /// A significant change of each unknown.
+    scales: Vec<f64>,
 }
 
 impl<'a> Model<'a> {
     pub(super) fn of(question: &'a ReconstructionProblem) -> Self {
         let evidence = question.all_evidence();
-        Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question }
+        let scales = question.unknowns.iter().map(|unknown| unknown.of.scale(&question.collision, unknown.start)).collect();
+        Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question, scales }
     }
 
     /// Returns the same model with no tolerance below a thousandth of the size of its evidence, with which a search approaches the solution more easily.
@@ -93,7 +96,23 @@ impl<'a> Model<'a> {
 
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.
     pub(super) fn derivatives(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        with_slopes(unknowns, |point| self.evaluated(point)).1
+        let mut derivatives = with_slopes(unknowns, |point| self.evaluated(point)).1;
+        self.clear_rounding(&mut derivatives);
+        derivatives
+    }
+
+    /// Sets derivatives of the evidence that are rounding to zero. The speed of a vehicle that drives along the crush plane has a normal component of cos 90°,
+    /// which is not zero in floats: a search would follow it to any speed, and an interval would end there.
+    pub(super) fn clear_rounding(&self, derivatives: &mut DMatrix<f64>) {
+        /// Change of a piece of evidence by a significant change of an unknown, as a share of its size, that is rounding.
+        const ROUNDING: f64 = 1e-13;
+        for (mut column, scale) in derivatives.column_iter_mut().zip(&self.scales) {
+            for (entry, evidence) in column.iter_mut().zip(&self.evidence) {
+                if (*entry * scale).abs() < ROUNDING * evidence.size() {
+                    *entry = 0.0;
+                }
+            }
+        }
     }
 
     /// Returns the second derivatives of a sum of the computed evidence, each piece times a factor.

@@ -136,10 +136,11 @@ fn draw(question: &ReconstructionProblem, i: usize, span: &ParameterBounds, rand
     from + (to - from) * random.random::<f64>()
 }
 
-/// Returns an angle in the turn nearest to the start, as far as the bounds allow.
+/// Returns an angle in the turn nearest to the start, or in the one beside it, as far as the bounds allow.
 fn nearest_turn(x: f64, unknown: &Unknown, span: &ParameterBounds) -> f64 {
-    let turned = x - turns(x - unknown.start, unknown.of.period());
-    if (span.min..=span.max).contains(&turned) { turned } else { x }
+    let Some(period) = unknown.of.period() else { return x };
+    let turned = x - turns(x - unknown.start, Some(period));
+    [turned, turned + period, turned - period].into_iter().find(|turned| (span.min..=span.max).contains(turned)).unwrap_or(x)
 }
 
 /// Results of the searches.
@@ -305,7 +306,7 @@ impl Found {
         // In a flat valley every search ends in a different place.
         if answer.not_determined.is_empty() {
             let limit = best.chi_square + NEARLY_AS_GOOD;
-            let others = self.minima[chosen + 1..].iter().filter_map(seen).map(|seen| seen.solution);
+            let others = one_of_each_valley(self.minima[chosen + 1..].iter().filter_map(seen)).map(|seen| seen.solution);
             (answer.solutions, answer.worse) = others.partition(|other: &Solution| other.chi_square <= limit && other.is_explained());
         }
         answer.verdict = if !best.is_explained() {
@@ -321,6 +322,21 @@ impl Found {
         answer.solutions.insert(0, best);
         Ok(answer)
     }
+}
+
+/// Leaves one of the minima that lie in the same flat valley, where every search ends in a different place.
+fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item = Seen> {
+    /// Largest difference of χ² along a valley.
+    const LEVEL: f64 = 1e-6;
+    let mut valleys: Vec<f64> = Vec::new();
+    minima.filter(move |seen| {
+        let chi_square = seen.solution.chi_square;
+        let is_new = seen.blind.is_empty() || valleys.iter().all(|other| (chi_square - other).abs() > LEVEL * (1.0 + other));
+        if is_new && !seen.blind.is_empty() {
+            valleys.push(chi_square);
+        }
+        is_new
+    })
 }
 
 /// Continues a search that stopped where the mechanics refuses its next step, along that edge.

@@ -72,7 +72,8 @@ impl<'a> WithinLimits<'a> {
 
 impl Limited for WithinLimits<'_> {
     fn at(&self, unknowns: &[f64]) -> Option<Local> {
-        let (values, slopes) = with_slopes(unknowns, |point| computed(self.model, &self.margins, self.fixed, point));
+        let (values, mut slopes) = with_slopes(unknowns, |point| computed(self.model, &self.margins, self.fixed, point));
+        self.model.clear_rounding(&mut slopes);
         let (evidence, margins) = (self.model.evidence.len(), slopes.nrows() - usize::from(self.fixed.is_some()));
         let residuals = self.model.residuals(&values[..evidence]);
         let whiten = |rows: DMatrix<f64>| self.model.weights.whiten(rows);

@@ -107,9 +107,14 @@ fn wrong(question: &Question, problem: &ReconstructionIssue) -> Issue {
         ReconstructionIssue::NotInCase(of) => not_in_case(question, *of),
         ReconstructionIssue::NothingToMeasure(of) => {
             let issue = of_evidence(*of, "the collision has no such quantity".into());
-            match of.side() {
-                Some(side) => issue.with_help(format!("vehicle {} is a fixed barrier", vehicle_number(side))),
-                None => issue,
+            match (of.side().map(vehicle_number), of) {
+                (Some(vehicle), Measurand::ApproachDirection(_)) if of.is_in(&question.case.collision) => {
+                    issue.with_help(format!("vehicle {vehicle} stands still before the impact, and its velocity has no direction"))
+                }
+                (Some(vehicle), _) if !of.is_in(&question.case.collision) => {
+                    issue.with_help(format!("vehicle {vehicle} is a fixed barrier"))
+                }
+                _ => issue,
             }
         }
         ReconstructionIssue::UnknownTwice(of) => of_unknown(*of, "it is unknown twice, by two of its names".into()),

@@ -71,28 +71,31 @@ impl<'a, 'p> End<'a, 'p> {
     ) -> Result<Found, NoRange> {
         self.enter(self.equations.whole.clone());
         let mut cells = 0;
+        // The least bound of cells too small to divide, in which no point was found.
+        let mut undivided = f64::INFINITY;
         let is_tight = loop {
-            let Some(LeastFirst { bound, cell }) = self.open.peek() else { break true };
             let best = self.best_value();
-            if best.is_finite() && best - bound <= search.gap * best.abs().max(scale) {
+            let first = self.open.peek().map_or(f64::INFINITY, |first| first.bound);
+            if best.is_finite() && best - first.min(undivided) <= search.gap * best.abs().max(scale) {
                 break true;
             }
-            let Some(by) = cell.divide else { break false };
-            if cells >= budget || (cells % STRIDE == STRIDE - 1 && !goes_on(cells)) {
+            // A better point would not bring the bound closer.
+            if (best.is_finite() && undivided <= first) || cells >= budget || (cells % STRIDE == STRIDE - 1 && !goes_on(cells)) {
                 break false;
             }
-            let Some(LeastFirst { cell, .. }) = self.open.pop() else { break true };
+            let Some(LeastFirst { bound, cell }) = self.open.pop() else { break false };
             cells += 1;
-            for half in halves(&cell.ranges, by) {
-                self.enter(half);
+            match cell.divide {
+                Some(by) => halves(&cell.ranges, by).into_iter().for_each(|half| self.enter(half)),
+                None => undivided = undivided.min(bound),
             }
         };
         let best = self.best_value();
         // Cells that are no longer open have no value below the best one.
-        let bound = self.open.peek().map_or(best, |first| first.bound.min(best));
+        let bound = self.open.peek().map_or(best, |first| first.bound.min(best)).min(undivided);
         match self.best {
             Some(attained) => Ok(Found { bound, attained, is_tight, cells }),
-            None if self.open.is_empty() => Err(NoRange::Excluded),
+            None if self.open.is_empty() && undivided.is_infinite() => Err(NoRange::Excluded),
             None => Err(NoRange::NoPoint { cells }),
         }
     }
@@ -100,6 +103,9 @@ impl<'a, 'p> End<'a, 'p> {
     /// Narrows a cell and adds it to the open ones, unless nothing in it meets the equations or is better than the best one.
     fn enter(&mut self, mut ranges: Vec<Interval>) {
         let mut divide = None;
+        if self.best.is_none() {
+            self.consider_unknowns(&ranges);
+        }
         for pass in 0..4 {
             let over = self.equations.over(&ranges);
             if !over.may_hold || self.bound(ranges[self.of]) >= self.best_value() {
@@ -190,6 +196,13 @@ impl<'a, 'p> End<'a, 'p> {
             }
         }
         true
+    }
+
+    /// Considers the unknowns in the middle of a cell with the errors that they have, if each piece of evidence has one: a first point, wherever it is.
+    fn consider_unknowns(&mut self, ranges: &[Interval]) {
+        let errors: Vec<usize> = (self.equations.unknowns()..ranges.len()).collect();
+        let point = self.solve(&middle(ranges), &errors).filter(|_| errors.len() == self.equations.problem.evidence.len());
+        self.best = point.filter(|point| self.equations.accepts(point));
     }
 
     /// Considers what is found from the middle of a cell without derivatives over it.

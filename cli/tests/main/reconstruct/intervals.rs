@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::{number, text};
-use crate::process::workspace;
+use crate::process::{run, workspace};
 
 const FOOT: f64 = 0.3048;
 
@@ -164,4 +164,17 @@ fn a_profile_of_linear_evidence_is_a_parabola_up_to_its_bound() {
         serde_json::from_str::<Value>(&text(case, &["--format", "json"]).out).expect("JSON")["unknown"]["vehicle.1.speed"]["profile"]
             .is_null()
     );
+}
+
+/// Where a friction begins to hold, or sliding changes its side, the region has edges along which no slope leads. Each point was found by a random search of the region
+/// outside of this program; `solve` and the evidence there give χ² within its limit.
+#[test]
+fn ends_are_at_least_as_far_as_points_that_were_found_by_chance() {
+    let of = |name: &str, quantity: &str, end: &str| {
+        let run = run(&workspace(), &["reconstruct", &format!("cli/tests/reproducers/{name}"), "--format", "json"]);
+        let found: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{name}: {}", run.err));
+        number(&found["derived"][quantity]["interval"][end])
+    };
+    assert!(of("edge_1384.json", "energy.normal_work", "low") <= -3817.0);
+    assert!(of("edge_1345.json", "energy.tangential_work", "high") >= 233.8);
 }
