@@ -5,6 +5,7 @@ use planar_impact_app::batch::{self, Column, Header, Key};
 use planar_impact_app::case::{CaseOutput, Parameter};
 use planar_impact_app::gradient::{self, Selection};
 use planar_impact_app::json::{self, Layout};
+use planar_impact_app::uncertainty::Method;
 use planar_impact_app::{
     Answer, Case, Cause, Issues, Source, Uncontrolled, Units, crash3, crush, decode, reconstruct, scene, slide, solve, sweep, uncertainty,
 };
@@ -221,7 +222,9 @@ fn rows(case: &Case, solution: Option<&Value>) {
     let (given, headers): (Vec<_>, Vec<Header>) = given
         .into_iter()
         .filter(|(key, _)| Key::named(&key.to_string()).is_some_and(Key::is_numeric) && !matches!(key, Parameter::Skid(..)))
-        .map(|(key, value)| ((key, value), Header { name: key.to_string(), unit: Some(key.kind().si.to_owned()).filter(|unit| !unit.is_empty()) }))
+        .map(|(key, value)| {
+            ((key, value), Header { name: key.to_string(), unit: Some(key.kind().si.to_owned()).filter(|unit| !unit.is_empty()) })
+        })
         .unzip();
     for columns in [&headers[..], &[]] {
         let Ok(plan) = batch::Plan::of(columns, Some(case), &batch::Options { check: true, ..batch::Options::default() }) else { continue };
@@ -293,7 +296,10 @@ fn hold(case: &Case, more: u8) -> Option<Value> {
             verb(sweep::sweep(case, &options, &Uncontrolled), units);
         }
         96..=99 => {
-            let options = uncertainty::Options { samples: 64, ..uncertainty::Options::default() };
+            // Guaranteed bounds take seconds.
+            let methods = [Method::Linear, Method::SecondOrder, Method::MonteCarlo, Method::Sobol];
+            let methods = if more == 99 { Vec::new() } else { methods.into() };
+            let options = uncertainty::Options { samples: 64, methods, ..uncertainty::Options::default() };
             verb(uncertainty::uncertainty(case, &options, &Uncontrolled), units);
         }
         100..=102 => verb(slide::slide(case, &(), &Uncontrolled), units),

@@ -46,13 +46,18 @@ fn an_endless_file_is_refused_soon() {
 /// Interrupts a run after each of several times, including times too early and too late, until one run ends with some
 /// output or with none, as required; returns the output.
 fn interrupted(words: &[&str], has_output: bool) -> String {
+    stopped_by("-INT", words, has_output)
+}
+
+/// The same with a signal.
+fn stopped_by(signal: &str, words: &[&str], has_output: bool) -> String {
     let folder = Folder::new();
     for after in [300, 100, 1000, 50, 3000] {
         let printed = folder.path().join("printed");
         let output = File::create(&printed).expect("a file");
         let mut child = planar_impact(&workspace()).args(words).stdout(output).stderr(Stdio::null()).spawn().expect("the program starts");
         std::thread::sleep(Duration::from_millis(after));
-        Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("there is a kill");
+        Command::new("kill").args([signal, &child.id().to_string()]).status().expect("there is a kill");
         let status = child.wait().expect("the program ends").code();
         let out = std::fs::read_to_string(&printed).expect("the program writes UTF-8");
         if status == Some(130) && out.is_empty() != has_output {
@@ -87,7 +92,10 @@ fn an_interrupted_batch_leaves_no_file() {
     let output = folder.path().join("out.csv");
     let path = |path: &std::path::Path| path.to_str().expect("a plain path").to_owned();
     let (input, output) = (path(&input), path(&output));
-    interrupted(&["batch", &input, "-o", &output, "--case", "cli/examples/position-a.toml"], false);
+    // A supervisor asks for the end in its own way.
+    for signal in ["-INT", "-TERM"] {
+        stopped_by(signal, &["batch", &input, "-o", &output, "--case", "cli/examples/position-a.toml"], false);
+    }
     let left = std::fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name());
     let others: Vec<_> = left.filter(|name| name != "in.csv").collect();
     // An attempt that came too late has ended, and written its table.
