@@ -192,6 +192,19 @@ impl Conversion {
         Conversion::in_text(unit, if is_one { "" } else { unit }, kind)
     }
 
+    /// Reads the unit that stands in the header of a column; brackets without a unit say nothing of numbers that have one.
+    ///
+    /// # Errors
+    ///
+    /// As [`Conversion::of`], and if a unit is wanted and there is none.
+    pub fn in_header(unit: &str, kind: Kind) -> Result<Conversion, QuantityError> {
+        if unit.is_empty() && kind.dimension != Kind::PURE.dimension {
+            let message = format!("the unit is empty; {} is expected, such as \"{}\"", kind.name, kind.example);
+            return Err(QuantityError::with_help(message, format!("write the unit, or leave it out if the numbers are in {}", kind.si)));
+        }
+        Conversion::of(unit, kind)
+    }
+
     /// Parses the unit `written` at the end of `text`, and checks that it measures what `kind` requires. A pound is a force where only that does.
     fn in_text(text: &str, written: &str, kind: Kind) -> Result<Conversion, QuantityError> {
         if written.is_empty() {

@@ -36,6 +36,8 @@ pub fn read<'a>(column: &InputColumn, array: &'a ArrayRef) -> Result<Column<'a>,
         }
         DataType::Utf8 => Ok(texts(column, array)),
         data_type if is_text(data_type) => Ok(texts(column, &cast(array, &DataType::Utf8)?)),
+        // Their digits as text, which is rounded once.
+        data_type if data_type.is_decimal() => Ok(texts(column, &cast(array, &DataType::Utf8)?)),
         _ => {
             let numbers = cast(array, &DataType::Float64)?;
             let cell = |number: Option<f64>| number.map_or(Cell::Empty, |number| column.of_number(number));

@@ -45,6 +45,10 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     }
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
     let (columns, passing, headers) = (plan.schema(), schema.fields().len(), headers(&schema, &plan));
+    let unwritable = sink::unwritable(format, &columns, passing);
+    if !unwritable.is_empty() {
+        return Err(Issues::without_source(Cause::Input, unwritable).into());
+    }
     let (mut sink, encoder) = Sink::create(&call.output, format, &columns, passing, &headers).map_err(Failure::Output)?;
     interrupt::note();
     let threads = call.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from);
@@ -59,6 +63,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
                 let before: u64 = sources[..at].iter().map(Source::bytes).sum();
                 return Ok(Some((part, before + sources[at].position())));
             }
+            source.close(&call.files[at]);
             at += 1;
         }
         Ok(None)
@@ -123,7 +128,12 @@ fn open(call: &Batch, rows: usize) -> Result<Vec<Source>, Issues> {
             continue;
         }
         match Source::open(path, rows) {
-            Ok(source) => sources.push(source),
+            Ok(mut source) => {
+                if !sources.is_empty() {
+                    source.close(path);
+                }
+                sources.push(source);
+            }
             Err(found) => issues.extend_from_slice(found.list()),
         }
     }

@@ -1,17 +1,17 @@
-//! Panics: a defect of this program is reported in one line, with its own status; a reader that gives up on a damaged file is an error of the file.
+//! Panics: a defect of this program is reported in one line, with its own status; a library that gives up on a damaged file or on a column is an error of those.
 
 use std::any::Any;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
 
 thread_local! {
-    static IS_READING: Cell<bool> = const { Cell::new(false) };
+    static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Reports every panic in one line, instead of a long message.
 pub fn install() {
     set_hook(Box::new(|defect| {
-        if !IS_READING.get() {
+        if !IS_GUARDED.get() {
             eprintln!("error: a defect of planar-impact, please report it: {defect}");
         }
     }));
@@ -19,13 +19,18 @@ pub fn install() {
 
 /// Reads with a library that panics on some damaged files, and returns what it says then as an error. What it read with must not be used again.
 pub fn reading<T>(read: impl FnOnce() -> T) -> Result<T, String> {
-    IS_READING.set(true);
-    let read = catch_unwind(AssertUnwindSafe(read));
-    IS_READING.set(false);
-    read.map_err(|panic| format!("it is damaged: {}", said(&*panic)))
+    caught(read).map_err(|said| format!("it is damaged: {said}"))
+}
+
+/// Calls a library that panics on some data, and returns what it says then as an error. What it worked on must not be used again.
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    IS_GUARDED.set(true);
+    let done = catch_unwind(AssertUnwindSafe(work));
+    IS_GUARDED.set(false);
+    done.map_err(|panic| said(&*panic).to_owned())
 }
 
 fn said(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("its reader gave up")
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("its library gave up")
 }

@@ -8,7 +8,7 @@ use planar_impact::{Law, Side};
 use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
-use crate::quantity::{Conversion, Reach, excerpt, nearest};
+use crate::quantity::{self, Conversion, Reach, excerpt, nearest};
 
 /// What an input column gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -160,7 +160,7 @@ impl InputColumn {
         };
         let conversion = match (&header.unit, key) {
             (None, _) => None,
-            (Some(unit), Key::Parameter(parameter)) => Some(Conversion::of(unit, parameter.kind()).map_err(|error| {
+            (Some(unit), Key::Parameter(parameter)) => Some(Conversion::in_header(unit, parameter.kind()).map_err(|error| {
                 let issue = Issue::at("invalid-unit", header.name.clone(), error.message);
                 Issue { help: error.help.map(Into::into), ..issue }
             })?),
@@ -172,10 +172,12 @@ impl InputColumn {
         Ok(Some(InputColumn { place, key, limits: key.limits(conversion.is_some()), conversion }))
     }
 
-    /// Returns a number of the table in SI; one that is not finite is the same in every unit.
+    /// Returns a number of the table in SI; one that is not finite is the same in every unit, and one that SI would make zero is no number.
     #[inline]
     fn to_si(&self, number: f64) -> f64 {
-        self.conversion.filter(|_| number.is_finite()).map_or(number, |conversion| conversion.to_si(number))
+        let Some(conversion) = self.conversion.filter(|_| number.is_finite()) else { return number };
+        let si = conversion.to_si(number);
+        if si == 0.0 && number != 0.0 { f64::NAN } else { si }
     }
 
     /// Returns `true` if its header has a unit.
@@ -202,7 +204,12 @@ impl InputColumn {
             (Key::Law, "kudlich-slibar") => Cell::Number(1.0),
             (Key::Barrier(_) | Key::Law, _) => Cell::Unreadable,
             (Key::Parameter(Parameter::Input(planar_impact::Input::ImpulseRatio)), "critical") => Cell::Critical,
-            (Key::Parameter(_), _) => text.parse().map_or(Cell::Unreadable, |number| Cell::Number(self.to_si(number))),
+            (Key::Parameter(_), _) => match text.parse() {
+                // Digits too small for a float are read as zero.
+                Ok(0.0) if quantity::finite(text).is_err() => Cell::Unreadable,
+                Ok(number) => Cell::Number(self.to_si(number)),
+                Err(_) => Cell::Unreadable,
+            },
         }
     }
 

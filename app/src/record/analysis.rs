@@ -193,7 +193,16 @@ impl Analysis<'_> {
         };
         let (times, values) = (filtered.times(), filtered.values().to_vec());
         let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
-        let peak = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))?;
+        let Some(peak) = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs())) else {
+            let message = Message::from("no sample of ")
+                .text(name.to_owned())
+                .text(" lies from ")
+                .figure(Measure::Time, over.from)
+                .text(" to ")
+                .figure(Measure::Time, over.to);
+            self.issues.push(Issue::at("too-few", place, message).with_help("widen the window to the whole contact"));
+            return None;
+        };
         let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })

@@ -79,7 +79,7 @@ impl Samples {
             // Accelerometers are read in multiples of the standard gravity; elsewhere g is a gram.
             (None, Some("g")) if kind.dimension == Kind::ACCELERATION.dimension => Ok(Scale::Calibration(STANDARD_GRAVITY)),
             (None, None) => Ok(Scale::Unit(None, kind)),
-            (None, Some(unit)) => match Conversion::of(unit, kind) {
+            (None, Some(unit)) => match Conversion::in_header(unit, kind) {
                 Ok(conversion) => Ok(Scale::Unit(Some((unit, conversion)), kind)),
                 Err(QuantityError { message, help }) => {
                     let help =

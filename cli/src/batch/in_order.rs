@@ -23,9 +23,9 @@ pub fn in_order<P: Send, A: Send, E>(
         let (to_work, parts) = mpsc::channel::<(usize, P)>();
         let (done, answers) = mpsc::channel::<(usize, thread::Result<A>)>();
         let (parts, work) = (Arc::new(Mutex::new(parts)), &work);
-        for _ in 0..threads {
+        let started = (0..threads).take_while(|_| {
             let (parts, done) = (parts.clone(), done.clone());
-            scope.spawn(move || {
+            let worker = move || {
                 loop {
                     let part = parts.lock().unwrap_or_else(PoisonError::into_inner).recv();
                     let Ok((i, part)) = part else { break };
@@ -33,9 +33,18 @@ pub fn in_order<P: Send, A: Send, E>(
                         break;
                     }
                 }
-            });
+            };
+            thread::Builder::new().spawn_scoped(scope, worker).is_ok()
+        });
+        // The system may allow fewer threads than are wanted, or none beside this one.
+        let threads = started.count();
+        drop((parts, done));
+        if threads == 0 {
+            while let Some(part) = read()? {
+                write(work(part))?;
+            }
+            return Ok(());
         }
-        drop(done);
         let (mut sent, mut written, mut is_open) = (0, 0, true);
         let mut early: BTreeMap<usize, A> = BTreeMap::new();
         loop {

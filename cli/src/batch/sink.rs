@@ -5,10 +5,10 @@ use std::path::Path;
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
-use arrow_array::{Array, RecordBatch};
+use arrow_array::{Array, ArrayRef, RecordBatch, make_array, new_null_array};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, DataType, FieldRef, SchemaRef};
+use arrow_schema::{ArrowError, DataType, Field, FieldRef, Schema, SchemaRef};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowColumnWriter, ArrowRowGroupWriterFactory, compute_leaves};
 use parquet::basic::Compression;
@@ -17,7 +17,10 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPrope
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::ColumnPath;
 
+use planar_impact_app::Issue;
+
 use super::format::Format;
+use crate::defect;
 use crate::output::{self, OutputFile};
 
 const BUFFER: usize = 1 << 18;
@@ -55,6 +58,38 @@ pub enum Encoded {
     Parquet(Vec<ArrowColumnChunk>),
     /// The rows themselves.
     Arrow(Vec<RecordBatch>),
+}
+
+/// Returns an issue for each of the first columns that a format cannot hold.
+pub fn unwritable(format: Format, schema: &SchemaRef, passing: usize) -> Vec<Issue> {
+    let issue = |field: &FieldRef| {
+        let reason = defect::caught(|| try_on_a_row(format, field)).unwrap_or_else(Err).err()?;
+        let message = format!("its type is {}, which a table of this format does not hold: {reason}", field.data_type());
+        Some(
+            Issue::at("unwritable-column", field.name().clone(), message)
+                .with_help("leave the column out, or write a table of another format"),
+        )
+    };
+    schema.fields().iter().take(passing).filter_map(issue).collect()
+}
+
+/// Writes a row without a value to memory.
+fn try_on_a_row(format: Format, field: &Field) -> Result<(), String> {
+    let schema = SchemaRef::new(Schema::new(vec![field.clone().with_nullable(true)]));
+    let row = RecordBatch::try_new(schema.clone(), vec![new_null_array(field.data_type(), 1)]).map_err(|error| error.to_string())?;
+    let written = match format {
+        Format::Csv => lines(&row, &mut Vec::new()),
+        Format::Parquet => {
+            let write = || {
+                let mut writer = ArrowWriter::try_new(Vec::new(), schema, None)?;
+                writer.write(&row)?;
+                writer.close()
+            };
+            return write().map(drop).map_err(|error| error.to_string());
+        }
+        Format::Arrow => FileWriter::try_new(Vec::new(), &schema).and_then(|mut writer| writer.write(&row)),
+    };
+    written.map_err(|error| error.to_string())
 }
 
 impl Sink {
@@ -142,12 +177,13 @@ impl Encoder {
                 batches.try_for_each(|batch| lines(&batch?, &mut text).map_err(of_arrow))?;
                 Ok(Encoded::Csv(text))
             }
-            Encoder::Parquet(factory, schema) => {
+            Encoder::Parquet(factory, schema) => defect::caught(|| {
                 let mut writers = factory.create_column_writers(0).map_err(of_parquet)?;
                 batches.try_for_each(|batch| add(&batch?, schema, &mut writers).map_err(of_parquet))?;
                 let columns = writers.into_iter().map(|writer| writer.close()).collect::<Result<_, _>>();
                 columns.map(Encoded::Parquet).map_err(of_parquet)
-            }
+            })
+            .unwrap_or_else(|said| Err(io::Error::other(said))),
             Encoder::Arrow => batches.collect::<Result<_, _>>().map(Encoded::Arrow),
         }
     }
@@ -187,9 +223,10 @@ fn line(headers: &[String]) -> io::Result<Vec<u8>> {
 
 /// Writes rows as lines, each number with as many digits as tell it from every other.
 fn lines(batch: &RecordBatch, to: &mut Vec<u8>) -> Result<(), ArrowError> {
-    let options = FormatOptions::default();
-    let cells: Vec<Cells<'_>> = batch
-        .columns()
+    // What cannot be written as text is an error, and no text of its own.
+    let options = FormatOptions::default().with_display_error(false);
+    let columns = batch.columns().iter().map(in_utc).collect::<Result<Vec<ArrayRef>, _>>()?;
+    let cells: Vec<Cells<'_>> = columns
         .iter()
         .map(|column| match column.data_type() {
             DataType::Float64 => Ok(Cells::Numbers(column.as_primitive::<Float64Type>())),
@@ -205,7 +242,7 @@ fn lines(batch: &RecordBatch, to: &mut Vec<u8>) -> Result<(), ArrowError> {
             match column {
                 Cells::Numbers(array) if array.is_valid(row) => writer.write_field(digits.format(array.value(row))),
                 Cells::Texts(array) if array.is_valid(row) => writer.write_field(array.value(row)),
-                Cells::Others(array, formatter) if array.is_valid(row) => writer.write_field(formatter.value(row).to_string()),
+                Cells::Others(array, formatter) if array.is_valid(row) => writer.write_field(formatter.value(row).try_to_string()?),
                 _ => writer.write_field(""),
             }
             .map_err(|error| ArrowError::CsvError(error.to_string()))?;
@@ -213,6 +250,17 @@ fn lines(batch: &RecordBatch, to: &mut Vec<u8>) -> Result<(), ArrowError> {
         writer.write_record(None::<&[u8]>).map_err(|error| ArrowError::CsvError(error.to_string()))?;
     }
     writer.flush().map_err(|error| ArrowError::CsvError(error.to_string()))
+}
+
+/// Returns times of a named zone as the same instants in UTC: the names of zones and their rules are no part of this program.
+fn in_utc(column: &ArrayRef) -> Result<ArrayRef, ArrowError> {
+    match column.data_type() {
+        DataType::Timestamp(unit, Some(zone)) if !zone.starts_with(['+', '-']) => {
+            let in_utc = DataType::Timestamp(*unit, Some("+00:00".into()));
+            Ok(make_array(column.to_data().into_builder().data_type(in_utc).build()?))
+        }
+        _ => Ok(column.clone()),
+    }
 }
 
 enum Cells<'a> {

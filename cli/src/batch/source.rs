@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -48,9 +48,22 @@ pub struct Source {
 }
 
 enum Rows {
-    Csv { reader: Box<Texts>, bytes: Arc<AtomicU64> },
-    Parquet { reader: ParquetRecordBatchReader, all: u64, read: u64 },
-    Arrow { reader: Box<dyn RecordBatchReader>, rest: Option<RecordBatch>, bytes: Arc<AtomicU64> },
+    /// A file that is opened again when rows are read from it.
+    Closed(PathBuf),
+    Csv {
+        reader: Box<Texts>,
+        bytes: Arc<AtomicU64>,
+    },
+    Parquet {
+        reader: ParquetRecordBatchReader,
+        all: u64,
+        read: u64,
+    },
+    Arrow {
+        reader: Box<dyn RecordBatchReader>,
+        rest: Option<RecordBatch>,
+        bytes: Arc<AtomicU64>,
+    },
 }
 
 type Texts = csv::Reader<Quotes<Box<dyn Read>>>;
@@ -127,8 +140,16 @@ impl Source {
     /// Returns how much of the file has been read, in bytes.
     pub fn position(&self) -> u64 {
         match &self.rows {
+            Rows::Closed(_) => 0,
             Rows::Csv { bytes, .. } | Rows::Arrow { bytes, .. } => bytes.load(Ordering::Relaxed).min(self.bytes),
             Rows::Parquet { all, read, .. } => (self.bytes as f64 * (*read as f64 / (*all).max(1) as f64)) as u64,
+        }
+    }
+
+    /// Closes a table, so that many do not exceed the files that a process may have open. One that is no regular file cannot be opened again, and stays open.
+    pub fn close(&mut self, path: &Path) {
+        if path.is_file() {
+            self.rows = Rows::Closed(path.to_owned());
         }
     }
 
@@ -138,9 +159,17 @@ impl Source {
     ///
     /// If the file cannot be read any further.
     pub fn next(&mut self, rows: usize) -> Result<Option<Part>, Issues> {
+        if let Rows::Closed(path) = &self.rows {
+            let again = Source::open(path, rows)?;
+            if again.schema != self.schema {
+                return Err(decode::unreadable(&self.name, "has changed while other tables were read"));
+            }
+            *self = again;
+        }
         let name = &self.name;
         let whole = |batch: RecordBatch| Part { batch, unreadable: Vec::new() };
         match &mut self.rows {
+            Rows::Closed(_) => Ok(None),
             Rows::Csv { reader, .. } => texts(reader, &self.schema, rows).map_err(|error| not_a_table(name, &error)),
             Rows::Parquet { reader, read, .. } => {
                 let batch = self::read(name, || Ok(reader.next().transpose()?))?;

@@ -337,3 +337,106 @@ fn a_call_that_fails_writes_no_file() {
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));
 }
+
+#[test]
+fn cells_are_refused_as_in_a_case() {
+    let case = text(&workspace().join(POSITION_A)).to_owned();
+    let table = "vehicle.1.yaw_rate,vehicle.1.speed [mph]\n0,30\n1e-400,30\n-0.0e-999,30\n0,1e-400\n4e-324,30\n0,2e-324\n0,5e-324\n";
+    let run = run_with_input(&["batch", "-", "-o", "-", "--case", &case, "--of", "e"], table);
+    let refusals: Vec<String> = rows(&run.out).iter().skip(1).map(|row| row[3].clone()).collect();
+    // 4e-324 is the least float, 5e-324; in mph it becomes none of m/s.
+    assert_eq!(refusals[..6], ["", "unreadable", "", "unreadable", "", "unreadable"], "{}", run.out);
+    for header in ["vehicle.1.heading []", "vehicle.1.speed [ ]"] {
+        let run = run_with_input(&["batch", "-", "-o", "-", "--case", &case], &format!("{header}\n1\n"));
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{header}");
+        assert!(run.err.contains("the unit is empty") && run.err.contains("leave it out if the numbers are in"), "{header}: {}", run.err);
+    }
+}
+
+/// A column that is no input, beside one that is.
+fn with_column(folder: &Folder, array: ArrayRef) -> String {
+    let speeds: ArrayRef = Arc::new(Float64Array::from(vec![40.0; array.len()]));
+    let table = RecordBatch::try_from_iter_with_nullable([("vehicle.1.speed", speeds, true), ("other", array, true)])
+        .expect("columns of one length");
+    let path = folder.path().join("in.arrow");
+    let mut writer = FileWriter::try_new(fs::File::create(&path).expect("a file"), table.schema_ref()).expect("a writer");
+    writer.write(&table).and_then(|()| writer.finish()).expect("a table");
+    text(&path).to_owned()
+}
+
+#[test]
+fn other_columns_pass_through_or_are_refused_by_name() {
+    use arrow_array::builder::{FixedSizeBinaryBuilder, Int32Builder};
+    use arrow_array::{StringViewArray, TimestampSecondArray, UnionArray};
+    let folder = Folder::new();
+    let solve = |array: ArrayRef, output: &str| {
+        let input = with_column(&folder, array);
+        let output = if output == "-" { output.to_owned() } else { text(&folder.path().join(output)).to_owned() };
+        batch(&[&input, "-o", &output, "--case", POSITION_A, "--of", "e"])
+    };
+    // The instants of a named zone, in UTC.
+    let times = TimestampSecondArray::from(vec![0, 1_700_000_000]);
+    for zone in ["UTC", "Europe/Berlin"] {
+        let done = solve(Arc::new(times.clone().with_timezone(zone)), "-");
+        assert_eq!((done.status, done.err.as_str()), (0, ""), "{zone}");
+        let column: Vec<String> = rows(&done.out).iter().skip(1).map(|row| row[1].clone()).collect();
+        assert_eq!(column, ["1970-01-01T00:00:00Z", "2023-11-14T22:13:20Z"], "{zone}");
+    }
+    // What has no text is an error, and no text of its own.
+    let done = solve(Arc::new(Date32Array::from(vec![i32::MAX])), "-");
+    assert_eq!((done.status, done.out.as_str()), (74, ""), "{}", done.err);
+    let numbers: ArrayRef = Arc::new(arrow_array::Int32Array::from(vec![1]));
+    let field = Arc::new(arrow_schema::Field::new("a", arrow_schema::DataType::Int32, true));
+    let fields: arrow_schema::UnionFields = [(0, field)].into_iter().collect();
+    let union = UnionArray::try_new(fields, vec![0].into(), None, vec![numbers]).expect("a union");
+    let mut nothing = FixedSizeBinaryBuilder::with_capacity(1, 0);
+    nothing.append_value([]).expect("nothing");
+    let mut keys = Int32Builder::new();
+    keys.append_value(0);
+    let views: ArrayRef = Arc::new(StringViewArray::from(vec!["a"]));
+    let dictionary = arrow_array::DictionaryArray::<Int32Type>::try_new(keys.finish(), views).expect("a dictionary");
+    for array in [Arc::new(union) as ArrayRef, Arc::new(nothing.finish()), Arc::new(dictionary)] {
+        let kind = array.data_type().to_string();
+        let done = solve(array, "out.parquet");
+        assert_eq!((done.status, done.out.as_str()), (2, ""), "{kind}: {}", done.err);
+        assert!(done.err.contains("error: other: its type is") && done.err.contains("leave the column out"), "{kind}: {}", done.err);
+        assert!(!folder.path().join("out.parquet").exists(), "{kind}");
+    }
+}
+
+#[test]
+fn digits_of_a_decimal_are_rounded_once() {
+    let folder = Folder::new();
+    let digits = "40100123456789123456789123456789123456";
+    let value: i128 = digits.parse().expect("digits");
+    let column = arrow_array::Decimal128Array::from(vec![value]).with_precision_and_scale(38, 36).expect("38 digits");
+    let table = RecordBatch::try_from_iter([("vehicle.1.speed", Arc::new(column) as ArrayRef)]).expect("a table");
+    let path = folder.path().join("in.arrow");
+    let mut writer = FileWriter::try_new(fs::File::create(&path).expect("a file"), table.schema_ref()).expect("a writer");
+    writer.write(&table).and_then(|()| writer.finish()).expect("a table");
+    let of_decimal = batch(&[text(&path), "-o", "-", "--case", POSITION_A, "--of", "W_n"]);
+    let csv = folder.write("in.csv", format!("vehicle.1.speed\n{}.{}\n", &digits[..2], &digits[2..]).as_bytes());
+    let of_text = batch(&[text(&csv), "-o", "-", "--case", POSITION_A, "--of", "W_n"]);
+    assert_eq!((of_decimal.status, of_text.status), (0, 0), "{}", of_decimal.err);
+    assert_eq!(rows(&of_decimal.out)[1][1], rows(&of_text.out)[1][1]);
+}
+
+/// More tables than a process may have open, and more threads than it may have.
+#[test]
+fn many_tables_and_threads() {
+    let folder = Folder::new();
+    let inputs: Vec<String> = (0..60)
+        .map(|i| text(&folder.write(&format!("{i}.csv"), format!("contact.restitution\n0.{i:02}\n").as_bytes())).to_owned())
+        .collect();
+    let program = env!("CARGO_BIN_EXE_planar-impact");
+    let call = |limit: &str, threads: &str| {
+        let words = format!("{limit}; exec \"$0\" batch \"$@\" -o - --case {POSITION_A} --of e --threads {threads}");
+        std::process::Command::new("sh").args(["-c", &words, program]).args(&inputs).current_dir(workspace()).output().expect("a shell")
+    };
+    for (limit, threads) in [("ulimit -n 40", "2"), ("ulimit -v 900000", "1024")] {
+        let done = call(limit, threads);
+        assert_eq!(done.status.code(), Some(0), "{limit}: {}", String::from_utf8_lossy(&done.stderr));
+        let out = String::from_utf8(done.stdout).expect("text");
+        assert!(rows(&out).iter().skip(1).enumerate().all(|(i, row)| row[0] == format!("0.{i:02}")) && out.lines().count() == 61, "{out}");
+    }
+}

@@ -459,6 +459,8 @@ fn bad_settings_are_refused_at_their_keys() {
         ("filter = 100", "filter: 100 is no channel frequency class"),
         ("filter = 60\nwindow = [\"50 ms\", \"20 ms\"]", "window: "),
         ("window = [\"0 ms\", \"500 ms\"]", "window: "),
+        // Between two samples.
+        ("window = [\"10.02 ms\", \"10.08 ms\"]", "window: no sample of"),
         ("baseline = [\"-20 ms\", \"10 ms\"]", "baseline: the channels are loaded from 0 s, and the baseline lasts to 0.010 s"),
         ("resolution = \"1 km/h\"", "resolution: no channel of this recording uses it"),
         ("separation = \"100 ms\"", "separation: no channel of this recording uses it"),

@@ -77,7 +77,7 @@ impl CaseReader {
         let column =
             CsvColumn::of(&source.text, name).map_err(|missing| of_column.report(missing.message(&source), missing.help())).ok()?;
         let unit = column.unit.as_deref();
-        let conversion = match unit.map(|unit| Conversion::of(unit, kind)).transpose() {
+        let conversion = match unit.map(|unit| Conversion::in_header(unit, kind)).transpose() {
             Ok(conversion) => conversion,
             Err(error) => {
                 let help =
