@@ -22,6 +22,7 @@ use crate::names;
 use crate::notice::{Notice, Notices};
 use crate::quantity::{self, Kind};
 use crate::statement::Written;
+use crate::units::trim;
 use crate::wording;
 use model::CaseModel;
 
@@ -314,6 +315,9 @@ impl<'a> Question<'a> {
             let message = format!("{samples} samples do not reach the precision of {} %: give more with --samples", 100.0 * precision);
             found.notices.0.push(Notice::warning("precision-not-reached", "", message));
         }
+        if self.asks(Method::MonteCarlo) {
+            found.notices.0.extend(few_samples(sampled.samples, sampled.refused.samples, level));
+        }
         Ok(())
     }
 
@@ -350,6 +354,23 @@ fn number(input: &UncertainInput) -> Result<library::UncertainNumber, planar_imp
         Some(values) => library::Values::new(values.to_vec()).map(library::UncertainNumber::Values),
         None => Ok(input.distribution.into()),
     }
+}
+
+/// Warns if the ends of the middle range are those of few samples, of which the outermost is mostly nearer than the end.
+fn few_samples(samples: u64, refused: u64, level: f64) -> Option<Notice> {
+    const ENOUGH: f64 = 10.0;
+    let solved = samples - refused;
+    let [tail, _] = ends(level);
+    let beyond = tail * solved as f64;
+    let message = || {
+        let wanted = (ENOUGH / beyond * samples as f64).ceil();
+        format!(
+            "{solved} solved samples have {} beyond either end of the {} % range, which may be too narrow: give --samples {wanted} or more",
+            trim(beyond),
+            trim(100.0 * level)
+        )
+    };
+    (beyond < ENOUGH).then(|| Notice::warning("few-samples", "", message()))
 }
 
 /// Returns the probabilities of the ends of the middle range.

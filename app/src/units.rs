@@ -166,7 +166,9 @@ impl Units {
 /// Formats a number with six significant digits and no trailing zeros.
 pub fn trim(value: f64) -> String {
     if !(1e-9..1e12).contains(&value.abs()) && value != 0.0 {
-        return value.to_string();
+        let text = format!("{value:.5e}");
+        let Some((digits, exponent)) = text.split_once('e') else { return text };
+        return format!("{}e{exponent}", digits.trim_end_matches('0').trim_end_matches('.'));
     }
     let digits = (5.0 - libm::log10(value.abs().max(1e-9)).floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.digits$}");
@@ -183,7 +185,7 @@ mod tests {
         assert_eq!(trim(-0.5), "-0.5");
         assert_eq!(trim(1200.0), "1200");
         assert_eq!(trim(0.0), "0");
-        assert_eq!([trim(f64::NAN), trim(1e300), trim(1e-20)], ["NaN".to_owned(), 1e300.to_string(), 1e-20.to_string()]);
+        assert_eq!([f64::NAN, 1e300, -1.234_567_8e13, 1e-20].map(trim), ["NaN", "1e300", "-1.23457e13", "1e-20"]);
     }
 
     #[test]

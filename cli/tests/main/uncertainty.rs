@@ -229,6 +229,22 @@ fn a_precision_sets_the_number_of_samples() {
 }
 
 #[test]
+fn the_ends_of_a_range_have_samples_beyond_them() {
+    let call = |samples: &str, level: &str| {
+        let answer = of_example(&["--of", "dV1", "--samples", samples, "--level", level, "--method", "monte-carlo"]);
+        answer["messages"]
+            .as_array()
+            .map_or_else(Vec::new, |messages| messages.iter().map(|message| message["text"].to_string()).collect::<Vec<_>>())
+    };
+    // Ten beyond each end of the middle 95 %: a fortieth of 400.
+    assert_eq!(call("400", "0.95"), [""; 0]);
+    let few = call("399", "0.95");
+    assert!(few.len() == 1 && few[0].contains("399 solved samples have 9.975 beyond either end of the 95 % range"), "{few:?}");
+    assert!(few[0].contains("give --samples 400 or more"), "{few:?}");
+    assert_eq!((call("400", "0.96").len(), call("500", "0.96").len()), (1, 0));
+}
+
+#[test]
 fn finite_differences_are_near_the_linear_deviation() {
     let file = "cli/examples/uncertainty/differences.toml";
     let linear = answered(&run(&workspace(), &["uncertainty", file, "--of", "dV1", "--method", "linear", "--format", "json"]));
