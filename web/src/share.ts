@@ -35,6 +35,8 @@ async function through(bytes: Uint8Array, by: GenericTransformStream, most: numb
 
 export async function pack(shared: Shared): Promise<string> {
   const json = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.files]));
+  // What cannot be read again is not written.
+  if (json.length > LARGEST) throw new Error(`the case and its files are larger than ${LARGEST >> 20} MiB: an address cannot hold them`);
   const packed = await through(json, new CompressionStream("deflate-raw"), PACKED);
   let binary = "";
   for (let at = 0; at < packed.length; at += 8192) binary += String.fromCharCode(...packed.subarray(at, at + 8192));
@@ -47,7 +49,7 @@ export async function unpack(fragment: string): Promise<Shared | null> {
   const parts = /^#([0-9]+)\.([A-Za-z0-9_-]+)$/.exec(fragment);
   if (!parts) throw new Error("the part of this address after # is not a case");
   if (parts[1] !== VERSION) throw new Error(`the case of this address is of version ${parts[1]!.slice(0, 9)}; this page reads version ${VERSION}`);
-  if (parts[2]!.length > (PACKED * 4) / 3) throw new Error("the case of this address is too large");
+  if (parts[2]!.length > Math.ceil((PACKED * 4) / 3)) throw new Error("the case of this address is too large");
   let json: string;
   try {
     const packed = Uint8Array.from(atob(parts[2]!.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));

@@ -40,6 +40,13 @@ test("a case comes back from its address", async () => {
   }
 });
 
+test("an address that could not be read again is not written", async () => {
+  const { pack, unpack } = await module("src/share.ts");
+  const of = (bytes) => pack({ name: "a.toml", text: "", files: { "a.csv": "0".repeat(bytes) } });
+  await assert.rejects(of(4 << 20), /^Error: the case and its files are larger than 4 MiB/);
+  assert.equal((await unpack(await of((4 << 20) - 100))).files["a.csv"].length, (4 << 20) - 100);
+});
+
 test("a damaged address is refused with its reason", async () => {
   const { pack, unpack } = await module("src/share.ts");
   const next = random(2);
