@@ -180,7 +180,7 @@ pub fn structured(data: &[u8]) {
         .collect();
     assert_eq!(verdicts[0], verdicts[1], "JSON and JSON lines:\n{}\n{}", forms[0].1, forms[1].1);
     assert_eq!(verdicts[0], verdicts[2], "JSON and CSV:\n{}\n{}", forms[0].1, forms[2].1);
-    if corrupted <= 1 {
+    if corrupted <= 1 && !cases::loses_digits(&case) {
         assert!(verdicts[0].0 != Verdict::Fail, "a lawful record does not pass: {:?}\n{}", verdicts[0], forms[0].1);
     }
     // A mass or a motion that is far off is noticed, where it matters at all.

@@ -1,9 +1,9 @@
-//! Each target on its corpus and, for `FUZZ_SECONDS`, on what becomes of it by chance. libFuzzer, which `.ci/fuzz` runs, is guided by coverage; this needs no build
-//! of its own. A failure leaves its input in `fuzz/artifacts`.
+//! Each target on its corpus and, for `FUZZ_SECONDS`, on what becomes of it by chance; `FUZZ_SEED` sets other inputs. libFuzzer, which `.ci/fuzz` runs, is guided by
+//! coverage; this needs no build of its own. A failure leaves its input in `fuzz/artifacts`.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, Instant};
 
 use planar_impact_fuzz::{tables, target};
 use rand::{RngExt, SeedableRng};
@@ -57,7 +57,8 @@ fn run(name: &str) {
     };
     corpus.iter().for_each(|input| hold(input));
     let seconds = std::env::var("FUZZ_SECONDS").ok().and_then(|seconds| seconds.parse().ok()).unwrap_or(1.0);
-    let seed = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |time| time.as_nanos() as u64);
+    // The same inputs in every run, as of the other tests.
+    let seed = std::env::var("FUZZ_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
     let (mut random, begin, mut executions) = (ChaCha8Rng::seed_from_u64(seed), Instant::now(), corpus.len());
     while begin.elapsed() < Duration::from_secs_f64(seconds) {
         hold(&changed(&corpus, &mut random));
