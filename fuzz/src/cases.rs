@@ -296,7 +296,7 @@ fn hold(case: &Case, more: u8) -> Option<Value> {
         0..=30 => verb(crush::crush(case, &(), &Uncontrolled), units),
         31..=50 => verb(crash3::crash3(case, &(), &Uncontrolled), units),
         51..=75 => {
-            let options = gradient::Options { of: Selection::Principal, wrt: Selection::All, second: more % 2 == 0 };
+            let options = gradient::Options { of: Selection::Principal, wrt: Selection::All, second: more & 1 == 0 };
             verb(gradient::gradient(case, &options, &Uncontrolled), units);
         }
         76..=85 => match scene::draw(case, &(), &Uncontrolled) {

@@ -428,7 +428,7 @@ fn a_flat_valley_is_one_solution_and_bounds_what_it_determines() {
 fn an_angle_with_one_bound_has_a_whole_turn() {
     let (one, two) = (car(1147.0, 1551.0, 180.0, 2.8, 1.13, -0.57), car(1524.0, 2078.0, 0.0, 18.0, 1.01, 0.31));
     let found_with = |bounds: [Option<f64>; 2]| {
-        let mut problem = ReconstructionProblem::of(Collision::new(one.clone(), two.clone()))
+        let mut problem = ReconstructionProblem::of(Collision::new(one, two))
             .between(SPEED, 2.8, -5.0, 20.0)
             .unknown(PLANE, -DEGREE)
             .evidence(Measurand::Output(Output::DeltaVMagnitude(Side::One)), 9.0, sd(0.5))
