@@ -116,9 +116,6 @@ fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
     if let Some(share) = known.touch.and_then(|touch| touch.wedging_share()) {
         judge.allow_for_wedging(share);
     }
-    if let Some(factor) = known.touch.and_then(|touch| touch.cancellation()) {
-        judge.allow_for_cancellation(factor);
-    }
     momentum::check(&known, judge);
     normal::check(&known, judge);
     tangent::check(&known, judge);

@@ -76,13 +76,8 @@ impl Judge {
     /// Allows for the rounding of the impulse of a pair that nearly wedges, with K_nn + μ K_nt a positive share of its parts.
     pub(super) fn allow_for_wedging(&mut self, share: f64) {
         if share > 0.0 {
-            self.allow_for_cancellation(1.0 / share);
+            self.amplification = 1.0 / share;
         }
-    }
-
-    /// Allows for the rounding of what an impulse changes by parts that are larger than the whole by a factor.
-    pub(super) fn allow_for_cancellation(&mut self, factor: f64) {
-        self.amplification = if factor > self.amplification { factor } else { self.amplification };
     }
 
     pub(super) fn done(self, record: &Record) -> Outcome {

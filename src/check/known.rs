@@ -2,7 +2,6 @@
 
 use super::energy_loss::EnergyLoss;
 use super::key::Key;
-use super::normal::length;
 use super::record::Record;
 use super::subject::{Subject, When, number, pair};
 use super::travel::Travel;
@@ -135,15 +134,6 @@ impl<const N: usize> Touch<N> {
     pub(super) fn wedging_share(&self) -> Option<f64> {
         let (impulse, contact) = (self.impulse?, self.values()?);
         Some(contact.compliance.wedging_share(impulse.t.value / impulse.n.value))
-    }
-
-    /// Returns how much larger the parts of the change of velocity are than the velocities: with a tiny inertia the impulse is rounded as large numbers are, and so are
-    /// the velocities after it.
-    pub(super) fn cancellation(&self) -> Option<f64> {
-        let (impulse, contact) = (self.impulse?, self.values()?);
-        let parts = contact.compliance.nn() + 2.0 * contact.compliance.nt().abs() + contact.compliance.tt();
-        let velocities = length(&self.approach) + length(&self.separation);
-        Some(parts * length(&impulse) / velocities).filter(|share| share.is_finite())
     }
 
     /// Returns the contact without resolutions, if the inertia of the bodies is known.

@@ -115,7 +115,9 @@ fn the_closed_form_is_another_answer() {
 fn a_vehicle_that_never_stops_is_refused_at_its_place() {
     let case = example().replace(
         "friction = \"0.7 ± 0.05\"",
-        "friction = \"0.7 ± 0.05\"\nregions = [{ friction = 0, half_plane = { from = [\"-99 m\", \"0 m\"], toward = \"0 deg\" } }]",
+        // No friction anywhere: beyond a single half plane a motion would come to rest.
+        "friction = \"0.7 ± 0.05\"\nregions = [{ friction = 0, half_plane = { from = [\"-99 m\", \"0 m\"], toward = \"0 deg\" } }, \
+         { friction = 0, half_plane = { from = [\"-98 m\", \"0 m\"], toward = \"180 deg\" } }]",
     );
     let run = run_with_input(&["crash3", "-"], &case);
     assert_eq!((run.status, run.out.as_str()), (2, ""), "{}", run.err);
