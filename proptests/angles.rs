@@ -66,7 +66,9 @@ proptest! {
         let lanes = with_angles(&draw, [a, b].map(Lanes::<8>::splat), Lanes::splat(gamma));
         let (single, lanes) = (Outputs::of(&single, &single.evaluate()), Outputs::of(&lanes, &lanes.evaluate()));
         for (i, output) in Output::ALL.into_iter().enumerate() {
-            prop_assert_eq!(lanes[output].to_array()[i % 8].to_bits(), single[output].to_bits(), "{}", output);
+            let (lane, single) = (lanes[output].to_array()[i % 8], single[output]);
+            // Which bits a NaN has depends on the compiler.
+            prop_assert!(lane.to_bits() == single.to_bits() || (lane.is_nan() && single.is_nan()), "{output}: {lane} and {single}");
         }
     }
 }

@@ -23,7 +23,7 @@ pub struct Body<T = f64> {
 
 impl<T> Body<T> {
     /// Converts the body to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Body<U> {
         Body {
             inverse_mass: f(self.inverse_mass),
@@ -37,7 +37,7 @@ impl<T> Body<T> {
 
 impl<T: Field> Body<T> {
     /// Returns a vehicle or a barrier in contact axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn seen_from(plane: &CrushPlane<T>, party: &Party<T>) -> Self {
         match party {
             Party::Barrier => Body::fixed(),
@@ -52,25 +52,25 @@ impl<T: Field> Body<T> {
     }
 
     /// Returns a fixed barrier. It has no center of mass: its reference point is the impact center.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn fixed() -> Self {
         Body { inverse_mass: T::int(0), inverse_yaw_inertia: T::int(0), arm: Nt::zero(), velocity: Nt::zero(), yaw_rate: T::int(0) }
     }
 
     /// Returns the velocity of its point at the impact center, v + ω × r.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity_at_center(&self) -> Nt<T> {
         self.velocity.clone() + self.arm.clone().quarter_turn() * self.yaw_rate.clone()
     }
 
     /// Returns the change of velocity from an impulse: P/m.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn delta_v(&self, impulse: Nt<T>) -> Nt<T> {
         impulse * self.inverse_mass.clone()
     }
 
     /// Returns the change of yaw rate from an impulse at the impact center, (r × P)/I.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn delta_yaw_rate(&self, impulse: Nt<T>) -> T {
         self.arm.clone().cross(impulse) * self.inverse_yaw_inertia.clone()
     }

@@ -126,7 +126,7 @@ macro_rules! catalogue {
                 ];
 
                 /// Returns its position in `ALL`.
-                #[inline(always)]
+                #[inline]
                 pub const fn index(self) -> usize {
                     match self {
                         $($Catalogue::$Vehicle(side) => OfVehicle::$Vehicle as usize + VEHICLE_ROWS * side as usize,)*

@@ -77,7 +77,7 @@ pub struct Collision<T = f64> {
 
 impl<T> Collision<T> {
     /// Converts the collision to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Collision<U> {
         Collision {
             one: self.one.map(&mut f),
@@ -91,7 +91,7 @@ impl<T> Collision<T> {
     }
 
     /// Both parties, vehicle 1 first.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn parties(&self) -> [&Party<T>; 2] {
         [&self.one, &self.two]
     }
@@ -157,13 +157,13 @@ impl<T: Field> Collision<T> {
     }
 
     /// Returns the two parties at the impact center.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn contact(&self) -> Contact<T> {
         Contact::between(Body::seen_from(&self.crush_plane, &self.one), Body::seen_from(&self.crush_plane, &self.two))
     }
 
     /// Returns the requested moment impulse, if any.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn moment_impulse(&self, contact: &Contact<T>) -> Option<T> {
         match &self.moment {
             Moment::None => None,
@@ -181,7 +181,7 @@ impl<T: Field> Collision<T> {
     }
 
     /// Returns the change of relative velocity caused by the sticking impulse, without the change caused by a moment.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn sticking_change(&self, contact: &Contact<T>, moment: Option<&T>) -> Nt<T> {
         let change = self.law.change(contact.approach.clone(), self.restitution.clone());
         match moment {
@@ -191,7 +191,7 @@ impl<T: Field> Collision<T> {
     }
 
     /// Returns the result of a given impulse and moment, whatever the law.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn impact_of(&self, contact: &Contact<T>, impulse: Nt<T>, moment: Option<T>) -> Impact<T> {
         let mut separation = contact.separation(impulse.clone());
         let mut critical_change = Law::Brach.change(contact.approach.clone(), self.restitution.clone());
@@ -223,7 +223,7 @@ impl<T: Field> Collision<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn response(&self, party: &Party<T>, body: &Body<T>, impulse: Nt<T>, moment: Option<T>) -> Response<T> {
         let Some(vehicle) = party.vehicle() else {
             return Response { after: Motion::rest(), delta_v: Xy::zero(), delta_v_in_vehicle: ForwardLeft::zero() };
@@ -242,7 +242,7 @@ impl<T: Field> Collision<T> {
 }
 
 /// Returns the kinetic energy of a party in its own or another motion.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn energy_of<T: Field>(party: &Party<T>, motion: Option<&Motion<T>>) -> T {
     match party {
         Party::Vehicle(vehicle) => vehicle.kinetic_energy(motion.unwrap_or(&vehicle.motion).clone()),
@@ -252,7 +252,7 @@ fn energy_of<T: Field>(party: &Party<T>, motion: Option<&Motion<T>>) -> T {
 
 impl<T: Ordered> Collision<T> {
     /// Computes the impulse and the moment from the law and the ratio.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn impulse(&self, contact: &Contact<T>) -> (Nt<T>, Option<T>) {
         let moment = self.moment_impulse(contact);
         let change = self.sticking_change(contact, moment.as_ref());
@@ -260,7 +260,7 @@ impl<T: Ordered> Collision<T> {
     }
 
     /// Returns the impulse that ends the tangential process, whichever ratio is in force.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn sticking_impulse(&self, contact: &Contact<T>) -> Nt<T> {
         Collision { impulse_ratio: ImpulseRatio::Critical, ..self.clone() }.impulse(contact).0
     }
@@ -272,13 +272,13 @@ impl<T: Ordered> Collision<T> {
     /// # Panics
     ///
     /// If the scalar panics on a division by zero, as rationals do: no mass, or an impulse ratio at which the pair wedges.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn evaluate(&self) -> Impact<T> {
         self.impact_at(&self.contact())
     }
 
     /// Computes the impact of a contact, which is that of this collision.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn impact_at(&self, contact: &Contact<T>) -> Impact<T> {
         let (impulse, moment) = self.impulse(contact);
         self.impact_of(contact, impulse, moment)

@@ -48,7 +48,7 @@ impl<T> Compliance<T> {
 
 impl<T: Field> Compliance<T> {
     /// Computes the compliance of the contact between two bodies.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn between(one: &Body<T>, two: &Body<T>) -> Self {
         let w = one.inverse_mass.clone() + two.inverse_mass.clone();
         let (j1, j2) = (one.inverse_yaw_inertia.clone(), two.inverse_yaw_inertia.clone());
@@ -61,7 +61,7 @@ impl<T: Field> Compliance<T> {
     }
 
     /// Returns K P, the change of relative velocity by an impulse.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity_change(&self, impulse: Nt<T>) -> Nt<T> {
         Nt {
             n: self.nn.clone() * impulse.n.clone() + self.nt.clone() * impulse.t.clone(),
@@ -70,7 +70,7 @@ impl<T: Field> Compliance<T> {
     }
 
     /// Returns K⁻¹ c, the impulse that causes a change of relative velocity.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn impulse_for(&self, change: Nt<T>) -> Nt<T> {
         let scale = self.determinant.clone().inv();
         Nt {
@@ -81,7 +81,7 @@ impl<T: Field> Compliance<T> {
 
     /// Returns K_nn + μ K_nt, the change of normal velocity by a unit of normal impulse that is accompanied by μ of tangential impulse. Positive unless the
     /// pair would wedge; 1/(m̄ q) in the paper's notation (A14).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn along_ratio(&self, impulse_ratio: T) -> T {
         self.nn.clone() + impulse_ratio * self.nt.clone()
     }

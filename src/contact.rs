@@ -21,14 +21,14 @@ pub struct Contact<T = f64> {
 }
 
 /// Returns the relative velocity of two bodies at the impact center, v_2C − v_1C.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn relative_velocity<T: Field>(one: &Body<T>, two: &Body<T>) -> Nt<T> {
     two.velocity_at_center() - one.velocity_at_center()
 }
 
 impl<T: Field> Contact<T> {
     /// Creates the contact between two bodies.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn between(one: Body<T>, two: Body<T>) -> Self {
         let compliance = Compliance::between(&one, &two);
         let approach = relative_velocity(&one, &two);
@@ -36,32 +36,32 @@ impl<T: Field> Contact<T> {
     }
 
     /// Returns the relative velocity at the impact center after an impulse, V = v − K P.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn separation(&self, impulse: Nt<T>) -> Nt<T> {
         self.approach.clone() - self.compliance.velocity_change(impulse)
     }
 
     /// Returns the vector from the center of mass of body one to that of body two. A barrier's reference point is the impact center.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn offset(&self) -> Nt<T> {
         self.one.arm.clone() - self.two.arm.clone()
     }
 
     /// Returns the energy lost to an impulse, T_L = P·v − ½ P·K P. It is a concave function of the impulse, and its maximum is the [loss at common
     /// velocity](Contact::greatest_loss).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn loss(&self, impulse: Nt<T>) -> T {
         impulse.clone().dot(self.approach.clone() + self.separation(impulse)).half()
     }
 
     /// Returns the impulse after which the bodies have a common velocity at the impact center, K⁻¹ v, which is that of e = 0 and μ = μ₀.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn common_velocity_impulse(&self) -> Nt<T> {
         self.compliance.impulse_for(self.approach.clone())
     }
 
     /// Returns the greatest loss of any impulse, ½ v·K⁻¹v, at common velocity. It does not depend on Γ.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn greatest_loss(&self) -> T {
         self.approach.clone().dot(self.common_velocity_impulse()).half()
     }

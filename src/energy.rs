@@ -30,14 +30,14 @@ pub struct KineticEnergy<T = f64> {
 
 /// Returns the work of one component of the impulse on body one, against the relative velocity (of body two less that of body one) along it: −½ P (v + V),
 /// the impulse times the mean velocity of its point of application (Eq 5).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn work<T: Field>(impulse: T, before: T, after: T) -> T {
     -(impulse * (before + after)).half()
 }
 
 impl<T: Field> Work<T> {
     /// Returns the work of an impulse that changes the approach velocity to the separation velocity, without a moment.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(impulse: Nt<T>, approach: Nt<T>, separation: Nt<T>) -> Self {
         Work { n: work(impulse.n, approach.n, separation.n), t: work(impulse.t, approach.t, separation.t), m: T::int(0) }
     }
@@ -48,7 +48,7 @@ impl<T: Field> Work<T> {
     ///
     /// Exactly the kinetic energy before less that after (`proptests/energy.rs`, `work_is_the_change_of_kinetic_energy`), and more accurate than that
     /// difference, which suffers from cancellation.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn loss(&self) -> T {
         // Subtracting zero is free for a float without a moment; adding zero is not, because of negative zero.
         -(self.n.clone() + self.t.clone()) - self.m.clone()
@@ -57,7 +57,7 @@ impl<T: Field> Work<T> {
 
 impl<T> Work<T> {
     /// Converts the work to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Work<U> {
         Work { n: f(self.n), t: f(self.t), m: f(self.m) }
     }
@@ -65,7 +65,7 @@ impl<T> Work<T> {
 
 impl<T> KineticEnergy<T> {
     /// Converts the energies to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> KineticEnergy<U> {
         KineticEnergy { before: f(self.before), after: f(self.after) }
     }

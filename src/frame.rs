@@ -29,7 +29,7 @@ macro_rules! components {
 
         impl<T> $name<T> {
             /// Converts the components to another scalar type.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $name<U> {
                 $name { $a: f(self.$a), $b: f(self.$b) }
             }
@@ -37,31 +37,31 @@ macro_rules! components {
 
         impl<T: Field> $name<T> {
             /// Returns the zero vector.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn zero() -> Self {
                 $name { $a: T::int(0), $b: T::int(0) }
             }
 
             /// Returns the scalar product.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn dot(self, other: Self) -> T {
                 self.$a * other.$a + self.$b * other.$b
             }
 
             /// Returns the vertical component of the vector product.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn cross(self, other: Self) -> T {
                 self.$a * other.$b - self.$b * other.$a
             }
 
             /// Returns the square of the length.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn length_squared(self) -> T {
                 self.$a.squared() + self.$b.squared()
             }
 
             /// Returns the vector rotated by +90°.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn quarter_turn(self) -> Self {
                 $name { $a: -self.$b, $b: self.$a }
             }
@@ -69,7 +69,7 @@ macro_rules! components {
 
         impl<T: Real> $name<T> {
             /// Returns the length. For the zero vector it is 0 without derivatives.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn length(self) -> T {
                 self.length_squared().square_root()
             }
@@ -121,7 +121,7 @@ macro_rules! direction {
 
         impl<T> $name<T> {
             /// Converts the direction to another scalar type.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $name<U> {
                 $name { cos: f(self.cos), sin: f(self.sin) }
             }
@@ -130,7 +130,7 @@ macro_rules! direction {
         impl<T: Field> $name<T> {
             /// Creates the direction from the tangent `h` of half the angle: cos = (1 − h²)/(1 + h²), sin = 2h/(1 + h²), of unit length exactly. Every angle
             /// except 180° has such a tangent.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn from_half_tangent(h: T) -> Self {
                 let square = h.clone().squared();
                 let one = T::int(1);
@@ -141,20 +141,20 @@ macro_rules! direction {
 
         impl<T: Real> $name<T> {
             /// Creates the direction from an angle in radians, counter-clockwise from x.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn from_angle(angle: T) -> Self {
                 let (sin, cos) = angle.sin_and_cos();
                 $name { cos, sin }
             }
 
             /// Returns the angle in radians, in (−π, π].
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub fn angle(self) -> T {
                 self.sin.arctangent(self.cos)
             }
 
             /// Returns the direction rotated by an angle in radians, counter-clockwise. However often it is turned, its length stays 1 to within rounding.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             #[must_use]
             pub fn turned(self, by: T) -> Self {
                 let $name { cos, sin } = self.shifted(by);
@@ -164,7 +164,7 @@ macro_rules! direction {
             }
 
             /// Returns the direction rotated once, by the addition theorem alone: its formula, and the bits of a direction turned by zero, stay as they are.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub(crate) fn shifted(self, by: T) -> Self {
                 let (sin, cos) = by.sin_and_cos();
                 let (cos, sin) = turn(&self.cos, &self.sin, cos, sin);
@@ -208,7 +208,7 @@ impl CrushPlane {
 
 impl<T: Field> Heading<T> {
     /// Returns the heading along x.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn along_x() -> Self {
         Heading { cos: T::int(1), sin: T::int(0) }
@@ -220,21 +220,21 @@ impl<T: Field> Heading<T> {
     }
 
     /// Returns the opposite heading.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn reversed(self) -> Self {
         Heading { cos: -self.cos, sin: -self.sin }
     }
 
     /// Converts from vehicle axes to ground axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_ground(&self, v: ForwardLeft<T>) -> Xy<T> {
         let (x, y) = turn(&self.cos, &self.sin, v.forward, v.left);
         Xy { x, y }
     }
 
     /// Converts from ground axes to vehicle axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_vehicle(&self, v: Xy<T>) -> ForwardLeft<T> {
         let (forward, left) = turn_back(&self.cos, &self.sin, v.x, v.y);
         ForwardLeft { forward, left }
@@ -257,26 +257,26 @@ impl<T: Field> Default for CrushPlane<T> {
 
 impl<T: Field> CrushPlane<T> {
     /// Converts from ground axes to contact axes: P_n = P_x cos Γ + P_y sin Γ, P_t = −P_x sin Γ + P_y cos Γ (A24, A25).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_contact(&self, v: Xy<T>) -> Nt<T> {
         let (n, t) = turn_back(&self.cos, &self.sin, v.x, v.y);
         Nt { n, t }
     }
 
     /// Converts from contact axes to ground axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_ground(&self, v: Nt<T>) -> Xy<T> {
         let (x, y) = turn(&self.cos, &self.sin, v.n, v.t);
         Xy { x, y }
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn<T: Field>(cos: &T, sin: &T, a: T, b: T) -> (T, T) {
     (cos.clone() * a.clone() - sin.clone() * b.clone(), sin.clone() * a + cos.clone() * b)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn turn_back<T: Field>(cos: &T, sin: &T, a: T, b: T) -> (T, T) {
     (cos.clone() * a.clone() + sin.clone() * b.clone(), cos.clone() * b - sin.clone() * a)
 }

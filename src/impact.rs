@@ -45,19 +45,19 @@ pub struct Response<T = f64> {
 
 impl<T: Field> Impact<T> {
     /// Returns the impulse ratio, μ = P_t/P_n (A8).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn impulse_ratio(&self) -> T {
         self.impulse.t.clone() / self.impulse.n.clone()
     }
 
     /// Returns the critical impulse ratio μ₀, at which sliding just ends (A27). It is a property of the collision, whichever law and ratio are in force.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn critical_impulse_ratio(&self) -> T {
         self.critical_impulse.t.clone() / self.critical_impulse.n.clone()
     }
 
     /// Returns the energy lost, T_L (Eq 1).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn loss(&self) -> T {
         self.work.loss()
     }
@@ -65,7 +65,7 @@ impl<T: Field> Impact<T> {
 
 impl<T> Impact<T> {
     /// Converts the impact to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Impact<U> {
         Impact {
             impulse: self.impulse.map(&mut f),
@@ -84,7 +84,7 @@ impl<T> Impact<T> {
 
 impl<T> Response<T> {
     /// Converts the response to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Response<U> {
         Response { after: self.after.map(&mut f), delta_v: self.delta_v.map(&mut f), delta_v_in_vehicle: self.delta_v_in_vehicle.map(f) }
     }
@@ -102,14 +102,14 @@ pub struct ForceDirection<T = f64> {
 
 impl<T: Field> ForceDirection<T> {
     /// Returns the direction that a push comes from, in vehicle axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of_push(push: ForwardLeft<T>) -> Self {
         // Adding zero makes a negative zero positive, so that a push from straight behind comes from +π and not −π, and a zero push from 0.
         ForceDirection { ahead: T::int(0) - push.forward, right: push.left + T::int(0) }
     }
 
     /// Returns the direction of the push, in vehicle axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn push(&self) -> ForwardLeft<T> {
         ForwardLeft { forward: -self.ahead.clone(), left: self.right.clone() }
     }
@@ -117,7 +117,7 @@ impl<T: Field> ForceDirection<T> {
 
 impl<T: Real> ForceDirection<T> {
     /// Returns its direction in radians clockwise from straight ahead, in (−π, π]; zero without a force.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn direction(self) -> T {
         self.right.arctangent(self.ahead)
     }
@@ -140,7 +140,7 @@ impl<T: Real> ForceDirection<T> {
 
 impl<T: Field> Response<T> {
     /// Returns the direction the principal force comes from, in vehicle axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn force_direction(&self) -> ForceDirection<T> {
         ForceDirection::of_push(self.delta_v_in_vehicle.clone())
     }
@@ -148,14 +148,14 @@ impl<T: Field> Response<T> {
 
 impl<T: Real> Response<T> {
     /// Returns the magnitude of the change of velocity, ΔV, in m/s.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn delta_v_magnitude(&self) -> T {
         self.delta_v.clone().length()
     }
 
     /// Returns the principal direction of force, from which the force comes, in vehicle axes, in radians clockwise from straight ahead, in (−π, π]. 0 is a
     /// frontal impact, π/2 one from the right. Zero if no force acts.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn principal_direction_of_force(&self) -> T {
         self.force_direction().direction()
     }

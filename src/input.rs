@@ -190,7 +190,7 @@ impl<T: Real> Collision<T> {
     }
 
     /// Returns the same collision with all inputs replaced, the directions by themselves and the others by a function of their name.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn given(self, headings: [Heading<T>; 2], crush_plane: CrushPlane<T>, of: impl Fn(Input) -> T) -> Self {
         let party = |party: Party<T>, side, heading| match party {
             Party::Barrier => Party::Barrier,

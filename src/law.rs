@@ -43,7 +43,7 @@ pub enum ImpulseRatio<T = f64> {
 
 impl Law {
     /// Returns the change of relative velocity caused by the sticking impulse.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn change<T: Field>(self, approach: Nt<T>, restitution: T) -> Nt<T> {
         let both = T::int(1) + restitution;
         match self {
@@ -55,7 +55,7 @@ impl Law {
 
 impl<T> ImpulseRatio<T> {
     /// Converts the ratio to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> ImpulseRatio<U> {
         match self {
             ImpulseRatio::Critical => ImpulseRatio::Critical,
@@ -68,7 +68,7 @@ impl<T> ImpulseRatio<T> {
 
 impl<T: Ordered> ImpulseRatio<T> {
     /// Returns the impulse of this ratio, given the change of relative velocity `change` that the sticking impulse would cause.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn impulse(&self, compliance: &Compliance<T>, change: Nt<T>) -> Nt<T> {
         match self {
             ImpulseRatio::Critical => compliance.impulse_for(change),
@@ -80,14 +80,14 @@ impl<T: Ordered> ImpulseRatio<T> {
 }
 
 /// Returns the impulse at a given ratio that causes a given change of normal velocity: P_n = change/(K_nn + μ K_nt), P_t = μ P_n (A1, A2, A14).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn impulse_at_ratio<T: Field>(compliance: &Compliance<T>, normal_change: T, ratio: T) -> Nt<T> {
     let n = normal_change / compliance.along_ratio(ratio.clone());
     Nt { t: ratio * n.clone(), n }
 }
 
 /// Returns the impulse at a fraction of the ratio of the sticking impulse, which would cause the change of relative velocity `change`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn impulse_at_fraction<T: Field>(compliance: &Compliance<T>, change: Nt<T>, fraction: T) -> Nt<T> {
     let sticking = compliance.impulse_for(change.clone());
     impulse_at_ratio(compliance, change.n, fraction * sticking.t / sticking.n)
@@ -97,7 +97,7 @@ pub fn impulse_at_fraction<T: Field>(compliance: &Compliance<T>, change: Nt<T>, 
 ///
 /// From zero tangential impulse to the sticking impulse, the ratio leaves the cone where the magnitude of the tangential part exceeds the friction
 /// coefficient times the compression. That point always exists and involves no division, even if the sticking impulse is tensile.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>, friction: T) -> Nt<T> {
     let sticking = compliance.impulse_for(change.clone());
     let cone = FrictionCone::around(&sticking, &change, &friction);
@@ -115,7 +115,7 @@ pub(crate) struct FrictionCone<T: Ordered> {
 }
 
 impl<T: Ordered> FrictionCone<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn around(sticking: &Nt<T>, change: &Nt<T>, friction: &T) -> Self {
         let compression = sticking.n.clone() * change.n.clone();
         let across = sticking.t.clone() * change.n.clone();

@@ -40,7 +40,7 @@ pub struct MomentCompliance<T = f64> {
 
 impl<T> Moment<T> {
     /// Converts the moment to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Moment<U> {
         match self {
             Moment::None => Moment::None,
@@ -52,7 +52,7 @@ impl<T> Moment<T> {
 
 impl<T: Field> Contact<T> {
     /// Returns the third row of the compliance.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn moment_compliance(&self) -> MomentCompliance<T> {
         let (one, two) = (&self.one, &self.two);
         let (j1, j2) = (one.inverse_yaw_inertia.clone(), two.inverse_yaw_inertia.clone());
@@ -60,14 +60,14 @@ impl<T: Field> Contact<T> {
     }
 
     /// Returns the relative yaw rate before the impact, ω_2 − ω_1.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn relative_yaw_rate(&self) -> T {
         self.two.yaw_rate.clone() - self.one.yaw_rate.clone()
     }
 
     /// Returns the moment of the impact whose impulse and moment together cause the change `change` of relative velocity and the change `yaw` of relative yaw
     /// rate: M = (yaw − k·K⁻¹change)/(K_mm − k·K⁻¹k), with k the force part of the third row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn moment_for(&self, change: Nt<T>, yaw: T) -> T {
         let row = self.moment_compliance();
         let by_force = row.force.clone().dot(self.compliance.impulse_for(change));

@@ -129,7 +129,7 @@ catalogue! {
 
 impl Output {
     /// Returns this output of a collision and its impact.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of<T: Real>(self, collision: &Collision<T>, impact: &Impact<T>) -> T {
         let response = |side| match side {
             Side::One => &impact.one,
@@ -187,7 +187,7 @@ impl Output {
 
 impl<T: Real> Outputs<T> {
     /// Computes the outputs of a collision and its impact.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(collision: &Collision<T>, impact: &Impact<T>) -> Self {
         let impact = impact.clone();
         Outputs {
@@ -209,7 +209,7 @@ impl<T: Real> Outputs<T> {
 }
 
 impl<T: Real> VehicleOutputs<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(response: Response<T>) -> Self {
         VehicleOutputs {
             delta_v_magnitude: response.delta_v_magnitude(),
@@ -301,14 +301,14 @@ macro_rules! place {
 impl<T> Index<Output> for Outputs<T> {
     type Output = T;
 
-    #[inline(always)]
+    #[inline]
     fn index(&self, output: Output) -> &T {
         place!(self, output, &)
     }
 }
 
 impl<T> IndexMut<Output> for Outputs<T> {
-    #[inline(always)]
+    #[inline]
     fn index_mut(&mut self, output: Output) -> &mut T {
         place!(self, output, &mut)
     }

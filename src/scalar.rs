@@ -71,19 +71,19 @@ pub trait Field:
     + Div<Output = Self>
 {
     /// Returns the integer `n` as an element of the field.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn int(n: i32) -> Self {
         Self::from_i32(n).expect("every field contains the small integers")
     }
 
     /// Returns half of it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn half(self) -> Self {
         self * (Self::int(1) / Self::int(2))
     }
 
     /// Returns its square.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn squared(self) -> Self {
         self.clone() * self
     }
@@ -110,14 +110,14 @@ pub trait Ordered: Field {
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// Returns the absolute value.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn magnitude(self) -> Self {
         let mask = self.less(&Self::int(0));
         Self::select(mask, -self.clone(), self)
     }
 
     /// Returns the mask of whether it is a finite number.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn finite(&self) -> Self::Mask
     where
         Self::Mask: Logic,
@@ -131,12 +131,12 @@ pub trait Ordered: Field {
 impl<T: Field + PartialOrd> Ordered for T {
     type Mask = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less(&self, other: &Self) -> bool {
         self < other
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
@@ -173,12 +173,12 @@ trait Portable: Sized {
 }
 
 impl Portable for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn portable_sin_cos(self) -> (Self, Self) {
         circular::sin_cos(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn portable_atan2(self, x: Self) -> Self {
         circular::atan2(self, x)
     }
@@ -195,12 +195,12 @@ impl Portable for f64 {
 }
 
 impl Portable for f32 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn portable_sin_cos(self) -> (Self, Self) {
         libm::sincosf(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn portable_atan2(self, x: Self) -> Self {
         libm::atan2f(self, x)
     }
@@ -229,7 +229,7 @@ mod dual {
         T: DualNum + DualStruct<Real = <T as DualNum>::Primitive>,
         <T as DualNum>::Primitive: Portable,
     {
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn square_root(self) -> Self {
             let re = self.re();
             if T::NDERIV > 0 && re.is_zero() {
@@ -240,7 +240,7 @@ mod dual {
 
         /// Applies the addition theorem about the real part: `self` less its real part is exactly zero there, where sine and cosine are exact on every
         /// platform, and carries only the derivatives.
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn sin_and_cos(self) -> (Self, Self) {
             let re = self.re();
             let (sin, cos) = re.portable_sin_cos();
@@ -253,7 +253,7 @@ mod dual {
         }
 
         /// Adds the angle of the real parts and the angle from there to the full number, which is zero except for its derivatives.
-        #[inline(always)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn arctangent(self, x: Self) -> Self {
             let (y_re, x_re) = (self.re(), x.re());
             let angle = T::from(y_re.portable_atan2(x_re));
@@ -275,17 +275,17 @@ mod float {
     macro_rules! real {
         ($float:ty, $sqrt:path) => {
             impl Real for $float {
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn square_root(self) -> Self {
                     $sqrt(self)
                 }
 
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn sin_and_cos(self) -> (Self, Self) {
                     self.portable_sin_cos()
                 }
 
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn arctangent(self, x: Self) -> Self {
                     self.portable_atan2(x)
                 }

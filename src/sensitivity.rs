@@ -152,14 +152,14 @@ impl<T> Hessian<T> {
 impl<T> Index<Input> for Gradient<T> {
     type Output = T;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn index(&self, input: Input) -> &T {
         &self.0[input.index()]
     }
 }
 
 impl<T> IndexMut<Input> for Gradient<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn index_mut(&mut self, input: Input) -> &mut T {
         &mut self.0[input.index()]
     }
@@ -168,7 +168,7 @@ impl<T> IndexMut<Input> for Gradient<T> {
 impl<T> Index<(Input, Input)> for Hessian<T> {
     type Output = T;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn index(&self, (one, other): (Input, Input)) -> &T {
         &self.0[one.index()][other.index()]
     }
@@ -177,14 +177,14 @@ impl<T> Index<(Input, Input)> for Hessian<T> {
 impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
     /// Computes the sensitivities of an impact that [`Collision::solve`] or [`Collision::evaluate`] returned for this collision. The impact is not checked; a
     /// quantity without a derivative, such as the ΔV of a zero impulse, has derivatives of NaN. In lanes, of each collision.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn sensitivities_of(&self, impact: &Impact<T>) -> Outputs<Sensitive<T>> {
         let mut to = Outputs::default();
         self.write_sensitivities_of(impact, &mut to);
         to
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn write_sensitivities_of(&self, impact: &Impact<T>, to: &mut Outputs<Sensitive<T>>) {
         match self.moment {
             Moment::None => jacobian::write(self, &self.contact(), impact, to),
@@ -194,7 +194,7 @@ impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
 
     /// Gives the derivatives of some outputs of a given impact by every input, one output after the other, as [`Collision::sensitivities_of`].
     #[cfg(feature = "batch")]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn give_gradients_of(&self, impact: &Impact<T>, of: &[Output], to: &mut impl Gradients<T>) {
         match self.moment {
             Moment::None => one_by_one::give(self, &self.contact(), impact, of, to),
@@ -206,7 +206,7 @@ impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
     }
 
     /// Computes the derivatives by every input of a weighted sum of outputs of a given impact, as [`Collision::sensitivities_of`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn pullback_of(&self, impact: &Impact<T>, weights: impl Iterator<Item = (Output, T)>) -> Gradient<T> {
         match self.moment {
             Moment::None => cotangent::pullback(self, &self.contact(), impact, weights),
@@ -221,13 +221,13 @@ impl<T: Real<Mask: Logic> + Copy + Default> Collision<T> {
     }
 
     /// Computes the derivatives of every output along a direction of the inputs, of a collision that is not checked.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn pushforward_of(&self, direction: &[T; Input::COUNT]) -> Outputs<T> {
         definition::along(self, |input| direction[input.index()]).map(|dual| dual.derivative)
     }
 
     /// Computes the sensitivity of one output of a given impact, as [`Collision::sensitivities_of`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn sensitivity_of(&self, impact: &Impact<T>, of: Output) -> Sensitive<T> {
         match self.moment {
             Moment::None => cotangent::sensitivity(self, &self.contact(), impact, of),
@@ -274,13 +274,13 @@ impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
 
     /// Refuses derivatives that are not finite, although the outputs are. Only numbers far from those of vehicles have such derivatives: others are not
     /// searched for them.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn within_floats(&self, is_finite: impl FnOnce() -> bool) -> Result<(), Refusals<T>> {
         if self.is_moderate() || is_finite() { Ok(()) } else { Err(Refusal::OutOfFloatRange.into()) }
     }
 
     /// Returns `true` if each number is zero or within 10⁻¹⁵ to 10¹⁵ in SI: products of a dozen of them are finite, except as f32.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_moderate(&self) -> bool {
         let greatest = T::int(100_000) * T::int(100_000) * T::int(100_000);
         let least = greatest.inv();

@@ -51,14 +51,14 @@ impl<T: Ordered<Mask = bool>> Collision<T> {
     }
 
     /// Returns the contact after checking the inputs.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn checked_contact(&self) -> Result<Contact<T>, Refusals<T>> {
         self.check_inputs()?;
         Ok(self.contact())
     }
 
     /// Computes the impact at the contact of this collision.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn solve_at(&self, contact: &Contact<T>) -> Result<Impact<T>, Refusals<T>> {
         if !is_finite(&contact.compliance.determinant) || !is_positive(&contact.compliance.determinant) {
             return Err(Refusal::OutOfFloatRange.into());

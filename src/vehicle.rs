@@ -47,7 +47,7 @@ impl<T> From<Vehicle<T>> for Party<T> {
 
 impl<T> Motion<T> {
     /// Converts the motion to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Motion<U> {
         Motion { velocity: self.velocity.map(&mut f), yaw_rate: f(self.yaw_rate) }
     }
@@ -55,7 +55,7 @@ impl<T> Motion<T> {
 
 impl<T: Field> Motion<T> {
     /// Returns the motion of a body at rest.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rest() -> Self {
         Motion { velocity: Xy::zero(), yaw_rate: T::int(0) }
     }
@@ -63,7 +63,7 @@ impl<T: Field> Motion<T> {
 
 impl<T> Vehicle<T> {
     /// Converts the vehicle to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vehicle<U> {
         Vehicle {
             mass: f(self.mass),
@@ -131,7 +131,7 @@ impl<T: Field> Vehicle<T> {
     }
 
     /// Returns the kinetic energy in a given motion, ½ m v² + ½ I ω², in J.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn kinetic_energy(&self, motion: Motion<T>) -> T {
         (self.mass.clone() * motion.velocity.length_squared() + self.yaw_inertia.clone() * motion.yaw_rate.squared()).half()
     }
@@ -165,7 +165,7 @@ impl Vehicle {
 
 impl<T> Party<T> {
     /// Converts the party to another scalar type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, f: impl FnMut(T) -> U) -> Party<U> {
         match self {
             Party::Vehicle(vehicle) => Party::Vehicle(vehicle.map(f)),
@@ -174,7 +174,7 @@ impl<T> Party<T> {
     }
 
     /// Returns the vehicle, or `None` for a barrier.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn vehicle(&self) -> Option<&Vehicle<T>> {
         match self {
             Party::Vehicle(vehicle) => Some(vehicle),

@@ -58,17 +58,17 @@ pub struct Outputs {
     pub tl: f64,
 }
 
-#[inline(always)]
+#[inline]
 fn out([c, s]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     [c * a - s * b, s * a + c * b]
 }
 
-#[inline(always)]
+#[inline]
 fn back([c, s]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
     [c * a + s * b, c * b - s * a]
 }
 
-#[inline(always)]
+#[inline]
 pub fn solve(d: &Directions) -> Outputs {
     let (a1, j1, a2, j2) = (1.0 / d.m1, 1.0 / d.i1, 1.0 / d.m2, 1.0 / d.i2);
     let r1 = back(d.plane, out(d.h1, d.c1));
@@ -119,31 +119,31 @@ pub struct Std;
 pub struct Libm;
 
 impl Circle for Std {
-    #[inline(always)]
+    #[inline]
     fn sin_cos(angle: f64) -> (f64, f64) {
         angle.sin_cos()
     }
 
-    #[inline(always)]
+    #[inline]
     fn atan2(y: f64, x: f64) -> f64 {
         y.atan2(x)
     }
 }
 
 impl Circle for Libm {
-    #[inline(always)]
+    #[inline]
     fn sin_cos(angle: f64) -> (f64, f64) {
         libm::sincos(angle)
     }
 
-    #[inline(always)]
+    #[inline]
     fn atan2(y: f64, x: f64) -> f64 {
         libm::atan2(y, x)
     }
 }
 
 /// Computes the magnitude of a velocity change, and the direction the force comes from.
-#[inline(always)]
+#[inline]
 fn delta_v<C: Circle>(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
     let [forward, left] = back(heading, dv);
     // Matches the library on the axes: no negative zero, which would give −π directly from behind.
@@ -151,7 +151,7 @@ fn delta_v<C: Circle>(heading: [f64; 2], dv: [f64; 2]) -> [f64; 2] {
     [(dv[0] * dv[0] + dv[1] * dv[1]).sqrt(), C::atan2(left, forward)]
 }
 
-#[inline(always)]
+#[inline]
 pub fn solve_from_angles<C: Circle>(a: &Angles<f64>) -> [f64; 16] {
     let direction = |angle: f64| {
         let (sin, cos) = C::sin_cos(angle);

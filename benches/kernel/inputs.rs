@@ -126,12 +126,12 @@ pub fn cases(count: usize) -> Vec<Angles<f64>> {
         .collect()
 }
 
-#[inline(always)]
+#[inline]
 fn party<T>(mass: T, yaw_inertia: T, heading: Heading<T>, impact_center: ForwardLeft<T>, velocity: Xy<T>, yaw_rate: T) -> Party<T> {
     Party::Vehicle(Vehicle { mass, yaw_inertia, heading, impact_center, motion: Motion { velocity, yaw_rate } })
 }
 
-#[inline(always)]
+#[inline]
 pub fn collision<T>(row: [T; DIRECTIONS]) -> Collision<T> {
     let [m1, m2, i1, i2, hc1, hs1, hc2, hs2, f1, f2, l1, l2, vx1, vx2, vy1, vy2, w1, w2, pc, ps, restitution] = row;
     let center = |forward, left| ForwardLeft { forward, left };
@@ -146,7 +146,7 @@ pub fn collision<T>(row: [T; DIRECTIONS]) -> Collision<T> {
     }
 }
 
-#[inline(always)]
+#[inline]
 pub fn collision_from_angles<T: Real>(case: &Angles<T>) -> Collision<T> {
     let at = |i: usize| {
         party(
@@ -170,7 +170,7 @@ pub fn collision_from_angles<T: Real>(case: &Angles<T>) -> Collision<T> {
 }
 
 /// Returns the outputs of the hand-written kernel from the generic one.
-#[inline(always)]
+#[inline]
 pub fn outputs<T: Field>(impact: &Impact<T>) -> [T; 12] {
     [
         impact.one.after.velocity.x.clone(),
@@ -189,7 +189,7 @@ pub fn outputs<T: Field>(impact: &Impact<T>) -> [T; 12] {
 }
 
 /// Returns these outputs with magnitude and direction of both ΔV.
-#[inline(always)]
+#[inline]
 pub fn outputs_with_directions<T: Real>(impact: &Impact<T>) -> [T; 16] {
     let [a, b, c, d, e, f, g, h, i, j, k, l] = outputs(impact);
     [

@@ -20,7 +20,7 @@ pub enum Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn at(&self, row: usize) -> f64 {
         match self {
             Numbers::Same(x) => *x,
@@ -79,7 +79,7 @@ impl Question for Nothing {
         0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, _: &Collision<T>, _: &Impact<T>, _: &[T], _: &mut impl Answers<T>) {}
 }
 
@@ -94,7 +94,7 @@ impl Question for OfAll<'_> {
         self.of.len() * self.by.len()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
         collision.give_gradients_of(impact, self.of, &mut Chosen { by: &self.by, to });
     }
@@ -107,7 +107,7 @@ struct Chosen<'a, A> {
 }
 
 impl<T: Copy, A: Answers<T>> Gradients<T> for Chosen<'_, A> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(&mut self, gradient: &Gradient<T>) {
         self.to.put(&gradient.0, self.by);
     }
@@ -124,7 +124,7 @@ impl Question for OfOne {
         self.by.len()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
         to.put(&collision.sensitivity_of(impact, self.of).by.0, &self.by);
     }
@@ -146,7 +146,7 @@ impl Question for OfSum<'_> {
         self.weights
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, given: &[T], to: &mut impl Answers<T>) {
         to.put(&collision.pullback_of(impact, self.of.iter().copied().zip(given.iter().copied())).0, &self.by);
     }
@@ -168,7 +168,7 @@ impl Question for Along<'_> {
         self.direction
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, collision: &Collision<T>, _: &Impact<T>, given: &[T], to: &mut impl Answers<T>) {
         let mut direction = [T::int(0); Input::COUNT];
         for (input, along) in self.inputs.iter().zip(given) {
@@ -192,7 +192,7 @@ impl Question for Spread<'_> {
         self.of.len()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer<T: Scalar>(&self, collision: &Collision<T>, impact: &Impact<T>, _: &[T], to: &mut impl Answers<T>) {
         collision.give_gradients_of(impact, self.of, &mut Variances { covariance: self.covariance, to });
     }
@@ -205,7 +205,7 @@ struct Variances<'a, A> {
 }
 
 impl<T: Scalar, A: Answers<T>> Gradients<T> for Variances<'_, A> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn take(&mut self, gradient: &Gradient<T>) {
         self.to.put(&[self.covariance.variance_in(gradient, T::from)], &[0]);
     }

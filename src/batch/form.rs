@@ -86,7 +86,7 @@ impl Form {
     }
 
     /// Returns a collision of this form, each number of which is still to be given.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn collision<T: Field>(self) -> Collision<T> {
         let nothing = || T::int(0);
         let party = |is_vehicle: bool| match is_vehicle {

@@ -62,7 +62,8 @@ pub(crate) trait Vectors {
     /// Whether it needs fused multiplication and addition. Such work is done by [sets](Instructions::are_fused) that have it, and compiled for no other.
     const FUSED: bool = false;
 
-    /// Does the work. Everything below must be `#[inline(always)]`: a function of its own would be compiled once, without vector instructions.
+    /// Does the work. Everything below must be inlined: a function of its own would be compiled once, without vector instructions. Without optimization nothing is gained
+    /// by it, and compiling the tests takes twice as long: hence `cfg_attr(not(debug_assertions), inline(always))` all over the kernel.
     fn compute(&mut self);
 }
 

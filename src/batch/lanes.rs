@@ -94,7 +94,7 @@ struct Tiled<'a, 'q, Q: Question> {
 }
 
 impl<Q: Question> Vectors for Tiled<'_, '_, Q> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn compute(&mut self) {
         for place in (0..self.rows.len()).step_by(WIDTH) {
             self.answer(place);
@@ -104,7 +104,7 @@ impl<Q: Question> Vectors for Tiled<'_, '_, Q> {
 
 impl<Q: Question> Tiled<'_, '_, Q> {
     /// Answers for the rows at a place; the lanes that remain have the numbers of the last row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn answer(&mut self, place: usize) {
         let Asking { question, answers, infinite } = &mut *self.asking;
         let mut inputs = [Block::default(); Input::COUNT];
@@ -145,7 +145,7 @@ struct InColumns<'a> {
 
 impl Answers<Block> for InColumns<'_> {
     #[expect(clippy::eq_op, reason = "a number less itself is zero unless it is not finite")]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn put<const N: usize>(&mut self, numbers: &[Block; N], places: &[usize]) {
         let mut infinite = [0; WIDTH];
         for (place, column) in places.iter().zip(&mut self.columns) {

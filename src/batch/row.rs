@@ -24,25 +24,25 @@ pub(super) struct Row(f64);
 impl Number for Row {
     const FUSED: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(x: f64) -> Self {
         Row(x)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn get(self) -> f64 {
         self.0
     }
 }
 
 impl PartialOrd for Row {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.0.partial_cmp(&other.0)
     }
 
     // One comparison instead of two.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn lt(&self, other: &Self) -> bool {
         self.0 < other.0
     }
@@ -52,7 +52,7 @@ macro_rules! operators {
     ($($operator:ident $method:ident $symbol:tt),*) => {
         $(impl $operator for Row {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Row(self.0 $symbol other.0)
             }
@@ -64,7 +64,7 @@ operators!(Add add +, Sub sub -, Mul mul *, Div div /);
 
 impl Neg for Row {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Row(-self.0)
     }
@@ -72,42 +72,42 @@ impl Neg for Row {
 
 impl Inv for Row {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inv(self) -> Self {
         Row(1.0 / self.0)
     }
 }
 
 impl FromPrimitive for Row {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i32(n: i32) -> Option<Self> {
         Some(Row(f64::from(n)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i64(n: i64) -> Option<Self> {
         Some(Row(n as f64))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_u64(n: u64) -> Option<Self> {
         Some(Row(n as f64))
     }
 }
 
 impl Real for Row {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn square_root(self) -> Self {
         Row(self.0.sqrt())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = circular::sin_cos_within(self.0);
         (Row(sin), Row(cos))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arctangent(self, x: Self) -> Self {
         Row(circular::atan2_within(self.0, x.0))
     }
@@ -126,12 +126,12 @@ pub(super) struct Fused {
 impl Number for Fused {
     const FUSED: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(x: f64) -> Self {
         Fused { value: x, factors: None }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn get(self) -> f64 {
         self.value
     }
@@ -140,7 +140,7 @@ impl Number for Fused {
 impl Add for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Fused::new(match (self.factors, other.factors) {
             (Some([x, y]), _) => x.mul_add(y, other.value),
@@ -153,7 +153,7 @@ impl Add for Fused {
 impl Sub for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -162,7 +162,7 @@ impl Sub for Fused {
 impl Mul for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         Fused { value: self.value * other.value, factors: Some([self.value, other.value]) }
     }
@@ -171,7 +171,7 @@ impl Mul for Fused {
 impl Div for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         Fused::new(self.value / other.value)
     }
@@ -180,7 +180,7 @@ impl Div for Fused {
 impl Neg for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Fused { value: -self.value, factors: self.factors.map(|[x, y]| [-x, y]) }
     }
@@ -189,24 +189,24 @@ impl Neg for Fused {
 impl Inv for Fused {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inv(self) -> Self {
         Fused::new(1.0 / self.value)
     }
 }
 
 impl FromPrimitive for Fused {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i32(n: i32) -> Option<Self> {
         Row::from_i32(n).map(|Row(x)| Fused::new(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i64(n: i64) -> Option<Self> {
         Row::from_i64(n).map(|Row(x)| Fused::new(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_u64(n: u64) -> Option<Self> {
         Row::from_u64(n).map(|Row(x)| Fused::new(x))
     }
@@ -215,31 +215,31 @@ impl FromPrimitive for Fused {
 impl Ordered for Fused {
     type Mask = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less(&self, other: &Self) -> bool {
         self.value < other.value
     }
 
     // Without its factors: which of two numbers is a product would be known only while the program runs.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         Fused::new(if mask { yes.value } else { no.value })
     }
 }
 
 impl Real for Fused {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn square_root(self) -> Self {
         Fused::new(self.value.sqrt())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = circular::sin_cos_of::<true>(self.value);
         (Fused::new(sin), Fused::new(cos))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arctangent(self, x: Self) -> Self {
         Fused::new(circular::atan2_of::<true>(self.value, x.value))
     }

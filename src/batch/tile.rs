@@ -67,7 +67,7 @@ impl<'a, N> Asked<'a, N> {
 impl<N: Number> Vectors for Asked<'_, N> {
     const FUSED: bool = N::FUSED;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn compute(&mut self) {
         self.tile.turn::<N>(self.inputs, self.is_turned);
         self.tile.evaluate::<N>(self.inputs, self.form, self.is_checked, self.has_angles);
@@ -91,7 +91,7 @@ impl Tile {
     }
 
     /// Computes the directions that are other than in the tile before.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turn<N: Number>(&mut self, inputs: &[&Column; Input::COUNT], is_turned: [bool; 3]) {
         for ((angle, is_turned), [cos, sin]) in ANGLES.into_iter().zip(is_turned).zip(&mut self.directions) {
             if is_turned {
@@ -101,7 +101,7 @@ impl Tile {
     }
 
     /// Computes the outputs of every row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn evaluate<N: Number>(&mut self, inputs: &[&Column; Input::COUNT], form: Form, is_checked: bool, has_angles: bool) {
         // Each form is a loop of its own, without a choice in it. A barrier is one even if the other party is.
         let Form { is_vehicle: [one, two], ratio, law, .. } = form;
@@ -124,14 +124,14 @@ impl Tile {
         self.finish::<N>(has_angles);
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mechanics<N: Number, const CHECKED: bool>(&mut self, inputs: &[&Column; Input::COUNT], form: Form) {
         let Tile { outputs, directions, forces, critical, possible } = self;
         mechanics::<N, CHECKED>(form, inputs, directions, outputs, forces, critical, possible);
     }
 
     /// Computes magnitudes, ratios and angles from components.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn finish<N: Number>(&mut self, has_angles: bool) {
         let Tile { outputs, forces, critical, .. } = self;
         let [n, t, of] = [Output::NormalImpulse, Output::TangentialImpulse, Output::ImpulseRatio].map(Output::index);
@@ -154,7 +154,7 @@ impl Tile {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sines<N: Number>(angle: &Column, sin: &mut Column, cos: &mut Column) {
     if circular::are_within(angle, circular::LARGEST_ANGLE) {
         for row in 0..ROWS {
@@ -168,7 +168,7 @@ fn sines<N: Number>(angle: &Column, sin: &mut Column, cos: &mut Column) {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn angles<N: Number>(right: &Column, ahead: &Column, angle: &mut Column) {
     if circular::are_within(right, circular::LARGEST_COORDINATE) && circular::are_within(ahead, circular::LARGEST_COORDINATE) {
         for row in 0..ROWS {
@@ -181,7 +181,7 @@ fn angles<N: Number>(right: &Column, ahead: &Column, angle: &mut Column) {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn mechanics<N: Number, const CHECKED: bool>(
     form: Form,
     inputs: &[&Column; Input::COUNT],

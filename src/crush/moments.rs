@@ -40,7 +40,7 @@ impl<T: Field> ProfileMoments<T> {
     }
 
     /// Computes the moments of a width over which the depth changes linearly.
-    #[inline(always)]
+    #[inline]
     pub fn of_segment(width: T, from: T, to: T) -> Self {
         let squares = from.clone().squared() + from.clone() * to.clone() + to.clone().squared();
         ProfileMoments { first: width.clone().half(), second: width.clone() * (from + to).half(), third: width * squares / T::int(6) }

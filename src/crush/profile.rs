@@ -223,7 +223,7 @@ impl<T: Field> Profile<T> {
 
 impl<T: Field> Segment<T> {
     /// Returns K₁, K₂, K₃ of this part   (Eq 4).
-    #[inline(always)]
+    #[inline]
     pub fn moments(&self) -> ProfileMoments<T> {
         ProfileMoments::of_segment(self.width.clone(), self.from.clone(), self.to.clone())
     }

@@ -79,7 +79,7 @@ impl<T: Field> ForceLine<T> {
 
 impl<T: Field> CrushStiffness<T> {
     /// Returns the crush energy of a profile, E_C = d₀² K₁ + d₀ d₁ K₂ + d₁² K₃, in J   (Eq 4).
-    #[inline(always)]
+    #[inline]
     pub fn crush_energy(&self, moments: ProfileMoments<T>) -> T {
         self.onset.clone().squared() * moments.first
             + self.onset.clone() * self.slope.clone() * moments.second

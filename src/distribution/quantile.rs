@@ -59,13 +59,13 @@ pub(crate) fn standard(p: f64) -> f64 {
 }
 
 /// Returns `true` if [`in_the_middle`] holds.
-#[inline(always)]
+#[inline]
 pub(crate) fn is_in_the_middle(p: f64) -> bool {
     (p - 0.5).abs() <= MIDDLE
 }
 
 /// Returns the quantile of a probability between 0.075 and 0.925, without a branch.
-#[inline(always)]
+#[inline]
 pub(crate) fn in_the_middle(p: f64) -> f64 {
     let q = p - 0.5;
     let r = MIDDLE * MIDDLE - q * q;
@@ -135,25 +135,25 @@ pub(crate) fn in_a_tail(p: f64) -> f64 {
 
 /// Returns `true` if [`in_a_near_tail`] holds outside the middle.
 #[cfg(feature = "simulation")]
-#[inline(always)]
+#[inline]
 pub(crate) fn is_in_a_near_tail(p: f64) -> bool {
     tail_of(p) >= FAR
 }
 
 /// Returns the quantile of a probability outside the middle and at least 10⁻¹⁰ from 0 and 1, without a branch.
-#[inline(always)]
+#[inline]
 pub(crate) fn in_a_near_tail(p: f64) -> f64 {
     let z = of_near_root((-logarithm::of_normal(tail_of(p))).square_root());
     if p < 0.5 { -z } else { z }
 }
 
-#[inline(always)]
+#[inline]
 fn tail_of(p: f64) -> f64 {
     if p < 0.5 { p } else { 1.0 - p }
 }
 
 /// Returns the distance from the mean where the root of the negative logarithm of the tail is at most [`NEAR`].
-#[inline(always)]
+#[inline]
 fn of_near_root(r: f64) -> f64 {
     ratio(
         r - 1.6,
@@ -181,7 +181,7 @@ fn of_near_root(r: f64) -> f64 {
 }
 
 /// Returns the ratio of two polynomials from their coefficients, that of the constant first.
-#[inline(always)]
+#[inline]
 fn ratio(x: f64, above: [f64; 8], below: [f64; 8]) -> f64 {
     let (mut top, mut bottom) = (above[7], below[7]);
     let mut i = 7;

@@ -10,7 +10,7 @@ macro_rules! arithmetic {
     ($name:ident { $a:ident, $b:ident }) => {
         impl<T: Field> Add for $name<T> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn add(self, other: Self) -> Self {
                 $name { $a: self.$a + other.$a, $b: self.$b + other.$b }
             }
@@ -18,7 +18,7 @@ macro_rules! arithmetic {
 
         impl<T: Field> Sub for $name<T> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn sub(self, other: Self) -> Self {
                 $name { $a: self.$a - other.$a, $b: self.$b - other.$b }
             }
@@ -26,7 +26,7 @@ macro_rules! arithmetic {
 
         impl<T: Field> Neg for $name<T> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn neg(self) -> Self {
                 $name { $a: -self.$a, $b: -self.$b }
             }
@@ -34,7 +34,7 @@ macro_rules! arithmetic {
 
         impl<T: Field> Mul<T> for $name<T> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn mul(self, factor: T) -> Self {
                 $name { $a: self.$a * factor.clone(), $b: self.$b * factor }
             }
@@ -42,35 +42,35 @@ macro_rules! arithmetic {
 
         impl<T: Field> Div<T> for $name<T> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn div(self, divisor: T) -> Self {
                 $name { $a: self.$a / divisor.clone(), $b: self.$b / divisor }
             }
         }
 
         impl<T: Field> AddAssign for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn add_assign(&mut self, other: Self) {
                 *self = self.clone() + other;
             }
         }
 
         impl<T: Field> SubAssign for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn sub_assign(&mut self, other: Self) {
                 *self = self.clone() - other;
             }
         }
 
         impl<T: Field> MulAssign<T> for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn mul_assign(&mut self, factor: T) {
                 *self = self.clone() * factor;
             }
         }
 
         impl<T: Field> DivAssign<T> for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn div_assign(&mut self, divisor: T) {
                 *self = self.clone() / divisor;
             }
@@ -96,7 +96,7 @@ macro_rules! arithmetic {
     (@from the left, $name:ident, $float:ty) => {
         impl Mul<$name<$float>> for $float {
             type Output = $name<$float>;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn mul(self, v: $name<$float>) -> $name<$float> {
                 v * self
             }

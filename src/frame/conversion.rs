@@ -6,35 +6,35 @@ macro_rules! conversions {
     ($name:ident { $a:ident, $b:ident }) => {
         impl<T> $name<T> {
             /// Creates a vector from its components, in the order of the axes.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             pub const fn new($a: T, $b: T) -> Self {
                 $name { $a, $b }
             }
         }
 
         impl<T> From<[T; 2]> for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn from([$a, $b]: [T; 2]) -> Self {
                 $name { $a, $b }
             }
         }
 
         impl<T> From<$name<T>> for [T; 2] {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn from(v: $name<T>) -> Self {
                 [v.$a, v.$b]
             }
         }
 
         impl<T> From<(T, T)> for $name<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn from(($a, $b): (T, T)) -> Self {
                 $name { $a, $b }
             }
         }
 
         impl<T> From<$name<T>> for (T, T) {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn from(v: $name<T>) -> Self {
                 (v.$a, v.$b)
             }

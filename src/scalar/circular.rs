@@ -78,7 +78,7 @@ const TAN_EIGHTH_PI: f64 = 0.414_213_562_373_095_03;
 const SIGN: u64 = 1 << 63;
 
 /// Returns a + x y, rounded once if multiplication and addition are fused.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn plus<const FUSED: bool>(a: f64, x: f64, y: f64) -> f64 {
     #[cfg(feature = "batch")]
     if FUSED {
@@ -89,14 +89,14 @@ fn plus<const FUSED: bool>(a: f64, x: f64, y: f64) -> f64 {
 
 // Both polynomials are summed in pairs, pairs of pairs and so on: term by term, each would wait for the previous one.
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn six_terms<const FUSED: bool>(x: f64, c: &[f64; 6]) -> f64 {
     let x2 = x * x;
     let pair = |i: usize| plus::<FUSED>(c[i], x, c[i + 1]);
     plus::<FUSED>(pair(0), x2, plus::<FUSED>(pair(2), x2, pair(4)))
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn eleven_terms<const FUSED: bool>(x: f64, c: &[f64; 11]) -> f64 {
     let x2 = x * x;
     let x4 = x2 * x2;
@@ -107,25 +107,25 @@ fn eleven_terms<const FUSED: bool>(x: f64, c: &[f64; 11]) -> f64 {
 }
 
 /// Returns all bits if a condition is true, and none otherwise.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn mask(condition: bool) -> u64 {
     if condition { u64::MAX } else { 0 }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn and(x: f64, mask: u64) -> f64 {
     f64::from_bits(x.to_bits() & mask)
 }
 
 /// Returns `true` if the magnitude of a number is at most a limit, and `false` if it is not a number.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn is_within(x: f64, limit: f64) -> bool {
     and(x, !SIGN) <= limit
 }
 
 /// Returns `true` if that holds for each of several numbers.
 #[cfg(any(feature = "batch", feature = "lanes"))]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn are_within<const N: usize>(numbers: &[f64; N], limit: f64) -> bool {
     let mut all = true;
     let mut i = 0;
@@ -137,7 +137,7 @@ pub(crate) fn are_within<const N: usize>(numbers: &[f64; N], limit: f64) -> bool
 }
 
 /// Returns sine and cosine of an angle in radians.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
     if is_within(x, LARGEST_ANGLE) { sin_cos_within(x) } else { sin_cos_beyond(x) }
 }
@@ -150,13 +150,13 @@ fn sin_cos_beyond(x: f64) -> (f64, f64) {
 }
 
 /// The same for a magnitude of at most [`LARGEST_ANGLE`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos_within(x: f64) -> (f64, f64) {
     sin_cos_of::<false>(x)
 }
 
 /// The same, on request with fused multiplication and addition, which rounds less often: with other last bits.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos_of<const FUSED: bool>(x: f64) -> (f64, f64) {
     let rounded = x * FRAC_2_PI + ROUNDER;
     let quadrant = rounded.to_bits();
@@ -174,7 +174,7 @@ pub(crate) fn sin_cos_of<const FUSED: bool>(x: f64) -> (f64, f64) {
 }
 
 /// Returns the angle of the direction (`x`, `y`), in [−π, π].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2(y: f64, x: f64) -> f64 {
     let is_within = is_within(y, LARGEST_COORDINATE) && is_within(x, LARGEST_COORDINATE);
     if is_within { atan2_within(y, x) } else { atan2_beyond(y, x) }
@@ -187,13 +187,13 @@ fn atan2_beyond(y: f64, x: f64) -> f64 {
 }
 
 /// The same for coordinates of at most [`LARGEST_COORDINATE`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2_within(y: f64, x: f64) -> f64 {
     atan2_of::<false>(y, x)
 }
 
 /// The same, on request with fused multiplication and addition.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2_of<const FUSED: bool>(y: f64, x: f64) -> f64 {
     let (across, along) = (and(y, !SIGN), and(x, !SIGN));
     let steep = across > along;

@@ -37,49 +37,49 @@ impl Interval {
     pub const ENTIRE: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 
     /// Creates an interval from the lower and the upper bound. Returns `None` if they are not in order, are NaN, or contain no real number.
-    #[inline(always)]
+    #[inline]
     pub fn new(lower: f64, upper: f64) -> Option<Self> {
         (lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY).then_some(Interval { lower, upper })
     }
 
     /// Returns the lower bound.
-    #[inline(always)]
+    #[inline]
     pub fn lower(&self) -> f64 {
         self.lower
     }
 
     /// Returns the upper bound.
-    #[inline(always)]
+    #[inline]
     pub fn upper(&self) -> f64 {
         self.upper
     }
 
     /// Returns upper less lower bound, rounded.
-    #[inline(always)]
+    #[inline]
     pub fn width(&self) -> f64 {
         self.upper - self.lower
     }
 
     /// Returns `true` if the number lies in the interval.
-    #[inline(always)]
+    #[inline]
     pub fn contains(&self, x: f64) -> bool {
         self.lower <= x && x <= self.upper
     }
 
     /// Returns `true` if the other interval lies in this one.
-    #[inline(always)]
+    #[inline]
     pub fn encloses(&self, other: &Self) -> bool {
         self.lower <= other.lower && other.upper <= self.upper
     }
 
     /// Returns the smallest interval that contains both.
-    #[inline(always)]
+    #[inline]
     pub fn hull(self, other: Self) -> Self {
         Interval { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
     /// Moves bounds that were rounded to nearest outward.
-    #[inline(always)]
+    #[inline]
     fn outward(lower: f64, upper: f64) -> Self {
         Interval { lower: lower.next_down(), upper: upper.next_up() }
     }
@@ -87,7 +87,7 @@ impl Interval {
 
 impl Default for Interval {
     /// Zero.
-    #[inline(always)]
+    #[inline]
     fn default() -> Self {
         Interval::ZERO
     }
@@ -95,31 +95,31 @@ impl Default for Interval {
 
 impl From<f64> for Interval {
     /// Returns the number alone, or all real numbers if it is not finite.
-    #[inline(always)]
+    #[inline]
     fn from(x: f64) -> Self {
         if x.is_finite() { Interval { lower: x, upper: x } } else { Interval::ENTIRE }
     }
 }
 
 impl FromPrimitive for Interval {
-    #[inline(always)]
+    #[inline]
     fn from_i32(n: i32) -> Option<Self> {
         Some(f64::from(n).into())
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_i64(n: i64) -> Option<Self> {
         let near = n as f64;
         Some(if near as i128 == i128::from(n) { near.into() } else { Interval::outward(near, near) })
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_u64(n: u64) -> Option<Self> {
         let near = n as f64;
         Some(if near as u128 == u128::from(n) { near.into() } else { Interval::outward(near, near) })
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_f64(x: f64) -> Option<Self> {
         x.is_finite().then(|| x.into())
     }
@@ -129,7 +129,7 @@ impl Ordered for Interval {
     /// Not decided if the intervals overlap, so that some pairs are in order and some are not.
     type Mask = Truth;
 
-    #[inline(always)]
+    #[inline]
     fn less(&self, other: &Self) -> Truth {
         if self.upper < other.lower {
             Truth::TRUE
@@ -140,7 +140,7 @@ impl Ordered for Interval {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn select(mask: Truth, yes: Self, no: Self) -> Self {
         match mask.decided() {
             Some(true) => yes,
@@ -149,7 +149,7 @@ impl Ordered for Interval {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn magnitude(self) -> Self {
         if self.lower >= 0.0 {
             self
@@ -161,7 +161,7 @@ impl Ordered for Interval {
     }
 
     /// Not decided if a bound is infinite: the number may be beyond every float.
-    #[inline(always)]
+    #[inline]
     fn finite(&self) -> Truth {
         if self.lower.is_finite() && self.upper.is_finite() { Truth::TRUE } else { Truth::UNKNOWN }
     }

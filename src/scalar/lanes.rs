@@ -41,7 +41,7 @@ impl<const N: usize> Lanes<N> {
     pub const WIDTH: usize = N;
 
     /// Creates a value with one number in each lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn new(lanes: [f64; N]) -> Self {
         Lanes(lanes)
     }
@@ -52,7 +52,7 @@ impl<const N: usize> Lanes<N> {
     ///
     /// If there are fewer numbers than lanes.
     #[cfg(feature = "batch")]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn of(numbers: &[f64]) -> Self {
         let mut lanes = [0.0; N];
         lanes.copy_from_slice(&numbers[..N]);
@@ -60,19 +60,19 @@ impl<const N: usize> Lanes<N> {
     }
 
     /// Creates a value with the same number in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn splat(x: f64) -> Self {
         Lanes([x; N])
     }
 
     /// Returns the numbers, lane by lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn to_array(self) -> [f64; N] {
         self.0
     }
 
     /// Returns the numbers where they are, lane by lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn as_array(&self) -> &[f64; N] {
         &self.0
     }
@@ -80,7 +80,7 @@ impl<const N: usize> Lanes<N> {
 
 impl<const N: usize> From<f64> for Lanes<N> {
     /// The same number in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from(x: f64) -> Self {
         Lanes::splat(x)
     }
@@ -88,7 +88,7 @@ impl<const N: usize> From<f64> for Lanes<N> {
 
 impl<const N: usize> Default for Lanes<N> {
     /// Zero in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn default() -> Self {
         Lanes::splat(0.0)
     }
@@ -96,13 +96,13 @@ impl<const N: usize> Default for Lanes<N> {
 
 impl<const N: usize> LaneMask<N> {
     /// Returns `true` for each lane in which the comparison is true.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn to_array(self) -> [bool; N] {
         self.0
     }
 
     /// Returns `true` if the comparison is true in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn all(self) -> bool {
         self == LaneMask([true; N])
     }
@@ -112,7 +112,7 @@ macro_rules! mask_operators {
     ($($operator:ident $method:ident $symbol:tt),*) => {
         $(impl<const N: usize> $operator for LaneMask<N> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(mut self, other: Self) -> Self {
                 let mut i = 0;
                 while i < N {
@@ -129,29 +129,29 @@ mask_operators!(BitAnd bitand &=, BitOr bitor |=, BitXor bitxor ^=);
 
 impl<const N: usize> Not for LaneMask<N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn not(self) -> Self {
         self ^ LaneMask([true; N])
     }
 }
 
 impl<const N: usize> FromPrimitive for Lanes<N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i32(n: i32) -> Option<Self> {
         Some(Lanes::splat(f64::from(n)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i64(n: i64) -> Option<Self> {
         Some(Lanes::splat(n as f64))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_u64(n: u64) -> Option<Self> {
         Some(Lanes::splat(n as f64))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_f64(x: f64) -> Option<Self> {
         Some(Lanes::splat(x))
     }
@@ -159,7 +159,7 @@ impl<const N: usize> FromPrimitive for Lanes<N> {
 
 impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         lane_by_lane!(i => -self.0[i])
     }
@@ -167,7 +167,7 @@ impl<const N: usize> Neg for Lanes<N> {
 
 impl<const N: usize> Inv for Lanes<N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inv(self) -> Self {
         lane_by_lane!(i => 1.0 / self.0[i])
     }
@@ -177,7 +177,7 @@ macro_rules! operators {
     ($($operator:ident $method:ident $symbol:tt),*) => {
         $(impl<const N: usize> $operator for Lanes<N> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 lane_by_lane!(i => self.0[i] $symbol other.0[i])
             }
@@ -190,7 +190,7 @@ operators!(Add add +, Sub sub -, Mul mul *, Div div /);
 impl<const N: usize> Ordered for Lanes<N> {
     type Mask = LaneMask<N>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less(&self, other: &Self) -> LaneMask<N> {
         let mut mask = [false; N];
         let mut i = 0;
@@ -201,7 +201,7 @@ impl<const N: usize> Ordered for Lanes<N> {
         LaneMask(mask)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: LaneMask<N>, yes: Self, no: Self) -> Self {
         lane_by_lane!(i => if mask.0[i] { yes.0[i] } else { no.0[i] })
     }
@@ -215,12 +215,12 @@ fn one_by_one<const N: usize>(of: fn(f64, f64) -> f64, one: [f64; N], other: [f6
 }
 
 impl<const N: usize> Real for Lanes<N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn square_root(self) -> Self {
         lane_by_lane!(i => libm::sqrt(self.0[i]))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_and_cos(self) -> (Self, Self) {
         if !circular::are_within(&self.0, circular::LARGEST_ANGLE) {
             let [sin, cos] = [|x, _| circular::sin_cos(x).0, |x, _| circular::sin_cos(x).1];
@@ -235,7 +235,7 @@ impl<const N: usize> Real for Lanes<N> {
         (Lanes(sin), Lanes(cos))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arctangent(self, x: Self) -> Self {
         if !(circular::are_within(&self.0, circular::LARGEST_COORDINATE) && circular::are_within(&x.0, circular::LARGEST_COORDINATE)) {
             return one_by_one(circular::atan2, self.0, x.0);

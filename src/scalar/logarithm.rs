@@ -27,7 +27,7 @@ const ROOT_OF_HALF: u64 = 0x3fe6_a09e << 32;
 const WHOLE: u64 = 0x433 << 52;
 
 /// Returns the natural logarithm of a normal float above zero.
-#[inline(always)]
+#[inline]
 pub(crate) fn of_normal(x: f64) -> f64 {
     // x = 2ᵏ (1 + f)
     let bits = x.to_bits() + (1.0_f64.to_bits() - ROOT_OF_HALF);

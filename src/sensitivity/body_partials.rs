@@ -60,7 +60,7 @@ pub(super) struct ByVehicle<T> {
 }
 
 impl<T: Real + Copy> ByVehicle<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn nothing() -> Self {
         let zero = T::int(0);
         ByVehicle {
@@ -88,7 +88,7 @@ pub(super) struct Held<T> {
 }
 
 impl<T: Real + Copy> BodyPartials<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(vehicle: &Vehicle<T>, body: &Body<T>, side: Side, plane: &CrushPlane<T>) -> Self {
         BodyPartials {
             side,
@@ -102,13 +102,13 @@ impl<T: Real + Copy> BodyPartials<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn moments(&self, x: Nt<T>) -> Moments<T> {
         Moments { here: self.arm.cross(x), heading: -self.arm.dot(x), forward: self.ahead.cross(x), left: -self.ahead.dot(x) }
     }
 
     /// Returns the derivatives of σ (α·v + ω r×α). Turning the crush plane turns both bodies, with their velocities, backwards relative to it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_approach(&self, approach: Nt<T>, plane: &CrushPlane<T>) -> ByVehicle<T> {
         let a = self.moments(approach);
         let spin = self.sign * self.yaw_rate;
@@ -126,7 +126,7 @@ impl<T: Real + Copy> BodyPartials<T> {
     }
 
     /// Returns the derivatives of −w λ·P − j (r×λ) (r×P).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_yielding(&self, yielding: Nt<T>, impulse: Nt<T>) -> ByVehicle<T> {
         let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
         let (b, c) = (self.moments(yielding), self.moments(impulse));
@@ -144,7 +144,7 @@ impl<T: Real + Copy> BodyPartials<T> {
     }
 
     /// Returns the derivatives of ℓ.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_both(&self, held: &Held<T>, plane: &CrushPlane<T>) -> ByVehicle<T> {
         let (a, b) = (self.of_approach(held.approach, plane), self.of_yielding(held.yielding, held.impulse));
         ByVehicle {
@@ -160,7 +160,7 @@ impl<T: Real + Copy> BodyPartials<T> {
     }
 
     /// Adds the second derivatives of ℓ.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add_hessian(&self, held: &Held<T>, plane: &CrushPlane<T>, to: &mut Hessian<T>) {
         let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
         let two = T::int(2);
@@ -196,7 +196,7 @@ impl<T: Real + Copy> BodyPartials<T> {
     }
 
     /// Adds to `with` the derivative by the impulse of each derivative of ℓ.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add_mixed(&self, held: &Held<T>, with: &mut Nt<Gradient<T>>) {
         let (w, j) = (self.inverse_mass, self.inverse_yaw_inertia);
         let b = self.moments(held.yielding);
@@ -212,20 +212,20 @@ impl<T: Real + Copy> BodyPartials<T> {
     }
 
     /// Returns the inputs that change the arm, in the order of [`Moments::by_arm`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn arm_inputs(&self) -> [Input; 3] {
         [Input::Heading(self.side), Input::ImpactCenterForward(self.side), Input::ImpactCenterLeft(self.side)]
     }
 }
 
 impl<T: Real + Copy> Moments<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn by_arm(&self) -> [T; 3] {
         [self.heading, self.forward, self.left]
     }
 
     /// Returns the second derivatives: the arm turns with the heading, and is linear in the coordinates of the impact center.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn twice_by_arm(&self) -> [[T; 3]; 3] {
         let zero = T::int(0);
         [[-self.here, self.left, -self.forward], [self.left, zero, zero], [-self.forward, zero, zero]]
@@ -233,13 +233,13 @@ impl<T: Real + Copy> Moments<T> {
 }
 
 impl<T: Real + Copy> Gradient<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn zero() -> Self {
         Gradient([T::int(0); Input::COUNT])
     }
 
     /// Combines the parts of both vehicles and of the contact, in the order of [`Input::ALL`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_parts(one: &ByVehicle<T>, two: &ByVehicle<T>, restitution: T, impulse_ratio: T) -> Self {
         Gradient([
             one.mass,
@@ -265,14 +265,14 @@ impl<T: Real + Copy> Gradient<T> {
         ])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, input: Input, x: T) {
         self[input] = self[input] + x;
     }
 }
 
 impl<T: Real + Copy> Nt<Gradient<T>> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, input: Input, x: Nt<T>) {
         self.n.add(input, x.n);
         self.t.add(input, x.t);
@@ -280,19 +280,19 @@ impl<T: Real + Copy> Nt<Gradient<T>> {
 }
 
 impl<T: Real + Copy> Hessian<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn zero() -> Self {
         Hessian([[T::int(0); Input::COUNT]; Input::COUNT])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, one: Input, other: Input, x: T) {
         let entry = &mut self.0[one.index()][other.index()];
         *entry = *entry + x;
     }
 
     /// Adds to both entries of a pair of different inputs.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add_pair(&mut self, one: Input, other: Input, x: T) {
         self.add(one, other, x);
         self.add(other, one, x);

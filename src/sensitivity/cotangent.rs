@@ -13,7 +13,7 @@ use crate::scalar::{Logic, Ordered, Real};
 use crate::vehicle::Party;
 
 /// Returns one output of an impact with its derivatives by every input.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sensitivity<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
@@ -24,7 +24,7 @@ pub(super) fn sensitivity<T: Real<Mask: Logic> + Copy>(
 }
 
 /// Returns the derivatives by every input of a sum of outputs with weights: one solution of the transposed equations for all of them.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn pullback<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
@@ -49,7 +49,7 @@ pub(super) fn pullback<T: Real<Mask: Logic> + Copy>(
     gradient
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn gradient<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     impact: &Impact<T>,
@@ -72,7 +72,7 @@ pub(super) fn gradient<T: Real<Mask: Logic> + Copy>(
 }
 
 /// Returns `None` for an output that does not depend on an impulse or an approach velocity.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn cotangent<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>, of: Output) -> Option<Cotangent<T>> {
     let (p, v) = (adjoint.impulse, adjoint.approach);
     let (zero, one) = (T::int(0), T::int(1));
@@ -120,14 +120,14 @@ pub(super) fn cotangent<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>
     })
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn of_loss<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impact: &Impact<T>) -> Cotangent<T> {
     let p = adjoint.impulse.map(T::half);
     Cotangent { impulse: (adjoint.approach + impact.separation).map(T::half), approach: p, separation: p }
 }
 
 /// Adds the derivatives of the output by the inputs with impulse and velocities held constant.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn add_direct<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     impact: &Impact<T>,
@@ -180,7 +180,7 @@ pub(super) fn add_direct<T: Real<Mask: Logic> + Copy>(
 }
 
 /// Returns the derivatives of the kinetic energy before the impact by each input.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn energy<T: Real + Copy>(collision: &Collision<T>) -> Gradient<T> {
     let of = |party: &Party<T>| match party {
         Party::Barrier => ByVehicle::nothing(),
@@ -198,7 +198,7 @@ pub(super) fn energy<T: Real + Copy>(collision: &Collision<T>) -> Gradient<T> {
     Gradient::of_parts(&of(&collision.one), &of(&collision.two), T::int(0), T::int(0))
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn partials<T: Ordered>(adjoint: &ImpulseAdjoint<T>, side: Side) -> Option<&BodyPartials<T>> {
     adjoint.partials[side as usize].as_ref()
 }
@@ -206,7 +206,7 @@ pub(super) fn partials<T: Ordered>(adjoint: &ImpulseAdjoint<T>, side: Side) -> O
 impl<T: Real + Copy> core::ops::Neg for Cotangent<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Cotangent { impulse: -self.impulse, approach: -self.approach, separation: -self.separation }
     }

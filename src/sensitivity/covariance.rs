@@ -146,7 +146,7 @@ impl<T: Real + Copy> Covariance<T> {
     }
 
     /// Returns the variance on another scalar, for which the numbers of the covariance are converted.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn variance_in<U: Real + Copy>(&self, gradient: &Gradient<U>, convert: impl Fn(T) -> U) -> U {
         let mut sum = U::int(0);
         for Factor { input, variance, below } in &self.factors {

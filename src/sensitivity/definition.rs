@@ -21,7 +21,7 @@ pub fn by_definition<T: Real<Mask: Logic> + Copy>(collision: &Collision<T>) -> O
 }
 
 /// Computes every output with its derivative along a direction of the inputs.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn along<T: Real<Mask: Logic> + Copy>(collision: &Collision<T>, direction: impl Fn(Input) -> T) -> Outputs<Dual<T>> {
     let seeded = collision.map(Dual::constant).shifted(|input| Dual { value: T::int(0), derivative: direction(input) });
     Outputs::of(&seeded, &seeded.evaluate())

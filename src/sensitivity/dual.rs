@@ -23,7 +23,7 @@ impl<T: Real> Dual<T> {
 }
 
 impl<T: Real + From<f64>> From<f64> for Dual<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from(value: f64) -> Self {
         Dual::constant(T::from(value))
     }
@@ -32,7 +32,7 @@ impl<T: Real + From<f64>> From<f64> for Dual<T> {
 impl<T: Real + Copy> Add for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Dual { value: self.value + other.value, derivative: self.derivative + other.derivative }
     }
@@ -41,7 +41,7 @@ impl<T: Real + Copy> Add for Dual<T> {
 impl<T: Real + Copy> Sub for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         Dual { value: self.value - other.value, derivative: self.derivative - other.derivative }
     }
@@ -50,7 +50,7 @@ impl<T: Real + Copy> Sub for Dual<T> {
 impl<T: Real + Copy> Mul for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         Dual { value: self.value * other.value, derivative: self.derivative * other.value + self.value * other.derivative }
     }
@@ -59,7 +59,7 @@ impl<T: Real + Copy> Mul for Dual<T> {
 impl<T: Real + Copy> Div for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         Dual { value, derivative: (self.derivative - value * other.derivative) / other.value }
@@ -69,7 +69,7 @@ impl<T: Real + Copy> Div for Dual<T> {
 impl<T: Real + Copy> Neg for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Dual { value: -self.value, derivative: -self.derivative }
     }
@@ -78,7 +78,7 @@ impl<T: Real + Copy> Neg for Dual<T> {
 impl<T: Real + Copy> Inv for Dual<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inv(self) -> Self {
         let value = self.value.inv();
         Dual { value, derivative: -(self.derivative * value * value) }
@@ -86,12 +86,12 @@ impl<T: Real + Copy> Inv for Dual<T> {
 }
 
 impl<T: Real> FromPrimitive for Dual<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_i64(n: i64) -> Option<Self> {
         T::from_i64(n).map(Dual::constant)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_u64(n: u64) -> Option<Self> {
         T::from_u64(n).map(Dual::constant)
     }
@@ -100,36 +100,36 @@ impl<T: Real> FromPrimitive for Dual<T> {
 impl<T: Real<Mask: Logic> + Copy> Ordered for Dual<T> {
     type Mask = T::Mask;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less(&self, other: &Self) -> T::Mask {
         self.value.less(&other.value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Dual { value: T::select(mask, yes.value, no.value), derivative: T::select(mask, yes.derivative, no.derivative) }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn finite(&self) -> T::Mask {
         self.value.finite()
     }
 }
 
 impl<T: Real<Mask: Logic> + Copy> Real for Dual<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn square_root(self) -> Self {
         let value = self.value.square_root();
         Dual { value, derivative: T::select(is_zero(&value), T::int(0), self.derivative.half() / value) }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_and_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_and_cos();
         (Dual { value: sin, derivative: cos * self.derivative }, Dual { value: cos, derivative: -(sin * self.derivative) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn arctangent(self, x: Self) -> Self {
         let is_at_origin = is_zero(&self.value) & is_zero(&x.value);
         // Of the magnitudes, whose squares are not negative on an interval either.

@@ -58,18 +58,18 @@ pub(super) struct Settled<T> {
 }
 
 impl<T: Real + Copy> Cotangent<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn nothing() -> Self {
         Cotangent { impulse: Nt::zero(), approach: Nt::zero(), separation: Nt::zero() }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_impulse(impulse: Nt<T>) -> Self {
         Cotangent { impulse, ..Cotangent::nothing() }
     }
 
     /// Returns the sum with another one times a weight.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn plus(self, weight: T, other: Self) -> Self {
         Cotangent {
             impulse: self.impulse + other.impulse * weight,
@@ -79,7 +79,7 @@ impl<T: Real + Copy> Cotangent<T> {
     }
 
     /// Returns the cotangent of the ratio P_t/P_n.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ratio(impulse: Nt<T>) -> Self {
         let scale = impulse.n.inv();
         Cotangent::of_impulse(Nt { n: -(impulse.t * scale * scale), t: scale })
@@ -88,7 +88,7 @@ impl<T: Real + Copy> Cotangent<T> {
 
 impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     /// Returns the adjoint of the impulse of a collision without a moment.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(collision: &Collision<T>, contact: &Contact<T>, impact: &Impact<T>) -> Self {
         ImpulseAdjoint {
             partials: [
@@ -107,7 +107,7 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
 }
 
 impl<T: Real<Mask: Logic> + Copy> Slip<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(collision: &Collision<T>, contact: &Contact<T>) -> Self {
         let change = collision.law.change(contact.approach, collision.restitution);
         match collision.impulse_ratio {
@@ -128,19 +128,19 @@ impl<T: Real<Mask: Logic> + Copy> Slip<T> {
 
 impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     /// Returns the adjoint of the impulse after which sliding has ended, whose ratio is the critical one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn critical(&self, critical_impulse: Nt<T>) -> Self {
         ImpulseAdjoint { law: Law::Brach, impulse: critical_impulse, slip: Slip::Ends, ..*self }
     }
 
     /// Returns the adjoint of the law's own sticking impulse.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn sticking(&self, sticking: Nt<T>) -> Self {
         ImpulseAdjoint { impulse: sticking, slip: Slip::Ends, ..*self }
     }
 
     /// Returns the part of the change of relative velocity that is proportional to the restitution.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn by_restitution(&self, v: Nt<T>) -> Nt<T> {
         match self.law {
             Law::Brach => Nt { n: v.n, t: T::int(0) },
@@ -149,7 +149,7 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     }
 
     /// Solves the transposed equations.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn settle(&self, cotangent: Cotangent<T>) -> Settled<T> {
         let of_impulse = cotangent.impulse - self.compliance.velocity_change(cotangent.separation);
         let nothing = T::int(0);
@@ -177,13 +177,13 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     }
 
     /// Returns the gradient by each input of an output with this cotangent.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gradient(&self, cotangent: Cotangent<T>) -> Gradient<T> {
         let settled = self.settle(cotangent);
         self.gradient_of(&settled)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gradient_of(&self, settled: &Settled<T>) -> Gradient<T> {
         let slip = settled.slip * self.impulse.n;
         let by_ratio = if let Slip::AtRatio { side, .. } | Slip::Limited { side, .. } = self.slip { slip * side } else { T::int(0) };
@@ -195,14 +195,14 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     }
 
     /// Returns the gradient with the ratio held constant, except for an input that specifies it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_ratio_by(&self, settled: &Settled<T>, impulse_ratio: T) -> Gradient<T> {
         let restitution = settled.equation.dot(self.by_restitution(self.approach));
         let (one, two) = (self.of_both(Side::One, settled), self.of_both(Side::Two, settled));
         Gradient::of_parts(&one, &two, restitution, impulse_ratio)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_both(&self, side: Side, settled: &Settled<T>) -> ByVehicle<T> {
         match &self.partials[side as usize] {
             Some(partials) => partials.of_both(&settled.held, &self.plane),
@@ -225,7 +225,7 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     }
 
     /// Returns the gradient of a component of the approach velocity.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn approach_row(&self, component: Nt<T>) -> Gradient<T> {
         let [mut one, mut two] = [ByVehicle::nothing(); 2];
         for (to, partials) in [(&mut one, &self.partials[0]), (&mut two, &self.partials[1])] {
@@ -237,7 +237,7 @@ impl<T: Real<Mask: Logic> + Copy> ImpulseAdjoint<T> {
     }
 
     /// Returns the gradient of a component of −K P with the impulse held constant.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn yielding_row(&self, component: Nt<T>) -> Gradient<T> {
         let [mut one, mut two] = [ByVehicle::nothing(); 2];
         for (to, partials) in [(&mut one, &self.partials[0]), (&mut two, &self.partials[1])] {
@@ -261,14 +261,14 @@ macro_rules! each {
 }
 
 impl<T: Real + Copy> Gradient<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn scale(&mut self, by: T) {
         for x in &mut self.0 {
             *x = *x * by;
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add_scaled(&mut self, by: T, other: &Gradient<T>) {
         for (x, y) in self.0.iter_mut().zip(&other.0) {
             *x = *x + by * *y;
@@ -276,13 +276,13 @@ impl<T: Real + Copy> Gradient<T> {
     }
 
     /// Returns one gradient where the mask is true, and the other elsewhere.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn select(mask: T::Mask, yes: &Gradient<T>, no: &Gradient<T>) -> Gradient<T> {
         each!(i => T::select(mask.clone(), yes.0[i], no.0[i]))
     }
 
     /// Returns a x + b y.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn mix(a: T, x: &Gradient<T>, b: T, y: &Gradient<T>) -> Gradient<T> {
         each!(i => a * x.0[i] + b * y.0[i])
     }

@@ -23,7 +23,7 @@ pub(super) struct Rows<T> {
 }
 
 impl<T: Real<Mask: Logic> + Copy> Rows<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(adjoint: &ImpulseAdjoint<T>) -> Self {
         let Nt { n, t } = axes();
         let impulse = Nt { n: adjoint.gradient(Cotangent::of_impulse(n)), t: adjoint.gradient(Cotangent::of_impulse(t)) };
@@ -34,13 +34,13 @@ impl<T: Real<Mask: Logic> + Copy> Rows<T> {
 }
 
 /// Returns the directions of the two components.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn axes<T: Real>() -> Nt<Nt<T>> {
     Nt { n: Nt { n: T::int(1), t: T::int(0) }, t: Nt { n: T::int(0), t: T::int(1) } }
 }
 
 /// Returns the gradient of V = −e v, the normal separation velocity whatever the law.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rebound<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &Gradient<T>, v: T) -> Gradient<T> {
     let mut row = *approach;
     row.scale(-adjoint.restitution);
@@ -49,7 +49,7 @@ fn rebound<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, approach: &
 }
 
 /// Returns the gradient of the tangential separation velocity.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sliding<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &Nt<Gradient<T>>, approach: &Gradient<T>) -> Gradient<T> {
     let ends = match adjoint.law {
         Law::Brach => Gradient::zero(),
@@ -70,7 +70,7 @@ fn sliding<T: Real<Mask: Logic> + Copy>(adjoint: &ImpulseAdjoint<T>, impulse: &N
 }
 
 /// Writes every output of an impact with its derivatives by every input.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn write<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,
@@ -105,7 +105,7 @@ pub(super) fn write<T: Real<Mask: Logic> + Copy>(
 }
 
 /// Returns `true` if the ratio of the impulse is the critical one.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn is_critical<T: Ordered>(adjoint: &ImpulseAdjoint<T>) -> bool {
     matches!((&adjoint.slip, adjoint.law), (Slip::Ends, Law::Brach))
 }
@@ -132,7 +132,7 @@ pub(super) struct Mixture<T> {
 }
 
 impl<T: Real<Mask: Logic> + Copy> Mixture<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>) -> Self {
         let (p, half) = (impact.impulse, T::int(1).half());
         Mixture {
@@ -146,13 +146,13 @@ impl<T: Real<Mask: Logic> + Copy> Mixture<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn on_ground(&self, impulse: Nt<T>) -> Xy<T> {
         self.plane.to_ground(impulse)
     }
 
     /// W = −½ P (v + V)
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn work(&self, impulse: Nt<T>, approach: Nt<T>, separation: Nt<T>) -> Nt<T> {
         Nt {
             n: self.velocity.n * impulse.n + self.force.n * (approach.n + separation.n),
@@ -162,7 +162,7 @@ impl<T: Real<Mask: Logic> + Copy> Mixture<T> {
 }
 
 /// Writes the derivatives of each output through the impulse and the velocities.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn mix<T: Real<Mask: Logic> + Copy>(impact: &Impact<T>, adjoint: &ImpulseAdjoint<T>, to: &mut Outputs<Sensitive<T>>) {
     let mixture = Mixture::of(impact, adjoint);
     for i in 0..Input::COUNT {
@@ -207,7 +207,7 @@ pub(super) struct Passed<T> {
 }
 
 impl<T: Real + Copy> Passed<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn on(partials: Option<&BodyPartials<T>>) -> Self {
         match partials {
             Some(partials) => Passed {
@@ -222,7 +222,7 @@ impl<T: Real + Copy> Passed<T> {
 }
 
 /// Adds the derivatives of each output by its inputs with the impulse held constant.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_direct<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     impact: &Impact<T>,

@@ -25,7 +25,7 @@ struct Shared<T> {
 }
 
 impl<T: Real<Mask: Logic> + Copy> Shared<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(mixture: &Mixture<T>, rows: &Rows<T>) -> Self {
         let mut shared =
             Shared { on_ground: Xy { x: Gradient::zero(), y: Gradient::zero() }, work: Nt { n: Gradient::zero(), t: Gradient::zero() } };
@@ -41,7 +41,7 @@ impl<T: Real<Mask: Logic> + Copy> Shared<T> {
 }
 
 /// Returns the derivatives by one input.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn at<T: Copy>(rows: &Nt<Gradient<T>>, i: usize) -> Nt<T> {
     Nt { n: rows.n.0[i], t: rows.t.0[i] }
 }
@@ -60,7 +60,7 @@ struct Jacobian<'a, T: Ordered> {
 
 impl<T: Real<Mask: Logic> + Copy> Jacobian<'_, T> {
     /// Writes the derivatives of an output by every input.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn write(&self, of: Output, to: &mut Gradient<T>) {
         let Rows { impulse, approach, separation } = self.rows;
         let Shared { on_ground, work } = self.shared;
@@ -133,7 +133,7 @@ impl<T: Real<Mask: Logic> + Copy> Jacobian<'_, T> {
 }
 
 /// Gives the derivatives of some outputs of an impact by every input, one output after the other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn give<T: Real<Mask: Logic> + Copy>(
     collision: &Collision<T>,
     contact: &Contact<T>,

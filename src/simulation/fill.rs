@@ -88,7 +88,7 @@ pub(crate) fn write_normals(probabilities: &[f64], mean: f64, sd: f64, to: &mut 
 }
 
 /// Returns the middle of one of 2⁵² equal parts, so neither 0 nor 1.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn between_zero_and_one(random: u64) -> f64 {
     const WHOLE: f64 = (1_u64 << 52) as f64;
     // The last bits of 2⁵² are a whole number: not every set of vector instructions converts integers of 64 bits.
@@ -105,7 +105,7 @@ struct Normals<'a> {
 }
 
 impl Vectors for Normals<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn compute(&mut self) {
         for (p, to) in self.probabilities.iter().zip(&mut *self.to) {
             *to = self.mean + self.sd * in_the_middle(*p);
@@ -117,7 +117,7 @@ impl Vectors for Normals<'_> {
 }
 
 /// Replaces the numbers whose probabilities lie in the tails.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn write_tails(probabilities: &[f64], mean: f64, sd: f64, to: &mut [f64]) {
     let (mut places, mut tails, mut scores, mut found) = ([0; PART], [0.5; PART], [0.0; PART], 0);
     for (place, p) in probabilities.iter().enumerate() {

@@ -14,30 +14,30 @@ use crate::scalar::interval::Interval;
 use crate::scalar::{Logic, Ordered, is_finite, is_positive, is_zero, rounding, slack, tolerance};
 use crate::vehicle::Party;
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn always<T: Ordered>() -> T::Mask {
     T::int(0).less(&T::int(1))
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum_of_magnitudes<T: Ordered>(v: &Nt<T>) -> T {
     v.n.clone().magnitude() + v.t.clone().magnitude()
 }
 
 /// Returns `true` if a cosine and a sine are those of an angle.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn is_direction<T: Ordered<Mask: Logic>>(cos: &T, sin: &T) -> T::Mask {
     let length_squared = cos.clone().squared() + sin.clone().squared();
     (length_squared - T::int(1)).magnitude().less(&slack())
 }
 
 /// Returns `true` if a number is neither below the first bound nor above the second, nor not a number.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn is_between<T: Ordered<Mask: Logic>>(x: &T, least: i32, greatest: i32) -> T::Mask {
     is_finite(x) & !x.less(&T::int(least)) & !T::int(greatest).less(x)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn has_sound_inputs<T: Ordered<Mask: Logic>>(party: &Party<T>) -> T::Mask {
     let Party::Vehicle(vehicle) = party else { return always::<T>() };
     is_finite(&vehicle.mass)
@@ -65,7 +65,7 @@ impl Collision<Interval> {
 
 impl<T: Ordered<Mask: Logic>> Collision<T> {
     /// Returns `true` if [`Collision::solve`] accepts the collision, given its contact and its impact.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[cfg_attr(not(any(feature = "batch", feature = "lanes")), allow(dead_code))]
     pub(crate) fn is_possible(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
         let determinant = &contact.compliance.determinant;
@@ -95,7 +95,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
             & !impact.gains_energy()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn has_sound_inputs(&self) -> T::Mask {
         has_sound_inputs(&self.one)
             & has_sound_inputs(&self.two)
@@ -104,7 +104,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if the restitution, the ratio and the moment are within their limits.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn has_sound_parameters(&self) -> T::Mask {
         let ratio = match &self.impulse_ratio {
             ImpulseRatio::Critical => always::<T>(),
@@ -123,7 +123,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     /// Returns `true` if the approach along the normal and the offset of the centers of mass along it have opposite signs, and are not just rounding of their
     /// terms. Two point masses, whose impact centers are their centers of mass, have no sides: any
     /// approach along the normal closes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn is_closing(&self, contact: &Contact<T>) -> T::Mask {
         let (one, two) = (&contact.one, &contact.two);
         let speeds = sum_of_magnitudes(&one.velocity)
@@ -138,7 +138,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if both parties are vehicles whose impact center is their center of mass.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_of_points(&self, contact: &Contact<T>) -> T::Mask {
         if self.one.vehicle().is_none() || self.two.vehicle().is_none() {
             return !always::<T>();
@@ -147,7 +147,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if a given ratio lets the vehicles separate, or if a fraction of the critical ratio is one and that ratio exists.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn has_possible_ratio(&self, contact: &Contact<T>) -> T::Mask {
         match &self.impulse_ratio {
             ImpulseRatio::Given(ratio) => is_positive(&contact.compliance.along_ratio(ratio.clone())),
@@ -160,14 +160,14 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
     }
 
     /// Returns `true` if the impact has the restitution and the loss that it was computed for: if m r²/I is huge, rounding alone determines them.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_accurate(&self, impact: &Impact<T>) -> T::Mask {
         let [(restitution, approach), (energy, exchanged)] = self.errors(impact);
         !(approach * tolerance()).less(&restitution) & !(exchanged * tolerance()).less(&energy)
     }
 
     /// Returns the errors of the restitution and of the energy of an impact, each with its size.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn errors(&self, impact: &Impact<T>) -> [(T, T); 2] {
         let energy = &impact.kinetic_energy;
         let restitution = impact.separation.n.clone() + self.restitution.clone() * impact.approach.n.clone();
@@ -180,7 +180,7 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
 
     /// Returns `true` if the tangential impulse of a given ratio lies between zero and that of the sticking impulse, whose normal change is the same: the ratio
     /// itself has no bound if the sticking impulse is tensile.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn is_within_critical(&self, contact: &Contact<T>, impact: &Impact<T>) -> T::Mask {
         let ImpulseRatio::Given(_) = &self.impulse_ratio else { return always::<T>() };
         let sticking = self.sticking_impulse(contact);
@@ -191,14 +191,14 @@ impl<T: Ordered<Mask: Logic>> Collision<T> {
 }
 
 /// Returns `true` if a fraction of the critical ratio is zero, which it is even if the sticking impulse is tensile.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn is_none<T: Ordered<Mask: Logic>>(fraction: &T, sticking: &Nt<T>) -> T::Mask {
     is_zero(fraction) & !is_zero(&sticking.n)
 }
 
 impl<T: Ordered<Mask: Logic>> Contact<T> {
     /// Returns `true` if an impulse pushes body one away from body two, as the approach does.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn is_pushed_by(&self, impulse: &Nt<T>) -> T::Mask {
         is_positive(&(impulse.n.clone() * self.approach.n.clone()))
     }
@@ -206,7 +206,7 @@ impl<T: Ordered<Mask: Logic>> Contact<T> {
 
 impl<T: Ordered<Mask: Logic>> Impact<T> {
     /// Returns `true` if no number of the impact has overflowed.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_finite(&self) -> T::Mask {
         let has_delta_v = |response: &Response<T>| is_finite(&response.delta_v.clone().length_squared());
         is_finite(&self.impulse.n)
@@ -224,7 +224,7 @@ impl<T: Ordered<Mask: Logic>> Impact<T> {
     }
 
     /// Returns `true` if more energy is gained than rounding explains.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn gains_energy(&self) -> T::Mask {
         let exchanged = self.work.n.clone().magnitude()
             + self.work.t.clone().magnitude()

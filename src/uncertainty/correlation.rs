@@ -84,7 +84,7 @@ impl Correlation {
     }
 
     /// Returns the score of a number, given independent scores of all.
-    #[inline(always)]
+    #[inline]
     pub(super) fn score(&self, number: usize, independent: impl Fn(usize) -> f64) -> f64 {
         self.factor[number][..=number].iter().enumerate().map(|(k, entry)| entry * independent(k)).sum()
     }

@@ -57,7 +57,7 @@ impl Mapping for Direct {
         &self.0
     }
 
-    #[inline(always)]
+    #[inline]
     fn write<T: Real + Copy + From<f64>>(&self, numbers: &[T], inputs: &mut [T]) {
         inputs.copy_from_slice(numbers);
     }

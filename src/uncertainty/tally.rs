@@ -138,7 +138,7 @@ struct Powers<'a> {
 }
 
 impl Vectors for Powers<'_> {
-    #[inline(always)]
+    #[inline]
     fn compute(&mut self) {
         let mut sums = [[0.0; WIDTH]; 4];
         let (eights, rest) = self.column.as_chunks::<WIDTH>();

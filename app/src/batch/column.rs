@@ -186,7 +186,7 @@ impl InputColumn {
     }
 
     /// Returns `true` for a number that a case file accepts, which is finite.
-    #[inline(always)]
+    #[inline]
     pub(super) fn accepts(&self, number: f64) -> bool {
         self.limits[0] <= number && number <= self.limits[1]
     }

@@ -218,7 +218,7 @@ impl Row<'_> {
     }
 
     /// Returns the number of a cell, if it is filled in.
-    #[inline(always)]
+    #[inline]
     fn given(&mut self, column: Option<usize>) -> Option<f64> {
         let column = column?;
         match self.columns[column].at(self.row) {

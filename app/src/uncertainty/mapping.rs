@@ -42,7 +42,7 @@ enum Number {
 }
 
 impl Number {
-    #[inline(always)]
+    #[inline]
     fn of<T: Real + Copy + From<f64>>(self, numbers: &[T]) -> T {
         match self {
             Number::Uncertain(place) => numbers[place],

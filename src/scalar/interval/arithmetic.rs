@@ -7,7 +7,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::Inv;
 
 /// Returns the next float above a finite number, and zero as it is.
-#[inline(always)]
+#[inline]
 pub(super) fn above(x: f64) -> f64 {
     let bits = x.to_bits() as i64;
     let step = (bits >> 63) | 1;
@@ -15,7 +15,7 @@ pub(super) fn above(x: f64) -> f64 {
 }
 
 /// Returns the next float below a finite number, and zero as it is.
-#[inline(always)]
+#[inline]
 pub(super) fn below(x: f64) -> f64 {
     let bits = x.to_bits() as i64;
     let step = (bits >> 63) | 1;
@@ -24,18 +24,18 @@ pub(super) fn below(x: f64) -> f64 {
 
 // The selections of one instruction each; not a number is excluded beforehand.
 
-#[inline(always)]
+#[inline]
 fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-#[inline(always)]
+#[inline]
 fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
 /// Returns the interval around sums that were rounded to nearest. A sum of zero is exact.
-#[inline(always)]
+#[inline]
 fn around_sums(lower: f64, upper: f64) -> Interval {
     // Finite only if both are.
     if (lower + upper).is_finite() { Interval { lower: below(lower), upper: above(upper) } } else { around_large_sums(lower, upper) }
@@ -50,7 +50,7 @@ fn around_large_sums(lower: f64, upper: f64) -> Interval {
 
 /// Returns the interval around four results that were rounded to nearest, or `None` if one of them is not finite, or if a bound is zero, which may be exact or
 /// too small for a float.
-#[inline(always)]
+#[inline]
 fn around(results: [f64; 4]) -> Option<Interval> {
     let [a, b, c, d] = results;
     let lower = lesser(lesser(a, b), lesser(c, d));
@@ -60,7 +60,7 @@ fn around(results: [f64; 4]) -> Option<Interval> {
 }
 
 /// Returns the hull of four results, each computed for one bound of the one interval and one of the other.
-#[inline(always)]
+#[inline]
 fn hull_of_bounds(one: Interval, other: Interval, of: impl Fn(f64, f64) -> Interval) -> Interval {
     of(one.lower, other.lower).hull(of(one.lower, other.upper)).hull(of(one.upper, other.lower)).hull(of(one.upper, other.upper))
 }
@@ -93,7 +93,7 @@ fn unusual_quotient(one: Interval, other: Interval) -> Interval {
 
 impl Neg for Interval {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         Interval { lower: -self.upper, upper: -self.lower }
     }
@@ -101,7 +101,7 @@ impl Neg for Interval {
 
 impl Add for Interval {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         around_sums(self.lower + other.lower, self.upper + other.upper)
     }
@@ -109,7 +109,7 @@ impl Add for Interval {
 
 impl Sub for Interval {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         around_sums(self.lower - other.upper, self.upper - other.lower)
     }
@@ -117,7 +117,7 @@ impl Sub for Interval {
 
 impl Mul for Interval {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let products = [self.lower * other.lower, self.lower * other.upper, self.upper * other.lower, self.upper * other.upper];
         around(products).unwrap_or_else(|| unusual_product(self, other))
@@ -126,7 +126,7 @@ impl Mul for Interval {
 
 impl Inv for Interval {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn inv(self) -> Self {
         let (lower, upper) = (1.0 / self.upper, 1.0 / self.lower);
         // Of one sign, finite and not zero.
@@ -141,7 +141,7 @@ impl Inv for Interval {
 impl Div for Interval {
     type Output = Self;
     /// Returns all real numbers if the divisor may be zero.
-    #[inline(always)]
+    #[inline]
     fn div(self, other: Self) -> Self {
         if other.contains(0.0) {
             return Interval::ENTIRE;

@@ -27,7 +27,7 @@ const SMALL: f64 = 1e-200;
 const DOUBLED: f64 = 1.606_938_044_258_990_3e60; // 2²⁰⁰
 
 /// Returns a number below and one above the exact result of a circular function, given the computed one.
-#[inline(always)]
+#[inline]
 fn around(computed: f64) -> (f64, f64) {
     let error = computed.abs() * ERROR;
     ((computed - error).next_down(), (computed + error).next_up())
@@ -73,7 +73,7 @@ fn sine_and_cosine(angle: Interval) -> [Interval; 2] {
 }
 
 /// Returns a number below and one above the angle of a direction that is not zero, both finite and within the range of the proof.
-#[inline(always)]
+#[inline]
 fn angle_around(y: f64, x: f64) -> (f64, f64) {
     let is_small = y.abs() < SMALL && x.abs() < SMALL;
     // By a power of two, which is exact.
@@ -96,7 +96,7 @@ fn angle(y: Interval, x: Interval) -> Interval {
 }
 
 /// Returns the angles of directions that do not reach below the axis, unless all of them are ahead.
-#[inline(always)]
+#[inline]
 fn angle_above(y: Interval, x: Interval) -> Interval {
     // The angle falls with x above the axis, rises with y ahead and falls with it behind.
     let (first, last) = if y.lower >= 0.0 {
@@ -125,12 +125,12 @@ impl Interval {
 
 impl Real for Interval {
     /// Returns the square roots of its numbers that have one, as [`Interval::sqrt`], and all real numbers if none has: that is no result, as NaN is for a float.
-    #[inline(always)]
+    #[inline]
     fn square_root(self) -> Self {
         self.sqrt().unwrap_or(Interval::ENTIRE)
     }
 
-    #[inline(always)]
+    #[inline]
     fn sin_and_cos(self) -> (Self, Self) {
         let [sin, cos] = sine_and_cosine(self);
         (sin, cos)
@@ -138,7 +138,7 @@ impl Real for Interval {
 
     /// Returns the angles of all directions, [−π, π] if zero or the cut behind it is among them. The cut belongs to the angle π; zero here is the number, which
     /// has no sign.
-    #[inline(always)]
+    #[inline]
     fn arctangent(self, x: Self) -> Self {
         angle(self, x)
     }

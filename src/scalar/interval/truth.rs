@@ -28,26 +28,26 @@ impl Truth {
     pub const UNKNOWN: Truth = Truth { may_hold: true, may_fail: true };
 
     /// Returns `true` or `false` if the statement has this truth for all numbers, and `None` if that is not decided.
-    #[inline(always)]
+    #[inline]
     pub const fn decided(self) -> Option<bool> {
         if self.may_hold && self.may_fail { None } else { Some(self.may_hold) }
     }
 
     /// Returns `true` if the statement holds for all numbers.
-    #[inline(always)]
+    #[inline]
     pub const fn is_certain(self) -> bool {
         !self.may_fail
     }
 
     /// Returns `true` if the statement holds for no number.
-    #[inline(always)]
+    #[inline]
     pub const fn is_excluded(self) -> bool {
         !self.may_hold
     }
 }
 
 impl From<bool> for Truth {
-    #[inline(always)]
+    #[inline]
     fn from(holds: bool) -> Self {
         Truth { may_hold: holds, may_fail: !holds }
     }
@@ -55,7 +55,7 @@ impl From<bool> for Truth {
 
 impl BitAnd for Truth {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn bitand(self, other: Self) -> Self {
         Truth { may_hold: self.may_hold & other.may_hold, may_fail: self.may_fail | other.may_fail }
     }
@@ -63,7 +63,7 @@ impl BitAnd for Truth {
 
 impl BitOr for Truth {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn bitor(self, other: Self) -> Self {
         Truth { may_hold: self.may_hold | other.may_hold, may_fail: self.may_fail & other.may_fail }
     }
@@ -71,7 +71,7 @@ impl BitOr for Truth {
 
 impl BitXor for Truth {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn bitxor(self, other: Self) -> Self {
         Truth {
             may_hold: (self.may_hold & other.may_fail) | (self.may_fail & other.may_hold),
@@ -82,7 +82,7 @@ impl BitXor for Truth {
 
 impl Not for Truth {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn not(self) -> Self {
         Truth { may_hold: self.may_fail, may_fail: self.may_hold }
     }

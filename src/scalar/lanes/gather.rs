@@ -53,7 +53,7 @@ impl<const N: usize> Collision<Lanes<N>> {
 
     /// Computes the impact of every lane, and the lanes that [`Collision::solve`] accepts. The others have the numbers of [`Collision::evaluate`]; solve such a
     /// collision by itself for the reasons.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn solve_lanes(&self) -> (Impact<Lanes<N>>, LaneMask<N>) {
         let contact = self.contact();
         let impact = self.impact_at(&contact);
@@ -88,7 +88,7 @@ fn party<const N: usize>(rows: &[Collision; N], side: Side) -> Option<Party<Lane
 
 impl<const N: usize> Impact<Lanes<N>> {
     /// Returns the impact of each lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn scatter(&self) -> [Impact; N] {
         array::from_fn(|lane| self.map(|number| number.0[lane]))
     }
