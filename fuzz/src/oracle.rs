@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// Rounding of numbers that follow from the printed ones by a few operations.
 const ROUNDING: f64 = 1e-13;
-/// Rounding of numbers that a solution of the impulse equations stands between, and that of K_nn + μ K_nt, by which a solution divides, as a share of its parts.
+/// Rounding of numbers that a solution of the impulse equations stands between, and that of what a solution divides by, as a share of its parts.
 const SOLVED: f64 = 1e-9;
 const OF_PARTS: f64 = 64.0 * f64::EPSILON;
 
@@ -182,7 +182,7 @@ pub fn violations(collision: &Collision, answer: &Value) -> Vec<String> {
     let (approach_n, approach_t) = (approach.dot(&normal), approach.dot(&tangent));
     let (separation_n, separation_t) = (separation.dot(&normal), separation.dot(&tangent));
     let size = &size_before + &size_after;
-    let solved = SOLVED.max(OF_PARTS / wedging_share(&bodies, &normal, &tangent, &impulse));
+    let solved = SOLVED.max(OF_PARTS / least_share(&bodies, &normal, &tangent, &impulse, &moment));
     found.equal("approach.normal", &exact(number(contact, "approach.normal")), &approach_n, &size_before, ROUNDING);
     found.equal("approach.tangential", &exact(number(contact, "approach.tangential")), &approach_t, &size_before, ROUNDING);
     found.equal("separation.normal", &exact(number(contact, "separation.normal")), &separation_n, &size, solved);
@@ -247,18 +247,28 @@ pub fn violations(collision: &Collision, answer: &Value) -> Vec<String> {
     found.0
 }
 
-/// K_nn + μ K_nt at the ratio μ of an impulse as a share of its parts, with K n the relative velocity at the contact by a unit impulse along n.
-fn wedging_share(bodies: &[Option<Moved>; 2], normal: &Vector, tangent: &Vector, impulse: &Vector) -> f64 {
-    let (mut nn, mut nt) = (RBig::ZERO, RBig::ZERO);
+/// What a solution of the impulse equations divides by, as a share of its parts: K_nn + μ K_nt at the ratio μ of the impulse, and the determinant of K, with K n the
+/// relative velocity at the contact by a unit impulse along n. The first is small near wedging, the second where an inertia is tiny, and smaller by what a moment leaves of
+/// the angular impulse.
+fn least_share(bodies: &[Option<Moved>; 2], normal: &Vector, tangent: &Vector, impulse: &Vector, moment: &RBig) -> f64 {
+    let share = |parts: [RBig; 2]| {
+        let all = magnitude(&parts[0]) + magnitude(&parts[1]);
+        if all == RBig::ZERO { RBig::ONE } else { magnitude(&(&parts[0] + &parts[1])) / all }
+    };
+    let (mut nn, mut nt, mut tt) = (RBig::ZERO, RBig::ZERO, RBig::ZERO);
     for body in bodies.iter().flatten() {
         let (along, across) = (body.arm.dot(normal), body.arm.dot(tangent));
         nn += RBig::ONE / &body.mass + &across * &across / &body.inertia;
         nt -= &along * &across / &body.inertia;
+        tt += RBig::ONE / &body.mass + &along * &along / &body.inertia;
     }
+    let sum = &nn + &tt;
+    let of_determinant = (&nn * &tt - &nt * &nt) / (&sum * &sum);
+    // Of both bodies the angular impulses are opposite, and so are the moments.
+    let of_moment = bodies.iter().flatten().map(|body| share([body.arm.cross(impulse), moment.clone()])).fold(RBig::ONE, RBig::min);
     // Times P_n, so that nothing is divided by.
-    let (of_normal, of_tangential) = (nn * impulse.dot(normal), nt * impulse.dot(tangent));
-    let parts = magnitude(&of_normal) + magnitude(&of_tangential);
-    if parts == RBig::ZERO { 1.0 } else { (magnitude(&(of_normal + of_tangential)) / parts).to_f64().value() }
+    let of_wedging = share([nn * impulse.dot(normal), nt * impulse.dot(tangent)]);
+    of_wedging.min(of_determinant * of_moment).to_f64().value().max(f64::EPSILON)
 }
 
 /// The direction that the force comes from, clockwise from straight ahead.
