@@ -356,6 +356,56 @@ fn no_point_that_the_evidence_allows_lies_outside_of_an_interval() {
     }
 }
 
+/// The vehicles stick for any friction but the least fiftieth of what it may be. In that sliver, which no start of a search lies in, speeds and changes of velocity
+/// go farther than where they stick.
+#[test]
+fn intervals_hold_a_sliver_in_which_the_vehicles_slide() {
+    const FRICTION: Variable = Variable::Input(Input::ImpulseRatio);
+    let (one, two) = (
+        Vehicle::new(1471.42, 2415.62).with_heading(Heading::from_angle(350.0 * DEGREE)).with_impact_center(2.15, 0.28),
+        Vehicle::new(2219.39, 2852.43).with_heading(Heading::from_angle(PI)).with_impact_center(0.59, 0.31),
+    );
+    let collision = Collision::new(one.with_speed(14.6), two.with_speed(25.0))
+        .with_law(Law::KudlichSlibar)
+        .with_restitution(0.3)
+        .with_impulse_ratio(ImpulseRatio::LimitedByFriction(1.1));
+    let evidence = [("vehicle.2.pdof", 0.0334, 0.03), ("vehicle.2.separation_speed", 5.38, 0.1), ("energy.normal_work", -627e3, 169e3)];
+    let unknowns = [(Variable::Speed(Side::Two), 25.0, 24.44, 25.24), (SPEED, 14.6, 13.02, 14.62), (FRICTION, 1.1, 0.0, 2.0)];
+    let mut problem = unknowns
+        .iter()
+        .fold(ReconstructionProblem::of(collision), |problem, (of, start, min, max)| problem.between(*of, *start, *min, *max));
+    for (name, value, tolerance) in evidence {
+        problem = problem.evidence(of(name), value, sd(tolerance));
+    }
+    let answer = problem.solve(&Search::default()).expect("it has an answer");
+    let asked = [Measurand::Variable(SPEED), of("contact.closing_speed"), of("vehicle.1.delta_v_magnitude"), of("energy.loss")];
+    let intervals = problem.intervals(&answer, 0.95, &asked);
+    let greatest = answer.best().chi_square + 3.841_459;
+    let mut source = Source::of(7);
+    let mut within = 0;
+    for _ in 0..100_000 {
+        // At the lower bound of the speed of the other vehicle, which all four lower ends lie on.
+        let drawn = [(unknowns[0].0, unknowns[0].2), (SPEED, source.between(13.02, 13.6)), (FRICTION, source.between(0.0, 0.04))];
+        let at = drawn.iter().fold(collision, |collision, (of, value)| with(&collision, *of, *value));
+        let Ok(impact) = at.solve() else { continue };
+        let pdof = Output::PrincipalDirectionOfForce(Side::Two).of(&at, &impact);
+        let separation = impact.two.after.velocity;
+        let computed = [pdof, separation.x.hypot(separation.y), impact.work.n];
+        let chi_square: f64 =
+            evidence.iter().zip(computed).map(|((_, given, tolerance), value)| ((value - given) / tolerance).powi(2)).sum();
+        if chi_square > greatest {
+            continue;
+        }
+        within += 1;
+        let change = Output::DeltaVMagnitude(Side::One).of(&at, &impact);
+        for (interval, value) in intervals.iter().zip([drawn[1].1, impact.approach.n.abs(), change, impact.loss()]) {
+            let slack = 2e-3 * (interval.high - interval.low);
+            assert!((interval.low - slack..=interval.high + slack).contains(&value), "{value} at {drawn:?}: {interval:?}");
+        }
+    }
+    assert!(within > 500, "{within}");
+}
+
 const DEGREE: f64 = PI / 180.0;
 
 fn car(mass: f64, yaw_inertia: f64, heading: f64, speed: f64, forward: f64, left: f64) -> Vehicle {

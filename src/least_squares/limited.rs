@@ -63,10 +63,11 @@ pub(crate) fn minimum(
     of: &impl Limited,
     start: &[f64],
     spans: &[ParameterBounds],
+    radius: f64,
     iterations: usize,
     until: Until,
 ) -> Result<Reached, Vec<f64>> {
-    let Some(mut walk) = Walk::from(of, start, spans) else { return Err(Vec::new()) };
+    let Some(mut walk) = Walk::from(of, start, spans, radius) else { return Err(Vec::new()) };
     for taken in 0..iterations {
         let Some(step) = walk.program(of, taken).and_then(|program| walk.step(&program)) else { break };
         // Where no step improves the fit any more, rounding is all that is left: also of a decrease below zero where the conditions are met.
@@ -96,8 +97,9 @@ const FLAT: f64 = 1e-8;
 /// Number of steps after which the full curvature is used.
 const SLOW: usize = 8;
 
-/// The first length of a step, in scales.
-const RADIUS: f64 = 5.0;
+/// The first length of a step in scales, from a start near the minimum, and from any.
+pub(crate) const NEAR: f64 = 0.5;
+pub(crate) const FAR: f64 = 5.0;
 
 impl Local {
     fn scaled(self, spans: &[ParameterBounds]) -> Self {
@@ -161,11 +163,11 @@ struct Step {
 }
 
 impl<'a> Walk<'a> {
-    fn from(of: &impl Limited, start: &[f64], spans: &'a [ParameterBounds]) -> Option<Self> {
+    fn from(of: &impl Limited, start: &[f64], spans: &'a [ParameterBounds], radius: f64) -> Option<Self> {
         let unknowns: Vec<f64> = start.iter().zip(spans).map(|(x, span)| x.clamp(span.min, span.max)).collect();
         let here = evaluated(of, &unknowns, spans)?;
         let (margins, fixed) = (zeros(here.margins.len()), zeros(here.fixed.len()));
-        Some(Walk { spans, unknowns, here, radius: RADIUS, weight: 0.0, margins, fixed, held: vec![false; spans.len()] })
+        Some(Walk { spans, unknowns, here, radius, weight: 0.0, margins, fixed, held: vec![false; spans.len()] })
     }
 
     /// Returns the curvature, of Gauss and Newton at first, with a little added to every direction: an open one stays where it is.
@@ -267,13 +269,19 @@ impl<'a> Walk<'a> {
         self.weight = self.weight.max(2.0 * largest).max(1.0 + self.here.residuals.norm_squared());
         let before = self.here.merit(self.weight);
         let predicted = step.decrease + self.weight * self.here.violation() * step.share;
-        let there: Vec<f64> = (0..self.unknowns.len())
+        let mut there: Vec<f64> = (0..self.unknowns.len())
             .map(|i| (self.unknowns[i] + step.by[i] * self.spans[i].scale).clamp(self.spans[i].min, self.spans[i].max))
             .collect();
-        let Some(local) = evaluated(of, &there, self.spans) else {
+        let Some(mut local) = evaluated(of, &there, self.spans) else {
             self.radius = step.length.min(self.radius) / 4.0;
             return;
         };
+        if before - local.merit(self.weight) < ENOUGH * predicted
+            && let Some((corrected, at)) = self.corrected(of, &there, &local, step)
+            && at.merit(self.weight) < local.merit(self.weight)
+        {
+            (there, local) = (corrected, at);
+        }
         let improvement = before - local.merit(self.weight);
         let is_rounding = predicted.abs() <= ROUNDING * before + f64::MIN_POSITIVE && step.length < 1e-3;
         if improvement >= ENOUGH * predicted && predicted >= 0.0 || is_rounding {
@@ -289,6 +297,30 @@ impl<'a> Walk<'a> {
         } else {
             self.radius = step.length.min(self.radius) / 4.0;
         }
+    }
+
+    /// Returns the point where a step ends, moved back onto the conditions that it meets to first order alone: along a curved one no step of any length would
+    /// improve the merit (Maratos 1978).
+    fn corrected(&self, of: &impl Limited, there: &[f64], local: &Local, step: &Step) -> Option<(Vec<f64>, Local)> {
+        /// Number of corrections, each with the slopes where the step begins.
+        const CORRECTIONS: usize = 3;
+        let held: Vec<usize> = (0..step.margins.len()).filter(|&k| step.margins[k] > 0.0).collect();
+        let (margins, fixed) = (self.here.margin_slopes.select_rows(&held), &self.here.fixed_slopes);
+        let rows = held.len() + fixed.nrows();
+        let slopes = DMatrix::from_fn(rows, there.len(), |i, k| if i < held.len() { margins[(i, k)] } else { fixed[(i - held.len(), k)] });
+        let factor = (&slopes * slopes.transpose()).cholesky()?;
+        let mut found: Option<(Vec<f64>, Local)> = None;
+        for _ in 0..CORRECTIONS {
+            let (from, of_there) = found.as_ref().map_or((there, local), |(unknowns, at)| (&unknowns[..], at));
+            let missed =
+                DVector::from_fn(rows, |i, _| if i < held.len() { of_there.margins[held[i]] } else { of_there.fixed[i - held.len()] });
+            let by = slopes.tr_mul(&factor.solve(&missed));
+            let moved = from.iter().zip(by.iter()).zip(self.spans).map(|((x, by), span)| (x - by * span.scale).clamp(span.min, span.max));
+            let moved: Vec<f64> = moved.collect();
+            let at = evaluated(of, &moved, self.spans)?;
+            found = Some((moved, at));
+        }
+        found
     }
 
     fn reached(self, step: &Step, iterations: usize) -> Reached {
@@ -358,7 +390,7 @@ mod tests {
     }
 
     fn found(disk: &Disk, start: [f64; 2], spans: &[ParameterBounds; 2]) -> Result<Reached, Vec<f64>> {
-        minimum(disk, &start, spans, 60, Until::Unknowns)
+        minimum(disk, &start, spans, FAR, 60, Until::Unknowns)
     }
 
     #[test]
@@ -390,6 +422,33 @@ mod tests {
         assert!((reached.unknowns[0] - 0.6).abs() < 1e-8 && (reached.unknowns[1] + 0.4).abs() < 1e-8, "{reached:?}");
         let slope = (at(0.2 + 1e-4).sum_of_squares - at(0.2 - 1e-4).sum_of_squares) / 4e-4;
         assert!((reached.fixed_multiplier - slope).abs() < 1e-5, "{reached:?} {slope}");
+    }
+
+    /// The distance of x from 1, with y = x² fixed: a step along the parabola leaves it by the square of its length.
+    struct Parabola;
+
+    impl Limited for Parabola {
+        fn at(&self, x: &[f64]) -> Option<Local> {
+            Some(Local {
+                residuals: DVector::from_element(1, 0.1 * (x[0] - 1.0)),
+                jacobian: DMatrix::from_row_slice(1, 2, &[0.1, 0.0]),
+                margins: DVector::zeros(0),
+                margin_slopes: DMatrix::zeros(0, 2),
+                fixed: DVector::from_element(1, x[1] - x[0] * x[0]),
+                fixed_slopes: DMatrix::from_row_slice(1, 2, &[-2.0 * x[0], 1.0]),
+            })
+        }
+
+        fn bend(&self, _: &[f64], _: &[f64], fixed: &[f64]) -> DMatrix<f64> {
+            DMatrix::from_row_slice(2, 2, &[2.0 * fixed[0], 0.0, 0.0, 0.0])
+        }
+    }
+
+    #[test]
+    fn a_curved_condition_is_followed() {
+        let reached = minimum(&Parabola, &[-0.5, 0.25], &[FREE, FREE], NEAR, 60, Until::Unknowns).expect("it converges");
+        assert!((reached.unknowns[0] - 1.0).abs() < 1e-6 && (reached.unknowns[1] - 1.0).abs() < 1e-6, "{reached:?}");
+        assert!(reached.iterations < 30, "{reached:?}");
     }
 
     #[test]

@@ -2,58 +2,56 @@
 //!
 //! The region within a quantile of the least χ² need not be convex: bounds and the limits of the physics cut it, and the evidence bends it. An end that is followed
 //! from a solution is that of its own branch. Here each quantity is held beyond its ends, and fits begin at points all over the region: one that is within the
-//! quantile leads to an end farther out. Where a friction begins to hold or sliding changes its side, the region has edges along which no slope leads: small steps by
-//! chance do.
+//! quantile leads to an end farther out. Where friction begins to hold or sliding changes its side, no slope leads on: each piece in which friction does one thing is
+//! searched by itself. Small steps by chance end the search, for corners in which slopes end before the region does.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::friction::Friction;
 use super::measurand::Measurand;
 use super::profile::{End, Profile, Quantity};
 use super::within_limits::Fixed;
 use crate::scalar::Field as _;
 
 /// Largest number of points from which fits begin.
-const MOST: usize = 16;
+const MOST: usize = 18;
 
 /// Number of points that are drawn, in addition to the ends of other intervals.
 const DRAWN: usize = 24;
 
 /// Distance beyond an end, in widths of the interval, at which fits are tried.
-const BEYOND: f64 = 0.01;
+const BEYOND: f64 = 0.003;
 
-/// Points of the region far from each other.
+/// Points of the region far from each other, for each thing that friction may do.
 pub(super) struct Region {
-    points: Vec<Vec<f64>>,
+    points: Vec<(Option<Friction>, Vec<f64>)>,
 }
 
 impl Region {
     /// Collects points: ends of intervals, and best fits with an unknown held somewhere between its own ends.
     pub(super) fn of(profile: &Profile<'_>, ends: &[Option<[End; 2]>]) -> Self {
-        let mut points: Vec<Vec<f64>> = ends.iter().flatten().flatten().map(|end| end.at.clone()).collect();
+        let reached: Vec<&Vec<f64>> = ends.iter().flatten().flatten().map(|end| &end.at).collect();
         let ranges: Vec<[f64; 2]> = (0..profile.spans.len())
-            .map(|i| points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]))
+            .map(|i| reached.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]))
             .collect();
+        let mut region = Region { points: Vec::new() };
+        let Some(best) = profile.solutions.first().filter(|_| !reached.is_empty()) else { return region };
+        let pieces = profile.friction(best).map_or(&[None][..], |_| &Friction::ALL);
         let mut random = ChaCha8Rng::seed_from_u64(1988);
         let unknowns = &profile.model.question.unknowns;
-        for i in (0..unknowns.len()).cycle().take(if points.is_empty() { 0 } else { DRAWN }) {
-            let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
-            let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
-            points.extend(profile.fit_within(fixed, &start));
+        for friction in pieces {
+            let mut points: Vec<Vec<f64>> =
+                reached.iter().filter(|point| profile.friction(point) == *friction).map(|point| point.to_vec()).collect();
+            for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
+                let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
+                let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
+                points.extend(profile.fit_within(*friction, Some(fixed), &start));
+            }
+            points.extend(profile.fit_within(*friction, None, best));
+            region.points.extend(far_from_each_other(points, &ranges, MOST / pieces.len()).into_iter().map(|point| (*friction, point)));
         }
-        let distance = |one: &[f64], other: &[f64]| {
-            let squares = one.iter().zip(other).zip(&ranges).filter(|(_, [low, high])| high > low);
-            squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).squared()).sum::<f64>()
-        };
-        let mut chosen: Vec<Vec<f64>> = profile.solutions.iter().take(1).cloned().collect();
-        while chosen.len() <= MOST {
-            let nearest = |point: &Vec<f64>| chosen.iter().map(|other| distance(point, other)).fold(f64::INFINITY, f64::min);
-            let farthest = points.iter().map(|point| (nearest(point), point)).max_by(|one, other| one.0.total_cmp(&other.0));
-            // Another one is nearly one of those.
-            let Some((_, point)) = farthest.filter(|(distance, _)| *distance > 1e-4) else { break };
-            chosen.push(point.clone());
-        }
-        Region { points: chosen }
+        region
     }
 
     /// Moves the ends of an interval outwards by small steps by chance, as long as some lead on.
@@ -62,7 +60,7 @@ impl Region {
         /// Size of the first steps as a share of the region, its growth after a step outwards, and its decrease after another.
         const SIZE: (f64, f64, f64) = (0.2, 1.5, 0.95);
         /// Share of the width by which an end must move.
-        const BEYOND: f64 = 1e-3;
+        const BEYOND: f64 = 1e-4;
         if quantity.is_constant {
             return;
         }
@@ -74,7 +72,7 @@ impl Region {
                 let mut point = at.clone();
                 for pair in self.points.windows(2) {
                     let share = size * random.random_range(-1.0..1.0);
-                    point.iter_mut().zip(&pair[0]).zip(&pair[1]).for_each(|((x, one), other)| *x += share * (other - one));
+                    point.iter_mut().zip(&pair[0].1).zip(&pair[1].1).for_each(|((x, one), other)| *x += share * (other - one));
                 }
                 point.iter_mut().zip(&profile.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
                 let there = quantity.unwrapped(&point).filter(|there| {
@@ -95,7 +93,7 @@ impl Region {
     pub(super) fn extend(&self, quantity: &Quantity<'_>, ends: &mut [End; 2]) {
         /// Number of branches that one end may move to.
         const BRANCHES: usize = 8;
-        self.points.iter().for_each(|point| quantity.extend(ends, point));
+        self.points.iter().for_each(|(_, point)| quantity.extend(ends, point));
         for (k, direction) in [-1.0, 1.0].into_iter().enumerate() {
             for _ in 0..BRANCHES {
                 let Some(end) = self.farther(quantity, ends, k, direction) else { break };
@@ -110,10 +108,28 @@ impl Region {
         let value = ends[k].value + direction * BEYOND * width;
         let is_within = width > 0.0 && value.is_finite() && direction * (quantity.outer[k] - value) > 0.0;
         let fixed = quantity.fixed_at(Some(value).filter(|_| is_within)?);
-        self.points.iter().find_map(|point| {
-            let fit = quantity.profile.fit_within(fixed, point)?;
+        self.points.iter().find_map(|(friction, point)| {
+            let fit = quantity.profile.fit_within(*friction, Some(fixed), point)?;
             let reached = quantity.unwrapped(&fit).filter(|reached| direction * (reached - ends[k].value) > 0.5 * BEYOND * width)?;
             Some(quantity.end(direction, &fit, reached))
         })
     }
+}
+
+/// Chooses points far from each other, beginning with the last.
+fn far_from_each_other(points: Vec<Vec<f64>>, ranges: &[[f64; 2]], most: usize) -> Vec<Vec<f64>> {
+    /// Square of a distance, in ranges, that is nearly none.
+    const NEAR: f64 = 1e-4;
+    let distance = |one: &[f64], other: &[f64]| {
+        let squares = one.iter().zip(other).zip(ranges).filter(|(_, [low, high])| high > low);
+        squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).squared()).sum::<f64>()
+    };
+    let mut chosen: Vec<Vec<f64>> = points.last().cloned().into_iter().collect();
+    while chosen.len() < most {
+        let nearest = |point: &Vec<f64>| chosen.iter().map(|other| distance(point, other)).fold(f64::INFINITY, f64::min);
+        let farthest = points.iter().map(|point| (nearest(point), point)).max_by(|one, other| one.0.total_cmp(&other.0));
+        let Some((_, point)) = farthest.filter(|(distance, _)| *distance > NEAR) else { break };
+        chosen.push(point.clone());
+    }
+    chosen
 }

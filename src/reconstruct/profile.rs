@@ -9,6 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::branches::Region;
+use super::friction::Friction;
 use super::given::{Evidence, Uncertainty, Unknown};
 use super::interval::{Interval, Method};
 use super::limit::Limit;
@@ -139,19 +140,27 @@ impl<'a> Profile<'a> {
         moved >= POINTS / 4
     }
 
-    /// Returns a point near a start that is within the limit, with a quantity near a value: the best fit, or where a search for it stopped.
-    pub(super) fn fit_within(&self, fixed: Fixed, start: &[f64]) -> Option<Vec<f64>> {
+    /// Returns a point near a start that is within the limit, where friction does something given, with a quantity near a value: the best fit, or where a search for
+    /// it stopped.
+    pub(super) fn fit_within(&self, friction: Option<Friction>, fixed: Option<Fixed>, start: &[f64]) -> Option<Vec<f64>> {
         const ITERATIONS: usize = 40;
         let accepted = self.model.solve(start).or_else(|_| self.model.solve(self.solutions.first().map_or(start, Vec::as_slice)));
         let (placed, impact) = accepted.ok()?;
         let mut problem = WithinLimits::around(self.model, &placed, &impact);
-        problem.hold(Some(fixed));
-        let unknowns = match limited::minimum(&problem, start, &self.released(fixed.of), ITERATIONS, Until::Sum) {
+        problem.keep_to(friction);
+        problem.hold(fixed);
+        let spans = self.released(fixed.map(|fixed| fixed.of));
+        let unknowns = match limited::minimum(&problem, start, &spans, limited::FAR, ITERATIONS, Until::Sum) {
             Ok(reached) => self.bounded(reached.unknowns),
             Err(stopped) if !stopped.is_empty() => self.bounded(stopped),
             Err(_) => return None,
         };
         self.allows(&unknowns).then_some(unknowns)
+    }
+
+    /// Returns what friction does at a point that the mechanics accepts.
+    pub(super) fn friction(&self, unknowns: &[f64]) -> Option<Friction> {
+        self.model.solve(unknowns).ok().and_then(|(placed, _)| Friction::of(&placed))
     }
 
     /// Returns `true` if χ² at a point that the mechanics accepts is within its limit.
@@ -161,10 +170,10 @@ impl<'a> Profile<'a> {
     }
 
     /// Returns the spans without the bounds of a quantity whose value is held, and with an end where the others have none.
-    fn released(&self, of: Measurand) -> Vec<ParameterBounds> {
+    fn released(&self, of: Option<Measurand>) -> Vec<ParameterBounds> {
         let unknowns = &self.model.question.unknowns;
         let span = |(span, unknown): (&ParameterBounds, &Unknown)| {
-            if Measurand::Variable(unknown.of) == of {
+            if Some(Measurand::Variable(unknown.of)) == of {
                 return ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, ..*span };
             }
             let reach = FARTHEST * span.scale;
@@ -302,34 +311,55 @@ impl Quantity<'_> {
         Some(value - turns(value - self.value, self.period))
     }
 
-    /// Follows the best fit outwards from a point to the value at which χ² reaches its limit, or to what stops it.
+    /// Follows the best fit outwards from a point to the value at which χ² reaches its limit, or to what stops it: within one piece of what friction does after the
+    /// other, because no slope leads across their edges.
     pub(super) fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
+        let mut end = End { value, limited_by: None, at: start.to_vec() };
+        let Ok((placed, impact)) = self.profile.model.solve(start) else { return end };
+        let mut problem = WithinLimits::around(self.profile.model, &placed, &impact);
+        let mut pieces = vec![Friction::of(&placed)];
+        problem.keep_to(pieces[0]);
+        end = self.end_within(&mut problem, direction, &end);
+        // A fit may end in another piece than the one that it was kept to, or on an edge of that.
+        let ahead = |problem: &WithinLimits<'_>, at: &[f64]| {
+            self.profile.friction(at).into_iter().chain(problem.beyond(at)).map(Some).collect::<Vec<_>>()
+        };
+        while let Some(next) = ahead(&problem, &end.at).into_iter().find(|next| !pieces.contains(next)) {
+            pieces.push(next);
+            problem.keep_to(next);
+            let farther = self.end_within(&mut problem, direction, &end);
+            if direction * (farther.value - end.value) > self.rounding {
+                end = farther;
+            }
+        }
+        end
+    }
+
+    /// The same as far as the problem goes.
+    fn end_within(&self, problem: &mut WithinLimits<'_>, direction: f64, start: &End) -> End {
         /// Largest number of steps outwards, each twice the last.
         const STEPS: usize = 60;
         let profile = self.profile;
-        let Ok((placed, impact)) = profile.model.solve(start) else {
-            return End { value, limited_by: None, at: start.to_vec() };
-        };
-        let mut problem = WithinLimits::around(profile.model, &placed, &impact);
         let outer = self.outer[usize::from(direction > 0.0)];
-        let mut inside = Inside { value, unknowns: start.to_vec(), before: None, limited_by: None };
-        let mut length = self.first_step(&problem, start);
+        let mut inside = Inside { value: start.value, unknowns: start.at.clone(), before: None, limited_by: None };
+        let mut length = self.first_step(problem, &start.at);
         for _ in 0..STEPS {
             let next = inside.value + direction * length;
             let next = if direction * (next - outer) > 0.0 { outer } else { next };
-            if direction * (next - inside.value) <= 0.0 {
+            let rest = direction * (next - inside.value);
+            if rest <= 0.0 || next == outer && rest <= PRECISE * (outer - self.value).abs() {
                 return self.at_outer(inside, outer);
             }
             if outer.is_infinite() && (next - self.value).abs() > FAR * self.scale {
                 break;
             }
-            let tried = self.tried(&mut problem, &inside, next, true);
-            let Ok(reached) = &tried.reached else { return self.between(&mut problem, inside, tried) };
+            let tried = self.tried(problem, &inside, next);
+            let Ok(reached) = &tried.reached else { return self.between(problem, inside, tried) };
             let root = self.root(reached.sum_of_squares);
             if root > PRECISE * profile.quantile.sqrt() {
-                return self.between(&mut problem, inside, tried);
+                return self.between(problem, inside, tried);
             }
-            inside.advance(tried.value, reached, self.limit(&problem, reached));
+            inside.advance(tried.value, reached, self.limit(problem, reached));
             if root.abs() <= PRECISE * profile.quantile.sqrt() {
                 return End { value: tried.value, limited_by: inside.limited_by, at: inside.unknowns };
             }
@@ -383,7 +413,7 @@ impl Quantity<'_> {
             // Two thirds of the steps go where the slope of the profile leads; bisection in between keeps the bracket shrinking.
             let is_between = |value: f64| (value - near) * (far - value) > 0.0;
             let value = guess.filter(|value| step % 3 != 2 && is_between(*value)).unwrap_or(near + (far - near) / 2.0);
-            let tried = self.tried(problem, &inside, value, false);
+            let tried = self.tried(problem, &inside, value);
             let value = tried.value;
             guess = self.toward(&tried);
             match &tried.reached {
@@ -412,6 +442,10 @@ impl Quantity<'_> {
         // Nothing lies beyond: what stops the way is near.
         if outside.reached.is_err() {
             limited_by = self.near(problem, &inside.unknowns);
+        }
+        // Where the way begins at its end, nothing has been asked yet.
+        if limited_by.is_none() && inside.before.is_none() {
+            limited_by = self.tried(problem, &inside, inside.value).reached.ok().and_then(|reached| self.limit(problem, &reached));
         }
         End { value: inside.value, limited_by: limited_by.or(inside.limited_by), at: inside.unknowns }
     }
@@ -442,20 +476,21 @@ impl Quantity<'_> {
         }
     }
 
-    /// Finds the best fit with the quantity held at a value: from where the last two points lead, and if that fails, or all are asked, from the last point and
-    /// the solutions.
-    fn tried(&self, problem: &mut WithinLimits<'_>, inside: &Inside, value: f64, all: bool) -> Tried {
+    /// Finds the best fit with the quantity held at a value: from where the last two points lead, and unless that is within the limit, from the last point and the
+    /// solutions.
+    fn tried(&self, problem: &mut WithinLimits<'_>, inside: &Inside, value: f64) -> Tried {
         const ITERATIONS: usize = 60;
         /// Number of solutions from which it starts too.
         const OTHERS: usize = 3;
         let profile = self.profile;
         problem.hold(Some(self.fixed_at(value)));
-        let spans = profile.released(self.of);
+        let spans = profile.released(Some(self.of));
         let others = profile.solutions.iter().take(OTHERS).cloned();
         let mut best: Option<Reached> = None;
         let mut closest: Option<f64> = None;
-        for start in [inside.extrapolated(value), inside.unknowns.clone()].into_iter().chain(others) {
-            match limited::minimum(problem, &start, &spans, ITERATIONS, Until::Sum)
+        let near = [inside.extrapolated(value), inside.unknowns.clone()].map(|start| (limited::NEAR, start));
+        for (radius, start) in near.into_iter().chain(others.map(|start| (limited::FAR, start))) {
+            match limited::minimum(problem, &start, &spans, radius, ITERATIONS, Until::Sum)
                 .map(|reached| Reached { unknowns: profile.bounded(reached.unknowns.clone()), ..reached })
             {
                 Ok(reached) if profile.model.solve(&reached.unknowns).is_ok() => {
@@ -463,7 +498,7 @@ impl Quantity<'_> {
                     if best.as_ref().is_none_or(|best| reached.sum_of_squares < best.sum_of_squares) {
                         best = Some(reached);
                     }
-                    if is_inside || !all {
+                    if is_inside {
                         break;
                     }
                 }
@@ -546,7 +581,7 @@ impl Quantity<'_> {
             let limit = Limit::Bound(unknown.of, held?);
             (Measurand::Variable(unknown.of) != self.of).then_some((limit, multiplier.abs()))
         });
-        let of_margins = reached.margin_multipliers.iter().enumerate().map(|(k, multiplier)| (problem.limit(k), *multiplier));
+        let of_margins = reached.margin_multipliers.iter().enumerate().filter_map(|(k, multiplier)| Some((problem.limit(k)?, *multiplier)));
         let all = of_bounds.chain(of_margins).filter(|(_, multiplier)| *multiplier > MATTERS);
         all.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(limit, _)| limit)
     }
@@ -561,7 +596,7 @@ impl Quantity<'_> {
             [to(span.min, Bound::Min), to(span.max, Bound::Max)]
         });
         let margins = problem.at(point).map(|local| local.margins.iter().copied().collect::<Vec<_>>()).unwrap_or_default();
-        let of_margins = margins.into_iter().enumerate().map(|(k, margin)| (margin.abs(), problem.limit(k)));
+        let of_margins = margins.into_iter().enumerate().filter_map(|(k, margin)| Some((margin.abs(), problem.limit(k)?)));
         let near = of_bounds.chain(of_margins).filter(|(distance, _)| *distance < NEAR);
         near.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, limit)| limit)
     }

@@ -96,23 +96,28 @@ impl<'a> Model<'a> {
 
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.
     pub(super) fn derivatives(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        let mut derivatives = with_slopes(unknowns, |point| self.evaluated(point)).1;
-        self.clear_rounding(&mut derivatives);
-        derivatives
+        self.with_slopes(unknowns, |point| self.evaluated(point)).1
     }
 
-    /// Sets derivatives of the evidence that are rounding to zero. The speed of a vehicle that drives along the crush plane has a normal component of cos 90°,
-    /// which is not zero in floats: a search would follow it to any speed, and an interval would end there.
-    pub(super) fn clear_rounding(&self, derivatives: &mut DMatrix<f64>) {
+    /// Returns values that are computed from the unknowns, those of the evidence first, and their derivatives: a row for each value, a column for each unknown.
+    ///
+    /// Derivatives of the evidence that are rounding are zero. The speed of a vehicle that drives along the crush plane has a normal component of cos 90°, which is
+    /// not zero in floats: a search would follow it to any speed, and an interval would end there.
+    pub(super) fn with_slopes(&self, unknowns: &[f64], computed: impl Fn(&[Dual64]) -> Vec<Dual64>) -> (Vec<f64>, DMatrix<f64>) {
         /// Change of a piece of evidence by a significant change of an unknown, as a share of its size, that is rounding.
         const ROUNDING: f64 = 1e-13;
-        for (mut column, scale) in derivatives.column_iter_mut().zip(&self.scales) {
-            for (entry, evidence) in column.iter_mut().zip(&self.evidence) {
-                if (*entry * scale).abs() < ROUNDING * evidence.size() {
-                    *entry = 0.0;
-                }
-            }
+        let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
+        let (mut values, mut columns) = (Vec::new(), Vec::new());
+        for k in 0..point.len() {
+            point[k].eps = 1.0;
+            let at = computed(&point);
+            let sizes = self.evidence.iter().map(Evidence::size).chain(core::iter::repeat(0.0));
+            let slope = |(value, size): (&Dual64, f64)| if (value.eps * self.scales[k]).abs() < ROUNDING * size { 0.0 } else { value.eps };
+            columns.push(DVector::from_iterator(at.len(), at.iter().zip(sizes).map(slope)));
+            values = at.into_iter().map(|value| value.re).collect();
+            point[k].eps = 0.0;
         }
+        (values, DMatrix::from_columns(&columns))
     }
 
     /// Returns the second derivatives of a sum of the computed evidence, each piece times a factor.
@@ -126,20 +131,6 @@ fn softest(evidence: &Evidence) -> f64 {
     /// As a share of the size.
     const SOFT: f64 = 1e-3;
     SOFT * evidence.size()
-}
-
-/// Returns values that are computed from the unknowns, and their derivatives: a row for each value, a column for each unknown.
-pub(super) fn with_slopes(unknowns: &[f64], computed: impl Fn(&[Dual64]) -> Vec<Dual64>) -> (Vec<f64>, DMatrix<f64>) {
-    let mut point: Vec<Dual64> = unknowns.iter().copied().map(Dual64::from).collect();
-    let (mut values, mut columns) = (Vec::new(), Vec::new());
-    for k in 0..point.len() {
-        point[k].eps = 1.0;
-        let at = computed(&point);
-        columns.push(DVector::from_iterator(at.len(), at.iter().map(|value| value.eps)));
-        values = at.into_iter().map(|value| value.re).collect();
-        point[k].eps = 0.0;
-    }
-    (values, DMatrix::from_columns(&columns))
 }
 
 /// Returns the second derivatives of a sum of values that are computed from the unknowns, each times a factor.

@@ -222,7 +222,7 @@ impl Seen {
             collision: placed.collision,
             impact,
             crush_share: placed.crush_share,
-            limits: minimum.margins.iter().map(|margin| problem.limit(*margin)).collect(),
+            limits: minimum.margins.iter().filter_map(|margin| problem.limit(*margin)).collect(),
             iterations: minimum.iterations,
             searches,
         };

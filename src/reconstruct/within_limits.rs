@@ -2,10 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::friction::Friction;
 use super::limit::{Limit, Margins};
 use super::measurand::Measurand;
 use super::placed::Placed;
-use super::residuals::{Model, curvature_of_sum, with_slopes};
+use super::residuals::{Model, curvature_of_sum};
 use super::variable::turns;
 use crate::impact::Impact;
 use crate::least_squares::limited::{Limited, Local};
@@ -33,7 +34,8 @@ pub(super) struct WithinLimits<'a> {
 fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fixed: Option<Fixed>, point: &[T]) -> Vec<T> {
     let placed = model.place(point);
     let contact = placed.collision.contact();
-    let impact = placed.impact_at(&contact);
+    let impact =
+        margins.friction().map_or_else(|| placed.impact_at(&contact), |friction| friction.throughout(placed.collision).impact_at(&contact));
     let mut all = model.measured(&placed, &impact);
     all.extend(margins.of(&placed, &contact, &impact));
     all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
@@ -51,8 +53,18 @@ impl<'a> WithinLimits<'a> {
         self.fixed = fixed;
     }
 
-    /// Returns the limit of the physics whose distance a margin is.
-    pub(super) fn limit(&self, margin: usize) -> Limit {
+    /// Keeps to what friction does, up to its edges, or not.
+    pub(super) fn keep_to(&mut self, friction: Option<Friction>) {
+        self.margins.within(friction);
+    }
+
+    /// Returns what friction does beyond each edge that a point is on.
+    pub(super) fn beyond(&self, unknowns: &[f64]) -> Vec<Friction> {
+        self.at(unknowns).map_or_else(Vec::new, |local| self.margins.beyond(local.margins.as_slice()).collect())
+    }
+
+    /// Returns the limit of the physics whose distance a margin is, if it is one.
+    pub(super) fn limit(&self, margin: usize) -> Option<Limit> {
         self.margins.limit(margin)
     }
 
@@ -72,8 +84,7 @@ impl<'a> WithinLimits<'a> {
 
 impl Limited for WithinLimits<'_> {
     fn at(&self, unknowns: &[f64]) -> Option<Local> {
-        let (values, mut slopes) = with_slopes(unknowns, |point| computed(self.model, &self.margins, self.fixed, point));
-        self.model.clear_rounding(&mut slopes);
+        let (values, slopes) = self.model.with_slopes(unknowns, |point| computed(self.model, &self.margins, self.fixed, point));
         let (evidence, margins) = (self.model.evidence.len(), slopes.nrows() - usize::from(self.fixed.is_some()));
         let residuals = self.model.residuals(&values[..evidence]);
         let whiten = |rows: DMatrix<f64>| self.model.weights.whiten(rows);
