@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::answer::SCHEMA;
 use crate::case::{Case, Inertia, Restitution, Velocity};
 use crate::control::Control;
-use crate::issue::Issues;
+use crate::issue::{Issue, Issues};
 use crate::quantity::nearest;
 use crate::solve::{ImpulseRatioGiven, TangentialLaw};
 
@@ -23,9 +23,58 @@ pub struct Options {
     /// The output.
     pub output: Output,
     /// The input to differentiate with respect to.
-    pub wrt: Option<Input>,
+    pub wrt: Option<Wrt>,
     /// The kind of collision, used when no case is given.
     pub kind: Kind,
+}
+
+/// An input to differentiate with respect to, in any form in which a collision gives it or in one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wrt {
+    input: Input,
+    form: Option<&'static str>,
+}
+
+impl From<Input> for Wrt {
+    fn from(input: Input) -> Self {
+        Wrt { input, form: None }
+    }
+}
+
+/// The names of inputs in a form of their own.
+const FORMS: [(&str, Input); 3] = [
+    ("contact.impulse_ratio.of_critical", Input::ImpulseRatio),
+    ("contact.friction", Input::ImpulseRatio),
+    ("contact.moment.of_critical", Input::Moment),
+];
+
+impl Wrt {
+    /// Returns the input.
+    pub fn input(self) -> Input {
+        self.input
+    }
+
+    /// Returns its name in a kind of collision, as `gradient` has it.
+    fn name(self, kind: &Collision<()>) -> &'static str {
+        match (self.input, kind.impulse_ratio, kind.moment) {
+            (Input::ImpulseRatio, ImpulseRatio::OfCritical(()), _) => FORMS[0].0,
+            (Input::ImpulseRatio, ImpulseRatio::LimitedByFriction(()), _) => FORMS[1].0,
+            (Input::Moment, _, Moment::OfCritical(())) => FORMS[2].0,
+            (input, ..) => input.name(),
+        }
+    }
+
+    /// Returns its name in a kind of collision, unless the collision gives it in another form than is asked for.
+    fn of(self, kind: &Collision<()>) -> Result<&'static str, Issues> {
+        let name = self.name(kind);
+        match self.form.filter(|form| *form != name) {
+            None => Ok(name),
+            Some(form) => {
+                let help = format!("differentiate by {name}, or give a collision that has {form}");
+                Err(Issues::of_call(vec![Issue::of_call("--wrt", format!("this collision has no {form}"), Some(help))]))
+            }
+        }
+    }
 }
 
 /// A kind of collision.
@@ -113,7 +162,7 @@ pub struct FormulaInput {
 ///
 /// # Errors
 ///
-/// Returns an error if the case lists required numbers as unknown, or if the physics refuses it.
+/// Returns an error if the case lists required numbers as unknown, if the physics refuses it, or if the collision gives the input in another form.
 pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Result<Formula, Issues> {
     if let Some(case) = case {
         case.impact()?;
@@ -122,9 +171,10 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
     let kind = collision.map_or_else(|| options.kind.collision(), |collision| collision.map(|_| ()));
     let formulas = Formulas::of(&kind);
     let of_output = formulas.output(options.output);
-    let formula = options.wrt.map_or_else(|| of_output.clone(), |input| of_output.derivative(input.symbol()));
-    let held = case.zip(options.wrt).and_then(|(case, input)| held(case, input));
-    let subject = subject(options.output, options.wrt, &kind) + held.unwrap_or_default();
+    let wrt = options.wrt.map(|wrt| wrt.of(&kind)).transpose()?;
+    let formula = options.wrt.map_or_else(|| of_output.clone(), |wrt| of_output.derivative(wrt.input.symbol()));
+    let held = case.zip(options.wrt).and_then(|(case, wrt)| held(case, wrt.input));
+    let subject = subject(options.output, wrt, &kind) + held.unwrap_or_default();
     let value = |name: &str| Input::named(name).zip(collision).and_then(|(input, collision)| collision.input(input));
     let definition = |definition: formula::Definition| Definition {
         symbol: definition.name(),
@@ -143,7 +193,7 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
     Ok(Formula {
         schema: SCHEMA,
         output: options.output.name(),
-        wrt: options.wrt.map(Input::name),
+        wrt,
         definitions: formula.definitions().into_iter().map(definition).collect(),
         inputs: formula.variables().iter().filter_map(|name| input(name)).collect(),
         latex: format!("{}\\[\n{}\n\\]\n", comment(&subject, "% "), formula.latex()),
@@ -178,13 +228,16 @@ pub fn output(name: &str) -> Result<Output, String> {
 /// # Errors
 ///
 /// Returns a message for an unknown name, with the nearest known one.
-pub fn input(name: &str) -> Result<Input, String> {
+pub fn input(name: &str) -> Result<Wrt, String> {
+    if let Some((form, input)) = FORMS.into_iter().find(|(form, _)| *form == name) {
+        return Ok(Wrt { input, form: Some(form) });
+    }
     let written = |input: &Input| formula::written(input.symbol()) == name;
-    Input::named(name).or_else(|| Input::ALL.into_iter().find(written)).ok_or_else(|| {
+    Input::named(name).or_else(|| Input::ALL.into_iter().find(written)).map(Wrt::from).ok_or_else(|| {
         if Output::named(name).is_some() {
             return "it is an output; only inputs can be differentiated by".to_owned();
         }
-        unknown(name, "input", Input::ALL.iter().flat_map(|input| [input.name(), input.symbol()]))
+        unknown(name, "input", Input::ALL.iter().flat_map(|input| [input.name(), input.symbol()]).chain(FORMS.map(|(form, _)| form)))
     })
 }
 
@@ -247,7 +300,7 @@ impl Kind {
 }
 
 /// Describes the subject of a formula in a sentence.
-fn subject(output: Output, by: Option<Input>, kind: &Collision<()>) -> String {
+fn subject(output: Output, by: Option<&str>, kind: &Collision<()>) -> String {
     let derivative = by.map_or_else(String::new, |input| format!("The derivative by {input} of "));
     let parties = match (kind.one.vehicle(), kind.two.vehicle()) {
         (Some(_), Some(_)) => "two vehicles",
@@ -282,9 +335,6 @@ fn held(case: &Case, by: Input) -> Option<&'static str> {
         }
         Input::Heading(side) if of(side).is_some_and(|of| matches!(of.velocity, Velocity::Speed(_))) => {
             Some(" It holds the components of the velocity; `gradient` holds the speed along the heading, which the case gives.")
-        }
-        Input::ImpulseRatio if matches!(case.collision.impulse_ratio, ImpulseRatio::LimitedByFriction(_)) => {
-            Some(" The ratio is the friction that the case gives; `gradient` has it under contact.friction.")
         }
         _ if matches!(case.inputs.contact.restitution, Restitution::OfClosingSpeed(_)) => {
             Some(" It holds the restitution; `gradient` follows its curve over the closing speed, which the case gives.")
@@ -338,12 +388,34 @@ mod tests {
         };
         let through = case("radius_of_gyration = 1.4\nspeed = 15", "friction = 0.3\nrestitution = 0.1");
         let plain = case("yaw_inertia = 1900\nvelocity = [15, 0]", "impulse_ratio = 0.05\nrestitution = 0.1");
-        let inputs = [Input::Mass(Side::One), Input::Heading(Side::One), Input::ImpulseRatio];
-        for (input, word) in inputs.into_iter().zip(["radius of gyration", "speed along the heading", "contact.friction"]) {
+        for (input, word) in [(Input::Mass(Side::One), "radius of gyration"), (Input::Heading(Side::One), "speed along the heading")] {
             assert!(held(&through, input).is_some_and(|said| said.contains(word)), "{input}");
             assert_eq!(held(&plain, input), None);
         }
         assert_eq!(held(&through, Input::Restitution), None);
+    }
+
+    /// Inputs have the names that `gradient` has, and another form is refused.
+    #[test]
+    fn an_input_is_named_by_the_form_in_which_the_collision_gives_it() {
+        let by = |ratio, moment, name: &str| {
+            let kind = Kind { ratio, moment, ..Kind::default() };
+            let options = Options { output: Output::Loss, wrt: Some(input(name).expect("a name")), kind };
+            formula(None, &options, &crate::Uncontrolled).map(|formula| formula.wrt).map_err(|issues| issues.to_string())
+        };
+        let none = MomentGiven::None;
+        for name in ["contact.impulse_ratio", "mu", "contact.impulse_ratio.of_critical"] {
+            assert_eq!(by(ImpulseRatioGiven::OfCritical, none, name), Ok(Some("contact.impulse_ratio.of_critical")));
+        }
+        assert_eq!(by(ImpulseRatioGiven::Friction, none, "mu"), Ok(Some("contact.friction")));
+        assert_eq!(by(ImpulseRatioGiven::Number, none, "mu"), Ok(Some("contact.impulse_ratio")));
+        assert_eq!(by(ImpulseRatioGiven::Critical, MomentGiven::OfCritical, "contact.moment"), Ok(Some("contact.moment.of_critical")));
+        for (ratio, name) in
+            [(ImpulseRatioGiven::OfCritical, "contact.friction"), (ImpulseRatioGiven::Critical, "contact.moment.of_critical")]
+        {
+            assert!(by(ratio, none, name).is_err_and(|said| said.contains(name)), "{name}");
+        }
+        assert!(input("contact.frictio").is_err_and(|said| said.contains("`contact.friction`")));
     }
 
     /// The word that a person adds to the name of an input, as in a case file.

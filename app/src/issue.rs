@@ -24,22 +24,24 @@ pub struct Issue {
     pub message: Message,
     /// A remedy.
     pub help: Option<Message>,
+    /// The text that it refers to, if that is another one than that of the first issues.
+    pub source: Option<Arc<Source>>,
 }
 
 impl Issue {
     /// Creates an issue with the file as a whole.
     pub fn of_file(code: &'static str, message: impl Into<Message>) -> Issue {
-        Issue { code, span: None, path: String::new(), message: message.into(), help: None }
+        Issue::at(code, String::new(), message)
     }
 
     /// Creates an issue with an option of the call.
     pub fn of_call(option: &str, message: impl Into<Message>, help: Option<String>) -> Issue {
-        Issue { code: "call", span: None, path: option.trim_end().to_owned(), message: message.into(), help: help.map(Message::from) }
+        Issue { help: help.map(Message::from), ..Issue::at("call", option.trim_end(), message) }
     }
 
     /// Creates an issue with a path, to be located in a document.
     pub fn at(code: &'static str, path: impl Into<String>, message: impl Into<Message>) -> Issue {
-        Issue { code, span: None, path: path.into(), message: message.into(), help: None }
+        Issue { code, span: None, path: path.into(), message: message.into(), help: None, source: None }
     }
 
     /// Adds a remedy.
@@ -96,7 +98,7 @@ impl Issues {
         Issues::without_source(Cause::Defect, vec![Issue::of_file("defect", what.to_string())])
     }
 
-    /// Returns every result, or the issues of all that failed, those of the first at their places and those of the others with the names of their files.
+    /// Returns every result, or the issues of all that failed, each at its place in its file.
     ///
     /// # Errors
     ///
@@ -107,19 +109,16 @@ impl Issues {
             match (result, &mut wrong) {
                 (Ok(value), _) => found.push(value),
                 (Err(issues), _) if matches!(issues.cause, Cause::Interrupted | Cause::Defect) => return Err(issues),
-                (Err(issues), Some(first)) => first.add(&issues),
+                (Err(issues), Some(first)) => first.add(issues),
                 (Err(issues), None) => wrong = Some(issues),
             }
         }
         wrong.map_or(Ok(found), Err)
     }
 
-    fn add(&mut self, other: &Issues) {
-        let name = &other.source.name;
-        self.list.extend(other.list.iter().map(|issue| {
-            let at = other.line(issue).map_or_else(String::new, |line| format!("{name}:{line}: "));
-            Issue { message: Message::from(at).join(issue.message.clone()), span: None, ..issue.clone() }
-        }));
+    fn add(&mut self, other: Issues) {
+        let source = other.source;
+        self.list.extend(other.list.into_iter().map(|issue| Issue { source: issue.source.or_else(|| Some(source.clone())), ..issue }));
     }
 
     /// Returns the cause.
@@ -127,9 +126,14 @@ impl Issues {
         self.cause
     }
 
-    /// Returns the text that the spans refer to; empty if there is none.
+    /// Returns the text that the first issues refer to; empty if there is none.
     pub fn source(&self) -> &Source {
         &self.source
+    }
+
+    /// Returns the text that an issue refers to; empty if there is none.
+    pub fn source_of<'a>(&'a self, issue: &'a Issue) -> &'a Source {
+        issue.source.as_deref().unwrap_or(&self.source)
     }
 
     /// Returns every issue, in file order; empty only if the caller has requested a stop.
@@ -139,8 +143,9 @@ impl Issues {
 
     /// Returns the line of an issue, counted from 1, or `None` if it has no place in a text.
     pub fn line(&self, issue: &Issue) -> Option<usize> {
-        let start = issue.span.as_ref()?.start.min(self.source.text.len());
-        Some(1 + self.source.text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count())
+        let text = &self.source_of(issue).text;
+        let start = issue.span.as_ref()?.start.min(text.len());
+        Some(1 + text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count())
     }
 }
 

@@ -6,11 +6,7 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// Replaces control characters (C0, C1), line and paragraph separators, and directional formatting characters with spaces.
 pub fn clean(text: &str) -> String {
-    text.chars().map(inactive).collect()
-}
-
-fn inactive(c: char) -> char {
-    if is_active(c) { ' ' } else { c }
+    text.chars().map(|c| if is_active(c) { ' ' } else { c }).collect()
 }
 
 /// Replaces each character that a document would interpret, or that XML does not allow, with its code point: U+202E. A tab and a line break become spaces.
@@ -35,15 +31,16 @@ pub fn is_active(c: char) -> bool {
     c.is_control() || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// Cleans a name and shortens it to at most `most` columns.
+/// Shows a name as [`shown`] does, shortened to at most `most` columns.
 pub fn shorten(name: &str, most: usize) -> String {
     // A sequence of combining characters has no width, so limit its length as well.
-    let clean: String = name.chars().take(8 * most).map(inactive).collect();
-    if clean.width() <= most && name.chars().nth(8 * most).is_none() {
-        return clean;
+    let begin: String = name.chars().take(8 * most).collect();
+    let shown = shown(&begin);
+    if shown.width() <= most && name.chars().nth(8 * most).is_none() {
+        return shown.into_owned();
     }
     let mut short = String::new();
-    for c in clean.chars() {
+    for c in shown.chars() {
         if short.width() + c.width().unwrap_or(0) >= most {
             break;
         }
@@ -60,8 +57,8 @@ mod tests {
     fn names_fit_their_column() {
         assert_eq!(shorten("sedan", 18), "sedan");
         assert_eq!(shorten("a sedan of a very long name", 18), "a sedan of a very…");
-        assert_eq!(shorten("\u{1b}[31mred", 18), " [31mred");
-        assert_eq!(shorten("a\u{202e}b\u{2028}c", 18), "a b c");
+        assert_eq!(shorten("\u{1b}[31mred", 18), "U+001B[31mred");
+        assert_eq!(shorten("a\u{202e}b\u{2028}c\n", 18), "aU+202EbU+2028c ");
         assert!(shorten(&"漢".repeat(20), 18).width() <= 18);
         assert!(shorten(&format!("a{}", "\u{301}".repeat(1000)), 18).chars().count() < 200);
     }

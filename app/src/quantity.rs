@@ -44,6 +44,13 @@ pub struct QuantityError {
 }
 
 impl QuantityError {
+    /// Adds what is expected, unless a correct form is known or the message has an example.
+    pub(crate) fn expected(self, kind: &Kind) -> QuantityError {
+        let wanted = kind.wanted();
+        let is_told = wanted.rsplit(", ").next().is_some_and(|example| self.message.contains(example));
+        QuantityError { help: self.help.or_else(|| (!is_told).then(|| format!("expected {wanted}"))), ..self }
+    }
+
     fn new(message: String) -> QuantityError {
         QuantityError { message, help: None }
     }

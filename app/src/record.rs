@@ -6,6 +6,8 @@ mod recorder;
 mod recording;
 mod samples;
 
+use std::cell::Cell;
+
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -197,9 +199,13 @@ pub struct Trace {
 /// Every reason for which a recording tells nothing.
 pub fn record(recordings: &[Recording], _: &(), control: &dyn Control) -> Result<Answer<Records>, Issues> {
     let (mut records, mut notices) = (Vec::new(), Vec::new());
-    let analysed = recordings.iter().enumerate().map(|(done, recording)| {
-        control.proceed(done, recordings.len())?;
-        analysis::analyse(recording)
+    let films = |recording: &Recording| recording.channels.iter().filter(|channel| channel.quantity == ChannelQuantity::Distance).count();
+    let steps = recordings.iter().map(|recording| 1 + films(recording)).sum();
+    let done = Cell::new(0);
+    let proceed = || control.proceed(done.replace(done.get() + 1), steps);
+    let analysed = recordings.iter().map(|recording| {
+        proceed()?;
+        analysis::analyse(recording, &proceed)
     });
     for (recording, (record, found)) in recordings.iter().zip(Issues::all(analysed)?) {
         let of_file = |mut notice: crate::Notice| {

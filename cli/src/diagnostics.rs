@@ -22,12 +22,15 @@ const FARTHEST: usize = 1 << 16;
 pub fn render(issues: &Issues, units: Units, color: bool) -> String {
     let renderer = if color { Renderer::styled().hyperlink(false) } else { Renderer::plain() };
     let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(WIDTH);
-    let lines = Lines::new(&issues.source().text);
-    let name = shorten(&issues.source().name, LONGEST_PATH);
-    let one = |issue: &Issue| render_one(issue, &name, &lines, units, &renderer);
-    let mut shown: Vec<String> = issues.list().iter().take(MOST_SHOWN).map(one).collect();
+    let mut shown: Vec<String> = Vec::new();
+    let first = &issues.list()[..issues.list().len().min(MOST_SHOWN)];
+    for of_file in first.chunk_by(|one, other| std::ptr::eq(issues.source_of(one), issues.source_of(other))) {
+        let source = issues.source_of(&of_file[0]);
+        let (lines, name) = (Lines::new(&source.text), shorten(&source.name, LONGEST_PATH));
+        shown.extend(of_file.iter().map(|issue| render_one(issue, &name, &lines, units, &renderer)));
+    }
     if issues.list().len() > MOST_SHOWN {
-        shown.push("error: there are more issues in this file".to_owned());
+        shown.push("error: there are more issues".to_owned());
     }
     shown.join("\n\n")
 }
@@ -181,7 +184,7 @@ error: a.b: is wrong
     fn no_more_than_a_hundred_are_shown() {
         let shown = render("a = 1", vec![4..5; 1000]);
         assert_eq!(shown.matches("is wrong").count(), 100);
-        assert!(shown.ends_with("\n\nerror: there are more issues in this file"), "{shown}");
+        assert!(shown.ends_with("\n\nerror: there are more issues"), "{shown}");
     }
 
     #[test]

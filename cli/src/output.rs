@@ -99,7 +99,9 @@ impl OutputFile {
         builder.prefix(".planar-impact-");
         #[cfg(unix)]
         builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-        Ok(OutputFile::Beside(builder.tempfile_in(folder)?, place))
+        // The error of a temporary file names that file, which nobody has asked for.
+        let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", path.display(), io::Error::from(error.kind())));
+        Ok(OutputFile::Beside(builder.tempfile_in(folder).map_err(of_path)?, place))
     }
 
     /// Puts the complete file at its place.

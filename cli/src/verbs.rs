@@ -129,10 +129,10 @@ fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
 
 fn line_up(call: &arguments::Compare) -> Result<CommandOutput, Failure> {
     files::is_read_once(&call.cases)?;
-    let mut variants = Vec::with_capacity(call.cases.len());
-    for path in &call.cases {
-        variants.push(compare::Variant { name: path.display().to_string(), case: read(path, None)?.0 });
-    }
+    let variant = |path: &PathBuf| {
+        Ok(compare::Variant { name: path.display().to_string(), case: Case::parse_with(files::source(path)?, files::beside(path, None))? })
+    };
+    let variants = Issues::all(call.cases.iter().map(variant))?;
     let units = call.units.map_or_else(|| variants.first().map_or(Units::Si, |first| first.case.units), Units::from);
     let answer = in_units(compare::compare(&variants, &(), &Progress::new()), units)?;
     let output = match call.format {

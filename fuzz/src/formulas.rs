@@ -30,20 +30,22 @@ pub fn run(data: &[u8]) {
     let (open, close) = (answer.latex.matches('{').count(), answer.latex.matches('}').count());
     assert_eq!(open, close, "{}", answer.latex);
     let Some(found) = answer.definitions.first().and_then(|first| first.value) else { return };
-    let (expected, size) = match wrt {
+    let (expected, size) = match answer.wrt {
         None => {
             let value = of.of(&case.collision, &impact);
             (value, value.abs() + scale(&impact))
         }
         Some(input) => {
+            let parameter = Parameter::named(input).expect("a name that `gradient` knows");
             let names = |name: &str| Selection::Named(vec![name.to_owned()]);
-            let options = gradient::Options { of: names(of.name()), wrt: names(input.name()), second: false };
+            let options = gradient::Options { of: names(of.name()), wrt: names(input), second: false };
             let Ok(gradient) = gradient::gradient(&case, &options, &Uncontrolled) else { return };
             let value = serde_json::to_value(&gradient).expect("JSON");
-            let Some(value) = value["of"][of.name()]["d"][input.name()].as_f64() else { return };
+            let Some(value) = value["of"][of.name()]["d"][input].as_f64() else { return };
             // A derivative loses what the condition of the case takes: those of vehicles are compared.
             // A case whose radius of gyration or speed is given moves more with a mass or a heading than the formula's own symbol.
-            let is_own = case.inputs.keys().contains(&Parameter::Input(input)) && !matches!(input, Input::Mass(_) | Input::Heading(_));
+            let is_moving_more = matches!(parameter, Parameter::Input(Input::Mass(_) | Input::Heading(_)));
+            let is_own = case.inputs.keys().contains(&parameter) && !is_moving_more;
             if !is_own || !is_usual(&case, &impact) {
                 return;
             }

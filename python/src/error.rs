@@ -51,8 +51,14 @@ fn raise(class: &'static str, failure: &Failure) -> PyErr {
     let Failure { issues, units, has_lines } = failure;
     let entry = |issue: &Issue| -> Entry {
         let line = issues.line(issue).filter(|_| *has_lines);
+        let source = issues.source_of(issue);
+        // The exception has the name of the first file.
+        let (file, line) = match line {
+            Some(line) if !std::ptr::eq(source, issues.source()) => (format!("{}:{line}: ", source.name), None),
+            line => (String::new(), line),
+        };
         let help = issue.help.as_ref().map(|help| arguments(&units.sentence(help), "`"));
-        (issue.code, arguments(&issue.path, ""), arguments(&units.sentence(&issue.message), "`"), help, line)
+        (issue.code, arguments(&issue.path, ""), file + &arguments(&units.sentence(&issue.message), "`"), help, line)
     };
     let entries: Vec<Entry> = issues.list().iter().map(entry).collect();
     let name = if *has_lines { issues.source().name.as_str() } else { "" };

@@ -224,6 +224,7 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
     fn help(&self) -> Option<Message<T>> {
         match self {
             TestIssue::Input(issue) => issue.help(),
+            TestIssue::NotConverged { .. } => Some("fit tests whose depths differ by more than they are known to".into()),
             _ => None,
         }
     }

@@ -27,7 +27,7 @@ impl<'a> Context<'a> {
     fn push(&self, code: &'static str, span: Option<Range<usize>>, path: &str, message: String, help: Option<String>) {
         let mut issues = self.issues.borrow_mut();
         if issues.len() < MOST_KEPT {
-            issues.push(Issue { code, span, path: path.to_owned(), message: message.into(), help: help.map(Into::into) });
+            issues.push(Issue { span, help: help.map(Into::into), ..Issue::at(code, path, message) });
         }
     }
 }
@@ -225,7 +225,7 @@ impl<'a> Field<'a> {
     pub fn quantity(self, kind: Kind) -> Option<Quantity> {
         let node = self.present(&kind.wanted())?;
         match &node.value {
-            Value::String(text) => self.accept(quantity::parse(text, kind)),
+            Value::String(text) => self.accept(quantity::parse(text, kind).map_err(|error| error.expected(&kind))),
             Value::Number(number) => {
                 self.accept(quantity::finite(&number.text).and_then(|value| quantity::bare(&number.text, value, kind)))
             }

@@ -102,6 +102,9 @@ fn no_number(text: &str) -> QuantityError {
     if ["nan", "inf"].iter().any(|name| word.starts_with(name)) {
         return QuantityError::new(format!("{} is not a finite number", excerpt(text)));
     }
+    if text.trim().is_empty() {
+        return QuantityError::new("a number is missing".to_owned());
+    }
     let message = format!("{} does not begin with a number", excerpt(text));
     if text.starts_with(['−', '–']) {
         return QuantityError::with_help(message, "write an ordinary minus sign, `-`".to_owned());
@@ -152,6 +155,6 @@ mod tests {
         assert_eq!(message("ten ft"), "`ten ft` does not begin with a number");
         assert_eq!(message("−5 deg"), "`−5 deg` does not begin with a number (write an ordinary minus sign, `-`)");
         assert_eq!(message("."), "`.` does not begin with a number");
-        assert_eq!(message(""), "`` does not begin with a number");
+        assert_eq!(message(""), "a number is missing");
     }
 }

@@ -269,6 +269,10 @@ fn unknown(name: &str, unit: &str) -> QuantityError {
         let tons = "a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`";
         return QuantityError::with_help(message, tons.to_owned());
     }
+    // A megagram: the nearest name is that of a milligram.
+    if name == "Mg" {
+        return QuantityError::with_help(message, "did you mean `tonne`?".to_owned());
+    }
     match nearest(name, NAMED.iter().flat_map(|named| named.names).copied()) {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),
@@ -318,6 +322,7 @@ mod tests {
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
         assert_eq!(message("furlong"), "unknown unit `furlong`");
+        assert_eq!(message("Mg"), "unknown unit `Mg` (did you mean `tonne`?)");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");
         assert_eq!(message("ft/"), "the name of a unit is missing in `ft/`");
         assert_eq!(message("1"), "unknown unit `1`");

@@ -38,12 +38,18 @@ struct Pulse {
     peak: Peak,
 }
 
-pub(super) fn analyse(recording: &Recording) -> Result<(RecordAnswer, Vec<Notice>), Issues> {
+/// Computes what a recording tells. Asks before each film, which takes longer than everything else, whether to go on.
+pub(super) fn analyse(recording: &Recording, proceed: &dyn Fn() -> Result<(), Issues>) -> Result<(RecordAnswer, Vec<Notice>), Issues> {
     let mut all = Analysis { of: recording, issues: Vec::new(), notices: Vec::new(), traces: Vec::new() };
     let channels: Vec<ChannelAnswer> = recording.channels.iter().map(|channel| all.channel(channel)).collect();
     let barrier = all.barrier();
-    let accelerations = all.each(ChannelQuantity::Acceleration, Analysis::acceleration);
-    let films = all.each(ChannelQuantity::Distance, Analysis::film);
+    let of = |quantity: ChannelQuantity| recording.channels.iter().filter(move |channel| channel.quantity == quantity);
+    let accelerations = of(ChannelQuantity::Acceleration).filter_map(|channel| all.acceleration(channel)).collect();
+    let mut films = Vec::new();
+    for channel in of(ChannelQuantity::Distance) {
+        proceed()?;
+        films.extend(all.film(channel));
+    }
     let recorder = Recorder::of(recording, &mut all.issues, &mut all.notices);
     all.traces_of_recorder();
     let kinematics = all.kinematics();
@@ -88,11 +94,6 @@ impl Channel {
 }
 
 impl Analysis<'_> {
-    fn each<T>(&mut self, quantity: ChannelQuantity, answer: fn(&mut Self, &Channel) -> Option<T>) -> Vec<T> {
-        let of = self.of;
-        of.channels.iter().filter(|channel| channel.quantity == quantity).filter_map(|channel| answer(self, channel)).collect()
-    }
-
     /// Describes a channel, and says if it does not hold the whole event.
     fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
         let (times, measure) = (channel.record.times(), channel.quantity.measure());
@@ -127,6 +128,11 @@ impl Analysis<'_> {
     }
 
     fn report<T>(&mut self, path: &str, result: Result<T, TestIssues>) -> Option<T> {
+        self.report_of("", path, result)
+    }
+
+    /// The same with what is at fault before the message, where the path and the place do not say it.
+    fn report_of<T>(&mut self, whose: &str, path: &str, result: Result<T, TestIssues>) -> Option<T> {
         let issues = match result {
             Ok(value) => return Some(value),
             Err(issues) => issues,
@@ -134,14 +140,19 @@ impl Analysis<'_> {
         for issue in issues.iter() {
             let place = issue.place().map(|place| place.name);
             let (path, name) = match place {
+                Some("window from" | "window to") if path == "baseline" => (path, "the baseline: "),
                 Some("window from" | "window to") => (path, "the window: "),
                 Some("channel") => (path, "a channel: "),
                 Some("samples in the baseline") => (path, "the baseline: "),
                 Some("time") => (path, "separation: "),
-                _ => (path, ""),
+                _ => (path, whose),
             };
-            let message = Message::from(name).join(issue.message());
-            let help = issue.help().unwrap_or_else(|| "correct the times and the settings of the recording".into());
+            let message = Message::from(name.to_owned()).join(issue.message());
+            let help = issue.help().unwrap_or_else(|| match path {
+                "baseline" | "window" => "give its begin and its end within the times of the channel, in this order".into(),
+                "filter" => "leave `filter` out, or write `filter = false`".into(),
+                _ => "correct the times and the settings of the recording".into(),
+            });
             self.issues.push(Issue::at(issue.code(), path, message).with_help(help));
         }
         None
@@ -171,26 +182,27 @@ impl Analysis<'_> {
     /// Integrates a pulse from the raw record, and draws it filtered.
     fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Pulse> {
         let (over, before) = self.windows(record)?;
-        let integral = match &before {
-            Some(before) => record.impulse(&over, before),
-            None => record.impulse_over(&over).map(|value| Estimate { value, variance: 0.0 }),
-        };
         let place = if self.of.settings.window.is_some() { "window" } else { path };
-        let integral = self.report(place, integral)?;
-        if before.is_none() {
-            let message = format!("{name}: no samples before the contact, so its offset is taken as zero and its noise is not known");
-            self.notices.push(Notice::note("no-baseline", path, message));
-        }
+        let uncorrected = self.report(place, record.impulse_over(&over));
         let corrected = match &before {
-            Some(before) => self.report("baseline", record.corrected(before))?,
-            None => record.clone(),
+            Some(before) => self.report("baseline", record.corrected(before)),
+            None => {
+                let message = format!("{name}: no samples before the contact, so its offset is taken as zero and its noise is not known");
+                self.notices.push(Notice::note("no-baseline", path, message));
+                Some(record.clone())
+            }
         };
         let class = self.class(name, path, quantity, record);
-        let unfiltered = class.is_some().then(|| corrected.values().to_vec());
         let filtered = match class {
-            Some(class) => self.report("filter", corrected.filtered(class))?,
-            None => corrected,
+            Some(class) => self.report_of(&format!("{name}: "), "filter", corrected.as_ref().unwrap_or(record).filtered(class)),
+            None => corrected.clone(),
         };
+        let (uncorrected, corrected, filtered) = (uncorrected?, corrected?, filtered?);
+        let integral = match &before {
+            Some(before) => self.report(place, record.impulse(&over, before))?,
+            None => Estimate { value: uncorrected, variance: 0.0 },
+        };
+        let unfiltered = class.is_some().then(|| corrected.values().to_vec());
         let (times, values) = (filtered.times(), filtered.values().to_vec());
         let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
         let Some(peak) = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs())) else {
@@ -251,9 +263,14 @@ impl Analysis<'_> {
         if let (Some((_, pulse)), Some(first)) = (&normal, first)
             && pulse.integral.value <= 0.0
         {
-            let message =
-                Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(": the barrier would pull");
-            let help = "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed";
+            let (what, help) = match pulse.integral.value < 0.0 {
+                true => (
+                    ": the barrier would pull",
+                    "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed",
+                ),
+                false => (": there is no impact", "check the column, and the times of the window and of the baseline"),
+            };
+            let message = Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(what);
             self.issues.push(Issue::at("tensile", first.path.clone(), message).with_help(help));
             return None;
         }

@@ -2,6 +2,7 @@
 
 use num_dual::Dual64;
 use planar_impact::barrier::{Estimate, MeasuredContact, TestIssues};
+use planar_impact::scalar::Real;
 use planar_impact::{CrushPlane, ForwardLeft, Heading, Motion, Nt, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -24,10 +25,10 @@ pub struct Kinematics {
     pub heading_at_separation: f64,
 }
 
-/// The measured numbers, in this order: velocity and yaw rate before and after, the point before and after, the duration; with the angles of the heading and the
-/// barrier, which count as exact.
+/// The measured numbers, in this order: velocity and yaw rate before and after, the duration, the point before, and after if it is another one; with the angles of
+/// the heading and the barrier, which count as exact.
 pub(super) struct MeasuredKinematics {
-    numbers: [Estimate; 11],
+    numbers: Vec<Estimate>,
     heading: f64,
     barrier: f64,
 }
@@ -52,13 +53,14 @@ impl CaseReader {
         let (before, after) = (motion("before"), motion("after"));
         let point = self.pair_of_estimates(table, "point", Measure::Length);
         let deformed = match table.has("point_after") {
-            true => self.pair_of_estimates(table, "point_after", Measure::Length),
-            false => point,
+            true => self.pair_of_estimates(table, "point_after", Measure::Length).map(Some),
+            false => Some(None),
         };
         let duration = self.measured_estimate(table.required("duration"), Measure::Time);
         table.finish();
-        let (([vx, vy], w), ([wx, wy], after_w), [forward, left], [forward_after, left_after]) = (before?, after?, point?, deformed?);
-        let numbers = [vx, vy, w, wx, wy, after_w, forward, left, forward_after, left_after, duration?];
+        let (([vx, vy], w), ([wx, wy], after_w), [forward, left]) = (before?, after?, point?);
+        let mut numbers = vec![vx, vy, w, wx, wy, after_w, duration?, forward, left];
+        numbers.extend(deformed?.into_iter().flatten());
         Some(MeasuredKinematics { numbers, heading: heading?, barrier: barrier? })
     }
 
@@ -75,12 +77,13 @@ const EXACT_ZERO: Estimate = Estimate { value: 0.0, variance: 0.0 };
 impl MeasuredKinematics {
     /// Returns the restitution, with its variance to first order: the numbers are independent.
     pub(super) fn answer(&self) -> Result<Kinematics, TestIssues> {
-        let values = self.numbers.map(|number| number.value);
-        let contact = contact(values, [self.heading, self.barrier]);
+        let values: Vec<f64> = self.numbers.iter().map(|number| number.value).collect();
+        let contact = contact(&values, [self.heading, self.barrier]);
         let restitution = contact.restitution()?;
         let by = |i: usize| {
-            let seeded = core::array::from_fn(|k| Dual64::new(values[k], f64::from(u8::from(k == i))));
-            self::contact(seeded, [self.heading, self.barrier].map(Dual64::from))
+            let seeded: Vec<Dual64> =
+                values.iter().enumerate().map(|(k, value)| Dual64::new(*value, f64::from(u8::from(k == i)))).collect();
+            self::contact(&seeded, [self.heading, self.barrier].map(Dual64::from))
                 .restitution()
                 .map_or(f64::NAN, |restitution| restitution.eps)
         };
@@ -95,17 +98,17 @@ impl MeasuredKinematics {
     }
 }
 
-fn contact<T: planar_impact::scalar::Real>(
-    [vx, vy, w, wx, wy, after_w, forward, left, forward_after, left_after, duration]: [T; 11],
-    [heading, barrier]: [T; 2],
-) -> MeasuredContact<T> {
+/// Returns the contact of measured numbers. A point that is measured once is the same number before and after.
+fn contact<T: Real + Copy>(numbers: &[T], [heading, barrier]: [T; 2]) -> MeasuredContact<T> {
+    let motion = |at: usize| Motion { velocity: Xy { x: numbers[at], y: numbers[at + 1] }, yaw_rate: numbers[at + 2] };
+    let point = |at: usize| ForwardLeft { forward: numbers[at], left: numbers[at + 1] };
     MeasuredContact {
         heading: Heading::from_angle(heading),
-        before: Motion { velocity: Xy { x: vx, y: vy }, yaw_rate: w },
-        after: Motion { velocity: Xy { x: wx, y: wy }, yaw_rate: after_w },
-        duration,
-        point_before: ForwardLeft { forward, left },
-        point_after: ForwardLeft { forward: forward_after, left: left_after },
+        before: motion(0),
+        after: motion(3),
+        duration: numbers[6],
+        point_before: point(7),
+        point_after: point(numbers.len() - 2),
         barrier: CrushPlane::from_angle(barrier),
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use planar_impact::{Input, Output, Side};
+use planar_impact::{Output, Side};
 use planar_impact_app::formula::{self, Kind, MomentGiven};
 use planar_impact_app::solve;
 
@@ -15,7 +15,7 @@ pub struct Formula {
     pub output: Option<Output>,
     /// The input to differentiate with respect to, by name or symbol.
     #[arg(long, value_name = "NAME", value_parser = formula::input)]
-    pub wrt: Option<Input>,
+    pub wrt: Option<formula::Wrt>,
     /// Notation of the formula.
     #[arg(long, value_enum, default_value_t = Notation::Text)]
     pub format: Notation,

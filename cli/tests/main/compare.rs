@@ -182,6 +182,47 @@ fn distributions_of_one_mean_and_deviation_differ_in_shape() {
     assert_eq!(found[0].1, [json!("normal"), json!("uniform")]);
 }
 
+/// Of lists every number is one, with or without units.
+#[test]
+fn numbers_of_a_list_are_numbers() {
+    let found = differences(&[("restitution = [0.3, 0.1], sd = 0.05", "restitution = [0.3, 0.2], sd = [0.05, 0.06]")]);
+    for (name, values) in [
+        ("contact.restitution.restitution.2", [json!(0.1), json!(0.2)]),
+        ("contact.restitution.sd.1", [Value::Null, json!(0.05)]),
+        ("contact.restitution.sd.2", [Value::Null, json!(0.06)]),
+    ] {
+        assert!(found.contains(&(name.to_owned(), values)), "{found:?}");
+    }
+}
+
+/// By momentum alone vehicles are points, and what the files give of their inertia differs all the same.
+#[test]
+fn what_takes_no_part_in_momentum_differs_too() {
+    let folder = Folder::new();
+    let text = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/momentum.toml")).expect("the example");
+    assert_eq!(text.matches("heading = \"0 deg\"").count(), 1);
+    folder.write("a.toml", text.as_bytes());
+    let with =
+        text.replace("heading = \"0 deg\"", "heading = \"0 deg\"\nyaw_inertia = \"1500 kg m^2\"\nimpact_center = [\"2 m\", \"0.5 m\"]");
+    folder.write("b.toml", with.as_bytes());
+    let found = parsed(&run(folder.path(), &["compare", "a.toml", "b.toml", "--format", "json"]));
+    assert_eq!(values(&found, "inputs", "vehicle.1.yaw_inertia"), [Value::Null, json!(1500.0)]);
+    assert_eq!(values(&found, "inputs", "vehicle.1.impact_center.2"), [Value::Null, json!(0.5)]);
+}
+
+#[test]
+fn everything_wrong_with_several_cases_is_told() {
+    let folder = Folder::new();
+    folder.write("a.toml", EVERYTHING.as_bytes());
+    folder.write("b.toml", EVERYTHING.replace("[\"1 m\", \"2 m\"]", "[\"1 kg\", \"2 m\"]").as_bytes());
+    folder.write("c.toml", EVERYTHING.replace("\"4.5 m\"", "\"4.5 s\"").as_bytes());
+    let refused = run(folder.path(), &["compare", "a.toml", "b.toml", "c.toml"]);
+    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
+    for wanted in ["scene.impact_point.1: ", "--> b.toml:", "vehicle.1.length: ", "--> c.toml:"] {
+        assert_eq!(refused.err.matches(wanted).count(), 1, "{wanted}: {}", refused.err);
+    }
+}
+
 #[test]
 fn unknowns_differ_in_their_bounds() {
     let folder = Folder::new();

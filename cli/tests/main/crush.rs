@@ -398,3 +398,22 @@ fn a_force_that_is_not_known_is_null() {
     let saturated = vehicle(&FORCES.replace("B = \"500 kN/m^2\" }", "B = \"500 kN/m^2\", saturation = \"0.1 m\" }"), 0);
     assert!((saturated["crush_force"].as_f64().expect("a force") - 1.5 * (50e3 + 500e3 * 0.1)).abs() < 1e-6, "{saturated}");
 }
+
+/// 13.2 in and 1.1 ft are one length, which their conversions round to two numbers: a reading that ends on the surface is no crush, and no negative one.
+#[test]
+fn a_reading_on_the_surface_is_no_crush() {
+    let case = |reading: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nspeed = 10\nimpact_center = [1.9, 0]\n[vehicle.crush]\nwidth = \"1.5 m\"\n\
+             depths = [\"{reading}\", \"20 in\"]\nmeasured = {{ offset = \"1.1 ft\" }}\nstiffness = {{ A = \"90 kN/m\", B = \"1 MPa\" }}\n\
+             [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n"
+        )
+    };
+    let crushed = |reading: &str| run_with_input(&["crush", "-", "--format", "json"], &case(reading));
+    let found = json(&crushed("13.2 in"));
+    let mean = found["vehicles"][0]["mean_depth"].as_f64().expect("a depth");
+    assert!((mean - (20.0 - 13.2) * 0.0254 / 2.0).abs() < 1e-15, "{mean}");
+    assert_eq!(found, json(&crushed("1.1 ft")));
+    let outside = crushed("13.1999 in");
+    assert!(outside.status == 2 && outside.err.contains("vehicle.1.crush.depths.1"), "{}", outside.err);
+}

@@ -124,6 +124,17 @@ fn an_interrupted_search_prints_nothing() {
     interrupted(&["reconstruct", "cli/examples/reconstruct/two-cars.toml", "--starts", "10000"], false);
 }
 
+/// Each film takes seconds.
+#[test]
+fn an_interrupted_analysis_of_films_prints_nothing() {
+    let folder = Folder::new();
+    let names: String = (0..60).map(|k| format!(",distance.{k} [mm]")).collect();
+    let frame = |i: i32| format!("{}{}\n", f64::from(i) / 20.0, format!(",{}", 1000 - i % 2000).repeat(60));
+    folder.write("films.csv", format!("time [ms]{names}\n{}", (0..4000).map(frame).collect::<String>()).as_bytes());
+    folder.write("films.toml", b"schema = 1\nfile = \"films.csv\"\nspeed = \"10 m/s\"\nseparation = \"100 ms\"\n");
+    interrupted(&["record", folder.path().join("films.toml").to_str().expect("a path")], false);
+}
+
 #[test]
 fn interrupted_samples_print_nothing() {
     let call = ["uncertainty", "cli/examples/uncertain.toml", "--samples", "1000000000000"];

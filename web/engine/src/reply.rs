@@ -46,15 +46,15 @@ struct Shown<'a> {
 impl Reply {
     /// Returns issues in the units of the reader.
     pub fn refusal(issues: &Issues, units: Units) -> Reply {
-        let text = &issues.source().text;
-        let offset = |at: usize| utf16_length(text, at);
         let show = |issue: &Issue| -> String {
+            let source = issues.source_of(issue);
+            let offset = |at: usize| utf16_length(&source.text, at);
             let shown = Shown {
                 code: issue.code,
                 path: &issue.path,
                 message: units.sentence(&issue.message),
                 help: issue.help.as_ref().map(|help| units.sentence(help)),
-                file: &issues.source().name,
+                file: &source.name,
                 line: issues.line(issue),
                 from: issue.span.as_ref().map(|span| offset(span.start)),
                 to: issue.span.as_ref().map(|span| offset(span.end)),

@@ -3,6 +3,7 @@
 use planar_impact::Side;
 use planar_impact::crash3::Surface;
 use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, MeasuringLine, ProfileError};
+use planar_impact::scalar::Real as _;
 
 use super::{CaseReader, one_of};
 use crate::case::crush::{CrushInputs, CrushKey, FormKey, Places, ProfileInputs, StiffnessInputs, sentence};
@@ -68,7 +69,10 @@ impl CaseReader {
             Some(line) => Some(line?),
             None => None,
         };
-        let (places, depths) = (places?, depths?);
+        let (places, mut depths) = (places?, depths?);
+        if let Some(line) = &line {
+            depths.iter_mut().for_each(|reading| *reading = on_surface(line, *reading));
+        }
         if let Places::Stations(stations) = &places
             && stations.len() != depths.len()
         {
@@ -269,4 +273,13 @@ struct Zones {
     stiffness: Vec<StiffnessInputs>,
     borders: Vec<f64>,
     saturation: Option<f64>,
+}
+
+/// Returns a reading that ends on the undeformed surface, where the conversion of units has moved it outside by rounding; any other as it is.
+fn on_surface(line: &MeasuringLine, reading: f64) -> f64 {
+    /// Number of floats that rounding crosses.
+    const STEPS: usize = 4;
+    let (_, cos) = line.angle.sin_and_cos();
+    let mut candidates = std::iter::successors(Some(reading), |reading| Some(reading.next_up())).take(STEPS + 1);
+    candidates.find(|reading| reading * cos - line.offset >= 0.0).unwrap_or(reading)
 }

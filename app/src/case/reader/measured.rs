@@ -184,7 +184,7 @@ impl CaseReader {
             let share = accept(field, quantity::parse(deviation, Kind::PURE))?;
             (Amount::Number(self.take(field.path(), value, kind)), share.si, Spread::Relative)
         } else {
-            let [value, deviation] = accept(field, quantity::parse_pair(value, deviation, kind))?;
+            let [value, deviation] = accept(field, quantity::parse_pair(value, deviation, kind).map_err(|error| error.expected(&kind)))?;
             (Amount::Number(self.take(field.path(), value, kind)), deviation.si, Spread::StandardDeviation)
         };
         if size < 0.0 {

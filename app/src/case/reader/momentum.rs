@@ -7,6 +7,7 @@ use crate::case::parameter::Parameter;
 use crate::case::vehicle::{Inertia, VehicleInputs};
 use crate::document::Table;
 use crate::notice::Notice;
+use crate::units::Measure;
 
 /// Inertia of a vehicle whose yaw does not take part: any will do.
 pub(super) const ANY_INERTIA: Inertia = Inertia::Radius(1.0);
@@ -43,7 +44,8 @@ impl CaseReader {
             let message = "yaw inertia and impact center take part only if both vehicles give both: the vehicles are point masses here";
             self.notices.borrow_mut().push(Notice::note("point-masses", "vehicle", message));
         }
-        for vehicle in vehicles.into_iter().flatten() {
+        for (table, vehicle) in tables.iter().zip(vehicles.into_iter().flatten()) {
+            self.record_unused(table, vehicle);
             (vehicle.inertia, vehicle.impact_center) = (ANY_INERTIA, ForwardLeft { forward: 0.0, left: 0.0 });
         }
         let takes_part = |parameter: Parameter| {
@@ -55,5 +57,22 @@ impl CaseReader {
         };
         self.uncertain.borrow_mut().retain(|input| takes_part(input.parameter));
         Some(false)
+    }
+
+    /// Records what the file gives of a vehicle that becomes a point mass, so that a comparison of files shows it.
+    fn record_unused(&self, table: &Table<'_>, vehicle: &VehicleInputs) {
+        let record = |key: &str, value: f64, measure: Measure| {
+            let path = format!("{}.{key}", table.path());
+            self.contents.borrow_mut().numbers(&path, [(path.clone(), value, measure)]);
+        };
+        match vehicle.inertia {
+            Inertia::Yaw(inertia) if table.has("yaw_inertia") => record("yaw_inertia", inertia, Measure::YawInertia),
+            Inertia::Radius(radius) if table.has("radius_of_gyration") => record("radius_of_gyration", radius, Measure::Length),
+            _ => (),
+        }
+        if table.has("impact_center") {
+            record("impact_center.1", vehicle.impact_center.forward, Measure::Length);
+            record("impact_center.2", vehicle.impact_center.left, Measure::Length);
+        }
     }
 }

@@ -60,8 +60,9 @@ impl CaseReader {
             .map(|item| {
                 let at = item.clone();
                 let quantity = item.quantity(kind)?;
-                let si = if quantity.bare && is_noted.replace(true) { quantity.si } else { self.take(at.path(), quantity, kind) };
-                self.within(&at, si, kind, domain)
+                let is_as_before = quantity.bare && is_noted.replace(true);
+                let unit = if is_as_before { String::new() } else { quantity.unit.clone() };
+                self.within(&at, self.take(at.path(), Quantity { unit, ..quantity }, kind), kind, domain)
             })
             .collect();
         read.into_iter().collect()

@@ -6,6 +6,7 @@ use super::{Bad, CRUSHED, check, wrong};
 pub const BAD: &[Bad] = &[
     // One wrong dimension for each kind of quantity.
     wrong("mass in ft", &[("2564 lb", "2564 ft")], 6, &["vehicle.1.mass", "`2564 ft` is a length; a mass is expected"]),
+    wrong("mass in no unit", &[("2564 lb", "2564 furlong")], 6, &["vehicle.1.mass", "unknown unit `furlong`", "expected a mass, such as"]),
     wrong("mass in lbf", &[("2564 lb", "2564 lbf")], 6, &["vehicle.1.mass", "is a force"]),
     wrong("inertia in lb ft", &[("1434.9 lbf s^2 ft", "1434.9 lb ft")], 7, &["vehicle.1.yaw_inertia", "yaw inertia is expected"]),
     wrong(
@@ -67,7 +68,7 @@ pub const BAD: &[Bad] = &[
     // Unknown and unfinished units.
     wrong("unknown unit", &[("2564 lb", "2564 stone")], 6, &["vehicle.1.mass", "unknown unit `stone`"]),
     wrong("unit misspelled", &[("40 ft/s", "40 mhp")], 9, &["vehicle.1.speed", "did you mean `mph`"]),
-    wrong("unit with the prefix of another", &[("2564 lb", "1163 Mg")], 6, &["vehicle.1.mass", "unknown unit `Mg`", "`mg`"]),
+    wrong("unit with the prefix of another", &[("2564 lb", "1163 Mg")], 6, &["vehicle.1.mass", "unknown unit `Mg`", "`tonne`"]),
     wrong("a ton", &[("2564 lb", "1.2 ton")], 6, &["vehicle.1.mass", "unknown unit `ton`", "write `lb`, `kg` or `tonne`"]),
     wrong("words behind the unit", &[("2564 lb", "2564 lb or so")], 6, &["vehicle.1.mass", "unknown unit `or`"]),
     wrong("unit that ends in a slash", &[("40 ft/s", "40 ft/")], 9, &["vehicle.1.speed", "missing in `ft/`"]),
