@@ -44,6 +44,8 @@ mod new;
 mod paths;
 #[path = "main/pins/mod.rs"]
 mod pins;
+#[path = "main/printed.rs"]
+mod printed;
 #[path = "main/process.rs"]
 mod process;
 #[path = "main/reconstruct/mod.rs"]
