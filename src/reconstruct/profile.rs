@@ -406,7 +406,9 @@ impl Quantity<'_> {
         let mut limited_by = None;
         for step in 0..STEPS {
             let (near, far) = (inside.value, outside.value);
-            let tolerance = PRECISE * (far - self.value).abs();
+            // A limit of the physics is told where the end is on it.
+            let precise = if outside.reached.is_err() { PRECISE / 16.0 } else { PRECISE };
+            let tolerance = precise * (far - self.value).abs();
             if (far - near).abs() <= tolerance {
                 break;
             }
