@@ -49,11 +49,6 @@ const FORMS: [(&str, Input); 3] = [
 ];
 
 impl Wrt {
-    /// Returns the input.
-    pub fn input(self) -> Input {
-        self.input
-    }
-
     /// Returns its name in a kind of collision, as `gradient` has it.
     fn name(self, kind: &Collision<()>) -> &'static str {
         match (self.input, kind.impulse_ratio, kind.moment) {

@@ -406,7 +406,7 @@ impl Quantity<'_> {
         let mut limited_by = None;
         for step in 0..STEPS {
             let (near, far) = (inside.value, outside.value);
-            // A limit of the physics is told where the end is on it.
+            // The limit that ends an interval is named only if the end lies close to it.
             let precise = if outside.reached.is_err() { PRECISE / 16.0 } else { PRECISE };
             let tolerance = precise * (far - self.value).abs();
             if (far - near).abs() <= tolerance {
