@@ -185,12 +185,19 @@ fn a_search_that_is_ended_has_ranges_that_still_hold() {
         match problem.guaranteed(&search, &|_| true) {
             Err(NoRange::NoPoint { cells: spent }) => assert!(spent <= cells),
             found => {
-                for (range, whole) in found.expect("ranges").iter().zip(&whole) {
+                let found = found.expect("ranges");
+                for (range, whole) in found.iter().zip(&whole) {
                     assert!(range.cells <= cells && range.low <= whole.low_attained && whole.high_attained <= range.high, "{range:?}");
                     // A significant change of a speed is 1 m/s, and one of the others 0.1.
                     let size = if range.of == SPEED { range.high_attained } else { range.high_attained.max(0.1) };
                     let gap = (range.low_attained - range.low).max(range.high - range.high_attained);
                     assert_eq!(range.is_tight, gap <= 1e-6 * size, "{range:?}");
+                }
+                // What attains the end of one unknown attains values of the others.
+                for point in found.iter().flat_map(|range| [&range.at_low, &range.at_high]) {
+                    for (range, value) in found.iter().zip(point) {
+                        assert!((range.low_attained..=range.high_attained).contains(value), "{value}: {range:?}");
+                    }
                 }
             }
         }
@@ -204,6 +211,24 @@ fn a_search_that_is_ended_has_ranges_that_still_hold() {
     };
     let found = turned().guaranteed(&GuaranteedSearch { gap: 1e-12, ..GuaranteedSearch::default() }, &asked).expect("ranges");
     assert!(last.get() >= 100 && found.iter().any(|range| !range.is_tight));
+}
+
+/// A search that divides nothing attains what the search for solutions finds: here a crush plane to either side.
+#[test]
+fn solutions_are_attained_whatever_the_number_of_cells() {
+    let into = straight_into_barrier;
+    let energy = |plane: f64| -into(plane).solve().expect("a collision").work.n;
+    for uncertainty in [Uncertainty::Exact, Uncertainty::StandardDeviation(10.0)] {
+        let problem =
+            ReconstructionProblem::of(into(0.1)).between(PLANE, 0.1, -0.8, 0.8).evidence(Measurand::CrushEnergy, energy(0.4), uncertainty);
+        let planes =
+            problem.solve(&Search::default()).expect("solutions").solutions.iter().map(|one| one.unknowns[0].value).collect::<Vec<_>>();
+        assert!(planes.len() == 2 && planes.iter().all(|plane| (plane.abs() - 0.4).abs() < 1e-6), "{planes:?}");
+        let found = problem.guaranteed(&GuaranteedSearch { cells: 1, ..GuaranteedSearch::default() }, &|_| true).expect("a range");
+        let range = &found[0];
+        assert!(range.low_attained <= -0.4 + 1e-9 && range.high_attained >= 0.4 - 1e-9, "{range:?}");
+        assert!([range.low_attained, range.high_attained].iter().all(|plane| (energy(*plane) - energy(0.4)).abs() < 30.1), "{range:?}");
+    }
 }
 
 /// A speed from the crush energy of two cars, with brackets of the restitution and of the crush plane.

@@ -63,11 +63,11 @@ pub(crate) fn minimum(
     of: &impl Limited,
     start: &[f64],
     spans: &[ParameterBounds],
-    radius: f64,
+    first_step: f64,
     iterations: usize,
     until: Until,
 ) -> Result<Reached, Vec<f64>> {
-    let Some(mut walk) = Walk::from(of, start, spans, radius) else { return Err(Vec::new()) };
+    let Some(mut walk) = Walk::from(of, start, spans, first_step) else { return Err(Vec::new()) };
     for taken in 0..iterations {
         let Some(step) = walk.program(of, taken).and_then(|program| walk.step(&program)) else { break };
         // Where no step improves the fit any more, rounding is all that is left: also of a decrease below zero where the conditions are met.
@@ -97,9 +97,11 @@ const FLAT: f64 = 1e-8;
 /// Number of steps after which the full curvature is used.
 const SLOW: usize = 8;
 
-/// The first length of a step in scales, from a start near the minimum, and from any.
-pub(crate) const NEAR: f64 = 0.5;
-pub(crate) const FAR: f64 = 5.0;
+/// First length of a step, in scales, from a start near the minimum.
+pub(crate) const SHORT: f64 = 0.5;
+
+/// First length of a step, in scales, from any start.
+pub(crate) const LONG: f64 = 5.0;
 
 impl Local {
     fn scaled(self, spans: &[ParameterBounds]) -> Self {
@@ -390,7 +392,7 @@ mod tests {
     }
 
     fn found(disk: &Disk, start: [f64; 2], spans: &[ParameterBounds; 2]) -> Result<Reached, Vec<f64>> {
-        minimum(disk, &start, spans, FAR, 60, Until::Unknowns)
+        minimum(disk, &start, spans, LONG, 60, Until::Unknowns)
     }
 
     #[test]
@@ -446,7 +448,7 @@ mod tests {
 
     #[test]
     fn a_curved_condition_is_followed() {
-        let reached = minimum(&Parabola, &[-0.5, 0.25], &[FREE, FREE], NEAR, 60, Until::Unknowns).expect("it converges");
+        let reached = minimum(&Parabola, &[-0.5, 0.25], &[FREE, FREE], SHORT, 60, Until::Unknowns).expect("it converges");
         assert!((reached.unknowns[0] - 1.0).abs() < 1e-6 && (reached.unknowns[1] - 1.0).abs() < 1e-6, "{reached:?}");
         assert!(reached.iterations < 30, "{reached:?}");
     }

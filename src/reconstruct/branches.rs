@@ -8,9 +8,10 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::friction::Friction;
 use super::measurand::Measurand;
-use super::profile::{End, Profile, Quantity};
+use super::outwards::{End, Quantity};
+use super::piece::Piece;
+use super::profile::Profile;
 use super::within_limits::Fixed;
 use crate::scalar::Field as _;
 
@@ -23,33 +24,33 @@ const DRAWN: usize = 24;
 /// Distance beyond an end, in widths of the interval, at which fits are tried.
 const BEYOND: f64 = 0.003;
 
-/// Points of the region far from each other, for each thing that friction may do.
+/// Points of the region far from each other, for each piece of the mechanics.
 pub(super) struct Region {
-    points: Vec<(Option<Friction>, Vec<f64>)>,
+    points: Vec<(Piece, Vec<f64>)>,
 }
 
 impl Region {
     /// Collects points: ends of intervals, and best fits with an unknown held somewhere between its own ends.
-    pub(super) fn of(profile: &Profile<'_>, ends: &[Option<[End; 2]>]) -> Self {
-        let reached: Vec<&Vec<f64>> = ends.iter().flatten().flatten().map(|end| &end.at).collect();
+    pub(super) fn of<'e>(profile: &Profile<'_>, ends: impl Iterator<Item = &'e End>) -> Self {
+        let reached: Vec<&Vec<f64>> = ends.map(|end| &end.at).collect();
         let ranges: Vec<[f64; 2]> = (0..profile.spans.len())
             .map(|i| reached.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]))
             .collect();
         let mut region = Region { points: Vec::new() };
         let Some(best) = profile.solutions.first().filter(|_| !reached.is_empty()) else { return region };
-        let pieces = profile.friction(best).map_or(&[None][..], |_| &Friction::ALL);
+        let pieces = profile.piece(best).all();
         let mut random = ChaCha8Rng::seed_from_u64(1988);
         let unknowns = &profile.model.question.unknowns;
-        for friction in pieces {
+        for piece in pieces {
             let mut points: Vec<Vec<f64>> =
-                reached.iter().filter(|point| profile.friction(point) == *friction).map(|point| point.to_vec()).collect();
+                reached.iter().filter(|point| profile.piece(point) == *piece).map(|point| point.to_vec()).collect();
             for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
                 let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
                 let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
-                points.extend(profile.fit_within(*friction, Some(fixed), &start));
+                points.extend(profile.fit_within(*piece, Some(fixed), &start));
             }
-            points.extend(profile.fit_within(*friction, None, best));
-            region.points.extend(far_from_each_other(points, &ranges, MOST / pieces.len()).into_iter().map(|point| (*friction, point)));
+            points.extend(profile.fit_within(*piece, None, best));
+            region.points.extend(far_from_each_other(points, &ranges, MOST / pieces.len()).into_iter().map(|point| (*piece, point)));
         }
         region
     }
@@ -108,8 +109,8 @@ impl Region {
         let value = ends[k].value + direction * BEYOND * width;
         let is_within = width > 0.0 && value.is_finite() && direction * (quantity.outer[k] - value) > 0.0;
         let fixed = quantity.fixed_at(Some(value).filter(|_| is_within)?);
-        self.points.iter().find_map(|(friction, point)| {
-            let fit = quantity.profile.fit_within(*friction, Some(fixed), point)?;
+        self.points.iter().find_map(|(piece, point)| {
+            let fit = quantity.profile.fit_within(*piece, Some(fixed), point)?;
             let reached = quantity.unwrapped(&fit).filter(|reached| direction * (reached - ends[k].value) > 0.5 * BEYOND * width)?;
             Some(quantity.end(direction, &fit, reached))
         })

@@ -12,9 +12,9 @@ mod equations;
 
 use core::fmt;
 
-use self::end::End;
+use self::end::{End, Found};
 use self::equations::Equations;
-use super::given::ReconstructionProblem;
+use super::given::{ReconstructionProblem, Search};
 use super::issue::ReconstructionIssues;
 use super::variable::Variable;
 
@@ -128,36 +128,53 @@ impl ReconstructionProblem {
     /// [`NoRange`]: a problem that is not well posed, an unknown without limits, or evidence that nothing within the limits meets.
     pub fn guaranteed(&self, search: &GuaranteedSearch, goes_on: &dyn Fn(usize) -> bool) -> Result<Vec<GuaranteedRange>, NoRange> {
         let equations = Equations::of(self, search)?;
+        // What attains the end of one unknown meets the evidence for all of them.
+        let mut points = equations.fits(&|| goes_on(0));
         let mut spent = 0;
-        let mut found = Vec::with_capacity(self.unknowns.len());
-        for place in 0..self.unknowns.len() {
-            let range = equations.range(place, search, &|cells| goes_on(spent + cells))?;
-            spent += range.cells;
-            found.push(range);
+        let mut ends = Vec::with_capacity(self.unknowns.len());
+        for of in 0..self.unknowns.len() {
+            let low = End::least(&equations, of, &points).find(search, search.cells.div_ceil(2), &|cells| goes_on(spent + cells))?;
+            points.push(low.attained.clone());
+            spent += low.cells;
+            let high = End::greatest(&equations, of, &points).find(search, search.cells - low.cells, &|cells| goes_on(spent + cells))?;
+            points.push(high.attained.clone());
+            spent += high.cells;
+            ends.push([low, high]);
         }
-        Ok(found)
+        Ok(ends.iter().enumerate().map(|(of, ends)| equations.range(of, ends, &points, search)).collect())
+    }
+}
+
+impl GuaranteedSearch {
+    /// Returns `true` if a least value is as near to its bound as is asked, of an unknown with this significant change.
+    fn is_tight(&self, bound: f64, attained: f64, scale: f64) -> bool {
+        attained - bound <= self.gap * attained.abs().max(scale)
     }
 }
 
 impl Equations<'_> {
-    /// Returns the range of the unknown at a place.
-    fn range(&self, of: usize, search: &GuaranteedSearch, goes_on: &dyn Fn(usize) -> bool) -> Result<GuaranteedRange, NoRange> {
-        let variable = self.problem.unknowns[of].of;
+    /// Returns points that meet the evidence, near those at which it fits best.
+    fn fits(&self, goes_on: &dyn Fn() -> bool) -> Vec<Vec<f64>> {
+        let found = self.problem.solve_while(&Search::default(), &|_, _| goes_on());
+        let solutions = found.map(|answer| answer.solutions).unwrap_or_default();
+        solutions.iter().filter_map(|solution| self.met_near(&solution.values())).collect()
+    }
+
+    /// Returns the range of the unknown at a place between proven ends, as far as any point attains it.
+    fn range(&self, of: usize, [low, high]: &[Found; 2], points: &[Vec<f64>], search: &GuaranteedSearch) -> GuaranteedRange {
         let scale = self.scale(of);
-        let low = End::least(self, of).find(search, scale, search.cells.div_ceil(2), goes_on)?;
-        let greatest = End::greatest(self, of, &low.attained);
-        let high = greatest.find(search, scale, search.cells - low.cells, &|cells| goes_on(low.cells + cells))?;
-        let unknowns = |point: &[f64]| point[..self.unknowns()].to_vec();
-        Ok(GuaranteedRange {
-            of: variable,
+        let at_low = points.iter().fold(&low.attained, |best, point| if point[of] < best[of] { point } else { best });
+        let at_high = points.iter().fold(&high.attained, |best, point| if point[of] > best[of] { point } else { best });
+        GuaranteedRange {
+            of: self.problem.unknowns[of].of,
             low: low.bound,
             high: -high.bound,
-            low_attained: low.attained[of],
-            high_attained: high.attained[of],
-            at_low: unknowns(&low.attained),
-            at_high: unknowns(&high.attained),
-            is_tight: low.is_tight && high.is_tight,
+            low_attained: at_low[of],
+            high_attained: at_high[of],
+            at_low: at_low[..self.unknowns()].to_vec(),
+            at_high: at_high[..self.unknowns()].to_vec(),
+            is_tight: search.is_tight(low.bound, at_low[of], scale) && search.is_tight(high.bound, -at_high[of], scale),
             cells: low.cells + high.cells,
-        })
+        }
     }
 }

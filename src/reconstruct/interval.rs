@@ -3,9 +3,11 @@
 //! The interval of a quantity is the range over which the best fit of everything else, within all bounds and the limits of the physics, stays within a quantile
 //! of χ² of the least one.
 
+use super::branches::Region;
 use super::given::ReconstructionProblem;
 use super::limit::Limit;
 use super::measurand::Measurand;
+use super::outwards::{End, Quantity};
 use super::profile::Profile;
 use super::residuals::Model;
 use super::search::spans;
@@ -86,7 +88,23 @@ impl ReconstructionProblem {
         assert!(level > 0.0 && level < 1.0, "the level of an interval is between 0 and 1, and not {level}");
         let model = Model::of(self);
         let Some(profile) = Profile::of(&model, spans(self), answer, level) else { return Vec::new() };
-        profile.intervals(of, level)
+        let of: Vec<Measurand> = of.iter().copied().filter(|of| self.determines(*of)).collect();
+        // With the unknowns themselves, whose ends lie all around the region.
+        let unknowns = self.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).filter(|unknown| !of.contains(unknown));
+        let around = |of| {
+            let quantity = Quantity::of(&profile, of)?;
+            let ends = quantity.around_solutions()?;
+            Some((quantity, ends))
+        };
+        let mut all: Vec<(Quantity<'_>, [End; 2])> = of.iter().copied().chain(unknowns).filter_map(around).collect();
+        extend_by_each_other(&mut all);
+        let region = Region::of(&profile, all.iter().flat_map(|(_, ends)| ends));
+        for (quantity, ends) in &mut all {
+            region.extend(quantity, ends);
+            region.climb(quantity, ends);
+        }
+        extend_by_each_other(&mut all);
+        all.iter().filter(|(quantity, _)| of.contains(&quantity.of)).map(|(quantity, ends)| quantity.interval(ends, level)).collect()
     }
 
     /// Returns what is derived from the unknowns and asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, ratio, and
@@ -101,5 +119,16 @@ impl ReconstructionProblem {
         let outputs = of_vehicles.chain(of_contact).map(Measurand::Output);
         let all = [Measurand::ClosingSpeed].into_iter().chain(outputs).chain(speeds);
         all.filter(|of| self.determines(*of) && (!self.is_by_momentum() || !of.is_of_contact()))
+    }
+}
+
+/// Widens intervals by the ends of others: each may show that another is wider.
+fn extend_by_each_other(all: &mut [(Quantity<'_>, [End; 2])]) {
+    const ROUNDS: usize = 3;
+    for _ in 0..ROUNDS {
+        let reached: Vec<Vec<f64>> = all.iter().flat_map(|(_, ends)| ends).map(|end| end.at.clone()).collect();
+        for (quantity, ends) in &mut *all {
+            reached.iter().for_each(|point| quantity.extend(ends, point));
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Limits of the physics: where a search along the evidence ends, or an interval.
 
-use super::friction::Friction;
+use super::piece::Piece;
 use super::placed::Placed;
 use super::variable::Variable;
 use crate::contact::Contact;
@@ -46,8 +46,8 @@ impl Limit {
 #[derive(Clone)]
 pub(super) struct Margins {
     limits: Vec<Limit>,
-    /// What friction does, if the collision is to stay within that.
-    friction: Option<Friction>,
+    /// The piece of the mechanics to stay within.
+    piece: Piece,
     /// The side of vehicle 2 along n, 1 or −1.
     side: f64,
     /// A significant relative velocity, impulse, energy and distance.
@@ -65,7 +65,7 @@ impl Margins {
         let sizes = |approach: f64, impulse: f64, limits, side, distance| {
             let velocity = approach.max(1.0);
             let impulse = impulse.max(velocity / contact.compliance.nn);
-            Margins { limits, friction: None, side, velocity, impulse, energy: impulse * velocity, distance }
+            Margins { limits, piece: Piece::Whole, side, velocity, impulse, energy: impulse * velocity, distance }
         };
         if placed.impulse.is_some() {
             return sizes(impact.approach.length(), impact.impulse.length(), vec![Limit::Energy], 1.0, None);
@@ -83,27 +83,27 @@ impl Margins {
         sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, -1_f64.copysign(impact.approach.n), distance)
     }
 
-    /// Adds the edges beyond which friction does something else.
-    pub(super) fn within(&mut self, friction: Option<Friction>) {
-        self.friction = friction;
+    /// Adds the edges of a piece of the mechanics.
+    pub(super) fn within(&mut self, piece: Piece) {
+        self.piece = piece;
     }
 
-    /// Returns what friction does, if the margins hold it to that.
-    pub(super) fn friction(&self) -> Option<Friction> {
-        self.friction
+    /// Returns the piece of the mechanics to whose edges the margins keep.
+    pub(super) fn piece(&self) -> Piece {
+        self.piece
     }
 
-    /// Returns the limit whose distance a margin is, or `None` for an edge beyond which friction does something else.
+    /// Returns the limit whose distance a margin is, or `None` for an edge of the piece.
     pub(super) fn limit(&self, index: usize) -> Option<Limit> {
         self.limits.get(index).copied()
     }
 
-    /// Returns what friction does beyond each edge that a point is on, given its margins.
-    pub(super) fn beyond(&self, margins: &[f64]) -> impl Iterator<Item = Friction> {
+    /// Returns the piece beyond each edge that a point is on, given its margins.
+    pub(super) fn beyond(&self, margins: &[f64]) -> impl Iterator<Item = Piece> {
         /// Distance from an edge that is none.
         const ON: f64 = 1e-3;
-        let beyond = self.friction.map_or(&[][..], Friction::beyond);
-        beyond.iter().zip(&margins[self.limits.len()..]).filter(|(_, margin)| margin.abs() < ON).map(|(friction, _)| *friction)
+        let edges = self.piece.beyond().iter().zip(&margins[self.limits.len()..]);
+        edges.filter(|(_, margin)| margin.abs() < ON).map(|(beyond, _)| *beyond)
     }
 
     /// Returns the margins of a collision with its contact and its impact, in the order of [`Margins::limit`].
@@ -132,7 +132,7 @@ impl Margins {
             ImpulseRatio::OfCritical(_) => margins.push(over(sticking.n, -self.side * self.impulse, ROUNDING)),
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
-        margins.extend(self.friction.into_iter().flat_map(|friction| friction.margins(collision, contact, -self.side * self.impulse)));
+        margins.extend(self.piece.margins(collision, contact, -self.side * self.impulse));
         margins
     }
 }

@@ -343,7 +343,7 @@ fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item 
 fn at_the_edge(model: &Model<'_>, stopped: &NotConverged, spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
     let (placed, impact) = model.solve(&stopped.unknowns).ok()?;
     let problem = WithinLimits::around(model, &placed, &impact);
-    let reached = limited::minimum(&problem, &stopped.unknowns, spans, limited::FAR, search.iterations, Until::Unknowns).ok()?;
+    let reached = limited::minimum(&problem, &stopped.unknowns, spans, limited::LONG, search.iterations, Until::Unknowns).ok()?;
     model.solve(&reached.unknowns).ok()?;
     Some(reached.into_minimum())
 }

@@ -2,9 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::friction::Friction;
 use super::limit::{Limit, Margins};
 use super::measurand::Measurand;
+use super::piece::Piece;
 use super::placed::Placed;
 use super::residuals::{Model, curvature_of_sum};
 use super::variable::turns;
@@ -34,8 +34,7 @@ pub(super) struct WithinLimits<'a> {
 fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fixed: Option<Fixed>, point: &[T]) -> Vec<T> {
     let placed = model.place(point);
     let contact = placed.collision.contact();
-    let impact =
-        margins.friction().map_or_else(|| placed.impact_at(&contact), |friction| friction.throughout(placed.collision).impact_at(&contact));
+    let impact = margins.piece().impact_of(&placed, &contact);
     let mut all = model.measured(&placed, &impact);
     all.extend(margins.of(&placed, &contact, &impact));
     all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
@@ -53,13 +52,13 @@ impl<'a> WithinLimits<'a> {
         self.fixed = fixed;
     }
 
-    /// Keeps to what friction does, up to its edges, or not.
-    pub(super) fn keep_to(&mut self, friction: Option<Friction>) {
-        self.margins.within(friction);
+    /// Keeps to a piece of the mechanics, up to its edges.
+    pub(super) fn keep_to(&mut self, piece: Piece) {
+        self.margins.within(piece);
     }
 
-    /// Returns what friction does beyond each edge that a point is on.
-    pub(super) fn beyond(&self, unknowns: &[f64]) -> Vec<Friction> {
+    /// Returns the piece beyond each edge that a point is on.
+    pub(super) fn beyond(&self, unknowns: &[f64]) -> Vec<Piece> {
         self.at(unknowns).map_or_else(Vec::new, |local| self.margins.beyond(local.margins.as_slice()).collect())
     }
 

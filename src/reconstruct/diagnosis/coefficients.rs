@@ -51,11 +51,12 @@ pub(super) fn restitution_bound(solution: &Solution, question: &ReconstructionPr
     Finding::new(Question::RestitutionBound, Figure::Number(estimate.value), limit, source, Meaning::of(meaning))
 }
 
-/// Checks that the impulse ratio is the critical one.
+/// Checks that the impulse ratio is the critical one: that at which sliding ends by the law in force.
 pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
     let limit = Limit::Between(Figure::Share(0.9), Figure::Share(1.0));
     let source = "the paper, on choosing mu: sliding ends in most collisions of light vehicles, mu = mu0; within 10 %";
-    let critical = solution.impact.critical_impulse_ratio();
+    let sticking = solution.collision.sticking_impulse(&solution.collision.contact());
+    let critical = sticking.t / sticking.n;
     let ratio = solution.impact.impulse_ratio();
     if critical.abs() < 1e-9 {
         let why = "not checked: the critical ratio is zero, so there is nothing tangential to compare";

@@ -12,8 +12,8 @@ pub(super) struct Pivots {
 }
 
 impl Pivots {
-    /// Chooses a number for each equation, a certain one first, and combines the equations so that each is that of its number.
-    pub(super) fn of(slopes: &[Vec<Interval>], ranges: &[Interval], first: usize) -> Self {
+    /// Chooses a number for each equation, a given one first, and combines the equations so that each is that of its number.
+    pub(super) fn of(slopes: &[Vec<Interval>], ranges: &[Interval], first: Option<usize>) -> Self {
         let equations = slopes.len();
         let mut matrix: Vec<Vec<f64>> = slopes.iter().map(|row| row.iter().copied().map(middle_of).collect()).collect();
         let mut combined: Vec<Vec<f64>> = (0..equations).map(|i| (0..equations).map(|j| f64::from(u8::from(i == j))).collect()).collect();
@@ -25,7 +25,7 @@ impl Pivots {
             let is_free = |row: usize, column: usize| of[row].is_none() && !of.contains(&Some(column));
             let size = |(row, column): &(usize, usize)| (matrix[*row][*column] * width[*column]).abs() / lengths[*row];
             let of_search = (0..equations)
-                .map(|row| (row, first))
+                .filter_map(|row| Some((row, first?)))
                 .filter(|(row, column)| step == 0 && is_free(*row, *column) && size(&(*row, *column)) > 1e-9);
             let all = (0..equations)
                 .flat_map(|row| (0..width.len()).map(move |column| (row, column)))

@@ -2,8 +2,6 @@
 
 use std::collections::BinaryHeap;
 
-use nalgebra::{DMatrix, DVector};
-
 use super::elimination::Pivots;
 use super::equations::Equations;
 use super::{GuaranteedSearch, NoRange};
@@ -35,18 +33,23 @@ pub(super) struct End<'a, 'p> {
 pub(super) struct Found {
     pub(super) bound: f64,
     pub(super) attained: Vec<f64>,
-    pub(super) is_tight: bool,
     pub(super) cells: usize,
 }
 
 impl<'a, 'p> End<'a, 'p> {
-    pub(super) fn least(equations: &'a Equations<'p>, of: usize) -> Self {
-        End { equations, of, sign: 1.0, best: None, open: BinaryHeap::new() }
+    /// Begins with points that meet the equations.
+    pub(super) fn least(equations: &'a Equations<'p>, of: usize, points: &[Vec<f64>]) -> Self {
+        End::from(equations, of, 1.0, points)
     }
 
-    /// The other end: what is attained at one of them is attained.
-    pub(super) fn greatest(equations: &'a Equations<'p>, of: usize, attained: &[f64]) -> Self {
-        End { sign: -1.0, best: Some(attained.to_vec()), ..End::least(equations, of) }
+    /// The other end.
+    pub(super) fn greatest(equations: &'a Equations<'p>, of: usize, points: &[Vec<f64>]) -> Self {
+        End::from(equations, of, -1.0, points)
+    }
+
+    fn from(equations: &'a Equations<'p>, of: usize, sign: f64, points: &[Vec<f64>]) -> Self {
+        let best = points.iter().min_by(|one, other| (sign * one[of]).total_cmp(&(sign * other[of]))).cloned();
+        End { equations, of, sign, best, open: BinaryHeap::new() }
     }
 
     fn bound(&self, range: Interval) -> f64 {
@@ -62,39 +65,34 @@ impl<'a, 'p> End<'a, 'p> {
         self.best.as_ref().map_or(f64::INFINITY, |point| self.value(point))
     }
 
-    pub(super) fn find(
-        mut self,
-        search: &GuaranteedSearch,
-        scale: f64,
-        budget: usize,
-        goes_on: &dyn Fn(usize) -> bool,
-    ) -> Result<Found, NoRange> {
+    pub(super) fn find(mut self, search: &GuaranteedSearch, budget: usize, goes_on: &dyn Fn(usize) -> bool) -> Result<Found, NoRange> {
+        let scale = self.equations.scale(self.of);
         self.enter(self.equations.whole.clone());
         let mut cells = 0;
         // The least bound of cells too small to divide, in which no point was found.
         let mut undivided = f64::INFINITY;
-        let is_tight = loop {
+        loop {
             let best = self.best_value();
             let first = self.open.peek().map_or(f64::INFINITY, |first| first.bound);
-            if best.is_finite() && best - first.min(undivided) <= search.gap * best.abs().max(scale) {
-                break true;
+            if best.is_finite() && search.is_tight(first.min(undivided), best, scale) {
+                break;
             }
             // A better point would not bring the bound closer.
             if (best.is_finite() && undivided <= first) || cells >= budget || (cells % STRIDE == STRIDE - 1 && !goes_on(cells)) {
-                break false;
+                break;
             }
-            let Some(LeastFirst { bound, cell }) = self.open.pop() else { break false };
+            let Some(LeastFirst { bound, cell }) = self.open.pop() else { break };
             cells += 1;
             match cell.divide {
                 Some(by) => halves(&cell.ranges, by).into_iter().for_each(|half| self.enter(half)),
                 None => undivided = undivided.min(bound),
             }
-        };
+        }
         let best = self.best_value();
         // Cells that are no longer open have no value below the best one.
         let bound = self.open.peek().map_or(best, |first| first.bound.min(best)).min(undivided);
         match self.best {
-            Some(attained) => Ok(Found { bound, attained, is_tight, cells }),
+            Some(attained) => Ok(Found { bound, attained, cells }),
             None if self.open.is_empty() && undivided.is_infinite() => Err(NoRange::Excluded),
             None => Err(NoRange::NoPoint { cells }),
         }
@@ -117,7 +115,7 @@ impl<'a, 'p> End<'a, 'p> {
                 divide = self.equations.widest(&ranges);
                 break;
             }
-            let pivots = Pivots::of(&slopes, &ranges, self.of);
+            let pivots = Pivots::of(&slopes, &ranges, Some(self.of));
             let rows = pivots.combine(&slopes);
             let corner = self.corner(&ranges, &pivots, &rows);
             let is_within = |point: &Vec<f64>| point.iter().zip(&ranges).all(|(x, range)| range.contains(*x));
@@ -201,7 +199,7 @@ impl<'a, 'p> End<'a, 'p> {
     /// Considers the unknowns in the middle of a cell with the errors that they have, if each piece of evidence has one: a first point, wherever it is.
     fn consider_unknowns(&mut self, ranges: &[Interval]) {
         let errors: Vec<usize> = (self.equations.unknowns()..ranges.len()).collect();
-        let point = self.solve(&middle(ranges), &errors).filter(|_| errors.len() == self.equations.problem.evidence.len());
+        let point = self.equations.solve(&middle(ranges), &errors).filter(|_| errors.len() == self.equations.problem.evidence.len());
         self.best = point.filter(|point| self.equations.accepts(point));
     }
 
@@ -209,47 +207,17 @@ impl<'a, 'p> End<'a, 'p> {
     fn consider_middle(&mut self, ranges: &[Interval]) {
         let start = middle(ranges);
         let points: Vec<Interval> = start.iter().copied().map(Interval::from).collect();
-        let pivots = Pivots::of(&derivatives(self.equations.slopes(&points)), &self.equations.whole, self.of);
+        let pivots = Pivots::of(&derivatives(self.equations.slopes(&points)), &self.equations.whole, Some(self.of));
         self.consider(&start, &pivots);
     }
 
     /// Solves the equations for their numbers from a point, takes what is found if it is better than the best, and returns it.
     fn consider(&mut self, start: &[f64], pivots: &Pivots) -> Option<Vec<f64>> {
-        let point = self.solve(start, &pivots.of)?;
+        let point = self.equations.solve(start, &pivots.of)?;
         if self.value(&point) < self.best_value() && self.equations.accepts(&point) {
             self.best = Some(point.clone());
         }
         Some(point)
-    }
-
-    /// Solves the equations for some numbers by Newton's method, all others held.
-    fn solve(&self, start: &[f64], of: &[usize]) -> Option<Vec<f64>> {
-        let mut point = start.to_vec();
-        if of.len() < self.equations.problem.evidence.len() {
-            return None;
-        }
-        // Without evidence nothing is to be solved for.
-        if of.is_empty() {
-            return Some(point);
-        }
-        for _ in 0..30 {
-            let rows = self.equations.slopes(&point);
-            let matrix = DMatrix::from_fn(rows.len(), of.len(), |i, j| rows[i][of[j]].derivative);
-            let step = matrix.lu().solve(&DVector::from_fn(rows.len(), |i, _| rows[i][0].value))?;
-            let mut moved: f64 = 0.0;
-            for (place, step) in of.iter().zip(step.iter()) {
-                let next = point[*place] - step;
-                moved = moved.max(step.abs() / point[*place].abs().max(self.equations.whole[*place].width() * 1e-3));
-                point[*place] = next;
-            }
-            if !moved.is_finite() {
-                return None;
-            }
-            if moved < 1e-13 {
-                return Some(point);
-            }
-        }
-        None
     }
 }
 

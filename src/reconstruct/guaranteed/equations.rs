@@ -2,6 +2,9 @@
 
 use core::f64::consts::{PI, TAU};
 
+use nalgebra::{DMatrix, DVector};
+
+use super::elimination::Pivots;
 use super::{GuaranteedSearch, NoRange};
 use crate::cells::is_divisible;
 use crate::frame::Xy;
@@ -212,5 +215,47 @@ impl<'a> Equations<'a> {
     pub(super) fn scale(&self, of: usize) -> f64 {
         let unknown = &self.problem.unknowns[of];
         unknown.of.scale(&self.problem.collision, unknown.start)
+    }
+
+    /// Solves the equations for some numbers by Newton's method, all others held.
+    pub(super) fn solve(&self, start: &[f64], of: &[usize]) -> Option<Vec<f64>> {
+        let mut point = start.to_vec();
+        if of.len() < self.problem.evidence.len() {
+            return None;
+        }
+        // Without evidence nothing is to be solved for.
+        if of.is_empty() {
+            return Some(point);
+        }
+        for _ in 0..30 {
+            let rows = self.slopes(&point);
+            let matrix = DMatrix::from_fn(rows.len(), of.len(), |i, j| rows[i][of[j]].derivative);
+            let step = matrix.lu().solve(&DVector::from_fn(rows.len(), |i, _| rows[i][0].value))?;
+            let mut moved: f64 = 0.0;
+            for (place, step) in of.iter().zip(step.iter()) {
+                let next = point[*place] - step;
+                moved = moved.max(step.abs() / point[*place].abs().max(self.whole[*place].width() * 1e-3));
+                point[*place] = next;
+            }
+            if !moved.is_finite() {
+                return None;
+            }
+            if moved < 1e-13 {
+                return Some(point);
+            }
+        }
+        None
+    }
+
+    /// Returns a point that meets the equations near values of the unknowns: its errors are those there, and where exact evidence needs it, unknowns move.
+    pub(super) fn met_near(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
+        /// Width of an unknown beside that of its whole range, by which it is not chosen where an error can be.
+        const HELD: f64 = 1e-6;
+        let start: Vec<f64> = unknowns.iter().copied().chain(self.whole[unknowns.len()..].iter().map(|_| 0.0)).collect();
+        let about = |(i, range): (usize, &Interval)| if i < unknowns.len() { *range * Interval::from(HELD) } else { *range };
+        let ranges: Vec<Interval> = self.whole.iter().enumerate().map(about).collect();
+        let slopes = self.slopes(&start).into_iter().map(|row| row.into_iter().map(|dual| Interval::from(dual.derivative)).collect());
+        let pivots = Pivots::of(&slopes.collect::<Vec<_>>(), &ranges, None);
+        self.solve(&start, &pivots.of).filter(|point| self.accepts(point))
     }
 }

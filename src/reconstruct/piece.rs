@@ -6,62 +6,72 @@
 use super::placed::Placed;
 use crate::collision::Collision;
 use crate::contact::Contact;
+use crate::impact::Impact;
 use crate::law::{FrictionCone, ImpulseRatio};
 use crate::scalar::Real;
 
-/// What friction does throughout one piece.
+/// A piece, by what friction does throughout it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Friction {
+pub(super) enum Piece {
+    /// The whole of the mechanics: smooth where friction does not limit the impulse.
+    Whole,
     /// It ends the sliding.
-    Holds,
+    Sticks,
     /// The vehicles slide throughout, at a ratio of this sign: 1 or −1.
     Slides(i8),
 }
 
-impl Friction {
-    /// Everything that friction may do where it limits the impulse.
-    pub(super) const ALL: [Option<Self>; 3] = [Some(Friction::Holds), Some(Friction::Slides(1)), Some(Friction::Slides(-1))];
-
-    /// Returns what it does in a collision, or `None` if friction does not limit the impulse there.
-    pub(super) fn of(placed: &Placed<f64>) -> Option<Self> {
+impl Piece {
+    /// Returns the piece that a collision lies in.
+    pub(super) fn of(placed: &Placed<f64>) -> Self {
         let collision = &placed.collision;
-        let ImpulseRatio::LimitedByFriction(friction) = collision.impulse_ratio else { return None };
+        let ImpulseRatio::LimitedByFriction(friction) = collision.impulse_ratio else { return Piece::Whole };
         if placed.impulse.is_some() {
-            return None;
+            return Piece::Whole;
         }
         let contact = collision.contact();
         let change = collision.sticking_change(&contact, collision.moment_impulse(&contact).as_ref());
         let cone = FrictionCone::around(&contact.compliance.impulse_for(change), &change, &friction);
-        Some(if cone.slides { Friction::Slides(if cone.side < 0.0 { -1 } else { 1 }) } else { Friction::Holds })
+        if cone.slides { Piece::Slides(if cone.side < 0.0 { -1 } else { 1 }) } else { Piece::Sticks }
     }
 
-    /// Returns a collision with the law of this piece, also where friction does something else.
-    pub(super) fn throughout<T: Real>(self, collision: Collision<T>) -> Collision<T> {
-        let ImpulseRatio::LimitedByFriction(friction) = collision.impulse_ratio else { return collision };
-        let impulse_ratio = match self {
-            Friction::Holds => ImpulseRatio::Critical,
-            Friction::Slides(side) => ImpulseRatio::Given(T::int(side.into()) * friction),
+    /// Returns every piece of the same mechanics.
+    pub(super) fn all(self) -> &'static [Piece] {
+        match self {
+            Piece::Whole => &[Piece::Whole],
+            Piece::Sticks | Piece::Slides(_) => &[Piece::Sticks, Piece::Slides(1), Piece::Slides(-1)],
+        }
+    }
+
+    /// Returns the impact by the law of this piece, also where friction does something else.
+    pub(super) fn impact_of<T: Real + Copy + From<f64>>(self, placed: &Placed<T>, contact: &Contact<T>) -> Impact<T> {
+        let ratio = match (self, placed.collision.impulse_ratio) {
+            (Piece::Sticks, ImpulseRatio::LimitedByFriction(_)) => ImpulseRatio::Critical,
+            (Piece::Slides(side), ImpulseRatio::LimitedByFriction(friction)) => ImpulseRatio::Given(T::int(side.into()) * friction),
+            _ => return placed.impact_at(contact),
         };
-        Collision { impulse_ratio, ..collision }
+        Collision { impulse_ratio: ratio, ..placed.collision }.impact_at(contact)
     }
 
-    /// Returns functions that are negative beyond the edges of this piece, in units of an impulse that has the sign of compression; [`Friction::beyond`] has what lies
+    /// Returns functions that are negative beyond the edges of this piece, in units of an impulse that has the sign of compression; [`Piece::beyond`] has what lies
     /// there.
     pub(super) fn margins<T: Real + From<f64>>(self, collision: &Collision<T>, contact: &Contact<T>, unit: f64) -> Vec<T> {
         let ImpulseRatio::LimitedByFriction(friction) = &collision.impulse_ratio else { return Vec::new() };
         let sticking = collision.sticking_impulse(contact) * T::from(unit.recip());
         let most = friction.clone() * sticking.n;
         match self {
-            Friction::Holds => vec![most.clone() - sticking.t.clone(), most + sticking.t],
-            Friction::Slides(side) => vec![T::int(side.into()) * sticking.t - most],
+            Piece::Whole => Vec::new(),
+            Piece::Sticks => vec![most.clone() - sticking.t.clone(), most + sticking.t],
+            Piece::Slides(side) => vec![T::int(side.into()) * sticking.t - most],
         }
     }
 
-    /// Returns what friction does beyond each edge, in the order of the margins.
-    pub(super) fn beyond(self) -> &'static [Friction] {
+    /// Returns the piece beyond each edge, in the order of the margins.
+    pub(super) fn beyond(self) -> &'static [Piece] {
         match self {
-            Friction::Holds => &[Friction::Slides(1), Friction::Slides(-1)],
-            Friction::Slides(_) => &[Friction::Holds],
+            Piece::Whole => &[],
+            Piece::Sticks => &[Piece::Slides(1), Piece::Slides(-1)],
+            Piece::Slides(_) => &[Piece::Sticks],
         }
     }
 }
@@ -80,9 +90,9 @@ mod tests {
         Collision { law, moment, ..Collision::new(one, two).with_restitution(0.2).with_impulse_ratio(ratio) }
     }
 
-    /// One piece has a collision within its edges, and there its law is that of friction. Beyond an edge of another one lies what is said to lie there.
+    /// One piece has a collision within its edges, and there its law is that of friction. Beyond an edge of another one lies the piece that is said to lie there.
     #[test]
-    fn a_collision_lies_within_the_edges_of_what_friction_does_in_it() {
+    fn a_collision_lies_within_the_edges_of_its_piece() {
         let mut seen = [0; 3];
         for (k, angle) in [0.4, 1.5, 2.5, -0.4, -1.6].into_iter().cycle().take(240).enumerate() {
             let friction = 0.02 * f64::from(u8::try_from(k % 48).expect("small"));
@@ -93,20 +103,20 @@ mod tests {
             let collision = collision(mirror, angle, friction, law, moment).with_crush_plane(plane);
             let Ok(impact) = collision.solve() else { continue };
             let placed = Placed { collision, crush_share: 0.5, impulse: None, skids: [None; 2] };
-            let own = Friction::of(&placed).expect("friction");
-            assert_eq!(own.throughout(collision).evaluate().impulse, impact.impulse, "{k}");
-            let contact = collision.contact();
+            let (own, contact) = (Piece::of(&placed), collision.contact());
+            assert_eq!(own.impact_of(&placed, &contact).impulse, impact.impulse, "{k}");
+            assert_eq!(Piece::Whole.impact_of(&placed, &contact).impulse, impact.impulse, "{k}");
             let unit = 1e3_f64.copysign(impact.impulse.n);
-            for (place, friction) in Friction::ALL.into_iter().flatten().enumerate() {
-                let margins = friction.margins(&collision, &contact, unit);
-                assert_eq!(margins.len(), friction.beyond().len());
-                if friction == own {
+            for (place, piece) in own.all().iter().enumerate() {
+                let margins = piece.margins(&collision, &contact, unit);
+                assert_eq!(margins.len(), piece.beyond().len());
+                if *piece == own {
                     assert!(margins.iter().all(|margin| *margin >= 0.0), "{k}: {margins:?}");
                     seen[place] += 1;
                 } else {
-                    let beyond: Vec<Friction> =
-                        margins.iter().zip(friction.beyond()).filter(|(margin, _)| **margin < 0.0).map(|(_, beyond)| *beyond).collect();
-                    let way = if friction == Friction::Holds { own } else { Friction::Holds };
+                    let beyond: Vec<Piece> =
+                        margins.iter().zip(piece.beyond()).filter(|(margin, _)| **margin < 0.0).map(|(_, beyond)| *beyond).collect();
+                    let way = if *piece == Piece::Sticks { own } else { Piece::Sticks };
                     assert_eq!(beyond, [way], "{k}: {own:?}");
                 }
             }
@@ -118,7 +128,10 @@ mod tests {
     fn without_friction_there_is_one_piece() {
         let limited = collision(1.0, 2.5, 0.4, Law::Brach, Moment::None);
         let placed = |collision, impulse| Placed { collision, crush_share: 0.5, impulse, skids: [None; 2] };
-        assert_eq!(Friction::of(&placed(limited.with_impulse_ratio(ImpulseRatio::Critical), None)), None);
-        assert_eq!(Friction::of(&placed(limited, Some(crate::frame::Xy { x: -9e3, y: 0.0 }))), None);
+        let critical = placed(limited.with_impulse_ratio(ImpulseRatio::Critical), None);
+        for placed in [critical, placed(limited, Some(crate::frame::Xy { x: -9e3, y: 0.0 }))] {
+            assert_eq!((Piece::of(&placed), Piece::of(&placed).all()), (Piece::Whole, &[Piece::Whole][..]));
+            assert!(Piece::Whole.margins(&limited, &limited.contact(), 1e3).is_empty() && Piece::Whole.beyond().is_empty());
+        }
     }
 }
