@@ -12,7 +12,7 @@ use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, Table};
-pub use header::Header;
+pub use header::{Header, separated_otherwise};
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{

@@ -28,6 +28,7 @@ pub use crush::Crush;
 pub use crush::{CrushInputs, CrushKey, FormKey, StiffnessInputs};
 pub use domain::Domain;
 pub use inputs::{ContactInputs, Inputs};
+pub(crate) use inputs::{moment_parameter, ratio_parameter};
 pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_of};
 pub use model::ContactModel;
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};
@@ -272,6 +273,23 @@ impl Case {
         Case { rest, ..self.clone() }
     }
 
+    /// Warnings about motions before the impact that no road vehicle has.
+    pub fn unusual_motions(&self) -> impl Iterator<Item = Notice> {
+        /// In m/s, and in rad/s: three turns a second.
+        const FASTEST: [(&str, Measure, f64); 2] = [("speed", Measure::Speed, 100.0), ("yaw rate", Measure::YawRate, 20.0)];
+        self.collision.parties().into_iter().enumerate().flat_map(|(i, party)| {
+            let motion = party.vehicle().map(|vehicle| vehicle.motion);
+            let sizes = motion.map(|motion| [motion.velocity.length(), motion.yaw_rate.abs()]).unwrap_or_default();
+            FASTEST.into_iter().zip(sizes).filter(|((_, _, most), size)| size > most).map(move |((name, measure, _), size)| {
+                let path = format!("vehicle.{}", i + 1);
+                let message = Message::from(format!("{path}: no road vehicle has a {name} of "))
+                    .figure(measure, size)
+                    .text("; check its unit, or limit it if it is unknown");
+                Notice::warning(if measure == Measure::Speed { "unusual-speed" } else { "unusual-yaw-rate" }, path, message)
+            })
+        })
+    }
+
     /// Warnings about a result that is possible and deserves a second look.
     pub fn warnings(&self, impact: &Impact) -> Vec<Notice> {
         /// Share of its parts below which K_nn + μ K_nt takes more than five digits of the impulse.
@@ -317,6 +335,7 @@ impl Case {
                 warnings.push(Notice::warning("few-digits", "contact", message));
             }
         }
+        warnings.extend(self.unusual_motions());
         warnings
     }
 

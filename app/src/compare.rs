@@ -481,3 +481,22 @@ fn outputs(variants: &[Variant], answers: &[Answered]) -> Vec<ComparedOutput> {
     let all = unknowns.into_iter().map(of_unknown).chain(OUTPUTS.into_iter().map(of_output));
     all.filter(|output| output.values.iter().any(Option::is_some) || output.intervals.iter().any(Option::is_some)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_differ_by_more_than_rounding_of_their_scale() {
+        let of = |one: f64, other: f64, scale: f64| {
+            let values = [one, other].map(|value| Some(InputValue::Number(value))).to_vec();
+            differs(&ComparedInput { name: "vehicle.1.mass".to_owned(), values, measure: Measure::Mass }, scale)
+        };
+        for scale in [1e-3, 1.0, 2e3] {
+            assert!(!of(scale, scale * (1.0 + 4e-13), scale), "{scale}");
+            assert!(of(scale, scale * (1.0 + 4e-12), scale), "{scale}");
+        }
+        // Beside a scale of zero only equal numbers are the same.
+        assert!(!of(1e-300, 1e-300, 0.0) && of(1e-300, 2e-300, 0.0));
+    }
+}

@@ -8,10 +8,10 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::SCHEMA;
-use crate::case::{Case, Inertia, Restitution, Velocity};
+use crate::case::{Case, Inertia, Parameter, Restitution, Velocity, moment_parameter, ratio_parameter, vehicle_number};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
-use crate::quantity::nearest;
+use crate::quantity::{excerpt, nearest};
 use crate::solve::{ImpulseRatioGiven, TangentialLaw};
 
 /// Width of source lines, in columns.
@@ -28,47 +28,39 @@ pub struct Options {
     pub kind: Kind,
 }
 
-/// An input to differentiate with respect to, in any form in which a collision gives it or in one.
+/// An input to differentiate with respect to: in any form in which a collision gives it, or in one that has a name of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wrt {
     input: Input,
-    form: Option<&'static str>,
+    asked: Parameter,
 }
 
 impl From<Input> for Wrt {
     fn from(input: Input) -> Self {
-        Wrt { input, form: None }
+        Wrt { input, asked: Parameter::Input(input) }
     }
 }
 
-/// The names of inputs in a form of their own.
-const FORMS: [(&str, Input); 3] = [
-    ("contact.impulse_ratio.of_critical", Input::ImpulseRatio),
-    ("contact.friction", Input::ImpulseRatio),
-    ("contact.moment.of_critical", Input::Moment),
+/// The forms of inputs that have a name of their own.
+const FORMS: [Wrt; 3] = [
+    Wrt { input: Input::ImpulseRatio, asked: Parameter::RatioOfCritical },
+    Wrt { input: Input::ImpulseRatio, asked: Parameter::Friction },
+    Wrt { input: Input::Moment, asked: Parameter::MomentOfCritical },
 ];
 
 impl Wrt {
-    /// Returns its name in a kind of collision, as `gradient` has it.
-    fn name(self, kind: &Collision<()>) -> &'static str {
-        match (self.input, kind.impulse_ratio, kind.moment) {
-            (Input::ImpulseRatio, ImpulseRatio::OfCritical(()), _) => FORMS[0].0,
-            (Input::ImpulseRatio, ImpulseRatio::LimitedByFriction(()), _) => FORMS[1].0,
-            (Input::Moment, _, Moment::OfCritical(())) => FORMS[2].0,
-            (input, ..) => input.name(),
+    /// Returns its name in a kind of collision, as `gradient` has it, unless the collision gives it in another form than is asked for.
+    fn of(self, kind: &Collision<()>) -> Result<String, Issues> {
+        let given = match self.input {
+            Input::ImpulseRatio => ratio_parameter(&kind.impulse_ratio),
+            Input::Moment => moment_parameter(&kind.moment),
+            input => Parameter::Input(input),
+        };
+        if self.asked == given || self.asked == Parameter::Input(self.input) {
+            return Ok(given.to_string());
         }
-    }
-
-    /// Returns its name in a kind of collision, unless the collision gives it in another form than is asked for.
-    fn of(self, kind: &Collision<()>) -> Result<&'static str, Issues> {
-        let name = self.name(kind);
-        match self.form.filter(|form| *form != name) {
-            None => Ok(name),
-            Some(form) => {
-                let help = format!("differentiate by {name}, or give a collision that has {form}");
-                Err(Issues::of_call(vec![Issue::of_call("--wrt", format!("this collision has no {form}"), Some(help))]))
-            }
-        }
+        let help = format!("differentiate by {given}, or give a collision that has {}", self.asked);
+        Err(Issues::of_call(vec![Issue::of_call("--wrt", format!("this collision has no {}", self.asked), Some(help))]))
     }
 }
 
@@ -110,7 +102,7 @@ pub struct Formula {
     /// The name of the output.
     pub output: &'static str,
     /// The name of the input of the derivative.
-    pub wrt: Option<&'static str>,
+    pub wrt: Option<String>,
     /// The subject of the formula, as a sentence.
     pub subject: String,
     /// The quantity, then the intermediate quantities that it is expressed in.
@@ -169,7 +161,7 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
     let wrt = options.wrt.map(|wrt| wrt.of(&kind)).transpose()?;
     let formula = options.wrt.map_or_else(|| of_output.clone(), |wrt| of_output.derivative(wrt.input.symbol()));
     let held = case.zip(options.wrt).and_then(|(case, wrt)| held(case, wrt.input));
-    let subject = subject(options.output, wrt, &kind) + held.unwrap_or_default();
+    let subject = subject(options.output, wrt.as_deref(), &kind) + held.unwrap_or_default();
     let value = |name: &str| Input::named(name).zip(collision).and_then(|(input, collision)| collision.input(input));
     let definition = |definition: formula::Definition| Definition {
         symbol: definition.name(),
@@ -224,21 +216,36 @@ pub fn output(name: &str) -> Result<Output, String> {
 ///
 /// Returns a message for an unknown name, with the nearest known one.
 pub fn input(name: &str) -> Result<Wrt, String> {
-    if let Some((form, input)) = FORMS.into_iter().find(|(form, _)| *form == name) {
-        return Ok(Wrt { input, form: Some(form) });
+    if let Some(form) = Parameter::named(name).and_then(|named| FORMS.into_iter().find(|form| form.asked == named)) {
+        return Ok(form);
     }
     let written = |input: &Input| formula::written(input.symbol()) == name;
     Input::named(name).or_else(|| Input::ALL.into_iter().find(written)).map(Wrt::from).ok_or_else(|| {
         if Output::named(name).is_some() {
             return "it is an output; only inputs can be differentiated by".to_owned();
         }
-        unknown(name, "input", Input::ALL.iter().flat_map(|input| [input.name(), input.symbol()]).chain(FORMS.map(|(form, _)| form)))
+        if let Some(instead) = instead(name) {
+            return instead;
+        }
+        let forms = FORMS.map(|form| form.asked.to_string());
+        unknown(name, "input", Input::ALL.iter().flat_map(|input| [input.name(), input.symbol()]).chain(forms.iter().map(String::as_str)))
     })
 }
 
-fn unknown(name: &str, what: &str, known: impl Iterator<Item = &'static str>) -> String {
+fn unknown<'a>(name: &str, what: &str, known: impl Iterator<Item = &'a str>) -> String {
     let meant = nearest(name, known).map_or_else(String::new, |nearest| format!(" did you mean `{nearest}`?"));
-    format!("no {what} has this name;{meant} see `planar-impact formula --list`")
+    format!("no {what} has the name {};{meant} see `planar-impact formula --list`", excerpt(name))
+}
+
+/// Says what a formula has in place of an input that a case file may give instead.
+fn instead(name: &str) -> Option<String> {
+    let of = |side: Side| format!("vehicle.{}", vehicle_number(side));
+    match Parameter::named(name)? {
+        Parameter::Speed(side) => Some(format!("a formula has {0}.velocity.x and {0}.velocity.y in place of the speed", of(side))),
+        Parameter::RadiusOfGyration(side) => Some(format!("a formula has {}.yaw_inertia in place of the radius of gyration", of(side))),
+        Parameter::Crush(..) | Parameter::Skid(..) => Some("the crush and the skids are in no formula of a collision".to_owned()),
+        _ => None,
+    }
 }
 
 impl Kind {
@@ -399,12 +406,13 @@ mod tests {
             formula(None, &options, &crate::Uncontrolled).map(|formula| formula.wrt).map_err(|issues| issues.to_string())
         };
         let none = MomentGiven::None;
+        let named = |name: &str| Ok(Some(name.to_owned()));
         for name in ["contact.impulse_ratio", "mu", "contact.impulse_ratio.of_critical"] {
-            assert_eq!(by(ImpulseRatioGiven::OfCritical, none, name), Ok(Some("contact.impulse_ratio.of_critical")));
+            assert_eq!(by(ImpulseRatioGiven::OfCritical, none, name), named("contact.impulse_ratio.of_critical"));
         }
-        assert_eq!(by(ImpulseRatioGiven::Friction, none, "mu"), Ok(Some("contact.friction")));
-        assert_eq!(by(ImpulseRatioGiven::Number, none, "mu"), Ok(Some("contact.impulse_ratio")));
-        assert_eq!(by(ImpulseRatioGiven::Critical, MomentGiven::OfCritical, "contact.moment"), Ok(Some("contact.moment.of_critical")));
+        assert_eq!(by(ImpulseRatioGiven::Friction, none, "mu"), named("contact.friction"));
+        assert_eq!(by(ImpulseRatioGiven::Number, none, "mu"), named("contact.impulse_ratio"));
+        assert_eq!(by(ImpulseRatioGiven::Critical, MomentGiven::OfCritical, "contact.moment"), named("contact.moment.of_critical"));
         for (ratio, name) in
             [(ImpulseRatioGiven::OfCritical, "contact.friction"), (ImpulseRatioGiven::Critical, "contact.moment.of_critical")]
         {

@@ -145,10 +145,14 @@ fn by_separations(
     let mut notices = question.notices.clone();
     let (mut diagnostics, mut crash3) = (Vec::new(), None);
     // If an unknown is not determined, the best solution is one of many.
-    if answer.verdict != Verdict::Undetermined && !question.case.model.is_momentum() {
-        diagnostics = diagnostics::of(&question, &solved, answer.best());
-        crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
-        notices.0.extend(solved.warnings(&impact));
+    match answer.verdict {
+        Verdict::Undetermined => (),
+        _ if question.case.model.is_momentum() => notices.0.extend(solved.unusual_motions()),
+        _ => {
+            diagnostics = diagnostics::of(&question, &solved, answer.best());
+            crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
+            notices.0.extend(solved.warnings(&impact));
+        }
     }
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));

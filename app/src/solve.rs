@@ -160,7 +160,7 @@ pub struct Contact {
     pub impulse_ratio_given: ImpulseRatioGiven,
     /// The number that it is given by; `null` at the critical ratio.
     pub impulse_ratio_parameter: Option<f64>,
-    /// Critical impulse ratio μ₀; `null` where the impulse that ends sliding has no normal part.
+    /// Critical impulse ratio μ₀, that of Brach's law whichever is in force; `null` where the impulse that ends sliding has no normal part.
     #[schemars(with = "Option<f64>")]
     pub critical_impulse_ratio: f64,
     /// The law of the tangential impulse.

@@ -36,9 +36,9 @@ pub fn run(data: &[u8]) {
             (value, value.abs() + scale(&impact))
         }
         Some(input) => {
-            let parameter = Parameter::named(input).expect("a name that `gradient` knows");
+            let parameter = Parameter::named(&input).expect("a name that `gradient` knows");
             let names = |name: &str| Selection::Named(vec![name.to_owned()]);
-            let options = gradient::Options { of: names(of.name()), wrt: names(input), second: false };
+            let options = gradient::Options { of: names(of.name()), wrt: names(&input), second: false };
             let Ok(gradient) = gradient::gradient(&case, &options, &Uncontrolled) else { return };
             let value = serde_json::to_value(&gradient).expect("JSON");
             let Some(value) = value["of"][of.name()]["d"][input].as_f64() else { return };

@@ -217,7 +217,8 @@ class Contact(Facts[Any]):
     approach: Components
     """Relative velocity at the impact center before, in m/s."""
     critical_impulse_ratio: float | None
-    """Critical impulse ratio μ₀; ``null`` where the impulse that ends sliding has no normal part."""
+    """Critical impulse ratio μ₀, that of Brach's law whichever is in force; ``null`` where the impulse that ends sliding has no
+    normal part."""
     crush_plane: float
     """Angle Γ of the crush plane in rad, as the case gives it."""
     impulse: Impulse

@@ -8,6 +8,7 @@ use planar_impact::{Law, Side};
 use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
+use crate::plain_text::clean;
 use crate::quantity::{self, Conversion, Reach, excerpt, nearest};
 
 /// What an input column gives.
@@ -247,6 +248,12 @@ fn unknown(name: &str) -> Issue {
     let inputs = planar_impact::Input::ALL.into_iter().map(|input| Key::Parameter(Parameter::Input(input)));
     let known: Vec<String> = inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law]).map(|key| key.to_string()).collect();
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
+    let (bare, unit) = name.split_once(['(', ' ', ',']).unwrap_or((name, ""));
+    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', ' ']))
+        && !unit.is_empty()
+    {
+        return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));
+    }
     match nearest(&name.to_ascii_lowercase(), known.iter().map(String::as_str)) {
         Some(meant) => issue.with_help(format!("did you mean `{meant}`?")),
         None => issue.with_help("rename the column, so that it passes through"),

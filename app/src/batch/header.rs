@@ -26,3 +26,17 @@ impl Header {
         }
     }
 }
+
+/// Returns what is wrong with a line of column names in which no comma separates them, and the remedy.
+///
+/// ```
+/// use planar_impact_app::batch::separated_otherwise;
+/// let [wrong, remedy] = separated_otherwise("time [ms];force [kN]").expect("semicolons");
+/// assert!(wrong.contains("semicolons") && remedy.contains("commas"));
+/// assert_eq!(separated_otherwise("time [ms],note; remark"), None);
+/// assert_eq!(separated_otherwise("speed"), None);
+/// ```
+pub fn separated_otherwise(line: &str) -> Option<[&'static str; 2]> {
+    let is_otherwise = !line.contains(',') && line.contains([';', '\t']);
+    is_otherwise.then_some(["the columns are separated by semicolons or tabs", "separate them by commas, and write numbers with a point"])
+}

@@ -125,8 +125,16 @@ impl Fault {
 
     fn reason(&self) -> Message {
         match self {
-            Fault::NotARow => "the row cannot be read".into(),
-            Fault::Unreadable(key) => format!("{key} cannot be read").into(),
+            Fault::NotARow => "the row cannot be read; it needs a cell for each column, in UTF-8".into(),
+            Fault::Unreadable(key) => {
+                let wanted = match key {
+                    Key::Parameter(Parameter::Input(Input::ImpulseRatio)) => "a number or `critical`",
+                    Key::Parameter(_) => "a number, without a unit and with a point",
+                    Key::Barrier(_) => "`true` or `false`",
+                    Key::Law => "`brach` or `kudlich-slibar`",
+                };
+                format!("{key} cannot be read; it must be {wanted}").into()
+            }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {
                 Some(wanted) => {
                     Message::from(format!("{parameter} is ")).figure(parameter.measure(), *number).text(format!("; it must be {wanted}"))

@@ -173,7 +173,7 @@ impl Inputs {
 }
 
 /// Returns the parameter that the number of an impulse ratio sets.
-pub(super) fn ratio_parameter(ratio: &ImpulseRatio) -> Parameter {
+pub(crate) fn ratio_parameter<T>(ratio: &ImpulseRatio<T>) -> Parameter {
     match ratio {
         ImpulseRatio::Critical | ImpulseRatio::Given(_) => Parameter::Input(Input::ImpulseRatio),
         ImpulseRatio::OfCritical(_) => Parameter::RatioOfCritical,
@@ -182,7 +182,7 @@ pub(super) fn ratio_parameter(ratio: &ImpulseRatio) -> Parameter {
 }
 
 /// Returns the parameter that the number of a moment impulse sets.
-pub(super) fn moment_parameter(moment: &Moment) -> Parameter {
+pub(crate) fn moment_parameter<T>(moment: &Moment<T>) -> Parameter {
     match moment {
         Moment::OfCritical(_) => Parameter::MomentOfCritical,
         Moment::None | Moment::Given(_) => Parameter::Input(Input::Moment),

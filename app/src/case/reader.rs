@@ -236,6 +236,10 @@ impl CaseReader {
             let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
             self.rest(root, vehicles, impact_point.flatten())
         });
+        let braking = root.has("before").then(|| {
+            let is_vehicle = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.is_some(), two.is_some()]);
+            self.before(root, is_vehicle.unwrap_or([true; 2]))
+        });
         let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
         if !spins || gravity == Some(None) {
@@ -246,8 +250,9 @@ impl CaseReader {
             None => None,
         };
         let ([(name_1, mut one), (name_2, mut two)], (contact, bracket)) = (vehicles?, contact?);
-        if root.has("before") {
-            self.before(root, [&mut one, &mut two])?;
+        if let Some(braking) = braking {
+            let parties = [&mut one, &mut two].into_iter().zip(braking?);
+            parties.for_each(|(party, braking)| party.iter_mut().for_each(|vehicle| vehicle.braking.clone_from(&braking)));
         }
         let model = match is_momentum {
             true => ContactModel::Momentum { angular: self.is_angular(root, [&mut one, &mut two])? },

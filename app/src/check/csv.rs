@@ -10,6 +10,7 @@ use super::draft::{Draft, TEXTS, resolution_keys, resolution_names};
 use super::header::check_schema;
 use super::lines::{LONGEST, Line, Lines, unreadable};
 use super::units::{kind_of, size_of};
+use crate::batch::separated_otherwise;
 use crate::quantity::{self, excerpt, nearest};
 
 /// Maximum number of columns; there are fewer valid names.
@@ -174,8 +175,8 @@ fn read_head<R: BufRead>(lines: &mut Lines<R>, fields: &mut Fields) -> io::Resul
             }
             continue;
         }
-        if head.is_empty() && !text.contains(',') && (text.contains(';') || text.contains('\t')) {
-            return problem(at, "the columns are separated by semicolons or tabs; separate them by commas, and write numbers with a point");
+        if let Some(wrong) = separated_otherwise(&text).filter(|_| head.is_empty()) {
+            return problem(at, &wrong.join("; "));
         }
         match fields.split(&text) {
             Ok(row) => head.push((at, row.into_iter().map(str::to_owned).collect())),

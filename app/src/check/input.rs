@@ -216,3 +216,34 @@ fn is_header(line: &[u8]) -> bool {
     let node = str::from_utf8(line).ok().and_then(|text| json::parse(text).ok());
     node.is_some_and(|node| matches!(&node.value, Value::Table(entries) if !entries.iter().any(|entry| entry.key == "records")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_name_tells_the_format_before_the_content_does() {
+        let kind = |text: &'static str, extension: Option<&str>| {
+            let (kind, mut rest) = sniff(Box::new(Cursor::new(text)), extension).unwrap_or_else(|_| panic!("{text}"));
+            let mut read = String::new();
+            rest.read_to_string(&mut read).expect("a text");
+            assert_eq!(read, text.trim_start_matches('\u{feff}'));
+            kind
+        };
+        let header = "{\"schema\": \"planar-impact-record/1\"}\n{}\n";
+        for (text, extension, expected) in [
+            ("{id},[e]\n", Some("csv"), Kind::Table),
+            ("[e],id\n", Some("csv"), Kind::Table),
+            ("{\"records\": []}", Some("jsonl"), Kind::Lines),
+            ("[]", Some("ndjson"), Kind::Lines),
+            (header, None, Kind::Lines),
+            (header, Some("json"), Kind::Lines),
+            ("\u{feff}\n {\"records\": []}\n", None, Kind::Document),
+            ("[\n]", Some("txt"), Kind::Document),
+            ("id,e\n", Some("json"), Kind::Document),
+            ("id,e\n", None, Kind::Table),
+        ] {
+            assert_eq!(kind(text, extension), expected, "{text}");
+        }
+    }
+}

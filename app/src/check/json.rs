@@ -294,6 +294,7 @@ impl Reader<'_> {
                 }
             }
             Value::Null => (),
+            Value::Array(items) => self.draft.complaints.push(path, format!("{wanted} found {}", items.len())),
             other => self.draft.complaints.push(path, format!("{wanted} found {}", other.describe())),
         }
     }

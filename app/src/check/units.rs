@@ -133,3 +133,21 @@ pub fn size_of(unit: &str, kind: Kind) -> Result<f64, String> {
     }
     Conversion::of(unit, kind).map(|conversion| conversion.to_si(1.0)).map_err(|error| error.to_string())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ratio_needs_no_unit_and_may_have_one() {
+        for (unit, size) in [("", 1.0), ("-", 1.0), (" 1 ", 1.0), ("%", 0.01)] {
+            assert_eq!(size_of(unit, Kind::PURE), Ok(size), "{unit}");
+        }
+        assert_eq!(size_of("ft", Kind::LENGTH), Ok(0.3048));
+        let refused = |unit: &str, kind: Kind| size_of(unit, kind).expect_err(unit);
+        assert_eq!(refused(" ", Kind::LENGTH), "the unit of a length is missing, such as \"m\"");
+        for (unit, kind) in [("-", Kind::LENGTH), ("kg", Kind::LENGTH), ("kg", Kind::PURE)] {
+            assert!(size_of(unit, kind).is_err(), "{unit}");
+        }
+    }
+}

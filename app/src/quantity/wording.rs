@@ -54,6 +54,9 @@ mod tests {
         assert_eq!(near("yaw_inerta"), Some("yaw_inertia"));
         assert_eq!(near("mhp"), Some("mph")); // two letters exchanged are one edit
         assert_eq!(near("KG"), Some("kg"));
+        // As near and as alike: the first.
+        assert_eq!(nearest("speeb", ["speed", "spees"].into_iter()), Some("speed"));
+        assert_eq!(nearest("speeb", ["xpeeb", "speed"].into_iter()), Some("speed"));
         assert_eq!(near("color"), None);
         assert_eq!(near("xy"), None);
         assert_eq!(near(&"m".repeat(1000)), None);

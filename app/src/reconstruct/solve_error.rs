@@ -189,3 +189,20 @@ fn range(min: f64, max: f64, value: &dyn Fn(f64) -> Message) -> Message {
         _ => Message::from("at most ").join(value(max)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_impulse_beyond_the_critical_one_ends_sliding_or_speeds_it_up() {
+        let of = |refusal: Refusal| sliding_limit(&Refusals::from(refusal));
+        let beyond = |ratio: f64, critical: Option<f64>| of(Refusal::BeyondCritical { ratio, critical });
+        for sign in [1.0, -1.0] {
+            assert!(matches!(beyond(0.4 * sign, Some(0.3 * sign)), Some(Sliding::EndsBefore)));
+            assert!(matches!(beyond(-0.4 * sign, Some(0.3 * sign)), Some(Sliding::WouldSpeedUp)));
+            assert!(matches!(beyond(0.4 * sign, None), Some(Sliding::WouldSpeedUp)));
+        }
+        assert!(of(Refusal::OutOfFloatRange).is_none());
+    }
+}

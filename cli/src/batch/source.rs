@@ -12,6 +12,7 @@ use arrow_array::{ArrayRef, RecordBatch, RecordBatchOptions, RecordBatchReader};
 use arrow_ipc::reader::{FileReader, StreamReader};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use planar_impact_app::batch::separated_otherwise;
 use planar_impact_app::check::reason;
 use planar_impact_app::{Issues, decode};
 
@@ -120,6 +121,10 @@ impl Source {
         let headers = reader.headers().map_err(|error| not_a_table(name, &error))?.clone();
         if headers.is_empty() {
             return Err(decode::unreadable(name, "is empty; the first line of a table names its columns"));
+        }
+        // Of names without a comma between them.
+        if let Some(wrong) = headers.get(0).filter(|_| headers.len() == 1).and_then(separated_otherwise) {
+            return Err(decode::unreadable(name, &format!("cannot be read as a table: {}", wrong.join("; "))));
         }
         let text = |header: &str| Field::new(header.trim_start_matches('\u{feff}'), DataType::Utf8, true);
         let schema = Schema::new(headers.iter().map(text).collect::<Vec<_>>());

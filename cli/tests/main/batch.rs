@@ -83,7 +83,7 @@ fn the_example_says_why_rows_are_refused() {
     let said: Vec<&str> = table.err.lines().collect();
     assert_eq!(said[0], "row 5: conflict: contact.impulse_ratio and contact.friction exclude each other");
     assert!(said[1].starts_with("row 6: separating: vehicles are separating"), "{}", said[1]);
-    assert_eq!(said[2], "row 7: unreadable: vehicle.1.speed cannot be read");
+    assert_eq!(said[2], "row 7: unreadable: vehicle.1.speed cannot be read; it must be a number, without a unit and with a point");
     assert_eq!(said[3..], ["3 of 7 rows refused: 1 conflict, 1 separating, 1 unreadable"]);
     let table = rows(&table.out);
     let given = rows(&fs::read_to_string(workspace().join(CRASHES)).expect("the example"));
@@ -284,6 +284,8 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("not.parquet"), "text").expect("a file");
     fs::write(path("not.arrow"), "text").expect("a file");
     fs::write(path("bad.csv"), "vehicle.1.sped,vehicle.1.mass [mph]\n1,2\n").expect("a file");
+    fs::write(path("unit.csv"), "vehicle.1.speed (mph)\n40\n").expect("a file");
+    fs::write(path("semicolons.csv"), "vehicle.1.speed;vehicle.1.mass\n40;1500\n").expect("a file");
     fs::write(path("other.csv"), "speed,e\n40,0.1\n").expect("a file");
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
@@ -298,7 +300,7 @@ fn a_call_that_fails_writes_no_file() {
     let mut writer =
         ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
     writer.write(&typed).and_then(|()| writer.close()).expect("a table");
-    let calls: [(&[&str], i32, &str); 18] = [
+    let calls: [(&[&str], i32, &str); 20] = [
         (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
         (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
@@ -311,6 +313,8 @@ fn a_call_that_fails_writes_no_file() {
         (&["-", "-"], 2, "standard input can be read only once"),
         (&[&path("not.parquet")], 2, "cannot be read as a table"),
         (&[&path("not.arrow")], 2, "cannot be read as a table"),
+        (&[&path("unit.csv")], 2, "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        (&[&path("semicolons.csv")], 2, "cannot be read as a table: the columns are separated by semicolons or tabs"),
         (&[&path("bad.csv")], 2, "did you mean `vehicle.1.speed`?"),
         (&[&path("bad.csv")], 2, "is a speed; a mass is expected"),
         (&[&path("separating.csv"), "--fail-fast"], 3, "row 2: vehicles are separating"),
@@ -332,7 +336,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 13, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 15, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

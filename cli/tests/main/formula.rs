@@ -180,13 +180,16 @@ fn the_paper_s_equations_are_recognized() {
 
 #[test]
 fn what_is_wrong_is_said() {
-    let calls: [(&[&str], &str); 9] = [
-        (&["W_m2"], "no output has this name; did you mean `W_m`? see `planar-impact formula --list`"),
-        (&["nothing like it"], "no output has this name; see `planar-impact formula --list`"),
-        (&[""], "no output has this name"),
+    let calls: [(&[&str], &str); 12] = [
+        (&["W_m2"], "no output has the name `W_m2`; did you mean `W_m`? see `planar-impact formula --list`"),
+        (&["nothing like it"], "no output has the name `nothing like it`; see `planar-impact formula --list`"),
+        (&[""], "no output has the name ``"),
         (&["m1"], "it is an input; give it as --wrt m1"),
         (&["W_n", "--wrt", "W_t"], "it is an output; only inputs can be differentiated by"),
-        (&["W_n", "--wrt", "gamma"], "no input has this name; did you mean `Gamma`?"),
+        (&["T_L", "--wrt", "v1"], "a formula has vehicle.1.velocity.x and vehicle.1.velocity.y in place of the speed"),
+        (&["T_L", "--wrt", "vehicle.2.radius_of_gyration"], "a formula has vehicle.2.yaw_inertia in place of the radius of gyration"),
+        (&["T_L", "--wrt", "vehicle.1.crush.width"], "are in no formula of a collision"),
+        (&["W_n", "--wrt", "gamma"], "no input has the name `gamma`; did you mean `Gamma`?"),
         (&["W_n", "--ratio", "given", "--case", "cli/examples/position-a.toml"], "cannot be used with"),
         (&["W_n", "--barrier", "3"], "3 is not in 1..=2"),
         (&["W_n", "--case", "nowhere.toml"], "cannot be read"),

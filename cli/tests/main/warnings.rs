@@ -111,3 +111,38 @@ fn digits_that_a_check_of_the_answer_needs_are_missed() {
     let enough = solved(1.0);
     assert!(warning(&enough, "unusual-radius-of-gyration").is_some() && warning(&enough, "few-digits").is_none(), "{enough}");
 }
+
+/// No road vehicle is faster than 100 m/s or turns more than three times a second, as one that is read in a wrong unit.
+#[test]
+fn motions_of_no_road_vehicle_are_named() {
+    let case = |speed: &str, yaw_rate: &str, rest: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = \"1500 kg\"\nyaw_inertia = \"2500 kg m^2\"\nheading = \"0 deg\"\nimpact_center = [\"1 m\", \"0 m\"]\n\
+             yaw_rate = \"{yaw_rate} rad/s\"\n{speed}[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\n{rest}"
+        )
+    };
+    let named = |verb: &str, case: &str| -> Vec<(String, f64)> {
+        let run = run_with_input(&[verb, "-", "--format", "json"], case);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        ["unusual-speed", "unusual-yaw-rate"]
+            .into_iter()
+            .filter_map(|code| {
+                let found = warning(&answer, code)?;
+                assert_eq!(found["path"], "vehicle.1");
+                Some((code.to_owned(), found["figures"][0]["value"].as_f64().expect("a figure")))
+            })
+            .collect()
+    };
+    let of = |code: &str, value: f64| vec![(code.to_owned(), value)];
+    assert_eq!(named("solve", &case("velocity = [\"80 m/s\", \"59 m/s\"]\n", "-20", "")), []);
+    assert_eq!(named("solve", &case("velocity = [\"80 m/s\", \"60.5 m/s\"]\n", "-20", "")), of("unusual-speed", 80_f64.hypot(60.5)));
+    assert_eq!(named("solve", &case("speed = \"20 m/s\"\n", "-20.5", "")), of("unusual-yaw-rate", 20.5));
+    // One that is reconstructed, of a car into a barrier that lost ½ m v² (1 − e²).
+    let asked = |loss: f64| {
+        case("", "0", &format!("[evidence]\nenergy.loss = \"{loss} J ± 1 kJ\"\n[unknown]\nvehicle.1.speed = {{ start = \"20 m/s\" }}\n"))
+    };
+    let loss = |speed: f64| 750.0 * speed * speed * 0.99;
+    assert_eq!(named("reconstruct", &asked(loss(99.0))), []);
+    let found = named("reconstruct", &asked(loss(110.0)));
+    assert!(matches!(&found[..], [(code, speed)] if code == "unusual-speed" && (speed - 110.0).abs() < 1e-6), "{found:?}");
+}

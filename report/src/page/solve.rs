@@ -146,10 +146,15 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
     let ratio = |value: f64| units.number(Measure::Ratio, value, 1.0);
     let contact = &solution.contact;
     let given = |what: &str| format!("{what} {}", contact.impulse_ratio_parameter.map(ratio).unwrap_or_default());
+    // The critical ratio of the document is Brach's, whichever law is in force; by the other one sliding ends at a ratio of its own.
+    let (law, by_law, critical) = match contact.tangential_law {
+        TangentialLaw::Brach => ("Brach", "", "critical mu0"),
+        TangentialLaw::KudlichSlibar => ("Kudlich-Slibar", " by this law", "critical mu0 by Brach's law"),
+    };
     let kind = match contact.impulse_ratio_given {
-        ImpulseRatioGiven::Critical => "critical".to_owned(),
+        ImpulseRatioGiven::Critical => format!("critical{by_law}"),
         ImpulseRatioGiven::Number => "given".to_owned(),
-        ImpulseRatioGiven::OfCritical => format!("{} of critical", given("").trim()),
+        ImpulseRatioGiven::OfCritical => format!("{} of critical{by_law}", given("").trim()),
         ImpulseRatioGiven::Friction => given("limited by friction"),
     };
     if contact.model.is_some() {
@@ -159,13 +164,9 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
             "By momentum alone. The normal is along the impulse, at {along} from x;\nrestitution along it, between the impact centers: {restitution}."
         ))];
     }
-    let law = match contact.tangential_law {
-        TangentialLaw::Brach => "Brach",
-        TangentialLaw::KudlichSlibar => "Kudlich-Slibar",
-    };
     let plane = units.quantity(Measure::Angle, contact.crush_plane);
     let coefficients = format!(
-        "Crush plane Gamma = {plane}, restitution e = {}, law of {law}.\nImpulse ratio mu = {} ({kind}), critical mu0 = {}.",
+        "Crush plane Gamma = {plane}, restitution e = {}, law of {law}.\nImpulse ratio mu = {} ({kind}), {critical} = {}.",
         ratio(contact.restitution),
         ratio(contact.impulse_ratio),
         ratio(contact.critical_impulse_ratio),

@@ -226,7 +226,8 @@ impl Shown<'_> {
             "both ends are attained".to_owned()
         } else {
             let found = format!("values from {} to {} are found", self.quantity(bounds.low_attained), self.quantity(bounds.high_attained));
-            if gap.is_finite() { format!("{found}, and nothing tighter than {} is proven", self.error(gap)) } else { found }
+            let gap_with_unit = || format!("{} {}", self.error(gap), self.units.unit(self.of.measure()));
+            if gap.is_finite() { format!("{found}, and nothing tighter than {} is proven", gap_with_unit().trim_end()) } else { found }
         };
         vec![Block::item("- ", format!("{text}; {tight}."))]
     }

@@ -6,7 +6,6 @@ use planar_impact::skid::Skid;
 use super::CaseReader;
 use crate::case::braking::{BrakingInputs, SkidKey, SkidNumber};
 use crate::case::parameter::{Parameter, number};
-use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table};
 use crate::quantity::Kind;
 
@@ -14,32 +13,32 @@ use crate::quantity::Kind;
 const MOST_SKIDS: usize = 32;
 
 impl CaseReader {
-    /// Reads `[before]` into the vehicles.
-    pub(super) fn before(&self, root: &Table<'_>, vehicles: [&mut Option<VehicleInputs>; 2]) -> Option<()> {
+    /// Reads `[before]`: how each party brakes that is a vehicle.
+    pub(super) fn before(&self, root: &Table<'_>, is_vehicle: [bool; 2]) -> Option<[Option<BrakingInputs>; 2]> {
         let before = root.optional("before").table()?;
         let field = before.required("vehicle");
         before.finish();
         let tables = field.table()?;
         let mut is_sound = true;
-        for ((side, key), vehicle) in Side::ALL.into_iter().zip(["1", "2"]).zip(vehicles) {
+        let mut read = [None, None];
+        for (i, (side, key)) in Side::ALL.into_iter().zip(["1", "2"]).enumerate() {
             if !tables.has(key) {
                 continue;
             }
             let place = tables.optional(key);
-            let Some(vehicle) = vehicle else {
+            if is_vehicle[i] {
+                read[i] = place.table().and_then(|table| self.braking(&table, side));
+            } else {
                 place.report(format!("vehicle {} is a fixed barrier, which does not brake", number(side)), None);
-                is_sound = false;
-                continue;
-            };
-            vehicle.braking = place.table().and_then(|table| self.braking(&table, side));
-            is_sound &= vehicle.braking.is_some();
+            }
+            is_sound &= read[i].is_some();
         }
         tables.finish();
         if !tables.has("1") && !tables.has("2") {
             tables.issue("no vehicle", Some("begin with [before.vehicle.1] or [before.vehicle.2]".to_owned()));
             return None;
         }
-        is_sound.then_some(())
+        is_sound.then_some(read)
     }
 
     fn braking(&self, table: &Table<'_>, side: Side) -> Option<BrakingInputs> {

@@ -11,9 +11,11 @@ use crate::case::parameter::Parameter;
 use crate::case::restitution::Restitution;
 use crate::document::{Entry, Field, Table, Value};
 use crate::notice::Notice;
-use crate::quantity::Kind;
+use crate::quantity::{Kind, nearest};
 use crate::units::trim;
 use crate::units::{Measure, Units};
+
+const MODELS: [&str; 2] = ["impulse-ratio", "momentum"];
 
 /// The keys of a contact with restitution and impulse ratio.
 const OF_IMPULSE_RATIO: [&str; 7] = ["crush_plane", "surfaces", "restitution", "impulse_ratio", "friction", "tangential_law", "moment"];
@@ -26,7 +28,7 @@ impl CaseReader {
         implied: &ImpliedValues<'_>,
         is_momentum: bool,
     ) -> Option<(ContactInputs, Option<CrushPlaneBracket>)> {
-        table.optional("model").choice(&["impulse-ratio", "momentum"]);
+        table.optional("model").choice(&MODELS);
         if is_momentum {
             return self.without_contact(table);
         }
@@ -49,7 +51,8 @@ impl CaseReader {
 
     /// Returns `true` if momentum alone determines the impulse.
     pub(super) fn is_momentum(table: &Table<'_>) -> bool {
-        matches!(table.optional("model").value(), Some(Value::String(model)) if model == "momentum")
+        // Also where it is misspelled, so that nothing is missed which that does not need.
+        matches!(table.optional("model").value(), Some(Value::String(model)) if nearest(model, MODELS.into_iter()) == Some("momentum"))
     }
 
     /// Reads the contact of a case that momentum alone determines: whatever else it gives takes no part.

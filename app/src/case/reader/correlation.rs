@@ -118,3 +118,22 @@ impl CaseReader {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planar_impact::Input;
+
+    #[test]
+    fn ten_impossible_pairs_are_listed_and_more_are_counted() {
+        let pair = InputCorrelation {
+            one: Parameter::Input(Input::Restitution),
+            other: Parameter::Friction,
+            coefficient: 0.9,
+            key: "correlation.1".to_owned(),
+        };
+        let message = |count: usize| impossible_together(&vec![&pair; count], &pair).0;
+        assert!(message(MOST_PAIRS).ends_with("contact.restitution and contact.friction 0.9"), "{}", message(MOST_PAIRS));
+        assert!(message(MOST_PAIRS + 2).ends_with("contact.friction 0.9, 2 more pairs"), "{}", message(MOST_PAIRS + 2));
+    }
+}

@@ -1,7 +1,7 @@
 //! Several issues in one file: all are reported, in file order.
 
 use super::{COLLISION, CRUSHED, JSON, WALL, solve, wrong};
-use crate::process::Folder;
+use crate::process::{Folder, run, workspace};
 
 /// Returns the errors of an invalid input, each by its first line.
 fn errors(file: &str, text: &str) -> Vec<String> {
@@ -98,4 +98,30 @@ fn the_input_before_the_physics() {
     // The physics is checked only if the input is valid, so only the input issue is reported if a file has both.
     let edits = &[("40 ft/s", "-40 ft/s"), ("= 0.1\n", "= 7\n")];
     are(&errors("case.toml", &wrong("", edits, 0, &[]).text()), &["contact.restitution"]);
+}
+
+/// What was done before the impact is read whatever else is wrong, and a misspelled model is not taken for another, whose keys would be missing.
+#[test]
+fn one_error_brings_no_others_with_it() {
+    let momentum = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/momentum.toml")).expect("an example");
+    let edited = |edits: &[(&str, &str)]| -> Vec<String> {
+        let folder = Folder::new();
+        let text = edits.iter().fold(momentum.clone(), |text, (from, to)| {
+            assert!(text.contains(from), "{from}");
+            text.replacen(from, to, 1)
+        });
+        folder.write("case.toml", text.as_bytes());
+        let run = run(folder.path(), &["reconstruct", "case.toml"]);
+        assert_eq!((run.status, run.out.as_str()), (2, ""), "{}", run.err);
+        run.err.lines().filter(|line| line.starts_with("error: ")).map(str::to_owned).collect()
+    };
+    are(&edited(&[("mass = \"4220 lb\"", "mass = \"4220 foo\"")]), &["vehicle.1.mass"]);
+    are(&edited(&[("schema = 1", "schema = 2")]), &["schema"]);
+    are(&edited(&[("14 mph ± 1 mph", "14 mph ± 1 kg")]), &["evidence.vehicle.1.separation_velocity.1"]);
+    are(&edited(&[("\"momentum\"", "\"momentun\"")]), &["contact.model"]);
+    are(
+        &edited(&[("mass = \"4220 lb\"", "mass = \"4220 foo\""), ("60 ft", "60 foo")]),
+        &["vehicle.1.mass", "before.vehicle.1.skid.1.length"],
+    );
+    assert!(edited(&[("[before.", "[befor.")]).iter().any(|error| error.starts_with("error: befor: unknown key")));
 }

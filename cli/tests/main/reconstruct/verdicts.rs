@@ -157,3 +157,23 @@ fn more_tangential_impulse_than_sliding_gives_is_named() {
     let (slid, status) = answer(&with("-50 deg/s ± 5 deg/s"));
     assert_eq!((status, &slid["verdict"]), (0, &Value::from("agrees")));
 }
+
+/// By the law of Kudlich and Slibar sliding ends at a ratio of its own, e apart from Brach's: a solution that has it neither snags nor slides.
+#[test]
+fn the_critical_ratio_is_that_of_the_law() {
+    let case = |law: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1450\nyaw_inertia = 2600\nheading = \"10 deg\"\nimpact_center = [1.85, -0.4]\n\
+             [[vehicle]]\nmass = 1180\nyaw_inertia = 1900\nheading = \"120 deg\"\nspeed = \"41 km/h ± 0.5 km/h\"\nimpact_center = [1.6, 0.5]\n\
+             [contact]\ncrush_plane = \"-8 deg\"\ntangential_law = \"{law}\"\n\
+             [evidence]\nvehicle.2.delta_v_magnitude = \"50 km/h ± 1 km/h\"\nvehicle.1.separation_yaw_rate = \"3.3 rad/s ± 0.5 rad/s\"\n\
+             [unknown]\nvehicle.1.speed = {{ start = \"50 km/h\", min = 0 }}\ncontact.restitution = {{ start = 0.4, min = 0.35, max = 0.6 }}\n"
+        )
+    };
+    for law in ["brach", "kudlich-slibar"] {
+        let (found, _) = answer(&case(law));
+        let all = found["diagnostics"].as_array().expect("a list");
+        let ratio = all.iter().find(|one| one["name"] == "impulse ratio").expect("it is asked");
+        assert!((number(&ratio["figure"]) - 1.0).abs() < 1e-9 && ratio["reading"] == "within", "{law}: {ratio}");
+    }
+}
