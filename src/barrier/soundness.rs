@@ -37,7 +37,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// A peak that is stored in steps is flat for some samples too. About such a peak the values fall by at most nine steps within as many samples on each
     /// side as the flat part has, if it is a parabola; a flat top falls by more than twelve on both. A stretch that lasts to the end of the record, such as
     /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from one
-    /// sample to the next, after three samples or more. The value of the first sample is the unloaded reading, and is never a flat top.
+    /// sample to the next, after three samples or more. Within a tenth of the whole range from zero or from the first sample lies the unloaded reading, which is
+    /// never a flat top.
     ///
     /// ```
     /// use planar_impact::barrier::Record;
@@ -50,13 +51,15 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// ```
     pub fn flat_top(&self) -> Option<FlatTop<T>> {
         let step = self.resolution()?;
+        let first = &self.values()[0];
         let extreme = |is_beyond: fn(&T, &T) -> bool| {
-            self.values()
-                .iter()
-                .skip(1)
-                .fold(self.values()[0].clone(), |best, value| if is_beyond(value, &best) { value.clone() } else { best })
+            self.values().iter().fold(first.clone(), |best, value| if is_beyond(value, &best) { value.clone() } else { best })
         };
-        [extreme(|a, b| b.less(a)), extreme(T::less)].into_iter().find_map(|value| self.flat_at(&value, &step))
+        let [greatest, least] = [extreme(|a, b| b.less(a)), extreme(T::less)];
+        let range = greatest.clone() - least.clone();
+        let is_far = |from: T| range.less(&(from.magnitude() * T::int(10)));
+        let is_loaded = |value: &T| is_far(value.clone()) && is_far(value.clone() - first.clone());
+        [greatest, least].into_iter().filter(is_loaded).find_map(|value| self.flat_at(&value, &step))
     }
 
     fn flat_at(&self, value: &T, step: &T) -> Option<FlatTop<T>> {
@@ -64,9 +67,6 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         let fall = |i: usize| (values[i].clone() - value.clone()).magnitude();
         let is_flat = |i: usize| !slack.less(&fall(i));
         let exceeds = |fall: T, steps: i32| (step.clone() * T::int(steps)).less(&fall);
-        if is_flat(0) {
-            return None;
-        }
         let mut from = 1;
         while let Some(begin) = (from..values.len()).find(|&i| is_flat(i)) {
             let end = (begin..values.len()).find(|&i| !is_flat(i)).unwrap_or(values.len());
@@ -158,6 +158,27 @@ mod tests {
         assert_eq!(speeds(&[0.0, 20.0, 20.0, 20.0]).flat_top(), None);
         assert_eq!(speeds(&[2.0; 5]).flat_top(), None);
         assert_eq!(speeds(&[2.0; 5]).resolution(), None);
+    }
+
+    /// Wherever a record begins, and whatever its first sample reads by chance, what is left after the pulse is no flat top.
+    #[test]
+    fn an_unloaded_end_is_no_flat_top() {
+        let sound = |values: Vec<f64>| assert_eq!(Record::uniform(0.0, 1e-3, values).expect("a good record").flat_top(), None);
+        for (height, offset) in [(300.0, 0.0), (-300.0, 0.0), (300.0, 40.0)] {
+            let whole: Vec<f64> =
+                pulse(300.0, f64::INFINITY).values().iter().chain(&[0.0; 30]).map(|value| value * height / 300.0 + offset).collect();
+            for noise in [-2.0, -1.0, 1.0, 2.0] {
+                let mut values = whole.clone();
+                values[0] += noise;
+                sound(values);
+            }
+            // It begins within the pulse.
+            if offset == 0.0 {
+                (21..70).for_each(|begin| sound(whole[begin..].to_vec()));
+            }
+        }
+        // A car that brakes to a stop.
+        sound(vec![18.0, 15.0, 12.0, 9.0, 6.0, 3.0, 0.0, 0.0, 0.0, 0.0]);
     }
 
     #[test]

@@ -75,21 +75,44 @@ impl Channel {
         Some(Clipped { value: top.value, from: top.from, to: top.to, samples: top.samples })
     }
 
+    /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps.
+    fn gap(&self) -> Option<[f64; 2]> {
+        /// Steps that are missing.
+        const MANY: f64 = 5.0;
+        self.quantity.class()?;
+        let times = self.record.times();
+        let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let longest = times.windows(2).max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])))?;
+        steps.sort_by(f64::total_cmp);
+        (longest[1] - longest[0] > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
+    }
+
     /// Returns `true` if the record ends before the event does: a pulse above a tenth of its height, or a velocity change that still changes by a tenth
-    /// within the last tenth of the time; in both cases by more than two steps.
-    pub(super) fn is_truncated(&self) -> bool {
+    /// within the last tenth of the time since it began; in both cases by more than two steps. A pulse counts from its mean over the window before the contact,
+    /// or from zero without one.
+    pub(super) fn is_truncated(&self, before: Option<Window>) -> bool {
         let (times, values) = (self.record.times(), self.record.values());
-        let (first, last) = (values[0], values[values.len() - 1]);
-        let height = values.iter().map(|value| (value - first).abs()).fold(0.0, f64::max);
-        let end = times[times.len() - 1];
-        let lately = end - 0.1 * (end - times[0]);
-        let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
-        let left = match self.quantity {
-            quantity if quantity.is_running() => (last - values[before]).abs(),
-            ChannelQuantity::Distance | ChannelQuantity::Speed => 0.0,
-            _ => (last - first).abs(),
+        let last = values[values.len() - 1];
+        let slack = 2.0 * self.record.resolution().unwrap_or(0.0);
+        let (unloaded, left) = match self.quantity {
+            ChannelQuantity::Distance | ChannelQuantity::Speed => return false,
+            quantity if quantity.is_running() => {
+                let begun = values.iter().position(|value| (value - values[0]).abs() > slack).unwrap_or(values.len()) - 1;
+                let end = times[times.len() - 1];
+                let lately = end - 0.1 * (end - times[begun]);
+                let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
+                (values[0], (last - values[before]).abs())
+            }
+            _ => {
+                let is_before = |time: &f64| before.is_some_and(|before| (before.from..=before.to).contains(time));
+                let (count, sum) =
+                    times.iter().zip(values).filter(|(time, _)| is_before(time)).fold((0, 0.0), |(n, sum), (_, x)| (n + 1, sum + x));
+                let unloaded = if count > 0 { sum / f64::from(count) } else { 0.0 };
+                (unloaded, (last - unloaded).abs())
+            }
         };
-        left > (0.1 * height).max(2.0 * self.record.resolution().unwrap_or(0.0))
+        let height = values.iter().map(|value| (value - unloaded).abs()).fold(0.0, f64::max);
+        left > (0.1 * height).max(slack)
     }
 }
 
@@ -97,7 +120,7 @@ impl Analysis<'_> {
     /// Describes a channel, and says if it does not hold the whole event.
     fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
         let (times, measure) = (channel.record.times(), channel.quantity.measure());
-        let (clipped, is_truncated) = (channel.clipped(), channel.is_truncated());
+        let (clipped, is_truncated) = (channel.clipped(), channel.is_truncated(self.before(&channel.record)));
         if let Some(Clipped { value, from, to, samples }) = clipped {
             let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
                 .figure(measure, value)
@@ -113,6 +136,14 @@ impl Analysis<'_> {
                 .figure(Measure::Time, times[times.len() - 1])
                 .text(" before the event is over; what follows from it is incomplete");
             self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
+        }
+        if let Some([from, to]) = channel.gap() {
+            let message = Message::from(format!("{} has no samples from ", channel.name))
+                .figure(Measure::Time, from)
+                .text(" to ")
+                .figure(Measure::Time, to)
+                .text("; its integral takes a straight line there");
+            self.notices.push(Notice::warning("gap", channel.path.clone(), message));
         }
         ChannelAnswer {
             name: channel.name.clone(),
@@ -158,16 +189,27 @@ impl Analysis<'_> {
         None
     }
 
-    /// Returns the window of the contact and that of the unloaded channel before it.
-    fn windows(&mut self, record: &Record) -> Option<(Window, Option<Window>)> {
+    /// Returns the window of the contact.
+    fn over(&self, record: &Record) -> Window {
+        let times = record.times();
+        self.of.settings.window.unwrap_or(Window { from: times[0].max(0.0), to: times[times.len() - 1] })
+    }
+
+    /// Returns the window of the unloaded channel before the contact, if the recording has one.
+    fn before(&self, record: &Record) -> Option<Window> {
         let times = record.times();
         let (first, last) = (times[0], times[times.len() - 1]);
-        let over = self.of.settings.window.unwrap_or(Window { from: first.max(0.0), to: last });
         // Times computed from a start and a step are rounded.
         let slack = ROUNDING * (last - first);
-        let unloaded = times.iter().copied().filter(|time| *time < over.from.min(0.0) - slack);
+        let from = self.over(record).from.min(0.0);
+        let unloaded = times.iter().copied().filter(|time| *time < from - slack);
         let (count, end) = unloaded.fold((0, first), |(count, _), time| (count + 1, time));
-        let before = self.of.settings.baseline.or((count > 1).then_some(Window { from: first, to: end }));
+        self.of.settings.baseline.or((count > 1).then_some(Window { from: first, to: end }))
+    }
+
+    /// Returns the window of the contact and that of the unloaded channel before it.
+    fn windows(&mut self, record: &Record) -> Option<(Window, Option<Window>)> {
+        let (over, before) = (self.over(record), self.before(record));
         if let Some(before) = before.filter(|before| before.to > over.from) {
             let message = Message::from("the channels are loaded from ")
                 .figure(Measure::Time, over.from)
@@ -198,10 +240,14 @@ impl Analysis<'_> {
             None => corrected.clone(),
         };
         let (uncorrected, corrected, filtered) = (uncorrected?, corrected?, filtered?);
-        let integral = match &before {
+        let mut integral = match &before {
             Some(before) => self.report(place, record.impulse(&over, before))?,
             None => Estimate { value: uncorrected, variance: 0.0 },
         };
+        // Of a constant channel nothing is left but the rounding of its sum.
+        if integral.value.abs() <= ROUNDING * 1e-3 * uncorrected.abs() {
+            integral.value = 0.0;
+        }
         let unfiltered = class.is_some().then(|| corrected.values().to_vec());
         let (times, values) = (filtered.times(), filtered.values().to_vec());
         let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
@@ -266,7 +312,8 @@ impl Analysis<'_> {
             let (what, help) = match pulse.integral.value < 0.0 {
                 true => (
                     ": the barrier would pull",
-                    "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed",
+                    "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed, or end the \
+                     baseline before the contact",
                 ),
                 false => (": there is no impact", "check the column, and the times of the window and of the baseline"),
             };

@@ -5,7 +5,7 @@ use planar_impact::barrier::{Record, TestIssue};
 use planar_impact::{InputIssue, InputIssueKind};
 
 use super::ChannelQuantity;
-use crate::batch::Header;
+use crate::batch::{Header, separated_otherwise};
 use crate::case::{Rows, read_cell};
 use crate::quantity::{self, Conversion, Kind, QuantityError};
 use crate::source::Source;
@@ -49,7 +49,10 @@ impl Samples {
         let found: Vec<usize> = (0..self.headers.len()).filter(|&i| self.headers[i].name == name).collect();
         match found[..] {
             [place] => Ok(place),
-            [] => Err(self.fault(1, name, "no column has this name", format!("its columns are {}", self.names()))),
+            [] => Err(match &self.headers[..] {
+                [only] if let Some([wrong, remedy]) = separated_otherwise(&only.name) => self.fault(1, "", wrong, remedy),
+                _ => self.fault(1, name, "no column has this name", format!("its columns are {}", self.names())),
+            }),
             _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),
         }
     }
@@ -100,24 +103,29 @@ impl Samples {
         };
         let (mut times, mut values, mut lines, mut faults) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (line, cells) in &self.rows {
-            let help = "correct the cell, or leave it empty where the channel has no sample";
             if cells.len() != self.headers.len() {
                 let message = format!("the row has {} of {} cells", cells.len(), self.headers.len());
-                faults.push(self.fault(*line, name, message, "the file may be cut off here: export it again, or remove the row"));
+                let help = match cells.len() < self.headers.len() {
+                    true => "the file may be cut off here: export it again, or remove the row",
+                    false => "remove what is too much; a cell with a comma in it needs quotes",
+                };
+                faults.push(self.fault(*line, name, message, help));
                 continue;
             }
             let [at, value] = [time, place].map(|place| cells[place].trim());
             if value.is_empty() {
                 continue;
             }
-            let mut read = |column: &str, cell: &str, scale| match scale_cell(cell, scale) {
+            let mut read = |column: &str, cell: &str, scale, help: &str| match scale_cell(cell, scale) {
                 Ok(value) => Some(value),
                 Err(QuantityError { message, .. }) => {
                     faults.push(self.fault(*line, column, message, help));
                     None
                 }
             };
-            if let (Some(at), Some(value)) = (read(&self.headers[time].name, at, of_time), read(name, value, scale)) {
+            let of_time = read(&self.headers[time].name, at, of_time, "correct the time of this row, or remove the row");
+            let of_channel = read(name, value, scale, "correct the cell, or leave it empty where the channel has no sample");
+            if let (Some(at), Some(value)) = (of_time, of_channel) {
                 times.push(at);
                 values.push(polarity * value);
                 lines.push(*line);

@@ -259,6 +259,88 @@ fn clipped_and_truncated_copies_are_recognised() {
     assert!(run.status == 1 && record["channels"][0]["is_truncated"] == true && run.out.contains("it ends at 0.080 s"), "{}", run.out);
 }
 
+/// Wherever a recording begins and ends, and whatever its first sample reads by chance, it is called incomplete where the pulse goes on, and nowhere else.
+#[test]
+fn a_recording_is_incomplete_where_the_pulse_goes_on() {
+    let of = |header: &str, from: i32, to: i32, first: f64, height: f64| {
+        let mut text = format!("time [ms],{header}\n");
+        for ms in from..=to {
+            let value = height * pulse(f64::from(ms)) + if ms == from { first } else { 0.0 };
+            writeln!(text, "{ms},{value}").expect("a string takes everything");
+        }
+        let (record, run) = record_of(&text, None);
+        let channel = &record["channels"][0];
+        assert_eq!(channel["clipped"], Value::Null, "{from} to {to} ms, {first}: {}", run.out);
+        let is_truncated = channel["is_truncated"] == true;
+        assert_eq!(run.status, i32::from(is_truncated), "{}", run.out);
+        assert_eq!(run.out.contains("truncated: it ends at"), is_truncated, "{}", run.out);
+        is_truncated
+    };
+    for (header, height) in [("normal_force [kN]", 300.0), ("acceleration [m/s^2]", -200.0)] {
+        for (from, to) in [(-20, 80), (20, 80), (10, 90), (1, 60), (50, 52)] {
+            assert!(of(header, from, to, 0.0, height), "{from} to {to} ms");
+        }
+        for (from, to) in [(-20, 130), (-20, 100), (0, 130), (1, 130), (10, 130), (40, 150)] {
+            for first in [0.0, 1.0, -1.0] {
+                assert!(!of(header, from, to, first, height), "{from} to {to} ms, {first}");
+            }
+        }
+    }
+}
+
+/// A velocity change that stands still is whole, however long the record is before it.
+#[test]
+fn a_recorder_is_whole_with_zeros_before_the_impact() {
+    let of = |before: &str, to: i32| {
+        let mut text = "time [s],speed [km/h],delta_v_forward [km/h]\n".to_owned();
+        for i in 0..10 {
+            writeln!(text, "{},{},{before}", -5.0 + 0.5 * f64::from(i), 60 - i).expect("a string takes everything");
+        }
+        for i in 0..=to {
+            let change = (-15.0 * (1.0 - (PI * f64::from(i.min(15)) / 15.0).cos())).round();
+            writeln!(text, "{},{},{change}", 0.01 * f64::from(i), if i == 0 { "50" } else { "" }).expect("a string takes everything");
+        }
+        record_of(&text, None)
+    };
+    for before in ["", "0"] {
+        let (record, run) = of(before, 30);
+        assert_eq!(run.status, 0, "{}", run.out);
+        assert!(record["channels"].as_array().is_some_and(|all| all.iter().all(|one| one["is_truncated"] == false)), "{}", run.out);
+        assert_eq!(of(before, 8).1.status, 1, "it ends while the velocity changes");
+    }
+}
+
+/// A gap in a pulse is bridged by a line, which no standard deviation knows of.
+#[test]
+fn a_gap_in_a_pulse_is_named() {
+    let whole = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
+    let without = |from: f64, to: f64| {
+        let is_left = |line: &&str| line.split(',').next().and_then(|ms| ms.parse::<f64>().ok()).is_none_or(|ms| ms <= from || ms >= to);
+        whole.lines().filter(is_left).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let gaps = |text: &str| -> Vec<(f64, f64)> {
+        let (_, run) = record_of(text, None);
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let all = json["messages"].as_array().map_or(&[][..], Vec::as_slice);
+        let figure = |message: &Value, k: usize| message["figures"][k]["value"].as_f64().expect("a time");
+        all.iter().filter(|message| message["code"] == "gap").map(|message| (figure(message, 0), figure(message, 1))).collect()
+    };
+    assert_eq!(gaps(&whole), []);
+    assert_eq!(gaps(&without(40.0, 40.4)), []);
+    let found = gaps(&without(40.0, 70.0));
+    assert!(matches!(found[..], [(from, to)] if (from - 0.04).abs() < 1e-9 && (to - 0.07).abs() < 1e-9), "{found:?}");
+}
+
+/// Of a constant channel rounding is left, of either sign, which is no impact.
+#[test]
+fn a_constant_channel_is_no_impact() {
+    for constant in ["0", "0.1", "0.3", "5", "-7"] {
+        let text = csv("normal_force [kN]", &[&|_| constant.parse().expect("a number")]);
+        let (_, run) = record_of(&text, None);
+        assert!(run.status == 3 && run.err.contains("the normal impulse is 0 N s: there is no impact"), "{constant}: {}", run.err);
+    }
+}
+
 /// A recorder in whole km/h: forward −40, to the left 30 at last, and speeds to half a second before the impact.
 fn recorder(last_speed: &str) -> String {
     let rise = [0.0, 0.05, 0.1, 0.3, 0.6, 0.8, 0.95, 1.0, 1.0, 1.0, 1.0];
@@ -428,12 +510,17 @@ fn bad_samples_are_refused_at_their_lines() {
         ("1,5", "1,high", "normal_force: `high` is not a number"),
         ("1,5", "1,nan", "`nan` is not a finite number"),
         ("1,5", "1", "the row has 1 of 2 cells"),
+        ("1,5", "1", "the file may be cut off here"),
+        ("1,5", "1,5,6", "the row has 3 of 2 cells"),
+        ("1,5", "1,5,6", "remove what is too much"),
+        ("1,5", ",5", "correct the time of this row"),
         ("1,5", "-1,5", "time: the time is not later than the one before"),
         ("1,5", ",5", "time: "),
         ("kN]", "kg]", "[kg]: `kg` is a mass; a force is expected"),
         ("kN]", "stone]", "[stone]: "),
         ("[ms]", "[m]", "time: [m]: `m` is a length; a duration is expected"),
         ("time", "t", "time: no column has this name"),
+        ("time [ms],normal", "time [ms];normal", "the columns are separated by semicolons or tabs"),
         ("normal_force", "force", "no column has the name of a channel"),
         ("time [ms],normal_force [kN]", "time [ms],time [ms]", "time: 2 columns have this name"),
         ("-1,0\n0,0\n1,5\n2,0\n", "", "the column has 1 of at least two samples"),
