@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from . import _native
+from ._errors import CaseError, Issue
 
 _V = TypeVar("_V", covariant=True)
 
@@ -139,31 +140,54 @@ class Answer(Facts[Any]):
     def _repr_html_(self) -> str:
         return f"{self._drawn(None) or ''}<pre>{html.escape(self.to_text())}</pre>"
 
-    def _drawn(self, figure: str | None) -> str | None:
+    def _drawn(self, figure: str | None, units: str | None = None) -> str | None:
         try:
-            return self.to_svg(figure)
+            return self.to_svg(figure, units=units)
         except ValueError:
             # Nothing to draw: the page says everything.
             return None
 
+    def __copy__(self) -> Answer:
+        return self
+
+    def __deepcopy__(self, _: dict[int, Any]) -> Answer:
+        return self
+
     def __reduce__(self) -> tuple[Any, ...]:
-        figures = {figure: self._drawn(figure) for figure in self.figures}
-        return type(self), (_Stored(self.to_json(), self.to_text(), figures), self._units)
+        pages = {units: self.to_text(units=units) for units in _UNITS}
+        drawn = {units: {figure: self._drawn(figure, units) for figure in self.figures} for units in _UNITS}
+        return type(self), (_Stored(self.to_json(), pages, drawn), self._units)
+
+
+#: Systems of units of a page; ``None`` is that of the case.
+_UNITS = (None, "us", "si", "uk")
 
 
 class _Stored:
-    """An answer from another process, with its page and figures as they were."""
+    """An answer from another process, with its pages and figures as they were."""
 
-    def __init__(self, json: str, page: str, figures: dict[str, str | None]) -> None:
+    def __init__(self, json: str, pages: dict[str | None, str], drawn: dict[str | None, dict[str, str | None]]) -> None:
         self.json = json
-        self.figures = figures
-        self._page = page
+        self.figures = list(drawn[None])
+        self._pages = pages
+        self._drawn = drawn
 
     def page(self, units: str | None = None) -> str:
-        return self._page
+        return self._pages[_known("units", units, self._pages)]
 
     def drawing(self, figure: str | None = None, units: str | None = None) -> str | None:
-        return next(iter(self.figures.values()), None) if figure is None else self.figures[figure]
+        drawn = self._drawn[_known("units", units, self._drawn)]
+        return next(iter(drawn.values()), None) if figure is None else drawn[_known("figure", figure, drawn)]
+
+
+_K = TypeVar("_K", bound=Hashable)
+
+
+def _known(argument: str, value: _K, known: Mapping[_K, Any]) -> _K:
+    if value not in known:
+        accepted = ", ".join(json.dumps(name) for name in known if name is not None)
+        raise CaseError._with([Issue("call", argument, f"unknown value {json.dumps(value)}", None, f"accepted: {accepted}")])
+    return value
 
 
 _Rendered = _native.Answer | _Stored

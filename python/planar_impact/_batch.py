@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import operator
 import os
 from collections.abc import Mapping, Sequence
@@ -122,6 +123,11 @@ def solve_batch(
         import pyarrow as pa
 
         return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), bool(fast), threads))
+    if _library(columns) == "polars" and type(columns).__name__ == "DataFrame":
+        import polars as pl
+
+        # It exports a column of nulls with a buffer that such a column of Arrow does not have.
+        columns = columns.cast({pl.Null: pl.String})
     with reporting(progress) as report:
         return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report))
 
@@ -252,14 +258,23 @@ def _like(given: Any, table: _native.Table) -> Any:
     if library == "pandas":
         import pyarrow as pa
 
-        # Its metadata has the index.
-        return pa.table(table).to_pandas()
+        return _to_pandas(pa.table(table))
     if library in ("duckdb", "_duckdb"):
         import duckdb
         import pyarrow as pa
 
         return duckdb.from_arrow(pa.table(table))
     return table
+
+
+def _to_pandas(table: Any) -> Any:
+    # Its metadata has the index, and the type of the names of the columns that were given, which those of the answer need not have.
+    metadata = dict(table.schema.metadata or {})
+    if b"pandas" in metadata:
+        known = json.loads(metadata[b"pandas"])
+        known["column_indexes"] = [index for index in known.get("column_indexes", []) if index.get("pandas_type") == "unicode"]
+        table = table.replace_schema_metadata({**metadata, b"pandas": json.dumps(known).encode()})
+    return table.to_pandas()
 
 
 def _one_batch(pa: Any, table: Any) -> Any:

@@ -138,7 +138,15 @@ struct Part<'a> {
 impl Plan {
     /// Reads the names of columns.
     #[new]
-    fn new(py: Python<'_>, names: Vec<String>, case: Option<&Source>, of: Vec<String>, wrt: Vec<String>, check: bool, fast: bool) -> PyResult<Plan> {
+    fn new(
+        py: Python<'_>,
+        names: Vec<String>,
+        case: Option<&Source>,
+        of: Vec<String>,
+        wrt: Vec<String>,
+        check: bool,
+        fast: bool,
+    ) -> PyResult<Plan> {
         let plan = py.detach(|| -> Result<Plan, Failure> {
             let headers: Vec<Header> = names.iter().map(|name| Header::read(name)).collect();
             let options = Options { of, wrt, check, fast };

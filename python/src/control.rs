@@ -1,7 +1,7 @@
 //! Lets Python handle signals and show progress during a long computation.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use planar_impact_app::{Cause, Control, Issues};
@@ -17,6 +17,8 @@ pub struct Signals {
     started: Instant,
     looked: AtomicU64,
     raised: Mutex<Option<PyErr>>,
+    /// Whether a handler has raised: a verb that goes on with its next stage then ends that at once, too.
+    is_stopped: AtomicBool,
     progress: Option<Py<PyAny>>,
     /// The number of steps in the last report.
     total: AtomicUsize,
@@ -26,11 +28,14 @@ impl Signals {
     /// Begins to look. `progress` is called with the number of steps that are done and of all steps.
     pub fn new(progress: Option<Py<PyAny>>) -> Signals {
         let (raised, total) = (Mutex::new(None), AtomicUsize::new(0));
-        Signals { started: Instant::now(), looked: AtomicU64::new(0), raised, progress, total }
+        Signals { started: Instant::now(), looked: AtomicU64::new(0), raised, is_stopped: AtomicBool::new(false), progress, total }
     }
 
-    /// Looks at the signals, if the last look is long ago. Returns `false` if a handler raises.
+    /// Looks at the signals, if the last look is long ago. Returns `false` if a handler raises, or has raised.
     pub fn look(&self, done: usize, total: usize) -> bool {
+        if self.is_stopped.load(Ordering::Relaxed) {
+            return false;
+        }
         self.total.store(total, Ordering::Relaxed);
         let now = self.started.elapsed().as_millis() as u64;
         let looked = self.looked.load(Ordering::Relaxed);
@@ -64,6 +69,7 @@ impl Signals {
             Ok(()) => true,
             Err(error) => {
                 *self.raised.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(error);
+                self.is_stopped.store(true, Ordering::Relaxed);
                 false
             }
         }

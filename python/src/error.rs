@@ -69,15 +69,17 @@ fn raise(class: &'static str, failure: &Failure) -> PyErr {
     })
 }
 
-/// Names options of the command line as arguments in Python: `--bounds-sd` is `bounds_sd`.
+/// Names options of the command line as arguments in Python: `--bounds-sd` is `bounds_sd`. A whole command in quotes stays as it is.
 fn arguments(sentence: &str, quote: &str) -> String {
     let mut parts = sentence.split("--");
     let mut named = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let end = part.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(part.len());
         let (option, rest) = part.split_at(end);
-        let is_option =
-            option.starts_with(|letter: char| letter.is_ascii_lowercase()) && !named.ends_with(|letter: char| letter.is_alphanumeric());
+        let is_quoted = quote == "`" && named.matches('`').count() % 2 == 1;
+        let is_option = !is_quoted
+            && option.starts_with(|letter: char| letter.is_ascii_lowercase())
+            && !named.ends_with(|letter: char| letter.is_alphanumeric());
         let option = if is_option { format!("{quote}{}{quote}", option.replace('-', "_")) } else { format!("--{option}") };
         named += &option;
         named += rest;

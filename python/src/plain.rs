@@ -18,7 +18,7 @@ const MOST: usize = 1000;
 ///
 /// What JSON does not have: a `CaseError` with all of it. An exception of the dictionary's own code.
 pub fn json(case: &Bound<'_, PyAny>) -> PyResult<String> {
-    let mut writer = Writer { json: Vec::with_capacity(1024), path: Vec::new(), issues: Vec::new() };
+    let mut writer = Writer { json: Vec::with_capacity(1024), path: Vec::new(), depth: 0, issues: Vec::new() };
     writer.value(case)?;
     let Writer { json, issues, .. } = writer;
     if issues.is_empty() {
@@ -38,6 +38,8 @@ enum Step<'py> {
 struct Writer<'py> {
     json: Vec<u8>,
     path: Vec<Step<'py>>,
+    /// Levels of the structure, and of plain forms of its values.
+    depth: usize,
     issues: Vec<Issue>,
 }
 
@@ -56,7 +58,7 @@ impl<'py> Writer<'py> {
     fn value(&mut self, value: &Bound<'py, PyAny>) -> PyResult<()> {
         if self.json.len() as u64 > Source::LARGEST {
             // Too large for a case file, which its reader says; a dictionary within itself has no end.
-        } else if self.path.len() > DEEPEST {
+        } else if self.depth > DEEPEST {
             self.wrong(format_args!("nested more than {DEEPEST} levels deep"));
         } else if let Ok(number) = value.cast::<PyFloat>() {
             self.number(number.value());
@@ -71,8 +73,12 @@ impl<'py> Writer<'py> {
         } else if let Ok(whole) = value.cast::<PyInt>() {
             match (whole.extract::<i64>(), whole.extract::<f64>()) {
                 (Ok(whole), _) => self.json.extend_from_slice(whole.to_string().as_bytes()),
-                (_, Ok(_)) => self.json.extend_from_slice(whole.str()?.to_str()?.as_bytes()),
-                _ => self.number(f64::INFINITY),
+                // The digits of an int, whatever a class that extends it calls itself.
+                (_, Ok(_)) => {
+                    let digits = whole.py().get_type::<PyInt>().call_method1("__repr__", (whole,))?;
+                    self.json.extend_from_slice(digits.cast::<PyString>()?.to_str()?.as_bytes());
+                }
+                _ => self.wrong("expected a finite number, found an int beyond the range of floats"),
             }
         } else if value.is_none() {
             self.json.extend_from_slice(b"null");
@@ -81,13 +87,34 @@ impl<'py> Writer<'py> {
         } else if let Ok(mapping) = value.cast::<PyMapping>() {
             self.entries(mapping.items()?.iter().map(|entry| entry.extract()))?;
         } else if value.hasattr("tolist")? && !value.is_instance_of::<PyMemoryView>() {
-            self.value(&value.call_method0("tolist")?)?;
+            let plain = value.call_method0("tolist")?;
+            // A long double is its own plain form.
+            let is_float = || value.getattr("dtype")?.getattr("kind")?.extract::<String>().map(|kind| kind == "f");
+            if !plain.get_type().is(value.get_type()) {
+                self.within(&plain)?;
+            } else if is_float().unwrap_or(false) {
+                self.number(value.extract()?);
+            } else {
+                self.unknown(value)?;
+            }
         } else if value.cast::<PySequence>().is_ok() && !is_binary(value) {
             self.items(value.try_iter()?)?;
         } else {
-            let kind = value.get_type().name()?;
-            self.wrong(format_args!("expected a number, a string, a bool, a list or a dict, found {kind}"));
+            self.unknown(value)?;
         }
+        Ok(())
+    }
+
+    fn within(&mut self, value: &Bound<'py, PyAny>) -> PyResult<()> {
+        self.depth += 1;
+        self.value(value)?;
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn unknown(&mut self, value: &Bound<'py, PyAny>) -> PyResult<()> {
+        let kind = value.get_type().name()?;
+        self.wrong(format_args!("expected a number, a string, a bool, a list or a dict, found {kind}"));
         Ok(())
     }
 
@@ -133,7 +160,7 @@ impl<'py> Writer<'py> {
             self.text(&key);
             self.json.push(b':');
             self.path.push(Step::Key(key));
-            self.value(&value)?;
+            self.within(&value)?;
             self.path.pop();
         }
         self.json.push(b'}');
@@ -147,7 +174,7 @@ impl<'py> Writer<'py> {
                 self.json.push(b',');
             }
             self.path.push(Step::Item(place + 1));
-            self.value(&item?)?;
+            self.within(&item?)?;
             self.path.pop();
         }
         self.json.push(b']');

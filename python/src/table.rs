@@ -7,9 +7,8 @@ use std::thread;
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
-use planar_impact_app::Issues;
+use planar_impact_app::{Issue, Issues};
 use planar_impact_arrow::{Options, Plan};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
@@ -127,7 +126,7 @@ fn plan(schema: &SchemaRef, case: Option<&Source>, options: &Options) -> PyResul
 }
 
 fn unread(error: ArrowError) -> PyErr {
-    PyValueError::new_err(format!("the table cannot be read: {error}"))
+    error::of(Issues::of_call(vec![Issue::of_call("columns", format!("the table cannot be read: {error}"), None)]))
 }
 
 /// Cuts a record batch into parts for one thread each.

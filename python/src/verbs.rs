@@ -260,7 +260,8 @@ pub fn record(py: Python<'_>, files: Vec<PyRef<'_, Source>>, units: Option<&str>
     let signals = Signals::new(None);
     let files: Vec<&Source> = files.iter().map(|file| &**file).collect();
     let answer = py.detach(|| {
-        let failure = |units| move |issues| Failure { issues, units, has_lines: true };
+        let has_lines = files.iter().all(|file| file.has_lines());
+        let failure = |units| move |issues| Failure { issues, units, has_lines };
         let given = units::named(units).map_err(failure(Units::Si))?;
         let read = |source: &&Source| source.read().and_then(|(source, open)| Recording::parse(source, &open));
         let recordings: Vec<Recording> = files.iter().map(read).collect::<Result<_, _>>().map_err(failure(given.unwrap_or(Units::Si)))?;

@@ -110,7 +110,16 @@ def test_figures(verb: Any, names: list[str]) -> None:
     assert answer._repr_html_().startswith(drawn[0])
     with pytest.raises(CaseError, match=f'"{names[-1]}"'):
         answer.to_svg("other")
-    assert pickle.loads(pickle.dumps(answer)).to_svg(names[-1]) == drawn[-1]
+    again = pickle.loads(pickle.dumps(answer))
+    assert again.figures == names and again.to_svg(names[-1]) == drawn[-1] and again.to_svg() == drawn[0]
+    assert again.to_svg(names[0], units="us") == answer.to_svg(names[0], units="us")
+    for wrong in ({"figure": "other"}, {"units": "furlongs"}):
+        messages = []
+        for one in (answer, again):
+            with pytest.raises(CaseError) as caught:
+                one.to_svg(**wrong)
+            messages.append(caught.value.issues[0])
+        assert messages[0].path == messages[1].path and messages[0].message == messages[1].message
 
 
 def test_a_figure_that_an_answer_does_not_have() -> None:

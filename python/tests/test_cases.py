@@ -178,6 +178,11 @@ def test_an_answer_is_copied_and_sent_to_other_processes() -> None:
     for other in (pickle.loads(pickle.dumps(answer)), copy.deepcopy(answer)):
         assert isinstance(other, Answer)
         assert (other.to_json(), str(other), other._repr_html_()) == (answer.to_json(), str(answer), answer._repr_html_())
+        for units in ("us", "si", "uk"):
+            assert other.to_text(units=units) == answer.to_text(units=units)
+        with pytest.raises(CaseError, match="furlongs"):
+            other.to_text(units="furlongs")
+    assert answer.to_text(units="us") != answer.to_text(units="si")
     assert copy.deepcopy(answer.energy) == answer.energy
 
 

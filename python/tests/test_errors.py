@@ -209,6 +209,16 @@ def test_progress_of_a_search() -> None:
 
     with pytest.raises(LookupError, match="stop"):
         planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=10**12, method="monte-carlo", progress=fail)
+    calls = []
+
+    def fail_once(done: int, total: int) -> None:
+        calls.append(done)
+        if len(calls) == 1:
+            raise LookupError("once")
+
+    with pytest.raises(LookupError, match="once"):
+        planar_impact.uncertainty(EXAMPLES / "uncertain.toml", samples=2**40, precision=1e-9, progress=fail_once)
+    assert len(calls) == 1
 
 
 def test_a_bar_of_tqdm(capsys: pytest.CaptureFixture[str]) -> None:
@@ -241,6 +251,9 @@ def interrupted(call: Any) -> float:
 def test_an_interrupt_stops_a_long_call() -> None:
     uncertain = EXAMPLES / "uncertain.toml"
     assert interrupted(lambda: planar_impact.uncertainty(uncertain, samples=10**12, method="monte-carlo")) < 5
+    # What comes after the stage that was stopped stops too.
+    assert interrupted(lambda: planar_impact.uncertainty(uncertain, samples=2**40, precision=1e-9)) < 5
+    assert interrupted(lambda: planar_impact.uncertainty(uncertain, method="bounds", of="all")) < 5
     speeds = np.linspace(10, 20, 3_000_000)
     with_case: dict[str, Any] = {"case": planar_impact.template("barrier"), "of": "T_L", "wrt": ["e", "Gamma"], "threads": 1}
     assert interrupted(lambda: planar_impact.solve_batch({"vehicle.1.speed": speeds}, **with_case)) < 5
@@ -263,3 +276,14 @@ def test_other_threads_run_during_a_call() -> None:
     done.set()
     thread.join()
     assert len(ticks) > min(20, 50 * took)
+
+
+def test_what_is_wrong_with_dicts_and_names() -> None:
+    for call in (lambda: planar_impact.record({}), lambda: planar_impact.stiffness({})):
+        with pytest.raises(CaseError) as caught:
+            call()
+        assert all(issue.line is None for issue in caught.value.issues) and "<dict>" not in str(caught.value)
+    with pytest.raises(CaseError) as caught:
+        planar_impact.formula("nope")
+    message = str(caught.value)
+    assert "`nope`" in message and message.count("`") % 2 == 0 and "``" not in message and "`list`" not in message

@@ -183,3 +183,17 @@ def test_a_stream_that_fails() -> None:
     reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), batches())
     with pytest.raises(ValueError, match="the disk is gone"):
         planar_impact.solve_batch(Other(reader), case=BARRIER)
+
+
+def test_columns_without_a_type_and_tables_without_columns() -> None:
+    polars = pytest.importorskip("polars")
+    solved = planar_impact.solve_batch(polars.DataFrame({"vehicle.1.speed": [12.0], "remark": [None]}), case=BARRIER, of="dV1")
+    assert solved["remark"].to_list() == [None] and solved["vehicle.1.delta_v_magnitude"][0] > 10
+    pandas = pytest.importorskip("pandas")
+    for names in ([0, 1], ["site", "note"], []):
+        given = pandas.DataFrame([[1, 2]], columns=names) if names else pandas.DataFrame()
+        given["vehicle.1.speed"] = [12.0]
+        found = planar_impact.solve_batch(given, case=BARRIER, of="dV1")
+        assert [str(name) for name in found.columns][: len(names)] == [str(name) for name in names]
+        assert found["vehicle.1.delta_v_magnitude"][0] > 10
+    assert len(planar_impact.solve_batch(pandas.DataFrame(), case=BARRIER, of="dV1")) == 0
