@@ -1,5 +1,7 @@
-// A case as the fragment of an address: "#1." and the deflated JSON in base64url. The number is the version of the form.
-const VERSION = "1";
+// A case as the fragment of an address: "#2." and the packed JSON in base64url. The number is the version of the form: version 1 had no checksum, so that a letter
+// that was changed on its way could open another case.
+const VERSION = "2";
+const FORMS: Record<string, CompressionFormat> = { 1: "deflate-raw", [VERSION]: "gzip" };
 /** Most bytes of a case with its files, packed and unpacked. */
 const PACKED = 1 << 20;
 const LARGEST = 4 << 20;
@@ -10,7 +12,7 @@ export interface Shared {
   files: Record<string, string>;
 }
 
-async function through(bytes: Uint8Array, by: GenericTransformStream, most: number): Promise<Uint8Array> {
+async function through(bytes: Uint8Array, by: GenericTransformStream, most: number, tooLarge: string): Promise<Uint8Array> {
   const reader = (new Blob([bytes as BlobPart]).stream().pipeThrough(by as ReadableWritablePair<Uint8Array, Uint8Array>)).getReader();
   const parts: Uint8Array[] = [];
   let size = 0;
@@ -20,7 +22,7 @@ async function through(bytes: Uint8Array, by: GenericTransformStream, most: numb
     size += value.length;
     if (size > most) {
       await reader.cancel();
-      throw new Error(`the case of this address is larger than ${most >> 20} MiB`);
+      throw new Error(`${tooLarge} larger than ${most >> 20} MiB`);
     }
     parts.push(value);
   }
@@ -37,7 +39,7 @@ export async function pack(shared: Shared): Promise<string> {
   const json = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.files]));
   // What cannot be read again is not written.
   if (json.length > LARGEST) throw new Error(`the case and its files are larger than ${LARGEST >> 20} MiB: an address cannot hold them`);
-  const packed = await through(json, new CompressionStream("deflate-raw"), PACKED);
+  const packed = await through(json, new CompressionStream(FORMS[VERSION]!), PACKED, "the packed case and its files are");
   let binary = "";
   for (let at = 0; at < packed.length; at += 8192) binary += String.fromCharCode(...packed.subarray(at, at + 8192));
   return `#${VERSION}.${btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
@@ -48,12 +50,15 @@ export async function unpack(fragment: string): Promise<Shared | null> {
   if (fragment.length <= 1) return null;
   const parts = /^#([0-9]+)\.([A-Za-z0-9_-]+)$/.exec(fragment);
   if (!parts) throw new Error("the part of this address after # is not a case");
-  if (parts[1] !== VERSION) throw new Error(`the case of this address is of version ${parts[1]!.slice(0, 9)}; this page reads version ${VERSION}`);
+  const form = FORMS[parts[1]!];
+  if (!form) {
+    throw new Error(`the case of this address is of version ${parts[1]!.slice(0, 9)}; this page reads versions ${Object.keys(FORMS).join(" and ")}`);
+  }
   if (parts[2]!.length > Math.ceil((PACKED * 4) / 3)) throw new Error("the case of this address is too large");
   let json: string;
   try {
     const packed = Uint8Array.from(atob(parts[2]!.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
-    json = new TextDecoder("utf-8", { fatal: true }).decode(await through(packed, new DecompressionStream("deflate-raw"), LARGEST));
+    json = new TextDecoder("utf-8", { fatal: true }).decode(await through(packed, new DecompressionStream(form), LARGEST, "the case of this address is"));
   } catch (error) {
     throw new Error(error instanceof Error && error.message.startsWith("the case") ? error.message : "the case of this address is damaged");
   }

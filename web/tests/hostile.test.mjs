@@ -50,25 +50,40 @@ test("an address that could not be read again is not written", async () => {
 test("a damaged address is refused with its reason", async () => {
   const { pack, unpack } = await module("src/share.ts");
   const next = random(2);
-  const whole = await pack({ name: "a.toml", text: examples[0].text, files: { "a.csv": "1,2\n" } });
+  const original = { name: "a.toml", text: examples[0].text, files: { "a.csv": "1,2\n" } };
+  const whole = await pack(original);
   const odd = [null, 1, [], ["a"], ["a", 1, {}], ["a", "b", null], ["a", "b", { c: 1 }], ["a", "b", []], ["a", "b", {}, 1], { 0: "a", 1: "b", 2: {} }];
   let [refused, read] = [0, 0];
   const visit = async (fragment) => {
     try {
       const shared = await unpack(fragment);
-      if (shared === null) return;
+      if (shared === null) return null;
       assert.ok(typeof shared.name === "string" && shared.name.length <= 200 && typeof shared.text === "string");
       assert.ok(Object.values(shared.files).every((file) => typeof file === "string"));
       read++;
+      return shared;
     } catch (error) {
-      assert.match(error.message, /^the (part of this address after # is not a case|case of this address is (too large|damaged|of version [0-9]{1,9}; this page reads version 1|larger than 4 MiB))$/);
+      assert.match(error.message, /^the (part of this address after # is not a case|case of this address is (too large|damaged|of version [0-9]{1,9}; this page reads versions 1 and 2|larger than 4 MiB))$/);
       refused++;
+      return null;
     }
   };
   for (const value of odd) await visit(`#1.${deflateRawSync(JSON.stringify(value)).toString("base64url")}`);
   assert.equal(refused, odd.length - 1, "an empty list is no names");
-  for (let k = 0; k < COUNT; k++) await visit(damaged(whole, next));
+  // Addresses of version 1 are read as ever.
+  assert.deepEqual(await visit(`#1.${deflateRawSync(JSON.stringify(Object.values(original))).toString("base64url")}`), original);
+  [refused, read] = [0, 0];
+  for (let k = 0; k < COUNT; k++) {
+    const shared = await visit(damaged(whole, next));
+    if (shared !== null) assert.deepEqual(shared, original);
+  }
   assert.ok(refused > COUNT / 2 && read > 0, `${refused} refused, ${read} read`);
+  // No letter that is changed opens another case.
+  for (let at = 3; at < whole.length; at++) {
+    const other = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"[Math.floor(64 * next())];
+    const shared = await visit(whole.slice(0, at) + other + whole.slice(at + 1));
+    if (shared !== null) assert.deepEqual(shared, original);
+  }
 });
 
 test("a damaged case has a frame or issues, and edits of it do not trap", async () => {
