@@ -59,7 +59,7 @@ impl Field {
     fn of(sweep: &Charted<'_>, at: usize) -> Field {
         let (wide, high) = (sweep.ranges[0].si.len(), sweep.ranges[1].si.len());
         let (column, conversion) = (sweep.column(at), sweep.units.conversion(sweep.outputs[at].measure()));
-        let values = transposed(column, wide, high).map(|value| conversion.of_si(value)).collect();
+        let values = transposed(&column, wide, high).map(|value| conversion.of_si(value)).collect();
         let falls = [0, 1].map(|axis| sweep.ranges[axis].shown.first() > sweep.ranges[axis].shown.last());
         Field { at, values, wide, high, falls }
     }

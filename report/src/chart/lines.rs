@@ -102,7 +102,7 @@ impl Panel {
         for (i, &at) in self.outputs.iter().enumerate() {
             let (y, output) = (row_of(i, rows), sweep.outputs[at]);
             rows += sample(area, i, rows, &output.short_name())?;
-            if runs(&range(sweep).shown, sweep.column(at)).any(|run| run.len() == 1) {
+            if runs(&range(sweep).shown, &sweep.column(at)).any(|run| run.len() == 1) {
                 draw_marker(area, (px(28) as i32, y * px(1) as i32), i)?;
             }
         }
