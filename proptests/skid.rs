@@ -1,7 +1,8 @@
 //! Skids in a straight line.
 
 use crate::strategies::config;
-use planar_impact::skid::{Skid, braking, skid_speed};
+use planar_impact::Xy;
+use planar_impact::skid::{Skid, braking, braking_speed, skid_speed};
 use proptest::prelude::*;
 
 const GRAVITY: f64 = 9.80665;
@@ -28,6 +29,10 @@ proptest! {
         }
         let whole = (end * end + skid_speed(&skids, GRAVITY).powi(2)).sqrt();
         prop_assert!((parts[0].start - whole).abs() < 1e-12 * whole);
+        // Whatever the direction of travel.
+        let (y, x) = (0.3 * end).sin_cos();
+        let at_impact = Xy { x: end * x, y: end * y };
+        prop_assert!((braking_speed(at_impact, skid_speed(&skids, GRAVITY)) - whole).abs() < 1e-12 * whole);
         // Newton's law along the slope: friction of the normal force, and the weight's part along the road.
         for (skid, part) in skids.iter().zip(&parts) {
             let slope = skid.grade.atan();

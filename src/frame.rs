@@ -293,6 +293,13 @@ mod tests {
     }
 
     #[test]
+    fn a_heading_and_its_reverse_are_half_a_turn_apart() {
+        let heading = Heading { cos: 0.6, sin: -0.8 };
+        assert_eq!(heading.reversed(), Heading { cos: -0.6, sin: 0.8 });
+        assert_eq!(heading.reversed().reversed(), heading);
+    }
+
+    #[test]
     fn a_half_tangent_of_one_third_is_the_3_4_5_triangle() {
         let plane = CrushPlane::from_half_tangent(1.0_f64 / 3.0);
         assert!((plane.cos - 0.8).abs() < 1e-15 && (plane.sin - 0.6).abs() < 1e-15);

@@ -306,6 +306,17 @@ mod tests {
         assert_eq!(3.0_f32.magnitude(), 3.0);
     }
 
+    /// Functions of single precision are those of double precision, rounded.
+    #[test]
+    fn single_precision_rounds_double_precision() {
+        let near = |single: f32, double: f64| assert!((f64::from(single) - double).abs() <= 2e-7 * double.abs(), "{single}, {double}");
+        for (y, x) in [(1.0_f32, 2.0), (-0.3, 0.7), (0.5, -1.5), (-2.0, -0.1)] {
+            near(y.portable_atan2(x), f64::from(y).portable_atan2(x.into()));
+            near(y.abs().portable_ln(), f64::from(y.abs()).portable_ln());
+            near(y.abs().portable_pow(x), f64::from(y.abs()).portable_pow(x.into()));
+        }
+    }
+
     #[test]
     fn half_and_square_are_exact() {
         assert_eq!(3.0.half(), 1.5);

@@ -81,6 +81,11 @@ pub fn skid_speed<T: Real>(skids: &[Skid<T>], gravity: T) -> T {
 }
 
 /// Returns the speed of a vehicle when it began to brake, in m/s: √(v² + s²) of its velocity v at the impact and its skid speed s.
+///
+/// ```
+/// use planar_impact::{Xy, skid::braking_speed};
+/// assert_eq!(braking_speed(Xy { x: 2.0, y: -6.0 }, 9.0), 11.0);
+/// ```
 pub fn braking_speed<T: Real>(at_impact: Xy<T>, skid_speed: T) -> T {
     (at_impact.length_squared() + skid_speed.squared()).square_root()
 }

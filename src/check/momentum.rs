@@ -154,3 +154,13 @@ fn line_of_action<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut 
         )
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_are_counted_from_one() {
+        assert_eq!([Side::One, Side::Two].map(number_of), [1, 2]);
+    }
+}
