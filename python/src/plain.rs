@@ -55,9 +55,14 @@ impl<'py> Writer<'py> {
         }
     }
 
+    /// Returns `true` if it is too large for a case file, which its reader says.
+    fn is_full(&self) -> bool {
+        self.json.len() as u64 > Source::LARGEST
+    }
+
     fn value(&mut self, value: &Bound<'py, PyAny>) -> PyResult<()> {
-        if self.json.len() as u64 > Source::LARGEST {
-            // Too large for a case file, which its reader says; a dictionary within itself has no end.
+        if self.is_full() {
+            // A dictionary within itself has no end.
         } else if self.depth > DEEPEST {
             self.wrong(format_args!("nested more than {DEEPEST} levels deep"));
         } else if let Ok(number) = value.cast::<PyFloat>() {
@@ -87,15 +92,14 @@ impl<'py> Writer<'py> {
         } else if let Ok(mapping) = value.cast::<PyMapping>() {
             self.entries(mapping.items()?.iter().map(|entry| entry.extract()))?;
         } else if value.hasattr("tolist")? && !value.is_instance_of::<PyMemoryView>() {
+            let kind = value.getattr("dtype").and_then(|dtype| dtype.getattr("kind")?.extract::<String>()).unwrap_or_default();
             let plain = value.call_method0("tolist")?;
-            // A long double is its own plain form.
-            let is_float = || value.getattr("dtype")?.getattr("kind")?.extract::<String>().map(|kind| kind == "f");
-            if !plain.get_type().is(value.get_type()) {
-                self.within(&plain)?;
-            } else if is_float().unwrap_or(false) {
-                self.number(value.extract()?);
-            } else {
-                self.unknown(value)?;
+            // The plain form of some times is an int of any unit, and a long double is its own.
+            match kind.as_str() {
+                "m" | "M" => self.unknown(value)?,
+                _ if !plain.get_type().is(value.get_type()) => self.within(&plain)?,
+                "f" => self.number(value.extract()?),
+                _ => self.unknown(value)?,
             }
         } else if value.cast::<PySequence>().is_ok() && !is_binary(value) {
             self.items(value.try_iter()?)?;
@@ -144,6 +148,9 @@ impl<'py> Writer<'py> {
         self.json.push(b'{');
         let mut is_first = true;
         for entry in entries {
+            if self.is_full() {
+                break;
+            }
             let (key, value) = entry?;
             let key = match key.cast_into::<PyString>() {
                 Ok(key) => key,
@@ -170,6 +177,9 @@ impl<'py> Writer<'py> {
     fn items(&mut self, items: impl Iterator<Item = PyResult<Bound<'py, PyAny>>>) -> PyResult<()> {
         self.json.push(b'[');
         for (place, item) in items.enumerate() {
+            if self.is_full() {
+                break;
+            }
             if place > 0 {
                 self.json.push(b',');
             }

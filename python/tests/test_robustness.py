@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -77,7 +78,8 @@ def test_plain_forms_of_numbers() -> None:
     assert solved(impact_center=np.array([1.9, 0.125], dtype=np.longdouble)) == plain
     with pytest.raises(CaseError, match=f"{2**65} kg m"):
         solved(yaw_inertia=Whole(2**65))
-    refused: list[Any] = [np.clongdouble(1450), np.complex128(1450), Itself(), Deeper(100_000)]
+    refused: list[Any] = [np.clongdouble(1450), np.complex128(1450), Itself(), Deeper(100_000), np.timedelta64(1450, "ns")]
+    refused += [np.datetime64(1450, "ns"), np.array(1450, dtype="m8[ns]")]
     for mass in refused:
         with pytest.raises(CaseError) as caught:
             solved(mass=mass)
@@ -85,3 +87,11 @@ def test_plain_forms_of_numbers() -> None:
     for beyond in (10**400, -(10**400)):
         with pytest.raises(CaseError, match="beyond the range of floats"):
             solved(mass=beyond)
+
+
+def test_what_has_no_end_is_too_large_soon() -> None:
+    started = time.monotonic()
+    for endless in (range(10**10), {"title": range(10**10)}):
+        with pytest.raises(CaseError, match="larger than"):
+            planar_impact.solve({"schema": 1, "note": endless})
+    assert time.monotonic() - started < 20
