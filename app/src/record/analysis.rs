@@ -104,10 +104,8 @@ impl Channel {
                 (values[0], (last - values[before]).abs())
             }
             _ => {
-                let is_before = |time: &f64| before.is_some_and(|before| (before.from..=before.to).contains(time));
-                let (count, sum) =
-                    times.iter().zip(values).filter(|(time, _)| is_before(time)).fold((0, 0.0), |(n, sum), (_, x)| (n + 1, sum + x));
-                let unloaded = if count > 0 { sum / f64::from(count) } else { 0.0 };
+                // A window without a mean is reported where the channel is integrated.
+                let unloaded = before.and_then(|before| self.record.baseline(&before).ok()).map_or(0.0, |mean| mean.value);
                 (unloaded, (last - unloaded).abs())
             }
         };
