@@ -33,7 +33,9 @@ fn figures(root: &Path) -> io::Result<String> {
             if folder == "proptests" { laws += found } else { tests += found }
         })?;
     }
-    let rows = |text: &str| text.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| ---")).count();
+    // Each table has a row of heads, above a line.
+    let begins = |text: &str, with: &str| text.lines().filter(|line| line.starts_with(with)).count();
+    let rows = |text: &str| begins(text, "| ") - begins(text, "|-");
     let reproducers = fs::read_dir(root.join("cli/tests/reproducers"))?.count();
     let executions = read("fuzz/executions.txt")?;
     let fuzzed: u64 = executions.lines().filter_map(|line| line.split_whitespace().nth(1)?.parse::<u64>().ok()).sum();
