@@ -16,6 +16,7 @@ use alloc::string::String;
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     signs(known, judge);
+    normal_work(known, judge);
     energies(known, judge);
     impulses(known, judge);
     equivalent_energy_speeds(known, judge);
@@ -53,6 +54,26 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
     known.number(Key::MomentWork).or_else(implied)
 }
 
+/// Checks that the normal impulse does no work on the bodies, which takes a restitution above 1, and that its work is that of the reported speeds:
+/// W_n = −½ |P_n| (closing − separation speed). If the motions determine it, the claim is compared with them.
+fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
+    let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
+    judge.not_above(Rule::Reported, Residual::new(work, work.value.abs()), |size, _| {
+        format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
+    });
+    let numbers = [Key::NormalImpulse, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
+    let [Some(impulse), Some(closing), Some(parting)] = numbers else { return };
+    let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
+    let scale = work.value.abs().max(of_speeds.size);
+    judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale), |size, bound| {
+        let (work, of_speeds, size, bound) = (Digits(work.value), Digits(of_speeds.value), Digits(size), Digits(bound));
+        format!(
+            "the work of the normal impulse is said to be {work} J, and the impulse and both speeds make it {of_speeds} J: {size} off, {bound} may be"
+        )
+    });
+}
+
 fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let equal = |judge: &mut Judge, (words, a): (&str, Uncertain<N>), (other, b): (&str, Uncertain<N>), scale: f64| {
         judge.zero(Rule::Reported, Residual::new(a - b, scale), |size, bound| {
@@ -69,10 +90,16 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         let subject = known.subject(side);
         subject.fixed && subject.before.is_some_and(|v| [v.x, v.y].iter().any(|v| v.value != 0.0 || v.radius() > 0.0))
     };
-    if let (Some(before), Some(after), Some(loss), false) =
-        (known.number(Key::EnergyBefore), known.number(Key::EnergyAfter), loss.or(works), Side::ALL.into_iter().any(moves))
-    {
-        equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), loss.value.abs().max(before.value.abs()));
+    let (Some(before), Some(loss), false) = (known.number(Key::EnergyBefore), loss.or(works), Side::ALL.into_iter().any(moves)) else {
+        return;
+    };
+    let scale = loss.value.abs().max(before.value.abs());
+    match known.number(Key::EnergyAfter) {
+        Some(after) => equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), scale),
+        None => judge.not_above(Rule::Reported, Residual::new(loss - before, scale), |size, bound| {
+            let (loss, before, size, bound) = (Digits(loss.value), Digits(before.value), Digits(size), Digits(bound));
+            format!("the energy loss is said to be {loss} J, and the kinetic energy before {before} J: {size} more than there was, {bound} may be")
+        }),
     }
 }
 

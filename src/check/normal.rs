@@ -145,9 +145,20 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
 
 /// Checks the restitution of reported speeds if the motions do not determine it.
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let keys = [Key::Restitution, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
-    let [Some(e), Some(closing), Some(parting)] = keys else { return };
+    let [e, closing, parting] = [Key::Restitution, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
+    let (Some(closing), Some(parting)) = (closing, parting) else { return };
     let scale = closing.value.abs();
+    let Some(e) = e else {
+        return judge.not_above(Rule::Restitution, Residual::new(parting - closing, scale.max(parting.value.abs())), |size, bound| {
+            format!(
+                "the closing speed is said to be {} m/s, and the separation speed {} m/s, which is more: {} m/s off, {} may be",
+                Digits(closing.value),
+                Digits(parting.value),
+                Digits(size),
+                Digits(bound)
+            )
+        });
+    };
     judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(scale.max(f64::MIN_POSITIVE)), |size, bound| {
         format!(
             "the restitution is said to be {}, and the closing speed {} m/s and the separation speed {} m/s; their ratio is {} off, {} may be",

@@ -204,10 +204,15 @@ fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, ju
     }
 }
 
-/// Checks reported ratios if the motions do not determine them.
+/// Checks the number of the model by itself and by reported ratios if the motions do not determine them.
 fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let model = &known.record.model;
     let claimed = known.number(Key::ImpulseRatio);
+    match (model.ratio_kind, claimed) {
+        (RatioKind::Friction, Some(friction)) => friction_of_claims(known, friction, judge),
+        (RatioKind::OfCritical, Some(share)) if known.moment.is_none() => share_of_claims(known, share, judge),
+        _ => (),
+    }
     let given = claimed.filter(|_| model.ratio_kind == RatioKind::Given).or_else(|| known.number(Key::ReportedRatio));
     let of_model = claimed.filter(|_| matches!(model.ratio_kind, RatioKind::Given | RatioKind::Critical));
     let said = |ratio: Uncertain<N>| -> String { format!("the impulse ratio is said to be {}", Digits(ratio.value)) };
@@ -242,6 +247,49 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(ratio), Some(critical), true) = (given, known.number(Key::CriticalRatio), is_critical && known.moment.is_none()) {
         beyond_claim(ratio, critical, judge);
     }
+}
+
+/// Checks that friction is not below zero, and that no reported ratio is above it.
+fn friction_of_claims<const N: usize>(known: &Known<'_, N>, friction: Uncertain<N>, judge: &mut Judge) {
+    let rule = Rule::ImpulseRatio;
+    judge.not_above(rule, Residual::new(-friction, friction.value.abs().max(1.0)), |_, _| {
+        format!("the friction is said to be {}, which is below 0", Digits(friction.value))
+    });
+    let of_impulse = known.number(Key::NormalImpulse).zip(known.number(Key::TangentialImpulse));
+    let of_impulse = of_impulse
+        .filter(|(n, _)| n.value != 0.0)
+        .map(|(n, t)| (t.magnitude() - friction * n.magnitude(), t.value / n.value, n.value.abs()));
+    let of_ratio = known.number(Key::ReportedRatio).map(|ratio| (ratio.magnitude() - friction, ratio.value, 1.0));
+    for (above, ratio, per) in of_ratio.into_iter().chain(of_impulse) {
+        let residual = Residual::new(above, per * ratio.abs().max(1.0)).per(per);
+        judge.not_above(rule, residual, |size, bound| {
+            let (friction, ratio, size, bound) = (Digits(friction.value), Digits(ratio), Digits(size), Digits(bound));
+            format!(
+                "the friction is said to be {friction}, and the impulse ratio that is reported is {ratio}: {size} above it, {bound} may be"
+            )
+        });
+    }
+}
+
+/// Checks that the share of the critical ratio lies from 0 to 1, and that both ratios that are reported have it. The critical ratio that is reported is that of
+/// Brach's law.
+fn share_of_claims<const N: usize>(known: &Known<'_, N>, share: Uncertain<N>, judge: &mut Judge) {
+    let out_of_range = [(share - Uncertain::exact(1.0), "above 1"), (-share, "below 0")];
+    for (beyond, words) in out_of_range {
+        judge.not_above(Rule::BeyondCritical, Residual::new(beyond, share.value.abs().max(1.0)), |_, _| {
+            format!("the share of the critical impulse ratio is said to be {}, which is {words}", Digits(share.value))
+        });
+    }
+    let ratios = known.number(Key::ReportedRatio).zip(known.number(Key::CriticalRatio));
+    let Some((ratio, critical)) = ratios.filter(|_| known.record.model.law == Law::Brach) else { return };
+    let of_share = share * critical;
+    judge.zero(Rule::ImpulseRatio, Residual::new(ratio - of_share, ratio.value.abs().max(1.0)), |size, bound| {
+        let (share, critical, ratio, size, bound) =
+            (Digits(share.value), Digits(critical.value), Digits(ratio.value), Digits(size), Digits(bound));
+        format!(
+            "the impulse ratio is said to be {share} of the critical {critical}, and is reported as {ratio}: {size} off, {bound} may be"
+        )
+    });
 }
 
 /// Checks that a reported ratio is not beyond the reported critical one. A ratio of the other sign is possible, and rare: where the impulse that ends sliding

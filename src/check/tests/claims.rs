@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::law::Law;
+use alloc::vec;
 
 #[test]
 fn claims_are_held_against_each_other() {
@@ -34,6 +35,29 @@ fn claims_are_held_against_each_other() {
     let mut share = Record { model: Model { ratio_kind: RatioKind::OfCritical, ..Model::default() }, ..Record::default() };
     [(Key::ImpulseRatio, 0.5), (Key::ReportedRatio, 0.3), (Key::CriticalRatio, 0.6)].iter().for_each(|&(key, value)| share.set(key, value));
     assert!(rules(&share).is_empty());
+    let of_kind = |ratio_kind: RatioKind, claims: &[(Key, f64)]| {
+        let mut record = Record { model: Model { ratio_kind, ..Model::default() }, ..Record::default() };
+        claims.iter().for_each(|&(key, value)| record.set(key, value));
+        rules(&record)
+    };
+    let share = |share: f64, ratio: f64, critical: f64| {
+        of_kind(RatioKind::OfCritical, &[(Key::ImpulseRatio, share), (Key::ReportedRatio, ratio), (Key::CriticalRatio, critical)])
+    };
+    assert_eq!((share(0.5, 0.3, 0.4), share(0.75, -0.3, -0.4)), (vec!["impulse-ratio"], vec![]));
+    for (of, share) in [(1.0, vec![]), (1.2, vec!["beyond-critical"]), (0.0, vec![]), (-0.5, vec!["beyond-critical"])] {
+        assert_eq!(of_kind(RatioKind::OfCritical, &[(Key::ImpulseRatio, of)]), share, "{of}");
+    }
+    let friction =
+        |friction: f64, claims: &[(Key, f64)]| of_kind(RatioKind::Friction, &[&[(Key::ImpulseRatio, friction)], claims].concat());
+    for sign in [1.0, -1.0] {
+        assert!(
+            friction(0.5, &[(Key::ReportedRatio, sign * 0.5)]).is_empty() && friction(0.5, &[(Key::ReportedRatio, sign * 0.2)]).is_empty()
+        );
+        assert_eq!(friction(0.2, &[(Key::ReportedRatio, sign * 0.5)]), ["impulse-ratio"]);
+        assert!(friction(0.5, &[(Key::NormalImpulse, -100.0), (Key::TangentialImpulse, sign * 50.0)]).is_empty());
+        assert_eq!(friction(0.2, &[(Key::NormalImpulse, -100.0), (Key::TangentialImpulse, sign * 50.0)]), ["impulse-ratio"]);
+    }
+    assert_eq!((friction(0.0, &[]), friction(-0.2, &[])), (vec![], vec!["impulse-ratio"]));
     let passed = [(Key::Mass(Side::One), 1000.0), (Key::DeltaV(Side::One), 5.0), (Key::Mass(Side::Two), 2000.0)];
     assert!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.5)]).is_empty());
     assert_eq!(said(&[passed[0], passed[1], passed[2], (Key::DeltaV(Side::Two), 2.6)]), ["reported"]);
@@ -42,6 +66,18 @@ fn claims_are_held_against_each_other() {
     assert!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.1)]).is_empty());
     assert_eq!(said(&[speeds[0], speeds[1], (Key::Restitution, 0.2)]), ["restitution"]);
     assert!(said(&[(Key::ImpulseRatio, 0.5), (Key::CriticalRatio, 0.6)]).is_empty());
+    // Without a restitution it is at most 1.
+    assert!(said(&[speeds[0], (Key::SeparationSpeed, 10.0)]).is_empty());
+    assert_eq!(said(&[speeds[0], (Key::SeparationSpeed, 10.1)]), ["restitution"]);
+    // W_n = −½ · 100 · (10 − 1).
+    let of_normal = |impulse: f64, work: f64| said(&[speeds[0], speeds[1], (Key::NormalImpulse, impulse), (Key::NormalWork, work)]);
+    assert!(of_normal(100.0, -450.0).is_empty() && of_normal(-100.0, -450.0).is_empty());
+    assert_eq!((of_normal(100.0, -440.0), of_normal(100.0, 450.0)), (vec!["reported"], vec!["reported"; 2]));
+    assert_eq!(said(&[(Key::NormalWork, 1.0)]), ["reported"]);
+    let loss = [(Key::EnergyBefore, 500.0), (Key::EnergyLoss, 500.0)];
+    assert!(said(&loss).is_empty());
+    assert_eq!(said(&[loss[0], (Key::EnergyLoss, 501.0)]), ["reported"]);
+    assert_eq!(said(&[loss[0], (Key::NormalWork, -400.0), (Key::TangentialWork, -101.0)]), ["reported"]);
     let told = |ratio: f64, critical: f64| {
         let mut record = Record::default();
         [(Key::ImpulseRatio, ratio), (Key::CriticalRatio, critical)].iter().for_each(|&(key, value)| record.set(key, value));
@@ -245,7 +281,7 @@ fn claims_without_motions_state_no_gain() {
     assert_eq!(broken(&[(before, 300.0), (after, 500.0)]), ["energy-gain"]);
     assert_eq!(broken(&[(before, 300.0), (after, 500.0), (Key::EnergyLoss, -200.0)]), ["energy-gain"]);
     assert_eq!(broken(&[(Key::EnergyLoss, -200.0)]), ["energy-gain"]);
-    assert_eq!(broken(&[(Key::NormalWork, 300.0), (Key::TangentialWork, 100.0)]), ["energy-gain"]);
+    assert_eq!(broken(&[(Key::NormalWork, 300.0), (Key::TangentialWork, 100.0)]), ["energy-gain", "reported"]);
     assert!(broken(&[(before, 500.0), (after, 300.0), (Key::EnergyLoss, 200.0)]).is_empty());
     // The tangential impulse may give back a part.
     assert!(broken(&[(Key::NormalWork, -300.0), (Key::TangentialWork, 100.0)]).is_empty());
@@ -259,7 +295,7 @@ fn claims_without_motions_state_no_gain() {
     [(before, 300.0), (after, 500.0)].iter().for_each(|&(key, value)| moving.set(key, value));
     assert!(rules(&moving).is_empty());
     [(Key::NormalWork, 300.0), (Key::TangentialWork, 100.0)].iter().for_each(|&(key, value)| moving.set(key, value));
-    assert_eq!(rules(&moving), ["energy-gain"]);
+    assert_eq!(rules(&moving), ["energy-gain", "reported"]);
 }
 
 #[test]
