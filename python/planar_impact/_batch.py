@@ -120,6 +120,8 @@ def solve_batch(
     if derivatives == "array":
         raise CaseError._with([Issue("call", "derivatives", "a table has columns; give a dict of arrays, or leave it out")])
     if _library(columns) == "pyarrow" and type(columns).__name__ == "RecordBatchReader":
+        if progress not in (None, False):
+            raise CaseError._with([Issue("call", "progress", "a stream has none, its reader sees its progress; leave it out")])
         import pyarrow as pa
 
         return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), bool(fast), threads))
@@ -129,7 +131,8 @@ def solve_batch(
         # It exports a column of nulls with a buffer that such a column of Arrow does not have.
         columns = columns.cast({pl.Null: pl.String})
     with reporting(progress) as report:
-        return _like(columns, _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report))
+        answer = _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report)
+        return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
 
 
 def _threads(threads: int | None) -> int:
@@ -204,6 +207,9 @@ def _array(column: Any) -> NDArray[Any]:
         plain: NDArray[Any] = np.asarray(column.data).astype(object)
         plain[np.ma.getmaskarray(column)] = None
         return plain
+    if _library(column) == "pandas" and not isinstance(column.dtype, np.dtype) and column.isna().any():
+        # So is what pandas calls NA, which a float would make not a number.
+        return np.asarray(column.to_numpy(dtype=object, na_value=None))
     return np.asarray(column)
 
 
@@ -243,8 +249,8 @@ def _library(table: Any) -> str:
     return type(table).__module__.partition(".")[0]
 
 
-def _like(given: Any, table: _native.Table) -> Any:
-    """Return a table as the kind that was given."""
+def _like(given: Any, table: _native.Table, words: list[str]) -> Any:
+    """Return a table, in which these columns have a word or nothing, as the kind that was given."""
     library = _library(given)
     if library == "pyarrow":
         import pyarrow as pa
@@ -258,7 +264,7 @@ def _like(given: Any, table: _native.Table) -> Any:
     if library == "pandas":
         import pyarrow as pa
 
-        return _to_pandas(pa.table(table))
+        return _to_pandas(pa.table(table), words)
     if library in ("duckdb", "_duckdb"):
         import duckdb
         import pyarrow as pa
@@ -267,14 +273,18 @@ def _like(given: Any, table: _native.Table) -> Any:
     return table
 
 
-def _to_pandas(table: Any) -> Any:
+def _to_pandas(table: Any, words: list[str]) -> Any:
     # Its metadata has the index, and the type of the names of the columns that were given, which those of the answer need not have.
     metadata = dict(table.schema.metadata or {})
     if b"pandas" in metadata:
         known = json.loads(metadata[b"pandas"])
         known["column_indexes"] = [index for index in known.get("column_indexes", []) if index.get("pandas_type") == "unicode"]
         table = table.replace_schema_metadata({**metadata, b"pandas": json.dumps(known).encode()})
-    return table.to_pandas()
+    frame = table.to_pandas()
+    for word in words:
+        # Its own type for text has not a number where there is no word.
+        frame[word] = frame[word].astype(object).where(frame[word].notna(), None)
+    return frame
 
 
 def _one_batch(pa: Any, table: Any) -> Any:

@@ -28,6 +28,10 @@ def _is_path(text: str) -> bool:
     # A text that is a case has a key with its value; everything else in one line is meant as a path, which may not exist.
     if "\n" in text or text.lstrip().startswith("{") or "\0" in text:
         return False
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
     return "=" not in text or os.path.exists(text)
 
 

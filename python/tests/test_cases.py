@@ -156,6 +156,12 @@ def test_what_a_dict_cannot_have_is_reported_with_its_place() -> None:
     ]
 
 
+@pytest.mark.parametrize("text", ["\ud800", "\ud800 = 1", "title = '\ud800'\nschema = 1"])
+def test_a_lone_surrogate_is_refused_in_any_text(text: str) -> None:
+    with pytest.raises(CaseError, match="a lone surrogate is no character of a case file"):
+        planar_impact.solve(text)
+
+
 def test_keys_are_attributes() -> None:
     answer = planar_impact.solve(POSITION_A)
     assert answer.vehicles[0].delta_v_magnitude == answer["vehicles"][0]["delta_v_magnitude"]

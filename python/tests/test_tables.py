@@ -61,6 +61,9 @@ def test_pandas(columns: dict[str, Any], expected: dict[str, Any]) -> None:
     assert isinstance(answer, pd.DataFrame) and answer.index.equals(frame.index)
     assert list(answer.columns) == list(expected)
     np.testing.assert_array_equal(answer["energy.loss"].to_numpy(), expected["energy.loss"])
+    assert answer["refusal"].tolist() == list(expected["refusal"]) and None in answer["refusal"].tolist()
+    checked = planar_impact.solve_batch(frame[:3], of="T_L", check=True)
+    assert checked["check"].tolist() == [None] * 3
 
 
 def test_duckdb(columns: dict[str, Any], expected: dict[str, Any]) -> None:
@@ -197,3 +200,19 @@ def test_columns_without_a_type_and_tables_without_columns() -> None:
         assert [str(name) for name in found.columns][: len(names)] == [str(name) for name in names]
         assert found["vehicle.1.delta_v_magnitude"][0] > 10
     assert len(planar_impact.solve_batch(pandas.DataFrame(), case=BARRIER, of="dV1")) == 0
+
+
+@pytest.mark.parametrize("kind", ["Int64", "Float64", "object"])
+def test_what_pandas_has_as_nothing_is_that_of_the_case(kind: str) -> None:
+    pandas = pytest.importorskip("pandas")
+    answer = planar_impact.solve_batch({"vehicle.1.speed": pandas.Series([10, None, 13], dtype=kind)}, case=BARRIER, of="dV1")
+    assert answer["vehicle.1.speed"].tolist() == [10, None, 13]
+    own = planar_impact.solve(BARRIER).vehicles[0].delta_v_magnitude
+    assert answer["vehicle.1.delta_v_magnitude"][1] == own and answer["refusal"].tolist() == [None] * 3
+
+
+def test_a_stream_reports_no_progress() -> None:
+    pa = pytest.importorskip("pyarrow")
+    reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), [])
+    with pytest.raises(planar_impact.CaseError, match="a stream has none"):
+        planar_impact.solve_batch(reader, case=BARRIER, of="dV1", progress=True)
