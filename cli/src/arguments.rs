@@ -1,7 +1,20 @@
 //! The command line, parsed by clap.
 
+mod batch;
+mod check;
+mod compare;
+mod draw;
 mod formula;
+mod gradient;
 mod help;
+mod reconstruct;
+mod record;
+mod report;
+mod slide;
+mod stiffness;
+mod sweep;
+mod uncertainty;
+mod validate;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -9,11 +22,22 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use planar_impact_app::Units;
-use planar_impact_app::check::{Options, Severity};
 use planar_impact_app::quantity;
-use planar_impact_report::document::Part;
 
+pub use batch::Batch;
+pub use check::{Check, CheckFormat, FailOn};
+pub use compare::{Compare, CompareFormat};
+pub use draw::{Draw, DrawFormat};
 pub use formula::{Formula, Notation};
+pub use gradient::Gradient;
+pub use reconstruct::Reconstruct;
+pub use record::{Record, RecordFormat};
+pub use report::{Report, ReportVerb};
+pub use slide::{Slide, SlideFormat};
+pub use stiffness::Stiffness;
+pub use sweep::{Sweep, SweepFormat};
+pub use uncertainty::{SamplePoints, Uncertainty, UncertaintyFormat, UncertaintyMethod};
+pub use validate::Validate;
 
 /// Planar impact mechanics and crush energy: velocities, impulse and energy of two vehicles in a collision.
 #[derive(Debug, Parser)]
@@ -152,510 +176,11 @@ pub struct OfCase {
     pub units: Option<UnitSystem>,
 }
 
-/// Arguments of `compare`.
-#[derive(Debug, Args)]
-pub struct Compare {
-    /// Case files, TOML or JSON; - reads standard input.
-    #[arg(required = true, num_args = 2..=20, value_name = "CASE")]
-    pub cases: Vec<PathBuf>,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = CompareFormat::Text)]
-    pub format: CompareFormat,
-    /// Units of text and SVG. Default: those of most values in the first case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// Format of a comparison.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CompareFormat {
-    /// For people.
-    Text,
-    /// For programs, in SI.
-    Json,
-    /// A chart: each output of each case, with its interval if it is reconstructed.
-    Svg,
-}
-
-/// Arguments of `reconstruct`.
-#[derive(Debug, Args)]
-pub struct Reconstruct {
-    /// The case file with [evidence] and [unknown], TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Units of the text. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-    /// Number of starts of the search: the given one, and others drawn within the bounds. A few more searches start close to each solution.
-    #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
-    pub starts: u64,
-    /// Seed of the random starts and of the draws. The same seed gives the same answer.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
-    /// Level of confidence of the intervals, between 0 and 1.
-    #[arg(long, default_value_t = 0.95, value_parser = level)]
-    pub level: f64,
-    /// Add the profile of the likelihood: how far chi-square rises as each quantity leaves its best value.
-    #[arg(long)]
-    pub profile: bool,
-    /// Add the guaranteed range of each unknown: outside of it nothing meets the evidence. Exact evidence is met exactly, and readings within half of their step.
-    #[arg(long)]
-    pub guaranteed: bool,
-    /// Standard deviations at which `--guaranteed` ends other evidence, and inputs without limits.
-    #[arg(long, value_name = "COUNT", default_value_t = 3.0, requires = "guaranteed")]
-    pub bounds_sd: f64,
-    /// Draw from the posterior: the priors times the likelihood of the evidence.
-    #[arg(long)]
-    pub posterior: bool,
-    /// Print the probability of a statement under the posterior, such as "vehicle.1.speed > 50 km/h"; may be repeated.
-    #[arg(long, value_name = "NAME > VALUE")]
-    pub probability: Vec<String>,
-    /// Add the values of each draw to the JSON.
-    #[arg(long)]
-    pub draws: bool,
-    /// Print the verdict, the unknowns and what follows from them alone.
-    #[arg(long)]
-    pub brief: bool,
-}
-
-/// Arguments of `uncertainty`.
-#[derive(Debug, Args)]
-pub struct Uncertainty {
-    /// The case file with uncertain inputs, TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// Outputs, by name or symbol; may be repeated. Default: the principal ones.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub of: Vec<String>,
-    /// Methods; may be repeated. Default: all that apply.
-    #[arg(long, value_enum, value_name = "METHODS", value_delimiter = ',')]
-    pub method: Vec<UncertaintyMethod>,
-    /// Number of samples; with a precision, the greatest. Default: 100000.
-    #[arg(long, value_name = "COUNT", value_parser = samples)]
-    pub samples: Option<u64>,
-    /// Draw until the standard error of every mean is this share of it, such as 0.1%; of the standard deviation if that is greater.
-    #[arg(long, value_name = "SHARE", value_parser = share)]
-    pub precision: Option<f64>,
-    /// Seed of the samples. The same seed gives the same answer, for any number of threads. Default: 1.
-    #[arg(long)]
-    pub seed: Option<u64>,
-    /// Where the samples lie. Default: random.
-    #[arg(long, value_enum)]
-    pub points: Option<SamplePoints>,
-    /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated.
-    #[arg(long, value_name = "NAME > VALUE")]
-    pub probability: Vec<String>,
-    /// Level of the middle range, between 0 and 1.
-    #[arg(long, default_value_t = 0.95, value_parser = level)]
-    pub level: f64,
-    /// Standard deviations at which `bounds` ends an input without limits.
-    #[arg(long, value_name = "COUNT", default_value_t = 3.0)]
-    pub bounds_sd: f64,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = UncertaintyFormat::Text)]
-    pub format: UncertaintyFormat,
-    /// Units of text, CSV and SVG. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-impl Uncertainty {
-    /// Returns the error of an option that has no effect with the methods of the call; a probability is sampled with any method.
-    pub fn without_effect(&self) -> Option<String> {
-        use UncertaintyMethod::{MonteCarlo, Shapley, Sobol};
-        if self.method.is_empty() || !self.probability.is_empty() || self.method.contains(&MonteCarlo) {
-            return None;
-        }
-        let draws = self.method.iter().any(|method| [Sobol, Shapley].contains(method));
-        // Shares in the variance have a plan of their own.
-        let of_outputs = [(self.points.is_some(), "--points"), (self.precision.is_some(), "--precision")];
-        let of_any = [(self.samples.is_some() && !draws, "--samples"), (self.seed.is_some() && !draws, "--seed")];
-        let idle = of_any.into_iter().chain(of_outputs).find_map(|(is_idle, option)| is_idle.then_some(option))?;
-        let (what, remedy) = match idle {
-            "--samples" | "--seed" => ("no method of the call draws samples", "monte-carlo, sobol or shapley"),
-            _ => ("it is for samples of the outputs, which no method of the call draws", "monte-carlo"),
-        };
-        Some(format!("{idle} has no effect: {what}; add {remedy} to --method, or leave {idle} out"))
-    }
-}
-
-/// A way to say how uncertain an output is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum UncertaintyMethod {
-    /// First derivatives.
-    Linear,
-    /// First and second derivatives.
-    SecondOrder,
-    /// Samples.
-    MonteCarlo,
-    /// The share of each input in the variance, from samples.
-    Sobol,
-    /// The part of each input in the variance, correlated or not, from samples.
-    Shapley,
-    /// A guaranteed range within the limits of the inputs.
-    Bounds,
-}
-
-/// Where samples lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SamplePoints {
-    /// Independent of each other.
-    Random,
-    /// Scrambled points of Sobol', more even than chance.
-    Sobol,
-}
-
-/// Format of an uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum UncertaintyFormat {
-    /// For people.
-    Text,
-    /// For programs, in SI.
-    Json,
-    /// Comma-separated values, a figure in each row.
-    Csv,
-    /// A chart: densities with quantiles, and shares.
-    Svg,
-}
-
-/// Arguments of `slide`.
-#[derive(Debug, Args)]
-pub struct Slide {
-    /// The case file with [rest], TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = SlideFormat::Text)]
-    pub format: SlideFormat,
-    /// Units of text and CSV. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// The call of `draw`.
-#[derive(Debug, Args)]
-pub struct Draw {
-    /// The case file, TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// The file to write, which appears when it is whole. Default: standard output.
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// Format of the drawing.
-    #[arg(long, value_enum, default_value_t = DrawFormat::Svg)]
-    pub format: DrawFormat,
-    /// Units of the drawing. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// The call of `report`.
-#[derive(Debug, Args)]
-pub struct Report {
-    /// The case file, TOML or JSON; the file of tests for --verb stiffness, files of records for --verb check; - reads standard input.
-    pub files: Vec<PathBuf>,
-    /// The file to write, which appears when it is whole. Default: standard output.
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// What the report answers. Default: `reconstruct` where the case has unknowns, else `solve`.
-    #[arg(long, value_enum)]
-    pub verb: Option<ReportVerb>,
-    /// Sections, by name; may be repeated. Default: all that apply.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = Part::ALL.map(Part::name))]
-    pub sections: Vec<String>,
-    /// Draw the posterior of a reconstruction too, where that is what the report answers. Its last bits, and so the bytes of the report, depend on the platform.
-    #[arg(long)]
-    pub posterior: bool,
-    /// A date, in any words. Without it the report has none: the same input gives the same bytes.
-    #[arg(long, value_name = "TEXT")]
-    pub date: Option<String>,
-    /// Units of the report. Default: those of most values in the case file.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// What a report answers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ReportVerb {
-    /// How the vehicles leave the collision.
-    Solve,
-    /// What the evidence says of the unknowns.
-    Reconstruct,
-    /// The crush energy.
-    Crush,
-    /// ΔV by CRASH3.
-    Crash3,
-    /// How uncertain the outputs are.
-    Uncertainty,
-    /// The crush stiffness of barrier tests.
-    Stiffness,
-    /// The laws that records of collisions break.
-    Check,
-    /// How the program compares with the paper's tables and with measured tests; no file.
-    Validate,
-}
-
-/// Format of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DrawFormat {
-    /// The drawing.
-    Svg,
-    /// The places, outlines and vectors that it shows.
-    Json,
-}
-
-/// Format of a slide.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SlideFormat {
-    /// For people.
-    Text,
-    /// Comma-separated values, a state of the motion in each row.
-    Csv,
-    /// For programs, in SI.
-    Json,
-}
-
-/// Arguments of `record`.
-#[derive(Debug, Args)]
-pub struct Record {
-    /// Recordings: CSV, or TOML or JSON that names one; - reads standard input.
-    #[arg(required = true)]
-    pub files: Vec<PathBuf>,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = RecordFormat::Text)]
-    pub format: RecordFormat,
-    /// Units of text and SVG. Default: those of most values in the first file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// Format of an analysed recording.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum RecordFormat {
-    /// For people.
-    Text,
-    /// For programs, in SI.
-    Json,
-    /// A chart of the traces.
-    Svg,
-}
-
-/// Arguments of `stiffness`.
-#[derive(Debug, Args)]
-pub struct Stiffness {
-    /// The file of barrier tests, TOML or JSON; - reads standard input.
-    pub tests: PathBuf,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Units of the text. Default: those of most values in the file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// Arguments of `gradient`.
-#[derive(Debug, Args)]
-pub struct Gradient {
-    /// The case file, TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// Outputs, by name or symbol; may be repeated. Default: all in JSON, the principal ones in text.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub of: Vec<String>,
-    /// Inputs, by name or symbol; may be repeated. Default: all in JSON, the keys of the file in text.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub wrt: Vec<String>,
-    /// Add the second derivatives.
-    #[arg(long)]
-    pub second: bool,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Units of the text. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// Arguments of `sweep`.
-#[derive(Debug, Args)]
-pub struct Sweep {
-    /// The case file, TOML or JSON; - reads standard input.
-    pub case: PathBuf,
-    /// An input by name or symbol, with its first and last value and the step. A second one makes a grid.
-    #[arg(long, value_name = "NAME=FROM:TO:STEP", required = true)]
-    pub vary: Vec<String>,
-    /// Outputs, by name or symbol; may be repeated. Default: W_n, W_t, T_L and mu0.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub of: Vec<String>,
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = SweepFormat::Text)]
-    pub format: SweepFormat,
-    /// Units of outputs in text, CSV and SVG. Default: those of most values in the case file. JSON is always SI.
-    #[arg(long, value_enum)]
-    pub units: Option<UnitSystem>,
-}
-
-/// Format of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SweepFormat {
-    /// A table.
-    Text,
-    /// Comma-separated values with names and units in the header.
-    Csv,
-    /// For programs, in SI.
-    Json,
-    /// A chart: lines over one input, contours over two.
-    Svg,
-}
-
-/// Arguments of `batch`.
-#[derive(Debug, Args)]
-pub struct Batch {
-    /// Tables of the same columns: .csv, .parquet or .arrow; - reads CSV from standard input.
-    #[arg(required = true)]
-    pub files: Vec<PathBuf>,
-    /// The table to write: .csv, .parquet or .arrow; - writes CSV to standard output.
-    #[arg(long, short, value_name = "OUT")]
-    pub output: PathBuf,
-    /// A case file that supplies what no column has, TOML or JSON.
-    #[arg(long, value_name = "CASE")]
-    pub case: Option<PathBuf>,
-    /// Outputs, by name or symbol; may be repeated. Default: all of `solve`.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub of: Vec<String>,
-    /// Inputs to differentiate with respect to, by name or symbol; may be repeated.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub wrt: Vec<String>,
-    /// Check each solved row with the laws of mechanics, and add a column with the rules that it violates.
-    #[arg(long)]
-    pub check: bool,
-    /// Number of threads that solve rows. Default: one for each processor. The bits of the answer do not depend on it.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
-    /// Fuse multiplications and additions where the machine can, which is faster: the last bits then differ between machines.
-    #[arg(long)]
-    pub fast: bool,
-    /// Stop at the first row that is refused, and write no file.
-    #[arg(long)]
-    pub fail_fast: bool,
-}
-
-/// Arguments of `check`.
-#[derive(Debug, Args)]
-pub struct Check {
-    /// Files of records: a JSON document, JSON Lines or CSV; - reads standard input.
-    #[arg(required_unless_present = "rules")]
-    pub files: Vec<PathBuf>,
-    /// Format of the findings.
-    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
-    pub format: CheckFormat,
-    /// Relative tolerance of numbers without a resolution, at most 0.5. Default: that of the record's profile.
-    #[arg(long, value_name = "REL", value_parser = tolerance)]
-    pub tolerance: Option<f64>,
-    /// Lowest severity for which the exit status is 1.
-    #[arg(long, value_enum, value_name = "SEVERITY", default_value_t = FailOn::Fail)]
-    pub fail_on: FailOn,
-    /// Print the rules and their meaning instead.
-    #[arg(long, conflicts_with = "files")]
-    pub rules: bool,
-}
-
-/// Format of the findings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CheckFormat {
-    /// For people: records with findings, and a summary.
-    Text,
-    /// For programs.
-    Json,
-    /// JUnit XML, for GitLab, Jenkins and others.
-    Junit,
-    /// SARIF 2.1.0, for GitHub and others.
-    Sarif,
-}
-
-/// Lowest severity that fails the run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FailOn {
-    /// Violated rules.
-    Fail,
-    /// Also rules that could not be evaluated.
-    Undecidable,
-    /// Also warnings.
-    Warn,
-}
-
-impl FailOn {
-    /// Returns `true` if a finding of this severity fails the run.
-    pub fn includes(self, severity: Severity) -> bool {
-        let least = match self {
-            FailOn::Fail => Severity::Fail,
-            FailOn::Undecidable => Severity::Undecidable,
-            FailOn::Warn => Severity::Warn,
-        };
-        severity >= least
-    }
-}
-
-/// Parses a tolerance that the checker accepts.
-fn tolerance(text: &str) -> Result<f64, String> {
-    let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
-    let is_valid = Options { tolerance: Some(value) }.validate();
-    is_valid.map(|()| value).map_err(|issues| format!("{issues}; give a share such as 1e-6"))
-}
-
-/// Parses a share, such as 0.001 or 0.1%.
-fn share(text: &str) -> Result<f64, String> {
-    let (number, unit) = match text.trim().strip_suffix('%') {
-        Some(number) => (number, 0.01),
-        None => (text, 1.0),
-    };
-    let value = unit * quantity::finite(number.trim()).map_err(|error| error.to_string())?;
-    if value > 0.0 && value < 1.0 { Ok(value) } else { Err(format!("{text}; it must be above 0 and below 1, such as 0.1%")) }
-}
-
-/// Parses a number of samples, such as 100000 or 1e6.
-fn samples(text: &str) -> Result<u64, String> {
-    const MOST: f64 = 1e15;
-    let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
-    let is_valid = value.fract() == 0.0 && (2.0..=MOST).contains(&value);
-    if is_valid { Ok(value as u64) } else { Err(format!("{text}; it must be a whole number from 2 to 1e15, such as 1e6")) }
-}
-
 /// Parses a level of confidence.
 fn level(text: &str) -> Result<f64, String> {
     let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
     let is_valid = (0.5..=0.9999).contains(&value);
     if is_valid { Ok(value) } else { Err(format!("{value}; it must be from 0.5 to 0.9999, such as 0.95")) }
-}
-
-/// Arguments of `validate`.
-#[derive(Debug, Args)]
-pub struct Validate {
-    /// Format of the result.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Draw a figure of the paper as SVG instead, from computed numbers.
-    #[arg(long, value_enum, value_name = "NUMBER", conflicts_with = "format")]
-    pub figure: Option<FigureNumber>,
-}
-
-impl FigureNumber {
-    /// Returns the number.
-    pub fn number(self) -> u32 {
-        match self {
-            FigureNumber::Six => 6,
-            FigureNumber::Seven => 7,
-        }
-    }
-}
-
-/// A figure that can be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FigureNumber {
-    /// Cumulative crush energy against crush.
-    #[value(name = "6")]
-    Six,
-    /// E* against crush, with the linear model.
-    #[value(name = "7")]
-    Seven,
 }
 
 /// Arguments of `prove`.
@@ -726,6 +251,15 @@ mod tests {
         let error = reconstruct(&["--bounds-sd", "7"]).expect_err("no guarantee is asked for");
         assert!(error.to_string().contains("--guaranteed"), "{error}");
         assert!(reconstruct(&["--bounds-sd", "7", "--guaranteed"]).is_ok() && reconstruct(&[]).is_ok());
+    }
+
+    /// What is wrapped by hand is not wrapped again, and what is to be copied stays on its line.
+    #[test]
+    fn no_line_below_the_options_is_too_long() {
+        for verb in Arguments::command().get_subcommands() {
+            let below = verb.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(below.lines().all(|line| line.chars().count() < 100), "{}: {below}", verb.get_name());
+        }
     }
 
     #[test]

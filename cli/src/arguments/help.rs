@@ -3,7 +3,9 @@
 pub(super) const STATUS: &str = "\
 Exit status:
    0  done
-   1  done, and a check did not hold or a reconstruction has no unique solution
+   1  done, and something does not hold: a record breaks a law, a row or a case is
+      refused, a reconstruction has no unique answer, a recording is incomplete, or
+      tests contradict each other
    2  the input or the call is wrong, or a file cannot be read
    3  the physics refuses the input, or a search does not converge
   70  a defect of the program
@@ -36,11 +38,11 @@ Examples:
   planar-impact solve cli/examples/sideswipe.toml --units us --format json"#;
 
 pub(super) const SWEEP: &str = "\
-The last value is among the points when it is a whole number of steps away. Values are written as in
-a case file; the table and the chart show them in the unit of the first one. A case at the critical
-ratio takes a given one when contact.impulse_ratio, contact.friction or
-contact.impulse_ratio.of_critical is varied; likewise a moment. A point that the physics refuses is
-empty, with the reason. Names are those of `planar-impact gradient --help`.
+The last value is among the points when it is a whole number of steps away. Values are written as
+in a case file; the table and the chart show them in the unit of the first one. A case at the
+critical ratio takes a given one when contact.impulse_ratio, contact.friction or
+contact.impulse_ratio.of_critical is varied; likewise a moment. A point that the physics refuses
+is empty, with the reason. Names are those of `planar-impact gradient --help`.
 
 The paper's Table 2 and its Figure 4:
   planar-impact sweep cli/examples/position-a.toml --vary \"contact.crush_plane=-10deg:10deg:1deg\"
@@ -51,9 +53,9 @@ More examples:
   planar-impact sweep case.toml --vary e=0:0.3:0.02 --vary \"v1=30 mph:40 mph:1 mph\" --format svg";
 
 pub(super) const COMPARE: &str = "\
-2 to 20 cases, such as the same collision with another restitution, crush plane, law or set of evidence.
-A case with [unknown] is reconstructed, any other is solved. Inputs and evidence that are the same in
-all cases are left out. Speeds are in the unit of the road.
+2 to 20 cases, such as the same collision with another restitution, crush plane, law or set of
+evidence. A case with [unknown] is reconstructed, any other is solved. Inputs and evidence that
+are the same in all cases are left out. Speeds are in the unit of the road.
 
 A case that the physics refuses is shown with its refusal, and the exit status is 1; likewise if a
 reconstruction is no unique answer. It is 2 if a file cannot be read or is wrong.
@@ -64,13 +66,13 @@ Examples:
   planar-impact compare cli/examples/position-a.toml case.toml --format svg > compare.svg";
 
 pub(super) const UNCERTAINTY: &str = "\
-Any number of a case file may be uncertain: \"40 mph ± 2 mph\", \"40 mph ± 5 %\", { value, sd },
-{ min, max }, { min, mode, max }, { value, sd, min, max }, { median, factor }, { value, resolution },
-{ mean, sd, n } of n measurements, { values } or { file, column } that were measured.
-correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples that the physics refuses are counted by
-reason, and never moved. Shares (sobol) are left out if inputs are correlated, which have Shapley effects
-(shapley) instead; both if more than 1 % of the samples are refused. Names are those of
-`planar-impact gradient --help`.
+Any input of a vehicle, of its crush and of the contact may be uncertain: \"40 mph ± 2 mph\",
+\"40 mph ± 5 %\", { value, sd }, { min, max }, { min, mode, max }, { value, sd, min, max },
+{ median, factor }, { value, resolution }, { mean, sd, n } of n measurements, { values } or
+{ file, column } that were measured. correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples that the physics refuses
+are counted by reason, and never moved. Shares (sobol) are left out if inputs are correlated,
+which have Shapley effects (shapley) instead; both if more than 1 % of the samples are refused.
+Names are those of `planar-impact gradient --help`.
 
 Examples:
   planar-impact uncertainty cli/examples/uncertain.toml
@@ -91,19 +93,20 @@ Examples:
   planar-impact slide cli/examples/slide.toml --format csv > path.csv"#;
 
 pub(super) const DRAW: &str = "\
-The collision is that of `solve`, or that of `reconstruct` where the case has unknowns. A vehicle that
-gives `length` and `width` has that outline, placed by `front_overhang` and the axles of [rest]; without
-them it is a dashed symbol. Arrows start at the center of mass; impulses at the impact center. Skids of
-[before] and rest positions of [rest] are drawn below.
+The collision is that of `solve`, or that of `reconstruct` where the case has unknowns. A vehicle
+that gives `length` and `width` has that outline, placed by `front_overhang` and the axles of
+[rest]; without them it is a dashed symbol. Arrows start at the center of mass; impulses at the
+impact center. Skids of [before] and rest positions of [rest] are drawn below.
 
 Examples:
   planar-impact draw cli/examples/position-a.toml -o scene.svg
   planar-impact draw cli/examples/slide.toml --format json";
 
 pub(super) const REPORT: &str = "\
-One file that reads in any browser, without a script and without anything from elsewhere, and prints on
-A4 with page numbers. It has the case file inside, in the element with the id `case`. Sections: summary,
-scene, question, method, results, sensitivity, alternatives, validation, input, glossary.
+One file that reads in any browser, without a script and without anything from elsewhere, and
+prints on A4 with page numbers. It has the case file inside, in the element with the id `case`.
+Sections: summary, scene, question, method, results, sensitivity, alternatives, validation, input,
+glossary.
 
 Examples:
   planar-impact report cli/examples/position-a.toml -o report.html
@@ -122,7 +125,7 @@ Names are those of the case file and of the JSON of `solve`, vehicles counted fr
             .impulse_ratio.of_critical, .moment, .moment.of_critical
   outputs   energy.normal_work (W_n), .tangential_work (W_t), .loss (T_L), .before, .after;
             contact.critical_impulse_ratio (mu0), .impulse_ratio (mu), .impulse.normal (P_n), ...;
-            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, .crush_energy, ...;
+            vehicle.1.delta_v_magnitude (dV1), .velocity.x, .yaw_rate (Omega1), .pdof, ...;
             vehicle.1.crash3.delta_v_magnitude, .corrected_energy, .effective_mass_factor, ...
   all       every one
 A derivative with respect to one input keeps the other keys of the file as they are given. At the
@@ -138,18 +141,19 @@ pub(super) const BATCH: &str = r#"Columns by name, with their unit in brackets, 
                         .velocity.y, .yaw_rate, .impact_center.forward, .impact_center.left,
                         .crush.depths.3 ... of a case with crush; .barrier (true or false)
   contact.crush_plane   .restitution, .tangential_law, .moment, .moment.of_critical; one of
-                        .impulse_ratio (a number or `critical`), .impulse_ratio.of_critical, .friction
+                        .impulse_ratio (a number or `critical`) and its .of_critical, .friction
 Other columns pass through. What no column has, and an empty cell, is taken from --case, or is the
 default of a case file. The output has the columns of the table, each output in SI (with `result.`
-before its name where an input has it too), `d OUTPUT / d INPUT` for --wrt, and `refusal`: empty, or
-why the row has no outputs, such as `separating`, or `unreadable` for a cell that is not a number.
+before its name where an input has it too), `d OUTPUT / d INPUT` for --wrt, and `refusal`: empty,
+or why the row has no outputs, such as `separating`, or `unreadable` for a cell that is not a
+number.
 
-The exit status is 0 if every row is solved, and 1 if some are refused; with --fail-fast it is 3 or,
-for a row that cannot be read, 2. A file appears when it is whole.
+The exit status is 0 if every row is solved, and 1 if some are refused; with --fail-fast it is 3
+or, for a row that cannot be read, 2. A file appears when it is whole.
 
 Examples:
   planar-impact batch cli/examples/batch/speeds.csv --case cli/examples/position-a.toml -o -
-  planar-impact batch cli/examples/batch/speeds.csv --case case.toml -o out.parquet --of dV1 --wrt e"#;
+  planar-impact batch cli/examples/batch/speeds.csv --case case.toml -o out.csv --of dV1 --wrt e"#;
 
 pub(super) const VALIDATE: &str = "Examples:
   planar-impact validate
@@ -196,8 +200,8 @@ pub(super) const CRUSH: &str = r#"Under a [[vehicle]] of the case file:
   measured = { offset = "0.2 m", angle = "10 deg" }   # read from a line outside the surface
   surface = "front"                  # for crash3: right, rear, left; else from the crush plane
   pdof = "-10 deg"                   # for crash3: else that of the common-velocity impulse
-Between two stations the depth is linear. `gradient` and `sweep` accept these numbers by names such as
- vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
+Between two stations the depth is linear. `gradient` and `sweep` accept these numbers by names
+such as vehicle.1.crush.depths.2 and vehicle.1.crush.zones.1.d0.
 
 Examples:
   planar-impact crush cli/examples/cavalier-crush.toml
@@ -205,8 +209,8 @@ Examples:
 
 pub(super) const RECORD: &str = r#"A recording is a CSV file. Its first line names the columns, each with its unit in brackets:
   time [ms]                          # zero at the impact, or the contact
-  normal_force.NAME [kN]             # load cells of a barrier, on the vehicle away from it; they add up
-  tangential_force.NAME [kN]         # along it, a quarter turn counter-clockwise from the normal force
+  normal_force.NAME [kN]             # load cells, away from the barrier; they add up
+  tangential_force.NAME [kN]         # along it, a quarter turn to the left of the normal force
   acceleration.NAME [g]              # of the center of mass, away from the barrier
   distance.NAME [mm]                 # of a point from the barrier, from film
   delta_v_forward [km/h]             # of an event data recorder, and delta_v_left or delta_v_right
@@ -278,10 +282,10 @@ Examples:
   planar-impact stiffness cli/examples/tests/malibu.toml --format json"#;
 
 pub(super) const CRASH3: &str = "\
-The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular of
-the crushed surface to the principal force; the effective mass from the moment arm of the force
-through the impact center; delta-V at common velocity; then approach velocities from the separation
-velocities, those of planar mechanics unless the file has others:
+The energy of each vehicle's crush times 1 + tan^2 alpha, at most 2, alpha from the perpendicular
+of the crushed surface to the principal force; the effective mass from the moment arm of the force
+through the impact center; delta-V at common velocity; then approach velocities from the
+separation velocities, those of planar mechanics unless the file has others:
   [evidence]
   vehicle.1.separation_velocity = [\"-3 m/s\", \"4 m/s\"]    # x, y
 `crush --help` has the keys of the crush; `gradient` accepts the results by names such as
@@ -305,7 +309,7 @@ Examples:
   planar-impact formula --list"#;
 
 pub(super) const RECONSTRUCT: &str = r#"A case file with unknowns, and the evidence for them:
-  [evidence]                         # a value, "12 m/s ± 1 m/s" (or +/-), { value = ..., sd = ... }
+  [evidence]                         # "12 m/s ± 1 m/s" (or +/-), { value = ..., sd = ... }
                                      # or { value = ..., resolution = ... }; a bare value is exact
   crush_energy = "from crush"        # or a value, or { value = "from crush", relative = 0.1 }
   vehicle.1.separation_velocity = ["-3 m/s ± 0.5 m/s", "4 m/s ± 0.5 m/s"]
@@ -317,26 +321,28 @@ pub(super) const RECONSTRUCT: &str = r#"A case file with unknowns, and the evide
   vehicle.1.speed = { start = "30 mph", min = "0 mph" }
   contact.restitution = { start = 0.1, min = 0, max = 0.3 }
   contact.crush_plane = { start = "22 deg", sd = "5 deg" }
-Evidence of a vehicle: separation_velocity, separation_speed, separation_direction, separation_yaw_rate,
-delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left, pdof, crush_energy,
-equivalent_energy_speed, approach_direction, and every input. A key of [[vehicle]] or [contact] that is unknown may be left out.
-An input in the evidence with an uncertainty is solved for too. Rest positions are evidence of the
-separation: [rest], as in cli/examples/reconstruct/two-cars.toml.
+Evidence of a vehicle: separation_velocity, separation_speed, separation_direction,
+separation_yaw_rate, delta_v (on the ground), delta_v_magnitude, delta_v_forward, delta_v_left,
+pdof, crush_energy, equivalent_energy_speed, approach_direction, and every input. A key of
+[[vehicle]] or [contact] that is unknown may be left out. An input in the evidence with an
+uncertainty is solved for too. Rest positions are evidence of the separation: [rest], as in
+cli/examples/reconstruct/two-cars.toml.
 
-Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of the
-physics that makes an end is named. --profile adds where chi-square has risen by 1 and by 9.
---guaranteed adds the range outside of which nothing meets the evidence, proven with intervals: exact
-evidence exactly, readings within half a step, the rest within --bounds-sd standard deviations.
---posterior adds the posterior: every value within the bounds of an unknown as likely as another
-unless its density is given, times the likelihood of the evidence.
+Each unknown has an interval by profile likelihood, at 95 % or --level; the bound or the limit of
+the physics that makes an end is named. --profile adds where chi-square has risen by 1 and by 9.
+--guaranteed adds the range outside of which nothing meets the evidence, proven with intervals:
+exact evidence exactly, readings within half a step, the rest within --bounds-sd standard
+deviations. --posterior adds the posterior: every value within the bounds of an unknown as likely
+as another unless its density is given, times the likelihood of the evidence.
 
-Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there are
-several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds, each with
-its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if no search converges.
+Exit status: 0 if the evidence agrees with one solution and narrows every unknown down; 1 if there
+are several, an underdetermined unknown, inconsistent evidence or a best fit outside the bounds,
+each with its numbers; 2 if the input is wrong, such as more unknowns than evidence; 3 if no
+search converges.
 
 Examples:
   planar-impact reconstruct cli/examples/reconstruct/position-a.toml
   planar-impact reconstruct cli/examples/reconstruct/two-cars.toml
-  planar-impact reconstruct cli/examples/reconstruct/recorder.toml
-  planar-impact reconstruct cli/examples/reconstruct/two-cars.toml --brief --probability "v1 > 50 km/h"
+  planar-impact reconstruct cli/examples/reconstruct/recorder.toml --brief
+  planar-impact reconstruct cli/examples/reconstruct/two-cars.toml --probability "v1 > 50 km/h"
   planar-impact reconstruct cli/examples/reconstruct/crabbed-2.toml --format json --seed 7"#;
