@@ -305,9 +305,12 @@ impl Row<'_> {
     /// Returns the crush of a vehicle, from the one that rows have where their cells are empty.
     pub(super) fn crush(&mut self, of: &VehicleColumns, default: &CrushInputs) -> CrushInputs {
         let mut crush = default.clone();
-        for &(column, key) in &of.crush {
-            if let Some(number) = self.given(Some(column)) {
-                crush.set(key, number);
+        let given: Vec<(usize, CrushKey, f64)> =
+            of.crush.iter().filter_map(|&(column, key)| Some((column, key, self.given(Some(column))?))).collect();
+        for (i, &(column, key, number)) in given.iter().enumerate() {
+            match given[..i].iter().find(|(_, other, _)| key.excludes(*other)) {
+                Some((other, ..)) => self.conflict(Some(*other), Some(column)),
+                None => crush.set(key, number),
             }
         }
         crush

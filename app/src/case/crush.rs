@@ -7,6 +7,8 @@ use planar_impact::crash3::Surface;
 use planar_impact::crush::{CrushLaw, CrushStiffness, MeasuringLine, Profile, ProfileError, Saturating, StiffnessZones};
 use planar_impact::{ForceDirection, Real};
 
+use crate::quantity::Kind;
+
 pub use key::{CrushKey, FormKey};
 pub use stiffness::StiffnessInputs;
 
@@ -243,6 +245,12 @@ pub fn sentence(error: &ProfileError) -> String {
     }
 }
 
+/// Returns why a stiffness is larger than a case file may give it, be it in another form.
+pub fn too_stiff(&CrushStiffness { onset, slope }: &CrushStiffness) -> Option<String> {
+    let holds = Kind::ROOT_FORCE.domain.holds(onset) && Kind::ROOT_FORCE_PER_LENGTH.domain.holds(slope);
+    (!holds).then(|| format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"))
+}
+
 impl Crush {
     /// Returns why this crush is physically impossible, or `None` if it is possible. A file with such a crush is
     /// refused, but a sweep can reach one.
@@ -250,7 +258,8 @@ impl Crush {
         let errors = self.profile.clone().checked().err();
         let borders = self.zones.borders().windows(2).filter(|pair| pair[1] <= pair[0]);
         let borders = borders.map(|pair| format!("a zone ends at {} m, not beyond the one before, at {} m", pair[1], pair[0]));
-        let all: Vec<String> = errors.iter().flatten().map(sentence).chain(borders).collect();
+        let stiffness = self.zones.zones().iter().filter_map(too_stiff).map(|why| format!("the stiffness: {why}"));
+        let all: Vec<String> = errors.iter().flatten().map(sentence).chain(borders).chain(stiffness).collect();
         (!all.is_empty()).then(|| all.join("; "))
     }
 }

@@ -36,6 +36,30 @@ pub enum Parameter {
 }
 
 impl Parameter {
+    /// Returns `true` if both give one quantity in different forms, so that one alone can be set, such as a speed and a component of the velocity.
+    pub fn excludes(self, other: Parameter) -> bool {
+        let form = |parameter: Parameter| match parameter {
+            Parameter::Input(Input::ImpulseRatio) | Parameter::Friction | Parameter::RatioOfCritical => Some((0, None)),
+            Parameter::Input(Input::Moment) | Parameter::MomentOfCritical => Some((1, None)),
+            Parameter::Input(Input::YawInertia(side)) | Parameter::RadiusOfGyration(side) => Some((2, Some(side))),
+            Parameter::Input(Input::Restitution) | Parameter::RestitutionScatter => Some((3, None)),
+            _ => None,
+        };
+        let is_speed_beside_component = |one, two| match (one, two) {
+            (Parameter::Speed(side), Parameter::Input(Input::VelocityX(of) | Input::VelocityY(of))) => side == of,
+            _ => false,
+        };
+        match (self, other) {
+            (Parameter::Crush(one, key), Parameter::Crush(two, other)) => one == two && key.excludes(other),
+            _ if self == other => false,
+            _ => {
+                form(self).is_some() && form(self) == form(other)
+                    || is_speed_beside_component(self, other)
+                    || is_speed_beside_component(other, self)
+            }
+        }
+    }
+
     /// Returns the parameter with this name or symbol, whether or not a case has it.
     pub fn named(name: &str) -> Option<Parameter> {
         if let Some(input) = Input::named(name) {

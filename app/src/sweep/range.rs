@@ -1,7 +1,5 @@
 //! Ranges of inputs, such as `contact.crush_plane=-10 deg:10 deg:1 deg`.
 
-use planar_impact::Input;
-
 use crate::case::{Inputs, Parameter};
 use crate::issue::Issue;
 use crate::names;
@@ -144,18 +142,7 @@ fn conflict(one: Parameter, two: Parameter) -> Option<String> {
     if one == two {
         return Some(format!("`{one}` is varied twice"));
     }
-    let group = |parameter: Parameter| match parameter {
-        Parameter::Input(Input::ImpulseRatio) | Parameter::Friction | Parameter::RatioOfCritical => Some((0, None)),
-        Parameter::Input(Input::Moment) | Parameter::MomentOfCritical => Some((1, None)),
-        Parameter::Input(Input::YawInertia(side)) | Parameter::RadiusOfGyration(side) => Some((2, Some(side))),
-        _ => None,
-    };
-    let speeds = |a, b| match (a, b) {
-        (Parameter::Speed(side), Parameter::Input(Input::VelocityX(other) | Input::VelocityY(other))) => side == other,
-        _ => false,
-    };
-    let same = group(one).is_some() && group(one) == group(two) || speeds(one, two) || speeds(two, one);
-    same.then(|| format!("`{one}` and `{two}` are two names of one input; vary one of them"))
+    one.excludes(two).then(|| format!("`{one}` and `{two}` are two names of one input; vary one of them"))
 }
 
 /// Returns a power of ten that makes all these numbers whole, so that their sums print as a person writes them: 0.3,

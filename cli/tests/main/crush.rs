@@ -417,3 +417,44 @@ fn a_reading_on_the_surface_is_no_crush() {
     let outside = crushed("13.1999 in");
     assert!(outside.status == 2 && outside.err.contains("vehicle.1.crush.depths.1"), "{}", outside.err);
 }
+
+/// A, B and d0, d1 are two forms of one stiffness: whichever came last would have decided.
+#[test]
+fn two_forms_of_one_stiffness_exclude_each_other() {
+    let case = workspace().join("cli/examples/stiff-corner.toml").display().to_string();
+    let (d0, a) = ("vehicle.2.crush.d0=80 N^0.5:90 N^0.5:10 N^0.5", "vehicle.2.crush.A=75 kN/m:90 kN/m:15 kN/m");
+    for [one, other] in [[d0, a], [a, d0]] {
+        let run = run(&workspace(), &["sweep", &case, "--vary", one, "--vary", other, "--of", "vehicle.2.crush_energy"]);
+        assert!(run.status == 2 && run.err.contains("are two names of one input"), "{} {}", run.status, run.err);
+    }
+    let rows = |headers: &str, cells: &str| {
+        let call = ["batch", "-", "--case", &case, "-o", "-", "--of", "vehicle.2.crush_energy"];
+        let run = run_with_input(&call, &format!("{headers}\n{cells}\n"));
+        let last = run.out.lines().last().unwrap_or_default().to_owned();
+        (run.status, last.split(',').skip(2).map(str::to_owned).collect::<Vec<_>>())
+    };
+    for (headers, cells) in
+        [("vehicle.2.crush.d0,vehicle.2.crush.A [kN/m]", "80,90"), ("vehicle.2.crush.A [kN/m],vehicle.2.crush.d0", "90,80")]
+    {
+        assert_eq!(rows(headers, cells), (1, vec![String::new(), "conflict".to_owned()]), "{headers}");
+    }
+    // A row may give either.
+    let (status, of_a) = rows("vehicle.2.crush.d0,vehicle.2.crush.A [kN/m]", ",90");
+    assert!(status == 0 && of_a[0].parse::<f64>().is_ok_and(|energy| energy > 0.0) && of_a[1].is_empty(), "{of_a:?}");
+    // Two numbers of one form belong together.
+    assert_eq!(rows("vehicle.2.crush.A [kN/m],vehicle.2.crush.B [kPa]", "90,800").0, 0);
+    assert_eq!(rows("vehicle.2.crush.d0,vehicle.2.crush.d1", "80,900").0, 0);
+}
+
+/// A stiffness that a case file refuses is refused in a row and at a point, and is no infinite energy.
+#[test]
+fn a_stiffness_beyond_that_of_a_case_file_has_no_energy() {
+    let case = workspace().join("cli/examples/stiff-corner.toml").display().to_string();
+    let call = ["batch", "-", "--case", &case, "-o", "-", "--of", "vehicle.2.crush_energy"];
+    let of_row = run_with_input(&call, "vehicle.2.crush.B [Pa]\n1e-300\n8e5\n");
+    let rows: Vec<&str> = of_row.out.lines().skip(1).collect();
+    assert!(of_row.status == 1 && rows[0] == "1e-300,,no-crush" && rows[1].ends_with(','), "{rows:?}");
+    let vary = "vehicle.2.crush.B=1e-300 Pa:1 Pa:1 Pa";
+    let of_point = run(&workspace(), &["sweep", &case, "--vary", vary, "--of", "vehicle.2.crush_energy", "--format", "json"]);
+    assert!(of_point.out.contains("it is too large: d0 would be"), "{} {}", of_point.out, of_point.err);
+}

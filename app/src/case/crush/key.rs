@@ -55,6 +55,20 @@ pub enum FormKey {
     TestWidth,
 }
 
+impl CrushKey {
+    /// Returns `true` if both give the stiffness of one zone, in different forms.
+    pub fn excludes(self, other: CrushKey) -> bool {
+        let form = |key: CrushKey| match key {
+            CrushKey::Onset | CrushKey::Slope => Some((0, true)),
+            CrushKey::ZoneOnset(zone) | CrushKey::ZoneSlope(zone) => Some((zone, true)),
+            CrushKey::Form(_) => Some((0, false)),
+            CrushKey::ZoneForm(zone, _) => Some((zone, false)),
+            _ => None,
+        };
+        form(self).zip(form(other)).is_some_and(|((one, is_root), (two, is_other_root))| one == two && is_root != is_other_root)
+    }
+}
+
 impl FormKey {
     /// Every key.
     pub const ALL: [FormKey; 6] =

@@ -6,12 +6,11 @@ use planar_impact::crush::{BarrierSpeedLine, CrushStiffness, ForceLine, Measurin
 use planar_impact::scalar::Real as _;
 
 use super::{CaseReader, one_of};
-use crate::case::crush::{CrushInputs, CrushKey, FormKey, Places, ProfileInputs, StiffnessInputs, sentence};
+use crate::case::crush::{CrushInputs, CrushKey, FormKey, Places, ProfileInputs, StiffnessInputs, sentence, too_stiff};
 use crate::case::domain::Domain;
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
 use crate::notice::Notice;
-use crate::quantity::Kind;
 
 /// A greater depth deserves a warning: the front of a car is about a meter long.
 const DEEP: f64 = 2.0;
@@ -259,9 +258,8 @@ impl CaseReader {
         };
         table.finish();
         let stiffness = stiffness?;
-        let CrushStiffness { onset, slope } = stiffness.roots();
-        if !Kind::ROOT_FORCE.domain.holds(onset) || !Kind::ROOT_FORCE_PER_LENGTH.domain.holds(slope) {
-            table.issue(format!("it is too large: d0 would be {onset:.3e} N^0.5 and d1 {slope:.3e} N^0.5/m"), None);
+        if let Some(why) = too_stiff(&stiffness.roots()) {
+            table.issue(why, None);
             return None;
         }
         Some(stiffness)

@@ -30,12 +30,12 @@ pub(super) struct NoColumn {
 pub(super) enum NoCell {
     /// The cell is empty.
     Empty,
-    /// The row ends before it.
-    Missing {
+    /// The row has more cells or fewer than the table has columns, so that any of them may be meant.
+    Ragged {
         /// The number of cells in the row.
         cells: usize,
-        /// The number of the column, from 1.
-        column: usize,
+        /// The number of columns.
+        columns: usize,
     },
 }
 
@@ -54,9 +54,14 @@ impl CsvColumn {
         };
         let cell = |(line, cells): (usize, Vec<String>)| {
             let cell = match cells.get(place).map(|cell| cell.trim()) {
-                None => Err(NoCell::Missing { cells: cells.len(), column: place + 1 }),
-                Some("") => Err(NoCell::Empty),
-                Some(text) => Ok(text.to_owned()),
+                Some(text) if cells.len() == headers.len() => {
+                    if text.is_empty() {
+                        Err(NoCell::Empty)
+                    } else {
+                        Ok(text.to_owned())
+                    }
+                }
+                _ => Err(NoCell::Ragged { cells: cells.len(), columns: headers.len() }),
             };
             (line, cell)
         };
@@ -68,9 +73,10 @@ impl From<NoCell> for QuantityError {
     fn from(cell: NoCell) -> QuantityError {
         let message = match cell {
             NoCell::Empty => "the cell is empty; expected a number".to_owned(),
-            NoCell::Missing { cells, column } => {
-                let plural = if cells == 1 { "" } else { "s" };
-                format!("the row has {cells} cell{plural}; the column is number {column}")
+            NoCell::Ragged { cells, columns } => {
+                let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+                let comma = if cells > columns { "; a decimal comma?" } else { "" };
+                format!("the row has {}, and the table has {}{comma}", counted(cells, "cell"), counted(columns, "column"))
             }
         };
         QuantityError { message, help: None }
@@ -156,9 +162,13 @@ mod tests {
 
     #[test]
     fn rows_without_a_cell() {
-        let found = cells("a,b\n1\n1,\n1,2\n", "b");
-        let missing = NoCell::Missing { cells: 1, column: 2 };
-        assert_eq!(found, [(2, Err(missing)), (3, Err(NoCell::Empty)), (4, Ok("2".to_owned()))]);
+        let found = cells("a,b\n1\n1,\n1,2\n1,2,3\n", "b");
+        let ragged = |cells| Err(NoCell::Ragged { cells, columns: 2 });
+        assert_eq!(found, [(2, ragged(1)), (3, Err(NoCell::Empty)), (4, Ok("2".to_owned())), (5, ragged(3))]);
+        // The first cell of such a row may be half of a number.
+        assert_eq!(cells("a,b\n30,5,1\n30\n", "a"), [(2, ragged(3)), (3, ragged(1))]);
+        let told = QuantityError::from(NoCell::Ragged { cells: 3, columns: 2 }).message;
+        assert_eq!(told, "the row has 3 cells, and the table has 2 columns; a decimal comma?");
         assert_eq!(cells("a,b\n", "b"), []);
     }
 

@@ -276,7 +276,7 @@ mod tests {
         for (found, wanted) in found.iter().zip(wanted.into_iter().chain(others)) {
             assert!(found.starts_with(&format!("vehicle.1.mass.file: folder/tests.csv:{wanted}")), "{found}");
         }
-        assert!(refused(OF_FILE, "a,m\n1\n")[0].contains("tests.csv:2: m: the row has 1 cell; the column is number 2"));
+        assert!(refused(OF_FILE, "a,m\n1\n")[0].contains("tests.csv:2: m: the row has 1 cell, and the table has 2 columns"));
         // Without a unit in the header the cells are as numbers in a case file.
         assert!(refused(OF_FILE, "m\n5 m\n")[0].contains("`5 m` is a length; a mass is expected"));
         assert!(refused(OF_FILE, "m\n1500000000\n1\n")[0].contains("not a plausible mass"));
