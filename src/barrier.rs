@@ -90,7 +90,7 @@ mod weight;
 
 pub use bank::{BarrierRecord, bank, impulse_ratio};
 pub use estimate::Estimate;
-pub use film::restitution_from_film;
+pub use film::{restitution_from_film, restitution_from_smoothed};
 pub use filter::{ChannelClass, ChannelFilter};
 pub use fit::{CovarianceBasis, CrushModel, FitFinding, StiffnessFit};
 pub use fitted::{Residual, StiffnessCovariance};

@@ -2,7 +2,7 @@
 
 use super::estimate::Estimate;
 use super::issue::{TestIssue, TestIssues, finite_estimate};
-use super::lowess::Lowess;
+use super::lowess::{Lowess, Smoothed};
 use super::record::Record;
 use crate::issue::{IssueCollector, Place};
 use crate::measure::Measure;
@@ -36,12 +36,29 @@ pub fn restitution_from_film<T: Ordered<Mask = bool>>(
     separation: T,
     closing: Estimate<T>,
 ) -> Result<Estimate<T>, TestIssues<T>> {
+    check_closing(&closing)?;
+    restitution_from_smoothed(&lowess.smooth(distance)?, separation, closing)
+}
+
+/// As [`restitution_from_film`], from distances that are smoothed already.
+///
+/// # Errors
+///
+/// As [`restitution_from_film`].
+pub fn restitution_from_smoothed<T: Ordered<Mask = bool>>(
+    distance: &Smoothed<T>,
+    separation: T,
+    closing: Estimate<T>,
+) -> Result<Estimate<T>, TestIssues<T>> {
+    check_closing(&closing)?;
+    finite_estimate("restitution", distance.at(separation)?.slope.over(closing))
+}
+
+fn check_closing<T: Ordered<Mask = bool>>(closing: &Estimate<T>) -> Result<(), TestIssues<T>> {
     let mut issues = IssueCollector::<TestIssue<T>>::new();
     issues.positive(Place::of("closing speed", Measure::Speed), &closing.value);
     issues.not_negative(Place::plain("variance of the closing speed"), &closing.variance);
-    issues.finish()?;
-    let line = lowess.smooth(distance)?.at(separation)?;
-    finite_estimate("restitution", line.slope.over(closing))
+    issues.finish()
 }
 
 #[cfg(test)]
@@ -63,6 +80,21 @@ mod tests {
         assert_relative_eq!(e.value, 0.2, max_relative = 1e-12);
         // The closing speed alone is uncertain: by 5 %.
         assert_relative_eq!(e.deviation(), 0.01, max_relative = 1e-9);
+    }
+
+    #[test]
+    fn readings_on_one_line_are_as_uncertain_as_their_step() {
+        let closing = Estimate::with_deviation(10.0, 0.0);
+        let of = |noise: f64| {
+            let smoothed = LOWESS.smooth(&film(0.002)).expect("a good film").with_noise_of_at_least(noise);
+            (smoothed.noise(), restitution_from_smoothed(&smoothed, 0.1, closing).expect("a good film"))
+        };
+        let (own, as_it_is) = of(0.0);
+        assert_eq!(as_it_is, restitution_from_film(&film(0.002), LOWESS, 0.1, closing).expect("a good film"));
+        assert_eq!(of(0.9 * own).1, as_it_is);
+        let (noise, coarse) = of(4.0 * own);
+        assert_eq!((noise, coarse.value), (4.0 * own, as_it_is.value));
+        assert_relative_eq!(coarse.deviation(), 2.0 * as_it_is.deviation(), max_relative = 1e-12);
     }
 
     #[test]

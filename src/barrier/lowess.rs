@@ -102,6 +102,13 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         Ok(LocalLine { value: estimate("smoothed value", &shares.value)?, slope: estimate("slope", &shares.slope)? })
     }
 
+    /// Returns the same with a variance of one sample that is not below another, such as a twelfth of the square of the step in which it was read: readings
+    /// that a uniform motion crosses in whole steps lie on one line, however coarse they are.
+    #[must_use]
+    pub fn with_noise_of_at_least(self, noise: T) -> Self {
+        Smoothed { noise: if self.noise.less(&noise) { noise } else { self.noise.clone() }, ..self }
+    }
+
     /// Returns the variance of one sample about the smoothed record, in the square of its unit.
     pub fn noise(&self) -> T {
         self.noise.clone()

@@ -3,7 +3,7 @@
 use planar_impact::Issue as _;
 use planar_impact::Nt;
 use planar_impact::barrier::{
-    BarrierRecord, ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_film,
+    ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_smoothed,
 };
 
 use super::recording::{Channel, Filter};
@@ -22,6 +22,13 @@ const NEIGHBORS: usize = 9;
 pub(super) const ROUNDING: f64 = 1e-9;
 /// Maximum number of frames of a film: smoothing takes time that grows with the square.
 const MOST_FRAMES: usize = 5000;
+
+/// The end of an event that a record lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cut {
+    Beginning,
+    End,
+}
 
 /// What an analysis collects.
 struct Analysis<'a> {
@@ -87,38 +94,64 @@ impl Channel {
         (longest[1] - longest[0] > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
     }
 
-    /// Returns `true` if the record ends before the event does: a pulse above a tenth of its height, or a velocity change that still changes by a tenth
-    /// within the last tenth of the time since it began; in both cases by more than two steps. A pulse counts from its mean over the window before the contact,
-    /// or from zero without one.
-    pub(super) fn is_truncated(&self, before: Option<Window>) -> bool {
+    /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a velocity change still changes by
+    /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
+    /// than two steps. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
+    pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
         let (times, values) = (self.record.times(), self.record.values());
-        let last = values[values.len() - 1];
+        let (first, last) = (values[0], values[values.len() - 1]);
         let slack = 2.0 * self.record.resolution().unwrap_or(0.0);
-        let (unloaded, left) = match self.quantity {
-            ChannelQuantity::Distance | ChannelQuantity::Speed => return false,
+        let (unloaded, late, left) = match self.quantity {
+            ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
             quantity if quantity.is_running() => {
-                let begun = values.iter().position(|value| (value - values[0]).abs() > slack).unwrap_or(values.len()) - 1;
+                let begun = values.iter().position(|value| (value - first).abs() > slack).unwrap_or(values.len()) - 1;
                 let end = times[times.len() - 1];
                 let lately = end - 0.1 * (end - times[begun]);
                 let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
-                (values[0], (last - values[before]).abs())
+                (first, 0.0, (last - values[before]).abs())
             }
             _ => {
                 // A window without a mean is reported where the channel is integrated.
-                let unloaded = before.and_then(|before| self.record.baseline(&before).ok()).map_or(0.0, |mean| mean.value);
-                (unloaded, (last - unloaded).abs())
+                let mean = before.and_then(|before| self.record.baseline(&before).ok());
+                let unloaded = mean.map_or(0.0, |mean| mean.value);
+                (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
             }
         };
         let height = values.iter().map(|value| (value - unloaded).abs()).fold(0.0, f64::max);
-        left > (0.1 * height).max(slack)
+        let is_missing = |left: f64| left > (0.1 * height).max(slack);
+        if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
     }
+}
+
+/// Returns the step in which a record was read, if it has many samples and all lie whole steps apart.
+fn step_of(record: &Record) -> Option<f64> {
+    /// Fewest samples of which that is no chance.
+    const MANY: usize = 16;
+    /// Rounding of a sample, in steps.
+    const NEAR: f64 = 1e-6;
+    let (values, step) = (record.values(), record.resolution()?);
+    let is_whole = |value: &f64| {
+        let steps = (value - values[0]) / step;
+        (steps - steps.round()).abs() < NEAR
+    };
+    (values.len() >= MANY && values.iter().all(is_whole)).then_some(step)
+}
+
+/// Returns what the steps of a channel add to the variance of its integral. Noise of their size would spread the samples over them; without it all samples of
+/// the unloaded channel are off by the same part of a step, and so is the whole pulse.
+fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
+    let Some(step) = step_of(channel) else { return 0.0 };
+    let of_sample = step * step / 12.0;
+    let is_spread = channel.baseline(before).is_ok_and(|baseline| baseline.variance >= of_sample);
+    let duration = over.to - over.from;
+    if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
 impl Analysis<'_> {
     /// Describes a channel, and says if it does not hold the whole event.
     fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
         let (times, measure) = (channel.record.times(), channel.quantity.measure());
-        let (clipped, is_truncated) = (channel.clipped(), channel.is_truncated(self.before(&channel.record)));
+        let (clipped, cut) = (channel.clipped(), channel.cut(self.before(&channel.record)));
         if let Some(Clipped { value, from, to, samples }) = clipped {
             let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
                 .figure(measure, value)
@@ -129,10 +162,14 @@ impl Analysis<'_> {
                 .text("; what follows from it is too small in magnitude");
             self.notices.push(Notice::warning("clipped", channel.path.clone(), message));
         }
-        if is_truncated {
-            let message = Message::from(format!("{} is truncated: it ends at ", channel.name))
-                .figure(Measure::Time, times[times.len() - 1])
-                .text(" before the event is over; what follows from it is incomplete");
+        if let Some(cut) = cut {
+            let (what, at, when) = match cut {
+                Cut::Beginning => ("begins", times[0], " after the event has begun, or with an offset that no sample before it shows"),
+                Cut::End => ("ends", times[times.len() - 1], " before the event is over"),
+            };
+            let message = Message::from(format!("{} is truncated: it {what} at ", channel.name))
+                .figure(Measure::Time, at)
+                .text(format!("{when}; what follows from it is incomplete"));
             self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
         }
         if let Some([from, to]) = channel.gap() {
@@ -152,7 +189,7 @@ impl Analysis<'_> {
             period: period(&channel.record),
             resolution: channel.record.resolution(),
             clipped,
-            is_truncated,
+            is_truncated: cut.is_some(),
         }
     }
 
@@ -219,8 +256,8 @@ impl Analysis<'_> {
         Some((over, before))
     }
 
-    /// Integrates a pulse from the raw record, and draws it filtered.
-    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Pulse> {
+    /// Integrates a pulse from the raw record, the sum of these channels, and draws it filtered.
+    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record, channels: &[Record]) -> Option<Pulse> {
         let (over, before) = self.windows(record)?;
         let place = if self.of.settings.window.is_some() { "window" } else { path };
         let uncorrected = self.report(place, record.impulse_over(&over));
@@ -239,7 +276,11 @@ impl Analysis<'_> {
         };
         let (uncorrected, corrected, filtered) = (uncorrected?, corrected?, filtered?);
         let mut integral = match &before {
-            Some(before) => self.report(place, record.impulse(&over, before))?,
+            Some(before) => {
+                let integral = self.report(place, record.impulse(&over, before))?;
+                let of_steps: f64 = channels.iter().map(|channel| variance_of_steps(channel, &over, before)).sum();
+                Estimate { variance: integral.variance + of_steps, ..integral }
+            }
             None => Estimate { value: uncorrected, variance: 0.0 },
         };
         // Of a constant channel nothing is left but the rounding of its sum.
@@ -260,8 +301,26 @@ impl Analysis<'_> {
             return None;
         };
         let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
+        self.cut_by_window(name, quantity, &corrected, peak);
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })
+    }
+
+    /// Says if the window begins or ends within the pulse.
+    fn cut_by_window(&mut self, name: &str, quantity: ChannelQuantity, corrected: &Record, peak: Peak) {
+        let Some(window) = self.of.settings.window else { return };
+        let (times, values) = (corrected.times(), corrected.values());
+        let least = (0.1 * peak.value.abs()).max(2.0 * corrected.resolution().unwrap_or(0.0));
+        for (does, edge) in [("begins", window.from), ("ends", window.to)] {
+            let nearest = (0..times.len()).min_by(|&a, &b| (times[a] - edge).abs().total_cmp(&(times[b] - edge).abs()));
+            let Some(value) = nearest.map(|at| values[at]).filter(|value| value.abs() > least) else { continue };
+            let message = Message::from(format!("the window {does} at "))
+                .figure(Measure::Time, edge)
+                .text(format!(" within the pulse: {name} is "))
+                .figure(quantity.measure(), value)
+                .text(" there; the integral has no more than the window");
+            self.notices.push(Notice::warning("cut-by-window", "window", message));
+        }
     }
 
     /// Returns the class of the filter: the one that the file gives, or else that of the quantity if the record is fast enough.
@@ -282,7 +341,7 @@ impl Analysis<'_> {
 
     fn barrier(&mut self) -> Option<Barrier> {
         let of = self.of;
-        let mut sum = |quantity: ChannelQuantity, name: &str| -> Option<(Vec<Record>, Pulse)> {
+        let mut sum = |quantity: ChannelQuantity, name: &str| -> Option<Pulse> {
             let channels: Vec<&Channel> = of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
             let records: Vec<Record> = channels.iter().map(|channel| channel.record.clone()).collect();
             let path = channels.first()?.path.clone();
@@ -298,13 +357,12 @@ impl Analysis<'_> {
                     return None;
                 }
             };
-            let pulse = self.pulse(name, &path, quantity, &total)?;
-            Some((records, pulse))
+            self.pulse(name, &path, quantity, &total, &records)
         };
         let normal = sum(ChannelQuantity::NormalForce, "normal force");
         let tangential = sum(ChannelQuantity::TangentialForce, "tangential force");
         let first = of.channels.iter().find(|channel| channel.quantity == ChannelQuantity::NormalForce);
-        if let (Some((_, pulse)), Some(first)) = (&normal, first)
+        if let (Some(pulse), Some(first)) = (&normal, first)
             && pulse.integral.value <= 0.0
         {
             let (what, help) = match pulse.integral.value < 0.0 {
@@ -319,25 +377,25 @@ impl Analysis<'_> {
             self.issues.push(Issue::at("tensile", first.path.clone(), message).with_help(help));
             return None;
         }
-        let ratio = normal.as_ref().zip(tangential.as_ref()).and_then(|((normal, n), (tangential, t))| {
-            let record = BarrierRecord { normal: normal.clone(), tangential: tangential.clone() };
-            let is_known = n.is_known && t.is_known;
-            let ratio = match self.windows(&normal[0])? {
-                (over, Some(before)) if is_known => record.ratio(&over, &before),
-                _ => impulse_ratio(Nt { n: n.integral.value, t: t.integral.value }).map(|value| Estimate { value, variance: 0.0 }),
-            };
-            self.report("window", ratio).map(|ratio| Uncertain::of(ratio, is_known))
+        let ratio = normal.as_ref().zip(tangential.as_ref()).and_then(|(n, t)| {
+            let ratio = impulse_ratio(Nt { n: n.integral.value, t: t.integral.value });
+            let ratio = self.report("window", ratio.map(|value| Estimate { value, ..t.integral.over(n.integral) }))?;
+            if !ratio.variance.is_finite() {
+                self.issues.push(Issue::at("overflow", "window", "the impulse ratio overflows: the normal impulse is next to zero"));
+                return None;
+            }
+            Some(Uncertain::of(ratio, n.is_known && t.is_known))
         });
         if normal.is_none() && tangential.is_none() {
             return None;
         }
-        let impulse = |bank: &Option<(Vec<Record>, Pulse)>| bank.as_ref().map(|(_, pulse)| Uncertain::of(pulse.integral, pulse.is_known));
-        let change = normal.as_ref().and_then(|(_, pulse)| Some((pulse.integral.over(of.settings.mass?), pulse.is_known)));
+        let impulse = |bank: &Option<Pulse>| bank.as_ref().map(|pulse| Uncertain::of(pulse.integral, pulse.is_known));
+        let change = normal.as_ref().and_then(|pulse| Some((pulse.integral.over(of.settings.mass?), pulse.is_known)));
         Some(Barrier {
             normal_impulse: impulse(&normal),
             tangential_impulse: impulse(&tangential),
             impulse_ratio: ratio,
-            peak_force: normal.as_ref().map(|(_, pulse)| pulse.peak),
+            peak_force: normal.as_ref().map(|pulse| pulse.peak),
             delta_v: change.map(|(change, is_known)| Uncertain::of(change, is_known)),
             restitution: change.and_then(|(change, is_known)| self.restitution("the load cells", change, is_known)),
         })
@@ -370,7 +428,8 @@ impl Analysis<'_> {
     }
 
     fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
-        let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record)?;
+        let Pulse { integral, is_known, peak } =
+            self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, std::slice::from_ref(&channel.record))?;
         let impulse = self.of.settings.mass.map(|mass| {
             let variance = integral.variance * mass.value * mass.value + integral.value * integral.value * mass.variance;
             Uncertain::of(Estimate { value: integral.value * mass.value, variance }, is_known)
@@ -389,6 +448,9 @@ impl Analysis<'_> {
             return None;
         }
         let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };
+        // Uniform motion in whole steps leaves no scatter, however coarse they are.
+        let step = step_of(record).unwrap_or(0.0);
+        let smooth = |record: &Record| lowess.smooth(record).map(|smoothed| smoothed.with_noise_of_at_least(step * step / 12.0));
         let times = record.times();
         let (first, last) = (times[0], times[times.len() - 1]);
         let contact = settings.window.map_or(first.max(0.0), |window| window.from);
@@ -399,7 +461,7 @@ impl Analysis<'_> {
                 // The frames before the contact alone: a local line must not reach into it.
                 let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
                 let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
-                let slope = before.and_then(|before| lowess.smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
+                let slope = before.and_then(|before| smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
                 let Ok(slope) = slope else {
                     let message = format!("{count} frames up to the contact are too few for a closing speed");
                     let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
@@ -410,7 +472,7 @@ impl Analysis<'_> {
             }
         };
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
-        let restitution = match restitution_from_film(record, lowess, separation, closing) {
+        let restitution = match smooth(record).and_then(|smoothed| restitution_from_smoothed(&smoothed, separation, closing)) {
             Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {
                 self.overflows(&channel.name);
                 return None;

@@ -227,7 +227,7 @@ impl Recorder {
             delta_v_left: left.as_ref().map(Component::extreme),
             maximum,
             is_lower_bound: !clipped_sensors.is_empty()
-                || components().any(|of| of.channel.clipped().is_some() || of.channel.is_truncated(None)),
+                || components().any(|of| of.channel.clipped().is_some() || of.channel.cut(None).is_some()),
             clipped_sensors,
             pre_crash,
             speed_at_impact,

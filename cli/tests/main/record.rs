@@ -259,7 +259,8 @@ fn clipped_and_truncated_copies_are_recognised() {
     assert!(run.status == 1 && record["channels"][0]["is_truncated"] == true && run.out.contains("it ends at 0.080 s"), "{}", run.out);
 }
 
-/// Wherever a recording begins and ends, and whatever its first sample reads by chance, it is called incomplete where the pulse goes on, and nowhere else.
+/// Wherever a recording begins and ends, and whatever its first sample reads by chance, it is called incomplete where the pulse goes on before it or after it,
+/// and nowhere else.
 #[test]
 fn a_recording_is_incomplete_where_the_pulse_goes_on() {
     let of = |header: &str, from: i32, to: i32, first: f64, height: f64| {
@@ -273,14 +274,14 @@ fn a_recording_is_incomplete_where_the_pulse_goes_on() {
         assert_eq!(channel["clipped"], Value::Null, "{from} to {to} ms, {first}: {}", run.out);
         let is_truncated = channel["is_truncated"] == true;
         assert_eq!(run.status, i32::from(is_truncated), "{}", run.out);
-        assert_eq!(run.out.contains("truncated: it ends at"), is_truncated, "{}", run.out);
+        assert_eq!(run.out.contains("truncated: it "), is_truncated, "{}", run.out);
         is_truncated
     };
     for (header, height) in [("normal_force [kN]", 300.0), ("acceleration [m/s^2]", -200.0)] {
-        for (from, to) in [(-20, 80), (20, 80), (10, 90), (1, 60), (50, 52)] {
+        for (from, to) in [(-20, 80), (20, 80), (10, 90), (1, 60), (50, 52), (10, 130), (40, 150)] {
             assert!(of(header, from, to, 0.0, height), "{from} to {to} ms");
         }
-        for (from, to) in [(-20, 130), (-20, 100), (0, 130), (1, 130), (10, 130), (40, 150)] {
+        for (from, to) in [(-20, 130), (-20, 100), (0, 130), (1, 130), (3, 150)] {
             for first in [0.0, 1.0, -1.0] {
                 assert!(!of(header, from, to, first, height), "{from} to {to} ms, {first}");
             }
@@ -793,4 +794,51 @@ fn the_tests_of_a_case_may_be_recorded() {
     }
     let drawn = run(folder.path(), &["draw", "case.toml", "-o", "data/barrier.csv"]);
     assert!(drawn.status == 2 && drawn.err.contains("would be replaced"), "{}", drawn.err);
+}
+
+/// A pulse that is cut at its beginning lacks as much as one that is cut at its end.
+#[test]
+fn a_record_that_begins_within_the_pulse_is_truncated() {
+    let from = |first: f64, column: &str| {
+        let rows = times().filter(|ms| *ms >= first).map(|ms| format!("{ms},{}\n", pulse(ms)));
+        record_of(&format!("time [ms],{column}\n{}", rows.collect::<String>()), None)
+    };
+    for column in ["normal_force.a [kN]", "acceleration.a [g]"] {
+        let (whole, run) = from(-20.0, column);
+        assert!(run.status == 0 && whole["channels"][0]["is_truncated"] == false, "{column}");
+        let (cut, run) = from(30.0, column);
+        assert!(run.status == 1 && cut["channels"][0]["is_truncated"] == true, "{column}");
+        assert!(run.out.contains("it begins at 0.030 s after the event has begun"), "{}", run.out);
+        // At its very beginning nothing is missing.
+        assert_eq!(from(0.0, column).1.status, 0, "{column}");
+    }
+}
+
+#[test]
+fn a_window_that_ends_within_the_pulse_is_named() {
+    let samples = csv("normal_force.a [kN]", &[&pulse]);
+    let of = |window: &str| record_of(&samples, Some(&format!("window = {window}\n"))).1.out;
+    let half = of("[\"0 ms\", \"50 ms\"]");
+    assert!(half.contains("cut-by-window") && half.contains("the window ends at 0.050 s within the pulse: normal force is "), "{half}");
+    assert!(of("[\"50 ms\", \"110 ms\"]").contains("the window begins at 0.050 s within the pulse"));
+    assert!(!of("[\"0 ms\", \"110 ms\"]").contains("cut-by-window"));
+}
+
+/// Readings in whole steps that a uniform motion crosses have no scatter, and an unloaded channel that stays on one step has no noise: what is uncertain is the
+/// step itself.
+#[test]
+fn the_step_of_a_reading_is_in_its_standard_deviation() {
+    // 10.04 m/s on a film that is read to a centimeter, in frames of a millisecond.
+    let read = |ms: f64| (-1.004 * ms).round() * 10.0 + 300.0;
+    let film: String =
+        (-29..=60).map(|ms| format!("{ms},{}\n", if ms <= 0 { read(ms.into()) } else { read(0.0) + f64::from(ms) })).collect();
+    let (found, _) = record_of(&format!("time [ms],distance.a [mm]\n{film}"), None);
+    let closing = &found["films"][0]["closing_speed"];
+    let number = |key: &str| closing[key].as_f64().unwrap_or(f64::NAN);
+    assert!((number("value") - 10.04).abs() < 3.0 * number("sd") && number("sd") < 1.0, "{closing}");
+    // Forces in steps of 5 kN: the offset is anywhere within a step, for the whole of the contact.
+    let coarse = |ms: f64| (40.0 * pulse(ms)).round() * 5.0;
+    let (found, _) = record_of(&csv("normal_force.a [kN]", &[&coarse]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+    let impulse = &found["barrier"]["normal_impulse"];
+    close(&impulse["sd"], 5e3 / 12_f64.sqrt() * 0.11, 1e-9);
 }
