@@ -46,7 +46,7 @@ use crate::answer::Answer;
 use crate::document::Document;
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
-use crate::notice::{Notice, Notices};
+use crate::notice::{NOMINAL_VALUES, Notice, Notices};
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
 
@@ -365,5 +365,5 @@ pub(crate) fn at_nominal_values(inputs: impl IntoIterator<Item = Parameter>) -> 
         1 => format!("{path} is uncertain, and used at its nominal value"),
         _ => format!("uncertain inputs are used at their nominal values: {}", names.join(", ")),
     };
-    Some(Notice::note("nominal-values", path, message))
+    Some(Notice::note(NOMINAL_VALUES, path, message))
 }

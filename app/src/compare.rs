@@ -14,7 +14,7 @@ use crate::control::Control;
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Sentence;
 use crate::notice::{Notice, Notices};
-use crate::reconstruct::{self, Interval, Reconstruction, Unknown};
+use crate::reconstruct::{self, Interval, Reconstruction};
 use crate::solve::{self, Solution, TangentialLaw, Vehicle};
 use crate::units::Measure;
 
@@ -221,31 +221,9 @@ impl ComparedCase {
 
 /// Returns why a reconstruction is no unique answer although the evidence agrees with it: the unknowns that it does not narrow down.
 fn open_unknowns(found: &Reconstruction) -> Vec<ComparedRefusal> {
-    /// Share of the range between the bounds that is rounding.
-    const ROUNDING: f64 = 1e-6;
-    if found.status != Verdict::Agrees || found.is_answer {
-        return Vec::new();
-    }
-    let reason =
-        |path: &str, message: String| ComparedRefusal { code: "not-narrowed", path: path.to_owned(), message: Sentence(message.into()) };
-    let is_open = |unknown: &Unknown| {
-        let width = |ends: [Option<f64>; 2]| Some(ends[1]? - ends[0]?);
-        let [found, given] = [[unknown.interval.low, unknown.interval.high], [unknown.min, unknown.max]].map(width);
-        !unknown.is_input && found.is_none_or(|found| given.is_some_and(|given| found >= given * (1.0 - ROUNDING)))
-    };
-    let open: Vec<ComparedRefusal> = found
-        .unknown
-        .iter()
-        .filter(|(_, unknown)| is_open(unknown))
-        .map(|(name, _)| reason(name, "its interval is no narrower than its bounds, so the evidence does not determine it".to_owned()))
-        .collect();
-    if open.is_empty() {
-        return vec![reason(
-            "",
-            "the evidence does not narrow every unknown down; `planar-impact reconstruct` shows the intervals".to_owned(),
-        )];
-    }
-    open
+    let message = || Sentence("its interval is no narrower than its bounds, so the evidence does not determine it".to_owned().into());
+    let reason = |path: &str| ComparedRefusal { code: "not-narrowed", path: path.to_owned(), message: message() };
+    if found.status == Verdict::Agrees { found.not_narrowed().map(reason).collect() } else { Vec::new() }
 }
 
 impl ComparedCase {

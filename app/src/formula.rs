@@ -11,6 +11,7 @@ use crate::answer::SCHEMA;
 use crate::case::{Case, Inertia, Parameter, Restitution, Velocity, moment_parameter, ratio_parameter, vehicle_number};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
+use crate::notice::{Notice, Notices};
 use crate::quantity::{excerpt, nearest};
 use crate::solve::{ImpulseRatioGiven, TangentialLaw};
 
@@ -113,6 +114,9 @@ pub struct Formula {
     pub latex: String,
     /// The formula for a program, as a Rust function of `f64`.
     pub rust: String,
+    /// Notes and warnings about the numbers of a case.
+    #[serde(flatten)]
+    pub notices: Notices,
     /// `true` if a case gives the numbers.
     #[serde(skip)]
     pub has_case: bool,
@@ -177,6 +181,8 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
             value: value(name),
         })
     };
+    // Other notes are of numbers that a formula has not.
+    let needed = case.into_iter().flat_map(|case| case.answer((), []).notices.0).filter(Notice::is_needed);
     Ok(Formula {
         schema: SCHEMA,
         output: options.output.name(),
@@ -190,6 +196,7 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
             formula.rust()
         ),
         subject,
+        notices: Notices(needed.collect()),
         has_case: case.is_some(),
         formula,
     })

@@ -31,7 +31,15 @@ pub struct Notice {
     pub message: Message,
 }
 
+/// The code of the note that uncertain inputs are used at their nominal values.
+pub const NOMINAL_VALUES: &str = "nominal-values";
+
 impl Notice {
+    /// Returns `true` if its reader would take the numbers for something else without it: a warning, or that what is uncertain is not.
+    pub fn is_needed(&self) -> bool {
+        self.severity == Severity::Warning || self.code == NOMINAL_VALUES
+    }
+
     /// Creates a note: an assumption or an explanation.
     pub fn note(code: &'static str, path: impl Into<String>, message: impl Into<Message>) -> Notice {
         Notice { code, severity: Severity::Note, path: path.into(), message: message.into() }

@@ -158,11 +158,12 @@ fn by_separations(
         notices.0.extend(by_momentum(&question));
     }
     if answer.verdict == Verdict::Contradicted {
-        notices.0.extend(slips::of(case, &question, answer.best(), &|| control.goes_on(0, 1)));
+        notices.0.extend(slips::of(case, separations, &question, answer.best(), &|| control.goes_on(0, 1)));
     }
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
-    let intervals = question.asked.intervals(&answer, options.level, &of);
+    let intervals = question.asked.intervals_while(&answer, options.level, &of, &|done, total| control.goes_on(done, total));
+    let intervals = intervals.ok_or_else(Issues::interrupted)?;
     let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
     let guaranteed =
         if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };
@@ -199,9 +200,10 @@ fn heights(question: &Question, answer: &Found, of: &[Measurand], control: &dyn 
     /// Roots of the heights, which are standard deviations where the evidence is linear in the unknowns.
     const ROOTS: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
     let height = |(done, root): (usize, f64)| {
-        control.proceed(done, ROOTS.len())?;
         let level = libm::erf(root * std::f64::consts::FRAC_1_SQRT_2);
-        Ok(Height { chi_square: root * root, level, intervals: question.asked.intervals(answer, level, of) })
+        let goes_on = |of_height, steps| control.goes_on(done * steps + of_height, ROOTS.len() * steps);
+        let intervals = question.asked.intervals_while(answer, level, of, &goes_on).ok_or_else(Issues::interrupted)?;
+        Ok(Height { chi_square: root * root, level, intervals })
     };
     ROOTS.into_iter().enumerate().map(height).collect()
 }

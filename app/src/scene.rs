@@ -31,8 +31,8 @@ pub struct Scene {
     pub impact_point: [f64; 2],
     /// `true` if the case says where on the scene that is; otherwise it is the origin.
     pub is_on_scene: bool,
-    /// Angle Γ of the crush plane's normal n from x, in rad; t is a quarter turn further.
-    pub crush_plane: f64,
+    /// Angle Γ of the crush plane's normal n from x, in rad; t is a quarter turn further. `null` for momentum alone, which has none.
+    pub crush_plane: Option<f64>,
     /// Impulse on vehicle 1 along x and y, in N s; vehicle 2 gets the opposite one.
     pub impulse: [f64; 2],
     /// Vehicle 1 and vehicle 2.
@@ -247,7 +247,7 @@ impl Scene {
         let mut scene = Scene {
             impact_point: components(impact_point),
             is_on_scene: case.scene.is_some(),
-            crush_plane: case.inputs.contact.crush_plane,
+            crush_plane: (!case.model.is_momentum()).then_some(case.inputs.contact.crush_plane),
             impulse: components(impact.impulse_on_ground),
             vehicles,
             phases: Vec::new(),

@@ -163,6 +163,23 @@ impl Units {
     }
 }
 
+/// Returns the size of a quantity in a collision of vehicles, in SI, of which a trillionth is rounding; 0 for those that may have any size.
+pub fn size(measure: Measure) -> f64 {
+    match measure {
+        Measure::Ratio
+        | Measure::Time
+        | Measure::Speed
+        | Measure::RoadSpeed
+        | Measure::Length
+        | Measure::Angle
+        | Measure::YawRate
+        | Measure::Impulse
+        | Measure::MomentImpulse
+        | Measure::Energy => 1.0,
+        _ => 0.0,
+    }
+}
+
 /// Formats a number with six significant digits and no trailing zeros.
 pub fn trim(value: f64) -> String {
     if !(1e-9..1e12).contains(&value.abs()) && value != 0.0 {

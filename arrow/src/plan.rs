@@ -133,9 +133,15 @@ impl Plan {
     }
 }
 
+/// Returns the unit in the metadata of a field. Others write its key with a capital, or as `units`: a number in an unread unit would pass for SI.
+fn unit_of(field: &Field) -> Option<&String> {
+    let named = |name: &str| field.metadata().iter().find(|(key, _)| key.trim().eq_ignore_ascii_case(name)).map(|(_, unit)| unit);
+    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units"))
+}
+
 fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {
     let header = Header::read(field.name());
-    match (&header.unit, field.metadata().get(UNIT)) {
+    match (&header.unit, unit_of(field)) {
         (Some(bracketed), Some(unit)) if bracketed != unit => {
             let message = format!("the name has the unit {bracketed}, and the metadata {unit}; keep one");
             issues.push(Issue::at("invalid-unit", header.name.clone(), message));

@@ -6,7 +6,9 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use planar_impact_app::Units;
 use planar_impact_app::json::{self, Layout};
+use planar_impact_app::notice::{Notice, Notices, Severity};
 use planar_impact_report::{Block, text};
 use serde::Serialize;
 use tempfile::NamedTempFile;
@@ -14,9 +16,10 @@ use tempfile::NamedTempFile;
 use crate::exit::{Failure, Status};
 use crate::interrupt;
 
-/// The text that a verb prints or writes to a file, and its status.
+/// The text that a verb prints or writes to a file, what it says beside it, and its status.
 pub struct CommandOutput {
     text: String,
+    notes: Vec<String>,
     file: Option<PathBuf>,
     status: Status,
 }
@@ -24,7 +27,7 @@ pub struct CommandOutput {
 impl CommandOutput {
     /// Creates the output of a text.
     pub fn text(text: String) -> CommandOutput {
-        CommandOutput { text, file: None, status: Status::Done }
+        CommandOutput { text, notes: Vec::new(), file: None, status: Status::Done }
     }
 
     /// Creates the output of a page for people.
@@ -39,6 +42,13 @@ impl CommandOutput {
     /// Fails only because of a defect, because an answer is plain data.
     pub fn json(answer: &impl Serialize, layout: Layout) -> Result<CommandOutput, Failure> {
         Ok(CommandOutput::text(json::text(answer, layout)?))
+    }
+
+    /// Adds the notices that are needed to read an answer, for standard error: the text is in a format that has no place for them.
+    pub fn noting(self, notices: &Notices, units: Units) -> CommandOutput {
+        let name = |severity| if severity == Severity::Note { "note" } else { "warning" };
+        let note = |notice: &Notice| format!("{}: {}", name(notice.severity), units.sentence(&notice.message));
+        CommandOutput { notes: notices.0.iter().filter(|notice| notice.is_needed()).map(note).collect(), ..self }
     }
 
     /// Sets the status according to whether everything checked holds.
@@ -70,6 +80,10 @@ impl CommandOutput {
         } else if !self.text.is_empty() {
             write(self.text.as_bytes()).map_err(Failure::Output)?;
         }
+        for note in &self.notes {
+            // A closed standard error takes nothing from the answer.
+            let _ = writeln!(io::stderr(), "{note}");
+        }
         Ok(self.status)
     }
 }
@@ -89,8 +103,10 @@ impl OutputFile {
     ///
     /// Fails if the folder cannot be written, or if a folder is at the place.
     pub fn create(path: &Path) -> io::Result<OutputFile> {
+        // The error of a temporary file names that file, which nobody has asked for.
+        let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", path.display(), io::Error::from(error.kind())));
         let place = match path.metadata() {
-            Ok(known) if !known.is_file() => return OpenOptions::new().write(true).open(path).map(OutputFile::Straight),
+            Ok(known) if !known.is_file() => return OpenOptions::new().write(true).open(path).map(OutputFile::Straight).map_err(of_path),
             Ok(_) => path.canonicalize()?,
             Err(_) => path.to_owned(),
         };
@@ -99,8 +115,6 @@ impl OutputFile {
         builder.prefix(".planar-impact-");
         #[cfg(unix)]
         builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-        // The error of a temporary file names that file, which nobody has asked for.
-        let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", path.display(), io::Error::from(error.kind())));
         Ok(OutputFile::Beside(builder.tempfile_in(folder).map_err(of_path)?, place))
     }
 

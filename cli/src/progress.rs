@@ -11,8 +11,9 @@ use crate::interrupt;
 
 /// Time after which a computation shows its progress.
 pub const SILENCE: Duration = Duration::from_secs(1);
-/// Steps between two readings of the clock, because a reading takes as long as a step.
-const STEPS_A_LOOK: usize = 256;
+/// Steps after which the clock is not read at each one, and those between two readings then: a step may take no longer than a reading.
+const FIRST: usize = 256;
+const STEPS_A_LOOK: usize = 16;
 
 const TEMPLATE: &str = "{wide_bar} {pos} of {len}, {eta} left";
 
@@ -35,7 +36,7 @@ impl Control for Progress {
     fn goes_on(&self, done: usize, total: usize) -> bool {
         interrupt::note();
         let steps = self.steps.fetch_add(1, Ordering::Relaxed) + 1;
-        if steps.is_multiple_of(STEPS_A_LOOK) && self.started.elapsed() > SILENCE {
+        if (steps < FIRST || steps.is_multiple_of(STEPS_A_LOOK)) && self.started.elapsed() > SILENCE {
             let bar = self.bar.get_or_init(|| styled(ProgressBar::new(total as u64), TEMPLATE).with_elapsed(self.started.elapsed()));
             bar.set_length(total as u64);
             bar.set_position(done as u64);

@@ -121,9 +121,9 @@ fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
     let answer = in_units(sweep::sweep(&case, &options, &Progress::new()), units)?;
     match call.format {
         SweepFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
-        SweepFormat::Csv => csv(page::sweep_csv::records(&answer, units)).map(CommandOutput::text),
+        SweepFormat::Csv => Ok(csv(page::sweep_csv::records(&answer, units))?.noting(&answer.notices, units)),
         SweepFormat::Json => CommandOutput::json(&answer, Layout::Compact),
-        SweepFormat::Svg => Ok(CommandOutput::text(chart::sweep(&answer, units)?)),
+        SweepFormat::Svg => Ok(CommandOutput::text(chart::sweep(&answer, units)?).noting(&answer.notices, units)),
     }
 }
 
@@ -138,18 +138,18 @@ fn line_up(call: &arguments::Compare) -> Result<CommandOutput, Failure> {
     let output = match call.format {
         CompareFormat::Text => CommandOutput::page(&page::page(&answer, units)),
         CompareFormat::Json => CommandOutput::json(&answer, Layout::Pretty)?,
-        CompareFormat::Svg => CommandOutput::text(chart::compare(&answer, units)?),
+        CompareFormat::Svg => CommandOutput::text(chart::compare(&answer, units)?).noting(&answer.notices, units),
     };
     Ok(output.holds(answer.is_complete()))
 }
 
-fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<String, Failure> {
+fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<CommandOutput, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for record in records {
         writer.write_record(record).map_err(Issues::defect)?;
     }
     let bytes = writer.into_inner().map_err(Issues::defect)?;
-    Ok(String::from_utf8(bytes).map_err(Issues::defect)?)
+    Ok(CommandOutput::text(String::from_utf8(bytes).map_err(Issues::defect)?))
 }
 
 fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
@@ -203,8 +203,8 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
     match call.format {
         UncertaintyFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
         UncertaintyFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
-        UncertaintyFormat::Csv => csv(page::uncertainty_csv::records(&answer, units).into_iter()).map(CommandOutput::text),
-        UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?)),
+        UncertaintyFormat::Csv => Ok(csv(page::uncertainty_csv::records(&answer, units).into_iter())?.noting(&answer.notices, units)),
+        UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?).noting(&answer.notices, units)),
     }
 }
 
@@ -213,7 +213,7 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
     let answer = in_units(slide::slide(&case, &(), &Progress::new()), units)?;
     match call.format {
         SlideFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
-        SlideFormat::Csv => csv(page::slide::records(&answer, units).into_iter()).map(CommandOutput::text),
+        SlideFormat::Csv => Ok(csv(page::slide::records(&answer, units).into_iter())?.noting(&answer.notices, units)),
         SlideFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
     }
 }
@@ -238,7 +238,7 @@ fn recorded(call: &arguments::Record) -> Result<CommandOutput, Failure> {
     let output = match call.format {
         RecordFormat::Text => CommandOutput::page(&page::page(&answer, units)),
         RecordFormat::Json => CommandOutput::json(&answer, Layout::Compact)?,
-        RecordFormat::Svg => CommandOutput::text(chart::record(&answer, units)?),
+        RecordFormat::Svg => CommandOutput::text(chart::record(&answer, units)?).noting(&answer.notices, units),
     };
     Ok(output.holds(answer.is_whole()))
 }
@@ -257,7 +257,7 @@ fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {
     let options = formula::Options { output, wrt: call.wrt, kind: call.kind() };
     let answer = in_units(formula::formula(case.as_ref().map(|(case, _)| case), &options, &Progress::new()), units)?;
     match call.format {
-        Notation::Text => Ok(CommandOutput::page(&page::formula::page(&answer))),
+        Notation::Text => Ok(CommandOutput::page(&page::formula::page(&answer, units))),
         Notation::Latex => Ok(CommandOutput::text(answer.latex)),
         Notation::Rust => Ok(CommandOutput::text(answer.rust)),
         Notation::Json => CommandOutput::json(&answer, Layout::Pretty),

@@ -54,6 +54,24 @@ fn intervals_of_linear_evidence_are_those_of_the_normal_distribution() {
     }
 }
 
+/// Nothing is told of intervals that were not all found, and what is told does not depend on who looks.
+#[test]
+fn a_search_for_intervals_stops_when_it_is_told_to() {
+    let problem = direct(straight_into_barrier(0.0), SPEED, 15.0, 0.5);
+    let of = [Measurand::Variable(SPEED), Measurand::Output(Output::DeltaVMagnitude(Side::One))];
+    let answer = problem.solve(&ONE_START).expect("it has an answer");
+    let seen = std::cell::RefCell::new(Vec::new());
+    let found = problem.intervals_while(&answer, 0.95, &of, &|done, steps| {
+        seen.borrow_mut().push((done, steps));
+        true
+    });
+    assert_eq!(found, Some(problem.intervals(&answer, 0.95, &of)));
+    assert_eq!(seen.into_inner(), [(0, 4), (1, 4), (2, 4), (3, 4)]);
+    for last in 0..4 {
+        assert_eq!(problem.intervals_while(&answer, 0.95, &of, &|done, _| done < last), None, "{last}");
+    }
+}
+
 #[test]
 fn a_bound_of_its_own_ends_an_interval_and_is_named() {
     let of = |value: f64, sd: f64| {
@@ -469,6 +487,22 @@ fn a_flat_valley_is_one_solution_and_bounds_what_it_determines() {
         up.iter().flatten().zip(down.iter().flatten()).all(|(one, other)| one == other || (one - other).abs() < 1e-3),
         "{up:?} {down:?}"
     );
+}
+
+/// Where the speeds are nearly equal the loss ends with the square of their difference, and no limit but that of closing is near.
+#[test]
+fn evidence_that_says_little_leaves_every_speed_at_which_the_vehicles_close() {
+    for speed in [0.5, 11.0, 40.0] {
+        let collision =
+            Collision::new(car(1450.0, 2600.0, 0.0, 14.0, 1.85, 0.0), car(1180.0, 1900.0, 180.0, speed, 1.6, 0.0)).with_restitution(0.1);
+        let delta_v = Measurand::Output(Output::DeltaVMagnitude(Side::One));
+        let problem = ReconstructionProblem::of(collision).unknown(SPEED, 14.0).evidence(delta_v, 15.0, sd(60.0));
+        let speeds = interval(&problem, Measurand::Variable(SPEED));
+        let closing = interval(&problem, Measurand::ClosingSpeed);
+        assert!((speeds.low + speed).abs() < 5e-4 * (14.0 + speed), "{speed}: {speeds:?}");
+        assert!(closing.low < 5e-4 * (14.0 + speed), "{speed}: {closing:?}");
+        assert_eq!([speeds.low_limited_by, closing.low_limited_by], [Some(Limit::Closing); 2], "{speed}");
+    }
 }
 
 /// At e = 0 and μ = μ0 nothing depends on the crush plane: with one bound it has the whole turn from there.

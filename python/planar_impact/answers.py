@@ -788,6 +788,8 @@ class Interval(Facts[Any]):
     """The bound of another unknown, or the limit of the physics, that makes the lower end; ``null`` if the evidence does."""
     method: str
     """``profile``: the range over which the best fit of everything else stays within a quantile of chi-square of the least one."""
+    narrows: bool
+    """``true`` if it is narrower than the range that the bounds of the quantity alone allow, or than a whole turn."""
 
 
 class PosteriorDensity(Facts[Any]):
@@ -2102,7 +2104,7 @@ class Formula(Answer):
     """The answer of ``formula``."""
 
     __slots__ = ()
-    _parts = {"definitions": Definition, "inputs": FormulaInput}
+    _parts = {"definitions": Definition, "inputs": FormulaInput, "messages": NoticeEntry}
 
     definitions: list[Definition]
     """The quantity, then the intermediate quantities that it is expressed in."""
@@ -2110,6 +2112,10 @@ class Formula(Answer):
     """The inputs in it."""
     latex: str
     """The formula for a document, as LaTeX."""
+    messages: list[NoticeEntry]
+    """The same with code, severity, path and figures."""
+    notes: list[str]
+    """Notes and warnings as sentences in SI; omitted if there are none."""
     output: str
     """The name of the output."""
     rust: str

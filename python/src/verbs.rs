@@ -281,15 +281,15 @@ pub fn formula(py: Python<'_>, output: &str, wrt: Option<&str>, case: Option<&So
     let output = formula::output(output).map_err(issue("output"))?;
     let wrt = wrt.map(formula::input).transpose().map_err(issue("wrt"))?;
     let options = Options { output, wrt, kind: formula::Kind::default() };
-    let answer = |case: Option<&Case>, control: &dyn Control| {
+    let answer = |case: Option<&Case>, units: Units, control: &dyn Control| {
         let answer = formula(case, &options, control)?;
-        Answer::of_text(&answer, text::render(&page::formula::page(&answer)))
+        Answer::of_text(&answer, text::render(&page::formula::page(&answer, units)))
     };
     match case {
-        Some(case) => on_case(py, case, None, |case, _, control| answer(Some(case), control)),
+        Some(case) => on_case(py, case, None, |case, units, control| answer(Some(case), units, control)),
         None => {
             let signals = Signals::new(None);
-            signals.finish(py.detach(|| answer(None, &signals)).map_err(Failure::from))
+            signals.finish(py.detach(|| answer(None, Units::Si, &signals)).map_err(Failure::from))
         }
     }
 }

@@ -204,6 +204,13 @@ def test_progress_of_a_search() -> None:
     assert steps and steps[-1][0] == steps[-1][1] > 0 and all(0 <= done <= total for done, total in steps)
     assert answer == planar_impact.reconstruct(case, starts=64)
 
+    def fail_in_the_intervals(done: int, total: int) -> None:
+        if total != 64:
+            raise LookupError(f"of {total}")
+
+    with pytest.raises(LookupError, match="of "):
+        planar_impact.reconstruct(case, starts=64, progress=fail_in_the_intervals)
+
     def fail(done: int, total: int) -> None:
         raise LookupError("stop")
 

@@ -125,7 +125,8 @@ fn description(scene: &Scene, units: Units) -> String {
             units.quantity(Measure::Angle, vehicle.pdof),
         )
     };
-    format!("{} {} Crush plane at {}.", of(1), of(2), units.quantity(Measure::Angle, scene.crush_plane))
+    let plane = scene.crush_plane.map(|gamma| format!(" Crush plane at {}.", units.quantity(Measure::Angle, gamma)));
+    format!("{} {}{}", of(1), of(2), plane.unwrap_or_default())
 }
 
 /// Attributes of a frame around a picture.

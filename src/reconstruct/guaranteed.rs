@@ -59,6 +59,8 @@ pub struct GuaranteedRange {
     pub at_high: Vec<f64>,
     /// Whether both ends are within the gap of the attained values.
     pub is_tight: bool,
+    /// Where the search ended on either side because nothing limits the unknown, such as at 200 m/s: no value beyond was looked at.
+    pub assumed: [Option<f64>; 2],
     /// Number of cells that were divided.
     pub cells: usize,
 }
@@ -174,6 +176,7 @@ impl Equations<'_> {
             at_low: at_low[..self.unknowns()].to_vec(),
             at_high: at_high[..self.unknowns()].to_vec(),
             is_tight: search.is_tight(low.bound, at_low[of], scale) && search.is_tight(high.bound, -at_high[of], scale),
+            assumed: self.assumed[of],
             cells: low.cells + high.cells,
         }
     }

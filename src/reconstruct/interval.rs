@@ -85,26 +85,50 @@ impl ReconstructionProblem {
     ///
     /// If the level is not between 0 and 1.
     pub fn intervals(&self, answer: &Answer, level: f64, of: &[Measurand]) -> Vec<Interval> {
+        self.intervals_while(answer, level, of, &|_, _| true).unwrap_or_default()
+    }
+
+    /// As [`ReconstructionProblem::intervals`], and calls a function before each step, with the number of steps that are done and of all. It stops the search by
+    /// returning `false`: then there is none.
+    ///
+    /// # Panics
+    ///
+    /// If the level is not between 0 and 1.
+    pub fn intervals_while(
+        &self,
+        answer: &Answer,
+        level: f64,
+        of: &[Measurand],
+        goes_on: &dyn Fn(usize, usize) -> bool,
+    ) -> Option<Vec<Interval>> {
         assert!(level > 0.0 && level < 1.0, "the level of an interval is between 0 and 1, and not {level}");
         let model = Model::of(self);
-        let Some(profile) = Profile::of(&model, spans(self), answer, level) else { return Vec::new() };
+        let Some(profile) = Profile::of(&model, spans(self), answer, level) else { return Some(Vec::new()) };
         let of: Vec<Measurand> = of.iter().copied().filter(|of| self.determines(*of)).collect();
         // With the unknowns themselves, whose ends lie all around the region.
         let unknowns = self.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).filter(|unknown| !of.contains(unknown));
-        let around = |of| {
-            let quantity = Quantity::of(&profile, of)?;
-            let ends = quantity.around_solutions()?;
-            Some((quantity, ends))
-        };
-        let mut all: Vec<(Quantity<'_>, [End; 2])> = of.iter().copied().chain(unknowns).filter_map(around).collect();
+        let quantities: Vec<Measurand> = of.iter().copied().chain(unknowns).collect();
+        let steps = 2 * quantities.len();
+        let mut all: Vec<(Quantity<'_>, [End; 2])> = Vec::new();
+        for (done, of) in quantities.iter().enumerate() {
+            if !goes_on(done, steps) {
+                return None;
+            }
+            let Some(quantity) = Quantity::of(&profile, *of) else { continue };
+            all.extend(quantity.around_solutions().map(|ends| (quantity, ends)));
+        }
         extend_by_each_other(&mut all);
         let region = Region::of(&profile, all.iter().flat_map(|(_, ends)| ends));
-        for (quantity, ends) in &mut all {
+        for (done, (quantity, ends)) in all.iter_mut().enumerate() {
+            if !goes_on(quantities.len() + done, steps) {
+                return None;
+            }
             region.extend(quantity, ends);
             region.climb(quantity, ends);
         }
         extend_by_each_other(&mut all);
-        all.iter().filter(|(quantity, _)| of.contains(&quantity.of)).map(|(quantity, ends)| quantity.interval(ends, level)).collect()
+        let asked = all.iter().filter(|(quantity, _)| of.contains(&quantity.of));
+        Some(asked.map(|(quantity, ends)| quantity.interval(ends, level)).collect())
     }
 
     /// Returns what is derived from the unknowns and asked for most: ΔV and principal direction of force of each vehicle, closing speed, energies, ratio, and

@@ -113,10 +113,12 @@ impl Margins {
         /// Least of the rest, beyond rounding.
         const ROUNDING: f64 = 1e-7;
         let over = |value: T, unit: f64, least: f64| value * T::from(unit.recip()) - T::from(least);
-        let energy = over(impact.loss(), self.energy, ROUNDING);
         if placed.impulse.is_some() {
-            return vec![energy];
+            return vec![over(impact.loss(), self.energy, ROUNDING)];
         }
+        // Of the work that the impulse can do: the loss ends with the square of the approach, and a share of a constant would end it earlier.
+        let work = impact.impulse.n.clone() * impact.approach.n.clone();
+        let energy = over(impact.loss() - T::from(ROUNDING) * work, self.energy, 0.0);
         let collision = &placed.collision;
         let sticking = collision.sticking_impulse(contact);
         let mut margins = vec![over(impact.approach.n.clone(), -self.side * self.velocity, LEAST)];

@@ -421,8 +421,10 @@ impl<'a> Quantity<'a> {
         });
         let margins = problem.at(point).map(|local| local.margins.iter().copied().collect::<Vec<_>>()).unwrap_or_default();
         let of_margins = margins.into_iter().enumerate().filter_map(|(k, margin)| Some((margin.abs(), problem.limit(k)?)));
+        // Where the vehicles hardly close, hardly an impulse acts and hardly any energy is lost.
+        let order = |(distance, limit): &(f64, Limit)| if *limit == Limit::Closing { 0.0 } else { *distance };
         let near = of_bounds.chain(of_margins).filter(|(distance, _)| *distance < NEAR);
-        near.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, limit)| limit)
+        near.min_by(|one, other| order(one).total_cmp(&order(other))).map(|(_, limit)| limit)
     }
 
     pub(super) fn interval(&self, [low, high]: &[End; 2], level: f64) -> Interval {

@@ -139,8 +139,8 @@ impl ReconstructionProblem {
         self.posterior_while(answer, sampling, &|_, _| true)
     }
 
-    /// As [`ReconstructionProblem::posterior`], and calls a function on this thread as the draws proceed, with the number of steps that one round has made and
-    /// will make. It stops the draws by returning `false`.
+    /// As [`ReconstructionProblem::posterior`], and calls a function on this thread as it proceeds, with the number of steps that are done and of all, of the
+    /// intervals where the draws begin and then of each round of draws. It stops by returning `false`.
     ///
     /// # Errors
     ///
@@ -152,14 +152,19 @@ impl ReconstructionProblem {
         goes_on: &dyn Fn(usize, usize) -> bool,
     ) -> Result<Posterior, NoPosterior> {
         let best = answer.best().values();
-        let density = Density::of(self, self.proper_spans(answer, &best)?);
-        let proposal = self.proposal(&density, answer).ok_or(NoPosterior::NoRoom)?;
+        let density = Density::of(self, self.proper_spans(answer, &best, goes_on)?);
+        let proposal = self.proposal(&density, answer, goes_on)?;
         let (chains, walkers) = Ensembles::of(&density, sampling).draw(&proposal, &best, goes_on)?;
         Ok(Posterior { question: self.clone(), best, chains, walkers, softened: density.softened() })
     }
 
     /// Returns the limits of each unknown, between which the posterior has a finite integral.
-    fn proper_spans(&self, answer: &Answer, best: &[f64]) -> Result<Vec<ParameterBounds>, NoPosterior> {
+    fn proper_spans(
+        &self,
+        answer: &Answer,
+        best: &[f64],
+        goes_on: &dyn Fn(usize, usize) -> bool,
+    ) -> Result<Vec<ParameterBounds>, NoPosterior> {
         /// Level at which an interval without an end shows that nothing limits an unknown.
         const FAR: f64 = 0.999_999;
         let mut spans = spans(self);
@@ -172,7 +177,8 @@ impl ReconstructionProblem {
         let needs_end =
             |(unknown, span): &(&Unknown, &ParameterBounds)| unknown.prior.is_none() && (span.min.is_infinite() || span.max.is_infinite());
         let to_follow = self.unknowns.iter().zip(&spans).filter(needs_end).map(|(unknown, _)| Measurand::Variable(unknown.of));
-        let intervals = self.intervals(answer, FAR, &to_follow.collect::<Vec<_>>());
+        let to_follow: Vec<Measurand> = to_follow.collect();
+        let intervals = self.intervals_while(answer, FAR, &to_follow, goes_on).ok_or(NoPosterior::Stopped)?;
         let has_end = |interval: &Interval| interval.low.is_finite() && interval.high.is_finite();
         let endless = intervals.iter().filter(|interval| !has_end(interval)).filter_map(|interval| match interval.of {
             Measurand::Variable(of) => Some(of),
@@ -183,9 +189,9 @@ impl ReconstructionProblem {
     }
 
     /// Returns normal approximations of the posterior at each solution.
-    fn proposal(&self, density: &Density<'_>, answer: &Answer) -> Option<Proposal> {
+    fn proposal(&self, density: &Density<'_>, answer: &Answer, goes_on: &dyn Fn(usize, usize) -> bool) -> Result<Proposal, NoPosterior> {
         let of: Vec<Measurand> = self.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).collect();
-        let intervals = self.intervals(answer, 0.95, &of);
+        let intervals = self.intervals_while(answer, 0.95, &of, goes_on).ok_or(NoPosterior::Stopped)?;
         let width = |i: usize| {
             let width = intervals.iter().find(|interval| interval.of == of[i]).map(|interval| interval.high - interval.low);
             width.filter(|width| width.is_finite() && *width > 0.0).unwrap_or(density.spans[i].scale)
@@ -199,6 +205,7 @@ impl ReconstructionProblem {
         };
         Proposal::around(answer.solutions.iter().chain(&answer.worse).map(around))
             .or_else(|| Proposal::around(std::iter::once((answer.best().values(), widest.clone()))))
+            .ok_or(NoPosterior::NoRoom)
     }
 }
 

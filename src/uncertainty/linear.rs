@@ -112,7 +112,9 @@ impl<M: Model> Uncertain<M> {
             third += if g == 0.0 { 0.0 } else { g * g * g * central.third };
         }
         let sd = libm::sqrt(variance);
-        Ok(SecondOrder { mean: value + 0.5 * trace(&curved), sd, skewness: third / (variance * sd) })
+        // Without a variance there is no third moment either, be it zero by symmetry.
+        let skewness = if variance.is_finite() { third / (variance * sd) } else { f64::NAN };
+        Ok(SecondOrder { mean: value + 0.5 * trace(&curved), sd, skewness })
     }
 }
 

@@ -155,7 +155,7 @@ impl InputColumn {
     /// An unknown name that begins as that of an input, or a unit that is not one of the input.
     pub fn of(place: usize, header: &Header) -> Result<Option<InputColumn>, Issue> {
         let Some(key) = Key::named(&header.name) else {
-            let lower = header.name.to_ascii_lowercase();
+            let lower = visible(&header.name).to_ascii_lowercase();
             let is_of_case = ["vehicle.", "contact."].iter().any(|start| lower.starts_with(start));
             return if is_of_case { Err(unknown(&header.name)) } else { Ok(None) };
         };
@@ -234,6 +234,11 @@ impl InputColumn {
     }
 }
 
+/// Returns a name without characters that nobody sees, which an editor or a page may have put into it.
+fn visible(name: &str) -> String {
+    name.chars().filter(|c| !matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}')).collect()
+}
+
 /// Returns the law of a cell that gives one.
 pub(super) fn law_of(number: f64) -> Law {
     if number == 0.0 { Law::Brach } else { Law::KudlichSlibar }
@@ -253,6 +258,9 @@ fn unknown(name: &str) -> Issue {
         && !unit.is_empty()
     {
         return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));
+    }
+    if visible(name) != name {
+        return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));
     }
     match nearest(&name.to_ascii_lowercase(), known.iter().map(String::as_str)) {
         Some(meant) => issue.with_help(format!("did you mean `{meant}`?")),

@@ -551,7 +551,7 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
     assert_eq!(wrong(&["e", "speed"], Some(&case), &all), [at("", "no-input-column")]);
     assert_eq!(wrong(&["e", "speed", "contact.restitution"], Some(&case), &all), []);
     assert_eq!(wrong(&[], Some(&case), &all), [], "no columns are the case itself");
-    for name in ["Vehicle.1.Speed", "CONTACT.restitution"] {
+    for name in ["Vehicle.1.Speed", "CONTACT.restitution", "\u{200b}vehicle.1.speed", "vehicle.1.sp\u{ad}eed"] {
         assert_eq!(wrong(&[name, "contact.crush_plane"], Some(&case), &all), [at(name, "unknown-column")]);
     }
     let options = Options { of: named(&["T_X", "m1"]), wrt: named(&["T_L", "contact.friction"]), ..Options::default() };

@@ -126,6 +126,13 @@ impl Entry {
         Entry { id, line, verdict, findings, not_checked }
     }
 
+    /// Returns `true` if it passes because it gives too little for any law: only its form and its sizes were looked at.
+    pub fn is_unchecked(&self) -> bool {
+        let is_law = |rule: &Rule| ![Rule::Finite, Rule::PlausibleUnits].contains(rule);
+        let passes = matches!(self.verdict, Verdict::Pass | Verdict::Warn);
+        passes && Rule::ALL.iter().filter(|rule| is_law(rule)).all(|rule| self.not_checked.contains(&rule.name()))
+    }
+
     /// Returns the most severe finding.
     pub fn worst(&self) -> Option<Severity> {
         self.findings.iter().map(|found| found.severity).max()

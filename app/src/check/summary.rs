@@ -21,6 +21,9 @@ pub struct Summary {
     pub fail: u64,
     /// Number of records that could not be decided.
     pub undecidable: u64,
+    /// Number of records that pass because they give too little for any law, with warnings or without.
+    #[serde(skip)]
+    pub unchecked: u64,
     /// Number of findings of each rule and severity.
     #[serde(skip)]
     pub findings: BTreeMap<(&'static str, &'static str), u64>,
@@ -36,6 +39,7 @@ impl Summary {
             Verdict::Fail => &mut self.fail,
             Verdict::Undecidable => &mut self.undecidable,
         } += 1;
+        self.unchecked += u64::from(entry.is_unchecked());
         for found in &entry.findings {
             *self.findings.entry((found.severity.name(), found.rule)).or_default() += 1;
         }

@@ -184,6 +184,8 @@ pub struct Interval {
     pub low_limited_by: Option<String>,
     /// The same of the upper end.
     pub high_limited_by: Option<String>,
+    /// `true` if it is narrower than the range that the bounds of the quantity alone allow, or than a whole turn.
+    pub narrows: bool,
 }
 
 /// The values at which the profile of the likelihood reaches a height.
@@ -420,13 +422,14 @@ impl Solved<'_> {
             method: interval.method.name(),
             low_limited_by: limit(interval.low_limited_by),
             high_limited_by: limit(interval.high_limited_by),
+            narrows: interval.narrows,
         }
     }
 
     /// Returns an interval without ends, that of which nothing is known.
     fn unlimited(&self) -> Interval {
         let (low, high, low_limited_by, high_limited_by) = (None, None, None, None);
-        Interval { level: self.level, low, high, method: Method::Profile.name(), low_limited_by, high_limited_by }
+        Interval { level: self.level, low, high, method: Method::Profile.name(), low_limited_by, high_limited_by, narrows: false }
     }
 
     fn derived(&self) -> Named<Derived> {
@@ -550,6 +553,11 @@ impl Reconstruction {
         }
         self.by_other_separations = others;
         self
+    }
+
+    /// Returns the names of the unknowns whose range the evidence leaves as wide as their bounds.
+    pub fn not_narrowed(&self) -> impl Iterator<Item = &str> {
+        self.unknown.iter().filter(|(_, unknown)| !unknown.is_input && !unknown.interval.narrows).map(|(name, _)| name)
     }
 
     /// Returns `true` if the best solution is an answer or the best fit to inconsistent evidence, not one of many.

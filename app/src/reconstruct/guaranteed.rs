@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::question::{Question, name_in};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
+use crate::message::Message;
 use crate::named::{Named, positive_zero};
 use crate::notice::Notice;
 
@@ -46,7 +47,10 @@ pub(super) fn ranges(
     let found = question.asked.guaranteed(&search, &|cells| control.goes_on(cells, total));
     control.proceed(total, total)?;
     match found {
-        Ok(ranges) => Ok(ranges),
+        Ok(ranges) => {
+            notices.extend(ranges.iter().filter_map(|range| assumed(range, question)));
+            Ok(ranges)
+        }
         Err(NoRange::NoLimits(of)) => {
             let message = format!("{} has no limits, which a guaranteed range takes", name_in(of, &question.case));
             Err(question.case.unfit([Issue::at("no-limits", question.places.of_unknown(of), message).with_help("give min and max")]))
@@ -56,6 +60,19 @@ pub(super) fn ranges(
             Ok(Vec::new())
         }
     }
+}
+
+/// Returns the note of an unknown that nothing limits, which is searched up to a limit all the same.
+fn assumed(range: &GuaranteedRange, question: &Question) -> Option<Notice> {
+    let ends: Vec<(&str, f64)> = ["min", "max"].into_iter().zip(range.assumed).filter_map(|(key, end)| Some((key, end?))).collect();
+    let (name, keys) = (name_in(range.of, &question.case), ends.iter().map(|(key, _)| *key).collect::<Vec<_>>().join(" and "));
+    let mut message = Message::from(format!("guaranteed ranges: {name} has no {keys}, and is searched "));
+    for (i, (key, end)) in ends.iter().enumerate() {
+        let (and, words) = (if i > 0 { " and " } else { "" }, if *key == "min" { "down to " } else { "up to " });
+        message = message.text(format!("{and}{words}")).figure(range.of.measure(), *end);
+    }
+    let message = message.text("; what lies beyond is not excluded");
+    (!ends.is_empty()).then(|| Notice::note("guaranteed-within", question.places.of_unknown(range.of), message))
 }
 
 impl Guaranteed {

@@ -5,8 +5,9 @@ use std::f64::consts::{PI, TAU};
 use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable};
 use planar_impact::{Heading, Input, Measure, Output, Party, Side};
 
+use super::from_rest::Separations;
 use super::question::Question;
-use crate::case::{Case, vehicle_number};
+use crate::case::{Case, Parameter, vehicle_number};
 use crate::message::Message;
 use crate::notice::Notice;
 
@@ -35,9 +36,9 @@ struct Slip {
     problem: ReconstructionProblem,
 }
 
-/// Returns a warning for each slip with which the evidence would agree, the best fit first. `case` is the case of the file, with its rest positions;
-/// `best` is the best fit of the question as it is.
-pub fn of(case: &Case, question: &Question, best: &Solution, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
+/// Returns a warning for each slip with which the evidence would agree, the best fit first. `case` is the case of the file, with its rest positions, of which
+/// the question uses these separations; `best` is the best fit of the question as it is.
+pub fn of(case: &Case, separations: &Separations, question: &Question, best: &Solution, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
     let search = Search { starts: STARTS, ..Search::default() };
     let fit = |slip: Slip| {
         if !goes_on() {
@@ -47,7 +48,7 @@ pub fn of(case: &Case, question: &Question, best: &Solution, goes_on: &dyn Fn() 
         let with_slip = answer.best();
         with_slip.is_explained().then_some((with_slip.chi_square, slip))
     };
-    let mut found: Vec<(f64, Slip)> = slips(case, &question.asked, best).into_iter().filter_map(fit).collect();
+    let mut found: Vec<(f64, Slip)> = slips(case, separations, &question.asked, best).into_iter().filter_map(fit).collect();
     found.sort_by(|one, other| one.0.total_cmp(&other.0));
     found.truncate(MOST_NAMED);
     found.into_iter().map(|(of_slip, slip)| warning(slip, of_slip, best.chi_square)).collect()
@@ -61,12 +62,12 @@ fn warning(slip: Slip, of_slip: f64, chi_square: f64) -> Notice {
 }
 
 /// Returns the question with each slip that it can have.
-fn slips(case: &Case, asked: &ReconstructionProblem, best: &Solution) -> Vec<Slip> {
+fn slips(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution) -> Vec<Slip> {
     let mut all = Vec::new();
     mirrored_centers(asked, &mut all);
     exchanged_headings(asked, &mut all);
     for side in Side::ALL {
-        mass_in_pounds(asked, side, &mut all);
+        mass_in_pounds(case, separations, asked, side, &mut all);
         heading_in_degrees(asked, side, &mut all);
         whole_turns(case, best, side, &mut all);
     }
@@ -271,12 +272,24 @@ fn whole_turns(case: &Case, best: &Solution, side: Side, all: &mut Vec<Slip>) {
 }
 
 /// A mass in the other unit.
-fn mass_in_pounds(asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
+fn mass_in_pounds(case: &Case, separations: &Separations, asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
     let input = Input::Mass(side);
     let Some(mass) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
     for (factor, words) in [(POUND, ", pounds taken for kilograms,"), (POUND.recip(), ", kilograms taken for pounds,")] {
         let mass = factor * mass;
-        let Some(problem) = with(asked, &[(input, mass)]) else { continue };
+        let Some(problem) = with_mass(case, separations, side, mass) else { continue };
         all.push(Slip { path: input.name().to_owned(), instead: Message::new().figure(Measure::Mass, mass).text(words), problem });
     }
+}
+
+/// Returns the question with another mass of a vehicle, which a moment of inertia by its radius of gyration follows, and its slide to rest.
+fn with_mass(case: &Case, separations: &Separations, side: Side, mass: f64) -> Option<ReconstructionProblem> {
+    let mut case = case.with(&[(Parameter::Input(Input::Mass(side)), mass)]);
+    let yaw_inertia = case.collision.input(Input::YawInertia(side))?;
+    let mut separations = separations.clone();
+    if let Some(rest) = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()) {
+        (rest.slide.vehicle.mass, rest.slide.vehicle.yaw_inertia) = (mass, yaw_inertia);
+        separations[side as usize] = rest.separation().transpose().ok()?;
+    }
+    Question::of(&case, &separations).ok().map(|question| question.asked)
 }

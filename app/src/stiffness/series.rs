@@ -17,6 +17,8 @@ pub(super) struct Series<'a> {
     pub lists: Vec<&'a [MeasuredTest]>,
     /// Where each list is in the file.
     pub places: Vec<Place>,
+    /// Where the file gives the speed that leaves no crush.
+    onset: &'static str,
 }
 
 /// The place of a list: a vehicle of the file, and the first of its tests in the list.
@@ -82,7 +84,7 @@ impl Series<'_> {
     /// Returns the path in the file that an issue refers to.
     fn path(&self, issue: &TestIssue) -> String {
         let place = match (issue, issue.place()) {
-            (TestIssue::OnsetTooFast { .. }, _) => return "fit.onset".to_owned(),
+            (TestIssue::OnsetTooFast { .. }, _) => return self.onset.to_owned(),
             (_, Some(place)) => place,
             (_, None) => return "vehicle".to_owned(),
         };
@@ -109,7 +111,8 @@ impl TestFile {
 
     /// The same with the tests of further vehicles as those of new cars.
     pub(super) fn series_with(&self, is_new: impl Fn(usize) -> bool) -> Series<'_> {
-        let mut series = Series { lists: Vec::new(), places: Vec::new() };
+        let onset = if self.holds_onset { "fit.b0" } else { "fit.onset" };
+        let mut series = Series { lists: Vec::new(), places: Vec::new(), onset };
         for (vehicle, tested) in self.vehicles.iter().enumerate() {
             let size = if tested.new_cars == Some(true) || is_new(vehicle) { 1 } else { tested.tests.len() };
             for (i, list) in tested.tests.chunks(size.max(1)).enumerate() {

@@ -207,6 +207,18 @@ fn slips_are_named() {
     }
 }
 
+/// The slide to rest has the mass too.
+#[test]
+fn a_mass_in_pounds_is_named_beside_rest_positions() {
+    let case = example("reconstruct/two-cars.toml").replace("mass = \"1180 kg\"", "mass = \"2601 kg\"");
+    let run = run_with_input(&["reconstruct", "-", "--starts", "8", "--format", "json"], &case);
+    let answer: Value = serde_json::from_str(&run.out).expect("JSON");
+    let messages = answer["messages"].as_array().expect("messages");
+    let slips: Vec<&Value> = messages.iter().filter(|message| message["code"] == "possible-slip").collect();
+    assert!(run.status == 1 && slips[0]["path"] == "vehicle.2.mass", "{slips:?}");
+    assert!(slips[0]["text"].as_str().is_some_and(|text| text.contains("pounds taken for kilograms")), "{slips:?}");
+}
+
 /// A photograph of the rest position does not show how often the vehicle turned.
 #[test]
 fn a_whole_turn_at_rest_is_named() {
@@ -438,4 +450,18 @@ fn momentum_is_no_case_of_a_table() {
     let run = run(&workspace(), &["batch", table, "--case", "cli/examples/reconstruct/momentum.toml", "-o", "-"]);
     assert_eq!((run.status, run.out.as_str()), (2, ""));
     assert!(flat(&run.err).contains("contact.model: momentum alone does not determine how the vehicles separate"), "{}", run.err);
+}
+
+/// Momentum alone says nothing of a crush plane, and its picture shows none.
+#[test]
+fn a_picture_of_momentum_has_no_crush_plane() {
+    let drawn = |case: &str| {
+        let call = |format| run_with_input(&["draw", "-", "--format", format], &example(case));
+        let (svg, json) = (call("svg"), call("json"));
+        assert_eq!((svg.status, json.status), (0, 0), "{} {}", svg.err, json.err);
+        let json: Value = serde_json::from_str(&json.out).expect("JSON");
+        (svg.out.matches("rush plane").count(), svg.out.contains("Γ"), json["crush_plane"].is_null())
+    };
+    assert_eq!(drawn("reconstruct/momentum.toml"), (0, false, true));
+    assert_eq!(drawn("reconstruct/t-bone.toml"), (3, true, false));
 }

@@ -79,6 +79,21 @@ fn the_report_of_two_cars_has_the_same_bytes_everywhere() {
     assert!(section(&html, "question").contains("rest.vehicle.1.position.1") && section(&html, "scene").contains("<svg"));
 }
 
+/// The picture of the README is what the program draws; `UPDATE_REPORT=1` writes it anew.
+#[test]
+fn the_picture_of_the_readme_is_up_to_date() {
+    let path = workspace().join("docs/position-a.svg");
+    let call = ["sweep", "cli/examples/position-a.toml", "--vary", "Gamma=-10deg:10deg:1deg", "--of", "W_n,W_t,mu0", "--format", "svg"];
+    let drawn = run(&workspace(), &call).out;
+    if std::env::var_os("UPDATE_REPORT").is_some() {
+        fs::write(&path, &drawn).expect("written");
+    }
+    assert!(
+        drawn == fs::read_to_string(&path).expect("the committed picture"),
+        "docs/position-a.svg is stale; UPDATE_REPORT=1 writes it anew"
+    );
+}
+
 #[test]
 fn nothing_comes_from_elsewhere_and_no_script_is_needed() {
     for (case, verb) in [

@@ -119,6 +119,7 @@ fn each_mistake_is_named_where_it_is() {
     refused("scatter", "skatter", &["vehicle.1.test.1.skatter: unknown key", "`scatter`"]);
     refused("depth = \"1 ft\"\n", "", &["fit.depth: missing"]);
     refused("[fit]", "[fit]\nonset = \"60 ft/s\"", &["fit.onset", "60"]);
+    refused("[fit]", "[fit]\nb0 = \"60 ft/s\"", &["fit.b0", "60"]);
     refused("name = \"Cavalier\"", "name = 3", &["vehicle.1.name"]);
     // For a test of another vehicle, the path names that test.
     let second =

@@ -512,3 +512,21 @@ fn wrong_calls_are_refused() {
     let run = run(folder.path(), &["uncertainty", "uncertain.toml", "--of", "dV3", "--bounds-sd", "0", "--probability", "dV4 > 1 m/s"]);
     assert!(["dV3", "dV4", "--bounds-sd"].iter().all(|words| run.err.contains(words)), "{}", run.err);
 }
+
+/// Formats without a place for notes have them on standard error, and the data alone on standard output.
+#[test]
+fn a_note_that_the_format_has_no_place_for_is_on_standard_error() {
+    let case = "schema = 1\n[[vehicle]]\nmass = \"1400 kg ± 20 kg\"\nyaw_inertia = \"2400 kg m^2\"\nheading = 0\nspeed = \"15 m/s\"\n\
+                impact_center = [1.9, 0.2]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n";
+    let nominal = "note: vehicle.1.mass is uncertain, and used at its nominal value\n";
+    for call in
+        [&["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "csv"][..], &["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "svg"]]
+    {
+        let run = run_with_input(call, case);
+        assert!(run.status == 0 && run.err == nominal && !run.out.contains("nominal"), "{call:?}: {} {}", run.err, run.out);
+    }
+    for call in [&["sweep", "-", "--vary", "e=0:0.2:0.1"][..], &["formula", "W_n", "--case", "-"]] {
+        let run = run_with_input(call, case);
+        assert!(run.err.is_empty() && run.out.contains(nominal["note: ".len()..].trim_end()), "{call:?}: {} {}", run.err, run.out);
+    }
+}

@@ -232,6 +232,7 @@ mod tests {
                 method: "profile",
                 low_limited_by: None,
                 high_limited_by: None,
+                narrows: true,
             };
             let bounds = [Some(known[0] - far), (i % 3 == 0).then_some(known[2] + far)];
             let row = Row { name: "x", measure: Measure::Ratio, value: Some(known[1]), interval: &interval, bounds, posterior: None };

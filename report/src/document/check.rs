@@ -63,9 +63,12 @@ impl CheckDigest {
     }
 
     fn summary_blocks(&self, options: &Options) -> Vec<Block> {
-        let Summary { records, pass, warn, fail, undecidable, .. } = self.summary;
-        let verdict =
+        let Summary { records, pass, warn, fail, undecidable, unchecked, .. } = self.summary;
+        let mut verdict =
             if fail > 0 { format!("{fail} of {records} records break a law.") } else { format!("None of {records} records breaks a law.") };
+        if unchecked > 0 {
+            verdict.push_str(&format!(" {unchecked} of them give too little for any law."));
+        }
         let counts = [("pass", pass), ("pass with warnings", warn), ("fail", fail), ("undecidable", undecidable)];
         let counts = counts.map(|(verdict, count)| vec![verdict.to_owned(), count.to_string()]).to_vec();
         let mut rows = vec![

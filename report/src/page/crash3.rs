@@ -2,7 +2,7 @@
 
 use planar_impact_app::crash3::{Comparison, Damage, Follows, Planar, Reconstruction, Vehicle};
 use planar_impact_app::plain_text::shorten;
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Measure, Units, size};
 
 use super::{Facts, SUMMARY_WIDTH, heads};
 use crate::block::{Block, Table};
@@ -34,7 +34,7 @@ impl Facts for Comparison {
 }
 
 fn number(units: Units, measure: Measure, value: f64) -> String {
-    units.number(measure, value, 1e-6)
+    units.number(measure, value, size(measure))
 }
 
 fn vehicles(damage: &Damage, units: Units) -> Table {

@@ -1,13 +1,14 @@
 //! The page of `formula`, and the list of names that it accepts.
 
 use planar_impact::{Input, Output};
+use planar_impact_app::Units;
 use planar_impact_app::formula::{Formula, FormulaInput};
 
 use crate::block::{Block, Table};
 use crate::text::WIDTH;
 
 /// Renders the formula with its definitions and inputs.
-pub fn page(answer: &Formula) -> Vec<Block> {
+pub fn page(answer: &Formula, units: Units) -> Vec<Block> {
     let mut blocks = vec![Block::paragraph(answer.subject.as_str())];
     let definitions: Vec<String> = (0..answer.definitions.len()).map(|at| definition(answer, at)).collect();
     if let Some((first, others)) = definitions.split_first() {
@@ -16,6 +17,7 @@ pub fn page(answer: &Formula) -> Vec<Block> {
             blocks.push(Block::Verbatim(format!("where\n{}", others.join("\n"))));
         }
     }
+    blocks.extend(Block::notices(&answer.notices, units));
     if !answer.inputs.is_empty() {
         blocks.push(Block::Verbatim(format!("inputs\n{}", legend(answer))));
     }

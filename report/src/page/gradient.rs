@@ -2,7 +2,7 @@
 
 use planar_impact_app::case::CaseOutput;
 use planar_impact_app::gradient::{Derivatives, Effect, Gradient, Selection};
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Units, size};
 
 use super::Facts;
 use crate::block::{Block, Table};
@@ -94,7 +94,7 @@ impl Row<'_> {
         let per_unit = units.convert(self.output.measure(), effect.derivative) / units.convert(measure, 1.0);
         vec![
             effect.parameter.to_string(),
-            effect.value.map_or("-".to_owned(), |value| units.number(measure, value, value_scale(measure))),
+            effect.value.map_or("-".to_owned(), |value| units.number(measure, value, size(measure))),
             units.unit(measure).to_owned(),
             if per_unit.is_nan() { "none".to_owned() } else { significant(per_unit) },
             self.change(effect.change),
@@ -119,14 +119,6 @@ impl Row<'_> {
     }
 }
 
-/// Returns the scale below which values are rounding: an angle or a length that is zero within rounding prints as zero.
-fn value_scale(measure: Measure) -> f64 {
-    match measure {
-        Measure::Angle | Measure::Length | Measure::YawRate | Measure::Speed => 1.0,
-        _ => 0.0,
-    }
-}
-
 /// Formats a number with four significant digits, or with a power of ten instead of a row of zeros.
 fn significant(value: f64) -> String {
     if value == 0.0 {
@@ -141,6 +133,8 @@ fn significant(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use planar_impact_app::units::Measure;
+
     use super::*;
 
     #[test]
@@ -152,13 +146,12 @@ mod tests {
         assert_eq!(significant(-0.0), "0");
     }
 
-    /// The cosine of a quarter turn is no angle, length, rate or speed; of an energy nobody knows how small it may be.
+    /// The cosine of a quarter turn is no angle, length, rate, speed or energy.
     #[test]
     fn what_is_zero_within_rounding_prints_as_zero() {
-        for measure in [Measure::Angle, Measure::Length, Measure::YawRate, Measure::Speed] {
-            assert_eq!(Units::Si.number(measure, 6e-17, value_scale(measure)), "0", "{measure:?}");
-            assert_ne!(Units::Si.number(measure, 6e-3, value_scale(measure)), "0", "{measure:?}");
+        for measure in [Measure::Angle, Measure::Length, Measure::YawRate, Measure::Speed, Measure::Energy] {
+            assert_eq!(Units::Si.number(measure, 6e-17, size(measure)), "0", "{measure:?}");
+            assert_ne!(Units::Si.number(measure, 6e-11, size(measure)), "0", "{measure:?}");
         }
-        assert_ne!(Units::Si.number(Measure::Energy, 6e-17, value_scale(Measure::Energy)), "0");
     }
 }

@@ -6,24 +6,29 @@ use super::vehicle::name;
 use super::view::View;
 use crate::svg::{INK, Svg};
 
+/// Returns the sine and the cosine of the angle of the crush plane, which every barrier has.
+fn plane(scene: &Scene) -> (f64, f64) {
+    libm::sincos(scene.crush_plane.unwrap_or_default())
+}
+
 /// Returns which way along n a barrier lies from the impact center: away from the other vehicle.
 fn away(scene: &Scene, which: usize) -> f64 {
     let other = &scene.vehicles[1 - which];
-    let (sin, cos) = libm::sincos(scene.crush_plane);
+    let (sin, cos) = plane(scene);
     let along = (other.position[0] - scene.impact_point[0]) * cos + (other.position[1] - scene.impact_point[1]) * sin;
     if along > 0.0 { -1.0 } else { 1.0 }
 }
 
 /// Returns a point of the wall behind the impact center.
 pub fn behind(scene: &Scene, which: usize, size: f64) -> [f64; 2] {
-    let (sin, cos) = libm::sincos(scene.crush_plane);
+    let (sin, cos) = plane(scene);
     let by = 0.12 * size * away(scene, which);
     [scene.impact_point[0] + by * cos, scene.impact_point[1] + by * sin]
 }
 
 /// Draws a barrier: a wall along the crush plane, hatched.
 pub fn draw(svg: &mut Svg, view: &View, scene: &Scene, which: usize, size: f64) {
-    let (sin, cos) = libm::sincos(scene.crush_plane);
+    let (sin, cos) = plane(scene);
     let side = away(scene, which);
     let at = |along: f64, deep: f64| {
         let (t, n) = (along * size, side * deep * size);

@@ -19,6 +19,9 @@ const NORMAL: f64 = 0.42;
 /// Room for labels around the picture, in pixels.
 const ROOM: f64 = 46.0;
 
+/// The width of a line on which a label can be read.
+const THIN: f64 = 4.0;
+
 /// What a vector shows.
 struct Vector<'a> {
     class: String,
@@ -35,7 +38,7 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     let size = size(scene);
     let vectors = vectors(scene, units, size);
     let plane = plane(scene, size);
-    let view = view(scene, &vectors, &plane, frame);
+    let view = view(scene, &vectors, plane.as_ref(), frame);
     frame.draw(svg);
     let mut labels = Labels::in_frame(frame);
     for (i, vehicle) in scene.vehicles.iter().enumerate() {
@@ -53,7 +56,9 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
             }
         }
     }
-    draw_plane(svg, &view, &plane, &mut labels);
+    if let Some(plane) = &plane {
+        draw_plane(svg, &view, plane, &mut labels);
+    }
     for (i, vehicle) in scene.vehicles.iter().enumerate() {
         speed_range(svg, &view, scene, vehicle, i, size);
         velocity_deviations(svg, &view, scene, vehicle, i, size);
@@ -61,7 +66,8 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     axes_of_ellipses(scene, size).for_each(|[from, to]| labels.avoid(view.place(from), view.place(to)));
     for vector in &vectors {
         arrow(svg, &view, vector);
-        labels.avoid(view.place(vector.from), view.place(vector.to));
+        let note = if vector.width > THIN { Labels::avoid_thick } else { Labels::avoid };
+        note(&mut labels, view.place(vector.from), view.place(vector.to));
     }
     let point = view.place(scene.impact_point);
     svg.group(&[("class", "impact-center"), ("stroke", INK), ("stroke-width", "1.5")], |svg| {
@@ -81,13 +87,16 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
         let (x, y) = view.place(vehicle.position);
         labels.keep_clear(Frame { x: x - 8.0, y: y - 8.0, width: 16.0, height: 16.0 });
     }
-    for vector in vectors {
+    // The axes first, whose letters say nothing elsewhere, then the arrows on which nothing can be read.
+    if let (Some(gamma), Some([tangent, normal])) = (scene.crush_plane, plane) {
+        labels.want(view.place(normal[1]), "normal", format!("n (Γ = {})", units.quantity(Measure::Angle, gamma)));
+        labels.want(view.place(tangent[1]), "tangent", "t".to_owned());
+    }
+    let (thick, thin): (Vec<_>, Vec<_>) = vectors.into_iter().partition(|vector| vector.width > THIN);
+    for vector in thick.into_iter().chain(thin) {
         let tip = view.place(vector.to);
         labels.want(tip, &vector.class, vector.label);
     }
-    let gamma = units.quantity(Measure::Angle, scene.crush_plane);
-    labels.want(view.place(plane[1][1]), "normal", format!("n (Γ = {gamma})"));
-    labels.want(view.place(plane[0][1]), "tangent", "t".to_owned());
     for (number, vehicle) in (1..).zip(&scene.vehicles) {
         let at = if vehicle.barrier { barrier::behind(scene, number - 1, size) } else { tail(vehicle) };
         labels.want(view.place(at), "name", format!("{number} {}", shorten(&vehicle.name, 24)));
@@ -96,17 +105,18 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
 }
 
 /// Returns the view that shows the vehicles, the vectors and the crush plane.
-fn view(scene: &Scene, vectors: &[Vector<'_>], plane: &[[[f64; 2]; 2]; 2], frame: Frame) -> View {
+fn view(scene: &Scene, vectors: &[Vector<'_>], plane: Option<&[[[f64; 2]; 2]; 2]>, frame: Frame) -> View {
     let moving = scene.vehicles.iter().filter(|vehicle| !vehicle.barrier);
     let points = moving.flat_map(|vehicle| extent(vehicle, &at_impact(vehicle)));
-    let points = points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.iter().flatten().copied());
+    let points =
+        points.chain(vectors.iter().flat_map(|vector| [vector.from, vector.to])).chain(plane.into_iter().flatten().flatten().copied());
     View::of(points.chain(axes_of_ellipses(scene, size(scene)).flatten()), frame, ROOM)
 }
 
 /// Returns how the picture lies on the page.
 pub fn placing(scene: &Scene, units: Units, frame: Frame) -> Placing {
     let size = size(scene);
-    let view = view(scene, &vectors(scene, units, size), &plane(scene, size), frame);
+    let view = view(scene, &vectors(scene, units, size), plane(scene, size).as_ref(), frame);
     let fastest = fastest(scene);
     Placing {
         origin: view.origin(),
@@ -129,10 +139,10 @@ fn tail(vehicle: &VehicleInScene) -> [f64; 2] {
 }
 
 /// Returns the tangent and the normal of the crush plane through the impact center, each from its tail to its tip.
-fn plane(scene: &Scene, size: f64) -> [[[f64; 2]; 2]; 2] {
-    let (sin, cos) = libm::sincos(scene.crush_plane);
+fn plane(scene: &Scene, size: f64) -> Option<[[[f64; 2]; 2]; 2]> {
+    let (sin, cos) = libm::sincos(scene.crush_plane?);
     let at = |along: f64, [x, y]: [f64; 2]| [scene.impact_point[0] + along * size * x, scene.impact_point[1] + along * size * y];
-    [[at(-0.45, [-sin, cos]), at(0.5, [-sin, cos])], [at(0.0, [cos, sin]), at(NORMAL, [cos, sin])]]
+    Some([[at(-0.45, [-sin, cos]), at(0.5, [-sin, cos])], [at(0.0, [cos, sin]), at(NORMAL, [cos, sin])]])
 }
 
 fn draw_plane(svg: &mut Svg, view: &View, plane: &[[[f64; 2]; 2]; 2], labels: &mut Labels) {

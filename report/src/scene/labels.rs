@@ -7,8 +7,9 @@ use crate::svg::{INK, Place, Svg, number, text_width};
 /// Distances from what a label names, in pixels.
 const DISTANCES: [f64; 9] = [10.0, 18.0, 28.0, 42.0, 60.0, 84.0, 116.0, 160.0, 220.0];
 const DIRECTIONS: usize = 24;
-/// What it costs to cover a line, in pixels of distance.
+/// What it costs to cover a line, in pixels of distance, and one so thick that a label on it cannot be read: any other place is better.
 const COVERED: f64 = 36.0;
+const STRUCK_OUT: f64 = 1000.0;
 /// What it costs to stand away from what is named, in pixels of distance.
 const ANYWHERE: f64 = 300.0;
 /// The distance beyond which a thin line leads from a label to what it names.
@@ -25,7 +26,8 @@ struct Wanted {
 pub struct Labels {
     frame: Frame,
     taken: Vec<Frame>,
-    lines: Vec<(Place, Place)>,
+    /// Lines, with what it costs to cover them.
+    lines: Vec<(Place, Place, f64)>,
     wanted: Vec<Wanted>,
 }
 
@@ -41,7 +43,12 @@ impl Labels {
 
     /// Notes a line that labels should not cover.
     pub fn avoid(&mut self, from: Place, to: Place) {
-        self.lines.push((from, to));
+        self.lines.push((from, to, COVERED));
+    }
+
+    /// Notes a thick line, on which a label cannot be read.
+    pub fn avoid_thick(&mut self, from: Place, to: Place) {
+        self.lines.push((from, to, STRUCK_OUT));
     }
 
     /// Asks for a label beside a place.
@@ -94,11 +101,11 @@ impl Labels {
             let middle = (frame.x + frame.width / 2.0, frame.y + frame.height / 2.0);
             let is_led_across = distance > LEADER && self.taken.iter().any(|taken| crosses(taken, middle, wanted.at));
             let mut cost = distance + if is_led_across { ANYWHERE } else { 0.0 };
-            for (from, to) in &self.lines {
+            for (from, to, covered) in &self.lines {
                 if cost >= least {
                     return;
                 }
-                cost += if crosses(&frame, *from, *to) { COVERED } else { 0.0 };
+                cost += if crosses(&frame, *from, *to) { *covered } else { 0.0 };
             }
             if cost < least {
                 *best = Some((cost, frame, distance));
@@ -184,6 +191,22 @@ mod tests {
         labels.keep_clear(Frame { x: 185.0, y: 135.0, width: 30.0, height: 30.0 });
         let (beside, distance) = labels.best(&wanted, 60.0, 16.0).expect("the frame is free");
         assert_eq!((distance, gap(&beside, wanted.at)), (18.0, 18.0));
+    }
+
+    /// Farther off is better than on a thick line, and on a thin one better than farther off.
+    #[test]
+    fn a_thick_line_is_not_written_over() {
+        let frame = Frame { x: 0.0, y: 100.0, width: 400.0, height: 100.0 };
+        let wanted = Wanted { text: "label".to_owned(), class: "test".to_owned(), at: (200.0, 150.0) };
+        let beside = |note: fn(&mut Labels, Place, Place)| {
+            let mut labels = Labels::in_frame(frame);
+            for y in [105.0, 120.0, 135.0, 150.0, 165.0, 180.0, 195.0] {
+                note(&mut labels, (120.0, y), (280.0, y));
+            }
+            labels.best(&wanted, 60.0, 16.0).expect("the frame is free").1
+        };
+        let (thin, thick) = (beside(Labels::avoid), beside(Labels::avoid_thick));
+        assert!(thin < 30.0 && thick > 80.0, "{thin} {thick}");
     }
 
     #[test]

@@ -94,11 +94,13 @@ fn keys(svg: &mut Svg, scene: &Scene, frame: Frame, top: f64) {
         },
         "impulse, at its own scale",
     );
-    row(
-        svg,
-        &|svg, x, y| svg.line((x, y), (x + 46.0, y), &[("stroke", INK), ("stroke-width", "1.3"), ("stroke-dasharray", "14 4 3 4")]),
-        "crush plane: n, t",
-    );
+    if scene.crush_plane.is_some() {
+        row(
+            svg,
+            &|svg, x, y| svg.line((x, y), (x + 46.0, y), &[("stroke", INK), ("stroke-width", "1.3"), ("stroke-dasharray", "14 4 3 4")]),
+            "crush plane: n, t",
+        );
+    }
     row(
         svg,
         &|svg, x, y| {

@@ -27,6 +27,8 @@ pub(super) struct Equations<'a> {
     /// The equation that each error belongs to.
     errors: Vec<usize>,
     pub(super) whole: Vec<Interval>,
+    /// The least and the greatest value of each unknown that is looked at where nothing else limits it.
+    pub(super) assumed: Vec<[Option<f64>; 2]>,
 }
 
 /// What a piece of evidence says: its residual is zero, and what is ahead is not negative.
@@ -61,6 +63,7 @@ impl<'a> Equations<'a> {
     pub(super) fn of(problem: &'a ReconstructionProblem, search: &GuaranteedSearch) -> Result<Self, NoRange> {
         problem.issues_of_parts().finish().map_err(NoRange::Problem)?;
         let mut whole = Vec::with_capacity(problem.unknowns.len());
+        let mut assumed = Vec::with_capacity(problem.unknowns.len());
         for unknown in &problem.unknowns {
             let (least, greatest) = unknown.of.domain(&problem.collision);
             let beyond = match unknown.of {
@@ -76,6 +79,9 @@ impl<'a> Equations<'a> {
             let high = unknown.max.unwrap_or(greatest.min(unknown.start + of_prior).min(beyond));
             let range = Interval::new(low, high).filter(|_| low.is_finite() && high.is_finite());
             whole.push(range.ok_or(NoRange::NoLimits(unknown.of))?);
+            // A heading is looked at all around.
+            let is_assumed = |given: Option<f64>, end: f64| given.is_none() && end.abs() == beyond && unknown.of.period().is_none();
+            assumed.push([(unknown.min, low), (unknown.max, high)].map(|(given, end)| is_assumed(given, end).then_some(end)));
         }
         let mut errors = Vec::new();
         for (place, evidence) in problem.evidence.iter().enumerate() {
@@ -87,7 +93,7 @@ impl<'a> Equations<'a> {
             errors.push(place);
             whole.push(within(limit));
         }
-        Ok(Equations { problem, scene: Scene::of(problem), errors, whole })
+        Ok(Equations { problem, scene: Scene::of(problem), errors, whole, assumed })
     }
 
     pub(super) fn unknowns(&self) -> usize {

@@ -128,7 +128,7 @@ fn handles(case: &Case, drawn: &scene::Scene, units: Units) -> Handles {
         speed: placing.speed,
         normal: placing.normal,
         impact_point: drawn.impact_point,
-        crush_plane: drawn.crush_plane,
+        crush_plane: drawn.crush_plane.unwrap_or(case.inputs.contact.crush_plane),
         restitution: case.collision.restitution,
         vehicles: [vehicle(0), vehicle(1)],
     }

@@ -125,7 +125,7 @@ fn run(verb: &str, case: &Case, units: Units, options: &Options) -> Result<Reply
             let output = formula::output(&options.output).map_err(issue("output"))?;
             let answer = formula::formula(Some(case), &formula::Options { output, wrt, kind: formula::Kind::default() }, &Reporter)?;
             let blocks = [Block::Formula { latex: answer.formula.latex(), text: answer.subject.clone() }];
-            let blocks: Vec<Block> = blocks.into_iter().chain(page::formula::page(&answer)).collect();
+            let blocks: Vec<Block> = blocks.into_iter().chain(page::formula::page(&answer, units)).collect();
             Ok(Reply { json: json::text(&answer, Layout::Pretty)?, html: html::fragment(&blocks), ..Reply::default() })
         }
         other => Err(unknown("verb", other)),

@@ -50,12 +50,16 @@ impl Report for Text {
         if interrupted {
             writeln!(to, "Interrupted before the last record.")?;
         }
-        let Summary { records, pass, warn, fail, undecidable, findings } = summary;
+        let Summary { records, pass, warn, fail, undecidable, unchecked, findings } = summary;
         let plural = |count: u64| if count == 1 { "" } else { "s" };
         let files = if self.files == 1 { String::new() } else { format!(" in {} files", self.files) };
         let counts =
             format!("{records} record{}{files}: {pass} pass, {warn} warn, {fail} fail, {undecidable} undecidable", plural(*records));
         to.write_all(wrap(&counts, "").as_bytes())?;
+        if *unchecked > 0 {
+            let none = format!("{unchecked} of them give too little for any law; see --rules");
+            to.write_all(wrap(&none, "unchecked: ").as_bytes())?;
+        }
         let rules: Vec<String> = findings.iter().map(|((severity, rule), count)| format!("{rule} {count} ({severity})")).collect();
         if rules.is_empty() { Ok(()) } else { to.write_all(wrap(&rules.join(", "), "found: ").as_bytes()) }
     }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde_json::Value;
 
 use super::{HEADER, check, document, lines, records, rules, sound};
-use crate::process::{run, workspace};
+use crate::process::{run, run_with_input, workspace};
 
 fn example(name: &str) -> PathBuf {
     workspace().join("cli/examples/check").join(name)
@@ -198,4 +198,24 @@ fn a_group_is_held_together() {
     }
     let (status, report) = check(&lines(&[member("a", "\"g\"", 5.0), member("b", "\"h\"", 6.0), member("c", "\"g\"", 5.0)]), &[]);
     assert_eq!((status, rules(&records(&report)[2], "warn")), (0, vec!["group"]));
+}
+
+/// A record that gives too little for any law passes, and is counted.
+#[test]
+fn a_record_without_a_law_is_said_to_be_unchecked() {
+    let record = |bodies: &str| {
+        let header = r#""schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "rad"}"#;
+        let run = run_with_input(
+            &["check", "-"],
+            &format!("{{{header}, \"records\": [{{\"id\": \"a\", \"profile\": \"impulse\", \"bodies\": {bodies}}}]}}"),
+        );
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out
+    };
+    let wanted = "unchecked: 1 of them give too little for any law; see --rules\n";
+    assert!(record("[{\"mass\": 1000}, {\"mass\": 1200}]").contains(wanted));
+    let body = |mass: u32, before: i32, after: i32| {
+        format!("{{\"mass\": {mass}, \"before\": {{\"v\": [{before}, 0]}}, \"after\": {{\"v\": [{after}, 0]}}}}")
+    };
+    assert!(!record(&format!("[{}, {}]", body(1000, 10, 5), body(1000, 0, 5))).contains("unchecked"));
 }

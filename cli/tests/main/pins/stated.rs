@@ -196,6 +196,10 @@ fn intervals_lie_around_their_values_within_the_bounds() {
                     limit.rsplit_once(' ').is_some_and(|(of, end)| found["unknown"].get(of).is_some() && ["min", "max"].contains(&end));
                 assert!(is_bound || ["not-closing", "tensile", "beyond-critical", "energy-gain", "period"].contains(&limit), "{limit}");
             }
+            let given = bound("max", f64::INFINITY) - bound("min", f64::NEG_INFINITY);
+            let is_whole_turn = limits.iter().any(|limit| *limit == "period");
+            let narrows = if given.is_finite() { high - low < given * (1.0 - 1e-6) } else { (high - low).is_finite() && !is_whole_turn };
+            assert_eq!(interval["narrows"], narrows, "{name}: {of}");
             let Some(value) = of["value"].as_f64() else { continue };
             assert!(low <= value && value <= high, "{name}: {value} {interval}");
             count += 1;

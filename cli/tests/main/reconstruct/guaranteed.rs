@@ -91,3 +91,18 @@ fn what_cannot_be_guaranteed_is_said() {
         assert!(run.err.contains("is not above 0 and at most 40"), "{}", run.err);
     }
 }
+
+/// A range that ends where the search ends excludes nothing beyond, and says so.
+#[test]
+fn where_the_search_ends_is_said() {
+    let run = text(&case("\"60 kJ\"", "{ start = \"12 m/s\" }"), &["--guaranteed"]);
+    let said = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let wanted = "guaranteed ranges: vehicle.1.speed has no min and max, and is searched down to -200.00 m/s and up to 200.00 m/s; \
+                  what lies beyond is not excluded";
+    assert!(said.contains(wanted), "{said}");
+    let bounded = text(&case("\"60 kJ\"", "{ start = \"12 m/s\", min = \"0 m/s\" }"), &["--guaranteed"]).out;
+    let bounded = bounded.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(bounded.contains("vehicle.1.speed has no max, and is searched up to 200.00 m/s;"), "{bounded}");
+    let both = text(&case("\"60 kJ\"", "{ start = \"12 m/s\", min = \"0 m/s\", max = \"50 m/s\" }"), &["--guaranteed"]).out;
+    assert!(!both.contains("is searched"), "{both}");
+}

@@ -95,7 +95,7 @@ fn agrees(answer: &Reconstruction) -> Vec<Block> {
     let weak = &answer.weakly_determined;
     let mut but = if weak.is_empty() { String::new() } else { format!(", but evidence barely constrains {}", weak.join(", ")) };
     if !answer.is_answer && weak.is_empty() {
-        but = ", but does not narrow every unknown down".to_owned();
+        but = format!(", but does not narrow {} down", answer.not_narrowed().collect::<Vec<_>>().join(", "));
     }
     let poorly = if answer.probability < POOR { " poorly" } else { "" };
     let mut blocks = vec![headline(format!("The evidence agrees{poorly} with one solution{but}: {}.", chi_square(answer)))];

@@ -1,13 +1,12 @@
 //! Formats numbers with as many digits as their uncertainty justifies.
 
-use planar_impact_app::units::trim;
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Measure, Units, size, trim};
 
 /// Formats a value with as many decimals as its standard deviation has when rounded to two digits; without one, with
 /// the decimals of its measure.
 pub fn rounded(measure: Measure, value: f64, sd: Option<f64>, units: Units) -> String {
     match sd.filter(|sd| *sd > 0.0 && sd.is_finite()) {
-        None => units.number(measure, value, 1e-6),
+        None => units.number(measure, value, size(measure)),
         Some(sd) => {
             let decimals = decimals(units.convert(measure, sd));
             let value = units.convert(measure, value);
