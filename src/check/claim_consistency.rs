@@ -59,7 +59,10 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
 fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
     let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
-    judge.not_above(Rule::Reported, Residual::new(work, work.value.abs()), |size, _| {
+    // At a restitution of 1 it is the rounding of what the bodies have.
+    let energies = [Key::NormalWork, Key::TangentialWork, Key::EnergyLoss, Key::EnergyBefore].map(|key| known.number(key));
+    let available = energies.into_iter().flatten().fold(0.0, |most: f64, energy| most.max(energy.value.abs()));
+    judge.not_above(Rule::Reported, Residual::new(work, available), |size, _| {
         format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
     });
     let numbers = [Key::NormalImpulse, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));

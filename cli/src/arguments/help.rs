@@ -69,10 +69,10 @@ pub(super) const UNCERTAINTY: &str = "\
 Any input of a vehicle, of its crush and of the contact may be uncertain: \"40 mph ± 2 mph\",
 \"40 mph ± 5 %\", { value, sd }, { min, max }, { min, mode, max }, { value, sd, min, max },
 { median, factor }, { value, resolution }, { mean, sd, n } of n measurements, { values } or
-{ file, column } that were measured. correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples that the physics refuses
-are counted by reason, and never moved. Shares (sobol) are left out if inputs are correlated,
-which have Shapley effects (shapley) instead; both if more than 1 % of the samples are refused.
-Names are those of `planar-impact gradient --help`.
+{ file, column } that were measured. correlation = [[NAME, NAME, COEFFICIENT]] ties them. Samples
+that the physics refuses are counted by reason, and never moved. Shares (sobol) are left out if
+inputs are correlated, which have Shapley effects (shapley) instead; both if more than 1 % of the
+samples are refused. Names are those of `planar-impact gradient --help`.
 
 Examples:
   planar-impact uncertainty cli/examples/uncertain.toml

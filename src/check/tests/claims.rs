@@ -74,6 +74,8 @@ fn claims_are_held_against_each_other() {
     assert!(of_normal(100.0, -450.0).is_empty() && of_normal(-100.0, -450.0).is_empty());
     assert_eq!((of_normal(100.0, -440.0), of_normal(100.0, 450.0)), (vec!["reported"], vec!["reported"; 2]));
     assert_eq!(said(&[(Key::NormalWork, 1.0)]), ["reported"]);
+    // At a restitution of 1 it is rounding.
+    assert!(said(&[(Key::NormalWork, 1e-14), (Key::TangentialWork, -100.0), (Key::EnergyLoss, 100.0)]).is_empty());
     let loss = [(Key::EnergyBefore, 500.0), (Key::EnergyLoss, 500.0)];
     assert!(said(&loss).is_empty());
     assert_eq!(said(&[loss[0], (Key::EnergyLoss, 501.0)]), ["reported"]);
