@@ -54,7 +54,7 @@ fn intervals_of_linear_evidence_are_those_of_the_normal_distribution() {
     }
 }
 
-/// Nothing is told of intervals that were not all found, and what is told does not depend on who looks.
+/// A search that is stopped returns no interval, and one that is watched to its end returns the same ones.
 #[test]
 fn a_search_for_intervals_stops_when_it_is_told_to() {
     let problem = direct(straight_into_barrier(0.0), SPEED, 15.0, 0.5);

@@ -91,16 +91,7 @@ impl Key {
 
     /// Returns `true` if a cell of such a column gives what the case has as a parameter, be it in another form.
     pub(super) fn replaces(self, parameter: Parameter) -> bool {
-        use planar_impact::Input::{ImpulseRatio, Moment, Restitution, VelocityX, VelocityY, YawInertia};
-        let form = |parameter: Parameter| match parameter {
-            Parameter::Speed(side) | Parameter::Input(VelocityX(side) | VelocityY(side)) => Some((0, Some(side))),
-            Parameter::RadiusOfGyration(side) | Parameter::Input(YawInertia(side)) => Some((1, Some(side))),
-            Parameter::Friction | Parameter::RatioOfCritical | Parameter::Input(ImpulseRatio) => Some((2, None)),
-            Parameter::MomentOfCritical | Parameter::Input(Moment) => Some((3, None)),
-            Parameter::RestitutionScatter | Parameter::Input(Restitution) => Some((4, None)),
-            _ => None,
-        };
-        matches!(self, Key::Parameter(own) if own == parameter || form(own).is_some_and(|own| form(parameter) == Some(own)))
+        matches!(self, Key::Parameter(own) if own.replaces(parameter))
     }
 
     /// Returns `true` if every cell is a number.

@@ -36,27 +36,29 @@ pub enum Parameter {
 }
 
 impl Parameter {
+    /// Returns which quantity it gives where several parameters can, and that of which vehicle; `None` for any other.
+    fn form(self) -> Option<(u8, Option<Side>)> {
+        match self {
+            Parameter::Speed(side) | Parameter::Input(Input::VelocityX(side) | Input::VelocityY(side)) => Some((0, Some(side))),
+            Parameter::RadiusOfGyration(side) | Parameter::Input(Input::YawInertia(side)) => Some((1, Some(side))),
+            Parameter::Friction | Parameter::RatioOfCritical | Parameter::Input(Input::ImpulseRatio) => Some((2, None)),
+            Parameter::MomentOfCritical | Parameter::Input(Input::Moment) => Some((3, None)),
+            Parameter::RestitutionScatter | Parameter::Input(Input::Restitution) => Some((4, None)),
+            _ => None,
+        }
+    }
+
+    /// Returns `true` if it gives what another one gives, be it in another form or in part.
+    pub fn replaces(self, other: Parameter) -> bool {
+        self == other || self.form().is_some_and(|form| other.form() == Some(form))
+    }
+
     /// Returns `true` if both give one quantity in different forms, so that one alone can be set, such as a speed and a component of the velocity.
     pub fn excludes(self, other: Parameter) -> bool {
-        let form = |parameter: Parameter| match parameter {
-            Parameter::Input(Input::ImpulseRatio) | Parameter::Friction | Parameter::RatioOfCritical => Some((0, None)),
-            Parameter::Input(Input::Moment) | Parameter::MomentOfCritical => Some((1, None)),
-            Parameter::Input(Input::YawInertia(side)) | Parameter::RadiusOfGyration(side) => Some((2, Some(side))),
-            Parameter::Input(Input::Restitution) | Parameter::RestitutionScatter => Some((3, None)),
-            _ => None,
-        };
-        let is_speed_beside_component = |one, two| match (one, two) {
-            (Parameter::Speed(side), Parameter::Input(Input::VelocityX(of) | Input::VelocityY(of))) => side == of,
-            _ => false,
-        };
+        let is_component = |parameter| matches!(parameter, Parameter::Input(Input::VelocityX(_) | Input::VelocityY(_)));
         match (self, other) {
             (Parameter::Crush(one, key), Parameter::Crush(two, other)) => one == two && key.excludes(other),
-            _ if self == other => false,
-            _ => {
-                form(self).is_some() && form(self) == form(other)
-                    || is_speed_beside_component(self, other)
-                    || is_speed_beside_component(other, self)
-            }
+            _ => self != other && self.replaces(other) && !(is_component(self) && is_component(other)),
         }
     }
 

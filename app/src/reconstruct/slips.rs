@@ -69,7 +69,7 @@ fn slips(case: &Case, separations: &Separations, asked: &ReconstructionProblem, 
     for side in Side::ALL {
         mass_in_pounds(case, separations, asked, side, &mut all);
         heading_in_degrees(asked, side, &mut all);
-        whole_turns(case, best, side, &mut all);
+        whole_turns(case, separations, best, side, &mut all);
     }
     crush_plane_in_degrees(asked, &mut all);
     speeds_in_miles(asked, &mut all);
@@ -256,7 +256,7 @@ fn crush_plane_in_degrees(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
 
 /// A heading at rest that is a whole turn off: a photograph does not show how often the vehicle turned. Only where the yaw rate that it means is off, and in
 /// the direction in which it is, because each turn needs the slide that ends there.
-fn whole_turns(case: &Case, best: &Solution, side: Side, all: &mut Vec<Slip>) {
+fn whole_turns(case: &Case, separations: &Separations, best: &Solution, side: Side, all: &mut Vec<Slip>) {
     let of_rest = Measurand::Output(Output::YawRate(side));
     let Some(fitted) = best.evidence.iter().find(|fitted| fitted.of == of_rest) else { return };
     let is_off = fitted.sd.is_some_and(|sd| fitted.residual.abs() > LEAST_RESIDUAL * sd);
@@ -265,10 +265,10 @@ fn whole_turns(case: &Case, best: &Solution, side: Side, all: &mut Vec<Slip>) {
     let Some(rest) = rest.filter(|_| is_off) else { return };
     rest.rest.heading -= TAU.copysign(fitted.residual);
     let heading = rest.rest.heading;
-    let Ok(question) = case.separations_from_rest().and_then(|separations| Question::of(&case, &separations)) else { return };
+    let Some(problem) = slid_again(&case, separations, side) else { return };
     let path = format!("rest.vehicle.{}.heading", vehicle_number(side));
     let instead = Message::new().figure(Measure::Angle, heading).text(", a whole turn from it,");
-    all.push(Slip { path, instead, problem: question.asked });
+    all.push(Slip { path, instead, problem });
 }
 
 /// A mass in the other unit.
@@ -286,10 +286,17 @@ fn mass_in_pounds(case: &Case, separations: &Separations, asked: &Reconstruction
 fn with_mass(case: &Case, separations: &Separations, side: Side, mass: f64) -> Option<ReconstructionProblem> {
     let mut case = case.with(&[(Parameter::Input(Input::Mass(side)), mass)]);
     let yaw_inertia = case.collision.input(Input::YawInertia(side))?;
-    let mut separations = separations.clone();
     if let Some(rest) = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()) {
         (rest.slide.vehicle.mass, rest.slide.vehicle.yaw_inertia) = (mass, yaw_inertia);
+    }
+    slid_again(&case, separations, side)
+}
+
+/// Returns the question of a case in which the slide of one vehicle is another; the other vehicle separates as it does in the question.
+fn slid_again(case: &Case, separations: &Separations, side: Side) -> Option<ReconstructionProblem> {
+    let mut separations = separations.clone();
+    if let Some(rest) = case.rest.as_ref().and_then(|rest| rest.vehicles[side as usize].as_ref()) {
         separations[side as usize] = rest.separation().transpose().ok()?;
     }
-    Question::of(&case, &separations).ok().map(|question| question.asked)
+    Question::of(case, &separations).ok().map(|question| question.asked)
 }

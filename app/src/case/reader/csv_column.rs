@@ -54,14 +54,9 @@ impl CsvColumn {
         };
         let cell = |(line, cells): (usize, Vec<String>)| {
             let cell = match cells.get(place).map(|cell| cell.trim()) {
-                Some(text) if cells.len() == headers.len() => {
-                    if text.is_empty() {
-                        Err(NoCell::Empty)
-                    } else {
-                        Ok(text.to_owned())
-                    }
-                }
-                _ => Err(NoCell::Ragged { cells: cells.len(), columns: headers.len() }),
+                _ if cells.len() != headers.len() => Err(NoCell::Ragged { cells: cells.len(), columns: headers.len() }),
+                None | Some("") => Err(NoCell::Empty),
+                Some(text) => Ok(text.to_owned()),
             };
             (line, cell)
         };
