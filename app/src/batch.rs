@@ -22,6 +22,7 @@ use crate::case::{
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
+use crate::quantity::excerpt;
 
 /// What is asked of every row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -42,6 +43,8 @@ pub struct Options {
 #[derive(Clone, Debug)]
 pub struct Plan {
     inputs: Vec<InputColumn>,
+    /// The columns that pass through with the name of an input in another form, and those inputs.
+    unread: Vec<(String, Vec<Key>)>,
     outputs: Vec<CaseOutput>,
     wrt: Vec<Parameter>,
     is_checked: bool,
@@ -67,14 +70,14 @@ impl Plan {
     pub fn of(headers: &[Header], base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
         base.map_or(Ok(()), Case::needs_contact)?;
         let mut issues = Vec::new();
-        let mut inputs: Vec<InputColumn> = Vec::new();
+        let (mut inputs, mut unread): (Vec<InputColumn>, Vec<(String, Vec<Key>)>) = (Vec::new(), Vec::new());
         for (place, header) in headers.iter().enumerate() {
             match InputColumn::of(place, header) {
                 Ok(Some(column)) => match inputs.iter().find(|other| other.key == column.key) {
                     Some(_) => issues.push(Issue::at("repeated-column", header.name.clone(), "two columns have this name; keep one")),
                     None => inputs.push(column),
                 },
-                Ok(None) => (),
+                Ok(None) => unread.extend(Some((header.name.clone(), column::meant_by(&header.name))).filter(|(_, meant)| !meant.is_empty())),
                 Err(issue) => issues.push(issue),
             }
         }
@@ -94,6 +97,7 @@ impl Plan {
             defaults: base.map_or_else(Defaults::without_case, Defaults::of),
             crush,
             inputs,
+            unread,
         };
         plan.missing(&mut issues);
         plan.impossible(&mut issues);
@@ -135,10 +139,17 @@ impl Plan {
         self.is_checked
     }
 
-    /// Returns what a reader of the answer must know of the case: which uncertain numbers of it rows use at their nominal values, because no column gives them.
-    pub fn notices(&self, base: Option<&Case>) -> Option<Notice> {
+    /// Returns what a reader of the answer must know: which uncertain numbers of the case rows use at their nominal values, because no column gives them, and
+    /// which columns pass through although they may be meant as inputs.
+    pub fn notices(&self, base: Option<&Case>) -> Vec<Notice> {
         let is_given = |parameter: Parameter| self.inputs.iter().any(|column| column.key.replaces(parameter));
-        at_nominal_values(base?.uncertain.inputs.iter().map(|input| input.parameter).filter(|parameter| !is_given(*parameter)))
+        let uncertain = base.into_iter().flat_map(|case| &case.uncertain.inputs).map(|input| input.parameter);
+        let unread = self.unread.iter().map(|(name, meant)| {
+            let meant: Vec<String> = meant.iter().map(Key::to_string).collect();
+            let message = format!("the column {} passes through unread; as an input it is named {}", excerpt(name), meant.join(" or "));
+            Notice::warning("unread-column", name.clone(), message)
+        });
+        at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter))).into_iter().chain(unread).collect()
     }
 
     /// Returns the names of the columns that are added to those of the table: outputs, derivatives, the check, refusals.

@@ -17,7 +17,7 @@ pub struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    /// Splits `NAME > VALUE`, or the same with `<`, `>=` or `<=`.
+    /// Splits `NAME > VALUE`, or the same with `<`, `>=` or `<=`; the value, which begins with a digit or a sign, may come first.
     ///
     /// # Errors
     ///
@@ -29,8 +29,10 @@ impl<'a> Written<'a> {
         };
         let (name, rest) = (text[..place].trim(), &text[place..]);
         let (is_above, rest) = (rest.starts_with('>'), &rest[1..]);
-        let value = rest.strip_prefix('=');
-        Ok(Written { name, is_above, or_equal: value.is_some(), value: value.unwrap_or(rest) })
+        let (or_equal, value) = rest.strip_prefix('=').map_or((false, rest), |value| (true, value));
+        let is_value_first = name.starts_with(|c: char| c.is_ascii_digit() || "+-−.".contains(c));
+        let (name, is_above, value) = if is_value_first { (value.trim(), !is_above, name) } else { (name, is_above, value) };
+        Ok(Written { name, is_above, or_equal, value })
     }
 }
 
@@ -43,6 +45,8 @@ mod tests {
         let read = |text| Written::read(text).map(|found| (found.name, found.is_above, found.or_equal, found.value));
         assert_eq!(read("dV1 > 25 mph"), Ok(("dV1", true, false, " 25 mph")));
         assert_eq!(read("dV1<=25 mph"), Ok(("dV1", false, true, "25 mph")));
+        assert_eq!(read("13 mph < dV1"), Ok(("dV1", true, false, "13 mph")));
+        assert_eq!(read("-3 deg >= PDOF1"), Ok(("PDOF1", false, true, "-3 deg")));
         assert_eq!(read(">= 1"), Ok(("", true, true, " 1")));
         assert!(read("dV1 = 25 mph").is_err());
     }

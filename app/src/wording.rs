@@ -52,5 +52,5 @@ pub fn barrier_instead(path: &str) -> Option<String> {
 
 /// Returns a hint for a coefficient above 1: a percentage may be meant.
 pub fn percent_meant(value: f64) -> Option<String> {
-    (value > 1.0 && value <= 100.0).then(|| format!("did you mean \"{value} %\"?"))
+    (2.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))
 }

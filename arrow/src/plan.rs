@@ -70,7 +70,7 @@ impl Plan {
     }
 
     /// Returns what a reader of the answer must know of the case, as [`batch::Plan::notices`].
-    pub fn notices(&self, base: Option<&Case>) -> Option<Notice> {
+    pub fn notices(&self, base: Option<&Case>) -> Vec<Notice> {
         self.plan.notices(base)
     }
 

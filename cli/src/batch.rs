@@ -8,6 +8,7 @@ mod quotes;
 mod sink;
 mod source;
 
+use std::path::Path;
 use std::thread::available_parallelism;
 
 use arrow_schema::SchemaRef;
@@ -40,8 +41,8 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let schema = sources[0].schema().clone();
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;
-    if let Some(notice) = plan.notices(base.as_ref()) {
-        eprintln!("note: {}", Units::Si.sentence(&notice.message));
+    for notice in plan.notices(base.as_ref()) {
+        eprintln!("{}: {}", notice.severity, Units::Si.sentence(&notice.message));
     }
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
     let (columns, passing, headers) = (plan.schema(), schema.fields().len(), headers(&schema, &plan));
@@ -53,7 +54,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     interrupt::note();
     let threads = call.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from);
     let bytes = if sources.iter().any(|source| source.bytes() == 0) { 0 } else { sources.iter().map(Source::bytes).sum() };
-    let (mut progress, mut at) = (Progress::new(bytes), 0);
+    let (mut progress, mut at, mut of_file) = (Progress::new(bytes), 0, 0);
     let read = || {
         if interrupt::is_interrupted() {
             return Err(Issues::interrupted().into());
@@ -61,14 +62,16 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
         while let Some(source) = sources.get_mut(at) {
             if let Some(part) = source.next(rows)? {
                 let before: u64 = sources[..at].iter().map(Source::bytes).sum();
-                return Ok(Some((part, before + sources[at].position())));
+                let first = of_file;
+                of_file += part.batch.num_rows() as u64;
+                return Ok(Some((part, before + sources[at].position(), Origin { file: at, first })));
             }
             source.close(&call.files[at]);
-            at += 1;
+            (at, of_file) = (at + 1, 0);
         }
         Ok(None)
     };
-    let work = |(part, position): (Part, u64)| {
+    let work = |(part, position, origin): (Part, u64, Origin)| {
         let rows = part.batch.num_rows();
         let mut refused = Vec::new();
         let solved = (0..rows).step_by(together).map(|first| {
@@ -78,14 +81,22 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
             Ok(solved.batch)
         });
         let encoded = encoder.encode(solved).map_err(Failure::Output)?;
-        Ok(Done { rows, refused, encoded, position })
+        Ok(Done { rows, refused, encoded, position, origin })
     };
     let write = |done: Result<Done, Failure>| {
-        let Done { rows, refused, encoded, position } = done?;
+        let Done { rows, refused, encoded, position, origin } = done?;
+        let before = progress.rows();
+        let name = |row: usize| {
+            let number = |first: u64| first + row as u64 + 1;
+            // The output has the rows of all, and a reader looks for the one of his file.
+            let of_file = |file: &Path| format!(" (row {} of `{}`)", number(origin.first), file.display());
+            let of_file = call.files.get(origin.file).filter(|_| call.files.len() > 1).map(|file| of_file(file));
+            format!("row {}{}", number(before), of_file.unwrap_or_default())
+        };
         if let Some(first) = refused.first().filter(|_| call.fail_fast) {
-            return Err(refused_at(progress.rows() + first.row as u64 + 1, first));
+            return Err(refused_at(name(first.row), first));
         }
-        progress.add(rows, &refused, position);
+        progress.add(rows, &refused, position, name);
         sink.write(encoded).map_err(Failure::Output)
     };
     in_order(threads, read, work, write)?;
@@ -100,6 +111,15 @@ struct Done {
     refused: Vec<Refused>,
     encoded: Encoded,
     position: u64,
+    origin: Origin,
+}
+
+/// The place of rows in their file.
+#[derive(Clone, Copy)]
+struct Origin {
+    file: usize,
+    /// The number of its rows before them.
+    first: u64,
 }
 
 /// Returns the number of rows that are read and written together: lines of text are long, and row groups should be.
@@ -175,8 +195,8 @@ fn headers(table: &SchemaRef, plan: &Plan) -> Vec<String> {
     plan.schema().fields().iter().enumerate().map(header).collect()
 }
 
-fn refused_at(row: u64, refused: &Refused) -> Failure {
+fn refused_at(path: String, refused: &Refused) -> Failure {
     let cause = if refused.is_of_input { Cause::Input } else { Cause::Physics };
-    let issue = Issue { path: format!("row {row}"), ..Issue::of_file("refused-row", refused.reason.clone()) };
+    let issue = Issue { path, ..Issue::of_file("refused-row", refused.reason.clone()) };
     Failure::Issues(Issues::without_source(cause, vec![issue]), Units::Si)
 }

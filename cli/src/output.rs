@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use planar_impact_app::Units;
 use planar_impact_app::json::{self, Layout};
-use planar_impact_app::notice::{Notice, Notices, Severity};
+use planar_impact_app::notice::{Notice, Notices};
 use planar_impact_report::{Block, text};
 use serde::Serialize;
 use tempfile::NamedTempFile;
@@ -46,8 +46,7 @@ impl CommandOutput {
 
     /// Adds the notices that are needed to read an answer, for standard error: the text is in a format that has no place for them.
     pub fn noting(self, notices: &Notices, units: Units) -> CommandOutput {
-        let name = |severity| if severity == Severity::Note { "note" } else { "warning" };
-        let note = |notice: &Notice| format!("{}: {}", name(notice.severity), units.sentence(&notice.message));
+        let note = |notice: &Notice| format!("{}: {}", notice.severity, units.sentence(&notice.message));
         CommandOutput { notes: notices.0.iter().filter(|notice| notice.is_needed()).map(note).collect(), ..self }
     }
 

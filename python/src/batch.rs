@@ -1,13 +1,15 @@
 //! Columns of numbers: a plan from their names, and its answer on several threads.
 
+use std::ffi::CString;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use planar_impact_app::Case;
 use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table};
-use pyo3::exceptions::PyValueError;
+use planar_impact_app::notice::Severity;
+use planar_impact_app::{Case, Notice, Units};
+use pyo3::exceptions::{PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyString};
 
@@ -22,6 +24,15 @@ const ROWS: usize = 1 << 14;
 pub fn base(source: Option<&Source>) -> Result<Option<Case>, Failure> {
     let read = |source: &Source| source.case().map_err(|issues| Failure { has_lines: source.has_lines(), ..issues.into() });
     source.map(read).transpose()
+}
+
+/// Warns of columns that pass through although they may be meant as inputs; `depth` is that of the caller's line, as in `warnings.warn`.
+pub fn warn(py: Python<'_>, notices: &[Notice], depth: i32) -> PyResult<()> {
+    for notice in notices.iter().filter(|notice| notice.severity == Severity::Warning) {
+        let text = CString::new(Units::Si.sentence(&notice.message).replace('\0', ""))?;
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, depth)?;
+    }
+    Ok(())
 }
 
 /// What is computed from columns of these names.
@@ -154,8 +165,9 @@ impl Plan {
             let has_lines = case.is_none_or(Source::has_lines);
             let plan = batch::Plan::of(&headers, base.as_ref(), &options);
             plan.map(Plan).map_err(|issues| Failure { has_lines, ..issues.into() })
-        });
-        Ok(plan?)
+        })?;
+        warn(py, &plan.0.notices(None), 3)?;
+        Ok(plan)
     }
 
     /// Returns the places of the columns that are inputs.

@@ -14,7 +14,7 @@ use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use pyo3_arrow::{PyRecordBatchReader, PyTable};
 
-use crate::batch::base;
+use crate::batch::{base, warn};
 use crate::control::Signals;
 use crate::error::{self, Failure};
 use crate::source::Source;
@@ -84,8 +84,8 @@ pub fn solve_table(
     let reader = table.into_reader()?;
     let signals = Signals::new(progress);
     let options = Options { of, wrt, check, fast };
+    let plan = plan(py, &reader.schema(), case, &options)?;
     let (batches, schema) = py.detach(|| -> PyResult<(Vec<RecordBatch>, SchemaRef)> {
-        let plan = plan(&reader.schema(), case, &options)?;
         let mut parts = Vec::new();
         for batch in reader {
             parts.extend(split(batch.map_err(unread)?));
@@ -115,13 +115,16 @@ pub fn solve_stream(
     let reader = table.into_reader()?;
     let options = Options { of, wrt, check, fast };
     let schema = reader.schema();
-    let plan = py.detach(|| plan(&schema, case, &options))?;
+    let plan = plan(py, &schema, case, &options)?;
     Ok(PyRecordBatchReader::new(Box::new(Stream { plan, reader, threads, parts: VecDeque::new(), solved: VecDeque::new() })))
 }
 
-fn plan(schema: &SchemaRef, case: Option<&Source>, options: &Options) -> PyResult<Plan> {
-    let has_lines = case.is_none_or(Source::has_lines);
-    let plan = Plan::of(schema, base(case)?.as_ref(), options).map_err(|issues| Failure { has_lines, ..issues.into() })?;
+fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Options) -> PyResult<Plan> {
+    let plan = py.detach(|| -> Result<Plan, Failure> {
+        let has_lines = case.is_none_or(Source::has_lines);
+        Plan::of(schema, base(case)?.as_ref(), options).map_err(|issues| Failure { has_lines, ..issues.into() })
+    })?;
+    warn(py, &plan.notices(None), 2)?;
     Ok(plan.with_numbers())
 }
 

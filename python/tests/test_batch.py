@@ -209,6 +209,17 @@ def test_other_columns_pass_through() -> None:
     assert answer["site"] is columns["site"] and answer["check"].tolist() == [None, None]
 
 
+def test_a_column_that_may_be_meant_as_an_input_is_told() -> None:
+    with pytest.warns(UserWarning, match="`e` passes through unread.* contact.restitution") as told:
+        planar_impact.solve_batch({"vehicle.1.speed": [12.0], "e": [0.3]}, of="T_L", case=BARRIER)
+    assert told[0].filename == __file__
+    pa = pytest.importorskip("pyarrow")
+    table = pa.table({"vehicle.1.speed": [12.0], "Mass [lb]": [0.3]})
+    with pytest.warns(UserWarning, match="vehicle.1.mass or vehicle.2.mass") as told:
+        planar_impact.solve_batch(table, of="T_L", case=BARRIER)
+    assert told[0].filename == __file__
+
+
 def test_no_rows() -> None:
     answer = planar_impact.solve_batch({"vehicle.1.speed": np.empty(0)}, of="T_L", case=BARRIER)
     assert answer["energy.loss"].shape == answer["refusal"].shape == (0,)

@@ -235,17 +235,29 @@ pub(super) fn law_of(number: f64) -> Law {
     if number == 0.0 { Law::Brach } else { Law::KudlichSlibar }
 }
 
-fn unknown(name: &str) -> Issue {
-    let of_vehicles = [Side::One, Side::Two].into_iter().flat_map(|side| {
+/// Returns the inputs of any case, but for those of its crush.
+fn known() -> impl Iterator<Item = Key> {
+    let of_vehicles = Side::ALL.into_iter().flat_map(|side| {
         let others = [Parameter::Speed(side), Parameter::RadiusOfGyration(side)].map(Key::Parameter);
         others.into_iter().chain([Key::Barrier(side)])
     });
     let of_contact = [Parameter::Friction, Parameter::RatioOfCritical, Parameter::MomentOfCritical].map(Key::Parameter);
     let inputs = planar_impact::Input::ALL.into_iter().map(|input| Key::Parameter(Parameter::Input(input)));
-    let known: Vec<String> = inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law]).map(|key| key.to_string()).collect();
+    inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law])
+}
+
+/// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`.
+pub(super) fn meant_by(name: &str) -> Vec<Key> {
+    let (of_symbol, lower) = (Parameter::named(name).map(Key::Parameter), visible(name).to_ascii_lowercase());
+    let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
+    known().filter(|key| of_symbol == Some(*key) || within.contains(&key.to_string())).collect()
+}
+
+fn unknown(name: &str) -> Issue {
+    let known: Vec<String> = known().map(|key| key.to_string()).collect();
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
     let (bare, unit) = name.split_once(['(', ' ', ',']).unwrap_or((name, ""));
-    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', ' ']))
+    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', '[', ']', ' ']))
         && !unit.is_empty()
     {
         return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));

@@ -136,8 +136,10 @@ impl Fault {
                 format!("{key} cannot be read; it must be {wanted}").into()
             }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {
+                // With every digit: rounded, a number beside its limit would be the limit.
                 Some(wanted) => {
-                    Message::from(format!("{parameter} is ")).figure(parameter.measure(), *number).text(format!("; it must be {wanted}"))
+                    let unit = parameter.kind().si;
+                    format!("{parameter} is {number}{}{unit}; it must be {wanted}", if unit.is_empty() { "" } else { " " }).into()
                 }
                 None => format!("{parameter} is not finite: {number}").into(),
             },

@@ -309,7 +309,7 @@ impl CaseReader {
         implied: &ImpliedValues<'_>,
         is_momentum: bool,
     ) -> Option<(String, Option<VehicleInputs>)> {
-        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        let name = table.optional("name").name().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         if table.has("barrier") {
             // If `barrier` is neither true nor false, the other keys cannot be judged.
             if table.optional("barrier").boolean()? {

@@ -1,8 +1,10 @@
 //! Rest positions of a case file, and the separation velocities computed from them.
 
 use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separation, Slide, WheelPosition};
+use planar_impact::{Heading, Xy};
 
 use super::Case;
+use super::vehicle::VehicleInputs;
 use crate::issue::{Issue, Issues};
 
 /// The names of the wheels, in the order of `WheelPosition::ALL`.
@@ -27,13 +29,54 @@ pub struct RestOfVehicle {
     pub slide: Slide,
     /// The pose at separation.
     pub separation: Pose,
+    /// What the file says of that pose.
+    pub(super) given: GivenPose,
     /// Separation pose and rest pose; `None` if the file does not say where it came to rest.
     pub evidence: Option<RestEvidence>,
     /// Method that computes its separation.
     pub method: Method,
 }
 
+/// What a file says of the pose at separation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct GivenPose {
+    pub(super) position: Option<Xy>,
+    pub(super) heading: Option<f64>,
+    /// Where on the scene the vehicles met.
+    pub(super) impact_point: Option<Xy>,
+}
+
+impl GivenPose {
+    /// Returns the pose: what is not given is as at the impact, whose place follows from the impact point on the scene and the impact center; without an impact
+    /// point it is the origin.
+    pub(super) fn of(&self, inputs: Option<&VehicleInputs>) -> Pose {
+        let at_impact = |(point, inputs): (Xy, &VehicleInputs)| point - Heading::from_angle(inputs.heading).to_ground(inputs.impact_center);
+        Pose {
+            position: self.position.or(self.impact_point.zip(inputs).map(at_impact)).unwrap_or(Xy::zero()),
+            heading: self.heading.or(inputs.map(|inputs| inputs.heading)).unwrap_or(0.0),
+        }
+    }
+}
+
+impl RestInputs {
+    /// The same rest positions of vehicles with other numbers.
+    pub(crate) fn of(&self, inputs: &[Option<VehicleInputs>; 2]) -> RestInputs {
+        let [one, two] = [0, 1].map(|i| self.vehicles[i].as_ref().map(|rest| inputs[i].as_ref().map_or(rest.clone(), |inputs| rest.of(inputs))));
+        RestInputs { vehicles: [one, two] }
+    }
+}
+
 impl RestOfVehicle {
+    fn of(&self, inputs: &VehicleInputs) -> RestOfVehicle {
+        let mut rest = self.clone();
+        (rest.slide.vehicle.mass, rest.slide.vehicle.yaw_inertia) = (inputs.mass, inputs.yaw_inertia());
+        rest.separation = self.given.of(Some(inputs));
+        if let Some(evidence) = &mut rest.evidence {
+            evidence.separation = rest.separation;
+        }
+        rest
+    }
+
     /// Computes its separation from its rest position, or returns the reason why that cannot be determined; `None` without a rest position.
     pub fn separation(&self) -> Option<Result<Separation, NoSeparation>> {
         Some(self.slide.separation(self.evidence.as_ref()?, self.method))

@@ -179,6 +179,16 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// Reads a name, which has a letter that can be seen.
+    pub fn name(self) -> Option<&'a str> {
+        let name = self.clone().string()?;
+        if name.trim().is_empty() {
+            self.report("the name is empty".to_owned(), Some("leave the key out for a name that counts".to_owned()));
+            return None;
+        }
+        Some(name)
+    }
+
     /// Reads one of the given words.
     pub fn choice(self, words: &[&'static str]) -> Option<&'static str> {
         let wanted = format!("one of \"{}\"", words.join("\", \""));

@@ -2,12 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use planar_impact::reconstruct::{Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable};
-use planar_impact::{Heading, Input, Measure, Output, Party, Side};
+use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable};
+use planar_impact::{Input, Measure, Output, Party, Side};
 
 use super::from_rest::Separations;
 use super::question::Question;
-use crate::case::{Case, Parameter, vehicle_number};
+use crate::case::{Case, Parameter, RestOfVehicle, vehicle_number};
 use crate::message::Message;
 use crate::notice::Notice;
 
@@ -32,23 +32,38 @@ struct Slip {
     path: String,
     /// What it would be instead.
     instead: Message,
-    /// The question with it.
-    problem: ReconstructionProblem,
+    given: Slipped,
+}
+
+/// What is given with a slip.
+enum Slipped {
+    /// A case, whose vehicles slide to rest again where that is another slide.
+    Case(Box<Case>),
+    /// A question.
+    Question(Box<ReconstructionProblem>),
+}
+
+/// What slips are looked for in: the case of the file, the separations of which the question uses, and the question.
+struct Given<'a> {
+    case: &'a Case,
+    separations: &'a Separations,
+    asked: &'a ReconstructionProblem,
 }
 
 /// Returns a warning for each slip with which the evidence would agree, the best fit first. `case` is the case of the file, with its rest positions, of which
 /// the question uses these separations; `best` is the best fit of the question as it is.
 pub fn of(case: &Case, separations: &Separations, question: &Question, best: &Solution, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
     let search = Search { starts: STARTS, ..Search::default() };
+    let given = Given { case, separations, asked: &question.asked };
     let fit = |slip: Slip| {
         if !goes_on() {
             return None;
         }
-        let answer = slip.problem.solve(&search).ok()?;
+        let answer = given.question(&slip.given)?.solve(&search).ok()?;
         let with_slip = answer.best();
         with_slip.is_explained().then_some((with_slip.chi_square, slip))
     };
-    let mut found: Vec<(f64, Slip)> = slips(case, separations, &question.asked, best).into_iter().filter_map(fit).collect();
+    let mut found: Vec<(f64, Slip)> = given.slips(best).into_iter().filter_map(fit).collect();
     found.sort_by(|one, other| one.0.total_cmp(&other.0));
     found.truncate(MOST_NAMED);
     found.into_iter().map(|(of_slip, slip)| warning(slip, of_slip, best.chi_square)).collect()
@@ -61,55 +76,152 @@ fn warning(slip: Slip, of_slip: f64, chi_square: f64) -> Notice {
     Notice::warning("possible-slip", slip.path, message)
 }
 
-/// Returns the question with each slip that it can have.
-fn slips(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution) -> Vec<Slip> {
-    let mut all = Vec::new();
-    mirrored_centers(asked, &mut all);
-    exchanged_headings(asked, &mut all);
-    for side in Side::ALL {
-        mass_in_pounds(case, separations, asked, side, &mut all);
-        heading_in_degrees(asked, side, &mut all);
-        whole_turns(case, separations, best, side, &mut all);
+impl Given<'_> {
+    /// Returns the question of a slip; `None` where a vehicle cannot slide to rest with it.
+    fn question(&self, slipped: &Slipped) -> Option<ReconstructionProblem> {
+        let case = match slipped {
+            Slipped::Question(problem) => return Some((**problem).clone()),
+            Slipped::Case(case) => case,
+        };
+        let mut separations = self.separations.clone();
+        for (i, separation) in separations.iter_mut().enumerate() {
+            let [rest, before] = [&**case, self.case].map(|case| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
+            if rest != before {
+                *separation = rest.and_then(RestOfVehicle::separation).transpose().ok()?;
+            }
+        }
+        Question::of(case, &separations).ok().map(|question| question.asked)
     }
-    crush_plane_in_degrees(asked, &mut all);
-    speeds_in_miles(asked, &mut all);
-    for (at, evidence) in asked.evidence.iter().enumerate() {
-        if matches!(evidence.of, Measurand::Output(Output::YawRate(_))) {
-            let factors = [
-                (-1.0, ", the other way round,"),
-                (PI / 180.0, ", degrees taken for radians,"),
-                (180.0 / PI, ", radians taken for degrees,"),
-            ];
-            all.extend(factors.map(|(factor, words)| {
-                let mut problem = asked.clone();
-                scale(&mut problem, Given::Evidence(at), factor);
-                let instead = Message::new().figure(evidence.of.measure(), factor * evidence.value).text(words);
-                Slip { path: evidence.of.name().to_owned(), instead, problem }
-            }));
+
+    /// Returns the case with other numbers, which its slides to rest follow.
+    fn with(&self, values: &[(Input, f64)]) -> Slipped {
+        let values: Vec<(Parameter, f64)> = values.iter().map(|(input, value)| (Parameter::Input(*input), *value)).collect();
+        let case = self.case.with(&values);
+        let rest = case.rest.as_ref().map(|rest| rest.of(&case.inputs.vehicles));
+        Slipped::Case(Box::new(case.with_rest(rest)))
+    }
+
+    /// Returns an input that is given and not solved for.
+    fn known(&self, input: Input) -> Option<f64> {
+        self.asked.collision.input(input).filter(|_| self.asked.unknowns.iter().all(|unknown| unknown.of != Variable::Input(input)))
+    }
+
+    /// Returns each slip that there can be.
+    fn slips(&self, best: &Solution) -> Vec<Slip> {
+        let mut all = Vec::new();
+        self.mirrored_centers(&mut all);
+        self.exchanged_headings(&mut all);
+        for side in Side::ALL {
+            self.mass_in_pounds(side, &mut all);
+            self.angle_in_degrees(Input::Heading(side), &mut all);
+            self.whole_turns(best, side, &mut all);
+        }
+        self.angle_in_degrees(Input::CrushPlane, &mut all);
+        speeds_in_miles(self.asked, &mut all);
+        yaw_rates(self.asked, &mut all);
+        all
+    }
+
+    /// The impact center on the other side of a vehicle, or of both.
+    fn mirrored_centers(&self, all: &mut Vec<Slip>) {
+        for sides in [&[Side::One][..], &[Side::Two], &Side::ALL] {
+            let mirrored = |side: &Side| {
+                let input = Input::ImpactCenterLeft(*side);
+                self.known(input).filter(|left| *left != 0.0).map(|left| (input, -left))
+            };
+            let Some(values) = sides.iter().map(mirrored).collect::<Option<Vec<_>>>() else { continue };
+            let mut instead = Message::new();
+            for (k, (side, (_, left))) in sides.iter().zip(&values).enumerate() {
+                let and = if k > 0 { " and " } else { "" };
+                instead = instead.text(format!("{and}the impact center of vehicle {} at left = ", vehicle_number(*side)));
+                instead = instead.figure(Measure::Length, *left);
+            }
+            let path = format!("vehicle.{}.impact_center", vehicle_number(sides[0]));
+            all.push(Slip { path, instead: instead.text(", the mirror image,"), given: self.with(&values) });
         }
     }
-    all
+
+    /// Each vehicle with the heading of the other.
+    fn exchanged_headings(&self, all: &mut Vec<Slip>) {
+        let [Some(one), Some(two)] = Side::ALL.map(|side| self.known(Input::Heading(side))) else { return };
+        if (one - two).rem_euclid(TAU) == 0.0 {
+            return;
+        }
+        let given = self.with(&[(Input::Heading(Side::One), two), (Input::Heading(Side::Two), one)]);
+        all.push(Slip { path: "vehicle.1.heading".to_owned(), instead: Message::from("the headings of both vehicles exchanged"), given });
+    }
+
+    /// An angle in radians that was given as degrees.
+    fn angle_in_degrees(&self, input: Input, all: &mut Vec<Slip>) {
+        let Some(angle) = self.known(input).and_then(meant_in_radians) else { return };
+        let instead = Message::new().figure(Measure::Angle, angle).text(", radians taken for degrees,");
+        all.push(Slip { path: input.name().to_owned(), instead, given: self.with(&[(input, angle)]) });
+    }
+
+    /// A mass in the other unit.
+    fn mass_in_pounds(&self, side: Side, all: &mut Vec<Slip>) {
+        let input = Input::Mass(side);
+        let Some(mass) = self.known(input) else { return };
+        for (factor, words) in [(POUND, ", pounds taken for kilograms,"), (POUND.recip(), ", kilograms taken for pounds,")] {
+            let mass = factor * mass;
+            let instead = Message::new().figure(Measure::Mass, mass).text(words);
+            all.push(Slip { path: input.name().to_owned(), instead, given: self.with(&[(input, mass)]) });
+        }
+    }
+
+    /// A heading at rest that is a whole turn off: a photograph does not show how often the vehicle turned. Only where the yaw rate that it means is off, and in
+    /// the direction in which it is, because each turn needs the slide that ends there.
+    fn whole_turns(&self, best: &Solution, side: Side, all: &mut Vec<Slip>) {
+        let of_rest = Measurand::Output(Output::YawRate(side));
+        let Some(fitted) = best.evidence.iter().find(|fitted| fitted.of == of_rest) else { return };
+        let is_off = fitted.sd.is_some_and(|sd| fitted.residual.abs() > LEAST_RESIDUAL * sd);
+        let mut case = self.case.clone();
+        let rest = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()).and_then(|rest| rest.evidence.as_mut());
+        let Some(rest) = rest.filter(|_| is_off) else { return };
+        rest.rest.heading -= TAU.copysign(fitted.residual);
+        let path = format!("rest.vehicle.{}.heading", vehicle_number(side));
+        let instead = Message::new().figure(Measure::Angle, rest.rest.heading).text(", a whole turn from it,");
+        all.push(Slip { path, instead, given: Slipped::Case(Box::new(case)) });
+    }
+}
+
+/// A yaw rate the other way round, or in the other unit.
+fn yaw_rates(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
+    let is_rate = |(_, piece): &(usize, &Evidence)| matches!(piece.of, Measurand::Output(Output::YawRate(_)));
+    for (at, evidence) in asked.evidence.iter().enumerate().filter(is_rate) {
+        let factors = [
+            (-1.0, ", the other way round,"),
+            (PI / 180.0, ", degrees taken for radians,"),
+            (180.0 / PI, ", radians taken for degrees,"),
+        ];
+        all.extend(factors.map(|(factor, words)| {
+            let mut problem = asked.clone();
+            scale(&mut problem, Scaled::Evidence(at), factor);
+            let instead = Message::new().figure(evidence.of.measure(), factor * evidence.value).text(words);
+            Slip { path: evidence.of.name().to_owned(), instead, given: Slipped::Question(Box::new(problem)) }
+        }));
+    }
 }
 
 /// A number of the question that a factor multiplies.
 #[derive(Clone, Copy)]
-enum Given {
+enum Scaled {
     /// A piece of evidence, by its place.
     Evidence(usize),
     /// The speed of a vehicle before the impact.
     Speed(Side),
 }
 
-fn scale(problem: &mut ReconstructionProblem, given: Given, factor: f64) {
-    match given {
-        Given::Evidence(at) => {
+fn scale(problem: &mut ReconstructionProblem, scaled: Scaled, factor: f64) {
+    match scaled {
+        Scaled::Evidence(at) => {
             let piece = &mut problem.evidence[at];
             piece.value *= factor;
             if let Uncertainty::StandardDeviation(sd) = &mut piece.uncertainty {
                 *sd *= factor.abs();
             }
         }
-        Given::Speed(side) => {
+        Scaled::Speed(side) => {
             if let Party::Vehicle(vehicle) = party(problem, side) {
                 vehicle.motion.velocity *= factor;
             }
@@ -138,9 +250,9 @@ fn known_speed(asked: &ReconstructionProblem, side: Side) -> Option<f64> {
 /// Speeds in the other unit: each alone, those of one vehicle, and all, as one who mistakes the unit of a source mistakes it for all of its numbers.
 fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
     let measured = asked.evidence.iter().enumerate().filter(|(_, piece)| piece.of.measure() == Measure::Speed);
-    let mut speeds: Vec<(Given, Option<Side>, String, f64)> =
-        measured.map(|(at, piece)| (Given::Evidence(at), piece.of.side(), piece.of.name().to_owned(), piece.value)).collect();
-    let known = |side| Some((Given::Speed(side), Some(side), format!("vehicle.{}.speed", vehicle_number(side)), known_speed(asked, side)?));
+    let mut speeds: Vec<(Scaled, Option<Side>, String, f64)> =
+        measured.map(|(at, piece)| (Scaled::Evidence(at), piece.of.side(), piece.of.name().to_owned(), piece.value)).collect();
+    let known = |side| Some((Scaled::Speed(side), Some(side), format!("vehicle.{}.speed", vehicle_number(side)), known_speed(asked, side)?));
     speeds.extend(Side::ALL.into_iter().filter_map(known));
     let mut groups: Vec<(Message, Vec<usize>)> = vec![(Message::from("every given speed"), (0..speeds.len()).collect())];
     groups.extend(Side::ALL.map(|side| {
@@ -157,7 +269,8 @@ fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
         for (instead, of_group) in alone.chain(together) {
             let mut problem = asked.clone();
             of_group.iter().for_each(|&i| scale(&mut problem, speeds[i].0, factor));
-            all.push(Slip { path: speeds[of_group[0]].2.clone(), instead: instead.text(words), problem });
+            let (path, instead) = (speeds[of_group[0]].2.clone(), instead.text(words));
+            all.push(Slip { path, instead, given: Slipped::Question(Box::new(problem)) });
         }
     }
 }
@@ -167,136 +280,4 @@ fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
 fn meant_in_radians(angle: f64) -> Option<f64> {
     let degrees = angle.to_degrees();
     (angle != 0.0 && degrees.abs() < TAU).then_some(degrees)
-}
-
-/// Returns `true` if an input is given and not solved for.
-fn is_known(asked: &ReconstructionProblem, input: Input) -> bool {
-    asked.collision.input(input).is_some() && asked.unknowns.iter().all(|unknown| unknown.of != Variable::Input(input))
-}
-
-/// Returns the question with other values of inputs, which the collision has.
-fn with(asked: &ReconstructionProblem, values: &[(Input, f64)]) -> Option<ReconstructionProblem> {
-    let mut problem = asked.clone();
-    for (input, value) in values {
-        problem.collision.set(*input, *value).ok()?;
-    }
-    Some(problem)
-}
-
-/// The impact center on the other side of a vehicle, or of both.
-fn mirrored_centers(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    for sides in [&[Side::One][..], &[Side::Two], &Side::ALL] {
-        let mirrored = |side: &Side| {
-            let input = Input::ImpactCenterLeft(*side);
-            let left = asked.collision.input(input).filter(|left| *left != 0.0 && is_known(asked, input))?;
-            Some((input, -left))
-        };
-        let Some(values) = sides.iter().map(mirrored).collect::<Option<Vec<_>>>() else { continue };
-        let Some(problem) = with(asked, &values) else { continue };
-        let mut instead = Message::new();
-        for (k, (side, (_, left))) in sides.iter().zip(&values).enumerate() {
-            let and = if k > 0 { " and " } else { "" };
-            instead = instead.text(format!("{and}the impact center of vehicle {} at left = ", vehicle_number(*side)));
-            instead = instead.figure(Measure::Length, *left);
-        }
-        let path = format!("vehicle.{}.impact_center", vehicle_number(sides[0]));
-        all.push(Slip { path, instead: instead.text(", the mirror image,"), problem });
-    }
-}
-
-/// Turns a vehicle; one that drives along its heading turns its velocity with it.
-fn turn(problem: &mut ReconstructionProblem, side: Side, heading: Heading) {
-    let drives_along = problem.drives_along_heading[side as usize];
-    let Party::Vehicle(vehicle) = party(problem, side) else { return };
-    let speed = vehicle.heading.to_vehicle(vehicle.motion.velocity).forward;
-    *vehicle = vehicle.with_heading(heading);
-    if drives_along {
-        *vehicle = vehicle.with_speed(speed);
-    }
-}
-
-/// Each vehicle with the heading of the other.
-fn exchanged_headings(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let [Some(one), Some(two)] = asked.collision.parties().map(|party| party.vehicle().map(|vehicle| vehicle.heading)) else { return };
-    if one == two || !Side::ALL.into_iter().all(|side| is_known(asked, Input::Heading(side))) {
-        return;
-    }
-    let mut problem = asked.clone();
-    turn(&mut problem, Side::One, two);
-    turn(&mut problem, Side::Two, one);
-    all.push(Slip { path: "vehicle.1.heading".to_owned(), instead: Message::from("the headings of both vehicles exchanged"), problem });
-}
-
-/// A heading in radians that was given as degrees.
-fn heading_in_degrees(asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
-    let input = Input::Heading(side);
-    let Some(heading) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
-    let Some(angle) = meant_in_radians(heading) else { return };
-    let mut problem = asked.clone();
-    turn(&mut problem, side, Heading::from_angle(angle));
-    all.push(Slip {
-        path: input.name().to_owned(),
-        instead: Message::new().figure(Measure::Angle, angle).text(", radians taken for degrees,"),
-        problem,
-    });
-}
-
-/// The angle of the crush plane in radians that was given as degrees.
-fn crush_plane_in_degrees(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let input = Input::CrushPlane;
-    let Some(angle) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
-    let Some(angle) = meant_in_radians(angle) else { return };
-    let Some(problem) = with(asked, &[(input, angle)]) else { return };
-    all.push(Slip {
-        path: input.name().to_owned(),
-        instead: Message::new().figure(Measure::Angle, angle).text(", radians taken for degrees,"),
-        problem,
-    });
-}
-
-/// A heading at rest that is a whole turn off: a photograph does not show how often the vehicle turned. Only where the yaw rate that it means is off, and in
-/// the direction in which it is, because each turn needs the slide that ends there.
-fn whole_turns(case: &Case, separations: &Separations, best: &Solution, side: Side, all: &mut Vec<Slip>) {
-    let of_rest = Measurand::Output(Output::YawRate(side));
-    let Some(fitted) = best.evidence.iter().find(|fitted| fitted.of == of_rest) else { return };
-    let is_off = fitted.sd.is_some_and(|sd| fitted.residual.abs() > LEAST_RESIDUAL * sd);
-    let mut case = case.clone();
-    let rest = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()).and_then(|rest| rest.evidence.as_mut());
-    let Some(rest) = rest.filter(|_| is_off) else { return };
-    rest.rest.heading -= TAU.copysign(fitted.residual);
-    let heading = rest.rest.heading;
-    let Some(problem) = slid_again(&case, separations, side) else { return };
-    let path = format!("rest.vehicle.{}.heading", vehicle_number(side));
-    let instead = Message::new().figure(Measure::Angle, heading).text(", a whole turn from it,");
-    all.push(Slip { path, instead, problem });
-}
-
-/// A mass in the other unit.
-fn mass_in_pounds(case: &Case, separations: &Separations, asked: &ReconstructionProblem, side: Side, all: &mut Vec<Slip>) {
-    let input = Input::Mass(side);
-    let Some(mass) = asked.collision.input(input).filter(|_| is_known(asked, input)) else { return };
-    for (factor, words) in [(POUND, ", pounds taken for kilograms,"), (POUND.recip(), ", kilograms taken for pounds,")] {
-        let mass = factor * mass;
-        let Some(problem) = with_mass(case, separations, side, mass) else { continue };
-        all.push(Slip { path: input.name().to_owned(), instead: Message::new().figure(Measure::Mass, mass).text(words), problem });
-    }
-}
-
-/// Returns the question with another mass of a vehicle, which a moment of inertia by its radius of gyration follows, and its slide to rest.
-fn with_mass(case: &Case, separations: &Separations, side: Side, mass: f64) -> Option<ReconstructionProblem> {
-    let mut case = case.with(&[(Parameter::Input(Input::Mass(side)), mass)]);
-    let yaw_inertia = case.collision.input(Input::YawInertia(side))?;
-    if let Some(rest) = case.rest.as_mut().and_then(|rest| rest.vehicles[side as usize].as_mut()) {
-        (rest.slide.vehicle.mass, rest.slide.vehicle.yaw_inertia) = (mass, yaw_inertia);
-    }
-    slid_again(&case, separations, side)
-}
-
-/// Returns the question of a case in which the slide of one vehicle is another; the other vehicle separates as it does in the question.
-fn slid_again(case: &Case, separations: &Separations, side: Side) -> Option<ReconstructionProblem> {
-    let mut separations = separations.clone();
-    if let Some(rest) = case.rest.as_ref().and_then(|rest| rest.vehicles[side as usize].as_ref()) {
-        separations[side as usize] = rest.separation().transpose().ok()?;
-    }
-    Question::of(case, &separations).ok().map(|question| question.asked)
 }

@@ -133,7 +133,8 @@ fn wrong(question: &Question, problem: &ReconstructionIssue) -> Issue {
         }
         ReconstructionIssue::BoundsCrossed { of, min, max } => {
             let message = Message::from("min, ").join(value(*of, *min)).text(", is not below max, ").join(value(*of, *max));
-            of_unknown(*of, message)
+            let issue = of_unknown(*of, message);
+            if min == max { issue.with_help("what is known is no unknown: give its value, and leave it out of [unknown]") } else { issue }
         }
         ReconstructionIssue::StartOutside { of, start, min, max } => {
             let message = Message::from("the start, ").join(value(*of, *start)).text(", must be ");

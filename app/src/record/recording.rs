@@ -78,7 +78,7 @@ pub(super) struct Settings {
 }
 
 impl Recording {
-    /// Parses a recording: as CSV if its name ends in `.csv`, or if it ends in neither `.toml` nor `.json` and its first line names columns.
+    /// Parses a recording: as CSV if its name ends in `.csv`, or if it ends in neither `.toml` nor `.json` and its first line that is no comment names columns.
     ///
     /// # Errors
     ///
@@ -90,11 +90,12 @@ impl Recording {
     /// The same with another way to open a file.
     pub(crate) fn parse_by(source: Source, open: impl Fn(&Path) -> Result<Source, Issues>) -> Result<Recording, Issues> {
         let extension = Path::new(&source.name).extension().map(|end| end.to_ascii_lowercase());
-        let first = source.text.trim_start().lines().next().unwrap_or_default();
+        let is_comment = |line: &&str| line.trim_start().starts_with('#') || line.trim().is_empty();
+        let first = source.text.lines().find(|line| !is_comment(line)).unwrap_or_default().trim_start();
         let is_document = match extension.as_ref().and_then(|end| end.to_str()) {
             Some("csv") => false,
             Some("toml" | "json") => true,
-            _ => first.starts_with(['{', '#', '[']) || first.contains('='),
+            _ => first.starts_with(['{', '[']) || first.contains('='),
         };
         if is_document { Self::of_document(source, &open) } else { Self::of_samples(source) }
     }

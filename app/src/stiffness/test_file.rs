@@ -166,7 +166,7 @@ impl CaseReader {
     }
 
     fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Option<bool>, Vec<Read>)> {
-        let name = table.optional("name").string().map_or_else(|| format!("vehicle {number}"), str::to_owned);
+        let name = table.optional("name").name().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         let new_cars = table.has("new_cars").then(|| table.optional("new_cars").boolean());
         let field = table.required("test");
         let place = field.clone();

@@ -32,13 +32,12 @@ impl Progress {
         Progress { started: Instant::now(), bytes, bar: None, rows: 0, refused: 0, codes: BTreeMap::new() }
     }
 
-    /// Adds rows that are done.
-    pub fn add(&mut self, rows: usize, refused: &[Refused], position: u64) {
+    /// Adds rows that are done, and describes those that are refused by their names.
+    pub fn add(&mut self, rows: usize, refused: &[Refused], position: u64, name: impl Fn(usize) -> String) {
         for row in refused {
             self.refused += 1;
             if self.refused <= MOST_DESCRIBED {
-                let number = self.rows + row.row as u64 + 1;
-                self.say(&format!("row {number}: {}: {}", row.codes, Units::Si.sentence(&row.reason)));
+                self.say(&format!("{}: {}: {}", name(row.row), row.codes, Units::Si.sentence(&row.reason)));
             }
             *self.codes.entry(row.codes.clone()).or_default() += 1;
         }

@@ -77,6 +77,30 @@ fn a_row_has_the_numbers_of_solve() {
 }
 
 #[test]
+fn of_several_tables_each_refused_row_is_named_in_its_own() {
+    let folder = Folder::new();
+    let case = workspace().join(POSITION_A);
+    folder.write("one.csv", b"vehicle.1.speed,contact.restitution\n10,0.1\n20,2\n");
+    folder.write("two.csv", b"vehicle.1.speed,contact.restitution\n10,0.1\n20,x\n30,1.5\n");
+    let solve = |rest: &[&str]| run(folder.path(), &[&["batch", "-o", "-", "--of", "T_L", "--case", text(&case)], rest].concat());
+    let said = solve(&["one.csv", "two.csv"]).err;
+    let said: Vec<&str> = said.lines().collect();
+    assert_eq!(said[0], "row 2 (row 2 of `one.csv`): out-of-range: contact.restitution is 2; it must be from 0 to 1");
+    assert!(said[1].starts_with("row 4 (row 2 of `two.csv`): unreadable: "), "{}", said[1]);
+    assert!(said[2].starts_with("row 5 (row 3 of `two.csv`): out-of-range: "), "{}", said[2]);
+    let first = solve(&["two.csv", "one.csv", "--fail-fast"]);
+    assert!(first.status == 2 && first.err.contains("row 2 (row 2 of `two.csv`)"), "{}", first.err);
+}
+
+#[test]
+fn a_column_that_may_be_meant_as_an_input_is_named() {
+    let case = workspace().join(POSITION_A);
+    let done = run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "T_L"], "vehicle.1.speed,e,site\n10,0.1,a\n");
+    assert_eq!(done.err, "warning: the column `e` passes through unread; as an input it is named contact.restitution\n");
+    assert_eq!(done.status, 0);
+}
+
+#[test]
 fn the_example_says_why_rows_are_refused() {
     let table = batch(&[CRASHES, "-o", "-", "--of", "T_L,dV1", "--wrt", "e", "--check"]);
     assert_eq!(table.status, 1);

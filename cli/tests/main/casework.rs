@@ -207,16 +207,25 @@ fn slips_are_named() {
     }
 }
 
-/// The slide to rest has the mass too.
+/// The slide to rest has the mass too, and begins at the heading.
 #[test]
-fn a_mass_in_pounds_is_named_beside_rest_positions() {
-    let case = example("reconstruct/two-cars.toml").replace("mass = \"1180 kg\"", "mass = \"2601 kg\"");
-    let run = run_with_input(&["reconstruct", "-", "--starts", "8", "--format", "json"], &case);
-    let answer: Value = serde_json::from_str(&run.out).expect("JSON");
-    let messages = answer["messages"].as_array().expect("messages");
-    let slips: Vec<&Value> = messages.iter().filter(|message| message["code"] == "possible-slip").collect();
-    assert!(run.status == 1 && slips[0]["path"] == "vehicle.2.mass", "{slips:?}");
-    assert!(slips[0]["text"].as_str().is_some_and(|text| text.contains("pounds taken for kilograms")), "{slips:?}");
+fn slips_are_named_beside_rest_positions() {
+    let case = example("reconstruct/two-cars.toml");
+    let (ten, other) = ("heading = \"10 deg\"", "heading = \"120 deg\"");
+    let exchanged = case.replacen(ten, "HEADING", 1).replacen(other, ten, 1).replacen("HEADING", other, 1);
+    let slips = [
+        (case.replace("mass = \"1180 kg\"", "mass = \"2601 kg\""), "vehicle.2.mass", "pounds taken for kilograms"),
+        (case.replace(other, "heading = \"2.0944 deg\""), "vehicle.2.heading", "120.0 deg, radians taken for degrees"),
+        (exchanged, "vehicle.1.heading", "the headings of both vehicles exchanged"),
+    ];
+    for (case, path, words) in slips {
+        let run = run_with_input(&["reconstruct", "-", "--starts", "8", "--format", "json"], &case);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{words}: {error} {}", run.err));
+        let messages = answer["messages"].as_array().expect("messages");
+        let slips: Vec<&Value> = messages.iter().filter(|message| message["code"] == "possible-slip").collect();
+        let named = slips.iter().any(|slip| slip["path"] == path && slip["text"].as_str().is_some_and(|text| text.contains(words)));
+        assert!(run.status == 1 && named, "{words}: {slips:?} {messages:?}");
+    }
 }
 
 /// A photograph of the rest position does not show how often the vehicle turned.

@@ -424,7 +424,8 @@ fn log_normal(table: &Table<'_>, kind: Kind, median: f64, factor: f64) -> Option
 fn is_between(table: &Table<'_>, kind: Kind, min: f64, max: f64, value: Option<(&'static str, f64)>) -> bool {
     let unit = kind.si;
     if min >= max {
-        table.optional("max").report(format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), None);
+        let help = (min == max).then(|| "a number that is known has no `min` and `max`: write the number alone".to_owned());
+        table.optional("max").report(format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), help);
         return false;
     }
     match value.filter(|(_, value)| !(min..=max).contains(value)) {

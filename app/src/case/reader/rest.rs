@@ -4,11 +4,11 @@ use planar_impact::post_impact::{
     Area, Ground, MOST_FRICTION, MOST_GRADE, Method, PathPoint, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel,
     WheelPosition, Wheels,
 };
-use planar_impact::{Heading, Xy};
+use planar_impact::Xy;
 
 use super::measured::{Amount, Measured};
 use super::{CaseReader, one_of};
-use crate::case::rest::{RestInputs, RestOfVehicle, WHEELS};
+use crate::case::rest::{GivenPose, RestInputs, RestOfVehicle, WHEELS};
 use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
@@ -189,7 +189,7 @@ impl CaseReader {
         ground: Option<&GivenGround>,
         impact_point: Option<Xy>,
     ) -> Option<RestOfVehicle> {
-        let separation = self.separation_pose(table, inputs, impact_point);
+        let given = self.given_pose(table, impact_point);
         // Only a slide forward does without the rest pose.
         let pose = (table.has("position") || table.has("heading")).then(|| {
             let position = self.position_at_rest(table.required("position"));
@@ -210,7 +210,8 @@ impl CaseReader {
         }
         table.finish();
         let GivenGround { ground, friction_deviation } = ground?;
-        let separation = separation?;
+        let given = given?;
+        let separation = given.of(inputs);
         let evidence = match pose {
             Some(pose) => {
                 let ([(x, x_deviation), (y, y_deviation)], (heading, heading_deviation)) = pose?;
@@ -225,18 +226,14 @@ impl CaseReader {
             }
             None => None,
         };
-        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, separation, evidence, method })
+        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, separation, given, evidence, method })
     }
 
-    /// Reads the separation pose. The default is the heading of the case and the place at the impact, which follows from the impact point on the scene and the
-    /// impact center; without an impact point it is the origin.
-    fn separation_pose(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>, impact_point: Option<Xy>) -> Option<Pose> {
-        let mut pose = Pose { position: Xy::zero(), heading: inputs.map_or(0.0, |inputs| inputs.heading) };
-        if let (Some(impact_point), Some(inputs)) = (impact_point, inputs) {
-            pose.position = impact_point - Heading::from_angle(inputs.heading).to_ground(inputs.impact_center);
-        }
+    /// Reads what the file says of the separation pose.
+    fn given_pose(&self, table: &Table<'_>, impact_point: Option<Xy>) -> Option<GivenPose> {
+        let mut given = GivenPose { impact_point, ..GivenPose::default() };
         if !table.has("separation") {
-            return Some(pose);
+            return Some(given);
         }
         let separation = table.optional("separation").table()?;
         let position = separation.has("position").then(|| self.pair(separation.optional("position"), Kind::LENGTH));
@@ -244,12 +241,12 @@ impl CaseReader {
         separation.finish();
         if let Some(position) = position {
             let [x, y] = position?;
-            pose.position = Xy { x, y };
+            given.position = Some(Xy { x, y });
         }
         if let Some(heading) = heading {
-            pose.heading = heading?;
+            given.heading = Some(heading?);
         }
-        Some(pose)
+        Some(given)
     }
 
     fn position_at_rest(&self, field: Field<'_>) -> Option<[(f64, f64); 2]> {
