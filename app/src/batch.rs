@@ -77,7 +77,9 @@ impl Plan {
                     Some(_) => issues.push(Issue::at("repeated-column", header.name.clone(), "two columns have this name; keep one")),
                     None => inputs.push(column),
                 },
-                Ok(None) => unread.extend(Some((header.name.clone(), column::meant_by(&header.name))).filter(|(_, meant)| !meant.is_empty())),
+                Ok(None) => {
+                    unread.extend(Some((header.name.clone(), column::meant_by(&header.name))).filter(|(_, meant)| !meant.is_empty()))
+                }
                 Err(issue) => issues.push(issue),
             }
         }

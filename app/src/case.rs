@@ -19,7 +19,7 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, Law, Refusal, Refusals, Xy, check};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Law, Refusal, Refusals, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -46,7 +46,7 @@ use crate::answer::Answer;
 use crate::document::Document;
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
-use crate::notice::{NOMINAL_VALUES, Notice, Notices};
+use crate::notice::{Notice, Notices};
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
 
@@ -342,7 +342,23 @@ impl Case {
     /// Returns the refusals of the library as issues of the input or of the physics, each at its place in the file.
     pub fn refuse(&self, refusals: &Refusals) -> Issues {
         let cause = if refusals.iter().all(Refusal::is_physical) { Cause::Physics } else { Cause::Input };
-        self.document.refuse_at(cause, refusals.iter().map(crate::wording::refusal))
+        self.document.refuse_at(cause, refusals.iter().map(|refusal| self.refusal(refusal, refusals)))
+    }
+
+    /// Returns one of some refusals as an issue, in the words of what the file gives.
+    fn refusal(&self, refusal: &Refusal, all: &Refusals) -> Issue {
+        let issue = crate::wording::refusal(refusal);
+        let ratio = "contact.impulse_ratio";
+        match (refusal, self.inputs.contact.impulse_ratio) {
+            (Refusal::BeyondCritical { .. }, ImpulseRatio::OfCritical(share)) => {
+                let message = format!("it is {share} of the critical ratio; it must be from 0 to 1");
+                Issue { message: message.into(), help: None, path: format!("{ratio}.of_critical"), ..issue }
+            }
+            (Refusal::EnergyGain { .. }, _) if all.iter().any(|other| matches!(other, Refusal::BeyondCritical { .. })) => {
+                Issue { path: ratio.to_owned(), ..issue }.with_help("a ratio beyond the critical one adds energy: correct it first")
+            }
+            _ => issue,
+        }
     }
 
     /// Returns the issues that keep a verb from using the file, each at its place in it.
@@ -365,5 +381,5 @@ pub(crate) fn at_nominal_values(inputs: impl IntoIterator<Item = Parameter>) -> 
         1 => format!("{path} is uncertain, and used at its nominal value"),
         _ => format!("uncertain inputs are used at their nominal values: {}", names.join(", ")),
     };
-    Some(Notice::note(NOMINAL_VALUES, path, message))
+    Some(Notice::note("nominal-values", path, message))
 }

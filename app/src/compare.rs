@@ -266,10 +266,22 @@ const SHAPE: &str = " distribution";
 fn rows(case: &Case, keys: &[Parameter]) -> Vec<Row> {
     let sought: Vec<Parameter> =
         case.knowledge.unknowns.iter().filter_map(|unknown| unknown.called.or_else(|| parameter_of(unknown.of))).collect();
+    let is_sought = |key: Parameter| match key {
+        Parameter::Input(Input::VelocityX(side) | Input::VelocityY(side)) => {
+            sought.contains(&key) || sought.contains(&Parameter::Speed(side))
+        }
+        Parameter::Input(Input::YawInertia(side)) => sought.contains(&key) || sought.contains(&Parameter::RadiusOfGyration(side)),
+        _ => sought.contains(&key),
+    };
     let mut all = Vec::new();
     for &key in keys {
-        if sought.contains(&key) {
+        if is_sought(key) {
             all.push(Row::word(key.to_string(), "unknown"));
+            // What stands where the unknown would be given is the start of its search too.
+            if let Some(start) = case.inputs.value(key).ok().filter(|_| sought.contains(&key)) {
+                let row = Row::number(format!("unknown.{key}.start"), key.measure(), start);
+                all.push(Row { scale: scale(case, key).max(row.scale), ..row });
+            }
         } else if key == Parameter::Input(Input::ImpulseRatio) && case.inputs.contact.impulse_ratio == ImpulseRatio::Critical {
             all.push(Row::word(key.to_string(), "critical"));
         } else if let Ok(value) = case.inputs.value(key) {

@@ -131,7 +131,8 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
     };
     let vehicles = [vehicle(0), vehicle(1)];
     let [one, two] = vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.crush_force_at_pdof));
-    let force_imbalance = one.zip(two).map(|(one, two)| force_imbalance([one, two]));
+    // Beside a stiffness without force there is no share.
+    let force_imbalance = one.zip(two).map(|(one, two)| force_imbalance([one, two])).filter(|share| share.is_finite());
     let warning = force_imbalance.filter(|imbalance| *imbalance > MOST_FORCE_IMBALANCE).map(|_| {
         let message = "the crush forces on the two vehicles, which are one and the same, differ by more than EDCRASH's diagnostics accept; check stiffness, \
                        depths and pdof of both";

@@ -11,7 +11,7 @@ use crate::answer::SCHEMA;
 use crate::case::{Case, Inertia, Parameter, Restitution, Velocity, moment_parameter, ratio_parameter, vehicle_number};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
-use crate::notice::{Notice, Notices};
+use crate::notice::Notices;
 use crate::quantity::{excerpt, nearest};
 use crate::solve::{ImpulseRatioGiven, TangentialLaw};
 
@@ -181,8 +181,6 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
             value: value(name),
         })
     };
-    // Other notes are of numbers that a formula has not.
-    let needed = case.into_iter().flat_map(|case| case.answer((), []).notices.0).filter(Notice::is_needed);
     Ok(Formula {
         schema: SCHEMA,
         output: options.output.name(),
@@ -196,7 +194,7 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
             formula.rust()
         ),
         subject,
-        notices: Notices(needed.collect()),
+        notices: case.map(|case| case.answer((), []).notices).unwrap_or_default(),
         has_case: case.is_some(),
         formula,
     })

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use crate::message::{Message, Part};
+use crate::quantity::Quantity;
 use crate::units::Units;
 
 /// Severity of a notice.
@@ -41,13 +42,11 @@ pub struct Notice {
     pub message: Message,
 }
 
-/// The code of the note that uncertain inputs are used at their nominal values.
-pub const NOMINAL_VALUES: &str = "nominal-values";
-
 impl Notice {
-    /// Returns `true` if its reader would take the numbers for something else without it: a warning, or that what is uncertain is not.
-    pub fn is_needed(&self) -> bool {
-        self.severity == Severity::Warning || self.code == NOMINAL_VALUES
+    /// Creates the note that a number was read in SI because it has no unit; `None` if it has one, or needs none.
+    pub(crate) fn unit_assumed(path: &str, of: &Quantity) -> Option<Notice> {
+        let Quantity { si, unit, bare, .. } = of;
+        (*bare && !unit.is_empty()).then(|| Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")))
     }
 
     /// Creates a note: an assumption or an explanation.

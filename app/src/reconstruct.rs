@@ -16,7 +16,7 @@ mod statement;
 
 use planar_impact::momentum::approach_speeds;
 use planar_impact::reconstruct::{Answer as Found, Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict, by_chi_square};
-use planar_impact::{Impact, Input, Side};
+use planar_impact::{Impact, Input, Output, Side};
 
 use crate::answer::Answer;
 use crate::case::{Case, Parameter};
@@ -143,6 +143,7 @@ fn by_separations(
     let answer = answer.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
     let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
+    notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));
     let (mut diagnostics, mut crash3) = (Vec::new(), None);
     // If an unknown is not determined, the best solution is one of many.
     match answer.verdict {
@@ -240,11 +241,16 @@ fn by_momentum(question: &Question) -> Option<Notice> {
         return None;
     }
     let [v1, v2] = approach_speeds([one, two], [after_1?, after_2?]);
+    let has_yaw_rates = question.asked.evidence.iter().any(|piece| matches!(piece.of, Measurand::Output(Output::YawRate(_))));
     let message = Message::from("momentum alone gives vehicle.1.speed ")
         .figure(Measure::RoadSpeed, v1)
         .text(" and vehicle.2.speed ")
         .figure(Measure::RoadSpeed, v2)
-        .text(": `model = \"momentum\"` in [contact] has their intervals");
+        .text(if has_yaw_rates {
+            ", from the velocities after the impact; `model = \"momentum\"` in [contact] uses the yaw rates too, and has intervals"
+        } else {
+            ": `model = \"momentum\"` in [contact] has their intervals"
+        });
     Some(Notice::note("by-momentum", "contact", message))
 }
 

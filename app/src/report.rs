@@ -112,6 +112,13 @@ pub struct CaseReport {
     pub validation: Validation,
 }
 
+impl CaseReport {
+    /// Returns `true` unless it is of a reconstruction without a unique answer.
+    pub fn is_answer(&self) -> bool {
+        !matches!(&self.main, MainAnswer::Reconstruct(answer) if !answer.is_answer)
+    }
+}
+
 /// What identifies the input of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Identity {

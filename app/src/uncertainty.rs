@@ -137,6 +137,8 @@ struct Question<'a> {
     parameters: Vec<Parameter>,
     outputs: Vec<CaseOutput>,
     thresholds: Vec<Threshold<CaseOutput>>,
+    /// Those of the case and of the call.
+    notices: Notices,
 }
 
 /// The answer as far as it is known.
@@ -162,7 +164,17 @@ impl<'a> Question<'a> {
     fn read(case: &'a Case, options: &'a Options) -> Result<Self, Issues> {
         let mut issues = Vec::new();
         let outputs = names::outputs("--of", &options.of, &case.setup, &mut issues).unwrap_or_else(|| principal(case));
-        let thresholds = options.probabilities.iter().filter_map(|text| threshold(text, case).map_err(|found| issues.extend(found)).ok());
+        let mut notices = case.notices.clone();
+        let thresholds = options.probabilities.iter().filter_map(|text| match threshold(text, case) {
+            Ok((threshold, notice)) => {
+                notices.0.extend(notice);
+                Some(threshold)
+            }
+            Err(found) => {
+                issues.extend(found);
+                None
+            }
+        });
         let thresholds = thresholds.collect();
         issues.extend(options.issues());
         if case.uncertain.inputs.is_empty() {
@@ -174,7 +186,7 @@ impl<'a> Question<'a> {
         }
         let uncertain = uncertain(case)?;
         let parameters = case.uncertain.inputs.iter().map(|input| input.parameter).collect();
-        Ok(Question { case, options, uncertain, parameters, outputs, thresholds })
+        Ok(Question { case, options, uncertain, parameters, outputs, thresholds, notices })
     }
 
     fn asks(&self, method: Method) -> bool {
@@ -198,7 +210,7 @@ impl<'a> Question<'a> {
             let (least, greatest) = number.range(self.options.bounds_sd);
             UncertainNumber { value: number.nominal(), mean: number.mean(), sd: number.sd(), range: [least, greatest] }
         });
-        let mut notices = self.case.notices.clone();
+        let mut notices = self.notices.clone();
         if nominal.is_none() {
             let message = "physics refuses the collision at the nominal values of the inputs, which therefore has no value";
             notices.0.push(Notice::warning("nominal-refused", "", message));
@@ -312,7 +324,9 @@ impl<'a> Question<'a> {
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
         found.count(sampled.samples, &sampled.refused);
         if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
-            let message = format!("{samples} samples do not reach the precision of {} %: give more with --samples", 100.0 * precision);
+            // To the digits in which it is written.
+            let percent = (precision * 1e14).round() / 1e12;
+            let message = format!("{samples} samples do not reach the precision of {percent} %: give more with --samples");
             found.notices.0.push(Notice::warning("precision-not-reached", "", message));
         }
         if self.asks(Method::MonteCarlo) {
@@ -380,8 +394,8 @@ pub fn ends(level: f64) -> [f64; 2] {
     [tail, 1.0 - tail]
 }
 
-/// Parses a statement about an output.
-fn threshold(text: &str, case: &Case) -> Result<Threshold<CaseOutput>, Vec<Issue>> {
+/// Parses a statement about an output, with the note that its unit is assumed if it has none.
+fn threshold(text: &str, case: &Case) -> Result<(Threshold<CaseOutput>, Option<Notice>), Vec<Issue>> {
     let Written { name, is_above, or_equal, value } = Written::read(text).map_err(|issue| vec![issue])?;
     let mut issues = Vec::new();
     let of = names::outputs("--probability", &[name.to_owned()], &case.setup, &mut issues);
@@ -393,7 +407,8 @@ fn threshold(text: &str, case: &Case) -> Result<Threshold<CaseOutput>, Vec<Issue
     };
     let value = quantity::parse_word(value, Kind::from(of.measure()))
         .map_err(|error| vec![names::issue("--probability", name, &error.message, error.help)])?;
-    Ok(Threshold { of: *of, is_above, or_equal, value: value.si })
+    let notice = Notice::unit_assumed(text, &value);
+    Ok((Threshold { of: *of, is_above, or_equal, value: value.si }, notice))
 }
 
 fn saturated(count: u64) -> usize {

@@ -44,10 +44,10 @@ impl CommandOutput {
         Ok(CommandOutput::text(json::text(answer, layout)?))
     }
 
-    /// Adds the notices that are needed to read an answer, for standard error: the text is in a format that has no place for them.
+    /// Adds the notices of an answer, for standard error: the text is in a format that has no place for them.
     pub fn noting(self, notices: &Notices, units: Units) -> CommandOutput {
         let note = |notice: &Notice| format!("{}: {}", notice.severity, units.sentence(&notice.message));
-        CommandOutput { notes: notices.0.iter().filter(|notice| notice.is_needed()).map(note).collect(), ..self }
+        CommandOutput { notes: notices.0.iter().map(note).collect(), ..self }
     }
 
     /// Sets the status according to whether everything checked holds.

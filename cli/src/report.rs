@@ -41,7 +41,7 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
     has_posterior(call, call.verb.is_some() || !case.knowledge.unknowns.is_empty())?;
     let answer = report::report(&case, &report::Options { verb, posterior: call.posterior }, &Progress::new())
         .map_err(|issues| Failure::Issues(issues, units))?;
-    write(call, &document::of_case(&answer, &options(call, units))?)
+    Ok(write(call, &document::of_case(&answer, &options(call, units))?)?.holds(answer.is_answer()))
 }
 
 fn of_stiffness(call: &Report) -> Result<CommandOutput, Failure> {

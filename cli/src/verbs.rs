@@ -8,8 +8,8 @@ use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
 use planar_impact_app::{
-    Answer, Case, Control, Issues, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, record, scene, schema, slide,
-    solve, stiffness, sweep, template, uncertainty, validate,
+    Answer, Case, Control, Issues, Notice, Notices, Units, compare, crash3, crush, formula, gradient, prove, reconstruct, record, scene,
+    schema, slide, solve, stiffness, sweep, template, uncertainty, validate,
 };
 use planar_impact_report::chart;
 use planar_impact_report::page::{self, Facts};
@@ -153,6 +153,10 @@ fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<CommandOutput, Fail
 }
 
 fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
+    if call.draws && call.format == Format::Text {
+        let message = "--draws has no effect: they are added to the JSON; give --format json, or leave it out";
+        return Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)));
+    }
     let (case, units) = read(&call.case, call.units)?;
     let options = reconstruct::Options {
         starts: usize::try_from(call.starts).unwrap_or(usize::MAX),
@@ -200,11 +204,15 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         bounds_sd: call.bounds_sd,
     };
     let answer = in_units(uncertainty::uncertainty(&case, &options, &Progress::new()), units)?;
+    let notices = || {
+        let refused = (answer.refused.count > 0).then(|| Notice::note("refused-samples", "", page::uncertainty::samples_drawn(&answer)));
+        Notices(answer.notices.0.iter().cloned().chain(refused).collect())
+    };
     match call.format {
         UncertaintyFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),
         UncertaintyFormat::Json => CommandOutput::json(&answer, Layout::Pretty),
-        UncertaintyFormat::Csv => Ok(csv(page::uncertainty_csv::records(&answer, units).into_iter())?.noting(&answer.notices, units)),
-        UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?).noting(&answer.notices, units)),
+        UncertaintyFormat::Csv => Ok(csv(page::uncertainty_csv::records(&answer, units).into_iter())?.noting(&notices(), units)),
+        UncertaintyFormat::Svg => Ok(CommandOutput::text(chart::uncertainty(&answer, units)?).noting(&notices(), units)),
     }
 }
 
@@ -258,8 +266,8 @@ fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {
     let answer = in_units(formula::formula(case.as_ref().map(|(case, _)| case), &options, &Progress::new()), units)?;
     match call.format {
         Notation::Text => Ok(CommandOutput::page(&page::formula::page(&answer, units))),
-        Notation::Latex => Ok(CommandOutput::text(answer.latex)),
-        Notation::Rust => Ok(CommandOutput::text(answer.rust)),
+        Notation::Latex => Ok(CommandOutput::text(answer.latex.clone()).noting(&answer.notices, units)),
+        Notation::Rust => Ok(CommandOutput::text(answer.rust.clone()).noting(&answer.notices, units)),
         Notation::Json => CommandOutput::json(&answer, Layout::Pretty),
     }
 }

@@ -96,6 +96,7 @@ impl<T: Ordered<Mask = bool>> Issue for Refusal<T> {
             }
             Refusal::IllConditioned { .. } => "check each mass, yaw inertia and impact center, and their units".into(),
             Refusal::EnergyGain { .. } => "the restitution is too high for this contact".into(),
+            Refusal::BeyondCritical { critical: Some(_), .. } => "the limit is rounded here; `critical` is the limit itself".into(),
             _ => return None,
         })
     }

@@ -86,10 +86,8 @@ impl CaseReader {
 
     /// Returns the value in SI, and records it and its unit.
     fn take(&self, path: &str, quantity: Quantity, kind: Kind) -> f64 {
-        let Quantity { si, unit, bare, pound_force, .. } = quantity;
-        if bare && !unit.is_empty() {
-            self.notices.borrow_mut().push(Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")));
-        }
+        self.notices.borrow_mut().extend(Notice::unit_assumed(path, &quantity));
+        let Quantity { si, unit, pound_force, .. } = quantity;
         if pound_force {
             let message = format!("{path}: `lb` is taken as the pound-force, lbf, because a force is meant");
             self.notices.borrow_mut().push(Notice::note("pound-force-assumed", path, message));

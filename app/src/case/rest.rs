@@ -61,7 +61,8 @@ impl GivenPose {
 impl RestInputs {
     /// The same rest positions of vehicles with other numbers.
     pub(crate) fn of(&self, inputs: &[Option<VehicleInputs>; 2]) -> RestInputs {
-        let [one, two] = [0, 1].map(|i| self.vehicles[i].as_ref().map(|rest| inputs[i].as_ref().map_or(rest.clone(), |inputs| rest.of(inputs))));
+        let [one, two] =
+            [0, 1].map(|i| self.vehicles[i].as_ref().map(|rest| inputs[i].as_ref().map_or(rest.clone(), |inputs| rest.of(inputs))));
         RestInputs { vehicles: [one, two] }
     }
 }

@@ -1,10 +1,12 @@
 //! Complaints about a record or a header that cannot be read.
 
+use std::borrow::Cow;
+
 use planar_impact::check::Record;
 
 use crate::plain_text::shorten;
 
-/// Maximum number of complaints about one record; the rest are dropped.
+/// Maximum number of complaints about one record; the rest are counted.
 const MOST: usize = 20;
 /// Maximum width of a key and of a message, in columns, because a file may contain a name of a megabyte.
 const LONGEST_KEY: usize = 120;
@@ -12,15 +14,20 @@ const LONGEST_MESSAGE: usize = 600;
 
 /// Everything wrong with one record or header.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Complaints(Vec<String>);
+pub struct Complaints {
+    first: Vec<String>,
+    others: usize,
+}
 
 impl Complaints {
     /// Adds a complaint about a key.
     pub fn push(&mut self, key: &str, message: impl AsRef<str>) {
-        if self.0.len() < MOST {
-            let separator = if key.is_empty() { "" } else { ": " };
-            self.0.push(format!("{}{separator}{}", shorten(key, LONGEST_KEY), shorten(message.as_ref(), LONGEST_MESSAGE)));
+        if self.first.len() == MOST {
+            self.others += 1;
+            return;
         }
+        let separator = if key.is_empty() { "" } else { ": " };
+        self.first.push(format!("{}{separator}{}", shorten(key, LONGEST_KEY), shorten(message.as_ref(), LONGEST_MESSAGE)));
     }
 
     /// Returns the value, or adds a complaint and returns `None`.
@@ -30,18 +37,20 @@ impl Complaints {
 
     /// Appends the complaints of another list.
     pub fn append(&mut self, other: Complaints) {
-        self.0.extend(other.0);
-        self.0.truncate(MOST);
+        self.first.extend(other.first);
+        self.others += other.others + self.first.len().saturating_sub(MOST);
+        self.first.truncate(MOST);
     }
 
     /// Returns `true` if there are none.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.first.is_empty()
     }
 
-    /// Returns an iterator over the complaints.
-    pub fn iter(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().map(String::as_str)
+    /// Returns an iterator over the complaints, and the number of those that are not kept.
+    pub fn iter(&self) -> impl Iterator<Item = Cow<'_, str>> {
+        let others = (self.others > 0).then(|| Cow::Owned(format!("there are {} more problems", self.others)));
+        self.first.iter().map(|complaint| Cow::Borrowed(complaint.as_str())).chain(others)
     }
 }
 
@@ -60,6 +69,6 @@ pub fn refused(message: &str) -> Unreadable {
 
 impl std::fmt::Display for Complaints {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0.join("; "))
+        f.write_str(&self.iter().collect::<Vec<_>>().join("; "))
     }
 }

@@ -117,7 +117,7 @@ impl Entry {
 
     /// Creates the entry of a record that cannot be read.
     pub fn unreadable(id: String, complaints: &Complaints, line: u64) -> Entry {
-        let findings = complaints.iter().map(|what| Found::malformed(what.to_owned())).collect();
+        let findings = complaints.iter().map(|what| Found::malformed(what.into_owned())).collect();
         Entry::with(id, line, findings, Rule::ALL.map(Rule::name).to_vec())
     }
 

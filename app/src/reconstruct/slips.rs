@@ -189,11 +189,8 @@ impl Given<'_> {
 fn yaw_rates(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
     let is_rate = |(_, piece): &(usize, &Evidence)| matches!(piece.of, Measurand::Output(Output::YawRate(_)));
     for (at, evidence) in asked.evidence.iter().enumerate().filter(is_rate) {
-        let factors = [
-            (-1.0, ", the other way round,"),
-            (PI / 180.0, ", degrees taken for radians,"),
-            (180.0 / PI, ", radians taken for degrees,"),
-        ];
+        let factors =
+            [(-1.0, ", the other way round,"), (PI / 180.0, ", degrees taken for radians,"), (180.0 / PI, ", radians taken for degrees,")];
         all.extend(factors.map(|(factor, words)| {
             let mut problem = asked.clone();
             scale(&mut problem, Scaled::Evidence(at), factor);
@@ -252,7 +249,8 @@ fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
     let measured = asked.evidence.iter().enumerate().filter(|(_, piece)| piece.of.measure() == Measure::Speed);
     let mut speeds: Vec<(Scaled, Option<Side>, String, f64)> =
         measured.map(|(at, piece)| (Scaled::Evidence(at), piece.of.side(), piece.of.name().to_owned(), piece.value)).collect();
-    let known = |side| Some((Scaled::Speed(side), Some(side), format!("vehicle.{}.speed", vehicle_number(side)), known_speed(asked, side)?));
+    let known =
+        |side| Some((Scaled::Speed(side), Some(side), format!("vehicle.{}.speed", vehicle_number(side)), known_speed(asked, side)?));
     speeds.extend(Side::ALL.into_iter().filter_map(known));
     let mut groups: Vec<(Message, Vec<usize>)> = vec![(Message::from("every given speed"), (0..speeds.len()).collect())];
     groups.extend(Side::ALL.map(|side| {

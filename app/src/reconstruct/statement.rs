@@ -5,6 +5,7 @@ use planar_impact::reconstruct::{Marginal, Measurand};
 use super::question::{Question, measure_of, name_in};
 use crate::issue::{Issue, Issues};
 use crate::names;
+use crate::notice::Notice;
 use crate::quantity::{self, Kind, nearest};
 use crate::statement::Written;
 
@@ -19,6 +20,8 @@ pub struct Statement {
     is_above: bool,
     /// The value, in SI.
     value: f64,
+    /// That its unit is assumed, if it has none.
+    pub notice: Option<Notice>,
 }
 
 impl Statement {
@@ -54,7 +57,7 @@ impl Statement {
         }
         let value = quantity::parse_word(value, Kind::from(measure_of(of, &question.case)))
             .map_err(|error| issue(name, &error.message, error.help))?;
-        Ok(Statement { text: text.to_owned(), of, is_above, value: value.si })
+        Ok(Statement { text: text.to_owned(), of, is_above, value: value.si, notice: Notice::unit_assumed(text, &value) })
     }
 
     /// Returns its probability under the posterior of its quantity.

@@ -1,10 +1,9 @@
 //! From the channels of a recording to impulse, velocity change and restitution.
 
-use planar_impact::Issue as _;
-use planar_impact::Nt;
 use planar_impact::barrier::{
-    ChannelClass, Clock, Estimate, Lowess, Record, TestIssues, Window, bank, impulse_ratio, restitution_from_smoothed,
+    ChannelClass, Clock, Estimate, Lowess, Record, TestIssue, TestIssues, Window, bank, impulse_ratio, restitution_from_smoothed,
 };
+use planar_impact::{InputIssue, InputIssueKind, Issue as _, Nt};
 
 use super::recording::{Channel, Filter};
 use super::{
@@ -147,12 +146,29 @@ fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
+/// Returns the times between which a time must lie, to the nanosecond: rounded further, a limit may lie beyond itself.
+fn times_of(issue: &TestIssue) -> String {
+    let TestIssue::Input(InputIssue { kind: InputIssueKind::OutOfRange { least, greatest: Some(greatest), .. }, .. }) = issue else {
+        return String::new();
+    };
+    let [first, last] = [least, greatest].map(|time| (time * 1e9).round() / 1e9);
+    format!(", {first} s to {last} s")
+}
+
 impl Analysis<'_> {
     /// Describes a channel, and says if it does not hold the whole event.
     fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
         let (times, measure) = (channel.record.times(), channel.quantity.measure());
         let (clipped, cut) = (channel.clipped(), channel.cut(self.before(&channel.record)));
-        if let Some(Clipped { value, from, to, samples }) = clipped {
+        let greatest = channel.record.values().iter().copied().max_by(|one, other| one.abs().total_cmp(&other.abs())).unwrap_or(0.0);
+        if let Some(range) = channel.range.filter(|range| greatest.abs() > range * (1.0 + ROUNDING)) {
+            let message = Message::from(format!("{} reaches ", channel.name))
+                .figure(measure, greatest)
+                .text(", beyond its range of ")
+                .figure(measure, range)
+                .text(": check `range`, calibration and unit");
+            self.notices.push(Notice::warning("beyond-range", channel.path.clone(), message));
+        } else if let Some(Clipped { value, from, to, samples }) = clipped {
             let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
                 .figure(measure, value)
                 .text(" from ")
@@ -215,11 +231,17 @@ impl Analysis<'_> {
             };
             let message = Message::from(name.to_owned()).join(issue.message());
             let help = issue.help().unwrap_or_else(|| match path {
-                "baseline" | "window" => "give its begin and its end within the times of the channel, in this order".into(),
+                "baseline" | "window" => {
+                    format!("give its begin and its end within the times of the channel{}, in this order", times_of(issue)).into()
+                }
                 "filter" => "leave `filter` out, or write `filter = false`".into(),
                 _ => "correct the times and the settings of the recording".into(),
             });
-            self.issues.push(Issue::at(issue.code(), path, message).with_help(help));
+            // Several channels may have the same times.
+            let issue = Issue::at(issue.code(), path, message).with_help(help);
+            if !self.issues.contains(&issue) {
+                self.issues.push(issue);
+            }
         }
         None
     }
@@ -409,8 +431,9 @@ impl Analysis<'_> {
             return None;
         }
         let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
-        self.plausible(source, restitution.value);
-        Some(Uncertain::of(restitution, is_known))
+        let restitution = Uncertain::of(restitution, is_known);
+        self.plausible(source, &restitution);
+        Some(restitution)
     }
 
     fn overflows(&mut self, source: &str) {
@@ -418,10 +441,13 @@ impl Analysis<'_> {
         self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
     }
 
-    fn plausible(&mut self, source: &str, restitution: f64) {
-        if !(0.0..=1.0).contains(&restitution) {
+    fn plausible(&mut self, source: &str, restitution: &Uncertain) {
+        /// Standard deviations by which one between 0 and 1 may seem to lie outside.
+        const MOST: f64 = 2.0;
+        let outside = (-restitution.value).max(restitution.value - 1.0);
+        if outside > MOST * restitution.sd.unwrap_or(0.0) + ROUNDING {
             let message = Message::from(format!("the restitution by {source} is "))
-                .figure(Measure::Ratio, restitution)
+                .figure(Measure::Ratio, restitution.value)
                 .text(", and not from 0 to 1; check mass, speed, calibration and window");
             self.notices.push(Notice::warning("implausible-restitution", "speed", message));
         }
@@ -479,8 +505,8 @@ impl Analysis<'_> {
             }
             other => self.report(path, other)?,
         };
-        self.plausible(&channel.name, restitution.value);
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
+        self.plausible(&channel.name, &restitution);
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
     }
 
@@ -498,7 +524,7 @@ impl Analysis<'_> {
                 return None;
             }
         };
-        self.plausible("the kinematics", kinematics.restitution.value);
+        self.plausible("the kinematics", &kinematics.restitution);
         Some(kinematics)
     }
 

@@ -281,6 +281,14 @@ impl CaseReader {
                     sound &= channel.is_some();
                     channels.extend(channel);
                 }
+                let is_unlisted =
+                    |name: &&str| ChannelQuantity::of_column(name).is_some() && channels.iter().all(|channel| channel.name != *name);
+                let unlisted: Vec<String> =
+                    samples.headers.iter().map(|header| header.name.as_str()).filter(is_unlisted).map(excerpt).collect();
+                if sound && !unlisted.is_empty() {
+                    let message = format!("these columns are not under [[channel]], and are not used: {}", unlisted.join(", "));
+                    self.notices.borrow_mut().push(Notice::warning("unused-columns", "channel", message));
+                }
             }
             None => {
                 for (i, header) in samples.headers.iter().enumerate() {
@@ -307,7 +315,11 @@ impl CaseReader {
 
     fn channel(&self, table: &Table<'_>, samples: &Samples, time: Option<usize>, report: &dyn Fn(Vec<Fault>)) -> Option<Channel> {
         let column = table.required("column").string();
-        let quantity = table.required("quantity").choice(&ChannelQuantity::names()).and_then(ChannelQuantity::of_column);
+        let by_name = column.and_then(ChannelQuantity::of_column);
+        let quantity = match table.has("quantity") || by_name.is_none() {
+            true => table.required("quantity").choice(&ChannelQuantity::names()).and_then(ChannelQuantity::of_column),
+            false => by_name,
+        };
         let polarity = if table.has("polarity") { sign(table) } else { Some(1.0) };
         let of_kind = |key| match (table.has(key), quantity) {
             (true, Some(ChannelQuantity::Acceleration)) => self.positive_acceleration(table.optional(key)).map(Some),

@@ -51,9 +51,12 @@ impl Samples {
             [place] => Ok(place),
             [] => Err(match &self.headers[..] {
                 [only] if let Some([wrong, remedy]) = separated_otherwise(&only.name) => self.fault(1, "", wrong, remedy),
-                [first, ..] if first.name.starts_with('#') => {
-                    self.fault(1, "", "the first line must name the columns, and begins with #", "remove the lines above the names; CSV has no comments")
-                }
+                [first, ..] if first.name.starts_with('#') => self.fault(
+                    1,
+                    "",
+                    "the first line must name the columns, and begins with #",
+                    "remove the lines above the names; CSV has no comments",
+                ),
                 _ => self.fault(1, name, "no column has this name", format!("its columns are {}", self.names())),
             }),
             _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),

@@ -51,6 +51,11 @@ impl Uncertainty {
     /// Returns the error of an option that has no effect with the methods of the call; a probability is sampled with any method.
     pub fn without_effect(&self) -> Option<String> {
         use UncertaintyMethod::{MonteCarlo, Shapley, Sobol};
+        if self.format == UncertaintyFormat::Svg && !self.probability.is_empty() {
+            return Some(
+                "--probability has no effect: the chart has no probabilities; give --format text, json or csv, or leave it out".to_owned(),
+            );
+        }
         if self.method.is_empty() || !self.probability.is_empty() || self.method.contains(&MonteCarlo) {
             return None;
         }

@@ -114,7 +114,12 @@ fn a_contact_that_contradicts_the_evidence_leaves_what_momentum_says() {
     assert_eq!(run.status, 1);
     let text = flat(&run.out);
     assert!(text.contains("momentum alone gives vehicle.1.speed 25.0 mph and vehicle.2.speed 36.4 mph"), "{}", run.out);
-    assert!(text.contains("`model = \"momentum\"` in [contact]"), "{}", run.out);
+    assert!(text.contains("`model = \"momentum\"` in [contact] has their intervals"), "{}", run.out);
+    // By angular momentum too it would be another answer.
+    let case = std::fs::read_to_string(workspace().join(path)).expect("the case");
+    let yaw = case.replacen("[evidence]\n", "[evidence]\nvehicle.1.separation_yaw_rate = \"10 deg/s ± 5 deg/s\"\n", 1);
+    let text = flat(&run_with_input(&["reconstruct", "-"], &yaw).out);
+    assert!(text.contains("from the velocities after the impact; `model = \"momentum\"` in [contact] uses the yaw rates too"), "{text}");
 }
 
 /// In truth the impact center of vehicle 2 lies to the left.

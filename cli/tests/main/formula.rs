@@ -22,7 +22,7 @@ fn formula(arguments: &[&str]) -> Run {
     let mut all = vec!["formula"];
     all.extend(arguments);
     let run = run(&workspace(), &all);
-    assert_eq!((run.status, run.err.as_str()), (0, ""), "{arguments:?}");
+    run.succeeds(&arguments);
     run
 }
 

@@ -65,7 +65,7 @@ fn every_example_of_the_help_runs_as_printed() {
             assert_eq!(words[1], verb, "{line}");
             let arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
             let run: Run = run(folder.path(), &arguments);
-            assert_eq!((run.status, run.err.as_str()), (0, ""), "{line}");
+            run.succeeds(&line);
             let file = arguments.iter().skip_while(|word| **word != "-o").nth(1).filter(|file| **file != "-");
             match file {
                 Some(file) => assert!(folder.path().join(file).exists(), "{line}"),

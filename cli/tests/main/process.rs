@@ -25,6 +25,14 @@ impl Run {
     }
 }
 
+impl Run {
+    /// Fails unless the run succeeds, with nothing but notes on standard error.
+    pub fn succeeds(&self, call: &dyn std::fmt::Debug) {
+        let has_notes_alone = self.err.lines().all(|line| line.starts_with("note: "));
+        assert!(self.status == 0 && has_notes_alone, "{call:?}: {} {}", self.status, self.err);
+    }
+}
+
 /// Returns the command of the program in a folder, without the environment variables that change its output.
 pub fn planar_impact(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_planar-impact"));

@@ -161,6 +161,39 @@ fn an_impossible_restitution_is_a_warning() {
     close(&record["barrier"]["restitution"]["value"], 250e3 * AREA / 7500.0 - 1.0, 2e-5);
     assert!(run.out.contains("implausible-restitution") && run.out.contains("the restitution by the load cells is 1.12"), "{}", run.out);
     assert!(!record_of(&barrier(), Some(CAR)).1.out.contains("implausible-restitution"));
+    // Just below zero by less than it is known to; far enough it is not.
+    for (percent, is_told) in [(1.0, false), (5.0, true)] {
+        let speed = 250e3 * AREA / 1500.0 * (1.0 + percent / 100.0);
+        let (_, run) = record_of(&barrier(), Some(&format!("mass = \"1500 kg ± 15 kg\"\nspeed = \"{speed} m/s ± 0.1 m/s\"\n")));
+        assert_eq!(run.out.contains("implausible-restitution"), is_told, "{percent}: {}", run.out);
+    }
+}
+
+#[test]
+fn a_named_column_needs_no_quantity_and_one_that_is_not_listed_is_told() {
+    let reversed = csv("normal_force [kN],tangential_force [kN]", &[&|ms| -250.0 * pulse(ms), &|ms| 60.0 * pulse(ms)]);
+    let channel = "[[channel]]\ncolumn = \"normal_force\"\npolarity = -1\n";
+    let (record, run) = record_of(&reversed, Some(&format!("{CAR}{channel}")));
+    close(&record["barrier"]["normal_impulse"]["value"], 250e3 * AREA, 1e-5);
+    assert!(record["barrier"]["tangential_impulse"].is_null());
+    assert!(run.out.contains("these columns are not under [[channel]], and are not used: `tangential_force`"), "{}", run.out);
+    let (record, run) = record_of(&reversed, Some(&format!("{CAR}{channel}[[channel]]\ncolumn = \"tangential_force\"\n")));
+    close(&record["barrier"]["tangential_impulse"]["value"], 60e3 * AREA, 1e-5);
+    assert!(!run.out.contains("unused-columns"), "{}", run.out);
+    let unnamed = record_of(&csv("F [kN]", &[&pulse]), Some("[[channel]]\ncolumn = \"F\"\n")).1;
+    assert!(unnamed.status == 2 && unnamed.err.contains("channel.1.quantity: missing"), "{}", unnamed.err);
+}
+
+/// The remedy has the limits with every digit, and is told once.
+#[test]
+fn a_window_outside_of_the_times_is_told_with_their_digits() {
+    let samples: Vec<String> = (0..100).map(|i| format!("{:.1},{},0", -19.6 + 0.8 * f64::from(i), pulse(f64::from(i)))).collect();
+    let samples = format!("time [ms],normal_force [kN],tangential_force [kN]\n{}\n", samples.join("\n"));
+    let wrong = record_of(&samples, Some("window = [\"-20 ms\", \"59 ms\"]\n")).1;
+    let help = "within the times of the channel, -0.0196 s to 0.0596 s";
+    assert!(wrong.status == 2 && wrong.err.matches(help).count() == 1, "{}", wrong.err);
+    let right = record_of(&samples, Some("window = [\"-0.0196 s\", \"0.0596 s\"]\n")).1;
+    assert!(!right.err.contains("window"), "{}", right.err);
 }
 
 #[test]
@@ -250,6 +283,8 @@ fn clipped_and_truncated_copies_are_recognised() {
     let channel = "[[channel]]\ncolumn = \"normal_force\"\nquantity = \"normal_force\"\nrange = \"100 kN\"\n";
     let whole = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
     assert_eq!(record_of(&whole, Some(channel)).0["channels"][0]["clipped"]["samples"], 1);
+    let (_, run) = record_of(&whole, Some(&channel.replace("100 kN", "80 kN")));
+    assert!(run.status == 1 && run.out.contains("normal_force reaches 100000 N, beyond its range of 80000 N"), "{}", run.out);
     // A range in g is one of standard gravity.
     let at_range = csv("acceleration [m/s^2]", &[&|ms| 16.0 * 9.80665 * pulse(ms)]);
     let channel = "[[channel]]\ncolumn = \"acceleration\"\nquantity = \"acceleration\"\nrange = \"16 g\"\n";

@@ -200,6 +200,13 @@ fn a_file_appears_only_when_it_is_whole() {
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0);
 }
 
+/// As `reconstruct` and `compare` do.
+#[test]
+fn a_report_of_no_unique_answer_has_its_status() {
+    let contradicted = run(&workspace(), &["report", "cli/tests/reproducers/momentum_alone.toml"]);
+    assert!(contradicted.status == 1 && contradicted.out.ends_with("</html>\n"), "{}", contradicted.err);
+}
+
 #[test]
 fn tests_records_and_the_validation_have_reports_too() {
     let stiffness = report("tests/malibu.toml", &["--verb", "stiffness"]);

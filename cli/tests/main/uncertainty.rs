@@ -513,15 +513,33 @@ fn wrong_calls_are_refused() {
     assert!(["dV3", "dV4", "--bounds-sd"].iter().all(|words| run.err.contains(words)), "{}", run.err);
 }
 
+/// Every refused sample is told, and units that are assumed.
+#[test]
+fn what_was_assumed_and_refused_is_told_beside_data() {
+    let case = std::fs::read_to_string(crate::process::workspace().join("cli/examples/uncertain.toml")).expect("the example");
+    let slow = case.replacen("speed = \"52 km/h ± 3 km/h\"", "speed = \"10 km/h ± 10 km/h\"", 1);
+    for format in ["csv", "svg"] {
+        let run = run_with_input(&["uncertainty", "-", "--samples", "2000", "--of", "dV1", "--format", format], &slow);
+        assert!(run.status == 0 && run.err.contains("note: 2000 samples (seed 1); physics refuses "), "{format}: {}", run.err);
+    }
+    let bare = ["uncertainty", "-", "--samples", "2000", "--of", "dV1", "--probability", "dV1 > 5"];
+    let run = run_with_input(&bare, &case);
+    assert!(run.out.contains("dV1 > 5 has no unit: 5 m/s assumed"), "{}", run.out);
+    let run = run_with_input(&[&bare[..], &["--format", "svg"]].concat(), &case);
+    assert!(run.status == 2 && run.err.contains("--probability has no effect"), "{}", run.err);
+}
+
 /// Formats without a place for notes have them on standard error, and the data alone on standard output.
 #[test]
 fn a_note_that_the_format_has_no_place_for_is_on_standard_error() {
-    let case = "schema = 1\n[[vehicle]]\nmass = \"1400 kg ± 20 kg\"\nyaw_inertia = \"2400 kg m^2\"\nheading = 0\nspeed = \"15 m/s\"\n\
-                impact_center = [1.9, 0.2]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n";
+    let case = "schema = 1\n[[vehicle]]\nmass = \"1400 kg ± 20 kg\"\nyaw_inertia = \"2400 kg m^2\"\nheading = \"0 deg\"\nspeed = \"15 m/s\"\n\
+                impact_center = [\"1.9 m\", \"0.2 m\"]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\n";
     let nominal = "note: vehicle.1.mass is uncertain, and used at its nominal value\n";
-    for call in
-        [&["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "csv"][..], &["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "svg"]]
-    {
+    for call in [
+        &["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "csv"][..],
+        &["sweep", "-", "--vary", "e=0:0.2:0.1", "--format", "svg"],
+        &["formula", "W_n", "--case", "-", "--format", "latex"],
+    ] {
         let run = run_with_input(call, case);
         assert!(run.status == 0 && run.err == nominal && !run.out.contains("nominal"), "{call:?}: {} {}", run.err, run.out);
     }

@@ -41,7 +41,7 @@ impl Facts for Uncertainty {
 
     /// The inputs, each output, and the probabilities.
     fn blocks(&self, units: Units) -> Vec<Block> {
-        let mut blocks = vec![samples_drawn(self), table_of_inputs(self, units)];
+        let mut blocks = vec![Block::paragraph(samples_drawn(self) + "."), table_of_inputs(self, units)];
         for (output, (name, found)) in self.outputs.iter().zip(self.of.iter()) {
             let of = Shown { all: self, of: *output, name, found, units };
             blocks.extend(of.blocks());
@@ -52,9 +52,9 @@ impl Facts for Uncertainty {
 }
 
 /// Says what was sampled, and what of it was refused.
-fn samples_drawn(answer: &Uncertainty) -> Block {
+pub fn samples_drawn(answer: &Uncertainty) -> String {
     if answer.samples == 0 {
-        return Block::paragraph("From derivatives and limits, without samples.");
+        return "From derivatives and limits, without samples".to_owned();
     }
     let reasons: Vec<String> = answer.refused.reasons.iter().map(|(code, count)| format!("{code} {count}")).collect();
     let refused = match answer.refused.count {
@@ -66,7 +66,7 @@ fn samples_drawn(answer: &Uncertainty) -> Block {
             format!("physics refuses {count} ({share:.decimals$} %: {}), and the figures are of the others", reasons.join(", "))
         }
     };
-    Block::paragraph(format!("{} samples (seed {}); {refused}.", answer.samples, answer.seed))
+    format!("{} samples (seed {}); {refused}", answer.samples, answer.seed)
 }
 
 fn table_of_inputs(answer: &Uncertainty, units: Units) -> Block {

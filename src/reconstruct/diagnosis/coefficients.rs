@@ -63,9 +63,9 @@ pub(super) fn impulse_ratio(solution: &Solution) -> Finding {
         return Finding::not_checked(Question::ImpulseRatio, limit, source, why);
     }
     let share = ratio / critical;
-    let said = if (0.9..=1.0 + 1e-9).contains(&share) {
+    let said = if limit.admits(Figure::Share(share)) || (1.0..=1.0 + 1e-9).contains(&share) {
         "sliding has ended, or nearly, as in most collisions"
-    } else if (0.0..0.9).contains(&share) {
+    } else if (0.0..1.0).contains(&share) {
         "the vehicles slide past each other to the end. That is a sideswipe; the traces of it should be there"
     } else if share > 1.0 {
         "more than ends the sliding. Something snagged, or the crush plane is another"

@@ -1,10 +1,10 @@
 //! The keys of `[rest]`, the rest positions.
 
+use planar_impact::Xy;
 use planar_impact::post_impact::{
     Area, Ground, MOST_FRICTION, MOST_GRADE, Method, PathPoint, Pose, Region, RestEvidence, Restraint, Slide, SlidingVehicle, Tires, Wheel,
     WheelPosition, Wheels,
 };
-use planar_impact::Xy;
 
 use super::measured::{Amount, Measured};
 use super::{CaseReader, one_of};

@@ -5,6 +5,7 @@ use super::{Bad, COLLISION, WALL, check, wrong};
 const CLOSE: &[&str] = &["contact: vehicles are not approaching each other"];
 const SEPARATE: &[&str] = &["contact: vehicles are separating"];
 const BEYOND: &[&str] = &["contact.impulse_ratio", "beyond the critical one", "must be from 0 to"];
+const OF_CRITICAL: &[&str] = &["contact.impulse_ratio.of_critical", "of the critical ratio; it must be from 0 to 1"];
 const GAIN: &[&str] = &["would gain energy"];
 
 /// Creates a mistake that the mechanics refuses in the file of two vehicles; the line is that of `[contact]` or of the ratio.
@@ -80,8 +81,8 @@ pub const BAD: &[Bad] = &[
     refused("of the wrong sign", &[("= 0.1\n", "= 0.1\nimpulse_ratio = -0.3\n")], 24, BEYOND),
     refused("tiny, of the wrong sign", &[("= 0.1\n", "= 0.1\nimpulse_ratio = -1e-6\n")], 24, BEYOND),
     refused("beyond the sticking ratio", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.9\ntangential_law = \"kudlich-slibar\"\n")], 24, BEYOND),
-    refused("more than all of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = 1.2 }\n")], 24, BEYOND),
-    refused("less than none of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = -0.2 }\n")], 24, BEYOND),
+    refused("more than all of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = 1.2 }\n")], 24, OF_CRITICAL),
+    refused("less than none of critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = { of_critical = -0.2 }\n")], 24, OF_CRITICAL),
     // Accepted: just within the limits, and a remedy for a tensile impulse.
     wrong("a hair within critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.6259\n")], 0, &[]).ends(0),
     wrong("sliding limited by friction", &[("[10, 2]", "[5, -25]"), ("0.5]", "0.8]"), ("= 0\n", "= 0\nfriction = 0.4\n")], 0, &[])

@@ -89,8 +89,10 @@ fn of_the_physics_too() {
         ("restitution = 0", "restitution = 1\nimpulse_ratio = 30"),
     ];
     let found = errors_at(3, "case.toml", &wrong("", edits, 0, &[]).of(WALL).text());
-    are(&found, &["contact.restitution", "contact.impulse_ratio"]);
-    assert!(found[0].contains("would gain energy") && found[1].contains("beyond the critical one"), "{found:#?}");
+    // The ratio is why they would.
+    are(&found, &["contact.impulse_ratio", "contact.impulse_ratio"]);
+    assert!(found.iter().any(|error| error.contains("would gain energy")), "{found:#?}");
+    assert!(found.iter().any(|error| error.contains("beyond the critical one")), "{found:#?}");
 }
 
 #[test]

@@ -104,6 +104,8 @@ fn tables() {
     refused("a.csv", b"id,b1.mass\na,1000\nb,1000\n", &["the line of units is missing"]);
     refused("a.csv", b"b1.mass\nkg\n1\n", &["the column `id` is missing"]);
     refused("a.csv", b"id,b1.mas\n,kg\na,1\n", &["unknown column `b1.mas`; did you mean `b1.mass`?"]);
+    let many = format!("id,{}\n{}\na\n", (0..40).map(|i| format!("x{i}")).collect::<Vec<_>>().join(","), ",".repeat(40));
+    refused("a.csv", many.as_bytes(), &["unknown column `x0`", "unknown column `x19`", "there are 20 more problems"]);
     refused("a.csv", b"id,B1.Mass\n,kg\na,1\n", &["unknown column `B1.Mass`; did you mean `b1.mass`?"]);
     refused("a.csv", b"id,b1.mass,b1.mass\n,kg,kg\na,1,1\n", &["stands twice"]);
     refused("a.csv", b"id,b1.mass\n,m\na,1\n", &["b1.mass: `m` is a length"]);

@@ -56,7 +56,7 @@ fn the_page_and_the_table_have_the_range() {
     let case = head_on(&json!({ "min": 10, "max": 20 }), &json!({ "min": 0, "max": 0.3 })).to_string();
     let print = |format: &str| {
         let run = run_with_input(&["uncertainty", "-", "--of", "dV1", "--method", "bounds", "--format", format, "--units", "si"], &case);
-        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        run.succeeds(&format);
         run.out
     };
     let page = print("text").split_whitespace().collect::<Vec<_>>().join(" ");
