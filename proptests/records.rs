@@ -107,6 +107,27 @@ proptest! {
     }
 }
 
+/// Noise that a filter in the recorder has smoothed: each sample keeps a share of the one before it.
+#[test]
+fn correlated_noise_is_in_the_deviation() {
+    const SETS: u32 = 300;
+    for (kept, mean_square) in [(0.0, 0.85..1.2), (0.5, 0.8..1.3), (0.9, 0.8..1.7)] {
+        let mut noise = Noise::of_seed(7);
+        let mut last = 0.0;
+        let squares = (0..SETS).map(|_| {
+            let mut next = || {
+                last = kept * last + 100.0 * noise.normal();
+                last
+            };
+            let record = record(Pulse::Haversine, 0.0, 0.0, 0.1, &mut next);
+            let impulse = record.impulse(&OVER, &BEFORE).expect("good windows");
+            impulse.value * impulse.value / impulse.variance
+        });
+        let found = squares.sum::<f64>() / f64::from(SETS);
+        assert!(mean_square.contains(&found), "{kept}: {found}");
+    }
+}
+
 fn small() -> impl Strategy<Value = Vec<i32>> {
     proptest::collection::vec(-9..=9_i32, 5)
 }

@@ -141,9 +141,10 @@ impl<T: Ordered<Mask = bool>> Record<T> {
 
     /// Computes the impulse over a window from a raw record, less the baseline, in N s, with its variance from the noise.
     ///
-    /// The noise is assumed to be white, with the variance found in the baseline. Then the impulse, a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over
-    /// the samples, has that variance times the sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window.
-    /// Filtered noise is not white, so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
+    /// The impulse is a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over the samples. Of white noise it has the variance found in the baseline times the
+    /// sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window. Noise that is correlated from sample to
+    /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline, up to the first that may be chance. They are found the less
+    /// well, the shorter the baseline is, so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
     ///
     /// # Errors
     ///
@@ -157,8 +158,25 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         for i in self.indices_in(before) {
             weights[i] = weights[i].clone() - share.clone();
         }
-        let variance = dot(&weights, &weights) * baseline.variance;
+        let white = dot(&weights, &weights) * baseline.variance.clone();
+        let covariances = self.covariances(before, &baseline);
+        let of_pairs = covariances.into_iter().enumerate().map(|(i, covariance)| dot(&weights[i + 1..], &weights) * covariance);
+        let variance = of_pairs.fold(white.clone(), |sum, each| sum + T::int(2) * each);
+        let variance = if variance.less(&white) { white } else { variance };
         finite_estimate("impulse", Estimate { value: dot(&weights, &self.values), variance })
+    }
+
+    /// Returns the covariances of samples in a window that are one, two, … apart, up to the first that may be that of white noise: of n samples the correlation
+    /// of these has a standard deviation of 1/√n.
+    fn covariances(&self, window: &Window<T>, baseline: &Estimate<T>) -> Vec<T> {
+        /// Most samples apart, which bounds the work.
+        const MOST: usize = 1000;
+        let inside: Vec<T> = self.indices_in(window).map(|i| self.values[i].clone() - baseline.value.clone()).collect();
+        let count = whole::<T>(inside.len());
+        let apart = |lag: usize| dot(&inside[lag..], &inside) / count.clone();
+        let by_chance = T::int(4) * baseline.variance.clone().squared() / count.clone();
+        let is_certain = |covariance: &T| T::int(0).less(covariance) && by_chance.less(&covariance.clone().squared());
+        (1..(inside.len() / 4).min(MOST)).map(apart).take_while(is_certain).collect()
     }
 
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {

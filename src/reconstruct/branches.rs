@@ -11,8 +11,10 @@ use rand_chacha::ChaCha8Rng;
 use super::measurand::Measurand;
 use super::outwards::{End, Quantity};
 use super::piece::Piece;
-use super::profile::Profile;
+use super::profile::{Lying, Profile};
+use super::variable::Variable;
 use super::within_limits::Fixed;
+use crate::input::Input;
 use crate::scalar::Field as _;
 
 /// Largest number of points from which fits begin.
@@ -39,6 +41,8 @@ impl Region {
         let mut region = Region { points: Vec::new() };
         let Some(best) = profile.solutions.first().filter(|_| !reached.is_empty()) else { return region };
         let pieces = profile.piece(best).all();
+        // Where the centers of mass may pass each other along the normal, the vehicles close the other way beyond.
+        let ways = if may_pass(profile) { &[Lying::AsItIs, Lying::TheOtherWay][..] } else { &[Lying::AsItIs] };
         let mut random = ChaCha8Rng::seed_from_u64(1988);
         let unknowns = &profile.model.question.unknowns;
         for piece in pieces {
@@ -47,9 +51,9 @@ impl Region {
             for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
                 let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
                 let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
-                points.extend(profile.fit_within(*piece, Some(fixed), &start));
+                points.extend(ways.iter().filter_map(|way| profile.fit_within(*piece, *way, Some(fixed), &start)));
             }
-            points.extend(profile.fit_within(*piece, None, best));
+            points.extend(ways.iter().rev().filter_map(|way| profile.fit_within(*piece, *way, None, best)));
             region.points.extend(far_from_each_other(points, &ranges, MOST / pieces.len()).into_iter().map(|point| (*piece, point)));
         }
         region
@@ -110,11 +114,21 @@ impl Region {
         let is_within = width > 0.0 && value.is_finite() && direction * (quantity.outer[k] - value) > 0.0;
         let fixed = quantity.fixed_at(Some(value).filter(|_| is_within)?);
         self.points.iter().find_map(|(piece, point)| {
-            let fit = quantity.profile.fit_within(*piece, Some(fixed), point)?;
+            let fit = quantity.profile.fit_within(*piece, Lying::AsItIs, Some(fixed), point)?;
             let reached = quantity.unwrapped(&fit).filter(|reached| direction * (reached - ends[k].value) > 0.5 * BEYOND * width)?;
             Some(quantity.end(direction, &fit, reached))
         })
     }
+}
+
+/// Returns `true` if an unknown moves the centers of mass along the normal.
+fn may_pass(profile: &Profile<'_>) -> bool {
+    let moves = |of: Variable| {
+        use Input::{CrushPlane, Heading, ImpactCenterForward, ImpactCenterLeft};
+        matches!(of, Variable::Input(CrushPlane | Heading(_) | ImpactCenterForward(_) | ImpactCenterLeft(_)))
+    };
+    let question = profile.model.question;
+    !question.is_by_momentum() && question.unknowns.iter().any(|unknown| moves(unknown.of))
 }
 
 /// Chooses points far from each other, beginning with the last.

@@ -83,6 +83,11 @@ impl Margins {
         sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, -1_f64.copysign(impact.approach.n), distance)
     }
 
+    /// Lets the vehicles lie the other way round along the normal.
+    pub(super) fn turn_round(&mut self) {
+        self.side = -self.side;
+    }
+
     /// Adds the edges of a piece of the mechanics.
     pub(super) fn within(&mut self, piece: Piece) {
         self.piece = piece;

@@ -19,6 +19,15 @@ const FARTHEST: f64 = 1e8;
 /// Largest number of solutions from which ends are followed, the best first.
 const SOLUTIONS: usize = 8;
 
+/// How the centers of mass lie along the normal of the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lying {
+    /// As at the start of a search.
+    AsItIs,
+    /// The other way round: the vehicles close with the opposite velocity along n.
+    TheOtherWay,
+}
+
 /// The likelihood around the solutions.
 pub(super) struct Profile<'a> {
     pub(super) model: &'a Model<'a>,
@@ -45,13 +54,16 @@ impl<'a> Profile<'a> {
     }
 
     /// Returns a point near a start that is within the limit, in a piece of the mechanics, with a quantity near a value: the best fit, or where a search for it
-    /// stopped.
-    pub(super) fn fit_within(&self, piece: Piece, fixed: Option<Fixed>, start: &[f64]) -> Option<Vec<f64>> {
+    /// stopped. The vehicles lie as they do at the start, or the other way round along the normal.
+    pub(super) fn fit_within(&self, piece: Piece, side: Lying, fixed: Option<Fixed>, start: &[f64]) -> Option<Vec<f64>> {
         const ITERATIONS: usize = 40;
         let accepted = self.model.solve(start).or_else(|_| self.model.solve(self.solutions.first().map_or(start, Vec::as_slice)));
         let (placed, impact) = accepted.ok()?;
         let mut problem = WithinLimits::around(self.model, &placed, &impact);
         problem.keep_to(piece);
+        if side == Lying::TheOtherWay {
+            problem.turn_round();
+        }
         problem.hold(fixed);
         let spans = self.released(fixed.map(|fixed| fixed.of));
         let unknowns = match limited::minimum(&problem, start, &spans, limited::LONG, ITERATIONS, Until::Sum) {

@@ -57,6 +57,11 @@ impl<'a> WithinLimits<'a> {
         self.margins.within(piece);
     }
 
+    /// Lets the vehicles lie the other way round along the normal.
+    pub(super) fn turn_round(&mut self) {
+        self.margins.turn_round();
+    }
+
     /// Returns the piece beyond each edge that a point is on.
     pub(super) fn beyond(&self, unknowns: &[f64]) -> Vec<Piece> {
         self.at(unknowns).map_or_else(Vec::new, |local| self.margins.beyond(local.margins.as_slice()).collect())

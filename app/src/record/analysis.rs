@@ -122,18 +122,27 @@ impl Channel {
     }
 }
 
-/// Returns the step in which a record was read, if it has many samples and all lie whole steps apart.
+/// Returns the step in which a record was read, if it has many samples and all lie whole steps apart, but for the rounding of their digits.
 fn step_of(record: &Record) -> Option<f64> {
     /// Fewest samples of which that is no chance.
     const MANY: usize = 16;
     /// Rounding of a sample, in steps.
-    const NEAR: f64 = 1e-6;
-    let (values, step) = (record.values(), record.resolution()?);
-    let is_whole = |value: &f64| {
-        let steps = (value - values[0]) / step;
-        (steps - steps.round()).abs() < NEAR
-    };
-    (values.len() >= MANY && values.iter().all(is_whole)).then_some(step)
+    const NEAR: f64 = 0.02;
+    let least = record.resolution()?;
+    let mut levels = record.values().to_vec();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    // Counted from level to level, so that the rounding of the least step does not add up.
+    let counts: Vec<f64> = std::iter::once(0.0)
+        .chain(levels.windows(2).scan(0.0, |count, pair| {
+            *count += ((pair[1] - pair[0]) / least).round();
+            Some(*count)
+        }))
+        .collect();
+    let heights = || counts.iter().zip(&levels).map(|(count, level)| (count, level - levels[0]));
+    let step = heights().map(|(count, height)| count * height).sum::<f64>() / counts.iter().map(|count| count * count).sum::<f64>();
+    let is_whole = heights().all(|(count, height)| (height - count * step).abs() < NEAR * step);
+    (record.len() >= MANY && is_whole).then_some(step)
 }
 
 /// Returns what the steps of a channel add to the variance of its integral. Noise of their size would spread the samples over them; without it all samples of

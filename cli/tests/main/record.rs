@@ -876,4 +876,15 @@ fn the_step_of_a_reading_is_in_its_standard_deviation() {
     let (found, _) = record_of(&csv("normal_force.a [kN]", &[&coarse]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
     let impulse = &found["barrier"]["normal_impulse"];
     close(&impulse["sd"], 5e3 / 12_f64.sqrt() * 0.11, 1e-9);
+    // Steps that are no whole number of the last printed digit.
+    for step in [200.0 / 256.0, 2.0 / 3.0, 100.0 / 256.0] {
+        let read = |ms: f64| format!("{:.3}", (20.0 * pulse(ms) / step).round() * step).parse().expect("a number");
+        let (found, _) = record_of(&csv("acceleration.a [g]", &[&read]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+        close(&found["accelerations"][0]["delta_v"]["sd"], 9.80665 * step / 12_f64.sqrt() * 0.11, 1e-3);
+    }
+    // What only seems to have steps does not.
+    let noisy = |ms: f64| 20.0 * pulse(ms) + 0.01 * (7.3 * ms * ms).sin();
+    let (found, _) = record_of(&csv("acceleration.a [g]", &[&noisy]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+    let sd = found["accelerations"][0]["delta_v"]["sd"].as_f64().expect("a number");
+    assert!(sd > 1e-5 && sd < 1e-2, "{sd}");
 }
