@@ -74,7 +74,7 @@ pub(crate) fn minimum(
         let is_stuck = walk.radius < CONVERGED;
         let is_over = step.length <= CONVERGED || until == Until::Sum && (is_stuck || step.decrease <= FLAT);
         let is_met = walk.here.violation() <= if is_stuck { NEARLY_MET } else { MET };
-        if is_over && is_met {
+        if is_over && is_met && (until == Until::Sum || walk.is_settled(&step)) {
             return Ok(walk.reached(&step, taken));
         }
         if is_stuck {
@@ -325,13 +325,32 @@ impl<'a> Walk<'a> {
         found
     }
 
+    /// Returns the bound that a step presses against, if it is one of the unknown and not the length of steps.
+    fn held(&self, step: &Step, i: usize) -> Option<Bound> {
+        /// Distance in scales that is none.
+        const AT: f64 = 1e-8;
+        let is_at = |bound: f64| (self.unknowns[i] - bound).abs() <= AT * self.spans[i].scale;
+        match (step.lower[i] > 0.0, step.upper[i] > 0.0) {
+            (true, _) => Some(Bound::Min).filter(|_| is_at(self.spans[i].min)),
+            (_, true) => Some(Bound::Max).filter(|_| is_at(self.spans[i].max)),
+            _ => None,
+        }
+    }
+
+    /// Returns `true` unless a step would go on if it were longer: where the fit has a corner, steps get short and lead nowhere.
+    fn is_settled(&self, step: &Step) -> bool {
+        /// Longest step by the slope of one unknown, in scales, that is rounding.
+        const SETTLED: f64 = 1e-6;
+        (0..self.unknowns.len()).all(|i| {
+            let slope = step.lower[i].max(step.upper[i]);
+            let curvature = self.here.jacobian.column(i).norm_squared();
+            slope <= SETTLED * curvature || self.held(step, i).is_some()
+        })
+    }
+
     fn reached(self, step: &Step, iterations: usize) -> Reached {
         let n = self.unknowns.len();
-        let held = |i: usize| match (step.lower[i] > 0.0, step.upper[i] > 0.0) {
-            (true, _) => Some(Bound::Min),
-            (_, true) => Some(Bound::Max),
-            _ => None,
-        };
+        let held = |i: usize| self.held(step, i);
         Reached {
             sum_of_squares: self.here.residuals.norm_squared(),
             held: (0..n).map(held).collect(),
@@ -369,6 +388,36 @@ mod tests {
     use super::*;
 
     const FREE: ParameterBounds = ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale: 1.0 };
+
+    /// |x| + 1, which has a corner at its minimum.
+    struct Corner;
+
+    impl Limited for Corner {
+        fn at(&self, x: &[f64]) -> Option<Local> {
+            let none = || DMatrix::zeros(0, 1);
+            Some(Local {
+                residuals: DVector::from_element(1, x[0].abs() + 1.0),
+                jacobian: DMatrix::from_element(1, 1, if x[0] < 0.0 { -1.0 } else { 1.0 }),
+                margins: DVector::zeros(0),
+                margin_slopes: none(),
+                fixed: DVector::zeros(0),
+                fixed_slopes: none(),
+            })
+        }
+
+        fn bend(&self, _: &[f64], _: &[f64], _: &[f64]) -> DMatrix<f64> {
+            DMatrix::zeros(1, 1)
+        }
+    }
+
+    /// Steps get short there, and that they end at no bound.
+    #[test]
+    fn a_corner_is_no_minimum_and_no_bound() {
+        assert!(minimum(&Corner, &[0.7], &[FREE], LONG, 200, Until::Unknowns).is_err());
+        let bounded = ParameterBounds { min: 0.5, ..FREE };
+        let reached = minimum(&Corner, &[0.7], &[bounded], LONG, 200, Until::Unknowns).expect("a minimum at the bound");
+        assert_eq!((reached.unknowns, reached.held), (vec![0.5], vec![Some(Bound::Min)]));
+    }
 
     /// The distance of (x, y) from (3, 2), inside of the unit circle, with x + y fixed if asked for.
     struct Disk(Option<f64>);

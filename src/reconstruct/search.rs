@@ -8,6 +8,7 @@ use super::closed_form::at_crush_energy;
 use super::determined::{Direction, named};
 use super::given::{ReconstructionProblem, Search, Unknown};
 use super::measurand::Measurand;
+use super::piece::Piece;
 use super::residuals::Model;
 use super::scene::Scene;
 use super::solution::{Seen, Solution};
@@ -17,7 +18,7 @@ use super::variable::{Variable, party, speed, turns};
 use super::verdict::{Answer, Verdict};
 use super::within_limits::WithinLimits;
 use crate::input::Side;
-use crate::least_squares::limited::{self, Until};
+use crate::least_squares::limited::{self, Reached, Until};
 use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals, by_chi_square};
 use crate::moment::Moment;
 use crate::refusal::Refusal;
@@ -339,13 +340,29 @@ fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item 
     })
 }
 
-/// Continues a search that stopped where the mechanics refuses its next step, along that edge.
+/// Continues a search that stopped where the mechanics refuses its next step, along that edge, or where friction begins to hold: within the piece of the mechanics
+/// that it stopped in, and in those beyond the edges that it meets.
 fn at_the_edge(model: &Model<'_>, stopped: &NotConverged, spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
     let (placed, impact) = model.solve(&stopped.unknowns).ok()?;
-    let problem = WithinLimits::around(model, &placed, &impact);
-    let reached = limited::minimum(&problem, &stopped.unknowns, spans, limited::LONG, search.iterations, Until::Unknowns).ok()?;
-    model.solve(&reached.unknowns).ok()?;
-    Some(reached.into_minimum())
+    let mut problem = WithinLimits::around(model, &placed, &impact);
+    let (mut pieces, mut best) = (vec![Piece::of(&placed)], None::<Reached>);
+    let mut at = stopped.unknowns.clone();
+    let mut next = 0;
+    while let Some(piece) = pieces.get(next) {
+        problem.keep_to(*piece);
+        if let Ok(reached) = limited::minimum(&problem, &at, spans, limited::LONG, search.iterations, Until::Unknowns) {
+            at.clone_from(&reached.unknowns);
+            let beyond: Vec<Piece> = problem.beyond(&at).into_iter().filter(|piece| !pieces.contains(piece)).collect();
+            pieces.extend(beyond);
+            if best.as_ref().is_none_or(|best| reached.sum_of_squares < best.sum_of_squares) {
+                best = Some(reached);
+            }
+        }
+        next += 1;
+    }
+    let best = best?;
+    model.solve(&best.unknowns).ok()?;
+    Some(best.into_minimum())
 }
 
 fn directions(model: &Model<'_>, blind: &[Vec<f64>], spans: &[ParameterBounds]) -> Vec<Direction> {

@@ -72,10 +72,19 @@ impl<'a> WithinLimits<'a> {
         self.margins.limit(margin)
     }
 
-    /// Returns the slopes of some margins by the unknowns, a row for each.
+    /// Returns the slopes of some margins by the unknowns, a row for each. An edge of a piece, whichever, is the nearest one about sticking.
     pub(super) fn margin_slopes(&self, unknowns: &[f64], margins: &[usize]) -> DMatrix<f64> {
-        let all = if margins.is_empty() { None } else { self.at(unknowns).map(|local| local.margin_slopes) };
-        all.map_or_else(|| DMatrix::zeros(0, unknowns.len()), |all| all.select_rows(margins))
+        let none = || DMatrix::zeros(0, unknowns.len());
+        if margins.is_empty() {
+            return none();
+        }
+        let mut about_sticking = WithinLimits { model: self.model, margins: self.margins.clone(), fixed: None };
+        about_sticking.keep_to(Piece::Sticks);
+        let Some(local) = about_sticking.at(unknowns) else { return none() };
+        let limits = (0..local.margins.len()).filter(|k| self.limit(*k).is_some()).count();
+        let edge = (limits..local.margins.len()).min_by(|one, other| local.margins[*one].abs().total_cmp(&local.margins[*other].abs()));
+        let rows: Vec<usize> = margins.iter().filter_map(|k| if *k < limits { Some(*k) } else { edge }).collect();
+        local.margin_slopes.select_rows(&rows)
     }
 
     /// Returns the slopes of the evidence and of a quantity by the unknowns.

@@ -4,6 +4,27 @@ use serde_json::Value;
 
 use super::{WALL, answer, number, replaced, text};
 
+/// An independent search came to χ² = 0.117862 at (0.0878, 0.05524, 22.016), where the ratio is the critical one and the friction, and to 1.7743.
+#[test]
+fn a_best_fit_where_friction_begins_to_hold_is_one() {
+    for (name, chi_square) in [("stick_slide_corner", 0.117_862), ("stick_slide_corner_5", 1.7743)] {
+        let path = crate::process::workspace().join(format!("cli/tests/reproducers/{name}.json"));
+        let case = std::fs::read_to_string(path).expect("a reproducer");
+        let (found, _) = answer(&case);
+        assert_eq!(found["verdict"], "agrees", "{name}");
+        let above = number(&found["chi_square"]) - chi_square;
+        assert!((-1e-4..=0.0).contains(&above), "{name}: {above}");
+        if name == "stick_slide_corner" {
+            let value = |of: &str| number(&found["unknown"][of]["value"]);
+            let wanted = [("contact.restitution", 0.0878), ("contact.friction", 0.05524), ("vehicle.2.speed", 22.016)];
+            assert!(wanted.iter().all(|(of, wanted)| (value(of) / wanted - 1.0).abs() < 1e-3), "{}", found["unknown"]);
+            for of in ["contact.friction", "vehicle.2.speed"] {
+                assert_eq!(found["unknown"][of]["at_bound"], Value::Null, "{of}");
+            }
+        }
+    }
+}
+
 #[test]
 fn several_solutions_are_all_reported_and_none_is_the_answer() {
     let (found, status) = answer(WALL);
