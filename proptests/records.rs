@@ -49,6 +49,14 @@ fn record(pulse: Pulse, peak: f64, start: f64, duration: f64, mut disturbance: i
 const BEFORE: Window = Window { from: -0.1, to: -STEP };
 const OVER: Window = Window { from: 0.0, to: 0.3 };
 
+fn small() -> impl Strategy<Value = Vec<i32>> {
+    proptest::collection::vec(-9..=9_i32, 5)
+}
+
+fn exact(values: &[i32]) -> Vec<Rational> {
+    values.iter().map(|&value| Rational::int(value)).collect()
+}
+
 fn pulse() -> impl Strategy<Value = (Pulse, f64, f64)> {
     let shape = prop_oneof![Just(Pulse::Haversine), Just(Pulse::HalfSine), Just(Pulse::Triangle)];
     (shape, 0.01..0.08_f64, 0.04..0.12_f64)
@@ -126,14 +134,6 @@ fn correlated_noise_is_in_the_deviation() {
         let found = squares.sum::<f64>() / f64::from(SETS);
         assert!(mean_square.contains(&found), "{kept}: {found}");
     }
-}
-
-fn small() -> impl Strategy<Value = Vec<i32>> {
-    proptest::collection::vec(-9..=9_i32, 5)
-}
-
-fn exact(values: &[i32]) -> Vec<Rational> {
-    values.iter().map(|&value| Rational::int(value)).collect()
 }
 
 proptest! {
