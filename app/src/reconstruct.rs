@@ -155,6 +155,7 @@ fn by_separations(
             notices.0.extend(solved.warnings(&impact));
         }
     }
+    notices.0.extend(at_a_corner(&question, answer.best()));
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }
@@ -221,6 +222,16 @@ fn solved(case: &Case, solution: &Solution) -> (Case, Impact) {
     let of_contact = [(Input::CrushPlane, libm::atan2(impulse.y, impulse.x)), (Input::Restitution, collision.restitution)];
     values.extend(of_contact.map(|(input, value)| (Parameter::Input(input), value)));
     (case.with_collision(&values, collision), collision.impact_by(impulse))
+}
+
+/// Says why a best fit has no standard deviations that lies on no bound and no limit of the physics.
+fn at_a_corner(question: &Question, best: &Solution) -> Option<Notice> {
+    let is_uncertain = question.asked.evidence.iter().any(|piece| piece.uncertainty.standard_deviation().is_some());
+    let lacks_sd = best.unknowns.iter().any(|estimate| estimate.is_determined && estimate.at.is_none() && estimate.sd.is_none());
+    (is_uncertain && lacks_sd && best.limits.is_empty()).then(|| {
+        let message = "the best fit lies where friction begins to hold, a corner without a slope: standard deviations are left out, and the intervals hold";
+        Notice::note("no-slope", "contact.friction", message)
+    })
 }
 
 /// Returns the speeds that momentum alone gives, if the evidence has the velocities after the impact and both speeds are unknown.

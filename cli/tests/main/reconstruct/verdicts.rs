@@ -12,6 +12,7 @@ fn a_best_fit_where_friction_begins_to_hold_is_one() {
         let case = std::fs::read_to_string(path).expect("a reproducer");
         let (found, _) = answer(&case);
         assert_eq!(found["verdict"], "agrees", "{name}");
+        assert!(found["notes"].to_string().contains("where friction begins to hold, a corner without a slope"), "{name}");
         let above = number(&found["chi_square"]) - chi_square;
         assert!((-1e-4..=0.0).contains(&above), "{name}: {above}");
         if name == "stick_slide_corner" {
