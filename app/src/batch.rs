@@ -78,7 +78,10 @@ impl Plan {
                     None => inputs.push(column),
                 },
                 Ok(None) => {
-                    unread.extend(Some((header.name.clone(), column::meant_by(&header.name))).filter(|(_, meant)| !meant.is_empty()))
+                    let meant = column::meant_by(&header.name);
+                    if !meant.is_empty() {
+                        unread.push((header.name.clone(), meant));
+                    }
                 }
                 Err(issue) => issues.push(issue),
             }

@@ -8,7 +8,6 @@ mod quotes;
 mod sink;
 mod source;
 
-use std::path::Path;
 use std::thread::available_parallelism;
 
 use arrow_schema::SchemaRef;
@@ -88,10 +87,11 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
         let before = progress.rows();
         let name = |row: usize| {
             let number = |first: u64| first + row as u64 + 1;
-            // The output has the rows of all, and a reader looks for the one of his file.
-            let of_file = |file: &Path| format!(" (row {} of `{}`)", number(origin.first), file.display());
-            let of_file = call.files.get(origin.file).filter(|_| call.files.len() > 1).map(|file| of_file(file));
-            format!("row {}{}", number(before), of_file.unwrap_or_default())
+            match &call.files[..] {
+                [_] => format!("row {}", number(before)),
+                // The output has the rows of all, and a reader looks for the one of his file.
+                files => format!("row {} (row {} of `{}`)", number(before), number(origin.first), files[origin.file].display()),
+            }
         };
         if let Some(first) = refused.first().filter(|_| call.fail_fast) {
             return Err(refused_at(name(first.row), first));

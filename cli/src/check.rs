@@ -8,15 +8,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
-use clap::CommandFactory;
-use clap::error::ErrorKind;
 use planar_impact_app::check::{Entries, Entry, Options, Severity, Summary, rules};
 use planar_impact_app::json::Layout;
 use planar_impact_app::{Cause, Issues};
 use planar_impact_report::document::CheckDigest;
 use planar_impact_report::page;
 
-use crate::arguments::{Arguments, Check, CheckFormat, FailOn};
+use crate::arguments::{Check, CheckFormat, FailOn};
 use crate::exit::{Failure, Status};
 use crate::output::{self, CommandOutput};
 use crate::{files, interrupt};
@@ -38,7 +36,7 @@ pub fn run(call: &Check) -> Result<CommandOutput, Failure> {
             CheckFormat::Json => CommandOutput::json(&rules::rules(), Layout::Pretty),
             CheckFormat::Junit | CheckFormat::Sarif => {
                 let message = "the rules are printed as text or json; a SARIF report has them too";
-                Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)))
+                Err(Failure::of_options(message))
             }
         };
     }

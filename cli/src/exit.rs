@@ -1,9 +1,13 @@
 //! Exit statuses and failures of the program.
 
-use clap::error::ContextValue;
+use std::fmt::Display;
+
+use clap::CommandFactory;
+use clap::error::{ContextValue, ErrorKind};
 use planar_impact_app::plain_text::{is_active, shorten};
 use planar_impact_app::{Cause, Issues, Units};
 
+use crate::arguments::Arguments;
 use crate::diagnostics;
 
 /// Maximum width of a word of the call repeated in a message, in columns.
@@ -54,6 +58,13 @@ pub enum Failure {
     Defect,
     /// The output cannot be written.
     Output(std::io::Error),
+}
+
+impl Failure {
+    /// Creates the failure of options that exclude each other, or of one that would have no effect.
+    pub fn of_options(message: impl Display) -> Failure {
+        Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message))
+    }
 }
 
 /// A wrong call, with its words cleaned and shortened. A hint that repeats a long word is omitted.

@@ -96,7 +96,7 @@ fn has_posterior(call: &Report, is_reconstructed: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let message = "--posterior has no effect: the report is not one of `reconstruct`; leave it out, or give --verb reconstruct and a case with unknowns";
-    Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)))
+    Err(Failure::of_options(message))
 }
 
 fn wrong_number(message: &str) -> Failure {

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
-use clap::error::ErrorKind;
 use planar_impact_app::gradient::Selection;
 use planar_impact_app::json::Layout;
 use planar_impact_app::stiffness::TestFile;
@@ -153,9 +152,8 @@ fn csv(records: impl Iterator<Item = Vec<String>>) -> Result<CommandOutput, Fail
 }
 
 fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
-    if call.draws && call.format == Format::Text {
-        let message = "--draws has no effect: they are added to the JSON; give --format json, or leave it out";
-        return Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)));
+    if let Some(message) = call.without_effect() {
+        return Err(Failure::of_options(message));
     }
     let (case, units) = read(&call.case, call.units)?;
     let options = reconstruct::Options {
@@ -180,7 +178,7 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
 
 fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
     if let Some(message) = call.without_effect() {
-        return Err(Failure::Call(Arguments::command().error(ErrorKind::ArgumentConflict, message)));
+        return Err(Failure::of_options(message));
     }
     let (case, units) = read(&call.case, call.units)?;
     let method = |method: &UncertaintyMethod| match method {
@@ -266,8 +264,8 @@ fn express(call: &arguments::Formula) -> Result<CommandOutput, Failure> {
     let answer = in_units(formula::formula(case.as_ref().map(|(case, _)| case), &options, &Progress::new()), units)?;
     match call.format {
         Notation::Text => Ok(CommandOutput::page(&page::formula::page(&answer, units))),
-        Notation::Latex => Ok(CommandOutput::text(answer.latex.clone()).noting(&answer.notices, units)),
-        Notation::Rust => Ok(CommandOutput::text(answer.rust.clone()).noting(&answer.notices, units)),
+        Notation::Latex => Ok(CommandOutput::text(answer.latex).noting(&answer.notices, units)),
+        Notation::Rust => Ok(CommandOutput::text(answer.rust).noting(&answer.notices, units)),
         Notation::Json => CommandOutput::json(&answer, Layout::Pretty),
     }
 }

@@ -59,38 +59,39 @@ pub fn of(case: &Case, separations: &Separations, question: &Question, best: &So
         if !goes_on() {
             return None;
         }
-        let answer = given.question(&slip.given)?.solve(&search).ok()?;
+        let Slip { path, instead, given: slipped } = slip;
+        let answer = given.question(slipped)?.solve(&search).ok()?;
         let with_slip = answer.best();
-        with_slip.is_explained().then_some((with_slip.chi_square, slip))
+        with_slip.is_explained().then_some((with_slip.chi_square, path, instead))
     };
-    let mut found: Vec<(f64, Slip)> = given.slips(best).into_iter().filter_map(fit).collect();
+    let mut found: Vec<(f64, String, Message)> = given.slips(best).into_iter().filter_map(fit).collect();
     found.sort_by(|one, other| one.0.total_cmp(&other.0));
     found.truncate(MOST_NAMED);
-    found.into_iter().map(|(of_slip, slip)| warning(slip, of_slip, best.chi_square)).collect()
+    found.into_iter().map(|(of_slip, path, instead)| warning(path, instead, of_slip, best.chi_square)).collect()
 }
 
-fn warning(slip: Slip, of_slip: f64, chi_square: f64) -> Notice {
-    let message = Message::from(format!("check {}: with ", slip.path))
-        .join(slip.instead)
+fn warning(path: String, instead: Message, of_slip: f64, chi_square: f64) -> Notice {
+    let message = Message::from(format!("check {path}: with "))
+        .join(instead)
         .text(format!(" the evidence would agree, with a chi-square of {of_slip:.1} in place of {chi_square:.1}"));
-    Notice::warning("possible-slip", slip.path, message)
+    Notice::warning("possible-slip", path, message)
 }
 
 impl Given<'_> {
     /// Returns the question of a slip; `None` where a vehicle cannot slide to rest with it.
-    fn question(&self, slipped: &Slipped) -> Option<ReconstructionProblem> {
+    fn question(&self, slipped: Slipped) -> Option<ReconstructionProblem> {
         let case = match slipped {
-            Slipped::Question(problem) => return Some((**problem).clone()),
+            Slipped::Question(problem) => return Some(*problem),
             Slipped::Case(case) => case,
         };
         let mut separations = self.separations.clone();
         for (i, separation) in separations.iter_mut().enumerate() {
-            let [rest, before] = [&**case, self.case].map(|case| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
+            let [rest, before] = [&*case, self.case].map(|case| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
             if rest != before {
                 *separation = rest.and_then(RestOfVehicle::separation).transpose().ok()?;
             }
         }
-        Question::of(case, &separations).ok().map(|question| question.asked)
+        Question::of(&case, &separations).ok().map(|question| question.asked)
     }
 
     /// Returns the case with other numbers, which its slides to rest follow.

@@ -48,3 +48,11 @@ pub struct Reconstruct {
     #[arg(long)]
     pub brief: bool,
 }
+
+impl Reconstruct {
+    /// Returns the error of an option that has no effect with the format of the call.
+    pub fn without_effect(&self) -> Option<&'static str> {
+        let is_idle = self.draws && self.format == Format::Text;
+        is_idle.then_some("--draws has no effect: they are added to the JSON; give --format json, or leave it out")
+    }
+}

@@ -184,7 +184,7 @@ fn a_named_column_needs_no_quantity_and_one_that_is_not_listed_is_told() {
     assert!(unnamed.status == 2 && unnamed.err.contains("channel.1.quantity: missing"), "{}", unnamed.err);
 }
 
-/// The remedy has the limits with every digit, and is told once.
+/// The advice gives the limits with every digit, and is printed once.
 #[test]
 fn a_window_outside_of_the_times_is_told_with_their_digits() {
     let samples: Vec<String> = (0..100).map(|i| format!("{:.1},{},0", -19.6 + 0.8 * f64::from(i), pulse(f64::from(i)))).collect();

@@ -513,7 +513,7 @@ fn wrong_calls_are_refused() {
     assert!(["dV3", "dV4", "--bounds-sd"].iter().all(|words| run.err.contains(words)), "{}", run.err);
 }
 
-/// Every refused sample is told, and units that are assumed.
+/// The number of refused samples and each assumed unit are printed.
 #[test]
 fn what_was_assumed_and_refused_is_told_beside_data() {
     let case = std::fs::read_to_string(crate::process::workspace().join("cli/examples/uncertain.toml")).expect("the example");
