@@ -262,6 +262,19 @@ fn the_derivatives_of_every_row_are_those_of_the_collision_by_itself() {
     }
 }
 
+/// Weights may be of any size. Rows that are the same are refused all, however many there are.
+#[test]
+fn rows_with_the_same_infinite_derivative_are_refused_all() {
+    let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(12.0);
+    for rows in [1, 2, 4, 8, 9] {
+        let restitution = vec![0.1; rows];
+        let batch = Batch::of(Collision::new(car, Party::Barrier)).with(Input::Restitution, &restitution).expect("the first one");
+        let found = batch.pullback(&[(Output::Loss, Numbers::Same(1e308))], &[Input::VelocityX(Side::One)]);
+        assert_eq!(found.refused.len(), rows);
+        assert!(found.derivatives.iter().all(|(_, column)| column.iter().all(|x| x.is_nan())));
+    }
+}
+
 type Verdict = Result<Impact, Refusals>;
 
 /// Checks the numbers of a row, or its refusal.

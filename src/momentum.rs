@@ -95,3 +95,17 @@ pub fn approach_speeds<T: Field>(vehicles: [&Vehicle<T>; 2], after: [Xy<T>; 2]) 
     let across = along_1.clone().cross(along_2.clone());
     [momentum.clone().cross(along_2) / (across.clone() * one.mass.clone()), along_1.cross(momentum) / (across * two.mass.clone())]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::Vehicle;
+
+    /// An impulse alone has no moment, whatever the contact had before.
+    #[test]
+    fn along_an_impulse_there_is_no_moment() {
+        let car = |speed| Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(speed);
+        let collision = Collision::new(car(10.0), car(2.0)).with_moment(Moment::Given(500.0));
+        assert_eq!(collision.along_impulse(Xy { x: -3000.0, y: 400.0 }).moment, Moment::None);
+    }
+}

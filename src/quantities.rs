@@ -81,4 +81,10 @@ mod tests {
         assert!((Heading::from(Angle::new::<degree>(90.0)).sin - 1.0).abs() < 1e-15);
         assert!((CrushPlane::from(Angle::new::<degree>(60.0)).cos - 0.5).abs() < 1e-15);
     }
+
+    #[test]
+    fn a_vehicle_has_its_mass_and_its_inertia() {
+        let car = Vehicle::of_quantities(Mass::new::<kilogram>(1300.0), MomentOfInertia::new::<kilogram_square_meter>(2100.0));
+        assert_eq!((car.mass, car.yaw_inertia), (1300.0, 2100.0));
+    }
 }

@@ -126,6 +126,7 @@ fn the_covariance_is_what_the_errors_of_the_evidence_make() {
         for i in 0..unknowns {
             let sd = |i: usize| expected[(i, i)].sqrt();
             for k in 0..unknowns {
+                assert_eq!(best.covariance.size(), best.unknowns.len());
                 let (found, expected) = (best.covariance.get(i, k), expected[(i, k)]);
                 assert!((found - expected).abs() < 1e-3 * sd(i) * sd(k), "{i} {k}: {found} for {expected}");
             }

@@ -171,6 +171,9 @@ mod tests {
                 approx::assert_relative_eq!(fit.stiffness.onset, 60.0, max_relative = 1e-9);
                 assert!(!fit.is_poor());
             }
+            // At even depths both models are one, with the same derivatives.
+            let variance = |model| StiffnessFit::<f64>::with_force(&tests, 60e3, model).expect("a fit").covariance.slope;
+            approx::assert_relative_eq!(variance(CrushModel::MeanDepth), variance(CrushModel::Profile), max_relative = 1e-9);
         }
     }
 }

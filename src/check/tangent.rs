@@ -101,9 +101,7 @@ fn impulse_ratio<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, impulse
                     Digits(bound)
                 )
             });
-            // Inside the friction cone for either sign of the tangential impulse.
-            let other = Residual::new(-impulse.t.magnitude() - friction * push, length(&impulse));
-            if judge.sign(rule, &excess) == Some(-1.0) && judge.sign(rule, &other) == Some(-1.0) {
+            if judge.sign(rule, &excess) == Some(-1.0) {
                 sliding_ended(judge, "the impulse ratio is below the friction");
             }
         }

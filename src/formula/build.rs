@@ -219,6 +219,12 @@ mod tests {
     }
 
     #[test]
+    fn variables_are_equal_by_their_names() {
+        let [x, again, y] = ["x", "x", "y"].map(Expression::variable);
+        assert!(x.equals(&again) && !x.equals(&y));
+    }
+
+    #[test]
     fn like_terms_and_powers_are_collected() {
         assert_eq!(simplified(|x, y, _| x.clone() * y.clone() + y * x), "2 x y");
         assert_eq!(simplified(|x, _, _| x.clone() * x.clone() * x.inv()), "x");

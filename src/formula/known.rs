@@ -196,3 +196,21 @@ impl Term {
         Some(&other.coefficient / &self.coefficient * BigRational::from_integer(equivalence.sign().into()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotient of named products is written out where a factor of both goes, and stays as it is otherwise.
+    #[test]
+    fn quotients_of_quantities_cancel_what_both_have() {
+        let [x, y, z] = ["x", "y", "z"].map(Expression::variable);
+        let named = |symbol: &str, factors: &[(&Expression, i64)]| {
+            Expression::product(factors.iter().map(|(base, exponent)| ((*base).clone(), *exponent))).named(Name::of(symbol))
+        };
+        let quotient = |above: &Expression, below: &Expression| Expression::product([(above.clone(), 1), (below.clone(), -1)]);
+        let (xy, xz, zz) = (named("a", &[(&x, 1), (&y, 1)]), named("b", &[(&x, 1), (&z, 1)]), named("c", &[(&z, 2)]));
+        assert!(cancelled(quotient(&xy, &xz)).equals(&quotient(&y, &z)));
+        assert!(cancelled(quotient(&xy, &zz)).equals(&quotient(&xy, &zz)));
+    }
+}

@@ -456,13 +456,15 @@ mod tests {
 
     #[test]
     fn a_bound_holds_one_unknown_and_the_margin_the_other() {
-        let spans = [ParameterBounds { max: 0.6, ..FREE }, FREE];
-        let reached = found(&Disk(None), [0.0, 0.0], &spans).expect("it converges");
-        assert!((reached.unknowns[0] - 0.6).abs() < 1e-12 && (reached.unknowns[1] - 0.8).abs() < 1e-7, "{reached:?}");
-        assert_eq!(reached.held, [Some(Bound::Max), None]);
-        assert!(reached.bound_multipliers[0] < 0.0 && reached.bound_multipliers[1] == 0.0);
-        let minimum = reached.into_minimum();
-        assert_eq!((&minimum.is_held[..], &minimum.margins[..]), (&[true, false][..], &[0][..]));
+        for scale in [1.0, 0.2] {
+            let spans = [ParameterBounds { max: 0.6, scale, ..FREE }, FREE];
+            let reached = found(&Disk(None), [0.0, 0.0], &spans).expect("it converges");
+            assert!((reached.unknowns[0] - 0.6).abs() < 1e-12 && (reached.unknowns[1] - 0.8).abs() < 1e-7, "{reached:?}");
+            assert_eq!(reached.held, [Some(Bound::Max), None]);
+            assert!(reached.bound_multipliers[0] < 0.0 && reached.bound_multipliers[1] == 0.0);
+            let minimum = reached.into_minimum();
+            assert_eq!((&minimum.is_held[..], &minimum.margins[..]), (&[true, false][..], &[0][..]));
+        }
     }
 
     #[test]
@@ -508,5 +510,34 @@ mod tests {
         let stopped = found(&Disk(Some(2.0)), [0.0, 0.0], &[FREE, FREE]).expect_err("it cannot");
         assert!(stopped.iter().all(|x| (0.6..1.1).contains(x)), "where the conditions are missed least: {stopped:?}");
         assert_eq!(found(&Disk(Some(f64::NAN)), [0.0, 0.0], &[FREE, FREE]).expect_err("undefined"), Vec::<f64>::new());
+    }
+
+    /// Defined below 1 alone, with its least value at 3/4.
+    struct Root;
+
+    impl Limited for Root {
+        fn at(&self, x: &[f64]) -> Option<Local> {
+            let root = (1.0 - x[0]).sqrt();
+            (x[0] < 1.0).then(|| Local {
+                residuals: DVector::from_element(1, root - 0.5),
+                jacobian: DMatrix::from_element(1, 1, -0.5 / root),
+                margins: DVector::zeros(0),
+                margin_slopes: DMatrix::zeros(0, 1),
+                fixed: DVector::zeros(0),
+                fixed_slopes: DMatrix::zeros(0, 1),
+            })
+        }
+
+        fn bend(&self, _: &[f64], _: &[f64], _: &[f64]) -> DMatrix<f64> {
+            DMatrix::zeros(1, 1)
+        }
+    }
+
+    #[test]
+    fn steps_beyond_what_is_defined_are_shortened() {
+        for start in [-8.0, -3.0, 0.0, 0.99] {
+            let reached = minimum(&Root, &[start], &[FREE], LONG, 60, Until::Unknowns).expect("it converges");
+            assert!((reached.unknowns[0] - 0.75).abs() < 1e-6, "{start}: {reached:?}");
+        }
     }
 }

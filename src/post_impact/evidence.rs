@@ -382,6 +382,15 @@ mod tests {
         }
     }
 
+    /// A separation without a standard deviation can neither be weighted nor correlated.
+    #[test]
+    fn what_is_exact_has_no_correlation() {
+        let exact = separation([[0.0; 3], [0.0, 9.0, 0.0], [0.0, 0.0, 0.25]], [1.0, 2.0, 0.2]);
+        let other = separation([[4.0, 0.0, 0.0], [0.0, 9.0, 0.0], [0.0, 0.0, 0.25]], [1.0, 0.0, 0.2]);
+        assert!(!exact.has_deviations() && other.has_deviations());
+        assert_eq!((exact.correlation_by_friction(0, &other, 0), exact.correlation_by_friction(1, &other, 0)), (0.0, 1.0 / 3.0));
+    }
+
     #[test]
     fn a_slide_that_misses_any_part_of_the_pose_is_beyond_it() {
         let rest = RestEvidence {

@@ -264,6 +264,7 @@ mod tests {
         for corners in [vec![], vec![at(1.0, 1.0)], vec![at(0.0, 0.0), at(2.0, 2.0)]] {
             assert_eq!(Area::Polygon(corners).share(&at(1.0, 1.0), &0.2), 0.0);
         }
+        assert_eq!(Area::Polygon(vec![at(0.0, 0.0), at(4.0, 0.0), at(0.0, 4.0)]).share(&at(1.0, 1.0), &0.2), 1.0);
     }
 
     #[test]

@@ -199,4 +199,15 @@ mod tests {
         let force = Tires::ORDINARY.force(&Restraint::Rolling, 0.0, LOAD, ForwardLeft { forward: 1.0, left: 2.0 });
         assert_eq!(force, ForwardLeft::zero());
     }
+
+    /// A wheel that resists 3 N along itself and 5 N in all.
+    #[test]
+    fn a_standing_wheel_gives_its_limit_along_and_what_is_left_across() {
+        let limits = Limits { limit: 5.0, along: 3.0 };
+        let near =
+            |force: ForwardLeft, forward: f64, left: f64| (force.forward - forward).abs() < 1e-12 && (force.left - left).abs() < 1e-12;
+        assert!(near(limits.farthest(ForwardLeft { forward: 2.0, left: -1.0 }), 3.0, -4.0));
+        assert!(near(limits.farthest(ForwardLeft { forward: -0.6, left: 0.8 }), -3.0, 4.0));
+        assert!(near(limits.farthest(ForwardLeft { forward: 0.28, left: 0.96 }), 1.4, 4.8));
+    }
 }

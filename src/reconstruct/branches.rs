@@ -12,6 +12,7 @@ use super::measurand::Measurand;
 use super::outwards::{End, Quantity};
 use super::piece::Piece;
 use super::profile::{Lying, Profile};
+use super::search::draw;
 use super::variable::Variable;
 use super::within_limits::Fixed;
 use crate::input::Input;
@@ -26,6 +27,9 @@ const DRAWN: usize = 24;
 /// Distance beyond an end, in widths of the interval, at which fits are tried.
 const BEYOND: f64 = 0.003;
 
+/// Number of spreads of an unknown about the best fit in which points are drawn: without bounds its own interval may have no ends.
+const SPREADS: f64 = 10.0;
+
 /// Points of the region far from each other, for each piece of the mechanics.
 pub(super) struct Region {
     points: Vec<(Piece, Vec<f64>)>,
@@ -35,26 +39,39 @@ impl Region {
     /// Collects points: ends of intervals, and best fits with an unknown held somewhere between its own ends.
     pub(super) fn of<'e>(profile: &Profile<'_>, ends: impl Iterator<Item = &'e End>) -> Self {
         let reached: Vec<&Vec<f64>> = ends.map(|end| &end.at).collect();
-        let ranges: Vec<[f64; 2]> = (0..profile.spans.len())
-            .map(|i| reached.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]))
-            .collect();
         let mut region = Region { points: Vec::new() };
         let Some(best) = profile.solutions.first().filter(|_| !reached.is_empty()) else { return region };
+        let question = profile.model.question;
+        let unknowns = &question.unknowns;
+        let range = |i: usize| {
+            let ends =
+                reached.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[i]), high.max(point[i])]);
+            let far = SPREADS * unknowns[i].of.spread(&question.collision, unknowns[i].start);
+            [ends[0].max(best[i] - far), ends[1].min(best[i] + far)]
+        };
+        let ranges: Vec<[f64; 2]> = (0..unknowns.len()).map(range).collect();
         let pieces = profile.piece(best).all();
         // Where the centers of mass may pass each other along the normal, the vehicles close the other way beyond.
         let ways = if may_pass(profile) { &[Lying::AsItIs, Lying::TheOtherWay][..] } else { &[Lying::AsItIs] };
         let mut random = ChaCha8Rng::seed_from_u64(1988);
-        let unknowns = &profile.model.question.unknowns;
         for piece in pieces {
-            let mut points: Vec<Vec<f64>> =
-                reached.iter().filter(|point| profile.piece(point) == *piece).map(|point| point.to_vec()).collect();
-            for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
-                let start: Vec<f64> = ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect();
-                let fixed = Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
-                points.extend(ways.iter().filter_map(|way| profile.fit_within(*piece, *way, Some(fixed), &start)));
+            let of_piece = reached.iter().filter(|point| profile.piece(point) == *piece).map(|point| point.to_vec());
+            let mut found: Vec<Vec<f64>> = of_piece.collect();
+            for way in ways {
+                for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
+                    // Of what lies the other way no end has been found.
+                    let start: Vec<f64> = match way {
+                        Lying::AsItIs => ranges.iter().map(|[low, high]| low + (high - low) * random.random::<f64>()).collect(),
+                        Lying::TheOtherWay => (0..unknowns.len()).map(|k| draw(question, k, &profile.spans[k], &mut random)).collect(),
+                    };
+                    let fixed =
+                        Fixed { of: Measurand::Variable(unknowns[i].of), value: start[i], scale: profile.spans[i].scale, period: None };
+                    found.extend(profile.fit_within(*piece, *way, Some(fixed), &start));
+                }
+                found.extend(profile.fit_within(*piece, *way, None, best));
+                let chosen = far_from_each_other(std::mem::take(&mut found), &ranges, MOST / pieces.len());
+                region.points.extend(chosen.into_iter().map(|point| (*piece, point)));
             }
-            points.extend(ways.iter().rev().filter_map(|way| profile.fit_within(*piece, *way, None, best)));
-            region.points.extend(far_from_each_other(points, &ranges, MOST / pieces.len()).into_iter().map(|point| (*piece, point)));
         }
         region
     }
@@ -131,13 +148,13 @@ fn may_pass(profile: &Profile<'_>) -> bool {
     !question.is_by_momentum() && question.unknowns.iter().any(|unknown| moves(unknown.of))
 }
 
-/// Chooses points far from each other, beginning with the last.
+/// Chooses points far from each other within ranges, beginning with the last.
 fn far_from_each_other(points: Vec<Vec<f64>>, ranges: &[[f64; 2]], most: usize) -> Vec<Vec<f64>> {
     /// Square of a distance, in ranges, that is nearly none.
     const NEAR: f64 = 1e-4;
     let distance = |one: &[f64], other: &[f64]| {
         let squares = one.iter().zip(other).zip(ranges).filter(|(_, [low, high])| high > low);
-        squares.map(|((x, y), [low, high])| ((x - y) / (high - low)).squared()).sum::<f64>()
+        squares.map(|((x, y), [low, high])| ((x.clamp(*low, *high) - y.clamp(*low, *high)) / (high - low)).squared()).sum::<f64>()
     };
     let mut chosen: Vec<Vec<f64>> = points.last().cloned().into_iter().collect();
     while chosen.len() < most {

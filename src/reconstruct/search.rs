@@ -125,7 +125,7 @@ fn speed_alone(question: &ReconstructionProblem) -> Option<f64> {
 
 /// Draws a value of an unknown: uniformly between its bounds; if one is missing, up to the spread of such unknowns from the start; from its prior if it has
 /// one.
-fn draw(question: &ReconstructionProblem, i: usize, span: &ParameterBounds, random: &mut ChaCha8Rng) -> f64 {
+pub(super) fn draw(question: &ReconstructionProblem, i: usize, span: &ParameterBounds, random: &mut ChaCha8Rng) -> f64 {
     let unknown = &question.unknowns[i];
     if let Some(sd) = unknown.prior {
         let normal: f64 = random.sample(StandardNormal);
@@ -190,18 +190,23 @@ impl Found {
             Err(FitError::NotConverged(stopped)) => &stopped.unknowns,
             Err(FitError::NoStart) => return,
         };
-        let at_standstill = best_at_standstill(model, reached, spans, search.iterations);
-        match (at_standstill, end) {
-            (Some(minimum), _) | (None, Ok(minimum)) => self.add(model, spans, minimum),
-            (None, Err(FitError::NotConverged(stopped))) => {
-                if let Some(minimum) = at_the_edge(model, &stopped, spans, search) {
-                    return self.add(model, spans, minimum);
-                }
-                if self.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
-                    self.nearest = Some(stopped);
-                }
-            }
-            (None, Err(FitError::NoStart)) => (),
+        if let Some(minimum) = best_at_standstill(model, reached, spans, search.iterations) {
+            return self.add(model, spans, minimum);
+        }
+        let is_possible = |unknowns: &[f64]| model.solve(unknowns).is_ok();
+        let stopped = match end {
+            Ok(minimum) if is_possible(&minimum.unknowns) => return self.add(model, spans, minimum),
+            // A fit may run to where the vehicles no longer close, such as two speeds of zero.
+            Ok(minimum) => stopped_at(&minimum),
+            Err(FitError::NotConverged(stopped)) => stopped,
+            Err(FitError::NoStart) => return,
+        };
+        let from = if is_possible(&stopped.unknowns) { &stopped.unknowns } else { start };
+        if let Some(minimum) = at_the_edge(model, from, spans, search) {
+            return self.add(model, spans, minimum);
+        }
+        if self.nearest.as_ref().is_none_or(|nearest| stopped.sum_of_squares < nearest.sum_of_squares) {
+            self.nearest = Some(stopped);
         }
     }
 
@@ -264,13 +269,7 @@ impl Found {
     }
 
     fn not_converged(&self, model: &Model<'_>) -> SolveError {
-        let best = self.minima.first().map(|(minimum, _)| NotConverged {
-            unknowns: minimum.unknowns.clone(),
-            sum_of_squares: minimum.sum_of_squares,
-            step: 0.0,
-            iterations: minimum.iterations,
-            toward: Vec::new(),
-        });
+        let best = self.minima.first().map(|(minimum, _)| stopped_at(minimum));
         let nowhere = NotConverged { unknowns: Vec::new(), sum_of_squares: f64::NAN, step: f64::NAN, iterations: 0, toward: Vec::new() };
         let stopped = self.nearest.clone().or(best).unwrap_or(nowhere);
         let name = |(unknown, value): (&Unknown, &f64)| (unknown.of, *value);
@@ -340,13 +339,19 @@ fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item 
     })
 }
 
+/// Describes a minimum that is no answer.
+fn stopped_at(minimum: &Minimum) -> NotConverged {
+    let Minimum { unknowns, sum_of_squares, iterations, .. } = minimum.clone();
+    NotConverged { sum_of_squares, step: 0.0, iterations, toward: unknowns.clone(), unknowns }
+}
+
 /// Continues a search that stopped where the mechanics refuses its next step, along that edge, or where friction begins to hold: within the piece of the mechanics
 /// that it stopped in, and in those beyond the edges that it meets.
-fn at_the_edge(model: &Model<'_>, stopped: &NotConverged, spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
-    let (placed, impact) = model.solve(&stopped.unknowns).ok()?;
+fn at_the_edge(model: &Model<'_>, stopped: &[f64], spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
+    let (placed, impact) = model.solve(stopped).ok()?;
     let mut problem = WithinLimits::around(model, &placed, &impact);
     let (mut pieces, mut best) = (vec![Piece::of(&placed)], None::<Reached>);
-    let mut at = stopped.unknowns.clone();
+    let mut at = stopped.to_vec();
     let mut next = 0;
     while let Some(piece) = pieces.get(next) {
         problem.keep_to(*piece);
@@ -362,6 +367,10 @@ fn at_the_edge(model: &Model<'_>, stopped: &NotConverged, spans: &[ParameterBoun
     }
     let best = best?;
     model.solve(&best.unknowns).ok()?;
+    // The least approach velocity is a share of that at the start, unless this is small.
+    if problem.hardly_closes(&best.unknowns) && impact.approach.n.abs() > 1.0 {
+        return at_the_edge(model, &best.unknowns, spans, search);
+    }
     Some(best.into_minimum())
 }
 

@@ -195,3 +195,21 @@ pub(super) fn speed<T: Real>(vehicle: &Vehicle<T>) -> T {
 pub(super) fn turns(difference: f64, period: Option<f64>) -> f64 {
     period.map_or(0.0, |period| period * (difference / period).round())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_moment_is_an_unknown_where_there_is_one_in_its_own_measure() {
+        let car = Vehicle::new(1500.0, 2500.0);
+        let of = |moment| Collision::new(car, car).with_moment(moment);
+        let moment = Variable::Input(Input::Moment);
+        assert_eq!([Moment::None, Moment::Given(3.0), Moment::OfCritical(0.5)].map(|given| moment.is_in(&of(given))), [false, true, true]);
+        let spread = |given, value| moment.spread(&of(given), value);
+        assert_eq!(
+            [spread(Moment::Given(3.0), 3.0), spread(Moment::Given(5000.0), 5000.0), spread(Moment::OfCritical(0.5), 0.5)],
+            [1000.0, 2500.0, 1.0]
+        );
+    }
+}

@@ -67,6 +67,14 @@ impl<'a> WithinLimits<'a> {
         self.at(unknowns).map_or_else(Vec::new, |local| self.margins.beyond(local.margins.as_slice()).collect())
     }
 
+    /// Returns `true` where the vehicles approach each other as slowly as they may.
+    pub(super) fn hardly_closes(&self, unknowns: &[f64]) -> bool {
+        /// Largest margin, a share of a significant velocity, that is none.
+        const NONE: f64 = 1e-6;
+        // The first margin is that of the approach velocity, if there is one.
+        self.limit(0) == Some(Limit::Closing) && self.at(unknowns).is_some_and(|local| local.margins[0].abs() < NONE)
+    }
+
     /// Returns the limit of the physics whose distance a margin is, if it is one.
     pub(super) fn limit(&self, margin: usize) -> Option<Limit> {
         self.margins.limit(margin)

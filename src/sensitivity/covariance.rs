@@ -279,4 +279,11 @@ mod tests {
             assert!(matches!(Covariance::independent(&[(INPUTS[0], deviation)]), Err(NotACovariance::NotANumber(..))), "{deviation}");
         }
     }
+
+    /// By the correlation, 0.5 with the first and 0.3 with the last, and not by the covariance, 0.05 and 3.
+    #[test]
+    fn the_most_correlated_input_is_that_of_the_greatest_coefficient() {
+        let rows = [vec![0.01, 0.05, 0.0], vec![0.05, 1.0, 3.0], vec![0.0, 3.0, 100.0]];
+        assert_eq!((most_correlated(&rows, 1), most_correlated(&rows, 2)), (0, 1));
+    }
 }

@@ -357,4 +357,9 @@ mod tests {
         let (low, high) = log_normal.range(3.0);
         assert!((low * high / 400.0 - 1.0).abs() < 1e-14 && (high / 20.0 - 1.2_f64.exp()).abs() < 1e-14 && !log_normal.is_limited());
     }
+
+    #[test]
+    fn values_are_kept_in_order() {
+        assert_eq!(Values::new(vec![7.0, 1.0, 2.0]).map(|values| values.as_slice().to_vec()), Ok(vec![1.0, 2.0, 7.0]));
+    }
 }

@@ -155,6 +155,24 @@ fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
+/// Returns a note of a baseline that tells the noise badly: a mean of n samples has Student's distribution, whose variance is (n − 1)/(n − 3) times that of the
+/// samples.
+fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
+    /// Factor of the standard deviation that matters.
+    const MATTERS: f64 = 1.1;
+    let slack = ROUNDING * (before.to - before.from);
+    let count = record.times().iter().filter(|time| (before.from - slack..=before.to + slack).contains(*time)).count();
+    let factor = (count > 3).then(|| ((count as f64 - 1.0) / (count as f64 - 3.0)).sqrt());
+    let too_small = match factor {
+        Some(factor) if factor < MATTERS => return None,
+        Some(factor) => format!("{factor:.1} times too small"),
+        None => "many times too small".to_owned(),
+    };
+    let message =
+        format!("{name}: a baseline of {count} samples hardly tells the noise: the standard deviation of what follows may be {too_small}");
+    Some(Notice::note("short-baseline", path, message))
+}
+
 /// Returns the times between which a time must lie, to the nanosecond: rounded further, a limit may lie beyond itself.
 fn times_of(issue: &TestIssue) -> String {
     let TestIssue::Input(InputIssue { kind: InputIssueKind::OutOfRange { least, greatest: Some(greatest), .. }, .. }) = issue else {
@@ -309,6 +327,7 @@ impl Analysis<'_> {
         let mut integral = match &before {
             Some(before) => {
                 let integral = self.report(place, record.impulse(&over, before))?;
+                self.notices.extend(of_short_baseline(name, path, record, before));
                 let of_steps: f64 = channels.iter().map(|channel| variance_of_steps(channel, &over, before)).sum();
                 Estimate { variance: integral.variance + of_steps, ..integral }
             }

@@ -122,6 +122,19 @@ fn noise_is_in_the_impulse() {
     close(&one["impulse"]["sd"], 1500.0 * one["delta_v"]["sd"].as_f64().expect("a number"), 1e-9);
 }
 
+/// Of a few samples the noise is hardly known: Student's distribution of four degrees of freedom has twice the variance.
+#[test]
+fn a_baseline_of_few_samples_is_told() {
+    let samples = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
+    let (few, many) = ("may be 1.4 times too small", "short-baseline");
+    for (end, is_told, words) in
+        [("-19.6 ms", true, few), ("-19.8 ms", true, "many times too small"), ("-18.9 ms", true, "12 samples"), ("-18.8 ms", false, many)]
+    {
+        let (_, run) = record_of(&samples, Some(&format!("baseline = [\"-20 ms\", \"{end}\"]\n")));
+        assert_eq!((run.status, run.out.contains(many), run.out.contains(words)), (0, is_told, is_told), "{end}: {}{}", run.out, run.err);
+    }
+}
+
 /// The unloaded samples are those before the time zero, whatever the window: the offset is 2 kN, and the half-sine from 20 ms on has F T (1 + cos 36°)/π.
 #[test]
 fn a_late_window_takes_its_offset_from_before_the_contact() {

@@ -4,6 +4,22 @@ use super::*;
 use crate::law::Law;
 use alloc::vec;
 
+/// A wrong ratio is told with that of the motions.
+#[test]
+fn a_wrong_ratio_is_told_with_the_right_one() {
+    use crate::collision::Collision;
+    use crate::vehicle::{Party, Vehicle};
+    let collision = Collision::new(Vehicle::new(1000.0, 2000.0).with_impact_center(2.0, 0.5).with_speed(10.0), Party::Barrier);
+    let impact = collision.evaluate();
+    let mut record = Record::of(&collision, &impact);
+    let ratio = impact.impulse_ratio();
+    record.set(Key::ReportedRatio, 2.0 * ratio);
+    let outcome = check(&record, &Options::default());
+    let told: Vec<_> = outcome.of(Rule::Reported).map(|finding| finding.what.clone()).collect();
+    let implied = alloc::format!("the motions give {}", super::super::format::Digits(ratio));
+    assert!(told.iter().any(|told| told.contains(&implied)), "{told:?}, not {implied}");
+}
+
 #[test]
 fn claims_are_held_against_each_other() {
     let said = |claims: &[(Key, f64)]| {

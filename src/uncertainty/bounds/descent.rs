@@ -112,3 +112,64 @@ fn corners(whole: &[Interval]) -> impl Iterator<Item = Vec<f64>> + '_ {
         whole.iter().map(end).collect()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Real;
+    use crate::scalar::interval::Truth;
+
+    /// (x − 0.3)² + (y + 0.2)², accepted where x and y are each in a range.
+    struct Bowl([[f64; 2]; 2]);
+
+    impl Bounded for Bowl {
+        fn numbers(&self) -> usize {
+            2
+        }
+
+        fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
+            (numbers[0] - T::from(0.3)).squared() + (numbers[1] + T::from(0.2)).squared()
+        }
+
+        fn at(&self, point: &[f64]) -> Option<f64> {
+            let is_accepted = point.iter().zip(self.0).all(|(x, [low, high])| (low..=high).contains(x));
+            is_accepted.then(|| self.value(point))
+        }
+
+        fn is_possible(&self, _: &[Interval]) -> Truth {
+            Truth::UNKNOWN
+        }
+
+        fn is_continuous(&self, _: &[Interval], _: Interval) -> bool {
+            true
+        }
+    }
+
+    fn range(low: f64, high: f64) -> Interval {
+        Interval::new(low, high).expect("in order")
+    }
+
+    #[test]
+    fn a_convex_function_is_improved_to_its_least_value_or_to_the_edge() {
+        let whole = [range(-1.0, 1.0), range(-1.0, 1.0)];
+        for (accepted, wanted) in [([[-1.0, 1.0], [-1.0, 1.0]], [0.3, -0.2]), ([[0.5, 1.0], [-1.0, 1.0]], [0.5, -0.2])] {
+            let bowl = Bowl(accepted);
+            let objective = Objective::new(&bowl);
+            let mut best = Attained { point: vec![1.0, 1.0], value: objective.at(&[1.0, 1.0]).expect("accepted") };
+            objective.improve(&mut best, &whole);
+            assert!(best.point.iter().zip(wanted).all(|(x, wanted)| (x - wanted).abs() < 1e-6), "{best:?}");
+            assert_eq!(Some(best.value), objective.at(&best.point));
+        }
+    }
+
+    /// Each of 64 parts of a box, of which neither the middle nor a corner need be accepted, has one of its first 400 points.
+    #[test]
+    fn the_points_of_a_box_fill_it() {
+        let whole = [range(0.0, 1.0), range(2.0, 4.0)];
+        for part in 0..64 {
+            let (x, y) = (f64::from(part % 8) / 8.0, 2.0 + f64::from(part / 8) / 4.0);
+            let bowl = Bowl([[x, x + 0.125], [y, y + 0.25]]);
+            assert!(Objective::new(&bowl).accepted_in(&whole, 400).is_some(), "{x} {y}");
+        }
+    }
+}

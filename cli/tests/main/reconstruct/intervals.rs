@@ -58,6 +58,26 @@ fn the_centers_of_mass_may_pass_each_other() {
     assert!(low < -1.31 && high > -0.6 && high < -0.59, "{low} {high}");
 }
 
+/// Backwards the wall is hit behind the center of mass, with V_x proportional to the speed: every value is possible there, and the prior alone ends the interval.
+#[test]
+fn the_centers_of_mass_may_pass_each_other_where_nothing_bounds_a_speed() {
+    let (found, _) = answer("passing_centers_without_bounds.toml", 1);
+    let [low, _] = ends(&found, "vehicle.1.impact_center.forward");
+    assert!((low - (0.12 - 0.2 * 1.959_964)).abs() < 3e-4, "{low}");
+}
+
+/// Any impact is farther from the evidence than none: the best fit lies where the vehicles hardly close, with the χ² of no change of velocity.
+#[test]
+fn vehicles_that_hardly_close_have_one_best_fit() {
+    let (found, _) = answer("hardly_closing.toml", 1);
+    let solutions = found["solutions"].as_array().expect("a list");
+    assert_eq!(solutions.len(), 1, "{found}");
+    let chi_square = solutions[0]["chi_square"].as_f64().expect("a number");
+    assert!((chi_square - (0.5 * 0.5 + 0.65 * 0.65)).abs() < 1e-3, "{chi_square}");
+    let [low, high] = ends(&found, "vehicle.2.speed");
+    assert!(low < 1e-3 && (high - 4.0).abs() < 1e-6, "{low} {high}");
+}
+
 /// With ± 0.07 replaced by a range, the evidence leaves all three open, and the bounds allow a range that contains the measured speed.
 #[test]
 fn what_is_open_has_the_range_that_the_bounds_allow() {
