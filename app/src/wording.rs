@@ -54,3 +54,15 @@ pub fn barrier_instead(path: &str) -> Option<String> {
 pub fn percent_meant(value: f64) -> Option<String> {
     (2.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_barrier_is_meant_by_a_vehicle_without_a_mass_alone() {
+        let is_hinted =
+            ["vehicle.1.mass", "vehicle.2.weight", "vehicle.2.speed", "vehicle.3.mass", "mass"].map(|path| barrier_instead(path).is_some());
+        assert_eq!(is_hinted, [true, true, false, false, false]);
+    }
+}

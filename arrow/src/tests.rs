@@ -61,6 +61,26 @@ fn a_number_is_the_same_in_every_type() {
     assert_eq!(losses(&table(vec![("vehicle.1.speed", Arc::new(NullArray::new(3)))])), [first[1]; 3]);
 }
 
+/// The digits of a decimal are rounded once, as those of a text are: 128 bits are more than a float has.
+#[test]
+fn a_decimal_is_rounded_once() {
+    const SCALE: usize = 20;
+    let digits = (0..200_i128).map(|i| 12 * 10_i128.pow(SCALE as u32) + i * 1_234_567_890_123_456_789);
+    let text =
+        digits.clone().map(|digits| format!("{}.{:0SCALE$}", digits / 10_i128.pow(SCALE as u32), digits % 10_i128.pow(SCALE as u32)));
+    let decimals = Decimal128Array::from_iter(digits.map(Some)).with_precision_and_scale(38, SCALE as i8).expect("a decimal");
+    let columns: [ArrayRef; 2] = [Arc::new(decimals), Arc::new(StringArray::from_iter(text.map(Some)))];
+    let [decimals, texts] = columns.map(|column| losses(&table(vec![("vehicle.1.speed", column)])));
+    assert_eq!(decimals, texts);
+}
+
+#[test]
+fn a_truth_is_a_word() {
+    let barrier: ArrayRef = Arc::new(BooleanArray::from_iter([Some(true), None, Some(false)]));
+    let found = losses(&table(vec![("vehicle.2.barrier", barrier)]));
+    assert!(found[0] > Some(0.0) && found[0] == found[1] && found[2].is_none(), "{found:?}");
+}
+
 #[test]
 fn a_unit_is_in_the_name_or_in_the_metadata() {
     let speeds: ArrayRef = Arc::new(Float64Array::from(vec![54.0]));

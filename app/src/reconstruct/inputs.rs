@@ -163,6 +163,8 @@ mod tests {
         // A mass is above zero anyway; a speed may be negative, unless its logarithm is normal.
         assert_eq!([(mass.min, mass.max), (speed.min, speed.max)], [(None, None), (Some(0.0), None)]);
         assert_eq!(codes(&found), ["shape-approximated"; 3]);
+        let texts: Vec<String> = found.notices.iter().map(|notice| Units::Si.sentence(&notice.message)).collect();
+        assert!(texts[0].contains("is log-normal") && texts[2].contains("is triangular"), "{texts:?}");
     }
 
     #[test]
