@@ -355,7 +355,10 @@ fn at_the_edge(model: &Model<'_>, stopped: &[f64], spans: &[ParameterBounds], se
     let mut next = 0;
     while let Some(piece) = pieces.get(next) {
         problem.keep_to(*piece);
-        if let Ok(reached) = limited::minimum(&problem, &at, spans, limited::LONG, search.iterations, Until::Unknowns) {
+        let to = |until| limited::minimum(&problem, &at, spans, limited::LONG, search.iterations, until);
+        // Where the vehicles hardly close, hardly anything depends on the unknowns.
+        let flat = || to(Until::Sum).ok().filter(|reached| problem.hardly_closes(&reached.unknowns));
+        if let Some(reached) = to(Until::Unknowns).ok().or_else(flat) {
             at.clone_from(&reached.unknowns);
             let beyond: Vec<Piece> = problem.beyond(&at).into_iter().filter(|piece| !pieces.contains(piece)).collect();
             pieces.extend(beyond);
