@@ -243,13 +243,16 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         file.fits(&as_new.observations()?).unwrap_or_default()
     };
     let negative = fits.iter().flat_map(|fit| fit.findings().into_iter().filter(is_negative).map(|finding| negative_fit(fit, &finding)));
-    let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).map(Sentence).collect();
+    let pooled = file.pooled();
+    // The vehicles of a class may differ, and so do tests of new cars that are taken as those of one.
+    let contradicted = fits.iter().filter(|fit| pooled.is_empty() && suspected.is_empty() && fit.is_contradicted()).map(contradicted_fit);
+    let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).chain(contradicted).map(Sentence).collect();
     let deepest = BEYOND_DEEPEST * tests.iter().map(|test| test.mean_depth).fold(0.0, f64::max);
     let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit, deepest)).collect();
     let answer = StiffnessAnswer {
         tests,
         headlines,
-        pooled: file.pooled(),
+        pooled,
         fits: of_file(fits),
         fits_as_new_cars: of_file(fits_as_new_cars),
         has_deviations: file.has_deviations,
@@ -268,6 +271,16 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
         .join(message(finding))
         .text("; A = d0 d1 is ")
         .figure(Measure::ForcePerWidth, ForceLine::from(fit.stiffness).onset)
+}
+
+/// Describes a fit to tests that contradict each other.
+fn contradicted_fit(fit: &StiffnessFit) -> Message {
+    let (model, freedom) = (model_name(fit.model), fit.degrees_of_freedom);
+    Message::from(format!(
+        "the tests contradict each other, fitted on {model}: chi-square {:.1} with {freedom} {} of freedom",
+        fit.chi_square,
+        if freedom == 1 { "degree" } else { "degrees" }
+    ))
 }
 
 /// Returns the name of a model of the crush in answers.

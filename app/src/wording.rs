@@ -50,6 +50,18 @@ pub fn barrier_instead(path: &str) -> Option<String> {
     is_mass_of_vehicle.then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
 }
 
+/// Returns by how much a standard deviation with so few degrees of freedom may be too small, if that matters: what is measured has Student's distribution, whose
+/// variance is ν/(ν − 2) times that of the samples.
+pub fn too_small(freedom: usize) -> Option<String> {
+    /// Factor of the standard deviation that matters.
+    const MATTERS: f64 = 1.1;
+    if freedom <= 2 {
+        return Some("many times too small".to_owned());
+    }
+    let factor = (freedom as f64 / (freedom as f64 - 2.0)).sqrt();
+    (factor >= MATTERS).then(|| format!("{factor:.1} times too small"))
+}
+
 /// Returns a hint for a coefficient above 1: a percentage may be meant.
 pub fn percent_meant(value: f64) -> Option<String> {
     (2.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))

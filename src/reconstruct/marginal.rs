@@ -1,5 +1,7 @@
 //! The posterior of one quantity, in numbers.
 
+use std::f64::consts::{PI, TAU};
+
 use super::convergence::Convergence;
 use super::measurand::Measurand;
 
@@ -56,8 +58,17 @@ impl Marginal {
         self.quantile(0.5)
     }
 
-    /// Returns the probability that the quantity is greater than a value.
+    /// Returns the probability that the quantity is greater than a value. An angle that is computed counts within half a turn of zero, as it is printed, if the
+    /// value lies there.
     pub fn probability_above(&self, value: f64) -> f64 {
+        let above = |value: f64| self.share_above(value);
+        if matches!(self.of, Measurand::Variable(_)) || self.of.period().is_none() || value.abs() > PI {
+            return above(value);
+        }
+        (above(value) - above(PI)) + above(value + TAU) + (above(value - TAU) - above(-PI))
+    }
+
+    fn share_above(&self, value: f64) -> f64 {
         let count = self.sorted.len();
         (count - self.sorted.partition_point(|x| *x <= value)) as f64 / count as f64
     }
@@ -76,4 +87,23 @@ fn shortest(sorted: &[f64], share: f64) -> [f64; 2] {
     let within = ((share * sorted.len() as f64).ceil() as usize).clamp(1, sorted.len());
     let ranges = sorted.windows(within).map(|range| [range[0], range[within - 1]]);
     ranges.min_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0]))).unwrap_or([f64::NAN; 2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Side;
+    use crate::output::Output;
+
+    /// Draws every degree within half a turn of 170°: 10° of 360° lie from 170° to 180° and as many from −180° to −170°.
+    #[test]
+    fn angles_count_as_they_are_printed() {
+        let draws: Vec<f64> = (0..3600).map(|i| (-10.0 + (f64::from(i) + 0.5) / 10.0_f64).to_radians()).collect();
+        let of = Measurand::Output(Output::PrincipalDirectionOfForce(Side::One));
+        let marginal = Marginal::of(of, &draws, 4, 10, 0.95).expect("finite");
+        for (degrees, above) in [(170.0, 10.0), (0.0, 180.0), (-170.0, 350.0), (-10.0, 190.0), (350.0, 0.0), (190.0, 160.0)] {
+            let found = marginal.probability_above(f64::to_radians(degrees));
+            assert!((found - above / 360.0).abs() < 1e-3, "{degrees}: {found}");
+        }
+    }
 }

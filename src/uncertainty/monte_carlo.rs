@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::f64::consts::PI;
 use core::fmt;
 
 use super::model::Model;
@@ -210,7 +211,8 @@ impl<M: Model> Uncertain<M> {
         let count = |of: &Threshold<M::Output>| Count {
             of: *of,
             is_angle: self.model.is_angle(of.of),
-            center: center(of.of),
+            // An angle counts within half a turn of zero, as it is printed, if the value lies there.
+            center: if of.value.abs() <= PI { 0.0 } else { center(of.of) },
             samples: 0,
             holds: 0,
         };

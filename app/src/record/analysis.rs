@@ -14,6 +14,7 @@ use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::wording::too_small;
 
 /// Samples in a local line of a film, unless the file says otherwise.
 const NEIGHBORS: usize = 9;
@@ -155,19 +156,11 @@ fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
-/// Returns a note of a baseline that tells the noise badly: a mean of n samples has Student's distribution, whose variance is (n − 1)/(n − 3) times that of the
-/// samples.
+/// Returns a note of a baseline that tells the noise badly.
 fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
-    /// Factor of the standard deviation that matters.
-    const MATTERS: f64 = 1.1;
     let slack = ROUNDING * (before.to - before.from);
     let count = record.times().iter().filter(|time| (before.from - slack..=before.to + slack).contains(*time)).count();
-    let factor = (count > 3).then(|| ((count as f64 - 1.0) / (count as f64 - 3.0)).sqrt());
-    let too_small = match factor {
-        Some(factor) if factor < MATTERS => return None,
-        Some(factor) => format!("{factor:.1} times too small"),
-        None => "many times too small".to_owned(),
-    };
+    let too_small = too_small(count.saturating_sub(1))?;
     let message =
         format!("{name}: a baseline of {count} samples hardly tells the noise: the standard deviation of what follows may be {too_small}");
     Some(Notice::note("short-baseline", path, message))

@@ -192,14 +192,16 @@ impl TestFile {
         self.vehicles.iter().enumerate().filter_map(suspect).collect()
     }
 
-    /// Returns the stiffness of the class on mean depths and on profiles if each vehicle has one of its own without a negative coefficient: by a held or assumed
-    /// onset, or by tests to different depths.
+    /// Returns the stiffness of the class if each vehicle has one of its own without a negative coefficient: by a held or assumed onset, or by tests to different
+    /// depths.
+    pub(crate) fn class(&self, model: CrushModel) -> Option<Pooled> {
+        let fits: Option<Vec<OwnFit>> = self.vehicles.iter().map(|tested| self.own(tested, model)).collect();
+        Pooled::of(model, &fits?)
+    }
+
+    /// Returns the stiffness of the class on mean depths and on profiles.
     pub(super) fn pooled(&self) -> Vec<Pooled> {
-        let own = |model: CrushModel| -> Option<Pooled> {
-            let fits: Option<Vec<OwnFit>> = self.vehicles.iter().map(|tested| self.own(tested, model)).collect();
-            Pooled::of(model, &fits?)
-        };
-        [CrushModel::MeanDepth, CrushModel::Profile].into_iter().filter_map(own).collect()
+        [CrushModel::MeanDepth, CrushModel::Profile].into_iter().filter_map(|model| self.class(model)).collect()
     }
 
     fn own(&self, tested: &super::Tested, model: CrushModel) -> Option<OwnFit> {

@@ -38,7 +38,8 @@ pub struct Reconstruct {
     /// Draw from the posterior: the priors times the likelihood of the evidence.
     #[arg(long)]
     pub posterior: bool,
-    /// Print the probability of a statement under the posterior, such as "vehicle.1.speed > 50 km/h"; may be repeated.
+    /// Print the probability of a statement under the posterior, such as "vehicle.1.speed > 50 km/h"; may be repeated. A direction of force counts from -180 to
+    /// 180 deg.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
     /// Add the values of each draw to the JSON.

@@ -30,7 +30,7 @@ pub struct Uncertainty {
     /// Where the samples lie. Default: random.
     #[arg(long, value_enum)]
     pub points: Option<SamplePoints>,
-    /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated.
+    /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated. An angle counts from -180 to 180 deg.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
     /// Level of the middle range, between 0 and 1.

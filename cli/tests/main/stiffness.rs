@@ -409,3 +409,22 @@ fn a_held_force_leaves_one_coefficient() {
         assert!(refused.err.contains(wanted), "{fit}: {}", refused.err);
     }
 }
+
+/// Tests of one car whose residuals are many standard deviations.
+#[test]
+fn tests_that_contradict_each_other_have_status_1() {
+    let of = |second: f64| {
+        let test = |speed: u8, depth: f64| {
+            format!(
+                "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [{depth}, {depth}]\nscatter = \"2 N^0.5\"\n"
+            )
+        };
+        let text =
+            format!("schema = 1\n[[vehicle]]\nname = \"A\"\nnew_cars = true\n{}{}{}", test(7, 0.16), test(11, second), test(15, 0.42));
+        let folder = crate::process::Folder::new();
+        folder.write("tests.toml", text.as_bytes());
+        let run = crate::process::run(folder.path(), &["stiffness", "tests.toml"]);
+        (run.status, run.out.contains("the tests contradict each other, fitted on"))
+    };
+    assert_eq!([of(0.40), of(0.29)], [(1, true), (0, false)]);
+}

@@ -313,7 +313,7 @@ fn a_stiffness_with_its_force_held_has_one_uncertain_number() {
     let folder = Folder::new();
     let test = |speed: f64, depth: f64| {
         format!(
-            "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nspeed_sd = 0.1\nrestitution = 0.1\nwidth = {width}\ndepths = [{depth}, {depth}]\n"
+            "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nspeed_sd = 0.1\nscatter = 60\nrestitution = 0.1\nwidth = {width}\ndepths = [{depth}, {depth}]\n"
         )
     };
     let tests = [test(6.0, 0.1), test(10.0, 0.25), test(14.0, 0.4)].concat();
@@ -546,5 +546,32 @@ fn a_note_that_the_format_has_no_place_for_is_on_standard_error() {
     for call in [&["sweep", "-", "--vary", "e=0:0.2:0.1"][..], &["formula", "W_n", "--case", "-"]] {
         let run = run_with_input(call, case);
         assert!(run.err.is_empty() && run.out.contains(nominal["note: ".len()..].trim_end()), "{call:?}: {} {}", run.err, run.out);
+    }
+}
+
+/// A car that is struck straight from behind: half of the directions are to either side of 180°, as they are printed, on whichever side the nominal one is.
+#[test]
+fn a_probability_of_a_direction_is_that_of_the_printed_angle() {
+    let vehicle = |heading: &str, speed: &str, center: f64| {
+        format!(
+            "[[vehicle]]\nmass = 1400\nyaw_inertia = 2300\nheading = \"{heading}\"\nspeed = \"{speed}\"\nimpact_center = [{center}, 0]\n"
+        )
+    };
+    for heading in ["0.1 deg ± 5 deg", "-0.1 deg ± 5 deg"] {
+        let case = format!(
+            "schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0.1\n",
+            vehicle("0 deg", "15 m/s", 2.0),
+            vehicle(heading, "5 m/s", -2.0)
+        );
+        let folder = crate::process::Folder::new();
+        folder.write("case.toml", case.as_bytes());
+        let statements = ["vehicle.2.pdof > 175 deg", "vehicle.2.pdof < 0 deg", "vehicle.2.pdof < -175 deg"];
+        let mut call = vec!["uncertainty", "case.toml", "--of", "vehicle.2.pdof", "--format", "json"];
+        statements.iter().for_each(|statement| call.extend(["--probability", statement]));
+        let answer = answered(&crate::process::run(folder.path(), &call));
+        let of = |statement: &str| number(&answer["probabilities"][statement]["value"]);
+        assert!((of(statements[1]) - 0.5).abs() < 0.02, "{heading}: {answer}");
+        // Between 175° and 180° on either side lie 0.40 of a normal distribution of 3.9°.
+        assert!((of(statements[0]) - 0.4).abs() < 0.02 && (of(statements[2]) - 0.4).abs() < 0.02, "{heading}: {answer}");
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use planar_impact::Distribution;
-use planar_impact::barrier::{CrushModel, StiffnessFit};
+use planar_impact::barrier::{CovarianceBasis, CrushModel, StiffnessFit};
 use planar_impact::crush::CrushStiffness;
 
 use super::CaseReader;
@@ -14,8 +14,9 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::Source;
-use crate::stiffness::{TestFile, is_negative, message};
+use crate::stiffness::{PooledNumber, TestFile, is_negative, message};
 use crate::units::{Measure, Units};
+use crate::wording::too_small;
 
 /// A stiffness fitted to the tests of a file, and what has it.
 pub(super) struct FittedToTests {
@@ -23,6 +24,8 @@ pub(super) struct FittedToTests {
     model: CrushModel,
     fit: StiffnessFit,
     is_uncertain: bool,
+    /// Number of vehicles of a class, whose spread is in the covariance; one otherwise.
+    vehicles: usize,
     /// d0 and d1 of each crush or zone with this stiffness, and the path of its key.
     of: Vec<([Parameter; 2], String)>,
 }
@@ -117,10 +120,19 @@ impl FittedToTests {
     /// Fits a stiffness to the tests of a file. What the recordings that it names are to be known for comes with it.
     fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
         let mut file = TestFile::read(tests.clone(), reader)?;
-        let fit = file.fit(model)?;
-        let is_uncertain = file.is_uncertain(&fit);
+        let mut fit = file.fit(model)?;
+        let mut is_uncertain = file.is_uncertain(&fit);
+        let mut vehicles = 1;
+        // The vehicle of the case is another one of the class: it differs from the line through all tests as those that were tested do from each other.
+        if let Some(class) = file.class(model) {
+            let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
+            fit.covariance.onset += squared(&class.d0);
+            fit.covariance.slope += squared(&class.d1);
+            is_uncertain = true;
+            vehicles = class.vehicles.len();
+        }
         let notices = std::mem::take(&mut file.notices);
-        Ok((FittedToTests { tests, model, fit, is_uncertain, of: Vec::new() }, notices))
+        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, of: Vec::new() }, notices))
     }
 
     /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes is one number.
@@ -142,6 +154,10 @@ impl FittedToTests {
             .collect()
     }
 
+    fn scatter_is_too_small(&self) -> Option<String> {
+        if self.fit.basis == CovarianceBasis::Residuals { too_small(self.fit.degrees_of_freedom) } else { None }
+    }
+
     fn notice(&self, key: &str) -> Notice {
         let number = |message: Message, measure, value, sd| {
             let message = message.figure(measure, value);
@@ -151,13 +167,22 @@ impl FittedToTests {
         let message = number(Message::from(format!("{key}: d0 = ")), Measure::RootForce, onset.value, onset.deviation());
         let message = number(message.text(", d1 = "), Measure::RootForcePerLength, slope.value, slope.deviation());
         let count = self.fit.residuals.len();
-        if self.fit.is_poor() {
+        if self.vehicles > 1 {
+            let vehicles = self.vehicles;
+            let message = message.text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between them"));
+            Notice::note("stiffness-from-tests", key, message)
+        } else if self.fit.is_poor() {
             let (chi_square, freedom) = (self.fit.chi_square, self.fit.degrees_of_freedom);
             let message = message.text(format!(
                 ", fitted to {count} tests, which differ by more than their standard deviations allow (chi-square {chi_square:.1} with {freedom} degrees of \
                  freedom): it is less certain; without standard deviations the residuals tell how much"
             ));
             Notice::warning("stiffness-from-tests", key, message)
+        } else if let Some(too_small) = self.is_uncertain.then(|| self.scatter_is_too_small()).flatten() {
+            let message = message.text(format!(
+                ", fitted to {count} tests, whose residuals hardly tell how far off they are: the standard deviations may be {too_small}; give those of the tests"
+            ));
+            Notice::note("stiffness-from-tests", key, message)
         } else if self.is_uncertain {
             Notice::note("stiffness-from-tests", key, message.text(format!(", fitted to {count} tests")))
         } else {

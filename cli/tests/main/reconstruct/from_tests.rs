@@ -196,3 +196,48 @@ fn a_zone_may_be_fitted_too() {
     assert!((value(&run) / value(&plain) - 1.0).abs() < 1e-9 && d0_sd > 0.0);
     assert!(number(&json(&run)["evidence"]["crush_energy"]["sd"]) > 0.0);
 }
+
+/// Two tests each of vehicles whose stiffness differs by much more than their tests are uncertain.
+fn of_a_class() -> String {
+    let test = |speed: u8, depth: f64| {
+        format!(
+            "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [{depth}, {depth}]\nscatter = \"4 N^0.5\"\n"
+        )
+    };
+    let vehicle =
+        |name: &str, shallow, deep| format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{}{}", test(7, shallow), test(15, deep));
+    format!("schema = 1\n{}{}", vehicle("A", 0.16, 0.42), vehicle("B", 0.22, 0.60))
+}
+
+/// The vehicle of the case is another one of the class: the spread between those that were tested adds to the covariance of the line through all tests.
+#[test]
+fn the_spread_of_a_class_is_in_the_deviation() {
+    let tests = of_a_class();
+    let folder = Folder::new();
+    folder.write("tests.toml", tests.as_bytes());
+    let class = json(&run(folder.path(), &["stiffness", "tests.toml", "--format", "json"]));
+    let between = ["d0", "d1"].map(|name| number(&class["pooled"][1][name]["between_sd"]));
+    assert!(between[1] > 100.0, "{between:?}");
+    let [d0, d1, d0_sd, d1_sd, correlation] = fit(&tests, 1);
+    let sds = [d0_sd.hypot(between[0]), d1_sd.hypot(between[1])];
+    let (width, depth) = (5.0 * 0.3048, 0.520335 * 0.3048);
+    let by_d0 = width * (d0 + d1 * depth);
+    let terms = [by_d0 * sds[0], by_d0 * depth * sds[1]];
+    let covariance = correlation * by_d0 * d0_sd * by_d0 * depth * d1_sd;
+    let document = json(&beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", &tests)], &RECONSTRUCT));
+    let sd = number(&document["evidence"]["crush_energy"]["sd"]);
+    let wanted = (terms[0] * terms[0] + terms[1] * terms[1] + 2.0 * covariance).sqrt();
+    assert!((sd / wanted - 1.0).abs() < 1e-6, "{sd} {wanted}");
+    assert!(document["messages"].to_string().contains("4 tests of 2 vehicles, with the spread between them"), "{}", document["messages"]);
+}
+
+/// Three tests leave one degree of freedom, of which a scatter has no standard deviation.
+#[test]
+fn few_residuals_are_told() {
+    let bare: String =
+        struble_welsh().lines().filter(|line| !line.contains("_sd") && !line.contains("scatter")).map(|line| format!("{line}\n")).collect();
+    let told = |tests: &str| {
+        beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", tests)], &RECONSTRUCT).out.contains("many times too small")
+    };
+    assert!(told(&bare) && !told(&struble_welsh()));
+}
