@@ -121,9 +121,7 @@ proptest! {
 fn a_weighted_derivative_beyond_the_floats_is_refused() {
     let collision = Collision::new(Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(12.0), Party::Barrier);
     for (weight, is_refused) in [(1e290, false), (1e308, true), (f64::NAN, true)] {
-        let mut weights = Outputs::default();
-        weights.loss = weight;
-        let found = collision.pullback(&weights);
+        let found = collision.pullback(&Outputs { loss: weight, ..Outputs::default() });
         assert_eq!(found.err(), is_refused.then(|| Refusal::OutOfFloatRange.into()), "{weight}");
     }
 }
