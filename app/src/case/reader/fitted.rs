@@ -121,14 +121,13 @@ impl FittedToTests {
     fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
         let mut file = TestFile::read(tests.clone(), reader)?;
         let mut fit = file.fit(model)?;
-        let mut is_uncertain = file.is_uncertain(&fit);
+        let is_uncertain = file.is_uncertain(&fit);
         let mut vehicles = 1;
         // The vehicle of the case is another one of the class: it differs from the line through all tests as those that were tested do from each other.
         if let Some(class) = file.class(model) {
             let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
             fit.covariance.onset += squared(&class.d0);
             fit.covariance.slope += squared(&class.d1);
-            is_uncertain = true;
             vehicles = class.vehicles.len();
         }
         let notices = std::mem::take(&mut file.notices);
