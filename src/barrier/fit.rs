@@ -133,26 +133,26 @@ impl StiffnessFit {
     pub fn is_poor(&self) -> bool {
         /// The standard normal number that 5 % exceed.
         const ONE_IN_TWENTY: f64 = 1.644_853_626_951_472_2;
-        self.is_exceeded(ONE_IN_TWENTY)
+        self.is_beyond(ONE_IN_TWENTY)
     }
 
     /// Returns `true` if the tests contradict each other: a χ² as large has a probability below one in a thousand.
     pub fn is_contradicted(&self) -> bool {
         /// The standard normal number that one in a thousand exceeds.
         const ONE_IN_A_THOUSAND: f64 = 3.090_232_306_167_813;
-        self.is_exceeded(ONE_IN_A_THOUSAND)
+        self.is_beyond(ONE_IN_A_THOUSAND)
     }
 
-    /// Returns `true` if χ² is beyond what a standard normal number stands for (Wilson and Hilferty 1931: the cube root of χ² over the degrees of freedom is nearly
-    /// normal).
-    fn is_exceeded(&self, normal: f64) -> bool {
+    /// Returns `true` if χ² is greater than its quantile at a standard normal score: the cube root of χ² over the degrees of freedom is nearly normal (Wilson and
+    /// Hilferty 1931).
+    fn is_beyond(&self, score: f64) -> bool {
         if self.degrees_of_freedom == 0 || self.basis == CovarianceBasis::Residuals {
             return false;
         }
         let freedom = self.degrees_of_freedom as f64;
         let variance = 2.0 / (9.0 * freedom);
         // Cubes instead of cube roots, which the core library has not.
-        let greatest = 1.0 - variance + normal * variance.square_root();
+        let greatest = 1.0 - variance + score * variance.square_root();
         self.chi_square > freedom * greatest * greatest * greatest
     }
 }

@@ -55,9 +55,11 @@ impl Region {
         let ways = if may_pass(profile) { &[Lying::AsItIs, Lying::TheOtherWay][..] } else { &[Lying::AsItIs] };
         let mut random = ChaCha8Rng::seed_from_u64(1988);
         for piece in pieces {
-            let of_piece = reached.iter().filter(|point| profile.piece(point) == *piece).map(|point| point.to_vec());
-            let mut found: Vec<Vec<f64>> = of_piece.collect();
             for way in ways {
+                let mut found: Vec<Vec<f64>> = match way {
+                    Lying::AsItIs => reached.iter().filter(|point| profile.piece(point) == *piece).map(|point| point.to_vec()).collect(),
+                    Lying::TheOtherWay => Vec::new(),
+                };
                 for i in (0..unknowns.len()).cycle().take(DRAWN / pieces.len()) {
                     // Of what lies the other way no end has been found.
                     let start: Vec<f64> = match way {
@@ -69,7 +71,7 @@ impl Region {
                     found.extend(profile.fit_within(*piece, *way, Some(fixed), &start));
                 }
                 found.extend(profile.fit_within(*piece, *way, None, best));
-                let chosen = far_from_each_other(std::mem::take(&mut found), &ranges, MOST / pieces.len());
+                let chosen = far_from_each_other(found, &ranges, MOST / pieces.len());
                 region.points.extend(chosen.into_iter().map(|point| (*piece, point)));
             }
         }

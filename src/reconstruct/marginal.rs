@@ -61,11 +61,11 @@ impl Marginal {
     /// Returns the probability that the quantity is greater than a value. An angle that is computed counts within half a turn of zero, as it is printed, if the
     /// value lies there.
     pub fn probability_above(&self, value: f64) -> f64 {
-        let above = |value: f64| self.share_above(value);
         if matches!(self.of, Measurand::Variable(_)) || self.of.period().is_none() || value.abs() > PI {
-            return above(value);
+            return self.share_above(value);
         }
-        (above(value) - above(PI)) + above(value + TAU) + (above(value - TAU) - above(-PI))
+        let between = |low, high| self.share_above(low) - self.share_above(high);
+        between(value, PI) + self.share_above(value + TAU) + between(value - TAU, -PI)
     }
 
     fn share_above(&self, value: f64) -> f64 {

@@ -4,7 +4,7 @@ use super::*;
 use crate::law::Law;
 use alloc::vec;
 
-/// A wrong ratio is told with that of the motions.
+/// The finding about a wrong ratio gives the ratio that follows from the motions.
 #[test]
 fn a_wrong_ratio_is_told_with_the_right_one() {
     use crate::collision::Collision;

@@ -153,6 +153,7 @@ impl FittedToTests {
             .collect()
     }
 
+    /// Returns by how much the standard deviations may be too small because few residuals give them.
     fn scatter_is_too_small(&self) -> Option<String> {
         if self.fit.basis == CovarianceBasis::Residuals { too_small(self.fit.degrees_of_freedom) } else { None }
     }
@@ -177,16 +178,16 @@ impl FittedToTests {
                  freedom): it is less certain; without standard deviations the residuals tell how much"
             ));
             Notice::warning("stiffness-from-tests", key, message)
-        } else if let Some(too_small) = self.is_uncertain.then(|| self.scatter_is_too_small()).flatten() {
+        } else if !self.is_uncertain {
+            let message = message.text(", fitted to two tests, which do not tell how far off they are: it counts as certain");
+            Notice::warning("stiffness-from-tests", key, message)
+        } else if let Some(too_small) = self.scatter_is_too_small() {
             let message = message.text(format!(
                 ", fitted to {count} tests, whose residuals hardly tell how far off they are: the standard deviations may be {too_small}; give those of the tests"
             ));
             Notice::note("stiffness-from-tests", key, message)
-        } else if self.is_uncertain {
-            Notice::note("stiffness-from-tests", key, message.text(format!(", fitted to {count} tests")))
         } else {
-            let message = message.text(", fitted to two tests, which do not tell how far off they are: it counts as certain");
-            Notice::warning("stiffness-from-tests", key, message)
+            Notice::note("stiffness-from-tests", key, message.text(format!(", fitted to {count} tests")))
         }
     }
 }
