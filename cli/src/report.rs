@@ -81,6 +81,14 @@ fn options(call: &Report, units: Units) -> document::Options {
 }
 
 fn write(call: &Report, document: &html::Document) -> Result<CommandOutput, Failure> {
+    let has = |name: &str| document.sections.iter().any(|section| section.id == name);
+    let absent: Vec<&str> = call.sections.iter().map(String::as_str).filter(|name| !has(name)).collect();
+    if !absent.is_empty() {
+        return Err(Failure::of_options(format!(
+            "--sections {} has no effect: this report has nothing to say there; leave it out",
+            absent.join(",")
+        )));
+    }
     Ok(CommandOutput::text(html::render(document)).to(call.output.as_deref()))
 }
 

@@ -153,6 +153,11 @@ fn sections_and_units_are_as_asked() {
     assert!(section(&html, "summary").contains("sedan: ΔV 24.9 km/h")); // 15.45 mph
     let refused = run(&workspace(), &["report", "cli/examples/position-a.toml", "--sections", "sumary"]);
     assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("summary"), "{}", refused.err);
+    // Nothing of a crush energy depends on a scene, and a report without what was asked for would be empty.
+    let without = ["report", "cli/examples/cavalier-crush.toml", "--verb", "crush", "--sections", "results,sensitivity"];
+    let refused = run(&workspace(), &without);
+    assert!(refused.status == 2 && refused.out.is_empty(), "{}", refused.out);
+    assert!(refused.err.contains("--sections sensitivity has no effect"), "{}", refused.err);
 }
 
 #[test]
