@@ -331,6 +331,23 @@ mod tests {
         }
     }
 
+    /// What rounding leaves of a derivative has no effect.
+    #[test]
+    fn rounding_has_no_effect() {
+        let text = crate::template::of("t-bone").expect("a kind").to_owned();
+        let case = Case::parse(Source { name: "case".to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+        let answer = gradient(&case, &Options::default(), &crate::Uncontrolled).unwrap_or_else(|issues| panic!("{issues}"));
+        let output = CaseOutput::Impact(planar_impact::Output::Loss);
+        let mut derivatives = answer.of.get(&output.to_string()).expect("an output").clone();
+        let sound = answer.effects(output, &derivatives, Units::Si);
+        assert!(sound.iter().any(|effect| effect.derivative != 0.0));
+        let tiny = 1e-14 * answer.scale(output);
+        derivatives.d = derivatives.d.iter().map(|(name, _)| (name, tiny)).collect();
+        let left = answer.effects(output, &derivatives, Units::Si);
+        let rounding: Vec<_> = left.iter().filter(|effect| effect.uncertainty.size > 0.0 && effect.uncertainty.size < 10.0).collect();
+        assert!(!rounding.is_empty() && rounding.iter().all(|effect| effect.derivative == 0.0), "{rounding:?}");
+    }
+
     /// Three inputs have three first derivatives and six second ones.
     #[test]
     fn progress_counts_every_derivative() {

@@ -198,8 +198,9 @@ pub fn violations(collision: &Collision, answer: &Value) -> Vec<String> {
     found.equal("impulse_ratio", &impulse_t, &(&ratio * &impulse_n), &(magnitude(&impulse_t) + magnitude(&impulse_n)), ROUNDING);
     let center = |body: &Option<Moved>| body.as_ref().map_or(Vector::of(0.0, 0.0), |body| body.arm.turned_back());
     let apart = center(&bodies[1]).minus(&center(&bodies[0])).dot(&normal);
-    found.holds("the vehicles do not close", &approach_n * &apart < RBig::ZERO);
-    found.holds("the normal impulse is tensile", &impulse_n * &apart < RBig::ZERO);
+    // Two points, whose impact centers are their centers of mass, close either way.
+    found.holds("the vehicles do not close", apart == RBig::ZERO || &approach_n * &apart < RBig::ZERO);
+    found.holds("the normal impulse is tensile", &approach_n * &impulse_n > RBig::ZERO);
     let critical = contact["critical_impulse_ratio"].as_f64();
     match (collision.impulse_ratio, critical) {
         (ImpulseRatio::Given(given), _) => {

@@ -49,22 +49,23 @@ pub enum Given {
     Text(String),
     /// `None`.
     Nothing,
-    /// Anything else.
-    Other,
+    /// Anything else, with its type.
+    Other(String),
 }
 
 impl FromPyObject<'_, '_> for Given {
     type Error = PyErr;
 
     fn extract(cell: Borrowed<'_, '_, PyAny>) -> PyResult<Given> {
+        let other = || Given::Other(cell.get_type().name().map_or_else(|_| String::new(), |name| name.to_string()));
         Ok(if cell.is_none() {
             Given::Nothing
         } else if let Ok(truth) = cell.cast::<PyBool>() {
             Given::Truth(truth.is_true())
         } else if let Ok(text) = cell.cast::<PyString>() {
-            text.to_cow().map_or(Given::Other, |text| Given::Text(text.into_owned()))
+            text.to_cow().map_or_else(|_| other(), |text| Given::Text(text.into_owned()))
         } else {
-            cell.extract().map_or(Given::Other, Given::Number)
+            cell.extract().map_or_else(|_| other(), Given::Number)
         })
     }
 }
@@ -97,7 +98,7 @@ impl<'a> Readable<'a> {
             Values::Cells(cells) => Readable::Cells(cells.iter().map(|given| cell(column, given)).collect()),
             Values::Same((given,)) => {
                 let cell = cell(column, given);
-                let number = if let (Cell::Number(number), true) = (cell, column.key.is_numeric()) { Some(number) } else { None };
+                let number = if let (Cell::Number(number), true) = (&cell, column.key.is_numeric()) { Some(*number) } else { None };
                 Readable::Same { cell, numbers: number.map_or_else(Vec::new, |number| vec![number; rows.min(ROWS)]) }
             }
         };
@@ -114,7 +115,7 @@ impl<'a> Readable<'a> {
             Readable::Numbers(numbers) => column.of_numbers(&numbers[first..first + rows]),
             Readable::Cells(cells) => Column::Cells(cells[first..first + rows].to_vec()),
             Readable::Same { numbers, .. } if !numbers.is_empty() => Column::Numbers(numbers[..rows].into()),
-            Readable::Same { cell, .. } => Column::Cells(vec![*cell; rows]),
+            Readable::Same { cell, .. } => Column::Cells(vec![cell.clone(); rows]),
         }
     }
 }
@@ -125,7 +126,7 @@ fn cell(column: &InputColumn, given: &Given) -> Cell {
         Given::Number(number) => column.of_number(*number),
         Given::Text(text) => column.of_text(text),
         Given::Nothing => Cell::Empty,
-        Given::Other => Cell::Unreadable,
+        Given::Other(of_type) => Cell::Unreadable(of_type.as_str().into()),
     }
 }
 

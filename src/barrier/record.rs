@@ -192,8 +192,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         issues.finish()
     }
 
-    /// Returns the samples in a window, those on its edges among them.
-    fn indices_in(&self, window: &Window<T>) -> impl Iterator<Item = usize> {
+    /// Returns the indices of the samples in a window, those on its edges among them.
+    pub fn indices_in(&self, window: &Window<T>) -> impl Iterator<Item = usize> {
         let slack = self.slack_of_time();
         let (from, to) = (window.from.clone() - slack.clone(), window.to.clone() + slack);
         (0..self.len()).filter(move |&i| {

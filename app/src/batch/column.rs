@@ -23,7 +23,7 @@ pub enum Key {
 }
 
 /// One cell of an input column.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// A number in SI; 0 or 1 for a word.
     Number(f64),
@@ -31,8 +31,8 @@ pub enum Cell {
     Critical,
     /// Nothing.
     Empty,
-    /// A text that is not what the column needs.
-    Unreadable,
+    /// What is not what the column needs, as it is found.
+    Unreadable(Box<str>),
 }
 
 /// The cells of an input column.
@@ -120,7 +120,7 @@ impl Column<'_> {
     pub fn at(&self, row: usize) -> Cell {
         match self {
             Column::Numbers(numbers) => Cell::Number(numbers[row]),
-            Column::Cells(cells) => cells[row],
+            Column::Cells(cells) => cells[row].clone(),
         }
     }
 
@@ -194,25 +194,29 @@ impl InputColumn {
             (Key::Barrier(_), "false") => Cell::Number(0.0),
             (Key::Law, "brach") => Cell::Number(0.0),
             (Key::Law, "kudlich-slibar") => Cell::Number(1.0),
-            (Key::Barrier(_) | Key::Law, _) => Cell::Unreadable,
+            (Key::Barrier(_) | Key::Law, _) => Cell::Unreadable(text.into()),
             (Key::Parameter(Parameter::Input(planar_impact::Input::ImpulseRatio)), "critical") => Cell::Critical,
             (Key::Parameter(_), _) => match text.parse() {
                 // Digits too small for a float are read as zero.
-                Ok(0.0) if quantity::finite(text).is_err() => Cell::Unreadable,
+                Ok(0.0) if quantity::finite(text).is_err() => Cell::Unreadable(text.into()),
                 Ok(number) => Cell::Number(self.to_si(number)),
-                Err(_) => Cell::Unreadable,
+                Err(_) => Cell::Unreadable(text.into()),
             },
         }
     }
 
     /// Reads a number of the table.
     pub fn of_number(&self, number: f64) -> Cell {
-        if matches!(self.key, Key::Parameter(_)) { Cell::Number(self.to_si(number)) } else { Cell::Unreadable }
+        if matches!(self.key, Key::Parameter(_)) { Cell::Number(self.to_si(number)) } else { Cell::Unreadable(number.to_string().into()) }
     }
 
     /// Reads a truth value of the table.
     pub fn of_truth(&self, is_true: bool) -> Cell {
-        if matches!(self.key, Key::Barrier(_)) { Cell::Number(f64::from(u8::from(is_true))) } else { Cell::Unreadable }
+        if matches!(self.key, Key::Barrier(_)) {
+            Cell::Number(f64::from(u8::from(is_true)))
+        } else {
+            Cell::Unreadable(is_true.to_string().into())
+        }
     }
 
     /// Reads numbers of the table, without a copy where they are in SI.

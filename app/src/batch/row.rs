@@ -5,6 +5,7 @@ use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side
 use super::column::{Cell, Column, InputColumn, Key, law_of};
 use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, Size, VehicleInputs, Velocity};
 use crate::message::Message;
+use crate::quantity::excerpt;
 use crate::wording::joined;
 
 /// What rows have where their cells are empty; `None` where nothing gives it.
@@ -99,8 +100,8 @@ impl RowVehicle {
 pub(super) enum Fault {
     /// The row is not one of the table.
     NotARow,
-    /// A cell is not what its column needs.
-    Unreadable(Key),
+    /// A cell is not what its column needs, with what it is.
+    Unreadable(Key, Box<str>),
     /// A number that a case file would not have.
     Outside(Parameter, f64),
     /// A number that no such quantity has, with the unit of its column, or that was probably meant in another unit, without one.
@@ -114,7 +115,7 @@ pub(super) enum Fault {
 impl Fault {
     fn code(&self) -> &'static str {
         match self {
-            Fault::NotARow | Fault::Unreadable(_) => "unreadable",
+            Fault::NotARow | Fault::Unreadable(..) => "unreadable",
             Fault::Outside(_, number) if !number.is_finite() => "not-finite",
             Fault::Outside(parameter, _) if parameter.domain() == Domain::Positive => "not-positive",
             Fault::Outside(..) | Fault::Implausible { .. } => "out-of-range",
@@ -126,14 +127,14 @@ impl Fault {
     fn reason(&self) -> Message {
         match self {
             Fault::NotARow => "the row cannot be read; it needs a cell for each column, in UTF-8".into(),
-            Fault::Unreadable(key) => {
+            Fault::Unreadable(key, found) => {
                 let wanted = match key {
                     Key::Parameter(Parameter::Input(Input::ImpulseRatio)) => "a number or `critical`",
                     Key::Parameter(_) => "a number, without a unit and with a point",
                     Key::Barrier(_) => "`true` or `false`",
                     Key::Law => "`brach` or `kudlich-slibar`",
                 };
-                format!("{key} cannot be read; it must be {wanted}").into()
+                format!("{key} is {}; it must be {wanted}", excerpt(found)).into()
             }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {
                 // With every digit: rounded, a number beside its limit would be the limit.
@@ -247,7 +248,10 @@ impl Row<'_> {
                 Fault::Implausible { of, number, has_unit: self.keys[column].has_unit() }
             }
             (Cell::Number(number), Key::Parameter(parameter)) => Fault::Outside(parameter, number),
-            _ => Fault::Unreadable(key),
+            (Cell::Number(number), _) => Fault::Unreadable(key, number.to_string().into()),
+            (Cell::Unreadable(found), _) => Fault::Unreadable(key, found),
+            (Cell::Critical, _) => Fault::Unreadable(key, "critical".into()),
+            (Cell::Empty, _) => Fault::Unreadable(key, "".into()),
         });
         f64::NAN
     }

@@ -330,13 +330,17 @@ fn a_crush_is_that_of_the_case_with_the_numbers_of_the_row() {
     let plan = plan(&names, Some(&case), &options).expect("a plan");
     assert!(plan.outputs().contains(&CaseOutput::CrushEnergy(Side::One)), "every output of `solve`");
     let columns = vec![
-        Column::Cells(vec![Cell::Number(0.5), Cell::Empty, Cell::Number(-0.1), Cell::Unreadable, Cell::Empty]),
+        Column::Cells(vec![Cell::Number(0.5), Cell::Empty, Cell::Number(-0.1), Cell::Unreadable("deep".into()), Cell::Empty]),
         Column::Cells(vec![Cell::Empty, Cell::Number(1200.0), Cell::Empty, Cell::Empty, Cell::Empty]),
         Column::Cells(vec![Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Number(0.0)]),
     ];
     let answer = plan.solve(&Table { rows: 5, columns, unreadable: Vec::new() });
     let codes: Vec<_> = answer.refused.iter().map(|refused| (refused.row, refused.codes.as_str(), refused.is_of_input)).collect();
     assert_eq!(codes, [(2, "out-of-range", true), (3, "unreadable", true), (4, "not-positive", true)]);
+    assert_eq!(
+        answer.refused[1].reason.to_string(),
+        "vehicle.1.crush.depths.2 is `deep`; it must be a number, without a unit and with a point"
+    );
     let depth = Parameter::named("vehicle.1.crush.depths.2").expect("a parameter");
     for (row, changed) in [(0, (depth, 0.5)), (1, (Parameter::Input(Input::Mass(Side::One)), 1200.0))] {
         let alone = case.with(&[changed]);
@@ -390,15 +394,15 @@ fn what_is_wrong_with_a_row_it_says() {
     let said: Vec<(&str, String)> =
         answer.refused.iter().map(|refused| (refused.codes.as_str(), crate::units::Units::Si.sentence(&refused.reason))).collect();
     let expected = [
-        ("unreadable", "vehicle.1.mass cannot be read"),
+        ("unreadable", "vehicle.1.mass is `abc`; it must be a number"),
         ("missing-key", "vehicle.1.mass is missing"),
         ("missing-key", "vehicle.2.speed is missing"),
         ("conflict", "vehicle.2.speed and vehicle.2.velocity.y exclude each other"),
         ("conflict", "contact.impulse_ratio and contact.friction exclude each other"),
         ("conflict", "vehicle.2.barrier and vehicle.2.mass exclude each other"),
-        ("unreadable", "vehicle.2.barrier cannot be read"),
-        ("unreadable", "contact.tangential_law cannot be read"),
-        ("unreadable", "contact.restitution cannot be read"),
+        ("unreadable", "vehicle.2.barrier is `perhaps`; it must be `true` or `false`"),
+        ("unreadable", "contact.tangential_law is `none`; it must be `brach`"),
+        ("unreadable", "contact.restitution is `critical`; it must be a number"),
         ("not-positive", "vehicle.1.mass is -5 kg; it must be above zero"),
         ("not-finite", "vehicle.1.mass is not finite: NaN"),
         ("not-finite", "vehicle.1.mass is not finite: inf"),
@@ -594,7 +598,7 @@ fn a_number_has_the_unit_of_its_column() {
     assert_eq!(speed.to_bits(), read.to_bits());
     assert_eq!(column.of_number(40.0), Cell::Number(read));
     assert!(matches!(column.of_numbers(&[40.0]), Column::Numbers(speeds) if speeds[0] == read));
-    assert_eq!((column.of_truth(true), column.of_text("40 mph")), (Cell::Unreadable, Cell::Unreadable));
+    assert_eq!((column.of_truth(true), column.of_text("40 mph")), (Cell::Unreadable("true".into()), Cell::Unreadable("40 mph".into())));
     assert_eq!(plan.names(), ["energy.loss", "refusal"]);
 }
 

@@ -158,8 +158,7 @@ fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
 
 /// Returns a note of a baseline that tells the noise badly.
 fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
-    let slack = ROUNDING * (before.to - before.from);
-    let count = record.times().iter().filter(|time| (before.from - slack..=before.to + slack).contains(*time)).count();
+    let count = record.indices_in(before).count();
     let too_small = too_small(count.saturating_sub(1))?;
     let message =
         format!("{name}: a baseline of {count} samples hardly tells the noise: the standard deviation of what follows may be {too_small}");

@@ -274,6 +274,8 @@ pub(super) const STIFFNESS: &str = r#"A file of barrier tests, TOML or JSON:
 Without standard deviations all tests have equal weight, and the scatter is that of the residuals.
 A negative d0 or d1, and tests that cannot be of one car, are said first, with exit status 1.
 Vehicles that have a stiffness each are pooled to a class: mean, and spread between vehicles.
+Beside crush measured on another car, a line has the uncertainty of its fit, and not what one
+car scatters about it: give the crush energy a relative standard deviation for that.
 The energy of a test is 1/2 m (1 - e^2) v^2: the normal through the impact center has to meet
 the center of mass. With an offset, part of the energy goes into yaw.
 

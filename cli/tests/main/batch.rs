@@ -107,7 +107,7 @@ fn the_example_says_why_rows_are_refused() {
     let said: Vec<&str> = table.err.lines().collect();
     assert_eq!(said[0], "row 5: conflict: contact.impulse_ratio and contact.friction exclude each other");
     assert!(said[1].starts_with("row 6: separating: vehicles are separating"), "{}", said[1]);
-    assert_eq!(said[2], "row 7: unreadable: vehicle.1.speed cannot be read; it must be a number, without a unit and with a point");
+    assert_eq!(said[2], "row 7: unreadable: vehicle.1.speed is `fast`; it must be a number, without a unit and with a point");
     assert_eq!(said[3..], ["3 of 7 rows refused: 1 conflict, 1 separating, 1 unreadable"]);
     let table = rows(&table.out);
     let given = rows(&fs::read_to_string(workspace().join(CRASHES)).expect("the example"));
@@ -342,7 +342,7 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("bad.csv")], 2, "did you mean `vehicle.1.speed`?"),
         (&[&path("bad.csv")], 2, "is a speed; a mass is expected"),
         (&[&path("separating.csv"), "--fail-fast"], 3, "row 2: vehicles are separating"),
-        (&[&path("unreadable.csv"), "--fail-fast"], 2, "row 2: vehicle.1.speed cannot be read"),
+        (&[&path("unreadable.csv"), "--fail-fast"], 2, "row 2: vehicle.1.speed is `x`; it must be a number"),
         (&[&path("separating.csv"), "--of", "T_X"], 2, "unknown output"),
         (&[&path("separating.csv"), "--wrt", "T_L"], 2, "this is an output, not an input"),
     ];

@@ -167,7 +167,18 @@ fn slips_are_named() {
     let sound = evidence(1.0, 1.0);
     assert_eq!(json_of(&["reconstruct"], &format!("{truth}{sound}"))["verdict"], "agrees");
     let slips = [
-        (truth.replace("[2, 0.3]", "[2, -0.3]"), sound.clone(), "vehicle.1.impact_center", "the mirror image"),
+        (
+            truth.replace("[2, 0.3]", "[2, -0.3]"),
+            sound.clone(),
+            "vehicle.1.impact_center",
+            "with the impact center of vehicle 1 at left = 0.30 m, the mirror",
+        ),
+        (
+            truth.replace("[2, 0.3]", "[2, -0.3]").replace("[0.6, 0.8]", "[0.6, -0.8]"),
+            sound.clone(),
+            "vehicle.1.impact_center",
+            "with the impact center of vehicle 1 at left = 0.30 m and the impact center of vehicle 2 at left = 0.80 m, the mirror",
+        ),
         (
             truth.replace("10 deg", "0 d").replace("\"100 deg", "\"10 deg").replace("\"0 d\"", "\"100 deg\""),
             sound.clone(),
@@ -176,8 +187,8 @@ fn slips_are_named() {
         ),
         (truth.replace("mass = 1300", "mass = 2866.009"), sound.clone(), "vehicle.2.mass", "pounds taken for kilograms"),
         // 9 m/s are 32.4 km/h and 20.1 mph.
-        (truth.to_owned(), sound.replace("\"9 m/s", "\"20.132 km/h"), "vehicle.2.speed", "mph taken for km/h"),
-        (truth.to_owned(), sound.replace("\"9 m/s", "\"32.4 mph"), "vehicle.2.speed", "km/h taken for mph"),
+        (truth.to_owned(), sound.replace("\"9 m/s", "\"20.132 km/h"), "vehicle.2.speed", "with 32.4 km/h, mph taken for km/h"),
+        (truth.to_owned(), sound.replace("\"9 m/s", "\"32.4 mph"), "vehicle.2.speed", "with 32.4 km/h, km/h taken for mph"),
         (
             truth.to_owned(),
             evidence(1.0, 1.0 / 1.609_344),

@@ -394,6 +394,11 @@ fn a_force_that_is_not_known_is_null() {
     let unknown = without.replacen("speed = \"15 m/s\"\n", "", 1) + "[unknown]\nvehicle.1.speed = { start = \"15 m/s\" }\n";
     let open = vehicle(&unknown, 0);
     assert!(open["pdof"] == Value::Null && open["crush_force"].is_number() && open["crush_force_at_pdof"] == Value::Null, "{open}");
+    // The surface follows from the velocities too, and without it a given pdof says nothing of the force.
+    let bare = FORCES.replace("surface = \"front\"\n", "").replacen("speed = \"15 m/s\"\n", "", 1)
+        + "[unknown]\nvehicle.1.speed = { start = \"15 m/s\" }\n";
+    let open = vehicle(&bare, 0);
+    assert!(open["surface"] == Value::Null && open["crush_force_at_pdof"] == Value::Null, "{open}");
     // Beyond a saturation the force grows no more.
     let saturated = vehicle(&FORCES.replace("B = \"500 kN/m^2\" }", "B = \"500 kN/m^2\", saturation = \"0.1 m\" }"), 0);
     assert!((saturated["crush_force"].as_f64().expect("a force") - 1.5 * (50e3 + 500e3 * 0.1)).abs() < 1e-6, "{saturated}");

@@ -101,6 +101,8 @@ prints! {
         "report examples/tests/struble-welsh.toml --verb stiffness";
     tables_of_the_paper:
         "validate",
+        "validate --figure 6",
+        "validate --figure 7",
         "report --verb validate";
     reconstructions:
         "reconstruct examples/reconstruct/crabbed-1.toml",
@@ -139,10 +141,13 @@ prints! {
         "draw examples/stiff-corner.toml",
         "draw examples/reconstruct/momentum.toml";
     charts:
+        "sweep examples/position-a.toml --vary e=0.1:0.1:0.1 --vary Gamma=-60deg:60deg:10deg --format svg",
+        "sweep examples/sideswipe.toml --vary e=0:1:0.1 --vary Gamma=-90deg:90deg:10deg --format svg",
         "sweep examples/position-a.toml --vary e=0:0.5:0.1 --format svg",
         "sweep examples/position-a.toml --vary e=0:1:0.1 --vary Gamma=-60deg:60deg:10deg --format svg",
         "compare examples/position-a.toml examples/position-c.toml examples/reconstruct/position-a.toml --format svg";
     reports:
         "report examples/position-a.toml",
+        "report examples/sideswipe.toml",
         "report examples/stiff-corner.toml --units si";
 }

@@ -437,6 +437,9 @@ fn a_recorder_by_hand() {
     let step = 6.0 * kmh; // the least step of its speeds
     close(&at_impact["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
     assert!(run.out.contains("speed-before-impact"));
+    // It stands still, and 0 has no sign.
+    let (still, _) = record_of(&recorder("0,-0,,\n").replace("\n0,,0,0", ""), None);
+    assert_eq!(still["recorder"]["speed_at_impact"]["value"].to_string(), "0.0");
     // What it fell by earlier does not matter.
     let (earlier, _) = record_of(&recorder("").replace("\n-1,60", "\n-2,80,,\n-1,60"), None);
     close(&earlier["recorder"]["speed_at_impact"]["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
@@ -725,6 +728,8 @@ fn times_and_filters_are_refused_where_they_stand() {
     let found = refused("baseline = [\"-20 ms\", \"0 ms\"]\nwindow = [\"0 ms\", \"35 ms\"]\nfilter = 60\n");
     assert!(found.contains("error: baseline: ") && found.contains("error: window: the window: it is 0.035 s"), "{found}");
     assert!(found.contains("error: filter: normal force: ") && found.contains("filter = false"), "{found}");
+    let found = refused("window = [\"0 ms\", \"-10 ms\"]\n");
+    assert!(found.contains("error: window: the window: ") && !found.contains("baseline"), "{found}");
     let found = refused("baseline = [\"0 ms\", \"-10 ms\"]\n");
     assert!(found.contains("error: baseline: the baseline: ") && !found.contains("window"), "{found}");
     let found = refused("baseline = [\"-6 ms\", \"-4 ms\"]\n");

@@ -133,8 +133,12 @@ fn each_mistake_is_named_where_it_is() {
     at_second("[0.4, 0.4]", "[0, 0]", &["vehicle.2.test.1.depths: mean depth is 0", "above zero"]);
     at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 6.56 ft/s"]);
     at_second("scatter = 10\n", "", &["vehicle.2.test.1: no standard deviation here, though other tests have one", "scatter"]);
-    let many = "[[vehicle.test]]\nmass = 1\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n".repeat(501);
-    let many = run_with_input(&["stiffness", "-"], &format!("schema = 1\n[[vehicle]]\n{many}"));
+    let of_many = |count: usize| {
+        let tests = "[[vehicle.test]]\nmass = 1\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n".repeat(count);
+        run_with_input(&["stiffness", "-"], &format!("schema = 1\n[[vehicle]]\n{tests}"))
+    };
+    let (most, many) = (of_many(500), of_many(501));
+    assert!(most.err.contains("all tests have the mean depth") && !most.err.contains("limit"), "{}", most.err);
     assert!(many.status == 2 && many.err.contains("501 tests"), "{}", many.err);
     let none = run_with_input(&["stiffness", "-"], "schema = 1\n[[vehicle]]\nname = \"new\"\n");
     assert!(none.status == 2 && none.err.contains("vehicle.1.test: missing"), "{}", none.err);

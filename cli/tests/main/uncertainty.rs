@@ -340,6 +340,11 @@ fn a_stiffness_with_its_force_held_has_one_uncertain_number() {
     let close = |found: &Value, wanted: f64| assert!((number(found) - wanted).abs() < 1e-9 * wanted, "{found}, not {wanted}");
     close(&found["value"], energy(d1));
     close(&found["linear"]["sd"], slope.abs() * sd);
+    // A d0 that is held is no uncertain input, not even one without a deviation.
+    folder.write("tests.toml", format!("schema = 1\n[[vehicle]]\n{tests}[fit]\nb0 = 2\n").as_bytes());
+    let held = json(&["uncertainty", "case.toml", "--of", "vehicle.1.crush_energy", "--method", "linear", "--format", "json"]);
+    let inputs: Vec<&String> = held["inputs"].as_object().expect("inputs").keys().collect();
+    assert_eq!(inputs, ["vehicle.1.crush.d1"]);
 }
 
 /// A car into a wall, with one uncertain input each.
