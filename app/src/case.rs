@@ -19,7 +19,7 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Law, Refusal, Refusals, Xy, check};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Refusal, Refusals, Side, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -357,8 +357,20 @@ impl Case {
             (Refusal::EnergyGain { .. }, _) if all.iter().any(|other| matches!(other, Refusal::BeyondCritical { .. })) => {
                 Issue { path: ratio.to_owned(), ..issue }.with_help("a ratio beyond the critical one adds energy: correct it first")
             }
-            _ => issue,
+            _ => self.of_radius(issue),
         }
+    }
+
+    /// Returns an issue of a yaw inertia at the radius of gyration that gives it, where there is one.
+    fn of_radius(&self, issue: Issue) -> Issue {
+        let is_at_fault = |side: &Side| {
+            let vehicle = self.inputs.vehicles[*side as usize].as_ref();
+            vehicle.is_some_and(|vehicle| matches!(vehicle.inertia, Inertia::Radius(_)))
+                && issue.path == Parameter::Input(Input::YawInertia(*side)).to_string()
+        };
+        let Some(side) = Side::ALL.into_iter().find(is_at_fault) else { return issue };
+        let message = Message::from("the yaw inertia that follows from it is out of range: ").join(issue.message);
+        Issue { path: Parameter::RadiusOfGyration(side).to_string(), message, ..issue }.with_help("that of a car is from 1 m to 2 m")
     }
 
     /// Returns the issues that keep a verb from using the file, each at its place in it.

@@ -130,11 +130,11 @@ pub struct Cost {
 /// # Errors
 ///
 /// A vehicle without crush, numbers that the case lists as unknown, or why the physics refuses the impact that the direction of force is taken from.
-pub fn crash3(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<Comparison>, Issues> {
+pub fn crash3(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Comparison>, Issues> {
     case.needs_everything()?;
     every_vehicle_has_crush(case)?;
     let mut notices = Vec::new();
-    let comparison = Comparison::of(case, &mut notices)?;
+    let comparison = Comparison::of(case, &mut notices, control)?;
     notices.extend(unused_evidence(case));
     Ok(case.answer(comparison, notices))
 }
@@ -148,7 +148,7 @@ impl Comparison {
     /// # Errors
     ///
     /// Returns the reason if the physics refuses the impact that determines the direction of force.
-    pub fn of(case: &Case, notices: &mut Vec<Notice>) -> Result<Self, Issues> {
+    pub fn of(case: &Case, notices: &mut Vec<Notice>, control: &dyn Control) -> Result<Self, Issues> {
         let common = case.collision.at_common_velocity().solve();
         let has_common_velocity = common.is_ok();
         if case.setup.crush.iter().flatten().any(|crush| crush.force_direction.is_none()) {
@@ -162,7 +162,7 @@ impl Comparison {
         let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
         let impact = case.collision.solve();
         let planar = planar(case, &impact, has_common_velocity, energy, notices);
-        let separation = separations(case, &impact, notices)?;
+        let separation = separations(case, &impact, notices, control)?;
         Ok(Comparison { damage: Some(Damage::of(case, &pair, &estimate, separation)), planar })
     }
 
@@ -188,12 +188,18 @@ fn every_vehicle_has_crush(case: &Case) -> Result<(), Issues> {
 
 /// Returns the separation velocity of each vehicle from which CRASH3 computes the approach: from the evidence if
 /// given, else from the rest position, else from the case.
-fn separations(case: &Case, impact: &Result<Impact, Refusals>, notices: &mut Vec<Notice>) -> Result<[Option<Xy>; 2], Issues> {
+fn separations(
+    case: &Case,
+    impact: &Result<Impact, Refusals>,
+    notices: &mut Vec<Notice>,
+    control: &dyn Control,
+) -> Result<[Option<Xy>; 2], Issues> {
     let after = impact.as_ref().ok().map(|impact| [impact.one.after.velocity, impact.two.after.velocity]);
     let given = case.knowledge.separation();
     let rests = [0, 1].map(|i| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
     let is_needed = [0, 1].map(|i| given[i].is_none() && rests[i].is_some_and(|rest| rest.evidence.is_some()));
-    let from_rest = case.separations_from_rest_of(is_needed)?.map(|separation| separation.map(|separation| separation.motion.velocity));
+    let from_rest =
+        case.separations_from_rest_of(is_needed, control)?.map(|separation| separation.map(|separation| separation.motion.velocity));
     for i in (0..2).filter(|&i| from_rest[i].is_some()) {
         let path = format!("rest.vehicle.{}", i + 1);
         let message = format!("vehicle.{}: the separation velocity is reconstructed from its rest position", i + 1);

@@ -20,7 +20,7 @@ use planar_impact::{Impact, Input, Output, Side};
 
 use crate::answer::Answer;
 use crate::case::{Case, Parameter};
-use crate::control::Control;
+use crate::control::{Control, Uncontrolled};
 use crate::crash3::Comparison;
 use crate::issue::{Cause, Issues};
 use crate::message::Message;
@@ -96,7 +96,7 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         return Err(Issues::of_call(vec![issue]));
     }
     case.needs_one_restitution()?;
-    let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest()?);
+    let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest(control)?);
     let mut answers: Vec<Answer<Reconstruction>> = Vec::new();
     let mut refused: Option<Issues> = None;
     for separations in &combinations {
@@ -271,7 +271,8 @@ fn through_crash3(solved: &Case, best: &Solution, notices: &mut Vec<Notice>) -> 
     let has_crush = (0..2).all(|i| parties[i].vehicle().is_none() || solved.setup.crush[i].is_some());
     let mut of_crash3 = Vec::new();
     let comparison = if has_crush {
-        Comparison::of(solved, &mut of_crash3).ok()
+        // Rest positions are evidence by now: nothing is searched for.
+        Comparison::of(solved, &mut of_crash3, &Uncontrolled).ok()
     } else {
         let given = best.evidence.iter().find(|fitted| fitted.of == Measurand::CrushEnergy);
         let energy = given.map_or(-best.impact.work.n, |fitted| fitted.given);

@@ -42,13 +42,7 @@ impl Plan {
     pub fn of(schema: &SchemaRef, base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
         let mut issues = Vec::new();
         let headers: Vec<Header> = schema.fields().iter().map(|field| header(field, &mut issues)).collect();
-        let plan = match batch::Plan::of(&headers, base, options) {
-            Ok(plan) => Some(plan),
-            Err(found) => {
-                issues.extend_from_slice(found.list());
-                None
-            }
-        };
+        let plan = batch::Plan::of(&headers, base, options);
         for column in plan.iter().flat_map(batch::Plan::inputs) {
             let field = schema.field(column.place);
             if !cells::is_readable(field.data_type()) {
@@ -56,7 +50,9 @@ impl Plan {
                 issues.push(Issue::at("wrong-type", column.key.to_string(), message));
             }
         }
-        let Some(plan) = plan.filter(|_| issues.is_empty()) else { return Err(Issues::of_call(issues)) };
+        let of_columns = if issues.is_empty() { Ok(None) } else { Err(Issues::of_call(issues)) };
+        let sound = Issues::all([of_columns, plan.map(Some)])?.into_iter().flatten().next();
+        let plan = sound.ok_or_else(|| Issues::defect("a table has neither a plan nor an issue"))?;
         let mut plan = Plan { plan, input: schema.clone(), output: schema.clone(), is_typed: false };
         plan.output = plan.negotiate();
         Ok(plan)

@@ -110,6 +110,9 @@ impl OutputFile {
             Err(_) => path.to_owned(),
         };
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !folder.exists() {
+            return Err(io::Error::new(io::ErrorKind::NotFound, format!("{}: there is no folder {}", path.display(), folder.display())));
+        }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".planar-impact-");
         #[cfg(unix)]

@@ -198,7 +198,7 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         points_of_sobol: call.points == Some(SamplePoints::Sobol),
         precision: call.precision,
         probabilities: call.probability.clone(),
-        level: call.level,
+        level: call.level.unwrap_or(default.level),
         bounds_sd: call.bounds_sd,
     };
     let answer = in_units(uncertainty::uncertainty(&case, &options, &Progress::new()), units)?;

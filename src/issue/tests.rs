@@ -194,6 +194,7 @@ fn slides() -> Vec<Sample> {
         sample(along(moving), "underdetermined", None, [(Speed, 3.0), (Speed, 4.0), (YawRate, 0.25)]),
         sample(along(Motion::rest()), "underdetermined", None, []),
         sample(NoSeparation::Driven, "driven", None, []),
+        sample(NoSeparation::Stopped, "stopped", None, []),
         sample(NoSeparation::Turned { turn: 1.5, deviation: 0.25 }, "turned", None, [(Angle, 1.5), (Angle, 0.25)]),
         sample(NoSeparation::TooShort { distance: 0.5, deviation: 0.25 }, "too-short", None, [(Length, 0.5), (Length, 0.25)]),
     ]

@@ -142,6 +142,8 @@ pub enum NoSeparation {
         /// The larger of the deviations of its position, in m.
         deviation: f64,
     },
+    /// The search was stopped.
+    Stopped,
 }
 
 impl Separation {
@@ -243,6 +245,21 @@ impl Slide {
     ///
     /// [`NoSeparation`]: every issue of the input, or the reason why the pose at rest does not determine the motion.
     pub fn separation(&self, evidence: &RestEvidence, method: Method) -> Result<Separation, NoSeparation> {
+        self.separation_while(evidence, method, &|_, _| true)
+    }
+
+    /// As [`Slide::separation`], and calls a function before each slide that is followed, with the work that is done and the most there may be. It stops the search by
+    /// returning `false`.
+    ///
+    /// # Errors
+    ///
+    /// [`NoSeparation`].
+    pub fn separation_while(
+        &self,
+        evidence: &RestEvidence,
+        method: Method,
+        goes_on: &dyn Fn(usize, usize) -> bool,
+    ) -> Result<Separation, NoSeparation> {
         self.check_evidence(evidence).map_err(NoSeparation::Refused)?;
         if !self.stands(&evidence.rest) {
             return Err(NoSeparation::NotHeld);
@@ -250,7 +267,7 @@ impl Slide {
         match method {
             Method::ClosedForm if !evidence.points.is_empty() => Err(NoSeparation::NoPath),
             Method::ClosedForm => self.separation_in_closed_form(evidence),
-            Method::Slide => self.separation_by_slide(evidence),
+            Method::Slide => self.separation_by_slide(evidence, goes_on),
         }
     }
 
@@ -288,6 +305,7 @@ impl Issue for NoSeparation {
             NoSeparation::Driven => "driven",
             NoSeparation::Turned { .. } => "turned",
             NoSeparation::TooShort { .. } => "too-short",
+            NoSeparation::Stopped => "stopped",
         }
     }
 
@@ -323,6 +341,7 @@ impl Issue for NoSeparation {
                 .text(", ")
                 .figure(Measure::YawRate, along.yaw_rate)
                 .text(") end in the same pose"),
+            NoSeparation::Stopped => "stopped before the separation was found".into(),
             NoSeparation::NotHeld => "the vehicle does not stay in the pose at rest: the grade there is steeper than its tires hold".into(),
             NoSeparation::NoPath => "the closed form follows no path, so that points along it say nothing".into(),
             NoSeparation::Driven => "on a straight path to the pose at rest the tires or the grade would drive the vehicle".into(),

@@ -72,6 +72,9 @@ struct ToRest<'a> {
     stop: Cell<usize>,
     /// The best end of a search that did not reach the pose.
     unfinished: RefCell<Option<Found>>,
+    /// Whether to go on, by the work that is done and the most there may be; without going on no work is left.
+    goes_on: &'a dyn Fn(usize, usize) -> bool,
+    is_stopped: Cell<bool>,
 }
 
 /// A motion, the miss of its slide, and that miss in squares of standard deviations.
@@ -136,7 +139,10 @@ impl ToRest<'_> {
     }
 
     fn spend(&self, steps: usize) {
-        self.work.set(self.work.get().saturating_sub(steps));
+        let left = self.work.get().saturating_sub(steps);
+        let is_stopped = self.is_stopped.get() || !(self.goes_on)(WORK - left, WORK);
+        self.is_stopped.set(is_stopped);
+        self.work.set(if is_stopped { 0 } else { left });
     }
 
     /// Returns the derivatives of the residuals by the motion and by the factor of the frictions.
@@ -257,7 +263,11 @@ struct Found {
 }
 
 impl Slide {
-    pub(super) fn separation_by_slide(&self, evidence: &RestEvidence) -> Result<Separation, NoSeparation> {
+    pub(super) fn separation_by_slide(
+        &self,
+        evidence: &RestEvidence,
+        goes_on: &dyn Fn(usize, usize) -> bool,
+    ) -> Result<Separation, NoSeparation> {
         let search = ToRest {
             slide: self,
             evidence,
@@ -266,6 +276,8 @@ impl Slide {
             work: Cell::new(WORK),
             stop: Cell::new(0),
             unfinished: RefCell::new(None),
+            goes_on,
+            is_stopped: Cell::new(false),
         };
         let first = self.first_guess(evidence);
         let mut found: Vec<Found> = Vec::new();
@@ -298,6 +310,9 @@ impl Slide {
             if search.work.get() > 0 {
                 search_from(start, WORK_OF_SEARCH, &mut found);
             }
+        }
+        if search.is_stopped.get() {
+            return Err(NoSeparation::Stopped);
         }
         if has_points {
             let mut refined = Vec::new();
@@ -566,7 +581,8 @@ mod tests {
         let points = alloc::vec![at(Some(WheelPosition::RearRight), 4.0, 3.0), at(None, rest.position.x + 3.0, rest.position.y + 1.0)];
         let evidence = RestEvidence { points, ..evidence(rest) };
         let (nearest, never, unfinished) = (RefCell::new(None), RefCell::new(None), RefCell::new(None));
-        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work: Cell::new(WORK), stop: Cell::new(0), unfinished };
+        let (work, stop, goes_on, is_stopped) = (Cell::new(WORK), Cell::new(0), &|_, _| true, Cell::new(false));
+        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work, stop, unfinished, goes_on, is_stopped };
         let slopes = search.slopes(&MOTIONS[0], FINE);
         for k in 0..3 {
             let by = |step: f64| {
@@ -634,6 +650,21 @@ mod tests {
         slide.ground.friction = 0.0;
         let end = slide.separation(&evidence(Pose { position: Xy { x: 20.0, y: 2.0 }, heading: 0.3 }), Method::Slide);
         assert!(matches!(end, Err(NoSeparation::NoRest(NoRest::Moves(_)))), "{end:?}");
+    }
+
+    /// A search that is told to stop follows hardly any slide after that, and the work it tells of grows.
+    #[test]
+    fn a_search_stops_when_it_is_told_to() {
+        let rest = slide(damaged()).to_rest(&FROM, &motion(&MOTIONS[0])).expect("it comes to rest").pose;
+        let told = RefCell::new(Vec::new());
+        let goes_on = |done, total| {
+            told.borrow_mut().push((done, total));
+            told.borrow().len() < 100
+        };
+        assert_eq!(slide(damaged()).separation_while(&evidence(rest), Method::Slide, &goes_on), Err(NoSeparation::Stopped));
+        let told = told.into_inner();
+        assert_eq!(told.len(), 100);
+        assert!(told.windows(2).all(|pair| pair[0].0 < pair[1].0) && told.iter().all(|(done, total)| done <= total), "{told:?}");
     }
 
     #[test]

@@ -33,13 +33,16 @@ const SPREADS: f64 = 10.0;
 /// Points of the region far from each other, for each piece of the mechanics.
 pub(super) struct Region {
     points: Vec<(Piece, Vec<f64>)>,
+    /// Points halfway between two of a piece. Best fits lie on the bounds that the evidence presses against; these lie within them, where an output may be farther out
+    /// though it is the same all along the bound.
+    halfway: Vec<Vec<f64>>,
 }
 
 impl Region {
     /// Collects points: ends of intervals, and best fits with an unknown held somewhere between its own ends.
     pub(super) fn of<'e>(profile: &Profile<'_>, ends: impl Iterator<Item = &'e End>) -> Self {
         let reached: Vec<&Vec<f64>> = ends.map(|end| &end.at).collect();
-        let mut region = Region { points: Vec::new() };
+        let mut region = Region { points: Vec::new(), halfway: Vec::new() };
         let Some(best) = profile.solutions.first().filter(|_| !reached.is_empty()) else { return region };
         let question = profile.model.question;
         let unknowns = &question.unknowns;
@@ -74,6 +77,11 @@ impl Region {
                 let chosen = far_from_each_other(found, &ranges, MOST / pieces.len());
                 region.points.extend(chosen.into_iter().map(|point| (*piece, point)));
             }
+        }
+        for (i, (piece, one)) in region.points.iter().enumerate() {
+            let others = region.points[i + 1..].iter().filter(|(of, _)| of == piece);
+            let between = others.map(|(_, other)| one.iter().zip(other).map(|(x, y)| 0.5 * (x + y)).collect::<Vec<f64>>());
+            region.halfway.extend(between.filter(|point| profile.allows(point)));
         }
         region
     }
@@ -117,7 +125,7 @@ impl Region {
     pub(super) fn extend(&self, quantity: &Quantity<'_>, ends: &mut [End; 2]) {
         /// Number of branches that one end may move to.
         const BRANCHES: usize = 8;
-        self.points.iter().for_each(|(_, point)| quantity.extend(ends, point));
+        self.points.iter().map(|(_, point)| point).chain(&self.halfway).for_each(|point| quantity.extend(ends, point));
         for (k, direction) in [-1.0, 1.0].into_iter().enumerate() {
             for _ in 0..BRANCHES {
                 let Some(end) = self.farther(quantity, ends, k, direction) else { break };

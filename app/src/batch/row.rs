@@ -5,7 +5,7 @@ use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side
 use super::column::{Cell, Column, InputColumn, Key, law_of};
 use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, Size, VehicleInputs, Velocity};
 use crate::message::Message;
-use crate::quantity::excerpt;
+use crate::quantity::{self, excerpt};
 use crate::wording::joined;
 
 /// What rows have where their cells are empty; `None` where nothing gives it.
@@ -134,7 +134,11 @@ impl Fault {
                     Key::Barrier(_) => "`true` or `false`",
                     Key::Law => "`brach` or `kudlich-slibar`",
                 };
-                format!("{key} is {}; it must be {wanted}", excerpt(found)).into()
+                match quantity::finite(found) {
+                    // Digits that a float cannot hold.
+                    Err(why) if found.parse::<f64>().is_ok() => format!("{key}: {}", why.message).into(),
+                    _ => format!("{key} is {}; it must be {wanted}", excerpt(found)).into(),
+                }
             }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {
                 // With every digit: rounded, a number beside its limit would be the limit.

@@ -5,6 +5,7 @@ use planar_impact::{Heading, Xy};
 
 use super::Case;
 use super::vehicle::VehicleInputs;
+use crate::control::Control;
 use crate::issue::{Issue, Issues};
 
 /// The names of the wheels, in the order of `WheelPosition::ALL`.
@@ -79,8 +80,8 @@ impl RestOfVehicle {
     }
 
     /// Computes its separation from its rest position, or returns the reason why that cannot be determined; `None` without a rest position.
-    pub fn separation(&self) -> Option<Result<Separation, NoSeparation>> {
-        Some(self.slide.separation(self.evidence.as_ref()?, self.method))
+    pub fn separation(&self, goes_on: &dyn Fn(usize, usize) -> bool) -> Option<Result<Separation, NoSeparation>> {
+        Some(self.slide.separation_while(self.evidence.as_ref()?, self.method, goes_on))
     }
 }
 
@@ -90,8 +91,8 @@ impl Case {
     /// # Errors
     ///
     /// Returns an issue, at its place in the file, for each vehicle whose separation cannot be determined.
-    pub fn separations_from_rest(&self) -> Result<[Option<Separation>; 2], Issues> {
-        self.separations_from_rest_of([true, true])
+    pub fn separations_from_rest(&self, control: &dyn Control) -> Result<[Option<Separation>; 2], Issues> {
+        self.separations_from_rest_of([true, true], control)
     }
 
     /// The same for some of the vehicles only; `None` for the others.
@@ -99,22 +100,28 @@ impl Case {
     /// # Errors
     ///
     /// As [`Case::separations_from_rest`].
-    pub fn separations_from_rest_of(&self, is_needed: [bool; 2]) -> Result<[Option<Separation>; 2], Issues> {
+    pub fn separations_from_rest_of(&self, is_needed: [bool; 2], control: &dyn Control) -> Result<[Option<Separation>; 2], Issues> {
         let Some(rest) = &self.rest else { return Ok([None, None]) };
-        let mut issues = Vec::new();
+        let (mut issues, mut is_stopped) = (Vec::new(), false);
         let separations = [0, 1].map(|i| {
             let path = format!("rest.vehicle.{}", i + 1);
-            let Some(separation) = rest.vehicles[i].as_ref().filter(|_| is_needed[i])?.separation() else {
+            let Some(separation) =
+                rest.vehicles[i].as_ref().filter(|_| is_needed[i])?.separation(&|done, total| control.goes_on(done + i * total, 2 * total))
+            else {
                 let help = "give `position` and `heading` at rest; `slide` alone does without them";
                 issues.push(Issue::at("missing-key", path, "missing: where it came to rest").with_help(help));
                 return None;
             };
             let issue = |why: NoSeparation| {
+                is_stopped |= why == NoSeparation::Stopped;
                 let issue = Issue::at("no-separation", path.clone(), why.to_string());
                 issues.push(help(&why).map_or(issue.clone(), |help| issue.with_help(help)));
             };
             separation.map_err(issue).ok()
         });
+        if is_stopped {
+            return Err(Issues::interrupted());
+        }
         if issues.is_empty() { Ok(separations) } else { Err(self.unfit(issues)) }
     }
 }

@@ -93,6 +93,12 @@ impl Draft {
         }
     }
 
+    /// Complains of what stands in place of a text: an identifier that is none is not missing too.
+    pub fn no_text(&mut self, name: &str, message: String) {
+        self.has_id |= name == "id";
+        self.complaints.push(name, message);
+    }
+
     /// Makes a body a barrier.
     pub fn fix(&mut self, side: Side) {
         match side {

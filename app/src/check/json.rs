@@ -262,7 +262,7 @@ impl Reader<'_> {
         match &node.value {
             Value::String(text) => self.draft.text(name, text),
             Value::Null if name != "id" => (),
-            other => self.draft.complaints.push(name, format!("expected a string, found {}", other.describe())),
+            other => self.draft.no_text(name, format!("expected a string, found {}", other.describe())),
         }
     }
 

@@ -7,7 +7,7 @@ use planar_impact::{Input, Measure, Output, Party, Side};
 
 use super::from_rest::Separations;
 use super::question::Question;
-use crate::case::{Case, Parameter, RestOfVehicle, vehicle_number};
+use crate::case::{Case, Parameter, vehicle_number};
 use crate::message::Message;
 use crate::notice::Notice;
 
@@ -48,13 +48,14 @@ struct Given<'a> {
     case: &'a Case,
     separations: &'a Separations,
     asked: &'a ReconstructionProblem,
+    goes_on: &'a dyn Fn() -> bool,
 }
 
 /// Returns a warning for each slip with which the evidence would agree, the best fit first. `case` is the case of the file, with its rest positions, of which
 /// the question uses these separations; `best` is the best fit of the question as it is.
 pub fn of(case: &Case, separations: &Separations, question: &Question, best: &Solution, goes_on: &dyn Fn() -> bool) -> Vec<Notice> {
     let search = Search { starts: STARTS, ..Search::default() };
-    let given = Given { case, separations, asked: &question.asked };
+    let given = Given { case, separations, asked: &question.asked, goes_on };
     let fit = |slip: Slip| {
         if !goes_on() {
             return None;
@@ -88,7 +89,7 @@ impl Given<'_> {
         for (i, separation) in separations.iter_mut().enumerate() {
             let [rest, before] = [&*case, self.case].map(|case| case.rest.as_ref().and_then(|rest| rest.vehicles[i].as_ref()));
             if rest != before {
-                *separation = rest.and_then(RestOfVehicle::separation).transpose().ok()?;
+                *separation = rest.and_then(|rest| rest.separation(&|_, _| (self.goes_on)())).transpose().ok()?;
             }
         }
         Question::of(&case, &separations).ok().map(|question| question.asked)

@@ -22,7 +22,7 @@ pub struct Check {
     #[arg(long, value_enum, value_name = "SEVERITY", default_value_t = FailOn::Fail)]
     pub fail_on: FailOn,
     /// Print the rules and their meaning instead.
-    #[arg(long, conflicts_with = "files")]
+    #[arg(long, conflicts_with_all = ["files", "tolerance", "fail_on"])]
     pub rules: bool,
 }
 

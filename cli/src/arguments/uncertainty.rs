@@ -33,9 +33,9 @@ pub struct Uncertainty {
     /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated. An angle counts from -180 to 180 deg.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
-    /// Level of the middle range, between 0 and 1.
-    #[arg(long, default_value_t = 0.95, value_parser = level)]
-    pub level: f64,
+    /// Level of the middle range, between 0 and 1. Default: 0.95.
+    #[arg(long, value_parser = level)]
+    pub level: Option<f64>,
     /// Standard deviations at which `bounds` ends an input without limits.
     #[arg(long, value_name = "COUNT", default_value_t = 3.0)]
     pub bounds_sd: f64,
@@ -61,7 +61,8 @@ impl Uncertainty {
         }
         let draws = self.method.iter().any(|method| [Sobol, Shapley].contains(method));
         // Shares in the variance have a plan of their own.
-        let of_outputs = [(self.points.is_some(), "--points"), (self.precision.is_some(), "--precision")];
+        let of_outputs =
+            [(self.points.is_some(), "--points"), (self.precision.is_some(), "--precision"), (self.level.is_some(), "--level")];
         let of_any = [(self.samples.is_some() && !draws, "--samples"), (self.seed.is_some() && !draws, "--seed")];
         let idle = of_any.into_iter().chain(of_outputs).find_map(|(is_idle, option)| is_idle.then_some(option))?;
         let (what, remedy) = match idle {

@@ -92,6 +92,12 @@ fn try_on_a_row(format: Format, field: &Field) -> Result<(), String> {
     written.map_err(|error| error.to_string())
 }
 
+/// Rows for standard output wait in a file until all are solved.
+fn of_temporary(error: io::Error) -> io::Error {
+    let (folder, why) = (std::env::temp_dir(), io::Error::from(error.kind()));
+    io::Error::new(error.kind(), format!("the folder for temporary files, {}: {why}; name another one in TMPDIR", folder.display()))
+}
+
 impl Sink {
     /// Begins a table, with these headers if it is text; `-` is standard output. The columns after the first `passing` are computed.
     ///
@@ -100,7 +106,7 @@ impl Sink {
     /// If the file cannot be written.
     pub fn create(path: &Path, format: Format, schema: &SchemaRef, passing: usize, headers: &[String]) -> io::Result<(Sink, Encoder)> {
         let (rows, encoder) = if path.as_os_str() == "-" {
-            let mut file = BufWriter::with_capacity(BUFFER, tempfile::tempfile()?);
+            let mut file = BufWriter::with_capacity(BUFFER, tempfile::tempfile().map_err(of_temporary)?);
             file.write_all(&line(headers)?)?;
             (Rows::Printed(file), Encoder::Csv)
         } else {

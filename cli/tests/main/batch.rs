@@ -299,6 +299,24 @@ fn tables_of_one_call_follow_each_other() {
     assert_eq!(done.out.lines().skip(1).collect::<Vec<_>>(), ["0.1,,,unreadable", "0.1,a,,unreadable", "0.1,c,0.1,"]);
 }
 
+/// What is wrong with the case is said at its place in its file, beside what is wrong with the columns; what is wrong with the folder of temporary files, with its name.
+#[test]
+fn what_is_wrong_beside_the_rows_is_named() {
+    let folder = Folder::new();
+    fs::write(folder.path().join("bad.csv"), "vehicle.1.sped\n1\n").expect("a file");
+    let case = workspace().join("cli/examples/reconstruct/momentum.toml");
+    let line = 1 + fs::read_to_string(&case).expect("the case").lines().position(|line| line.starts_with("model = ")).expect("a model");
+    let by_momentum = run(folder.path(), &["batch", "bad.csv", "--case", case.to_str().expect("a plain path"), "-o", "-"]);
+    assert!(by_momentum.status == 2 && by_momentum.err.contains(&format!("momentum.toml:{line}:")), "{}", by_momentum.err);
+    let speeds = workspace().join("cli/examples/batch/speeds.csv");
+    let case = workspace().join("cli/examples/position-a.toml");
+    let call = ["batch", speeds.to_str().expect("a plain path"), "--case", case.to_str().expect("a plain path"), "-o", "-"];
+    let run = std::process::Command::new(env!("CARGO_BIN_EXE_planar-impact")).args(call).env("TMPDIR", "/no-such-folder").output();
+    let run = run.expect("it runs");
+    let said = String::from_utf8(run.stderr).expect("text");
+    assert!(run.status.code() == Some(74) && said.contains("/no-such-folder") && said.contains("TMPDIR"), "{said}");
+}
+
 #[test]
 fn a_call_that_fails_writes_no_file() {
     let folder = Folder::new();
@@ -313,6 +331,7 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("other.csv"), "speed,e\n40,0.1\n").expect("a file");
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
+    fs::write(path("tiny.csv"), "vehicle.1.speed\n1e-400\n").expect("a file");
     // The last row of a part, of another, and of one that the cell after it fills.
     for rows in [1, 8192, 8193, 9000] {
         let sound = "40,\"a \"\"note\"\", sound\"\n".repeat(rows - 1);
@@ -324,7 +343,7 @@ fn a_call_that_fails_writes_no_file() {
     let mut writer =
         ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
     writer.write(&typed).and_then(|()| writer.close()).expect("a table");
-    let calls: [(&[&str], i32, &str); 20] = [
+    let calls: [(&[&str], i32, &str); 21] = [
         (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
         (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
@@ -343,6 +362,8 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("bad.csv")], 2, "is a speed; a mass is expected"),
         (&[&path("separating.csv"), "--fail-fast"], 3, "row 2: vehicles are separating"),
         (&[&path("unreadable.csv"), "--fail-fast"], 2, "row 2: vehicle.1.speed is `x`; it must be a number"),
+        // As every other reader says it.
+        (&[&path("tiny.csv"), "--fail-fast"], 2, "row 1: vehicle.1.speed: `1e-400` is too small"),
         (&[&path("separating.csv"), "--of", "T_X"], 2, "unknown output"),
         (&[&path("separating.csv"), "--wrt", "T_L"], 2, "this is an output, not an input"),
     ];
@@ -360,7 +381,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 15, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 16, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

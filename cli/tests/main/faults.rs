@@ -99,6 +99,8 @@ fn what_is_no_file_is_written_and_not_replaced() {
     assert_eq!(run(folder.path(), &["draw", &case, "-o", "link.svg"]).status, 0);
     assert!(fs::symlink_metadata(folder.path().join("link.svg")).expect("it is there").is_symlink());
     assert_eq!(fs::read_to_string(folder.path().join("inner/old.svg")).expect("it is there"), plain);
+    let nowhere = run(folder.path(), &["draw", &case, "-o", "nowhere/x.svg"]);
+    assert!(nowhere.status == 74 && nowhere.err.contains("there is no folder nowhere"), "{}", nowhere.err);
     let into_folder = run(folder.path(), &["draw", &case, "-o", "inner"]);
     assert_eq!((into_folder.status, into_folder.out.as_str()), (74, ""), "{}", into_folder.err);
 }

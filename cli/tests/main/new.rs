@@ -82,7 +82,7 @@ fn read(text: &str) -> Result<Case, Issues> {
 fn accept(variant: &Variant<'_>) -> Result<(), Issues> {
     let mut case = read(&variant.text)?;
     if variant.is_of_rest {
-        case.separations_from_rest()?;
+        case.separations_from_rest(&Uncontrolled)?;
     } else {
         case.rest = None;
     }

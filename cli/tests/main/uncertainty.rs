@@ -466,7 +466,7 @@ fn wrong_calls_are_refused() {
     folder.write("backward.toml", wall("\"1200 kg\"", "\"-10 m/s ± 1 m/s\"", "0.1").as_bytes());
     folder.write("beyond.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1\nimpulse_ratio = \"0.5 ± 0.01\"").as_bytes());
     folder.write("outside.toml", wall("\"1200 kg\"", "\"10 m/s\"", "\"-0.5 ± 0.05\"").as_bytes());
-    let calls: [(&[&str], i32, &[&str]); 31] = [
+    let calls: [(&[&str], i32, &[&str]); 32] = [
         (&["certain.toml"], 2, &["no input of the case is uncertain", "± 2 mph"]),
         (&["uncertain.toml", "--of", "dV3"], 2, &["dV3"]),
         (&["uncertain.toml", "--of", "e1"], 2, &["--of"]),
@@ -484,6 +484,7 @@ fn wrong_calls_are_refused() {
             &["--samples has no effect", "add monte-carlo, sobol or shapley"],
         ),
         (&["uncertain.toml", "--method", "sobol", "--points", "sobol"], 2, &["--points has no effect", "add monte-carlo to --method"]),
+        (&["uncertain.toml", "--method", "linear", "--level", "0.9"], 2, &["--level has no effect", "add monte-carlo to --method"]),
         (&["uncertain.toml", "--samples", "1"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "2.5"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "1e16"], 2, &["--samples", "a whole number from 2 to 1e15"]),

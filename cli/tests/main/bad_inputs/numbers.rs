@@ -56,6 +56,13 @@ pub const BAD: &[Bad] = &[
     wrong("inertia zero", &[(INERTIA, "yaw_inertia = 0.0")], 7, &["vehicle.1.yaw_inertia", "above zero"]),
     wrong("inertia negative", &[(INERTIA, "yaw_inertia = \"-1 kg m^2\"")], 7, &["vehicle.1.yaw_inertia", "above zero"]),
     wrong("radius zero", &[(INERTIA, "radius_of_gyration = \"0 m\"")], 7, &["vehicle.1.radius_of_gyration", "above zero"]),
+    // Its square is zero.
+    wrong(
+        "radius tiny",
+        &[(INERTIA, "radius_of_gyration = \"1e-170 m\"")],
+        7,
+        &["vehicle.1.radius_of_gyration", "the yaw inertia that follows from it", "1 m to 2 m"],
+    ),
     wrong("radius negative", &[(INERTIA, "radius_of_gyration = \"-1.3 m\"")], 7, &["vehicle.1.radius_of_gyration", "above zero"]),
     // Plausible only in another unit.
     wrong("heading in degrees, bare", &[(HEADING, "heading = 180")], 8, &["vehicle.1.heading", "180 rad", "\"180 deg\""]),

@@ -161,6 +161,10 @@ fn nothing_found_is_a_whole_report_too() {
 
 #[test]
 fn the_rules_are_told() {
+    for idle in [&["--tolerance", "0.1"], &["--fail-on", "warn"]] {
+        let refused = run(&workspace(), &["check", "--rules", idle[0], idle[1]]);
+        assert!(refused.status == 2 && refused.err.contains(idle[0]), "{}", refused.err);
+    }
     let text = run(&workspace(), &["check", "--rules"]);
     assert_eq!((text.status, text.err.as_str()), (0, ""));
     assert!(text.out.lines().all(|line| line.chars().count() <= 80));
