@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use clap::CommandFactory;
+use clap::builder::StyledStr;
 use clap::error::{ContextValue, ErrorKind};
 use planar_impact_app::plain_text::{is_active, shorten};
 use planar_impact_app::{Cause, Issues, Units};
@@ -67,10 +68,13 @@ impl Failure {
     }
 }
 
+/// In place of clap's hint to write `--` before a value: that is right for files alone.
+const WITH_A_DASH: &str = "a value that begins with - is written with an equals sign, as in --option=-1; a file as ./-name";
+
 /// A wrong call, with its words cleaned and shortened. A hint that repeats a long word is omitted.
 impl From<clap::Error> for Failure {
     fn from(mut error: clap::Error) -> Self {
-        let is_plain = |hint: &clap::builder::StyledStr| {
+        let is_plain = |hint: &StyledStr| {
             let hint = hint.to_string();
             hint.len() <= 2 * LONGEST_WORD && !hint.contains(is_active)
         };
@@ -78,7 +82,8 @@ impl From<clap::Error> for Failure {
             ContextValue::String(word) => Some(ContextValue::String(shorten(word, LONGEST_WORD))),
             ContextValue::Strings(words) => Some(ContextValue::Strings(words.iter().map(|word| shorten(word, LONGEST_WORD)).collect())),
             ContextValue::StyledStrs(hints) => {
-                Some(ContextValue::StyledStrs(hints.iter().filter(|hint| is_plain(hint)).cloned().collect()))
+                let right = |hint: &StyledStr| if hint.to_string().contains("'-- ") { WITH_A_DASH.into() } else { hint.clone() };
+                Some(ContextValue::StyledStrs(hints.iter().filter(|hint| is_plain(hint)).map(right).collect()))
             }
             _ => None,
         };

@@ -50,7 +50,13 @@ fn a_name_that_begins_with_a_dash() {
     let folder = Folder::new();
     folder.write("-dash.toml", COLLISION.as_bytes());
     assert_eq!(run(folder.path(), &["solve", "--", "-dash.toml"]).status, 0);
-    assert_eq!(run(folder.path(), &["solve", "-dash.toml"]).status, 2);
+    let refused = run(folder.path(), &["solve", "-dash.toml"]);
+    assert!(refused.status == 2 && refused.err.contains("a file as ./-name"), "{}", refused.err);
+    assert_eq!(run(folder.path(), &["solve", "./-dash.toml"]).status, 0);
+    // The same of a value, which `--` would not reach.
+    let refused = run(folder.path(), &["report", "./-dash.toml", "--date", "-x"]);
+    assert!(refused.status == 2 && refused.err.contains("as in --option=-1"), "{}", refused.err);
+    assert!(run(folder.path(), &["report", "./-dash.toml", "--date=-x"]).out.contains("<td>-x</td>"));
 }
 
 #[test]
