@@ -1,6 +1,6 @@
 //! Cases side by side: a panel for each output, in which each case has a mark and, where it is reconstructed, an interval.
 
-use planar_impact_app::compare::{CaseComparison, ComparedOutput};
+use planar_impact_app::compare::{CaseComparison, ComparedCase, ComparedOutput};
 use planar_impact_app::issue::Issues;
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::{Answer, Units};
@@ -109,7 +109,7 @@ impl Panel<'_> {
             let middle = first + ROW * place as i32 + ROW / 2;
             let across = |share: f64| LEFT + (f64::from(RIGHT - LEFT) * share).round() as i32;
             let case = &self.answer.cases[place];
-            let label = format!("[{}] {}", place + 1, shorten(file_name(&case.name), NAME_WIDTH));
+            let label = format!("[{}] {}", place + 1, shorten(own_end(&case.name, &self.answer.cases), NAME_WIDTH));
             Writing { down: VPos::Center, ..Writing::ending() }.write(area, &label, (NAMES, middle))?;
             Writing { down: VPos::Center, color: if case.is_refused() { GRAY } else { DARK }, ..Writing::default() }.write(
                 area,
@@ -137,9 +137,11 @@ impl Panel<'_> {
     }
 }
 
-/// Returns the last part of a path.
-fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
+/// Returns the last parts of a path that tell it from the others, mostly one.
+fn own_end<'a>(path: &'a str, cases: &[ComparedCase]) -> &'a str {
+    let others = || cases.iter().map(|case| case.name.as_str()).filter(|other| *other != path);
+    let mut ends = path.rmatch_indices(['/', '\\']).map(|(at, _)| &path[at + 1..]);
+    ends.find(|end| !others().any(|other| other.ends_with(end))).unwrap_or(path)
 }
 
 #[cfg(test)]
@@ -168,6 +170,15 @@ mod tests {
             assert!((lengths[0] * two - lengths[1] * one).abs() <= 1e-9 * one.abs().max(two.abs()), "{}", output.name);
             assert_eq!(rows[2], Row { zero: rows[2].zero, value: None, ends: None });
         }
+    }
+
+    #[test]
+    fn files_of_one_name_have_the_folder_that_tells_them() {
+        let all = ["a/b/x.toml", "a/c/x.toml", "a\\y.toml", "x.toml", "a/b/x.toml"];
+        let variants = all.map(|name| Variant { name: name.to_owned(), case: variants().remove(0).case });
+        let answer = line_up(&variants, &(), &Uncontrolled).expect("an answer");
+        let ends: Vec<&str> = all.iter().map(|path| own_end(path, &answer.cases)).collect();
+        assert_eq!(ends, ["b/x.toml", "c/x.toml", "y.toml", "x.toml", "b/x.toml"]);
     }
 
     #[test]
