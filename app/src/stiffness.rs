@@ -18,6 +18,7 @@ use crate::message::{Message, Sentence};
 use crate::named::positive_zero;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::wording::degrees_of_freedom;
 
 use series::Unfitted;
 
@@ -275,12 +276,8 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
 
 /// Describes a fit to tests that contradict each other.
 fn contradicted_fit(fit: &StiffnessFit) -> Message {
-    let (model, freedom) = (model_name(fit.model), fit.degrees_of_freedom);
-    Message::from(format!(
-        "the tests contradict each other, fitted on {model}: chi-square {:.1} with {freedom} {} of freedom",
-        fit.chi_square,
-        if freedom == 1 { "degree" } else { "degrees" }
-    ))
+    let (model, freedom) = (model_name(fit.model), degrees_of_freedom(fit.degrees_of_freedom));
+    Message::from(format!("the tests contradict each other, fitted on {model}: chi-square {:.1} with {freedom}", fit.chi_square))
 }
 
 /// Returns the name of a model of the crush in answers.

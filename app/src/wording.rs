@@ -50,6 +50,11 @@ pub fn barrier_instead(path: &str) -> Option<String> {
     is_mass_of_vehicle.then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
 }
 
+/// Returns a number of degrees of freedom in words.
+pub fn degrees_of_freedom(count: usize) -> String {
+    if count == 1 { "1 degree of freedom".to_owned() } else { format!("{count} degrees of freedom") }
+}
+
 /// Returns by how much a standard deviation with so few degrees of freedom may be too small, if that matters: what is measured has Student's distribution, whose
 /// variance is ν/(ν − 2) times that of the samples.
 pub fn too_small(freedom: usize) -> Option<String> {

@@ -13,6 +13,7 @@ use crate::named::positive_zero;
 use crate::notice::{Notice, Notices};
 use crate::slide::PointFit;
 use crate::units::Measure;
+use crate::wording::degrees_of_freedom;
 
 /// The separations of both vehicles, as far as rest positions give them.
 pub type Separations = [Option<Separation>; 2];
@@ -99,8 +100,9 @@ impl FromRest {
             case.notices.0.push(Notice::note("separation-from-rest", key(side), message));
             if let Some(fit) = separation.fit.as_ref().filter(|fit| fit.probability < BY_CHANCE) {
                 let message = Message::from(format!(
-                    "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {} of freedom",
-                    fit.chi_square, fit.degrees_of_freedom
+                    "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {}",
+                    fit.chi_square,
+                    degrees_of_freedom(fit.degrees_of_freedom)
                 ));
                 case.notices.0.push(Notice::warning("points-contradict-rest", format!("{}.points", key(side)), message));
             }

@@ -3,6 +3,7 @@
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::stiffness::{Fit, Forms, StiffnessAnswer, Test};
 use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::wording::degrees_of_freedom;
 
 use super::{Facts, SUMMARY_WIDTH};
 use crate::block::{Block, Table};
@@ -192,7 +193,7 @@ impl Page<'_> {
             }));
         }
         if self.answer.has_deviations {
-            let what = format!("chi square, {} degrees of freedom", first.degrees_of_freedom);
+            let what = format!("chi square, {}", degrees_of_freedom(first.degrees_of_freedom));
             rows.push(row(what, &|fit| format!("{:.2}", fit.chi_square)));
         }
         rows

@@ -16,7 +16,7 @@ use crate::notice::{Notice, Notices};
 use crate::source::Source;
 use crate::stiffness::{PooledNumber, TestFile, is_negative, message};
 use crate::units::{Measure, Units};
-use crate::wording::too_small;
+use crate::wording::{degrees_of_freedom, too_small};
 
 /// A stiffness fitted to the tests of a file, and what has it.
 pub(super) struct FittedToTests {
@@ -172,10 +172,10 @@ impl FittedToTests {
             let message = message.text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between them"));
             Notice::note("stiffness-from-tests", key, message)
         } else if self.fit.is_poor() {
-            let (chi_square, freedom) = (self.fit.chi_square, self.fit.degrees_of_freedom);
+            let (chi_square, freedom) = (self.fit.chi_square, degrees_of_freedom(self.fit.degrees_of_freedom));
             let message = message.text(format!(
-                ", fitted to {count} tests, which differ by more than their standard deviations allow (chi-square {chi_square:.1} with {freedom} degrees of \
-                 freedom): it is less certain; without standard deviations the residuals tell how much"
+                ", fitted to {count} tests, which differ by more than their standard deviations allow (chi-square {chi_square:.1} with {freedom}): \
+                 it is less certain; without standard deviations the residuals tell how much"
             ));
             Notice::warning("stiffness-from-tests", key, message)
         } else if !self.is_uncertain {

@@ -5,6 +5,7 @@ use planar_impact_app::plain_text::shorten;
 use planar_impact_app::reconstruct::{FurthestOff, Reconstruction, Unknown};
 use planar_impact_app::units::trim;
 use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::wording::degrees_of_freedom;
 
 use super::super::SUMMARY_WIDTH;
 use super::rounding::{digits, probability, rounded, share, with_spread};
@@ -81,9 +82,8 @@ fn headline(text: impl Into<String>) -> Block {
 
 /// Formats χ², its degrees of freedom and its probability.
 fn chi_square(answer: &Reconstruction) -> String {
-    let count = answer.degrees_of_freedom;
-    let degrees = if count == 1 { "1 degree of freedom".to_owned() } else { format!("{count} degrees of freedom") };
-    if count == 0 && answer.chi_square < 1e-9 {
+    let degrees = degrees_of_freedom(answer.degrees_of_freedom);
+    if answer.degrees_of_freedom == 0 && answer.chi_square < 1e-9 {
         return format!("chi-square 0 with {degrees}");
     }
     format!("chi-square {} with {degrees}, probability {}", digits(answer.chi_square), probability(answer.probability))

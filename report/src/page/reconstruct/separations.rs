@@ -2,6 +2,7 @@
 
 use planar_impact_app::reconstruct::{Reconstruction, SeparationFromRest};
 use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::wording::degrees_of_freedom;
 
 use super::super::points;
 use super::rounding::{probability, rounded};
@@ -18,11 +19,11 @@ pub fn points(answer: &Reconstruction, units: Units) -> Vec<Block> {
         blocks.push(Block::item(
             "",
             format!(
-                "Its slide ends {x} and {y} from the rest position, turned by {}; chi-square {:.2} with {} of freedom, probability {}. Residual: to the left of \
+                "Its slide ends {x} and {y} from the rest position, turned by {}; chi-square {:.2} with {}, probability {}. Residual: to the left of \
                  the path, in standard deviations.",
                 units.quantity(Measure::Angle, fit.heading),
                 fit.chi_square,
-                fit.degrees_of_freedom,
+                degrees_of_freedom(fit.degrees_of_freedom),
                 probability(fit.probability)
             ),
         ));
