@@ -652,7 +652,7 @@ mod tests {
         assert!(matches!(end, Err(NoSeparation::NoRest(NoRest::Moves(_)))), "{end:?}");
     }
 
-    /// A search that is told to stop follows hardly any slide after that, and the work it tells of grows.
+    /// A search that was stopped does not ask again whether to go on. The work that it reports grows with each slide.
     #[test]
     fn a_search_stops_when_it_is_told_to() {
         let rest = slide(damaged()).to_rest(&FROM, &motion(&MOTIONS[0])).expect("it comes to rest").pose;

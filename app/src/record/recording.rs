@@ -256,11 +256,8 @@ impl CaseReader {
         let samples = Samples::of(&source);
         let report = |place: &crate::document::Field<'_>, faults: Vec<Fault>| {
             for Fault { line, column, message, help } in distinct(faults) {
-                place.report_as(
-                    "samples",
-                    format!("{}:{line}: {}{message}", source.name, if column.is_empty() { String::new() } else { format!("{column}: ") }),
-                    Some(help),
-                );
+                let column = if column.is_empty() { column } else { column + ": " };
+                place.report_as("samples", format!("{}:{line}: {column}{message}", source.name), Some(help));
             }
         };
         let time = samples.place(TIME).map_err(|fault| report(&place, vec![fault])).ok();
