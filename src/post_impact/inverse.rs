@@ -1,265 +1,38 @@
 //! The inverse problem: the separation whose slide ends in the pose at rest.
 
+mod starts;
+mod to_rest;
+mod uncertainty;
+
 use alloc::vec::Vec;
-use core::cell::{Cell, RefCell};
-use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use rand::RngExt;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
-use super::evidence::{Miss, MotionCovariance, NoSeparation, RestEvidence, Separation, SlideFit};
-use super::issue::NoRest;
-use super::path_point::{NearestPlace, Passage};
+use super::evidence::{NoSeparation, RestEvidence, Separation};
 use super::slide::Slide;
-use super::trajectory::Effort;
-use super::variation::{COARSE, FINE, Slopes, VARIED};
 use crate::frame::Xy;
-use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals, by_chi_square};
+use crate::least_squares::{self, by_chi_square};
 use crate::vehicle::Motion;
+use starts::{FAR, Starts};
+use to_rest::{Found, ToRest};
 
-/// Number of starts of the search; the first is the closed form.
-const STARTS: usize = 16;
-/// Number of starts that are random, and of candidates from which the others are chosen.
-const AT_RANDOM: usize = 6;
-const LOOKED_AT: usize = 160;
 /// Maximum number of further starts if none of these led to a solution.
 const MORE_STARTS: usize = 40;
-/// Yaw rates beside that of the first guess, in rad/s: for candidates, and for starts at random.
-const NEAR: f64 = 0.5;
-const FAR: f64 = 2.5;
-/// Distances, in the scales, at which a twin of a solution is looked for, and the number of solutions for which it is.
-const BESIDE: [f64; 4] = [1.0, -1.0, 3.0, -3.0];
-const MOST_WITH_TWINS: usize = 3;
-/// Maximum number of steps of one search.
-const ITERATIONS: usize = 60;
-/// Maximum number of integration steps in all searches together, about a second: starts beyond it are not tried.
-const WORK: usize = 380_000;
-/// The same in one search. Those that reach the pose mostly take a third of it, and others, beside a path that only comes near, would go on for twenty times as long.
+/// Share of the work that is kept from further starts, for the best end and for twins.
+const LEFT_FOR_BEST: f64 = 0.25;
+/// Maximum number of integration steps in one search. Those that reach the pose mostly take a third of it, and others, beside a path that only comes near, would go on for twenty times as long.
 const WORK_OF_SEARCH: usize = 10_000;
-/// Maximum number of steps of one slide, ten times those of an ordinary one: a vehicle that rolls for minutes takes more.
-const MOST_STEPS: usize = 5_000;
-/// Cost of a step with its derivatives, in steps without.
-const COST_OF_DERIVATIVES: usize = 4;
 /// Significant changes of speed, in m/s, and of the yaw rate, in rad/s.
 const SCALES: [f64; 3] = [1.0, 1.0, 0.3];
 /// Largest distance, in these scales, of two solutions that are the same.
 const SAME: f64 = 1e-4;
 /// The same before the last steps of a fit to points, and the largest step of a search that is close enough for them.
 const CLOSE: f64 = 0.01;
-/// Maximum number of those last steps, and the length of a step that is none.
-const LAST_STEPS: usize = 12;
-const NO_STEP: f64 = 1e-9;
 /// Sum of squares, in squares of standard deviations, at which the pose at rest is reached: a hundred-thousandth of a deviation.
 const REACHED: f64 = 1e-10;
 /// Largest excess of χ² over the best at which a path past given points remains an alternative: by chance it is exceeded in one case of a thousand.
 const NEARLY_AS_GOOD: f64 = 10.83;
-/// Share of the largest singular value below which a direction does not change the pose at rest.
-const NOTHING: f64 = 1e-8;
-
-/// The pose at rest and the path, computed less given, in standard deviations.
-struct ToRest<'a> {
-    slide: &'a Slide,
-    evidence: &'a RestEvidence,
-    /// The motion that comes to rest nearest to the pose. A motion that stands still from the beginning is not counted.
-    nearest: RefCell<Option<Nearest>>,
-    /// The reason why the first motion that does not come to rest does not.
-    never: RefCell<Option<NoRest>>,
-    /// The remaining number of integration steps, and that at which the present search stops.
-    work: Cell<usize>,
-    stop: Cell<usize>,
-    /// The best end of a search that did not reach the pose.
-    unfinished: RefCell<Option<Found>>,
-    /// Whether to go on, by the work that is done and the most there may be; without going on no work is left.
-    goes_on: &'a dyn Fn(usize, usize) -> bool,
-    is_stopped: Cell<bool>,
-}
-
-/// A motion, the miss of its slide, and that miss in squares of standard deviations.
-#[derive(Clone, Copy)]
-struct Nearest {
-    motion: Motion,
-    miss: Miss,
-    sum_of_squares: f64,
-}
 
 fn motion(unknowns: &[f64]) -> Motion {
     Motion { velocity: Xy { x: unknowns[0], y: unknowns[1] }, yaw_rate: unknowns[2] }
-}
-
-impl ToRest<'_> {
-    fn deviations(&self) -> [f64; 3] {
-        [self.evidence.position_deviation.x, self.evidence.position_deviation.y, self.evidence.heading_deviation]
-    }
-
-    /// Returns what a motion misses: the pose at rest, and each point.
-    fn missed(&self, unknowns: &[f64]) -> Result<(Miss, Vec<Passage>), NoRest> {
-        let mut effort = Effort::of(MOST_STEPS);
-        let rest = self.slide.to_rest_within(&self.evidence.separation, &motion(unknowns), &mut effort);
-        self.spend(effort.taken);
-        let rest = rest?;
-        let passages = self.evidence.points.iter().filter_map(|point| point.passage(self.slide, &rest.path)).collect();
-        Ok((Miss::of(&rest.pose, &self.evidence.rest), passages))
-    }
-
-    fn miss(&self, unknowns: &[f64]) -> Result<Miss, NoRest> {
-        Ok(self.missed(unknowns)?.0)
-    }
-
-    fn residuals(&self, unknowns: &[f64]) -> Result<Vec<f64>, NoRest> {
-        let (miss, passages) = self.missed(unknowns)?;
-        let Miss { position, heading } = miss;
-        let of_rest = [position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd);
-        let residuals: Vec<f64> = of_rest.chain(passages.iter().flat_map(Passage::residuals)).collect();
-        let sum_of_squares = residuals.iter().map(|residual| residual * residual).sum();
-        let mut nearest = self.nearest.borrow_mut();
-        let moves = !self.slide.is_at_rest(&motion(unknowns));
-        if moves && nearest.is_none_or(|nearest| sum_of_squares < nearest.sum_of_squares) {
-            *nearest = Some(Nearest { motion: motion(unknowns), miss, sum_of_squares });
-        }
-        Ok(residuals)
-    }
-
-    fn sum_of_squares(&self, unknowns: &[f64]) -> Result<f64, NoRest> {
-        Ok(self.residuals(unknowns)?.iter().map(|residual| residual * residual).sum())
-    }
-
-    /// Returns the reason for finding nothing: the miss of the best motion, or, if no motion came to rest, the reason of the first.
-    fn nothing_found(&self, first: &[f64; 3]) -> NoSeparation {
-        if let Some(Nearest { motion, miss, .. }) = *self.nearest.borrow() {
-            return NoSeparation::NotConverged { motion, miss };
-        }
-        // If nothing moved, use the first motion.
-        match self.never.take().map_or_else(|| self.miss(first), Err) {
-            Ok(miss) => NoSeparation::NotConverged { motion: motion(first), miss },
-            Err(why) => NoSeparation::NoRest(why),
-        }
-    }
-
-    fn spend(&self, steps: usize) {
-        let left = self.work.get().saturating_sub(steps);
-        let is_stopped = self.is_stopped.get() || !(self.goes_on)(WORK - left, WORK);
-        self.is_stopped.set(is_stopped);
-        self.work.set(if is_stopped { 0 } else { left });
-    }
-
-    /// Returns the derivatives of the residuals by the motion and by the factor of the frictions.
-    fn slopes(&self, unknowns: &[f64], tolerance: f64) -> Vec<Slopes> {
-        let evidence = self.evidence;
-        let mut effort = Effort::of(MOST_STEPS);
-        let varied = self.slide.varied_rest(&evidence.separation, &motion(unknowns), &evidence.points, tolerance, &mut effort);
-        self.spend(COST_OF_DERIVATIVES * effort.taken);
-        match varied {
-            Ok(varied) => {
-                let of_rest = varied.by.into_iter().zip(self.deviations()).map(|(by, sd)| by.map(|slope| slope / sd));
-                of_rest.chain(varied.points.into_iter().flatten()).collect()
-            }
-            Err(_) => alloc::vec![[0.0; VARIED]; 3 + 2 * evidence.points.len()],
-        }
-    }
-
-    /// Searches from one start with a maximum of work.
-    fn end_of_search(&self, start: &[f64; 3], work: usize) -> Option<Found> {
-        let spans = SCALES.map(|scale| ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale });
-        self.stop.set(self.work.get().saturating_sub(work));
-        match least_squares::minimum(self, start, &spans, ITERATIONS) {
-            Ok(Minimum { unknowns, sum_of_squares, iterations, .. }) => Some(Found { unknowns, sum_of_squares, iterations }),
-            Err(FitError::NotConverged(NotConverged { unknowns, iterations, step, .. })) => {
-                // If its work was used up, the search stopped evaluating the residuals: evaluate them here.
-                let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
-                // The pose is reached, if not to the last digits: if hardly anything depends on the motion, these are noise. Points along the path need finer
-                // derivatives than a search affords.
-                let end = Found { unknowns, sum_of_squares, iterations };
-                if !self.evidence.points.is_empty() && step <= CLOSE {
-                    Some(end)
-                } else if sum_of_squares <= REACHED {
-                    Some(self.refined(end))
-                } else {
-                    self.keep_unfinished(end);
-                    None
-                }
-            }
-            Err(FitError::NoStart) => None,
-        }
-    }
-
-    fn keep_unfinished(&self, end: Found) {
-        let mut best = self.unfinished.borrow_mut();
-        if best.as_ref().is_none_or(|best| end.sum_of_squares < best.sum_of_squares) {
-            *best = Some(end);
-        }
-    }
-
-    /// Returns starts beside each solution, along the direction that the pose constrains least: there another one may be close, where a fold made two of one.
-    fn twins(&self, found: &[Found]) -> Vec<[f64; 3]> {
-        let beside = |one: &Found| {
-            let slopes = self.slopes(&one.unknowns, COARSE);
-            let direction = least_squares::weakest(DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k])).unwrap_or_default();
-            let at = |distance: f64| core::array::from_fn(|k| one.unknowns[k] + distance * direction[k] * SCALES[k]);
-            if direction.is_empty() { Vec::new() } else { BESIDE.map(at).to_vec() }
-        };
-        found.iter().take(MOST_WITH_TWINS).flat_map(beside).collect()
-    }
-
-    /// Takes the last steps to a minimum, by Gauss and Newton with fine derivatives, as long as the sum of squares does not grow.
-    fn refined(&self, mut found: Found) -> Found {
-        for _ in 0..LAST_STEPS {
-            let Ok(residuals) = self.residuals(&found.unknowns) else { break };
-            let slopes = self.slopes(&found.unknowns, FINE);
-            let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-            let step = least_squares::SingularValues::of(jacobian).map(|found| found.solve(&DVector::from_vec(residuals), 0.0));
-            let Some(step) = step.filter(|step| step.amax() > NO_STEP) else { break };
-            let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
-            match self.sum_of_squares(&unknowns) {
-                Ok(sum_of_squares) if sum_of_squares <= found.sum_of_squares => found = Found { unknowns, sum_of_squares, ..found },
-                _ => break,
-            }
-        }
-        found
-    }
-
-    /// Returns the separation that a search ended in.
-    fn separation(&self, found: &Found) -> Result<Separation, NoSeparation> {
-        let unknowns = &found.unknowns;
-        let (miss, passages) = self.missed(unknowns).map_err(NoSeparation::NoRest)?;
-        let Uncertain { covariance, by_friction } = uncertainty(&self.slopes(unknowns, FINE), self.evidence)?;
-        let points: Vec<NearestPlace> = passages.iter().map(Passage::nearest_place).collect();
-        let (chi_square, degrees_of_freedom) = (found.sum_of_squares, points.len());
-        let by_chance = |_| ChiSquared::new(degrees_of_freedom as f64).map_or(f64::NAN, |distribution| distribution.sf(chi_square));
-        let probability = points.first().map_or(1.0, by_chance);
-        let others = Vec::new();
-        let iterations = found.iterations;
-        let fit = SlideFit { iterations, starts: 0, converged: 0, miss, points, chi_square, degrees_of_freedom, probability, others };
-        Ok(Separation { motion: motion(unknowns), covariance, by_friction, fit: Some(fit) })
-    }
-}
-
-impl Residuals for ToRest<'_> {
-    fn at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
-        if self.work.get() <= self.stop.get() {
-            return None;
-        }
-        self.residuals(unknowns)
-            .map_err(|why| {
-                self.never.borrow_mut().get_or_insert(why);
-            })
-            .ok()
-    }
-
-    fn jacobian(&self, unknowns: &[f64]) -> DMatrix<f64> {
-        let slopes = self.slopes(unknowns, COARSE);
-        DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k])
-    }
-}
-
-/// The result of a search.
-#[derive(Clone)]
-struct Found {
-    unknowns: Vec<f64>,
-    sum_of_squares: f64,
-    iterations: usize,
 }
 
 impl Slide {
@@ -268,17 +41,7 @@ impl Slide {
         evidence: &RestEvidence,
         goes_on: &dyn Fn(usize, usize) -> bool,
     ) -> Result<Separation, NoSeparation> {
-        let search = ToRest {
-            slide: self,
-            evidence,
-            nearest: RefCell::new(None),
-            never: RefCell::new(None),
-            work: Cell::new(WORK),
-            stop: Cell::new(0),
-            unfinished: RefCell::new(None),
-            goes_on,
-            is_stopped: Cell::new(false),
-        };
+        let search = ToRest::of(self, evidence, goes_on);
         let first = self.first_guess(evidence);
         let mut found: Vec<Found> = Vec::new();
         let (mut tried, mut converged) = (0, 0);
@@ -292,26 +55,26 @@ impl Slide {
         };
         let mut starts = Starts::around(first);
         for start in starts.chosen(&search) {
-            if search.work.get() > WORK / 4 {
+            if search.work_left() > LEFT_FOR_BEST {
                 search_from(start, WORK_OF_SEARCH, &mut found);
             }
         }
         for _ in 0..MORE_STARTS {
-            if found.is_empty() && search.work.get() > WORK / 4 {
+            if found.is_empty() && search.work_left() > LEFT_FOR_BEST {
                 search_from(starts.draw(FAR), WORK_OF_SEARCH, &mut found);
             }
         }
         // Where a vehicle rolls far, steps are many and small: the best search goes on with what work is left.
-        let best = search.unfinished.take();
+        let best = search.take_unfinished();
         if let (true, Some(best)) = (found.is_empty(), best) {
-            search_from([best.unknowns[0], best.unknowns[1], best.unknowns[2]], WORK, &mut found);
+            search_from([best.unknowns[0], best.unknowns[1], best.unknowns[2]], usize::MAX, &mut found);
         }
         for start in search.twins(&found) {
-            if search.work.get() > 0 {
+            if search.work_left() > 0.0 {
                 search_from(start, WORK_OF_SEARCH, &mut found);
             }
         }
-        if search.is_stopped.get() {
+        if search.is_stopped() {
             return Err(NoSeparation::Stopped);
         }
         if has_points {
@@ -348,45 +111,6 @@ impl Slide {
     }
 }
 
-/// Draws starts around the first guess: up to 90° to either side, from a third to one and a half times as fast, and up to five times as fast in rotation.
-struct Starts {
-    random: ChaCha8Rng,
-    first: [f64; 3],
-}
-
-impl Starts {
-    fn around(first: [f64; 3]) -> Self {
-        Starts { random: ChaCha8Rng::seed_from_u64(1966), first }
-    }
-
-    /// Draws a start, with a yaw rate up to a limit beside what the first guess suggests, in rad/s.
-    fn draw(&mut self, beside: f64) -> [f64; 3] {
-        let [x, y, yaw_rate] = self.first;
-        let aside = self.random.random_range(-FRAC_PI_2..FRAC_PI_2);
-        let faster = self.random.random_range(0.33..1.5) * libm::hypot(x, y);
-        let turning = self.random.random_range(-1.0..5.0) * yaw_rate + self.random.random_range(-beside..beside);
-        let (sin, cos) = libm::sincos(libm::atan2(y, x) + aside);
-        [faster * cos, faster * sin, turning]
-    }
-
-    /// Returns the first guess, those of many candidates whose slides end nearest to the pose, and a few at random, to find other solutions.
-    fn chosen(&mut self, search: &ToRest<'_>) -> Vec<[f64; 3]> {
-        let at_random: Vec<[f64; 3]> = (0..AT_RANDOM).map(|_| self.draw(FAR)).collect();
-        let mut near: Vec<(f64, [f64; 3])> = Vec::new();
-        for _ in 0..LOOKED_AT {
-            let start = self.draw(NEAR);
-            if search.work.get() > WORK / 5 * 4
-                && let Some(residuals) = search.at(&start)
-            {
-                near.push((residuals.iter().map(|residual| residual * residual).sum(), start));
-            }
-        }
-        near.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let near = near.into_iter().take(STARTS - 1 - AT_RANDOM).map(|(_, start)| start);
-        core::iter::once(self.first).chain(near).chain(at_random).collect()
-    }
-}
-
 /// Keeps a result, or the earlier one if it is the same, to some distance, and better.
 fn keep(found: &mut Vec<Found>, one: Found, same: f64) {
     match found.iter_mut().find(|other| distance(&other.unknowns, &one.unknowns) <= same) {
@@ -415,39 +139,16 @@ fn best_of(found: &mut Vec<Found>, first: &[f64; 3], has_points: bool) -> Option
     Some(found.remove(0))
 }
 
-/// Uncertainty of a motion: its covariance, and the part from the friction alone.
-struct Uncertain {
-    covariance: MotionCovariance,
-    by_friction: Motion,
-}
-
-/// Returns the covariance of the motion from that of pose and points, which is 1 in standard deviations, and from the friction: with J the derivatives by
-/// the motion and j those by the friction, A = (JᵀJ)⁻¹ Jᵀ and C = A (1 + j σ² jᵀ) Aᵀ. With more friction, the motion that ends in the same pose changes by −A
-/// j.
-fn uncertainty(slopes: &[Slopes], evidence: &RestEvidence) -> Result<Uncertain, NoSeparation> {
-    let scales = Matrix3::from_diagonal(&Vector3::from(SCALES));
-    let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-    let by_friction_is_finite = slopes.iter().all(|slopes| slopes[VARIED - 1].is_finite());
-    let Some(found) = least_squares::SingularValues::of(jacobian).filter(|_| by_friction_is_finite) else {
-        return Err(NoSeparation::NotDetermined { along: Motion::rest() });
-    };
-    let weakest = found.least();
-    let is_determined = found.values[weakest] > NOTHING * found.greatest();
-    if !is_determined {
-        let along = (scales * Vector3::from_vec(found.direction(weakest))).normalize();
-        return Err(NoSeparation::NotDetermined { along: motion(along.as_slice()) });
-    }
-    let back = scales * found.inverse();
-    let by_friction = -&back * DVector::from_fn(slopes.len(), |i, _| slopes[i][VARIED - 1]) * evidence.friction_deviation;
-    let covariance = &back * back.transpose() + by_friction * by_friction.transpose();
-    let covariance = MotionCovariance(core::array::from_fn(|i| core::array::from_fn(|k| covariance[(i, k)])));
-    Ok(Uncertain { covariance, by_friction: motion(by_friction.as_slice()) })
-}
-
 #[cfg(test)]
 mod tests {
+    use core::cell::RefCell;
+
+    use super::uncertainty::uncertainty;
     use super::*;
-    use crate::post_impact::{Area, Ground, Method, PathPoint, Pose, Region, Restraint, SlidingVehicle, Wheel, WheelPosition, Wheels};
+    use crate::post_impact::variation::{FINE, Slopes};
+    use crate::post_impact::{
+        Area, Ground, Method, Miss, NoRest, PathPoint, Pose, Region, Restraint, SlidingVehicle, Wheel, WheelPosition, Wheels,
+    };
 
     fn slide(wheels: Wheels<Wheel>) -> Slide {
         let vehicle = SlidingVehicle::sedan(wheels);
@@ -580,9 +281,7 @@ mod tests {
         // One is passed; the vehicle ends before the other.
         let points = alloc::vec![at(Some(WheelPosition::RearRight), 4.0, 3.0), at(None, rest.position.x + 3.0, rest.position.y + 1.0)];
         let evidence = RestEvidence { points, ..evidence(rest) };
-        let (nearest, never, unfinished) = (RefCell::new(None), RefCell::new(None), RefCell::new(None));
-        let (work, stop, goes_on, is_stopped) = (Cell::new(WORK), Cell::new(0), &|_, _| true, Cell::new(false));
-        let search = ToRest { slide: &slide, evidence: &evidence, nearest, never, work, stop, unfinished, goes_on, is_stopped };
+        let search = ToRest::of(&slide, &evidence, &|_, _| true);
         let slopes = search.slopes(&MOTIONS[0], FINE);
         for k in 0..3 {
             let by = |step: f64| {
