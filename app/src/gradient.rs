@@ -1,6 +1,6 @@
 //! The verb `gradient`: exact derivatives of the outputs with respect to the inputs.
 
-use planar_impact::{ImpulseRatio, Output, Side};
+use planar_impact::{Impact, ImpulseRatio, Output, Side};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -66,7 +66,8 @@ pub struct Gradient {
     pub outputs: CaseOutputs,
 }
 
-/// An output with its derivatives; a derivative that does not exist, as at a corner, is `null`.
+/// An output with its derivatives; one that does not exist, as that of a magnitude at zero, is `null`. A warning tells where friction begins to hold, and they
+/// are those of one side.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Derivatives {
     /// Its value.
@@ -107,7 +108,7 @@ pub fn gradient(case: &Case, options: &Options, control: &dyn Control) -> Result
     let outputs = case.setup.outputs_of(&impact);
     let rows = choice.differentiate(case, &outputs, control)?;
     let held = Notice::note("held-inputs", "", HELD);
-    let notices = case.warnings(&impact).into_iter().chain([held]).chain(ratio_note(case));
+    let notices = case.warnings(&impact).into_iter().chain([held]).chain(ratio_note(case)).chain(corner(case, &impact));
     let named = |values: &[f64]| choice.parameters.iter().zip(values.iter().copied()).collect::<Named<f64>>();
     let derivatives = |row: &Row| {
         let second = || choice.parameters.iter().zip(row.second.iter().map(|values| named(values))).collect();
@@ -147,6 +148,18 @@ fn ratio_note(case: &Case) -> Option<Notice> {
         ImpulseRatio::Given(_) => None,
         _ => Some(Notice::note("impulse-ratio-follows", "contact.impulse_ratio", message)),
     }
+}
+
+/// Returns a warning where the friction is that at which sliding just ends: with less of it the derivatives are others.
+fn corner(case: &Case, impact: &Impact) -> Option<Notice> {
+    /// Difference, as a share of the friction, that is rounding.
+    const ROUNDING: f64 = 1e-12;
+    let ImpulseRatio::LimitedByFriction(friction) = case.inputs.contact.impulse_ratio else { return None };
+    let critical = impact.critical_impulse_ratio().abs();
+    let message = "the friction is the critical impulse ratio, at which sliding just ends: these are the derivatives for more friction, \
+                   and those for less differ; give contact.impulse_ratio as a number for those";
+    let is_corner = (friction - critical).abs() <= ROUNDING * friction;
+    is_corner.then(|| Notice::warning("corner", "contact.friction", message))
 }
 
 /// Outputs and inputs selected by name.

@@ -106,19 +106,44 @@ impl Issues {
     pub fn all<T>(results: impl IntoIterator<Item = Result<T, Issues>>) -> Result<Vec<T>, Issues> {
         let (mut found, mut wrong): (Vec<T>, Option<Issues>) = (Vec::new(), None);
         for result in results {
-            match (result, &mut wrong) {
-                (Ok(value), _) => found.push(value),
-                (Err(issues), _) if matches!(issues.cause, Cause::Interrupted | Cause::Defect) => return Err(issues),
-                (Err(issues), Some(first)) => first.add(issues),
-                (Err(issues), None) => wrong = Some(issues),
+            match result {
+                Ok(value) => found.push(value),
+                Err(issues) if issues.stand_alone() => return Err(issues),
+                Err(issues) => {
+                    wrong = Some(match wrong {
+                        Some(first) => first.and(issues),
+                        None => issues,
+                    });
+                }
             }
         }
         wrong.map_or(Ok(found), Err)
     }
 
-    fn add(&mut self, other: Issues) {
+    /// Returns both results, or the issues of those that failed, as [`all`](Issues::all) does.
+    ///
+    /// # Errors
+    ///
+    /// The issues, if one of the results is an error.
+    pub fn both<A, B>(one: Result<A, Issues>, other: Result<B, Issues>) -> Result<(A, B), Issues> {
+        match (one, other) {
+            (Ok(one), Ok(other)) => Ok((one, other)),
+            (Ok(_), Err(issues)) | (Err(issues), Ok(_)) => Err(issues),
+            (Err(one), Err(other)) => Err(one.and(other)),
+        }
+    }
+
+    fn stand_alone(&self) -> bool {
+        matches!(self.cause, Cause::Interrupted | Cause::Defect)
+    }
+
+    fn and(mut self, other: Issues) -> Issues {
+        if self.stand_alone() || other.stand_alone() {
+            return if self.stand_alone() { self } else { other };
+        }
         let source = other.source;
         self.list.extend(other.list.into_iter().map(|issue| Issue { source: issue.source.or_else(|| Some(source.clone())), ..issue }));
+        self
     }
 
     /// Returns the cause.

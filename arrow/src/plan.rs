@@ -50,9 +50,8 @@ impl Plan {
                 issues.push(Issue::at("wrong-type", column.key.to_string(), message));
             }
         }
-        let of_columns = if issues.is_empty() { Ok(None) } else { Err(Issues::of_call(issues)) };
-        let sound = Issues::all([of_columns, plan.map(Some)])?.into_iter().flatten().next();
-        let plan = sound.ok_or_else(|| Issues::defect("a table has neither a plan nor an issue"))?;
+        let of_columns = if issues.is_empty() { Ok(()) } else { Err(Issues::of_call(issues)) };
+        let ((), plan) = Issues::both(of_columns, plan)?;
         let mut plan = Plan { plan, input: schema.clone(), output: schema.clone(), is_typed: false };
         plan.output = plan.negotiate();
         Ok(plan)

@@ -34,9 +34,8 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
     files::is_no_input(Some(&call.output), call.files.iter().chain(&call.case))?;
     let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
-    let base =
-        call.case.as_deref().map(|path| verbs::read_unless_written(path, None, Some(&call.output))).transpose()?.map(|(case, _)| case);
-    let mut sources = open(call, rows)?;
+    let base = call.case.as_deref().map(|path| verbs::case_unless_written(path, Some(&call.output))).transpose();
+    let (base, mut sources) = Issues::both(base, open(call, rows))?;
     let schema = sources[0].schema().clone();
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;

@@ -110,14 +110,15 @@ impl OutputFile {
             Err(_) => path.to_owned(),
         };
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        if !folder.exists() {
-            return Err(io::Error::new(io::ErrorKind::NotFound, format!("{}: there is no folder {}", path.display(), folder.display())));
-        }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".planar-impact-");
         #[cfg(unix)]
         builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-        Ok(OutputFile::Beside(builder.tempfile_in(folder).map_err(of_path)?, place))
+        let file = builder.tempfile_in(folder).map_err(|error| match error.kind() {
+            kind @ io::ErrorKind::NotFound => io::Error::new(kind, format!("{}: there is no folder {}", path.display(), folder.display())),
+            _ => of_path(error),
+        })?;
+        Ok(OutputFile::Beside(file, place))
     }
 
     /// Puts the complete file at its place.

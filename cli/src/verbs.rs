@@ -73,9 +73,14 @@ pub fn read(path: &Path, units: Option<UnitSystem>) -> Result<(Case, Units), Fai
 
 /// Reads a case file, and returns it as [`read`] does, unless the call would write over a file that it names.
 pub fn read_unless_written(path: &Path, units: Option<UnitSystem>, written: Option<&Path>) -> Result<(Case, Units), Failure> {
-    let case = Case::parse_with(files::source(path)?, files::beside(path, written))?;
+    let case = case_unless_written(path, written)?;
     let units = units.map_or(case.units, Units::from);
     Ok((case, units))
+}
+
+/// Reads a case file, unless the call would write over a file that it names.
+pub fn case_unless_written(path: &Path, written: Option<&Path>) -> Result<Case, Issues> {
+    Case::parse_with(files::source(path)?, files::beside(path, written))
 }
 
 /// Attaches the reader's units to issues.

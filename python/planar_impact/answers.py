@@ -442,7 +442,8 @@ class Solution(Answer):
 
 
 class Derivatives(Facts[Any]):
-    """An output with its derivatives; a derivative that does not exist, as at a corner, is ``null``."""
+    """An output with its derivatives; one that does not exist, as that of a magnitude at zero, is ``null``. A warning tells where
+    friction begins to hold, and they are those of one side."""
 
     __slots__ = ()
     _parts = {"d": Facts, "d2": partial(Facts, part=Facts)}

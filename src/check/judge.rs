@@ -162,7 +162,13 @@ impl Judge {
         // An infinite bound would hold for anything; one of the resolutions says that nothing is known.
         let overflows = !residual.scale.is_finite() || (bound.implied.is_finite() && !bound.total.is_finite());
         if !size.is_finite() || overflows {
-            self.push(Rule::Finite, Severity::Fail, size, bound.total, format!("the numbers are so large that {rule} cannot be computed"));
+            self.push(
+                Rule::Finite,
+                Severity::Fail,
+                size,
+                bound.total,
+                format!("the numbers are so large or so small that {rule} cannot be computed"),
+            );
         } else if size > bound.total && size <= bound.total + residual.leeway {
             let leeway = Digits(residual.leeway);
             let reason = format!(

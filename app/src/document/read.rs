@@ -7,6 +7,7 @@ use std::ops::{Range, RangeInclusive};
 
 use super::tree::{Entry, Node, Value};
 use crate::issue::{Issue, MOST_KEPT};
+use crate::message::Message;
 use crate::quantity::{self, Kind, Quantity, excerpt, nearest};
 
 /// The text being walked and the issues found in it.
@@ -24,7 +25,7 @@ impl<'a> Context<'a> {
         self.issues.into_inner()
     }
 
-    fn push(&self, code: &'static str, span: Option<Range<usize>>, path: &str, message: String, help: Option<String>) {
+    fn push(&self, code: &'static str, span: Option<Range<usize>>, path: &str, message: impl Into<Message>, help: Option<String>) {
         let mut issues = self.issues.borrow_mut();
         if issues.len() < MOST_KEPT {
             issues.push(Issue { span, help: help.map(Into::into), ..Issue::at(code, path, message) });
@@ -76,8 +77,8 @@ impl<'a> Table<'a> {
     }
 
     /// Reports an issue with this table as a whole, at its header.
-    pub fn issue(&self, message: impl Into<String>, help: Option<String>) {
-        self.context.push("invalid", self.span.clone(), &self.path, message.into(), help);
+    pub fn issue(&self, message: impl Into<Message>, help: Option<String>) {
+        self.context.push("invalid", self.span.clone(), &self.path, message, help);
     }
 
     /// Reports every key that was not read, and suggests the nearest known one.
@@ -266,14 +267,14 @@ impl<'a> Field<'a> {
     }
 
     /// Reports an issue with this value, or with its table if it is missing.
-    pub fn report(&self, message: impl Into<String>, help: Option<String>) {
+    pub fn report(&self, message: impl Into<Message>, help: Option<String>) {
         self.report_as("invalid", message, help);
     }
 
     /// Reports an issue with a given code.
-    pub fn report_as(&self, code: &'static str, message: impl Into<String>, help: Option<String>) {
+    pub fn report_as(&self, code: &'static str, message: impl Into<Message>, help: Option<String>) {
         let span = self.node.map(|node| node.span.clone()).or_else(|| self.table.clone());
-        self.context.push(code, span, &self.path, message.into(), help);
+        self.context.push(code, span, &self.path, message, help);
     }
 
     fn as_table(&self, node: &Node, entries: &'a [Entry]) -> Table<'a> {

@@ -131,11 +131,6 @@ fn wrong(question: &Question, problem: &ReconstructionIssue) -> Issue {
             let issue = number(issue, of.measure());
             Issue { path: places.of_evidence(*of), ..issue }
         }
-        ReconstructionIssue::BoundsCrossed { of, min, max } => {
-            let message = Message::from("min, ").join(value(*of, *min)).text(", is not below max, ").join(value(*of, *max));
-            let issue = of_unknown(*of, message);
-            if min == max { issue.with_help("what is known is no unknown: give its value, and leave it out of [unknown]") } else { issue }
-        }
         ReconstructionIssue::StartOutside { of, start, min, max } => {
             let message = Message::from("the start, ").join(value(*of, *start)).text(", must be ");
             of_unknown(*of, message.join(range(*min, *max, &|x| value(*of, x))))

@@ -367,6 +367,10 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("separating.csv"), "--of", "T_X"], 2, "unknown output"),
         (&[&path("separating.csv"), "--wrt", "T_L"], 2, "this is an output, not an input"),
     ];
+    let nothing = batch(&["no-such.csv", "-o", &out, "--case", "no-such.toml"]);
+    for missing in ["no-such.csv", "no-such.toml"] {
+        assert!(nothing.status == 2 && nothing.err.contains(missing), "{}", nothing.err);
+    }
     for (arguments, status, message) in calls {
         for output in [out.as_str(), &old, "-"] {
             let done = batch(&[arguments, &["-o", output, "--case", POSITION_A]].concat());

@@ -200,6 +200,23 @@ fn the_other_keys_of_the_file_are_held() {
     assert!(notes.contains("holds the other keys of the file"), "{notes}");
 }
 
+/// Just before it the derivatives are those of a constant ratio, just after it those of sticking.
+#[test]
+fn derivatives_of_one_side_are_told() {
+    let case = |friction: f64| format!("{MIXED}friction = {friction:e}\n");
+    let at = |friction: f64| json(&[], &case(friction));
+    let critical = at(0.05)["of"]["contact.critical_impulse_ratio"]["value"].as_f64().expect("a ratio").abs();
+    let warns = |friction: f64| at(friction)["notes"].to_string().contains("at which sliding just ends");
+    assert_eq!([critical, 1.0001 * critical, 0.9999 * critical].map(warns), [true, false, false]);
+    let work = |friction: f64| derivative(&at(friction), "energy.tangential_work", "contact.friction");
+    assert!(work(critical) == 0.0 && work(1.0001 * critical) == 0.0 && work(0.9999 * critical).abs() > 1.0);
+    let ratio = at(0.05)["of"]["contact.impulse_ratio"]["value"].as_f64().expect("a ratio");
+    let given = json(&[], &format!("{MIXED}impulse_ratio = {:e}\n", critical.copysign(ratio)));
+    let (of_given, before) =
+        (derivative(&given, "energy.tangential_work", "contact.impulse_ratio").abs(), work((1.0 - 1e-9) * critical).abs());
+    assert!((of_given - before).abs() <= 1e-6 * before, "{of_given} and {before}");
+}
+
 #[test]
 fn nothing_depends_on_a_ratio_that_the_file_does_not_give() {
     for (words, by) in [

@@ -8,6 +8,7 @@ use super::measured::{Amount, Spread, is_folder};
 use crate::case::knowledge::{RequestedUnknown, names_of_unknowns};
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
+use crate::message::Message;
 use crate::quantity::Kind;
 use crate::quantity::nearest;
 
@@ -71,8 +72,32 @@ impl CaseReader {
         table.finish();
         let all = |value: Option<Option<f64>>| value.map_or(Some(None), |value| value.map(Some));
         let requested = RequestedUnknown { start: all(start)?, min: all(min)?, max: all(max)?, prior: all(prior)?, ..bare };
+        if !are_in_order(&table, &requested) {
+            return None;
+        }
         record(&requested);
         Some(Asked { requested, place })
+    }
+}
+
+/// Refuses bounds that cross, and a start beyond them, of every verb. The library checks this too, and that they are in the domain, which depends on the
+/// collision.
+fn are_in_order(table: &Table<'_>, unknown: &RequestedUnknown) -> bool {
+    let RequestedUnknown { start, min, max, .. } = *unknown;
+    let refuse = |key, value, must_be: &'static str, bound, help: Option<String>| {
+        let figure = |value| Message::new().figure(unknown.of.measure(), value);
+        let message = Message::from("it is ").join(figure(value)).text("; it must be ").text(must_be).join(figure(bound));
+        table.optional(key).report(message, help);
+        false
+    };
+    match (start, min, max) {
+        (_, Some(min), Some(max)) if min >= max => {
+            let is_known = "what is known is no unknown: give its value, and leave it out of [unknown]";
+            refuse("max", max, "above min, ", min, (min == max).then(|| is_known.to_owned()))
+        }
+        (Some(start), Some(min), _) if start < min => refuse("start", start, "at least min, ", min, None),
+        (Some(start), _, Some(max)) if start > max => refuse("start", start, "at most max, ", max, None),
+        _ => true,
     }
 }
 
