@@ -81,6 +81,29 @@ proptest! {
         let outcome = check(&printed, &Options::default());
         prop_assert!(failures(&outcome).is_empty(), "{outcome}");
     }
+
+    /// Where motions are missing, results are held against each other: each formula has the resolution of all its numbers.
+    #[test]
+    fn rounded_results_without_motions_raise_no_alarm(
+        collision in possible(),
+        decimals in prop::collection::vec(-1..4_i32, Key::COUNT),
+        kept in prop::collection::vec(prop::bool::weighted(0.7), Key::COUNT),
+    ) {
+        let whole = Record::of(&collision, &collision.evaluate());
+        let given = motions(&whole);
+        let mut record = Record { model: Model { law: whole.model.law, ..Model::default() }, ..Record::default() };
+        (record.one.fixed, record.two.fixed) = (whole.one.fixed, whole.two.fixed);
+        let is_scalar = |key| matches!(key, Key::Mass(_) | Key::Restitution | Key::ImpulseRatio | Key::NormalAngle);
+        for key in Key::ALL.into_iter().filter(|&key| kept[key.index()] && (is_scalar(key) || given.get(key).is_none())) {
+            if let Some(value) = whole.get(key) {
+                record.set(key, value);
+            }
+        }
+        record.model.ratio_kind = whole.model.ratio_kind;
+        let printed = printed(&record, |key| (!matches!(key, Key::Mass(_))).then(|| decimals[key.index()]));
+        let outcome = check(&printed, &Options::default());
+        prop_assert!(failures(&outcome).is_empty(), "{outcome}");
+    }
 }
 
 fn vehicle() -> impl Strategy<Value = Vehicle> {

@@ -16,7 +16,7 @@ use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
 use crate::notice::Notice;
 use crate::reconstruct::{self, Interval, Reconstruction};
-use crate::slide::VehicleSlide;
+use crate::slide::{self, VehicleSlide};
 use crate::solve::Motion;
 use crate::uncertainty;
 
@@ -171,7 +171,15 @@ pub fn draw_solved(case: &Case) -> Result<Answer<Scene>, Issues> {
     let impact = case.impact()?;
     let (scene, notices) = Scene::of(case, &impact);
     let scene = scene.with_uncertain_inputs(case);
-    Ok(case.answer(scene, case.warnings(&impact).into_iter().chain(notices)))
+    Ok(case.answer(scene, case.warnings(&impact).into_iter().chain(notices).chain(evidence_not_drawn(case))))
+}
+
+/// Returns a note if the evidence gives a motion at separation, with which `slide` begins.
+fn evidence_not_drawn(case: &Case) -> Option<Notice> {
+    let message = "the picture is that of the solved impact; `slide` begins with the motion at separation that the evidence gives";
+    let slides = |side: Side| case.rest.as_ref().is_some_and(|rest| rest.vehicles[side as usize].is_some());
+    let is_given = Side::ALL.into_iter().any(|side| slides(side) && slide::given_motion(case, side).is_some());
+    is_given.then(|| Notice::note("evidence-not-drawn", "evidence", message))
 }
 
 impl Scene {

@@ -142,11 +142,23 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
     let friction = sides()
         .any(|(_, of)| is_uncertain(of))
         .then(|| Notice::note("nominal-values", "rest.friction", "rest.friction is uncertain, and used at its nominal value"));
-    Ok(case.answer(Slides { vehicles }, warnings.into_iter().chain(friction).chain(note)))
+    let incomplete = sides().filter_map(|(side, _)| incomplete_motion(case, side));
+    Ok(case.answer(Slides { vehicles }, warnings.into_iter().chain(friction).chain(note).chain(incomplete)))
+}
+
+/// Returns a note if the evidence gives a part of the motion at separation, which is not used.
+fn incomplete_motion(case: &Case, side: Side) -> Option<Notice> {
+    let parts = [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output);
+    let first = parts.into_iter().find_map(|part| case.knowledge.of(part))?;
+    let message = format!(
+        "vehicle {}: the evidence gives a part of the motion at separation, which is not used: give `separation_velocity` and `separation_yaw_rate`",
+        vehicle_number(side)
+    );
+    given_motion(case, side).is_none().then(|| Notice::note("incomplete-motion", first.key.clone(), message))
 }
 
 /// Returns the motion at separation that the evidence gives, if it gives all of it.
-fn given_motion(case: &Case, side: Side) -> Option<Motion> {
+pub(crate) fn given_motion(case: &Case, side: Side) -> Option<Motion> {
     let velocity = case.knowledge.separation()[side as usize]?;
     let yaw_rate = case.knowledge.of(Measurand::Output(Output::YawRate(side)))?.value;
     Some(Motion { velocity, yaw_rate })
@@ -154,7 +166,16 @@ fn given_motion(case: &Case, side: Side) -> Option<Motion> {
 
 fn issue(side: Side, why: &NoRest) -> Issue {
     let path = format!("rest.vehicle.{}", vehicle_number(side));
-    Issue::at("no-rest", path, why.to_string()).with_help("give it brakes or a rolling resistance; on a grade, more than the grade")
+    Issue::at("no-rest", path, why.to_string()).with_help(help(why))
+}
+
+/// Returns what may bring a vehicle to rest.
+pub(crate) fn help(why: &NoRest) -> &'static str {
+    match why {
+        NoRest::NotFollowed(_) => "check the motion at separation: no vehicle is that fast, or turns that fast",
+        NoRest::RollsBack(_) => "check `grade`, which is positive uphill; give brakes, a rolling resistance or a friction that hold on it",
+        _ => "give it brakes or a rolling resistance, or more friction if its wheels are locked; on a grade, more than the grade",
+    }
 }
 
 impl PointFit {

@@ -146,7 +146,7 @@ pub struct Residuals {
     pub standardised: Option<f64>,
 }
 
-/// Covariance of d0 and d1.
+/// Covariance of d0 and d1; of tests of several vehicles that of a further vehicle, with the spread between them.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Covariance {
     /// Its source: `standard deviations` of the file, or `residuals`.
@@ -249,7 +249,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     let contradicted = fits.iter().filter(|fit| pooled.is_empty() && suspected.is_empty() && fit.is_contradicted()).map(contradicted_fit);
     let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).chain(contradicted).map(Sentence).collect();
     let deepest = BEYOND_DEEPEST * tests.iter().map(|test| test.mean_depth).fold(0.0, f64::max);
-    let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit, deepest)).collect();
+    let of_file = |fits: Vec<StiffnessFit>| fits.into_iter().map(|fit| Fit::of(file, &file.of_further_vehicle(fit), deepest)).collect();
     let answer = StiffnessAnswer {
         tests,
         headlines,

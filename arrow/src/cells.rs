@@ -29,6 +29,10 @@ pub fn is_text(data_type: &DataType) -> bool {
 ///
 /// If the array cannot be converted to numbers or text.
 pub fn read<'a>(column: &InputColumn, array: &'a ArrayRef) -> Result<Column<'a>, ArrowError> {
+    // What another library hands over need not be the text that it says.
+    if is_text(array.data_type()) {
+        array.to_data().validate_full()?;
+    }
     match array.data_type() {
         DataType::Float64 if array.null_count() == 0 => Ok(column.of_numbers(array.as_primitive::<Float64Type>().values())),
         DataType::Boolean => {
@@ -53,7 +57,7 @@ pub fn read<'a>(column: &InputColumn, array: &'a ArrayRef) -> Result<Column<'a>,
 /// If the array cannot be converted to text.
 pub fn numbers(texts: &ArrayRef) -> Result<ArrayRef, ArrowError> {
     let texts = cast(texts, &DataType::Utf8)?;
-    let numbers = texts.as_string::<i32>().iter().map(|text| text?.trim().parse::<f64>().ok());
+    let numbers = texts.as_string::<i32>().iter().map(|text| text?.trim().parse::<f64>().ok().filter(|number| number.is_finite()));
     Ok(Arc::new(Float64Array::from_iter(numbers)))
 }
 

@@ -18,7 +18,7 @@ use planar_impact_arrow::{Options, Plan};
 use crate::arguments::Batch;
 use crate::exit::{Failure, Status};
 use crate::output::CommandOutput;
-use crate::{files, interrupt, verbs};
+use crate::{files, interrupt, output, verbs};
 use format::Format;
 use in_order::in_order;
 use progress::Progress;
@@ -40,7 +40,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let options = Options { of: call.of.clone(), wrt: call.wrt.clone(), check: call.check, fast: call.fast };
     let plan = Plan::of(&schema, base.as_ref(), &options)?;
     for notice in plan.notices(base.as_ref()) {
-        eprintln!("{}: {}", notice.severity, Units::Si.sentence(&notice.message));
+        output::say(format_args!("{}: {}", notice.severity, Units::Si.sentence(&notice.message)));
     }
     let plan = if format == Format::Csv { plan } else { plan.with_numbers() };
     let (columns, passing, headers) = (plan.schema(), schema.fields().len(), headers(&schema, &plan));

@@ -2,6 +2,7 @@
 
 use std::any::Any;
 use std::cell::Cell;
+use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
 
 thread_local! {
@@ -12,7 +13,8 @@ thread_local! {
 pub fn install() {
     set_hook(Box::new(|defect| {
         if !IS_GUARDED.get() {
-            eprintln!("error: a defect of planar-impact, please report it: {defect}");
+            // Where nobody listens, the status tells it.
+            let _ = writeln!(io::stderr(), "error: a defect of planar-impact, please report it: {defect}");
         }
     }));
 }

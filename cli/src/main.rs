@@ -13,7 +13,7 @@ mod progress;
 mod report;
 mod verbs;
 
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::process::ExitCode;
 
 use arguments::Arguments;
@@ -37,8 +37,7 @@ fn main() -> ExitCode {
 fn report(failure: &Failure) -> Status {
     let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     if let Some(text) = failure.render(color) {
-        // If writing to standard error fails, the failure cannot be reported anywhere.
-        let _ = writeln!(std::io::stderr(), "{text}");
+        output::say(text);
     }
     failure.status()
 }

@@ -1,5 +1,6 @@
 //! Output: all that the program writes passes through here, to standard output or to a file that appears when it is whole.
 
+use std::fmt::Display;
 #[cfg(unix)]
 use std::fs::Permissions;
 use std::fs::{File, OpenOptions};
@@ -80,11 +81,15 @@ impl CommandOutput {
             write(self.text.as_bytes()).map_err(Failure::Output)?;
         }
         for note in &self.notes {
-            // A closed standard error takes nothing from the answer.
-            let _ = writeln!(io::stderr(), "{note}");
+            say(note);
         }
         Ok(self.status)
     }
+}
+
+/// Says a line on standard error. One that is closed or full takes nothing from the answer.
+pub fn say(line: impl Display) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// A file that is written, and appears when it is whole. A device or a pipe stays what it is, and takes what is written at once.

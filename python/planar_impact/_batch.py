@@ -129,11 +129,22 @@ def solve_batch(
     if _library(columns) == "polars" and type(columns).__name__ == "DataFrame":
         import polars as pl
 
-        # It exports a column of nulls with a buffer that such a column of Arrow does not have.
-        columns = columns.cast({pl.Null: pl.String})
+        # It exports nulls without a type, in lists and structs too, with a buffer that those of Arrow do not have.
+        columns = columns.cast({name: _typed(pl, kind) for name, kind in columns.schema.items() if _typed(pl, kind) != kind})
     with reporting(progress) as report:
         answer = _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report)
         return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
+
+
+def _typed(pl: Any, kind: Any) -> Any:
+    """Return a type of Polars with text where it has nulls alone."""
+    if isinstance(kind, pl.List):
+        return pl.List(_typed(pl, kind.inner))
+    if isinstance(kind, pl.Array):
+        return pl.Array(_typed(pl, kind.inner), kind.size)
+    if isinstance(kind, pl.Struct):
+        return pl.Struct({field.name: _typed(pl, field.dtype) for field in kind.fields})
+    return pl.String() if kind == pl.Null else kind
 
 
 def _threads(threads: int | None) -> int:
@@ -208,10 +219,25 @@ def _array(column: Any) -> NDArray[Any]:
         plain: NDArray[Any] = np.asarray(column.data).astype(object)
         plain[np.ma.getmaskarray(column)] = None
         return plain
-    if _library(column) == "pandas" and not isinstance(column.dtype, np.dtype) and column.isna().any():
-        # So is what pandas calls NA, which a float would make not a number.
+    library = _library(column)
+    # So are the nulls of others, which a float would make not a number.
+    if library == "pandas" and not isinstance(column.dtype, np.dtype) and column.isna().any():
         return np.asarray(column.to_numpy(dtype=object, na_value=None))
-    return np.asarray(column)
+    if library == "pyarrow" and getattr(column, "null_count", False):
+        return _objects(column.to_pylist())
+    if library == "polars" and hasattr(column, "null_count") and column.null_count():
+        return _objects(column.to_list())
+    array = np.asarray(column)
+    # Beside numbers NumPy takes a truth for one.
+    if array.dtype.kind in "iuf" and isinstance(column, (list, tuple)) and any(isinstance(item, (bool, np.bool_)) for item in column):
+        return _objects(column)
+    return array
+
+
+def _objects(items: Sequence[object]) -> NDArray[Any]:
+    array = np.empty(len(items), dtype=object)
+    array[:] = items
+    return array
 
 
 def _cells(array: NDArray[Any]) -> object:
@@ -222,6 +248,8 @@ def _cells(array: NDArray[Any]) -> object:
         return np.require(array, dtype=np.float64, requirements=["C", "A"])
     if array.dtype.kind not in "bUTO":
         raise TypeError(f"an input is a number, a bool or text; this column is {array.dtype}")
+    if array.ndim == 0 and not (array.item() is None or isinstance(array.item(), (bool, str, np.generic)) or hasattr(array.item(), "__float__")):
+        raise TypeError(f"an input is a number, a bool or text, or an array of these, not {type(array.item()).__name__}")
     plain = [_cell(item) for item in array.reshape(-1).tolist()]
     return plain if array.ndim == 1 else (plain[0],)
 
@@ -231,7 +259,7 @@ def _cell(item: Any) -> object:
         return item
     if isinstance(item, np.generic):
         item = item.item()
-    if isinstance(item, int):
+    if isinstance(item, int) and not isinstance(item, bool):
         try:
             return float(item)
         except OverflowError:
@@ -247,7 +275,9 @@ def _words(rows: int, words: list[tuple[int, str]]) -> NDArray[Any]:
 
 
 def _library(table: Any) -> str:
-    return type(table).__module__.partition(".")[0]
+    """Return the library of a table or an array, or of what its class is derived from; empty if it is of none of these."""
+    libraries = (kind.__module__.partition(".")[0] for kind in type(table).__mro__)
+    return next((library for library in libraries if library in ("pyarrow", "polars", "pandas", "duckdb", "_duckdb")), "")
 
 
 def _like(given: Any, table: _native.Table, words: list[str]) -> Any:

@@ -25,14 +25,15 @@ def source(case: Case) -> _native.Source:
 
 
 def _is_path(text: str) -> bool:
-    # A text that is a case has a key with its value; everything else in one line is meant as a path, which may not exist.
-    if "\n" in text or text.lstrip().startswith("{") or "\0" in text:
+    # A text that is a case has a key with its value; everything else in one line is meant as a path, which may not exist. A folder may be called `run=3`.
+    if "\n" in text or "\0" in text:
         return False
     try:
         os.fsencode(text)
     except UnicodeEncodeError:
         return False
-    return "=" not in text or os.path.exists(text)
+    is_text = text.lstrip().startswith("{") or "=" in text
+    return not is_text or text.lower().endswith((".toml", ".json")) or os.path.exists(text)
 
 
 def _unicode(text: str) -> str:

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use planar_impact_app::{Cause, Control, Issues};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::error::Failure;
@@ -91,6 +92,19 @@ impl Signals {
         }
         self.done()?;
         Ok(answer)
+    }
+
+    /// Returns what a handler has raised as text, for a caller that takes no exception; Ctrl+C is raised again once Python runs on.
+    pub fn handed_on(&self) -> String {
+        let Some(error) = self.raised() else { return "stopped".to_owned() };
+        Python::attach(|py| {
+            let said = format!("stopped: {error}");
+            if error.is_instance_of::<PyKeyboardInterrupt>(py) {
+                // Without it the text alone is left. Nothing of Python may run after it here: that would raise it too early.
+                let _ = py.import("_thread").and_then(|thread| thread.call_method0("interrupt_main"));
+            }
+            said
+        })
     }
 
     /// Returns the exception of a loop that a handler has stopped.

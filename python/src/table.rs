@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
+use std::thread::{self, ThreadId};
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
@@ -91,7 +91,7 @@ pub fn solve_table(
             parts.extend(split(batch.map_err(unread)?));
         }
         let solved = solve(&plan, &parts, threads, &|done| signals.look(done + 1, parts.len())).ok_or_else(|| signals.stopped())?;
-        Ok((solved.into_iter().collect::<Result<_, _>>().map_err(|error| error::of(Issues::defect(error)))?, plan.schema()))
+        Ok((solved.into_iter().collect::<Result<_, _>>().map_err(unread)?, plan.schema()))
     })?;
     signals.done()?;
     let names = schema.fields().iter().map(|field| field.name().clone()).collect();
@@ -116,7 +116,16 @@ pub fn solve_stream(
     let options = Options { of, wrt, check, fast };
     let schema = reader.schema();
     let plan = plan(py, &schema, case, &options)?;
-    Ok(PyRecordBatchReader::new(Box::new(Stream { plan, reader, threads, parts: VecDeque::new(), solved: VecDeque::new() })))
+    let (signals, owner) = (Signals::new(None), thread::current().id());
+    Ok(PyRecordBatchReader::new(Box::new(Stream {
+        plan,
+        reader,
+        threads,
+        signals,
+        owner,
+        parts: VecDeque::new(),
+        solved: VecDeque::new(),
+    })))
 }
 
 fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Options) -> PyResult<Plan> {
@@ -125,7 +134,7 @@ fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Opt
         Plan::of(schema, base(case)?.as_ref(), options).map_err(|issues| Failure { has_lines, ..issues.into() })
     })?;
     warn(py, &plan.notices(None), 2)?;
-    Ok(plan.with_numbers())
+    Ok(plan)
 }
 
 fn unread(error: ArrowError) -> PyErr {
@@ -143,6 +152,9 @@ struct Stream {
     plan: Plan,
     reader: Box<dyn RecordBatchReader + Send>,
     threads: usize,
+    signals: Signals,
+    /// The thread that asked for the answer. Another one that reads it may be waited for by one that holds the interpreter, and must not ask for it.
+    owner: ThreadId,
     parts: VecDeque<RecordBatch>,
     solved: VecDeque<Result<RecordBatch, ArrowError>>,
 }
@@ -162,8 +174,11 @@ impl Iterator for Stream {
                 }
             }
             let parts: Vec<RecordBatch> = self.parts.drain(..most.min(self.parts.len())).collect();
-            // Whoever reads the stream handles signals between record batches.
-            self.solved.extend(solve(&self.plan, &parts, self.threads, &|_| true).into_iter().flatten());
+            let is_owner = thread::current().id() == self.owner;
+            match solve(&self.plan, &parts, self.threads, &|done| !is_owner || self.signals.look(done, parts.len())) {
+                Some(solved) => self.solved.extend(solved),
+                None => failed = Some(ArrowError::ExternalError(self.signals.handed_on().into())),
+            }
             self.solved.extend(failed.map(Err));
         }
         self.solved.pop_front()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -244,6 +246,10 @@ SPEEDS = np.array([12.0, 15.0])
         ({"vehicle.1.speed": np.array([b"12"])}, "wrong-type"),
         ({"vehicle.1.speed": np.zeros(2, dtype=[("a", float)])}, "wrong-type"),
         ({"vehicle.1.speed": [[1.0], [1.0, 2.0]]}, "wrong-type"),
+        ({"vehicle.1.speed": (speed for speed in SPEEDS)}, "wrong-type"),
+        ({"vehicle.1.speed": SPEEDS, "vehicle.1.mass": {1500.0}}, "wrong-type"),
+        ({"vehicle.1.speed": {"a": 1.0}}, "wrong-type"),
+        ({"vehicle.1.speed": object()}, "wrong-type"),
     ],
 )
 def test_wrong_columns(columns: dict[str, Any], code: str) -> None:
@@ -284,6 +290,21 @@ def test_wrong_calls() -> None:
         planar_impact.solve_batch(columns, case=BARRIER, of="m1")
     with pytest.raises(CaseError):
         planar_impact.solve_batch(columns, case=BARRIER, wrt="dV1")
+
+
+@pytest.mark.parametrize("truth", [True, np.True_])
+def test_a_truth_is_no_number_and_a_barrier(truth: Any) -> None:
+    for column in ([truth, 14], [truth, 14.0], [truth, None], np.array([truth, 14.0], dtype=object), [truth, truth]):
+        answer = planar_impact.solve_batch({"vehicle.1.speed": column}, of="dV1", case=BARRIER)
+        assert answer["refusal"][0] == "unreadable"
+    answer = planar_impact.solve_batch({"vehicle.2.barrier": np.array([truth, None], dtype=object)}, of="dV1", case=BARRIER)
+    assert answer["refusal"].tolist() == [None, None]
+
+
+def test_numbers_in_many_objects() -> None:
+    numbers: list[Any] = [14, 14.0, np.float32(14), Fraction(14), Decimal(14), "14"]
+    for number in numbers:
+        assert planar_impact.solve_batch({"vehicle.1.speed": number}, of="dV1", case=BARRIER)["refusal"].tolist() == [None]
 
 
 def test_a_column_of_objects_that_are_nothing() -> None:

@@ -125,6 +125,9 @@ def test_a_case_is_a_path_a_text_or_a_dict() -> None:
     by_path = planar_impact.solve(POSITION_A)
     assert planar_impact.solve(str(POSITION_A)) == by_path
     assert planar_impact.solve(POSITION_A.read_text(encoding="utf-8")) == by_path
+    for missing in ("/data/run=3/no-such.toml", "no=such.json"):
+        with pytest.raises(CaseError, match="there is no such file"):
+            planar_impact.solve(missing)
     case = reference("cases")[0]["case"]
     by_dict = planar_impact.solve(case)
     assert planar_impact.solve(json.dumps(case)) == by_dict

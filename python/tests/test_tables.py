@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import _thread
+import contextlib
+import threading
+import time
 from typing import Any
 
 import numpy as np
@@ -97,6 +101,7 @@ def test_text_units_nulls_and_other_columns() -> None:
     answer = planar_impact.solve_batch(table, of="T_L", case=BARRIER, check=True)
     assert answer["refusal"].to_pylist() == [None, None, "unreadable"]
     assert answer["site"].to_pylist() == ["a", "b", None]
+    assert answer["vehicle.1.speed [km/h]"].to_pylist() == ["54", None, "fast"]
     assert answer["energy.loss"][2].as_py() is None and answer["check"].to_pylist() == [None] * 3
 
 
@@ -192,6 +197,8 @@ def test_columns_without_a_type_and_tables_without_columns() -> None:
     polars = pytest.importorskip("polars")
     solved = planar_impact.solve_batch(polars.DataFrame({"vehicle.1.speed": [12.0], "remark": [None]}), case=BARRIER, of="dV1")
     assert solved["remark"].to_list() == [None] and solved["vehicle.1.delta_v_magnitude"][0] > 10
+    nested = polars.DataFrame({"vehicle.1.speed": [12.0, 13.0], "tags": [[], [None]], "by": [{"a": None}, {"a": None}]})
+    assert planar_impact.solve_batch(nested, case=BARRIER, of="dV1")["tags"].to_list() == [[], [None]]
     pandas = pytest.importorskip("pandas")
     for names in (["site", "note"], []):
         given = pandas.DataFrame([[1, 2]], columns=names) if names else pandas.DataFrame()
@@ -200,6 +207,57 @@ def test_columns_without_a_type_and_tables_without_columns() -> None:
         assert [str(name) for name in found.columns][: len(names)] == [str(name) for name in names]
         assert found["vehicle.1.delta_v_magnitude"][0] > 10
     assert len(planar_impact.solve_batch(pandas.DataFrame(), case=BARRIER, of="dV1")) == 0
+
+
+def test_a_class_of_ones_own_is_that_of_its_library() -> None:
+    pandas = pytest.importorskip("pandas")
+
+    class Frame(pandas.DataFrame):  # type: ignore[misc, name-defined]
+        pass
+
+    class Series(pandas.Series):  # type: ignore[misc, name-defined]
+        pass
+
+    answer = planar_impact.solve_batch(Frame({"vehicle.1.speed": [12.0, 13.0]}, index=["a", "b"]), case=BARRIER, of="dV1")
+    assert isinstance(answer, pandas.DataFrame) and list(answer.index) == ["a", "b"]
+    column = Series([12.0, None], dtype="Float64")
+    assert planar_impact.solve_batch({"vehicle.1.speed": column}, case=BARRIER, of="dV1")["refusal"].tolist() == [None, None]
+
+
+def test_the_nulls_of_arrays_are_those_of_the_case() -> None:
+    polars = pytest.importorskip("polars")
+    columns = [pa.array([12.0, None]), pa.array([12, None]), pa.chunked_array([[12.0], [None]]), polars.Series([12.0, None]), polars.Series([12, None])]
+    own = planar_impact.solve(BARRIER).vehicles[0].delta_v_magnitude
+    for column in columns:
+        answer = planar_impact.solve_batch({"vehicle.1.speed": column}, case=BARRIER, of="dV1")
+        assert answer["refusal"].tolist() == [None, None] and answer["vehicle.1.delta_v_magnitude"][1] == own
+
+
+def test_text_that_is_none_is_refused() -> None:
+    """Of an array in another encoding pyarrow says that it is text, unchecked."""
+    broken = pa.array([b"14", b"\xe4"], pa.binary()).view(pa.string())
+    large = pa.array([b"14", b"\xe4"], pa.large_binary()).view(pa.large_string())
+    for column in (broken, large, broken.dictionary_encode()):
+        for name in ("vehicle.1.speed", "contact.tangential_law"):
+            with pytest.raises(CaseError, match="(?i)utf"):
+                planar_impact.solve_batch(pa.table({name: column}), case=BARRIER, of="dV1")
+    stream = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.string()}), [pa.record_batch({"vehicle.1.speed": broken})])
+    with pytest.raises((ValueError, OSError), match="(?i)utf"):
+        planar_impact.solve_batch(stream, case=BARRIER, of="dV1").read_all()
+
+
+def test_reading_a_whole_stream_stops_at_an_interrupt() -> None:
+    batch = pa.record_batch({"vehicle.1.speed": np.linspace(1, 30, 20_000)})
+    stream = pa.RecordBatchReader.from_batches(batch.schema, (batch for _ in range(10_000)))
+    answer = planar_impact.solve_batch(stream, case=BARRIER)
+    timer = threading.Timer(0.5, _thread.interrupt_main)
+    started = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        with contextlib.suppress(ValueError, OSError):
+            answer.read_all()
+        time.sleep(5)
+    assert time.monotonic() - started < 4
 
 
 @pytest.mark.parametrize("kind", ["Int64", "Float64", "object"])

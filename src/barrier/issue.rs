@@ -215,7 +215,7 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
             TestIssue::ForceTooLarge { force, most } => message
                 .text("the force per width A is held at ")
                 .figure(Measure::ForcePerWidth, force.clone())
-                .text("; the depths and crush energies of the tests allow at most ")
+                .text("; the mean depth and crush energy of the tests allow at most ")
                 .figure(Measure::ForcePerWidth, most.clone()),
             TestIssue::NotConverged { steps } => message.text(alloc::format!("the fit did not converge in {steps} steps")),
         }

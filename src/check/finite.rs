@@ -8,7 +8,6 @@ use super::options::Options;
 use super::profile::Profile;
 use super::record::Record;
 use super::rule::Rule;
-use crate::frame::Xy;
 use crate::input::Side;
 use crate::measure::Measure;
 use alloc::format;
@@ -72,14 +71,15 @@ pub(super) fn plausible(record: &Record, judge: &mut Judge) {
 fn of_body(record: &Record, side: Side, judge: &mut Judge) {
     let (subject, body) = (record.subject(side), number_of(side));
     for state in [subject.before, subject.after] {
-        above(judge, state.velocity.map(Xy::length), SPEED, |v| format!("body {body} moves at {v} m/s: mph or km/h?"));
+        above(judge, state.velocity.map(|v| libm::hypot(v.x, v.y)), SPEED, |v| format!("body {body} moves at {v} m/s: mph or km/h?"));
         above(judge, state.yaw_rate.map(f64::abs), YAW_RATE, |w| format!("body {body} turns at {w} rad/s: degrees?"));
     }
     if let Some(mass) = subject.mass {
         let why = "a vehicle has 100 kg to 80 t; another unit, or a weight? A barrier is fixed";
         outside(judge, mass, MASS, |mass| format!("body {body} has a mass of {mass} kg: {why}"));
         if let Some(inertia) = subject.yaw_inertia {
-            let radius = libm::sqrt(inertia / mass);
+            // The ratio itself may be infinite.
+            let radius = libm::sqrt(inertia) / libm::sqrt(mass);
             outside(judge, radius, GYRATION, |k| {
                 format!("body {body} has a radius of gyration of {k} m, and a vehicle 0.9 to 2.5 m: units?")
             });
@@ -138,6 +138,9 @@ mod tests {
         all.extend([Key::AfterX(one), Key::AfterY(one), Key::AfterX(two), Key::AfterY(two)].map(|key| (key, 0.0)));
         let outcome = found(&all);
         assert!(outcome.of(Rule::Finite).next().is_some_and(|finding| finding.what.contains("so large or so small")), "{outcome}");
+        // The number itself is told, whose square is infinite.
+        assert!(outcome.of(Rule::PlausibleUnits).any(|finding| finding.what.contains("moves at 1")), "{outcome}");
+        assert!(outcome.of(Rule::PlausibleUnits).all(|finding| !finding.what.contains("inf ")), "{outcome}");
     }
 
     #[test]

@@ -159,9 +159,11 @@ fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge
             )
         });
     };
-    judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(scale.max(f64::MIN_POSITIVE)), |size, bound| {
+    // A closing speed of zero has no ratio.
+    let (unit, of_unit) = if scale > 0.0 { (scale, "their ratio is") } else { (1.0, "in m/s, this is") };
+    judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(unit), |size, bound| {
         format!(
-            "the restitution is said to be {}, and the closing speed {} m/s and the separation speed {} m/s; their ratio is {} off, {} may be",
+            "the restitution is said to be {}, and the closing speed {} m/s and the separation speed {} m/s; {of_unit} {} off, {} may be",
             Digits(e.value),
             Digits(closing.value),
             Digits(parting.value),

@@ -63,10 +63,11 @@ const fn place(key: Key) -> usize {
         // With the heading and the motion.
         Key::Heading(side) => 27 + side as usize,
         Key::ForceDirection(side) => 29 + side as usize,
-        Key::EnergyLoss | Key::NormalImpulse | Key::ClosingSpeed => 27,
-        Key::NormalWork | Key::TangentialImpulse | Key::SeparationSpeed => 28,
-        Key::TangentialWork | Key::ImpulseX => 29,
-        Key::EnergyBefore | Key::ImpulseY => 30,
+        Key::EnergyLoss | Key::NormalImpulse => 27,
+        Key::NormalWork | Key::TangentialImpulse => 28,
+        // The speeds with the normal impulse and its work.
+        Key::TangentialWork | Key::ImpulseX | Key::ClosingSpeed => 29,
+        Key::EnergyBefore | Key::ImpulseY | Key::SeparationSpeed => 30,
         Key::EnergyAfter | Key::ImpulseMagnitude => 31,
         // With the moment and the motion, or with other works.
         Key::MomentWork => 24,

@@ -57,9 +57,13 @@ impl<const N: usize> Uncertain<N> {
         3.0 * libm::sqrt(variance) + 9.0 * self.rest
     }
 
-    /// Returns its magnitude, with the sign taken from the value.
+    /// Returns its magnitude: the number with the sign of its value, which is less by up to twice what lies beyond zero, within the resolution or, of which a
+    /// ninth counts, within three standard uncertainties.
     pub(super) fn magnitude(self) -> Self {
-        if self.value < 0.0 { -self } else { self }
+        let (size, radius) = (self.value.abs(), self.radius());
+        let beyond = (radius - size).max((3.0 * radius - size) / 9.0).max(0.0);
+        let signed = if self.value < 0.0 { -self } else { self };
+        Uncertain { rest: signed.rest + 2.0 * beyond, ..signed }
     }
 
     /// Multiplies by an exact factor.
@@ -265,6 +269,9 @@ mod tests {
         is(-product, 6.0, 6.0, [1.0, -0.75], 0.125);
         is(product.magnitude(), 6.0, 6.0, [1.0, -0.75], 0.125);
         is(x.magnitude(), 3.0, 3.0, [0.5, 0.0], 0.0);
+        // Within its resolution −3 ± 5 is from −8 to 2, and its magnitude up to 4 more than the number with the other sign; 3 ± 2 is from −3 to 9 within three.
+        is(pair(-3.0, 5.0, 0.0, 0.0).0.magnitude(), 3.0, 3.0, [-5.0, 0.0], 4.0);
+        is(pair(3.0, 2.0, 0.0, 0.0).0.magnitude(), 3.0, 3.0, [2.0, 0.0], 2.0 / 3.0);
         is(product.scaled(-2.0), 12.0, 12.0, [2.0, -1.5], 0.25);
         is(product + x, -3.0, 9.0, [-0.5, 0.75], 0.125);
         is(x - product, 9.0, 9.0, [1.5, -0.75], 0.125);

@@ -128,7 +128,7 @@ impl Case {
 
 fn help(why: &NoSeparation) -> Option<&'static str> {
     Some(match why {
-        NoSeparation::NoRest(_) => "give it brakes or a rolling resistance",
+        NoSeparation::NoRest(why) => crate::slide::help(why),
         NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
         NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
         NoSeparation::NoPath => "leave `points` or `method` out",

@@ -67,6 +67,11 @@ impl<'a> Table<'a> {
         self.field(key, false)
     }
 
+    /// Returns `true` if no further issue is kept, so that there is nothing to gain from reading on.
+    pub fn has_most_issues(&self) -> bool {
+        self.context.issues.borrow().len() >= MOST_KEPT
+    }
+
     /// Returns every value of the table by its key, in file order, for tables whose keys are names.
     pub fn fields(&self) -> Vec<(&'a str, Field<'a>)> {
         let field = |entry: &'a Entry| {

@@ -7,6 +7,7 @@ use indicatif::ProgressBar;
 use planar_impact_app::Units;
 use planar_impact_app::batch::Refused;
 
+use crate::output;
 use crate::progress::{SILENCE, styled};
 
 const OF_FILES: &str = "{wide_bar} {percent:>3} %, {msg}, {eta} left";
@@ -75,8 +76,8 @@ impl Progress {
 
     fn say(&self, line: &str) {
         match &self.bar {
-            Some(bar) => bar.suspend(|| eprintln!("{line}")),
-            None => eprintln!("{line}"),
+            Some(bar) => bar.suspend(|| output::say(line)),
+            None => output::say(line),
         }
     }
 }

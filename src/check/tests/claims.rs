@@ -316,6 +316,36 @@ fn claims_without_motions_state_no_gain() {
     assert_eq!(rules(&moving), ["energy-gain", "reported"]);
 }
 
+/// P_n = −10049 N s, 10.049 and 1.051 m/s make W_n = −45210 J. Printed, each number counts with its own digits.
+#[test]
+fn a_work_of_rounded_speeds_has_the_digits_of_all() {
+    let printed = [
+        (Key::NormalWork, -45_210.0, 0.5),
+        (Key::ClosingSpeed, 10.0, 0.05),
+        (Key::SeparationSpeed, 1.1, 0.05),
+        (Key::NormalImpulse, -1e4, 50.0),
+    ];
+    let mut record = Record { profile: Profile::Printed, ..Record::default() };
+    for (key, value, resolution) in printed {
+        record.set(key, value);
+        record.resolution = record.resolution.with_key(key, resolution);
+    }
+    assert!(rules(&record).is_empty());
+    // They make ½ · 10 050 · 9 = 45 225 J at the most.
+    record.set(Key::NormalWork, -45_800.0);
+    assert_eq!(rules(&record), ["reported"]);
+    record.set(Key::NormalWork, -43_200.0);
+    assert_eq!(rules(&record), ["reported"]);
+}
+
+/// A closing speed of zero has no ratio to the other.
+#[test]
+fn a_restitution_of_no_closing_speed_is_checked_by_the_speeds() {
+    let restitution = |parting| broken(&[(Key::Restitution, 0.5), (Key::ClosingSpeed, 0.0), (Key::SeparationSpeed, parting)]);
+    assert!(restitution(0.0).is_empty());
+    assert_eq!(restitution(0.1), ["restitution"]);
+}
+
 #[test]
 fn lengths_and_speeds_are_not_negative() {
     let side = Side::Two;

@@ -14,7 +14,7 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::Source;
-use crate::stiffness::{PooledNumber, TestFile, is_negative, message};
+use crate::stiffness::{TestFile, is_negative, message};
 use crate::units::{Measure, Units};
 use crate::wording::{degrees_of_freedom, too_small};
 
@@ -120,16 +120,9 @@ impl FittedToTests {
     /// Fits a stiffness to the tests of a file. What the recordings that it names are to be known for comes with it.
     fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
         let mut file = TestFile::read(tests.clone(), reader)?;
-        let mut fit = file.fit(model)?;
+        let fit = file.of_further_vehicle(file.fit(model)?);
         let is_uncertain = file.is_uncertain(&fit);
-        let mut vehicles = 1;
-        // The vehicle of the case is another one of the class: it differs from the line through all tests as those that were tested do from each other.
-        if let Some(class) = file.class(model) {
-            let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
-            fit.covariance.onset += squared(&class.d0);
-            fit.covariance.slope += squared(&class.d1);
-            vehicles = class.vehicles.len();
-        }
+        let vehicles = file.class(model).map_or(1, |class| class.vehicles.len());
         let notices = std::mem::take(&mut file.notices);
         Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, of: Vec::new() }, notices))
     }

@@ -96,6 +96,25 @@ fn a_full_disk() {
     }
 }
 
+/// What is said of rows beside the table is lost, and nothing of the table.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_standard_error_that_is_full() {
+    use crate::process::planar_impact;
+    let folder = Folder::new();
+    folder.write("case.toml", COLLISION.as_bytes());
+    folder.write("rows.csv", b"vehicle.1.speed,e\n12,0.1\n-90,0.2\nfast,0.3\n");
+    let solve = |output: &str, stderr: std::process::Stdio| {
+        let call = ["batch", "rows.csv", "--case", "case.toml", "-o", output];
+        planar_impact(folder.path()).args(call).stderr(stderr).spawn().expect("it starts").wait().expect("it ends").code()
+    };
+    let full = std::fs::File::create("/dev/full").expect("Linux has it");
+    assert_eq!((solve("heard.csv", std::process::Stdio::null()), solve("unheard.csv", full.into())), (Some(1), Some(1)));
+    let table = |name: &str| std::fs::read(folder.path().join(name)).expect("a table");
+    assert_eq!(table("heard.csv"), table("unheard.csv"));
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 4);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_reader_that_has_seen_enough() {
