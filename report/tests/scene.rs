@@ -343,6 +343,77 @@ fn a_rest_position_has_two_standard_deviations_around_it() {
     no_label_covers_another(root);
 }
 
+/// Returns the places of what an element draws, in pixels to the right and down.
+fn places(node: Node<'_, '_>) -> Vec<[f64; 2]> {
+    let of = |name: &str| number(node, name);
+    match node.tag_name().name() {
+        "line" => vec![[of("x1"), of("y1")], [of("x2"), of("y2")]],
+        "polygon" | "polyline" => points(node).into_iter().map(|[x, y]| [x, -y]).collect(),
+        "circle" => [-1.0, 1.0].map(|sign| [of("cx") + sign * of("r"), of("cy") + sign * of("r")]).to_vec(),
+        "ellipse" => [-1.0, 1.0].map(|sign| [of("cx") + sign * of("rx"), of("cy") + sign * of("ry")]).to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// Asserts that all that a panel draws is within its frame, which stands before it.
+fn all_is_framed(panel: Node<'_, '_>) {
+    let frame = panel.prev_siblings().find(|node| node.has_tag_name("rect")).expect("a frame");
+    let (low, size) = (["x", "y"].map(|name| number(frame, name)), ["width", "height"].map(|name| number(frame, name)));
+    for node in panel.descendants() {
+        for place in places(node) {
+            let is_inside = (0..2).all(|k| place[k] >= low[k] && place[k] <= low[k] + size[k]);
+            assert!(is_inside, "{place:?} of {node:?} leaves the frame at {low:?} of {size:?}");
+        }
+    }
+}
+
+/// Asserts the same of the pictures of the phases, and of that of skids and rest positions.
+fn all_panels_are_framed(root: Node<'_, '_>) {
+    let is_panel = |node: &Node<'_, '_>| {
+        node.attribute("class").is_some_and(|classes| classes.split(' ').any(|class| class == "phase" || class == "overview"))
+    };
+    let panels: Vec<Node<'_, '_>> = root.descendants().filter(is_panel).collect();
+    assert!(panels.len() >= 3, "{} panels", panels.len());
+    panels.into_iter().for_each(all_is_framed);
+}
+
+#[test]
+fn walls_are_within_their_frames() {
+    let mut rng = ChaCha8Rng::seed_from_u64(23);
+    let (mut drawn, mut tried) = (0, 0);
+    while drawn < 100 {
+        tried += 1;
+        assert!(tried < 2000, "the physics refuses too many: {drawn} of {tried}");
+        let mut between = |low: f64, high: f64| rng.random_range(low..high);
+        let text = format!(
+            "schema = 1\n[[vehicle]]\nname = \"car\"\nmass = 1500\nyaw_inertia = 2400\nheading = {}\nspeed = {}\nimpact_center = [{}, {}]\n\
+             [[vehicle]]\nname = \"wall\"\nbarrier = true\n[contact]\ncrush_plane = {}\nrestitution = {}\n",
+            between(-3.1, 3.1),
+            between(3.0, 25.0),
+            between(0.8, 2.2),
+            between(-0.8, 0.8),
+            between(-3.1, 3.1),
+            between(0.0, 0.3),
+        );
+        let case = Case::parse(Source { name: "barrier.toml".to_owned(), text }).expect("a readable file");
+        let Ok(answer) = draw(&case, &(), &Uncontrolled) else { continue };
+        let svg = scene(&answer, Units::Si);
+        let page = Document::parse(&svg).expect("well-formed");
+        let root = page.root_element();
+        all_panels_are_framed(root);
+        // The frame of the picture of the impact is the first one.
+        let frame = root.children().filter(|node| node.has_tag_name("rect")).nth(1).expect("a frame");
+        let bottom = number(frame, "y") + number(frame, "height");
+        let right = number(frame, "x") + number(frame, "width");
+        for wall in of_class(root, "barrier").descendants() {
+            for [x, y] in places(wall) {
+                assert!(x >= number(frame, "x") && x <= right && y >= number(frame, "y") && y <= bottom, "[{x}, {y}] leaves the impact");
+            }
+        }
+        drawn += 1;
+    }
+}
+
 #[test]
 fn names_neither_break_nor_inject() {
     let hostile =

@@ -26,17 +26,24 @@ pub fn behind(scene: &Scene, which: usize, size: f64) -> [f64; 2] {
     [scene.impact_point[0] + by * cos, scene.impact_point[1] + by * sin]
 }
 
+/// Returns a point of the ground along the crush plane from the impact center, and into the wall, both over the size of the vehicles.
+fn on_ground(scene: &Scene, which: usize, size: f64, along: f64, deep: f64) -> [f64; 2] {
+    let (sin, cos) = plane(scene);
+    let (t, n) = (along * size, away(scene, which) * deep * size);
+    [scene.impact_point[0] - t * sin + n * cos, scene.impact_point[1] + t * cos + n * sin]
+}
+
+/// Returns the corners of the wall on the ground, its face first.
+pub fn corners(scene: &Scene, which: usize, size: f64) -> [[f64; 2]; 4] {
+    [(-0.45, 0.0), (0.45, 0.0), (0.45, 0.08), (-0.45, 0.08)].map(|(along, deep)| on_ground(scene, which, size, along, deep))
+}
+
 /// Draws a barrier: a wall along the crush plane, hatched.
 pub fn draw(svg: &mut Svg, view: &View, scene: &Scene, which: usize, size: f64) {
-    let (sin, cos) = plane(scene);
-    let side = away(scene, which);
-    let at = |along: f64, deep: f64| {
-        let (t, n) = (along * size, side * deep * size);
-        view.place([scene.impact_point[0] - t * sin + n * cos, scene.impact_point[1] + t * cos + n * sin])
-    };
+    let at = |along: f64, deep: f64| view.place(on_ground(scene, which, size, along, deep));
     svg.group(&[("class", &format!("barrier vehicle-{}", which + 1))], |svg| {
         svg.title(&name(&scene.vehicles[which]));
-        let wall = [at(-0.45, 0.0), at(0.45, 0.0), at(0.45, 0.08), at(-0.45, 0.08)];
+        let wall = corners(scene, which, size).map(|corner| view.place(corner));
         svg.points("polygon", &wall, &[("fill", "#d0d0d0"), ("stroke", INK), ("stroke-width", "1.5")]);
         for k in 0..12 {
             let along = -0.45 + 0.075 * f64::from(k);

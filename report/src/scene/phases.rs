@@ -16,7 +16,8 @@ const NAME: f64 = 24.0;
 pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     let count = scene.phases.len().max(1) as f64;
     let width = (frame.width - GAP * (count - 1.0)) / count;
-    let timed: Vec<[f64; 2]> = scene.phases.iter().filter(|phase| phase.time.is_some()).flat_map(|phase| points(scene, phase)).collect();
+    let timed: Vec<[f64; 2]> =
+        scene.phases.iter().filter(|phase| phase.time.is_some()).flat_map(|phase| points(scene, phase)).chain(walls(scene)).collect();
     for (i, phase) in scene.phases.iter().enumerate() {
         let frame = Frame { x: frame.x + i as f64 * (width + GAP), width, ..frame };
         let picture = Frame { y: frame.y + NAME, height: frame.height - NAME, ..frame };
@@ -53,6 +54,12 @@ fn signed(number: &str, value: f64) -> String {
 fn points(scene: &Scene, phase: &Phase) -> Vec<[f64; 2]> {
     let of = |which: usize, pose: &RestPose| extent(&scene.vehicles[which], pose);
     phase.poses.iter().enumerate().filter_map(|(which, pose)| Some(of(which, pose.as_ref()?))).flatten().collect()
+}
+
+/// Returns the corners of the barriers, which the pictures around the impact show.
+fn walls(scene: &Scene) -> Vec<[f64; 2]> {
+    let barriers = (0..2).filter(|which| scene.vehicles[*which].barrier);
+    barriers.flat_map(|which| barrier::corners(scene, which, impact::size(scene))).collect()
 }
 
 /// Draws the velocity; the fastest is as long as a quarter of the picture's height.
