@@ -216,6 +216,7 @@ fn compare(random: &Random, case: &Case, answer: &Answer<Scene>) {
         assert_along(along, [angle.cos(), angle.sin()], length(along), class);
     }
     no_label_covers_another(root);
+    all_panels_are_framed(root);
 }
 
 /// Asserts that texts neither overlap nor leave the page, with the width of the widest font.
@@ -412,6 +413,25 @@ fn walls_are_within_their_frames() {
         }
         drawn += 1;
     }
+}
+
+/// Asserts that the panels of a case are framed.
+fn assert_framed(text: &str) {
+    let case = Case::parse(Source { name: "framed.toml".to_owned(), text: text.to_owned() }).expect("a readable file");
+    let svg = scene(&draw(&case, &(), &Uncontrolled).expect("a possible collision"), Units::Si);
+    all_panels_are_framed(Document::parse(&svg).expect("well-formed").root_element());
+}
+
+/// Beside a long vehicle the pictures have a small scale, and the arrow of a short one is longer than it.
+#[test]
+fn arrows_of_short_vehicles_are_within_their_frames() {
+    assert_framed(
+        "schema = 1\n\
+         [[vehicle]]\nname = \"bus\"\nmass = 1830\nradius_of_gyration = 1.3\nheading = 0\nspeed = 11.54\nimpact_center = [2.03, -0.26]\n\
+         length = 13.03\nwidth = 1.7\n\
+         [[vehicle]]\nname = \"car\"\nmass = 1297\nradius_of_gyration = 1.43\nheading = 4.626\nspeed = 17.83\nimpact_center = [1.24, 0.59]\n\
+         [contact]\ncrush_plane = -0.456\nrestitution = 0.1\nfriction = 0.7\n",
+    );
 }
 
 #[test]

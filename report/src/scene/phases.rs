@@ -18,12 +18,13 @@ pub fn draw(svg: &mut Svg, scene: &Scene, units: Units, frame: Frame) {
     let width = (frame.width - GAP * (count - 1.0)) / count;
     let timed: Vec<[f64; 2]> =
         scene.phases.iter().filter(|phase| phase.time.is_some()).flat_map(|phase| points(scene, phase)).chain(walls(scene)).collect();
+    let arrows: Vec<_> = scene.phases.iter().flat_map(|phase| arrows(scene, phase, frame.height - NAME)).collect();
     for (i, phase) in scene.phases.iter().enumerate() {
         let frame = Frame { x: frame.x + i as f64 * (width + GAP), width, ..frame };
         let picture = Frame { y: frame.y + NAME, height: frame.height - NAME, ..frame };
         // Phases around the impact have one scale; rest has its own.
         let view = if phase.time.is_some() {
-            View::of(timed.iter().copied(), picture, 16.0)
+            View::with_arrows(&timed, &arrows, picture, 16.0)
         } else {
             View::of(points(scene, phase).into_iter(), picture, 26.0)
         };
@@ -62,16 +63,25 @@ fn walls(scene: &Scene) -> Vec<[f64; 2]> {
     barriers.flat_map(|which| barrier::corners(scene, which, impact::size(scene))).collect()
 }
 
-/// Draws the velocity; the fastest is as long as a quarter of the picture's height.
-fn motion(svg: &mut Svg, view: &View, scene: &Scene, which: usize, pose: &RestPose, velocity: [f64; 2]) {
+/// Returns the arrow of a velocity, in pixels to the right and up; the fastest is as long as a quarter of the picture's height, and the slowest have none.
+fn arrow(scene: &Scene, velocity: [f64; 2], height: f64) -> Option<[f64; 2]> {
     let fastest = scene.phases.iter().flat_map(|phase| phase.velocities).map(|[x, y]| libm::hypot(x, y)).fold(0.0, f64::max);
     let speed = libm::hypot(velocity[0], velocity[1]);
-    if speed <= 0.02 * fastest {
-        return;
-    }
+    let length = 0.25 * height;
+    (speed > 0.02 * fastest).then(|| velocity.map(|part| length * part / fastest))
+}
+
+/// Returns where each arrow of a phase begins, and the arrow.
+fn arrows(scene: &Scene, phase: &Phase, height: f64) -> Vec<([f64; 2], [f64; 2])> {
+    let of_vehicles = phase.poses.iter().zip(phase.velocities);
+    of_vehicles.filter_map(|(pose, velocity)| Some((pose.as_ref()?.position, arrow(scene, velocity, height)?))).collect()
+}
+
+/// Draws the velocity.
+fn motion(svg: &mut Svg, view: &View, scene: &Scene, which: usize, pose: &RestPose, velocity: [f64; 2]) {
+    let Some([right, up]) = arrow(scene, velocity, view.frame.height) else { return };
     let from = view.place(pose.position);
-    let length = 0.25 * view.frame.height;
-    let tip = (from.0 + length * velocity[0] / fastest, from.1 - length * velocity[1] / fastest);
+    let tip = (from.0 + right, from.1 - up);
     let class = format!("phase-velocity phase-velocity-{}", which + 1);
     svg.line(from, tip, &[("class", &class), ("stroke", STYLES[which].stroke), ("stroke-width", "2")]);
     arrow_head(svg, from, tip, 6.0, &[("fill", STYLES[which].stroke)]);

@@ -64,6 +64,25 @@ impl View {
         View { frame, scale, middle: [0, 1].map(|k| low[k] / 2.0 + high[k] / 2.0) }
     }
 
+    /// Returns the view that shows every point, and arrows that begin at some of them with a length on the page: pixels to the right and up.
+    ///
+    /// Two of the arrows, one behind the other, must be shorter than the frame without the room.
+    pub fn with_arrows(points: &[[f64; 2]], arrows: &[([f64; 2], [f64; 2])], frame: Frame, room: f64) -> View {
+        let still = points.iter().map(|point| (*point, [0.0; 2]));
+        let ends: Vec<_> = still.chain(arrows.iter().copied()).filter(|(point, _)| point.iter().all(|x| x.is_finite())).collect();
+        let mut scale = View::of(points.iter().copied(), frame, room).scale;
+        for (k, size) in [frame.width, frame.height].into_iter().enumerate() {
+            for (low, back) in &ends {
+                for (high, ahead) in &ends {
+                    let (apart, left) = (high[k] - low[k], size - 2.0 * room + back[k].min(0.0) - ahead[k].max(0.0));
+                    scale = if apart > 0.0 { scale.min(left / apart) } else { scale };
+                }
+            }
+        }
+        let tips = ends.iter().map(|(point, by)| [point[0] + by[0] / scale, point[1] + by[1] / scale]);
+        View { scale, ..View::of(ends.iter().map(|(point, _)| *point).chain(tips), frame, room) }
+    }
+
     /// Returns the place of the origin of the ground.
     pub fn origin(&self) -> Place {
         self.place([0.0, 0.0])
