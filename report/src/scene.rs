@@ -14,7 +14,7 @@ use planar_impact_app::plain_text::shorten;
 use planar_impact_app::scene::Scene;
 use planar_impact_app::{Answer, Units};
 
-use crate::svg::{INK, Svg, text_width};
+use crate::svg::{INK, Svg, fitting, text_width};
 
 /// Width of the page in pixels, and of its margin.
 const WIDTH: f64 = 1000.0;
@@ -73,8 +73,7 @@ pub fn scene(answer: &Answer<Scene>, units: Units) -> String {
     let height = notes_at + 18.0 * notes.len() as f64 + 12.0;
     let mut svg = Svg::new(WIDTH, height, &shorten(&title, 200), &description(scene, units));
     svg.element("rect", &[("width", "100%"), ("height", "100%"), ("fill", "#ffffff")]);
-    let most = ((WIDTH - 2.0 * MARGIN) / text_width("m", TITLE)) as usize;
-    svg.text((MARGIN, 32.0), TITLE, "title", &shorten(&title, most));
+    svg.text((MARGIN, 32.0), TITLE, "title", &fitting(&title, TITLE, WIDTH - 2.0 * MARGIN));
     impact::draw(&mut svg, scene, units, FRAME);
     legend::draw(
         &mut svg,

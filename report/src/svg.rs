@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use planar_impact_app::plain_text::shown;
+use planar_impact_app::plain_text::{shorten, shown};
 use quick_xml::escape::escape;
-use unicode_width::UnicodeWidthStr;
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 /// A place on the page, in pixels: to the right, down.
 pub type Place = (f64, f64);
@@ -17,6 +17,22 @@ const COLUMN: f64 = 0.64;
 /// Returns the most pixels that a text takes.
 pub fn text_width(text: &str, size: f64) -> f64 {
     COLUMN * size * shown(text).width() as f64
+}
+
+/// Shortens a text until it fits a width, whatever its letters are.
+pub fn fitting(text: &str, size: f64, width: f64) -> String {
+    let most = (width / (COLUMN * size)) as usize;
+    let fits = |text: &String| text.chars().map(|letter| widest(letter) * size).sum::<f64>() <= width;
+    (1..=most).rev().map(|most| shorten(text, most)).find(fits).unwrap_or_default()
+}
+
+/// Returns the width of a letter in the widest of the fonts, over its size.
+fn widest(letter: char) -> f64 {
+    match letter {
+        'W' | 'M' | 'm' | '@' | '%' => 1.0,
+        'A'..='Z' | 'w' | '&' => 0.86,
+        _ => COLUMN * letter.width().unwrap_or(0) as f64,
+    }
 }
 
 /// An SVG document being written.
@@ -138,6 +154,16 @@ pub fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_wide_is_cut_sooner() {
+        // A letter of COLUMN takes 6.4 px, a W 10 px.
+        assert_eq!(fitting("sedan", 10.0, 32.0), "sedan");
+        assert_eq!(fitting("sedans", 10.0, 32.0), "seda…");
+        assert_eq!(fitting("WWWWW", 10.0, 50.0), "WWWWW");
+        assert_eq!(fitting("WWWWWW", 10.0, 50.0), "WWWW…");
+        assert_eq!(fitting("W", 10.0, 5.0), "");
+    }
 
     #[test]
     fn texts_cannot_add_elements() {

@@ -434,6 +434,15 @@ fn arrows_of_short_vehicles_are_within_their_frames() {
     );
 }
 
+/// The ellipse of a place that is hardly known is larger than the scene.
+#[test]
+fn ellipses_of_rest_positions_are_within_their_frames() {
+    let rest = "position = [{ value = 10.1, sd = 3.0 }, { value = 6.5, sd = 3.5 }]";
+    let text = include_str!("../../cli/examples/to-rest.toml");
+    let line = text.lines().find(|line| line.starts_with("position")).expect("a rest position");
+    assert_framed(&text.replacen(line, rest, 1));
+}
+
 #[test]
 fn names_neither_break_nor_inject() {
     let hostile =

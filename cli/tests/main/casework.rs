@@ -410,14 +410,16 @@ fn the_slide_forward_is_the_inverse_of_the_slide_back() {
 /// `slide` begins with a motion that the evidence gives whole; `draw` shows the solved impact. Each says what it does not use.
 #[test]
 fn a_motion_at_separation_that_is_not_used_is_told() {
-    let case = std::fs::read_to_string(root().join("cli/examples/slide.toml")).expect("an example");
+    let case = example("slide.toml");
     let velocity = "vehicle.1.separation_velocity = [\"5 m/s ± 0.2 m/s\", \"4 m/s ± 0.2 m/s\"]\n";
     let of = |verb: &[&str], evidence: &str| json_of(verb, &case.replace("[scene]", &format!("[evidence]\n{evidence}\n[scene]")));
     let yaw_rate = "vehicle.1.separation_yaw_rate = \"60 deg/s ± 5 deg/s\"";
     let draw = ["draw"];
-    for (evidence, from, of_slide, of_draw) in
-        [(velocity.to_owned() + yaw_rate, "given", false, true), (velocity.to_owned(), "solve", true, false), (String::new(), "solve", false, false)]
-    {
+    for (evidence, from, of_slide, of_draw) in [
+        (velocity.to_owned() + yaw_rate, "given", false, true),
+        (velocity.to_owned(), "solve", true, false),
+        (String::new(), "solve", false, false),
+    ] {
         let (slid, drawn) = (of(&["slide"], &evidence), of(&draw, &evidence));
         assert_eq!(slid["vehicles"][0]["separation_from"], from);
         assert_eq!(slid["messages"].to_string().contains("incomplete-motion"), of_slide, "{}", slid["messages"]);

@@ -1,13 +1,12 @@
 //! The principal direction of force on a clock, 12 straight ahead.
 
-use planar_impact_app::plain_text::shorten;
 use planar_impact_app::scene::VehicleInScene;
 use planar_impact_app::units::{Measure, Units};
 
 use super::vehicle::name;
 use super::view::arrow_head;
 use super::{SMALL, STYLES, Style, TEXT, thin};
-use crate::svg::{INK, Place, Svg, number, text_width};
+use crate::svg::{INK, Place, Svg, fitting, number};
 
 const RADIUS: f64 = 46.0;
 /// Width of a dial with its numbers.
@@ -65,8 +64,7 @@ pub fn draw(svg: &mut Svg, vehicle: &VehicleInScene, which: usize, units: Units,
         svg.line(from, rim(vehicle.pdof, 18.0), &[("class", "pdof"), ("stroke", INK), ("stroke-width", "4")]);
         arrow_head(svg, from, tip, 10.0, &[("fill", INK)]);
     });
-    let most = (WIDTH / text_width("m", TEXT)) as usize;
-    centered(svg, middle.1 + RADIUS + 36.0, TEXT, &shorten(&format!("{} {}", which + 1, vehicle.name), most));
+    centered(svg, middle.1 + RADIUS + 36.0, TEXT, &fitting(&format!("{} {}", which + 1, vehicle.name), TEXT, WIDTH));
     centered(svg, middle.1 + RADIUS + 54.0, SMALL, &format!("PDOF {}", units.quantity(Measure::Angle, vehicle.pdof)));
     centered(svg, middle.1 + RADIUS + 70.0, SMALL, &format!("{} o'clock", vehicle.pdof_clock()));
 }

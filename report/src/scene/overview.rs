@@ -96,15 +96,21 @@ fn points(scene: &Scene) -> Vec<[f64; 2]> {
         points.extend(extent(vehicle, &at_impact(vehicle)));
         points.extend(vehicle.skids.iter().flatten());
         if let Some(slide) = &vehicle.slide {
-            points.extend(slide.path.iter().map(|state| [state.x, state.y]));
+            points.extend(slide.path.iter().flat_map(|state| state.wheels.into_iter().chain([[state.x, state.y]])));
             points.extend(extent(vehicle, &slide.rest));
         }
         if let Some(rest) = &vehicle.rest {
             points.extend(extent(vehicle, &RestPose { position: rest.position, heading: rest.heading }));
-            points.extend(rest.points.iter().map(|point| point.position));
+            points.extend(around(rest.position, rest.position_sd));
+            points.extend(rest.points.iter().flat_map(|point| around(point.position, point.position_sd)));
         }
     }
     points
+}
+
+/// Returns the corners around the ellipse of two standard deviations.
+fn around(place: [f64; 2], sd: [f64; 2]) -> [[f64; 2]; 2] {
+    [-2.0, 2.0].map(|count| [0, 1].map(|axis| place[axis] + count * sd[axis]))
 }
 
 /// Draws the path of the center of mass and the tracks of the wheels.
