@@ -82,6 +82,12 @@ impl Channel {
         Some(Clipped { value: top.value, from: top.from, to: top.to, samples: top.samples })
     }
 
+    /// Returns the step in which the channel was read: at least one unit of the last decimal that is printed, or what all samples lie whole multiples of apart.
+    fn step(&self) -> f64 {
+        let of_digits = self.digit * common_digits(&self.record, self.digit);
+        step_of(&self.record).map_or(of_digits, |step| step.max(of_digits))
+    }
+
     /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps.
     fn gap(&self) -> Option<[f64; 2]> {
         /// Steps that are missing.
@@ -123,10 +129,31 @@ impl Channel {
     }
 }
 
+/// Fewest samples of which a common step is no chance.
+const MANY: usize = 16;
+
+/// Returns the greatest number of units of the last printed decimal that all samples of a record lie apart, if it has many; at least one.
+fn common_digits(record: &Record, digit: f64) -> f64 {
+    /// Greatest number of which the one after it is another float.
+    const MOST: f64 = 9.0e15;
+    /// Rounding of a difference of samples, in units of the last decimal.
+    const NEAR: f64 = 0.01;
+    let values = record.values();
+    let greatest_divisor = |one: u64, other: u64| {
+        let (mut one, mut other) = (one, other);
+        while other != 0 {
+            (one, other) = (other, one % other);
+        }
+        one
+    };
+    let digits = values.iter().map(|value| ((value - values[0]) / digit).abs());
+    let whole = digits.map(|count| (count < MOST && (count - count.round()).abs() < NEAR).then(|| count.round() as u64));
+    let common = whole.into_iter().try_fold(0, |common, count| count.map(|count| greatest_divisor(common, count)));
+    common.filter(|_| values.len() >= MANY).map_or(1.0, |common| common.max(1) as f64)
+}
+
 /// Returns the step in which a record was read, if it has many samples and all lie whole steps apart, but for the rounding of their digits.
 fn step_of(record: &Record) -> Option<f64> {
-    /// Fewest samples of which that is no chance.
-    const MANY: usize = 16;
     /// Rounding of a sample, in steps.
     const NEAR: f64 = 0.02;
     let least = record.resolution()?;
@@ -148,10 +175,9 @@ fn step_of(record: &Record) -> Option<f64> {
 
 /// Returns what the steps of a channel add to the variance of its integral. Noise of their size would spread the samples over them; without it all samples of
 /// the unloaded channel are off by the same part of a step, and so is the whole pulse.
-fn variance_of_steps(channel: &Record, over: &Window, before: &Window) -> f64 {
-    let Some(step) = step_of(channel) else { return 0.0 };
-    let of_sample = step * step / 12.0;
-    let is_spread = channel.baseline(before).is_ok_and(|baseline| baseline.variance >= of_sample);
+fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
+    let of_sample = channel.step().powi(2) / 12.0;
+    let is_spread = channel.record.baseline(before).is_ok_and(|baseline| baseline.variance >= of_sample);
     let duration = over.to - over.from;
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
@@ -298,7 +324,7 @@ impl Analysis<'_> {
     }
 
     /// Integrates a pulse from the raw record, the sum of these channels, and draws it filtered.
-    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record, channels: &[Record]) -> Option<Pulse> {
+    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record, channels: &[&Channel]) -> Option<Pulse> {
         let (over, before) = self.windows(record)?;
         let place = if self.of.settings.window.is_some() { "window" } else { path };
         let uncorrected = self.report(place, record.impulse_over(&over));
@@ -399,7 +425,7 @@ impl Analysis<'_> {
                     return None;
                 }
             };
-            self.pulse(name, &path, quantity, &total, &records)
+            self.pulse(name, &path, quantity, &total, &channels)
         };
         let normal = sum(ChannelQuantity::NormalForce, "normal force");
         let tangential = sum(ChannelQuantity::TangentialForce, "tangential force");
@@ -474,8 +500,7 @@ impl Analysis<'_> {
     }
 
     fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
-        let Pulse { integral, is_known, peak } =
-            self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, std::slice::from_ref(&channel.record))?;
+        let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, &[channel])?;
         let impulse = self.of.settings.mass.map(|mass| {
             let variance = integral.variance * mass.value * mass.value + integral.value * integral.value * mass.variance;
             Uncertain::of(Estimate { value: integral.value * mass.value, variance }, is_known)
@@ -495,7 +520,7 @@ impl Analysis<'_> {
         }
         let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };
         // Uniform motion in whole steps leaves no scatter, however coarse they are.
-        let step = step_of(record).unwrap_or(0.0);
+        let step = channel.step();
         let smooth = |record: &Record| lowess.smooth(record).map(|smoothed| smoothed.with_noise_of_at_least(step * step / 12.0));
         let times = record.times();
         let (first, last) = (times[0], times[times.len() - 1]);

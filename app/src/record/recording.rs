@@ -7,7 +7,7 @@ use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
 
 use super::kinematics::MeasuredKinematics;
-use super::samples::{Fault, Samples, TIME};
+use super::samples::{Column, Fault, Samples, TIME};
 use super::{ChannelQuantity, RecordAnswer};
 use crate::case::{CaseReader, one_of, report_file};
 use crate::document::{Document, Field, Table, Value};
@@ -46,6 +46,8 @@ pub(super) struct Channel {
     pub(super) name: String,
     pub(super) quantity: ChannelQuantity,
     pub(super) record: Record,
+    /// What one unit of its last printed decimal is worth, in SI.
+    pub(super) digit: f64,
     pub(super) range: Option<f64>,
     pub(super) path: String,
 }
@@ -115,7 +117,7 @@ impl Recording {
                 None => Err(Vec::new()),
             });
             match read {
-                Ok(record) => channels.push(Channel::of(header.name.clone(), quantity, record)),
+                Ok(column) => channels.push(Channel::of(header.name.clone(), quantity, column)),
                 Err(found) => faults.extend(found),
             }
         }
@@ -196,8 +198,8 @@ impl Recording {
 }
 
 impl Channel {
-    fn of(name: String, quantity: ChannelQuantity, record: Record) -> Channel {
-        Channel { path: name.clone(), name, quantity, record, range: None }
+    fn of(name: String, quantity: ChannelQuantity, Column { record, digit }: Column) -> Channel {
+        Channel { path: name.clone(), name, quantity, record, digit, range: None }
     }
 }
 
@@ -295,7 +297,7 @@ impl CaseReader {
                 for (i, header) in samples.headers.iter().enumerate() {
                     let (Some(time), Some(quantity)) = (time, ChannelQuantity::of_column(&header.name)) else { continue };
                     match samples.channel(time, i, quantity, (None, 1.0)) {
-                        Ok(record) => channels.push(Channel::of(header.name.clone(), quantity, record)),
+                        Ok(column) => channels.push(Channel::of(header.name.clone(), quantity, column)),
                         Err(faults) => {
                             report(&place, faults);
                             sound = false;
@@ -331,8 +333,8 @@ impl CaseReader {
         table.finish();
         let (column, quantity, polarity, calibration, range) = (column?, quantity?, polarity?, calibration?, range?);
         let place = samples.place(column).map_err(|fault| report(vec![fault])).ok()?;
-        let record = samples.channel(time?, place, quantity, (calibration, polarity)).map_err(report).ok()?;
-        Some(Channel { range, path: table.path().to_owned(), ..Channel::of(column.to_owned(), quantity, record) })
+        let samples = samples.channel(time?, place, quantity, (calibration, polarity)).map_err(report).ok()?;
+        Some(Channel { range, path: table.path().to_owned(), ..Channel::of(column.to_owned(), quantity, samples) })
     }
 
     fn settings(&self, root: &Table<'_>) -> Option<Settings> {

@@ -28,6 +28,13 @@ pub(super) struct Fault {
     pub(super) help: String,
 }
 
+/// A column of samples.
+pub(super) struct Column {
+    pub(super) record: Record,
+    /// What one unit of the last decimal is worth, in the number with the most decimals, in SI.
+    pub(super) digit: f64,
+}
+
 /// How the numbers of a column become numbers in SI.
 #[derive(Clone, Copy)]
 enum Scale<'a> {
@@ -99,8 +106,8 @@ impl Samples {
         }
     }
 
-    /// Reads a channel: its record, and the line of each sample. Where its cell is empty the channel has no sample.
-    pub(super) fn channel(&self, time: usize, place: usize, of: ChannelQuantity, gain: (Option<f64>, f64)) -> Result<Record, Vec<Fault>> {
+    /// Reads a channel. Where its cell is empty the channel has no sample.
+    pub(super) fn channel(&self, time: usize, place: usize, of: ChannelQuantity, gain: (Option<f64>, f64)) -> Result<Column, Vec<Fault>> {
         let (calibration, polarity) = gain;
         let name = self.headers[place].name.as_str();
         let (of_time, scale) = match (self.scale(time, Kind::DURATION, None), self.scale(place, of.kind(), calibration)) {
@@ -108,6 +115,7 @@ impl Samples {
             (one, other) => return Err([one.err(), other.err()].into_iter().flatten().collect()),
         };
         let (mut times, mut values, mut lines, mut faults) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut finest: Option<(i32, f64)> = None;
         for (line, cells) in &self.rows {
             if cells.len() != self.headers.len() {
                 let message = format!("the row has {} of {} cells", cells.len(), self.headers.len());
@@ -118,8 +126,8 @@ impl Samples {
                 faults.push(self.fault(*line, name, message, help));
                 continue;
             }
-            let [at, value] = [time, place].map(|place| cells[place].trim());
-            if value.is_empty() {
+            let [at, value_cell] = [time, place].map(|place| cells[place].trim());
+            if value_cell.is_empty() {
                 continue;
             }
             let mut read = |column: &str, cell: &str, scale, help: &str| match scale_cell(cell, scale) {
@@ -130,11 +138,17 @@ impl Samples {
                 }
             };
             let of_time = read(&self.headers[time].name, at, of_time, "correct the time of this row, or remove the row");
-            let of_channel = read(name, value, scale, "correct the cell, or leave it empty where the channel has no sample");
+            let of_channel = read(name, value_cell, scale, "correct the cell, or leave it empty where the channel has no sample");
             if let (Some(at), Some(value)) = (of_time, of_channel) {
                 times.push(at);
                 values.push(polarity * value);
                 lines.push(*line);
+                let (decimals, one) = last_decimal(value_cell);
+                if finest.is_none_or(|(most, _)| decimals > most)
+                    && let Ok(digit) = scale_cell(&one, scale)
+                {
+                    finest = Some((decimals, digit));
+                }
             }
         }
         if faults.is_empty() {
@@ -144,7 +158,7 @@ impl Samples {
             let is_even = step > 0.0 && times.iter().enumerate().all(|(i, at)| (at - (start + i as f64 * step)).abs() <= 0.01 * step);
             let record = if is_even { Record::uniform(start, step, values) } else { Record::at_times(times, values) };
             match record {
-                Ok(record) => return Ok(record),
+                Ok(record) => return Ok(Column { record, digit: finest.map_or(0.0, |(_, digit)| digit) }),
                 Err(issues) => faults.extend(issues.iter().map(|issue| self.record_fault(issue, name, &lines))),
             }
         }
@@ -178,5 +192,39 @@ fn scale_cell(cell: &str, scale: Scale<'_>) -> Result<f64, QuantityError> {
     match scale {
         Scale::Unit(unit, kind) => read_cell(cell, unit, kind).map(|read| read.si),
         Scale::Calibration(one) => quantity::finite(cell).map(|value| one * value),
+    }
+}
+
+/// Returns the number of decimals of a cell, fewer by its exponent, and the same cell with one of the last of them in place of its number.
+fn last_decimal(cell: &str) -> (i32, String) {
+    let end_of = |text: &str, belongs: fn(char) -> bool| text.find(|c| !belongs(c)).unwrap_or(text.len());
+    let (mantissa, rest) = cell.split_at(end_of(cell, |c| c.is_ascii_digit() || "+-.".contains(c)));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let exponent = rest.strip_prefix(['e', 'E']).map(|rest| rest.split_at(end_of(rest, |c| c.is_ascii_digit() || "+-".contains(c))));
+    let exponent = exponent.and_then(|(digits, unit)| Some((digits.parse::<i32>().ok()?, unit)));
+    let (exponent, unit) = exponent.unwrap_or((0, rest));
+    let decimals = i32::try_from(decimals).unwrap_or(i32::MAX).saturating_sub(exponent);
+    (decimals, format!("1e{}{unit}", -i64::from(decimals)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_decimal_of_a_number_is_found() {
+        for (cell, decimals, one) in [
+            ("9.4", 1, "1e-1"),
+            ("-300.00", 2, "1e-2"),
+            ("12", 0, "1e0"),
+            ("+7.", 0, "1e0"),
+            ("1.50e3", -1, "1e1"),
+            ("2.5E-04", 5, "1e-5"),
+            ("3.25 kN", 2, "1e-2 kN"),
+            ("1.5e2 erg", -1, "1e1 erg"),
+            ("4.0erg", 1, "1e-1erg"),
+        ] {
+            assert_eq!(last_decimal(cell), (decimals, one.to_owned()), "{cell}");
+        }
     }
 }

@@ -906,3 +906,43 @@ fn the_step_of_a_reading_is_in_its_standard_deviation() {
     let sd = found["accelerations"][0]["delta_v"]["sd"].as_f64().expect("a number");
     assert!(sd > 1e-5 && sd < 1e-2, "{sd}");
 }
+
+/// A smooth pulse has no two neighboring readings by chance: what is known is the last printed digit. Two columns of the same digits are equally uncertain.
+#[test]
+fn the_last_digit_of_a_reading_is_its_least_step() {
+    let samples = |decimals: usize, unit: &str| {
+        let mut text = format!("time [ms],normal_force.a [{unit}],tangential_force.a [{unit}]\n");
+        for ms in (-20..=120).map(f64::from) {
+            let [normal, tangential] = [300.0, 90.0].map(|height| height * pulse(ms));
+            writeln!(text, "{ms},{normal:.decimals$},{tangential:.decimals$}").expect("a string takes everything");
+        }
+        text
+    };
+    for (decimals, unit, digit) in [(1, "kN", 100.0), (2, "kN", 10.0), (0, "kN", 1000.0), (1, "N", 0.1)] {
+        let (found, run) = record_of(&samples(decimals, unit), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+        for impulse in ["normal_impulse", "tangential_impulse"] {
+            let sd = &found["barrier"][impulse]["sd"];
+            assert!(sd.as_f64().is_some_and(|sd| sd > 0.99 * digit / 12_f64.sqrt() * 0.11), "{impulse}: {sd}, {decimals} {}", run.err);
+            close(sd, digit / 12_f64.sqrt() * 0.11, 1e-6);
+        }
+    }
+    // Steps of whole digits, of which no two samples are one step apart.
+    let counts = [0.0, 0.0, 0.0, 0.0, 6.0, 16.0, 30.0, 40.0, 46.0, 50.0, 46.0, 36.0, 30.0, 16.0, 6.0, 0.0, 0.0];
+    let rows: String = counts.iter().enumerate().map(|(i, count)| format!("{},{count}\n", i as f64 - 3.0)).collect();
+    let (found, _) = record_of(&format!("time [ms],normal_force [kN]\n{rows}"), None);
+    close(&found["barrier"]["normal_impulse"]["sd"], 2e3 / 12_f64.sqrt() * 0.013, 1e-6);
+    // As evidence it is uncertain enough to be used; without unloaded samples it is not, and then those help.
+    let case = |samples: &str| {
+        let folder = Folder::new();
+        folder.write("test.csv", samples.as_bytes());
+        let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.9]\n[[vehicle]]\nbarrier = true\n\
+                    [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\ncontact.record = { file = \"test.csv\" }\n[unknown]\ncontact.impulse_ratio = { start = 0.1 }\n";
+        folder.write("case.toml", case.as_bytes());
+        run(folder.path(), &["reconstruct", "case.toml", "--starts", "4"])
+    };
+    let whole = samples(2, "kN");
+    assert_eq!(case(&whole).status, 0, "{}", case(&whole).err);
+    let late: Vec<&str> = whole.lines().filter(|line| !line.starts_with('-')).collect();
+    let refused = case(&late.join("\n"));
+    assert!(refused.status == 2 && refused.err.contains("begin the samples before the contact"), "{}", refused.err);
+}

@@ -175,7 +175,13 @@ impl CaseReader {
 
     fn push<'a>(&self, field: &Field<'a>, of: Measurand, key: &str, number: Uncertain, found: &mut Vec<Piece<'a>>) -> Option<()> {
         let Some(sd) = number.sd.filter(|sd| *sd > 0.0) else {
-            let help = "give its resolution, or the unloaded channels before the contact".to_owned();
+            let help = match of {
+                Measurand::Output(Output::ImpulseRatio) | Measurand::Variable(Variable::Input(Input::Restitution)) => {
+                    "begin the samples before the contact, at times below zero while the channels are unloaded"
+                }
+                _ => "give `resolution`: the step in which the recorder stores speeds",
+            };
+            let help = help.to_owned();
             field.report(format!("the standard deviation of {key} is not known"), Some(help));
             return None;
         };
