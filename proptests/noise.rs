@@ -30,6 +30,11 @@ impl Count {
         self.held += u32::from(held);
     }
 
+    /// Returns the share of the statements that are true.
+    pub fn rate(&self) -> f64 {
+        f64::from(self.held) / f64::from(self.said)
+    }
+
     /// Asserts a rate to within five standard deviations of a binomial count: a correct rate fails for one seed in
     /// two million, and with the counts used here a standard deviation that is wrong by a tenth fails.
     pub fn assert_rate(&self, what: &str, rate: f64) {

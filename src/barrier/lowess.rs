@@ -47,6 +47,8 @@ pub struct LocalLine<T = f64> {
 struct Shares<T> {
     value: Vec<T>,
     slope: Vec<T>,
+    /// `false` if too few samples are trusted for a line, so that it is fitted to all that are near.
+    is_trusted: bool,
 }
 
 impl Lowess {
@@ -56,6 +58,9 @@ impl Lowess {
     /// The noise is that of the residuals r = (1 − L) y over its degrees of freedom, σ² = Σ δ_i r_i² / Σ δ_i ‖row i of 1 − L‖², where L is the smoother and δ
     /// the robustness weights, which are taken as given. It must be the same for all samples and independent from one to the next. A record that is curved
     /// within the span adds a bias that no standard deviation here includes: compare with a shorter span.
+    ///
+    /// Where the robustness weights leave too few samples for a line, as in a sharp bend that is large beside the noise elsewhere, the line is fitted without them,
+    /// and its noise is not less than the scatter about itself.
     ///
     /// The cost grows with the square of the number of samples: a film of a thousand frames takes a million steps for each fit of the lines.
     ///
@@ -96,8 +101,12 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         }
         issues.finish()?;
         let shares = self.shares_at(&time)?;
+        let noise = match shares.is_trusted {
+            true => self.noise.clone(),
+            false => greater(self.scatter_about(&time, &shares), self.noise.clone()),
+        };
         let estimate = |name, shares: &[T]| -> Result<Estimate<T>, TestIssues<T>> {
-            finite_estimate(name, Estimate { value: dot(shares, &self.values), variance: dot(shares, shares) * self.noise.clone() })
+            finite_estimate(name, Estimate { value: dot(shares, &self.values), variance: dot(shares, shares) * noise.clone() })
         };
         Ok(LocalLine { value: estimate("smoothed value", &shares.value)?, slope: estimate("slope", &shares.slope)? })
     }
@@ -106,7 +115,7 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
     /// that a uniform motion crosses in whole steps lie on one line, however coarse they are.
     #[must_use]
     pub fn with_noise_of_at_least(self, noise: T) -> Self {
-        Smoothed { noise: if self.noise.less(&noise) { noise } else { self.noise.clone() }, ..self }
+        Smoothed { noise: greater(noise, self.noise.clone()), ..self }
     }
 
     /// Returns the variance of one sample about the smoothed record, in the square of its unit.
@@ -119,13 +128,19 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         self.times.iter().zip(&self.values).map(residual).collect()
     }
 
+    /// Computes the noise from the residuals of the samples that have robustness weights, or of all samples if those leave no degree of freedom.
     fn estimate_noise(&self) -> Result<T, TestIssues<T>> {
+        let equal = alloc::vec![T::int(1); self.values.len()];
+        self.noise_with(&self.trust).or_else(|_| Smoothed { trust: equal.clone(), ..self.clone() }.noise_with(&equal))
+    }
+
+    fn noise_with(&self, trust: &[T]) -> Result<T, TestIssues<T>> {
         let (mut squares, mut freedom) = (T::int(0), T::int(0));
         for (i, time) in self.times.iter().enumerate() {
             let mut row: Vec<T> = self.shares_at(time)?.value.into_iter().map(|share| -share).collect();
             row[i] = row[i].clone() + T::int(1);
-            squares = squares + self.trust[i].clone() * dot(&row, &self.values).squared();
-            freedom = freedom + self.trust[i].clone() * dot(&row, &row);
+            squares = squares + trust[i].clone() * dot(&row, &self.values).squared();
+            freedom = freedom + trust[i].clone() * dot(&row, &row);
         }
         // Lines through two samples each leave residuals of rounding only.
         if !rounding::<T>().less(&freedom) {
@@ -134,25 +149,45 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         Ok(squares / freedom)
     }
 
-    /// Computes the least-squares line at a time, as the weights of its sums over the samples.
+    /// Computes the variance of one sample about the line at a time, of the samples that have a weight in it.
+    fn scatter_about(&self, time: &T, line: &Shares<T>) -> T {
+        let (value, slope) = (dot(&line.value, &self.values), dot(&line.slope, &self.values));
+        let apart: Vec<T> = self.times.iter().map(|each| each.clone() - time.clone()).collect();
+        let (mut squares, mut count) = (T::int(0), 0);
+        for ((weight, each), sample) in tricube(&apart, self.neighbors).iter().zip(&apart).zip(&self.values) {
+            if is_positive(weight) {
+                squares = squares + (sample.clone() - value.clone() - slope.clone() * each.clone()).squared();
+                count += 1;
+            }
+        }
+        // Two of them are in the line itself.
+        squares / whole::<T>(count.max(3) - 2)
+    }
+
+    /// Computes the least-squares line at a time, as the weights of its sums over the samples: of those that are trusted, or of all if those are too few.
     fn shares_at(&self, time: &T) -> Result<Shares<T>, TestIssues<T>> {
         let apart: Vec<T> = self.times.iter().map(|each| each.clone() - time.clone()).collect();
-        let weights: Vec<T> = tricube(&apart, self.neighbors).into_iter().zip(&self.trust).map(|(w, trust)| w * trust.clone()).collect();
+        let near = tricube(&apart, self.neighbors);
+        let trusted = near.iter().zip(&self.trust).map(|(near, trust)| near.clone() * trust.clone()).collect();
+        self.shares_of(trusted, &apart, time, true).or_else(|_| self.shares_of(near, &apart, time, false))
+    }
+
+    fn shares_of(&self, weights: Vec<T>, apart: &[T], time: &T, is_trusted: bool) -> Result<Shares<T>, TestIssues<T>> {
         let total = weights.iter().fold(T::int(0), |sum, weight| sum + weight.clone());
         let too_narrow = || TestIssue::SpanTooNarrow { neighbors: self.neighbors, time: time.clone() };
         if !is_positive(&total) {
             return Err(too_narrow().into());
         }
-        let middle = dot(&weights, &apart) / total.clone();
-        let levers: Vec<T> = weights.iter().zip(&apart).map(|(w, each)| w.clone() * (each.clone() - middle.clone())).collect();
-        let spread = dot(&levers, &apart);
-        let size = weights.iter().zip(&apart).fold(T::int(0), |sum, (w, each)| sum + w.clone() * each.clone().squared());
+        let middle = dot(&weights, apart) / total.clone();
+        let levers: Vec<T> = weights.iter().zip(apart).map(|(w, each)| w.clone() * (each.clone() - middle.clone())).collect();
+        let spread = dot(&levers, apart);
+        let size = weights.iter().zip(apart).fold(T::int(0), |sum, (w, each)| sum + w.clone() * each.clone().squared());
         if !(size * rounding::<T>()).less(&spread) {
             return Err(too_narrow().into());
         }
         let slope: Vec<T> = levers.into_iter().map(|lever| lever / spread.clone()).collect();
         let value = weights.into_iter().zip(&slope).map(|(w, lever)| w / total.clone() - middle.clone() * lever.clone()).collect();
-        Ok(Shares { value, slope })
+        Ok(Shares { value, slope, is_trusted })
     }
 }
 
@@ -192,6 +227,10 @@ fn bisquare<T: Ordered<Mask = bool>>(residuals: &[T]) -> Option<Vec<T>> {
 /// Orders from small to large, with infinities and NaN last, so that the order is total.
 fn order<T: Ordered<Mask = bool>>(a: &T, b: &T) -> Ordering {
     is_finite(b).cmp(&is_finite(a)).then_with(|| b.less(a).cmp(&a.less(b)))
+}
+
+fn greater<T: Ordered<Mask = bool>>(one: T, other: T) -> T {
+    if other.less(&one) { one } else { other }
 }
 
 fn cubed<T: Field>(x: T) -> T {
