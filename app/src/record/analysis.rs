@@ -173,11 +173,15 @@ fn step_of(record: &Record) -> Option<f64> {
     (record.len() >= MANY && is_whole).then_some(step)
 }
 
-/// Returns what the steps of a channel add to the variance of its integral. Noise of their size would spread the samples over them; without it all samples of
-/// the unloaded channel are off by the same part of a step, and so is the whole pulse.
+/// Returns what the steps of a channel add to the variance of its integral. Noise of half a step or more spreads the samples over them, so that their mean is not
+/// rounded. Of less noise all samples of the unloaded channel are off by the same part of a step, or toggle between two readings whose mean is off, and so is the
+/// whole pulse.
 fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
-    let of_sample = channel.step().powi(2) / 12.0;
-    let is_spread = channel.record.baseline(before).is_ok_and(|baseline| baseline.variance >= of_sample);
+    let step = channel.step();
+    let of_sample = step * step / 12.0;
+    // The reading adds its own variance to that of the noise; that of two readings in turn is at most a quarter of the square of the step.
+    let of_noise = step * step / 4.0;
+    let is_spread = channel.record.baseline(before).is_ok_and(|baseline| baseline.variance >= of_noise + of_sample);
     let duration = over.to - over.from;
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }

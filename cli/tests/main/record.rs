@@ -946,3 +946,24 @@ fn the_last_digit_of_a_reading_is_its_least_step() {
     let refused = case(&late.join("\n"));
     assert!(refused.status == 2 && refused.err.contains("begin the samples before the contact"), "{}", refused.err);
 }
+
+/// An offset between two readings, with noise of a fifth of their step, toggles between them: how often tells the offset no better than the step, whatever the number of
+/// samples. Noise of a whole step averages it out.
+#[test]
+fn a_toggling_baseline_does_not_tell_its_offset() {
+    // The quantiles of a normal distribution by the logistic one, in an order that is as good as random.
+    let noise = |ms: f64| {
+        let share = ((ms + 20.05) * 10.0 * 0.618_033_988_75).fract();
+        0.6 * (share / (1.0 - share)).ln()
+    };
+    let sd = |level: f64| {
+        let samples = csv("normal_force [kN]", &[&|ms| (300.0 * pulse(ms) + 1.65 + level * noise(ms)).round()]);
+        let (found, run) = record_of(&samples, Some("window = [\"0 ms\", \"100 ms\"]\n"));
+        found["barrier"]["normal_impulse"]["sd"].as_f64().unwrap_or_else(|| panic!("{}", run.err))
+    };
+    let of_step = 1e3 / 12_f64.sqrt() * 0.1;
+    for level in [0.0, 0.1, 0.2] {
+        assert!((of_step..1.05 * of_step).contains(&sd(level)), "{level}: {}", sd(level));
+    }
+    assert!(sd(1.0) < 0.5 * of_step, "{}", sd(1.0));
+}
