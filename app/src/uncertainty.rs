@@ -352,7 +352,7 @@ impl Options {
             wrong("--samples", format!("{} samples have no standard deviation", self.samples), "give at least 2");
         }
         if self.precision.is_some_and(|precision| !(precision > 0.0 && precision < 1.0)) {
-            wrong("--precision", "it must be above 0 and below 1".to_owned(), "for instance 0.1%");
+            wrong("--precision", "it must be above 0 and below 1".to_owned(), "for instance 0.001");
         }
         if !(0.5..=0.9999).contains(&self.level) {
             wrong("--level", format!("{} is not from 0.5 to 0.9999", self.level), "for instance 0.95");

@@ -131,6 +131,9 @@ def sweep(
         for name, ends in vary.items():
             if isinstance(ends, (str, bytes)) or not isinstance(ends, Sequence) or len(ends) != 3:
                 raise CaseError._with([Issue("call", f"vary {name}", "expected a first value, a last value and a step")])
+            if len({_has_unit(end) for end in ends}) > 1:
+                # A number alone is in SI, and the text of a range would give it the unit of the others.
+                raise CaseError._with([Issue("call", f"vary {name}", "give all three values a unit, or none, which is SI")])
             ranges.append(f"{name}={':'.join(end if isinstance(end, str) else repr(float(end)) for end in ends)}")
     else:
         ranges = names(vary, "vary")
@@ -138,6 +141,16 @@ def sweep(
         raise CaseError._with([Issue("call", "vary", "expected one or two ranges, found none")])
     with reporting(progress) as report:
         return Sweep(_native.sweep(source(case), units, ranges, names(of, "of"), report), units)
+
+
+def _has_unit(value: object) -> bool:
+    if not isinstance(value, str):
+        return False
+    try:
+        float(value)
+    except ValueError:
+        return True
+    return False
 
 
 def crush(case: Case, *, units: Units | None = None) -> CrushAnswer:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import pickle
 import signal
 import threading
@@ -139,6 +140,7 @@ def test_what_is_no_case_is_a_type_error(case: Any) -> None:
         lambda: planar_impact.sweep(TEXT, vary="e"),
         lambda: planar_impact.sweep(TEXT, vary=[]),
         lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1)}),  # type: ignore[dict-item]
+        lambda: planar_impact.sweep(TEXT, vary={"v1": (10, "40 mph", "1 mph")}),
         lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1, float("nan"))}),
         lambda: planar_impact.sweep(TEXT, vary={"e": (0, 1, 1e-12)}),
         lambda: planar_impact.reconstruct(TEXT),
@@ -294,3 +296,18 @@ def test_what_is_wrong_with_dicts_and_names() -> None:
         planar_impact.formula("nope")
     message = str(caught.value)
     assert "`nope`" in message and message.count("`") % 2 == 0 and "``" not in message and "`list`" not in message
+
+
+def test_an_interrupt_stops_the_reading_of_a_whole_stream() -> None:
+    pa = pytest.importorskip("pyarrow")
+    batch = pa.record_batch({"vehicle.1.speed": np.linspace(1, 30, 20_000)})
+    stream = pa.RecordBatchReader.from_batches(batch.schema, (batch for _ in range(10_000)))
+    answer = planar_impact.solve_batch(stream, case=planar_impact.template("barrier"))
+
+    def read() -> None:
+        # The reader has an error of its own, and Python raises the interrupt after it.
+        with contextlib.suppress(ValueError, OSError):
+            answer.read_all()
+        time.sleep(5)
+
+    assert interrupted(read) < 4

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import _thread
-import contextlib
-import threading
-import time
 from typing import Any
 
 import numpy as np
@@ -244,20 +240,6 @@ def test_text_that_is_none_is_refused() -> None:
     stream = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.string()}), [pa.record_batch({"vehicle.1.speed": broken})])
     with pytest.raises((ValueError, OSError), match="(?i)utf"):
         planar_impact.solve_batch(stream, case=BARRIER, of="dV1").read_all()
-
-
-def test_reading_a_whole_stream_stops_at_an_interrupt() -> None:
-    batch = pa.record_batch({"vehicle.1.speed": np.linspace(1, 30, 20_000)})
-    stream = pa.RecordBatchReader.from_batches(batch.schema, (batch for _ in range(10_000)))
-    answer = planar_impact.solve_batch(stream, case=BARRIER)
-    timer = threading.Timer(0.5, _thread.interrupt_main)
-    started = time.monotonic()
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        with contextlib.suppress(ValueError, OSError):
-            answer.read_all()
-        time.sleep(5)
-    assert time.monotonic() - started < 4
 
 
 @pytest.mark.parametrize("kind", ["Int64", "Float64", "object"])

@@ -101,10 +101,7 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         }
         issues.finish()?;
         let shares = self.shares_at(&time)?;
-        let noise = match shares.is_trusted {
-            true => self.noise.clone(),
-            false => greater(self.scatter_about(&time, &shares), self.noise.clone()),
-        };
+        let noise = if shares.is_trusted { self.noise.clone() } else { greater(self.scatter_about(&time, &shares), self.noise.clone()) };
         let estimate = |name, shares: &[T]| -> Result<Estimate<T>, TestIssues<T>> {
             finite_estimate(name, Estimate { value: dot(shares, &self.values), variance: dot(shares, shares) * noise.clone() })
         };
