@@ -146,7 +146,7 @@ pub struct Residuals {
     pub standardised: Option<f64>,
 }
 
-/// Covariance of d0 and d1; of tests of several vehicles that of a further vehicle, with the spread between them.
+/// Covariance of d0 and d1, those of the line through all tests.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Covariance {
     /// Its source: `standard deviations` of the file, or `residuals`.
@@ -236,6 +236,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     if !problems.is_empty() {
         return Err(problems);
     }
+    notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, fit)));
     let suspected = file.not_one_car();
     let fits_as_new_cars = if suspected.is_empty() {
         Vec::new()
@@ -249,7 +250,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     let contradicted = fits.iter().filter(|fit| pooled.is_empty() && suspected.is_empty() && fit.is_contradicted()).map(contradicted_fit);
     let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).chain(contradicted).map(Sentence).collect();
     let deepest = BEYOND_DEEPEST * tests.iter().map(|test| test.mean_depth).fold(0.0, f64::max);
-    let of_file = |fits: Vec<StiffnessFit>| fits.into_iter().map(|fit| Fit::of(file, &file.of_further_vehicle(fit), deepest)).collect();
+    let of_file = |fits: Vec<StiffnessFit>| fits.iter().map(|fit| Fit::of(file, fit, deepest)).collect();
     let answer = StiffnessAnswer {
         tests,
         headlines,
@@ -272,6 +273,26 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
         .join(message(finding))
         .text("; A = d0 d1 is ")
         .figure(Measure::ForcePerWidth, ForceLine::from(fit.stiffness).onset)
+}
+
+/// Returns a note of the standard deviations of a further vehicle of a class, where those of the line through all tests are smaller.
+fn of_further_vehicle(file: &TestFile, fit: &StiffnessFit) -> Option<Notice> {
+    let further = file.of_further_vehicle(fit.clone());
+    if !file.is_uncertain(fit) || further.covariance == fit.covariance {
+        return None;
+    }
+    let message = Message::from("a further vehicle differs from the line through all tests, fitted on ")
+        .text(model_name(fit.model))
+        .text(", as the tested ones do: its d0 is known to ± ")
+        .figure(Measure::RootForce, further.onset().deviation())
+        .text(", its d1 to ± ")
+        .figure(Measure::RootForcePerLength, further.slope().deviation());
+    let energy = file.prediction.as_ref().map(|asked| further.energy_at(asked.depth, asked.width).deviation());
+    let message = match energy {
+        Some(sd) => message.text(", and its crush energy to ± ").figure(Measure::Energy, sd),
+        None => message,
+    };
+    Some(Notice::note("spread-between-vehicles", "vehicle", message.text("; `reconstruct` uses these")))
 }
 
 /// Describes a fit to tests that contradict each other.

@@ -1578,7 +1578,7 @@ class Slides(Answer):
 
 
 class Covariance(Facts[Any]):
-    """Covariance of d0 and d1; of tests of several vehicles that of a further vehicle, with the spread between them."""
+    """Covariance of d0 and d1, those of the line through all tests."""
 
     __slots__ = ()
 

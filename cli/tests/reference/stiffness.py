@@ -85,22 +85,6 @@ def minimum(model, count, observed, weight):
     return at, mp.inverse(information), fitted
 
 
-def between(numbers):
-    """The variance between numbers of a variance each, by Paule and Mandel: where sum w (x - m)^2 is their count less one, by bisection."""
-    def excess(t):
-        weights = [1 / (variance + t) for _, variance in numbers]
-        mean = sum(weight * x for weight, (x, _) in zip(weights, numbers)) / sum(weights)
-        return sum(weight * (x - mean) ** 2 for weight, (x, _) in zip(weights, numbers)) - (len(numbers) - 1)
-
-    if excess(mpf(10) ** -40) <= 0:
-        return mpf(0)
-    low, high = mpf(10) ** -40, mpf(10) ** 12
-    for _ in range(400):
-        middle = (low + high) / 2
-        low, high = (middle, high) if excess(middle) > 0 else (low, middle)
-    return low
-
-
 def answer(title, vehicles, fit):
     has_deviations = any("scatter" in each for _, tests in vehicles for each in tests)
     tests, places, intensities, depths = [], [], [], []
@@ -156,22 +140,6 @@ def answer(title, vehicles, fit):
         chi_square, freedom = (off.T * weight * off)[0], count - 2
         if not has_deviations and freedom:
             spread = spread * (chi_square / freedom)
-        if len(vehicles) > 1:
-            # A further vehicle differs from the line through all tests as those that were tested do from each other.
-            own, first = [], 0
-            for _, series in vehicles:
-                part = range(first, first + len(series))
-                first = part.stop
-                weights = mp.inverse(mp.matrix([[covariance[i, k] for k in part] for i in part]))
-                seen = mp.matrix([intensities[i] for i in part])
-                line, own_spread, close = minimum(lambda i, at: model(part[i], at), len(series), seen, weights)
-                if not has_deviations:
-                    # Two tests do not give the scatter of their line, and the spread includes it.
-                    left, free = seen - close, len(series) - 2
-                    own_spread = own_spread * ((left.T * weights * left)[0] / free if free else 0)
-                own.append([(line[k], own_spread[k, k]) for k in range(2)])
-            for k in range(2):
-                spread[k, k] += between([of_vehicle[k] for of_vehicle in own])
         of = {"model": name, **forms(d0, d1), "chi_square": chi_square, "degrees_of_freedom": freedom,
               "residuals": [{"observed": observed[i], "fitted": fitted[i],
                              "standardised": off[i] / mp.sqrt(covariance[i, i]) if has_deviations else None} for i in range(count)],

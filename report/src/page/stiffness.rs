@@ -114,10 +114,7 @@ impl Page<'_> {
         let forms = fits.iter().map(|fit| self.forms(fit.model, &fit.forms)).collect();
         let header = std::iter::once("fit").chain(fits.iter().map(|fit| fit.model));
         let uncertainty = match &first.covariance {
-            Some(covariance) => {
-                let of_class = if self.answer.pooled.is_empty() { "" } else { ", of a further vehicle: with the spread between them" };
-                format!("; ± is one standard deviation, by the {}{of_class}", covariance.basis)
-            }
+            Some(covariance) => format!("; ± is one standard deviation, by the {}", covariance.basis),
             None => "; as many tests as coefficients, without standard deviations, do not give their scatter".to_owned(),
         };
         let mut blocks = vec![

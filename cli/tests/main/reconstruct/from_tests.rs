@@ -209,7 +209,7 @@ fn of_a_class() -> String {
     format!("schema = 1\n{}{}", vehicle("A", 0.16, 0.42), vehicle("B", 0.22, 0.60))
 }
 
-/// The vehicle of the case is another one of the class: the spread between those that were tested is in the covariance, that of `stiffness` too.
+/// The vehicle of the case is another one of the class: the spread between those that were tested adds to the covariance of the line through all tests.
 #[test]
 fn the_spread_of_a_class_is_in_the_deviation() {
     let tests = of_a_class();
@@ -219,12 +219,19 @@ fn the_spread_of_a_class_is_in_the_deviation() {
     let between = ["d0", "d1"].map(|name| number(&class["pooled"][1][name]["between_sd"]));
     assert!(between[1] > 100.0, "{between:?}");
     let [d0, d1, d0_sd, d1_sd, correlation] = fit(&tests, 1);
-    assert!(d0_sd > between[0] && d1_sd > between[1], "{d0_sd} {d1_sd} {between:?}");
+    let sds = [d0_sd.hypot(between[0]), d1_sd.hypot(between[1])];
     let (width, depth) = (5.0 * 0.3048, 0.520335 * 0.3048);
     let by_d0 = width * (d0 + d1 * depth);
-    let terms = [by_d0 * d0_sd, by_d0 * depth * d1_sd];
+    let terms = [by_d0 * sds[0], by_d0 * depth * sds[1]];
     let covariance = correlation * by_d0 * d0_sd * by_d0 * depth * d1_sd;
     let document = json(&beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", &tests)], &RECONSTRUCT));
+    // `stiffness` prints the deviations of the line, and notes those of a further vehicle.
+    let notes: Vec<&Value> =
+        class["messages"].as_array().expect("notes").iter().filter(|note| note["code"] == "spread-between-vehicles").collect();
+    assert_eq!(notes.len(), 2, "{}", class["messages"]);
+    for (figure, sd) in notes[1]["figures"].as_array().expect("figures").iter().zip(sds) {
+        assert!((number(&figure["value"]) / sd - 1.0).abs() < 1e-12, "{figure} {sd}");
+    }
     let sd = number(&document["evidence"]["crush_energy"]["sd"]);
     let wanted = (terms[0] * terms[0] + terms[1] * terms[1] + 2.0 * covariance).sqrt();
     assert!((sd / wanted - 1.0).abs() < 1e-6, "{sd} {wanted}");
