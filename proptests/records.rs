@@ -225,8 +225,7 @@ fn the_slope_covers_at_its_rate() {
 }
 
 /// A film of a contact of 0.1 s, in at 10 m/s and out at 1 m/s: the bend of the contact is far beyond the noise, and the speeds before and after it are those of the
-/// straight parts. However small the noise and whatever the digits, there is an answer, and its deviation is not too
-/// small.
+/// straight parts. However small the noise and whatever the digits, there is an answer, and its deviation is not too small.
 #[test]
 fn a_sharp_bend_leaves_the_speeds_of_the_straight_parts() {
     const FILMS: u32 = 400;

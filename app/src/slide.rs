@@ -12,6 +12,7 @@ use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
 use crate::notice::Notice;
+use crate::wording;
 
 /// The slides to rest, in SI and radians.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -166,16 +167,7 @@ pub(crate) fn given_motion(case: &Case, side: Side) -> Option<Motion> {
 
 fn issue(side: Side, why: &NoRest) -> Issue {
     let path = format!("rest.vehicle.{}", vehicle_number(side));
-    Issue::at("no-rest", path, why.to_string()).with_help(help(why))
-}
-
-/// Returns what may bring a vehicle to rest.
-pub(crate) fn help(why: &NoRest) -> &'static str {
-    match why {
-        NoRest::NotFollowed(_) => "check the motion at separation: no vehicle is that fast, or turns that fast",
-        NoRest::RollsBack(_) => "check `grade`, which is positive uphill; give brakes, a rolling resistance or a friction that hold on it",
-        _ => "give it brakes or a rolling resistance, or more friction if its wheels are locked; on a grade, more than the grade",
-    }
+    Issue::at("no-rest", path, why.to_string()).with_help(wording::remedy_of_no_rest(why))
 }
 
 impl PointFit {

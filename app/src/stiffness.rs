@@ -236,7 +236,8 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     if !problems.is_empty() {
         return Err(problems);
     }
-    notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, fit)));
+    let pooled = file.pooled();
+    notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, &pooled, fit)));
     let suspected = file.not_one_car();
     let fits_as_new_cars = if suspected.is_empty() {
         Vec::new()
@@ -245,7 +246,6 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         file.fits(&as_new.observations()?).unwrap_or_default()
     };
     let negative = fits.iter().flat_map(|fit| fit.findings().into_iter().filter(is_negative).map(|finding| negative_fit(fit, &finding)));
-    let pooled = file.pooled();
     // The vehicles of a class may differ, and so do tests of new cars that are taken as those of one.
     let contradicted = fits.iter().filter(|fit| pooled.is_empty() && suspected.is_empty() && fit.is_contradicted()).map(contradicted_fit);
     let headlines = suspected.iter().map(|car| car.headline(file)).chain(negative).chain(contradicted).map(Sentence).collect();
@@ -276,8 +276,9 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
 }
 
 /// Returns a note of the standard deviations of a further vehicle of a class, where those of the line through all tests are smaller.
-fn of_further_vehicle(file: &TestFile, fit: &StiffnessFit) -> Option<Notice> {
-    let further = file.of_further_vehicle(fit.clone());
+fn of_further_vehicle(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) -> Option<Notice> {
+    let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
+    let further = class.further_vehicle(fit.clone());
     if !file.is_uncertain(fit) || further.covariance == fit.covariance {
         return None;
     }

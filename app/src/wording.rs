@@ -1,5 +1,6 @@
 //! Reports refusals of the library at the keys of a file.
 
+use planar_impact::post_impact::NoRest;
 use planar_impact::{Measure, Message, Part, Refusal, Refusals};
 
 use crate::issue::Issue;
@@ -48,6 +49,15 @@ pub fn barrier_instead(path: &str) -> Option<String> {
     let (vehicle, key) = path.rsplit_once('.')?;
     let is_mass_of_vehicle = matches!(vehicle, "vehicle.1" | "vehicle.2") && ["mass", "weight"].contains(&key);
     is_mass_of_vehicle.then(|| "a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned())
+}
+
+/// Returns what may bring a vehicle to rest.
+pub fn remedy_of_no_rest(why: &NoRest) -> &'static str {
+    match why {
+        NoRest::NotFollowed(_) => "check the motion at separation: no vehicle is that fast, or turns that fast",
+        NoRest::RollsBack(_) => "check `grade`, which is positive uphill; give brakes, a rolling resistance or a friction that hold on it",
+        _ => "give it brakes or a rolling resistance, or more friction if its wheels are locked; on a grade, more than the grade",
+    }
 }
 
 /// Returns a number of degrees of freedom in words.

@@ -130,7 +130,8 @@ def solve_batch(
         import polars as pl
 
         # It exports nulls without a type, in lists and structs too, with a buffer that those of Arrow do not have.
-        columns = columns.cast({name: _typed(pl, kind) for name, kind in columns.schema.items() if _typed(pl, kind) != kind})
+        typed = {name: _typed(pl, kind) for name, kind in columns.schema.items()}
+        columns = columns.cast({name: kind for name, kind in typed.items() if kind != columns.schema[name]})
     with reporting(progress) as report:
         answer = _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report)
         return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
@@ -248,18 +249,19 @@ def _cells(array: NDArray[Any]) -> object:
         return np.require(array, dtype=np.float64, requirements=["C", "A"])
     if array.dtype.kind not in "bUTO":
         raise TypeError(f"an input is a number, a bool or text; this column is {array.dtype}")
-    if array.ndim == 0 and not (array.item() is None or isinstance(array.item(), (bool, str, np.generic)) or hasattr(array.item(), "__float__")):
-        raise TypeError(f"an input is a number, a bool or text, or an array of these, not {type(array.item()).__name__}")
+    item = array.item() if array.ndim == 0 else None
+    if not (item is None or isinstance(item, str) or hasattr(item, "__float__")):
+        raise TypeError(f"an input is a number, a bool or text, or an array of these, not {type(item).__name__}")
     plain = [_cell(item) for item in array.reshape(-1).tolist()]
     return plain if array.ndim == 1 else (plain[0],)
 
 
 def _cell(item: Any) -> object:
-    if item is None or isinstance(item, (bool, str)):
-        return item
     if isinstance(item, np.generic):
         item = item.item()
-    if isinstance(item, int) and not isinstance(item, bool):
+    if item is None or isinstance(item, (bool, str)):
+        return item
+    if isinstance(item, int):
         try:
             return float(item)
         except OverflowError:

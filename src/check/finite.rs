@@ -138,7 +138,7 @@ mod tests {
         all.extend([Key::AfterX(one), Key::AfterY(one), Key::AfterX(two), Key::AfterY(two)].map(|key| (key, 0.0)));
         let outcome = found(&all);
         assert!(outcome.of(Rule::Finite).next().is_some_and(|finding| finding.what.contains("so large or so small")), "{outcome}");
-        // The number itself is told, whose square is infinite.
+        // The message has the speed itself, although its square is infinite.
         assert!(outcome.of(Rule::PlausibleUnits).any(|finding| finding.what.contains("moves at 1")), "{outcome}");
         assert!(outcome.of(Rule::PlausibleUnits).all(|finding| !finding.what.contains("inf ")), "{outcome}");
     }

@@ -7,6 +7,7 @@ use super::Case;
 use super::vehicle::VehicleInputs;
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
+use crate::wording;
 
 /// The names of the wheels, in the order of `WheelPosition::ALL`.
 pub const WHEELS: [&str; 4] = ["front_left", "front_right", "rear_left", "rear_right"];
@@ -128,7 +129,7 @@ impl Case {
 
 fn help(why: &NoSeparation) -> Option<&'static str> {
     Some(match why {
-        NoSeparation::NoRest(why) => crate::slide::help(why),
+        NoSeparation::NoRest(why) => wording::remedy_of_no_rest(why),
         NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
         NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
         NoSeparation::NoPath => "leave `points` or `method` out",

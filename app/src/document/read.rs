@@ -67,18 +67,13 @@ impl<'a> Table<'a> {
         self.field(key, false)
     }
 
-    /// Returns `true` if no further issue is kept, so that there is nothing to gain from reading on.
-    pub fn has_most_issues(&self) -> bool {
-        self.context.issues.borrow().len() >= MOST_KEPT
-    }
-
-    /// Returns every value of the table by its key, in file order, for tables whose keys are names.
-    pub fn fields(&self) -> Vec<(&'a str, Field<'a>)> {
+    /// Returns every value of the table by its key, in file order, for tables whose keys are names. It ends where no further issue would be kept.
+    pub fn fields(&self) -> impl Iterator<Item = (&'a str, Field<'a>)> {
         let field = |entry: &'a Entry| {
             let path = join(&self.path, &entry.key);
             (entry.key.as_str(), Field { context: self.context, path, node: Some(&entry.node), table: self.span.clone(), required: true })
         };
-        self.entries.iter().map(field).collect()
+        self.entries.iter().take_while(|_| self.context.issues.borrow().len() < MOST_KEPT).map(field)
     }
 
     /// Reports an issue with this table as a whole, at its header.

@@ -46,7 +46,7 @@ pub(super) struct Channel {
     pub(super) name: String,
     pub(super) quantity: ChannelQuantity,
     pub(super) record: Record,
-    /// What one unit of its last printed decimal is worth, in SI.
+    /// The value of one unit of its last printed decimal, in SI.
     pub(super) digit: f64,
     pub(super) range: Option<f64>,
     pub(super) path: String,

@@ -31,7 +31,7 @@ pub(super) struct Fault {
 /// A column of samples.
 pub(super) struct Column {
     pub(super) record: Record,
-    /// What one unit of the last decimal is worth, in the number with the most decimals, in SI.
+    /// The value of one unit of the last decimal of the number with the most decimals, in SI.
     pub(super) digit: f64,
 }
 

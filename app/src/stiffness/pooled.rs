@@ -76,6 +76,14 @@ impl Pooled {
         let vehicles = own.iter().zip(&d0).zip(&d1).map(vehicle).collect();
         Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)? })
     }
+
+    /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.
+    pub(crate) fn further_vehicle(&self, mut fit: StiffnessFit) -> StiffnessFit {
+        let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
+        fit.covariance.onset += squared(&self.d0);
+        fit.covariance.slope += squared(&self.d1);
+        fit
+    }
 }
 
 impl PooledNumber {

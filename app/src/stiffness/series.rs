@@ -3,7 +3,7 @@
 use planar_impact::barrier::{CrushModel, FitFinding, MeasuredTest, Observations, StiffnessFit, TestIssue, TestIssues};
 use planar_impact::{InputIssue, InputIssueKind, Issue as _};
 
-use super::pooled::{OwnFit, Pooled, PooledNumber};
+use super::pooled::{OwnFit, Pooled};
 use super::{TestFile, is_negative};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
@@ -197,16 +197,6 @@ impl TestFile {
     pub(crate) fn class(&self, model: CrushModel) -> Option<Pooled> {
         let fits: Option<Vec<OwnFit>> = self.vehicles.iter().map(|tested| self.own(tested, model)).collect();
         Pooled::of(model, &fits?)
-    }
-
-    /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.
-    pub(crate) fn of_further_vehicle(&self, mut fit: StiffnessFit) -> StiffnessFit {
-        if let Some(class) = self.class(fit.model) {
-            let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
-            fit.covariance.onset += squared(&class.d0);
-            fit.covariance.slope += squared(&class.d1);
-        }
-        fit
     }
 
     /// Returns the stiffness of the class on mean depths and on profiles.

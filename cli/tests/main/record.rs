@@ -951,7 +951,7 @@ fn the_last_digit_of_a_reading_is_its_least_step() {
 /// samples. Noise of a whole step averages it out.
 #[test]
 fn a_toggling_baseline_does_not_tell_its_offset() {
-    // The quantiles of a normal distribution by the logistic one, in an order that is as good as random.
+    // Quantiles of the logistic distribution, which is nearly normal, in an order that looks random.
     let noise = |ms: f64| {
         let share = ((ms + 20.05) * 10.0 * 0.618_033_988_75).fract();
         0.6 * (share / (1.0 - share)).ln()

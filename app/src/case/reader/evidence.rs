@@ -48,7 +48,7 @@ impl CaseReader {
 
     fn walk_evidence<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Piece<'a>>) -> bool {
         let mut sound = true;
-        for (key, field) in table.fields().into_iter().take_while(|_| !table.has_most_issues()) {
+        for (key, field) in table.fields() {
             let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
             sound &= self.piece(&name, field, found).is_some();
         }

@@ -120,9 +120,12 @@ impl FittedToTests {
     /// Fits a stiffness to the tests of a file. What the recordings that it names are to be known for comes with it.
     fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
         let mut file = TestFile::read(tests.clone(), reader)?;
-        let fit = file.of_further_vehicle(file.fit(model)?);
+        let fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
-        let vehicles = file.class(model).map_or(1, |class| class.vehicles.len());
+        let (fit, vehicles) = match file.class(model) {
+            Some(class) => (class.further_vehicle(fit), class.vehicles.len()),
+            None => (fit, 1),
+        };
         let notices = std::mem::take(&mut file.notices);
         Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, of: Vec::new() }, notices))
     }

@@ -181,8 +181,7 @@ impl CaseReader {
                 }
                 _ => "give `resolution`: the step in which the recorder stores speeds",
             };
-            let help = help.to_owned();
-            field.report(format!("the standard deviation of {key} is not known"), Some(help));
+            field.report(format!("the standard deviation of {key} is not known"), Some(help.to_owned()));
             return None;
         };
         let measured = Measured { amount: Amount::Number(number.value), spread: Spread::StandardDeviation(sd) };

@@ -28,7 +28,7 @@ impl CaseReader {
 
     fn walk_unknowns<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Asked<'a>>) -> bool {
         let mut sound = true;
-        for (key, field) in table.fields().into_iter().take_while(|_| !table.has_most_issues()) {
+        for (key, field) in table.fields() {
             let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
             let read = match named(&name) {
                 Some((of, called)) if !is_of_ratio(&field) => self.requested(of, called, field).map(|asked| found.push(asked)),
