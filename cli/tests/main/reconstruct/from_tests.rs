@@ -206,7 +206,8 @@ fn of_a_class() -> String {
     };
     let vehicle =
         |name: &str, shallow, deep| format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{}{}", test(7, shallow), test(15, deep));
-    format!("schema = 1\n{}{}", vehicle("A", 0.16, 0.42), vehicle("B", 0.22, 0.60))
+    let further = "[fit]\ndepth = \"0.3 m\"\nwidth = \"1.5 m\"";
+    format!("schema = 1\n{}{}{further}", vehicle("A", 0.16, 0.42), vehicle("B", 0.22, 0.60))
 }
 
 /// The vehicle of the case is another one of the class: the spread between those that were tested adds to the covariance of the line through all tests.
@@ -229,7 +230,13 @@ fn the_spread_of_a_class_is_in_the_deviation() {
     let notes: Vec<&Value> =
         class["messages"].as_array().expect("notes").iter().filter(|note| note["code"] == "spread-between-vehicles").collect();
     assert_eq!(notes.len(), 2, "{}", class["messages"]);
-    for (figure, sd) in notes[1]["figures"].as_array().expect("figures").iter().zip(sds) {
+    let prediction = &class["fits"][1]["prediction"];
+    let [width, depth] = ["width", "depth"].map(|key| number(&prediction[key]));
+    let by_d0 = width * (d0 + d1 * depth);
+    let variance = sds[0].powi(2) + (depth * sds[1]).powi(2) + 2.0 * depth * correlation * d0_sd * d1_sd;
+    let figures = notes[1]["figures"].as_array().expect("figures");
+    assert_eq!(figures.len(), 3);
+    for (figure, sd) in figures.iter().zip([sds[0], sds[1], by_d0 * variance.sqrt()]) {
         assert!((number(&figure["value"]) / sd - 1.0).abs() < 1e-12, "{figure} {sd}");
     }
     let sd = number(&document["evidence"]["crush_energy"]["sd"]);
