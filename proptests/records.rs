@@ -80,8 +80,9 @@ proptest! {
         let impulse = raw.impulse(&OVER, &BEFORE).expect("good windows");
         let allowed = of_sampling + of_noise + 1e-9 * exact;
         prop_assert!((impulse.value - exact).abs() <= allowed, "{} where {} is exact, {} allowed", impulse.value, exact, allowed);
-        // The noise of 1000 samples determines its own level to 1/√2000.
-        prop_assert!((6.0 * impulse.deviation() - of_noise).abs() <= of_noise * 6.0 / 2000_f64.sqrt() + 1e-9 * exact);
+        // The noise of 1000 samples determines its own level to 1/√2000; what is correlated in it by chance adds a half at most in 20 000 simulations.
+        prop_assert!(6.0 * impulse.deviation() >= of_noise * (1.0 - 6.0 / 2000_f64.sqrt()) - 1e-9 * exact);
+        prop_assert!(6.0 * impulse.deviation() <= 1.6 * of_noise + 1e-9 * exact);
         // Step by step, the result is the same.
         let step_by_step = raw.corrected(&BEFORE).expect("a good window").impulse_over(&OVER).expect("a good window");
         prop_assert!((impulse.value - step_by_step).abs() <= 1e-9 * (exact + 3e3 * offset.abs()));

@@ -79,6 +79,7 @@ mod issue;
 mod kinematics;
 mod line_fit;
 mod lowess;
+mod noise;
 mod observation;
 mod pooled;
 mod profile_fit;

@@ -11,7 +11,7 @@ use crate::crash3::{self, Comparison};
 use crate::crush::{self, CrushAnswer};
 use crate::formula::{self, Formula};
 use crate::gradient::{self, Gradient, Selection};
-use crate::issue::Issues;
+use crate::issue::{Issue, Issues};
 use crate::reconstruct::{self, Reconstruction};
 use crate::scene::{self, Scene};
 use crate::solve::{self, Solution};
@@ -176,13 +176,22 @@ impl Identity {
     }
 }
 
+/// Returns the error of a posterior in a report of another verb than `reconstruct`.
+pub fn posterior_of_nothing() -> Issues {
+    let help = "leave it out, or give --verb reconstruct and a case with unknowns".to_owned();
+    Issues::of_call(vec![Issue::of_call("--posterior", "it has no effect: the report is not one of `reconstruct`", Some(help))])
+}
+
 /// Answers a case, with everything that a report shows beside the answer.
 ///
 /// # Errors
 ///
-/// Those of the verb. What only goes beside the answer is left out where the case does not have it.
+/// Those of the verb, and a posterior of what is not reconstructed. What only goes beside the answer is left out where the case does not have it.
 pub fn report(case: &Case, options: &Options, control: &dyn Control) -> Result<CaseReport, Issues> {
     let verb = options.verb.unwrap_or_else(|| ReportVerb::of(case));
+    if options.posterior && verb != ReportVerb::Reconstruct {
+        return Err(posterior_of_nothing());
+    }
     let main = match verb {
         ReportVerb::Solve => MainAnswer::Solve(Box::new(solve::solve(case, &(), control)?)),
         ReportVerb::Reconstruct => {

@@ -1,6 +1,6 @@
 //! The verb `slide`: follows the vehicles from separation to rest.
 
-use planar_impact::post_impact::{NearestPlace, NoRest, PathPoint, Pose, Rest, TrajectoryState};
+use planar_impact::post_impact::{Method, NearestPlace, NoRest, PathPoint, Pose, Rest, TrajectoryState};
 use planar_impact::reconstruct::Measurand;
 use planar_impact::{Motion, Output, Side, Xy};
 use schemars::JsonSchema;
@@ -144,7 +144,11 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
         .any(|(_, of)| is_uncertain(of))
         .then(|| Notice::note("nominal-values", "rest.friction", "rest.friction is uncertain, and used at its nominal value"));
     let incomplete = sides().filter_map(|(side, _)| incomplete_motion(case, side));
-    Ok(case.answer(Slides { vehicles }, warnings.into_iter().chain(friction).chain(note).chain(incomplete)))
+    let not_used = sides().filter(|(_, of)| of.method == Method::ClosedForm).map(|(side, _)| {
+        let message = "`method = \"closed-form\"` is for `reconstruct`, and not used: a slide follows the wheels over the ground";
+        Notice::note("method-not-used", format!("rest.vehicle.{}.method", vehicle_number(side)), message)
+    });
+    Ok(case.answer(Slides { vehicles }, warnings.into_iter().chain(friction).chain(note).chain(incomplete).chain(not_used)))
 }
 
 /// Returns a note if the evidence gives a part of the motion at separation, which is not used.

@@ -345,6 +345,26 @@ impl<'a> Question<'a> {
 }
 
 impl Options {
+    /// Returns the error of a given option, such as `--samples`, that has no effect with the methods. A probability is sampled with any method.
+    pub fn without_effect(&self, given: &[&str]) -> Option<Issue> {
+        if self.methods.is_empty() || !self.probabilities.is_empty() || self.methods.contains(&Method::MonteCarlo) {
+            return None;
+        }
+        let draws = self.methods.iter().any(|method| [Method::Sobol, Method::Shapley].contains(method));
+        given.iter().find_map(|option| {
+            let (what, remedy) = match *option {
+                "--samples" | "--seed" if !draws => ("no method of the call draws samples", "monte-carlo, sobol or shapley"),
+                // Shares in the variance have a plan of their own.
+                "--points" | "--precision" | "--level" => {
+                    ("it is for samples of the outputs, which no method of the call draws", "monte-carlo")
+                }
+                _ => return None,
+            };
+            let help = format!("add {remedy} to --method, or leave {option} out");
+            Some(Issue::of_call(option, format!("it has no effect: {what}"), Some(help)))
+        })
+    }
+
     fn issues(&self) -> Vec<Issue> {
         let mut issues = Vec::new();
         let mut wrong = |option: &str, message: String, help: &str| issues.push(Issue::of_call(option, message, Some(help.to_owned())));
@@ -413,4 +433,35 @@ fn threshold(text: &str, case: &Case) -> Result<(Threshold<CaseOutput>, Option<N
 
 fn saturated(count: u64) -> usize {
     usize::try_from(count).unwrap_or(usize::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_without_effect_are_named_with_their_remedy() {
+        use Method::{Bounds, Linear, MonteCarlo, SecondOrder, Shapley, Sobol};
+        for (methods, given, idle) in [
+            (&[Linear][..], "--samples", true),
+            (&[Linear, Bounds], "--seed", true),
+            (&[SecondOrder], "--points", true),
+            (&[Sobol], "--precision", true),
+            (&[Shapley], "--points", true),
+            (&[Bounds], "--level", true),
+            (&[Sobol], "--samples", false),
+            (&[Shapley], "--seed", false),
+            (&[Linear, MonteCarlo], "--points", false),
+            (&[], "--points", false),
+        ] {
+            let options = Options { methods: methods.to_vec(), ..Options::default() };
+            let found = options.without_effect(&[given]);
+            assert_eq!(found.as_ref().map(|issue| issue.path.as_str()), idle.then_some(given), "{methods:?}");
+            let help = found.and_then(|issue| issue.help).map(|help| help.to_string()).unwrap_or_default();
+            assert!(!idle || help.contains("monte-carlo") && help.contains(given), "{help}");
+            assert_eq!(help.contains("sobol"), idle && ["--samples", "--seed"].contains(&given), "{help}");
+            let asked = Options { probabilities: vec!["dV1 > 1 m/s".to_owned()], ..options };
+            assert_eq!(asked.without_effect(&[given]), None);
+        }
+    }
 }

@@ -11,7 +11,11 @@ use planar_impact_app::batch::{Cell, Column, InputColumn};
 
 /// Returns `true` if an input can be of this type.
 pub fn is_readable(data_type: &DataType) -> bool {
-    data_type.is_numeric() || is_text(data_type) || matches!(data_type, DataType::Boolean | DataType::Null)
+    match data_type {
+        DataType::Boolean | DataType::Null => true,
+        DataType::Dictionary(_, values) => values.is_numeric() || is_text(values),
+        _ => data_type.is_numeric() || is_text(data_type),
+    }
 }
 
 /// Returns `true` if every value of this type is text.
@@ -42,6 +46,7 @@ pub fn read<'a>(column: &InputColumn, array: &'a ArrayRef) -> Result<Column<'a>,
         data_type if is_text(data_type) => Ok(texts(column, &cast(array, &DataType::Utf8)?)),
         // Their digits as text, which is rounded once.
         data_type if data_type.is_decimal() => Ok(texts(column, &cast(array, &DataType::Utf8)?)),
+        DataType::Dictionary(_, values) if values.is_decimal() => Ok(texts(column, &cast(&cast(array, values)?, &DataType::Utf8)?)),
         _ => {
             let numbers = cast(array, &DataType::Float64)?;
             let cell = |number: Option<f64>| number.map_or(Cell::Empty, |number| column.of_number(number));

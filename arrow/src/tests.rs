@@ -7,8 +7,8 @@ use arrow_array::builder::StringDictionaryBuilder;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int32Type};
 use arrow_array::{
-    Array, ArrayRef, BinaryArray, BooleanArray, Decimal128Array, Float32Array, Float64Array, Int64Array, LargeStringArray, NullArray,
-    RecordBatch, StringArray, StringViewArray, UInt8Array,
+    Array, ArrayRef, BinaryArray, BooleanArray, Decimal128Array, DictionaryArray, Float32Array, Float64Array, Int32Array, Int64Array,
+    LargeStringArray, NullArray, RecordBatch, StringArray, StringViewArray, UInt8Array,
 };
 use arrow_schema::{DataType, Field, Schema};
 use planar_impact_app::{Case, Source};
@@ -42,8 +42,14 @@ fn a_number_is_the_same_in_every_type() {
     let number = [Some(12.0), None, Some(15.0)];
     let mut words = StringDictionaryBuilder::<Int32Type>::new();
     text.iter().for_each(|text| words.append_option(*text));
+    let numbered =
+        |values: ArrayRef| -> ArrayRef { Arc::new(DictionaryArray::new(Int32Array::from_iter([Some(1), None, Some(0)]), values)) };
+    let decimals = |numbers: [i128; 2]| Decimal128Array::from_iter_values(numbers).with_precision_and_scale(10, 2).expect("a decimal");
     let columns: Vec<ArrayRef> = vec![
         Arc::new(Float64Array::from_iter(number)),
+        numbered(Arc::new(Float64Array::from_iter_values([15.0, 12.0]))),
+        numbered(Arc::new(Int64Array::from_iter_values([15, 12]))),
+        numbered(Arc::new(decimals([1500, 1200]))),
         Arc::new(Float32Array::from_iter(number.map(|number| number.map(|number| number as f32)))),
         Arc::new(Int64Array::from_iter([Some(12), None, Some(15)])),
         Arc::new(UInt8Array::from_iter([Some(12), None, Some(15)])),

@@ -226,31 +226,23 @@ mod tests {
 
     #[test]
     fn options_without_effect_are_refused() {
-        let uncertainty = |options: &str| {
-            let words = ["planar-impact", "uncertainty", "case.toml"].into_iter().chain(options.split_whitespace());
-            let Arguments { verb: Verb::Uncertainty(call), .. } = Arguments::try_parse_from(words).expect("a call") else {
-                panic!("{options}")
-            };
-            call.without_effect()
+        let words = "planar-impact uncertainty case.toml --samples 9 --seed 2 --points sobol --precision 1% --level 0.9".split_whitespace();
+        let Arguments { verb: Verb::Uncertainty(call), .. } = Arguments::try_parse_from(words.clone()).expect("a call") else {
+            panic!("a call of uncertainty")
         };
-        for (options, idle) in [
-            ("--method linear --samples 1000", Some("--samples")),
-            ("--method linear,bounds --seed 2", Some("--seed")),
-            ("--method second-order --points sobol", Some("--points")),
-            ("--method sobol --precision 1%", Some("--precision")),
-            ("--method shapley --points sobol", Some("--points")),
-            ("--method sobol --samples 1000 --seed 2", None),
-            ("--method linear --method monte-carlo --points sobol", None),
-            ("--samples 1000 --points sobol", None),
-            ("--method linear", None),
-        ] {
-            let found = uncertainty(options);
-            assert_eq!(found.as_deref().and_then(|message| message.split(' ').next()), idle, "{options}");
-        }
+        assert_eq!(call.given(), ["--samples", "--seed", "--points", "--precision", "--level"]);
+        let Arguments { verb: Verb::Uncertainty(call), .. } = Arguments::try_parse_from(words.take(3)).expect("a call") else {
+            panic!("a call of uncertainty")
+        };
+        assert!(call.given().is_empty());
         let reconstruct = |options: &[&str]| Arguments::try_parse_from([&["planar-impact", "reconstruct", "case.toml"], options].concat());
         let error = reconstruct(&["--bounds-sd", "7"]).expect_err("no guarantee is asked for");
         assert!(error.to_string().contains("--guaranteed"), "{error}");
         assert!(reconstruct(&["--bounds-sd", "7", "--guaranteed"]).is_ok() && reconstruct(&[]).is_ok());
+        for (options, idle) in [(&["--brief", "--format", "json"][..], "--brief"), (&["--draws"], "--draws"), (&["--brief"], "")] {
+            let Arguments { verb: Verb::Reconstruct(call), .. } = reconstruct(options).expect("a call") else { panic!("{options:?}") };
+            assert_eq!(call.without_effect().map_or("", |message| message.split(' ').next().unwrap_or_default()), idle, "{options:?}");
+        }
     }
 
     /// What is wrapped by hand is not wrapped again, and what is to be copied stays on its line.

@@ -23,9 +23,6 @@ use crate::{check, files, interrupt, verbs};
 /// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
     files::is_no_input(call.output.as_deref(), &call.files)?;
-    if call.verb.is_some_and(|verb| verb != ReportVerb::Reconstruct) {
-        has_posterior(call, false)?;
-    }
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),
@@ -33,15 +30,15 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
         Some(ReportVerb::Crush) => Some(report::ReportVerb::Crush),
         Some(ReportVerb::Crash3) => Some(report::ReportVerb::Crash3),
         Some(ReportVerb::Uncertainty) => Some(report::ReportVerb::Uncertainty),
+        Some(_) if call.posterior && call.verb != Some(ReportVerb::Reconstruct) => return Err(report::posterior_of_nothing().into()),
         Some(ReportVerb::Stiffness) => return of_stiffness(call),
         Some(ReportVerb::Check) => return of_check(call),
         Some(ReportVerb::Validate) => return of_validation(call),
     };
     let (case, units) = verbs::read_unless_written(one(call)?, call.units, call.output.as_deref())?;
-    has_posterior(call, call.verb.is_some() || !case.knowledge.unknowns.is_empty())?;
     let answer = report::report(&case, &report::Options { verb, posterior: call.posterior }, &Progress::new())
         .map_err(|issues| Failure::Issues(issues, units))?;
-    Ok(write(call, &document::of_case(&answer, &options(call, units))?)?.holds(answer.is_answer()))
+    Ok(write(call, &document::of_case(&answer, &options(call, units))?).holds(answer.is_answer()))
 }
 
 fn of_stiffness(call: &Report) -> Result<CommandOutput, Failure> {
@@ -51,7 +48,7 @@ fn of_stiffness(call: &Report) -> Result<CommandOutput, Failure> {
     let file = TestFile::parse_with(source, files::beside(path, call.output.as_deref()))?;
     let units = call.units.map_or(file.units, Units::from);
     let answer = stiffness::stiffness(&file, &(), &Progress::new()).map_err(|issues| Failure::Issues(issues, units))?;
-    Ok(write(call, &document::of_stiffness(&answer, &identity, &options(call, units))?)?.holds(answer.headlines.is_empty()))
+    Ok(write(call, &document::of_stiffness(&answer, &identity, &options(call, units))?).holds(answer.headlines.is_empty()))
 }
 
 fn of_check(call: &Report) -> Result<CommandOutput, Failure> {
@@ -63,7 +60,7 @@ fn of_check(call: &Report) -> Result<CommandOutput, Failure> {
     if interrupt::is_interrupted() {
         return Err(Issues::interrupted().into());
     }
-    Ok(write(call, &digest.document(&options(call, Units::Si)))?.holds(holds))
+    Ok(write(call, &digest.document(&options(call, Units::Si))?).holds(holds))
 }
 
 fn of_validation(call: &Report) -> Result<CommandOutput, Failure> {
@@ -72,7 +69,7 @@ fn of_validation(call: &Report) -> Result<CommandOutput, Failure> {
     }
     let answer = validate::validate(&(), &Progress::new())?;
     let holds = answer.report.holds();
-    Ok(write(call, &document::of_validation(&answer, &options(call, Units::Si)))?.holds(holds))
+    Ok(write(call, &document::of_validation(&answer, &options(call, Units::Si))?).holds(holds))
 }
 
 fn options(call: &Report, units: Units) -> document::Options {
@@ -80,31 +77,14 @@ fn options(call: &Report, units: Units) -> document::Options {
     document::Options { units, date: call.date.clone(), parts }
 }
 
-fn write(call: &Report, document: &html::Document) -> Result<CommandOutput, Failure> {
-    let has = |name: &str| document.sections.iter().any(|section| section.id == name);
-    let absent: Vec<&str> = call.sections.iter().map(String::as_str).filter(|name| !has(name)).collect();
-    if !absent.is_empty() {
-        return Err(Failure::of_options(format!(
-            "--sections {} has no effect: this report has nothing to say there; leave it out",
-            absent.join(",")
-        )));
-    }
-    Ok(CommandOutput::text(html::render(document)).to(call.output.as_deref()))
+fn write(call: &Report, document: &html::Document) -> CommandOutput {
+    CommandOutput::text(html::render(document)).to(call.output.as_deref())
 }
 
 /// Returns the one file of the call.
 fn one(call: &Report) -> Result<&Path, Failure> {
     let [file] = &call.files[..] else { return Err(wrong_number("give one file")) };
     Ok(PathBuf::as_path(file))
-}
-
-/// Refuses the posterior in a report of another verb than `reconstruct`.
-fn has_posterior(call: &Report, is_reconstructed: bool) -> Result<(), Failure> {
-    if is_reconstructed || !call.posterior {
-        return Ok(());
-    }
-    let message = "--posterior has no effect: the report is not one of `reconstruct`; leave it out, or give --verb reconstruct and a case with unknowns";
-    Err(Failure::of_options(message))
 }
 
 fn wrong_number(message: &str) -> Failure {

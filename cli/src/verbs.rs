@@ -173,11 +173,8 @@ fn look_back(call: &arguments::Reconstruct) -> Result<CommandOutput, Failure> {
         draws: call.draws,
     };
     let answer = in_units(reconstruct::reconstruct(&case, &options, &Progress::new()), units)?;
-    let output = if call.brief && call.format == Format::Text {
-        CommandOutput::page(&page::reconstruct::brief(&answer, units))
-    } else {
-        print(&answer, call.format, units)?
-    };
+    let output =
+        if call.brief { CommandOutput::page(&page::reconstruct::brief(&answer, units)) } else { print(&answer, call.format, units)? };
     Ok(output.holds(answer.is_answer))
 }
 
@@ -206,6 +203,9 @@ fn doubt(call: &arguments::Uncertainty) -> Result<CommandOutput, Failure> {
         level: call.level.unwrap_or(default.level),
         bounds_sd: call.bounds_sd,
     };
+    if let Some(issue) = options.without_effect(&call.given()) {
+        return Err(Issues::of_call(vec![issue]).into());
+    }
     let answer = in_units(uncertainty::uncertainty(&case, &options, &Progress::new()), units)?;
     let notices = || {
         let refused = (answer.refused.count > 0).then(|| Notice::note("refused-samples", "", page::uncertainty::samples_drawn(&answer)));

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._case import Case, names, source
+from ._case import Case, names, source, unicode
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 
@@ -174,6 +174,7 @@ def _solve_arrays(
     for name, column in columns.items():
         if not isinstance(name, str):
             raise TypeError(f"the name of a column is a string, not {type(name).__name__}")
+        unicode(name, "columns")
         try:
             arrays[name] = _array(column)
         except (TypeError, ValueError, OverflowError) as error:

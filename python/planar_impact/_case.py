@@ -18,7 +18,7 @@ def source(case: Case) -> _native.Source:
     if isinstance(case, Mapping):
         return _native.Source.dict(case)
     if isinstance(case, str):
-        return _native.Source.path(case) if _is_path(case) else _native.Source.text(_unicode(case))
+        return _native.Source.path(case) if _is_path(case) else _native.Source.text(unicode(case, ""))
     if isinstance(case, os.PathLike):
         return _native.Source.path(os.fspath(case))
     raise TypeError(f"a case is a path, a text or a dict, not {type(case).__name__}")
@@ -36,11 +36,15 @@ def _is_path(text: str) -> bool:
     return not is_text or text.lower().endswith((".toml", ".json")) or os.path.exists(text)
 
 
-def _unicode(text: str) -> str:
+def unicode(text: str, argument: str) -> str:
+    """Return a text of characters alone: a lone surrogate has no bytes."""
+    if not isinstance(text, str):
+        raise TypeError(f"{argument} is a string, not {type(text).__name__}")
     try:
         text.encode()
     except UnicodeEncodeError:
-        raise CaseError._with([Issue("unreadable-file", "", "a lone surrogate is no character of a case file")]) from None
+        code, of = ("call", "text") if argument else ("unreadable-file", "a case file")
+        raise CaseError._with([Issue(code, argument, f"a lone surrogate is no character of {of}")]) from None
     return text
 
 
@@ -49,7 +53,7 @@ def names(value: str | Sequence[str] | None, argument: str) -> list[str]:
     if value is None:
         return []
     if isinstance(value, str):
-        return [value]
+        return [unicode(value, argument)]
     if isinstance(value, Sequence) and all(isinstance(name, str) for name in value):
-        return [str(name) for name in value]
+        return [unicode(str(name), argument) for name in value]
     raise TypeError(f"{argument} is a string or a sequence of strings, not {type(value).__name__}")

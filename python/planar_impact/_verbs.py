@@ -5,10 +5,10 @@ from __future__ import annotations
 import operator
 import os
 from collections.abc import Mapping, Sequence
-from typing import Literal, SupportsIndex, Union
+from typing import Literal, SupportsIndex, TypeVar, Union
 
 from . import _native
-from ._case import Case, names, source
+from ._case import Case, names, source, unicode
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 from .answers import (
@@ -32,6 +32,7 @@ Units = Literal["us", "si", "uk"]
 Method = Literal["linear", "second-order", "monte-carlo", "sobol", "shapley", "bounds"]
 _Names = Union[str, Sequence[str], None]
 _Path = Union[str, "os.PathLike[str]"]
+_File = TypeVar("_File")
 #: From, to and step of an input: numbers in SI, or strings with units.
 Range = tuple[Union[float, str], Union[float, str], Union[float, str]]
 
@@ -41,6 +42,12 @@ def _whole(value: SupportsIndex, argument: str) -> int:
     if not 0 <= whole < 1 << 64:
         raise CaseError._with([Issue("call", argument, f"expected a whole number from 0 to 2^64 - 1, found {whole:.3g}")])
     return whole
+
+
+def _some(files: list[_File]) -> list[_File]:
+    if not files:
+        raise CaseError._with([Issue("call", "files", "expected one file or more, found none")])
+    return files
 
 
 def solve(case: Case, *, units: Units | None = None) -> Solution:
@@ -343,7 +350,7 @@ def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Recor
     -33
     """
     several = [files] if isinstance(files, (str, Mapping, os.PathLike)) else list(files)
-    return Records(_native.record([source(file) for file in several], units), units)
+    return Records(_native.record([source(file) for file in _some(several)], units), units)
 
 
 def formula(output: str, *, wrt: str | None = None, case: Case | None = None) -> Formula:
@@ -361,6 +368,7 @@ def formula(output: str, *, wrt: str | None = None, case: Case | None = None) ->
     >>> planar_impact.formula("mu0").output
     'contact.critical_impulse_ratio'
     """
+    output, wrt = unicode(output, "output"), None if wrt is None else unicode(wrt, "wrt")
     return Formula(_native.formula(output, wrt, None if case is None else source(case)))
 
 
@@ -395,7 +403,7 @@ def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> 
     ('fail', 'linear-momentum')
     """
     several = [files] if isinstance(files, (str, os.PathLike)) else list(files)
-    return CheckReport(_native.check([os.fspath(path) for path in several], tolerance))
+    return CheckReport(_native.check([os.fspath(path) for path in _some(several)], tolerance))
 
 
 def draw(case: Case, *, units: Units | None = None) -> str:
@@ -431,6 +439,7 @@ def report(
     >>> planar_impact.report(planar_impact.template("barrier"), sections="results").startswith("<!DOCTYPE html>")
     True
     """
+    date = None if date is None else unicode(date, "date")
     return _native.report(source(case), units, verb, bool(posterior), date, names(sections, "sections"))
 
 

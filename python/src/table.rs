@@ -1,6 +1,7 @@
 //! Tables and streams of record batches through the Arrow C stream.
 
 use std::collections::VecDeque;
+use std::fmt::Display;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, ThreadId};
@@ -9,6 +10,7 @@ use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
 use planar_impact_app::{Issue, Issues};
 use planar_impact_arrow::{Options, Plan};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
@@ -72,7 +74,7 @@ impl Table {
 #[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
 pub fn solve_table(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: &Bound<'_, PyAny>,
     case: Option<&Source>,
     of: Vec<String>,
     wrt: Vec<String>,
@@ -81,7 +83,7 @@ pub fn solve_table(
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Table> {
-    let reader = table.into_reader()?;
+    let reader = reader(table)?;
     let signals = Signals::new(progress);
     let options = Options { of, wrt, check, fast };
     let plan = plan(py, &reader.schema(), case, &options)?;
@@ -104,7 +106,7 @@ pub fn solve_table(
 #[expect(clippy::too_many_arguments, reason = "the options of the verb, which Python names")]
 pub fn solve_stream(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: &Bound<'_, PyAny>,
     case: Option<&Source>,
     of: Vec<String>,
     wrt: Vec<String>,
@@ -112,7 +114,7 @@ pub fn solve_stream(
     fast: bool,
     threads: usize,
 ) -> PyResult<PyRecordBatchReader> {
-    let reader = table.into_reader()?;
+    let reader = reader(table)?;
     let options = Options { of, wrt, check, fast };
     let schema = reader.schema();
     let plan = plan(py, &schema, case, &options)?;
@@ -137,7 +139,16 @@ fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Opt
     Ok(plan)
 }
 
-fn unread(error: ArrowError) -> PyErr {
+/// Returns the record batches of a table. What it raises itself stays, unless it is of its values.
+fn reader(table: &Bound<'_, PyAny>) -> PyResult<Box<dyn RecordBatchReader + Send>> {
+    let read = table.extract::<AnyRecordBatch>().map_err(PyErr::from).and_then(AnyRecordBatch::into_reader);
+    read.map_err(|error| match error.is_instance_of::<PyValueError>(table.py()) || error.is_instance_of::<PyTypeError>(table.py()) {
+        true => unread(error.value(table.py())),
+        false => error,
+    })
+}
+
+fn unread(error: impl Display) -> PyErr {
     error::of(Issues::of_call(vec![Issue::of_call("columns", format!("the table cannot be read: {error}"), None)]))
 }
 

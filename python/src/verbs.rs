@@ -158,6 +158,10 @@ pub fn reconstruct(
     if !(0.5..=0.9999).contains(&level) {
         issues.push(Issue::of_call("level", format!("{level}; it must be from 0.5 to 0.9999, such as 0.95"), None));
     }
+    if !guaranteed && bounds_sd != Options::default().bounds_sd {
+        let help = Some("add --guaranteed, or leave it out".to_owned());
+        issues.push(Issue::of_call("--bounds-sd", "it has no effect: it is for guaranteed ranges", help));
+    }
     if !issues.is_empty() {
         return Err(error::of(Issues::of_call(issues)));
     }
@@ -228,6 +232,18 @@ pub fn uncertainty(
         level: options.level,
         bounds_sd: options.bounds_sd,
     };
+    let default = Options::default();
+    let given = [
+        (options.samples != default.samples, "--samples"),
+        (options.seed != default.seed, "--seed"),
+        (options.points_of_sobol, "--points"),
+        (options.precision.is_some(), "--precision"),
+        (options.level != default.level, "--level"),
+    ];
+    let given: Vec<&str> = given.into_iter().filter_map(|(is_given, option)| is_given.then_some(option)).collect();
+    if let Some(issue) = options.without_effect(&given) {
+        return Err(error::of(Issues::of_call(vec![issue])));
+    }
     on_long_case(py, case, units, progress, |case, units, control| {
         let answer = Arc::new(uncertainty(case, &options, control)?);
         let shown = Answer::of(&answer, units, Layout::Pretty).with_chart("uncertainty", &answer, chart::uncertainty);

@@ -163,6 +163,18 @@ def test_what_is_no_case_is_a_type_error(case: Any) -> None:
         lambda: planar_impact.crush(TEXT),
         lambda: planar_impact.record("a,b\n1,2\n"),
         lambda: planar_impact.check(EXAMPLES),
+        lambda: planar_impact.check([]),
+        lambda: planar_impact.record([]),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", method="linear", level=0.9),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", method=["linear", "bounds"], samples=7),
+        lambda: planar_impact.uncertainty(EXAMPLES / "uncertain.toml", method="sobol", points="sobol"),
+        lambda: planar_impact.reconstruct(EXAMPLES / "reconstruct/two-cars.toml", bounds_sd=2),
+        lambda: planar_impact.report(TEXT, posterior=True),
+        lambda: planar_impact.report(EXAMPLES / "cavalier-crush.toml", verb="crush", sections="sensitivity"),
+        lambda: planar_impact.report(TEXT, date="\ud800"),
+        lambda: planar_impact.formula("\ud800"),
+        lambda: planar_impact.gradient(TEXT, of="\ud800"),
+        lambda: planar_impact.solve_batch({"\ud800": [1.0]}, case=TEXT),
     ],
 )
 def test_wrong_calls_are_case_errors(call: Any) -> None:
@@ -194,6 +206,11 @@ def test_options_have_their_names_in_python() -> None:
     with pytest.raises(CaseError) as caught:
         planar_impact.uncertainty(EXAMPLES / "uncertain.toml", bounds_sd=-1)
     assert caught.value.issues[0].path == "bounds_sd"
+    with pytest.raises(CaseError) as caught:
+        planar_impact.uncertainty(EXAMPLES / "uncertain.toml", method="second-order", seed=3)
+    [issue] = caught.value.issues
+    assert issue.path == "seed" and issue.help == "add monte-carlo, sobol or shapley to `method`, or leave `seed` out"
+    assert planar_impact.uncertainty(EXAMPLES / "uncertain.toml", method="linear", samples=100_000, seed=1, level=0.95).of
     # What the caller has written stays.
     with pytest.raises(CaseError, match="a--b"):
         planar_impact.gradient(TEXT, of="a--b")

@@ -256,3 +256,19 @@ def test_a_stream_reports_no_progress() -> None:
     reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), [])
     with pytest.raises(planar_impact.CaseError, match="a stream has none"):
         planar_impact.solve_batch(reader, case=BARRIER, of="dV1", progress=True)
+
+
+def test_what_is_no_table_is_a_case_error() -> None:
+    pl = pytest.importorskip("polars")
+    wide = pl.DataFrame({"id": pl.Series([1], dtype=pl.Int128), "vehicle.1.speed": [12.0]})
+    odd = pa.table({"vehicle.1.speed": [12.0]}).replace_schema_metadata({b"\xff": b"\xff"})
+    for table in (wide, pl.Series("vehicle.1.speed", [12.0]), odd):
+        with pytest.raises(CaseError, match="the table cannot be read"):
+            planar_impact.solve_batch(table, case=BARRIER)
+
+    class Own:
+        def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+            raise LookupError("of its own")
+
+    with pytest.raises(LookupError, match="of its own"):
+        planar_impact.solve_batch(Own(), case=BARRIER)

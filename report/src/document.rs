@@ -4,7 +4,7 @@ mod check;
 mod glossary;
 mod method;
 
-use planar_impact_app::issue::Issues;
+use planar_impact_app::issue::{Issue, Issues};
 use planar_impact_app::notice::Notices;
 use planar_impact_app::reconstruct::Reconstruction;
 use planar_impact_app::report::{CaseReport, GivenEvidence, GivenInput, Identity, MainAnswer, ReportVerb};
@@ -105,18 +105,28 @@ pub struct Options {
     pub parts: Vec<Part>,
 }
 
-/// Returns the sections that are asked for and have anything in them.
-fn sections(options: &Options, mut of_part: impl FnMut(Part) -> Vec<Block>) -> Vec<Section> {
+/// Returns the sections that have anything in them, or those that are asked for.
+///
+/// # Errors
+///
+/// Sections that are asked for and have nothing in them.
+fn sections(options: &Options, mut of_part: impl FnMut(Part) -> Vec<Block>) -> Result<Vec<Section>, Issues> {
     let parts = Part::ALL.into_iter().filter(|part| options.parts.is_empty() || options.parts.contains(part));
     let section = |part: Part| Section { id: part.name(), heading: part.heading().to_owned(), blocks: of_part(part) };
-    parts.map(section).filter(|section| !section.blocks.is_empty()).collect()
+    let (sections, empty): (Vec<Section>, Vec<Section>) = parts.map(section).partition(|section| !section.blocks.is_empty());
+    if options.parts.is_empty() || empty.is_empty() {
+        return Ok(sections);
+    }
+    let names: Vec<&str> = empty.iter().map(|section| section.id).collect();
+    let message = format!("it has no effect: this report has nothing to say on {}", names.join(", "));
+    Err(Issues::of_call(vec![Issue::of_call("--sections", message, Some(format!("leave out {}", names.join(", "))))]))
 }
 
 /// Writes the report of a case as a document.
 ///
 /// # Errors
 ///
-/// A defect: drawing into memory cannot fail.
+/// Parts that are asked for and have nothing in them.
 pub fn of_case(report: &CaseReport, options: &Options) -> Result<Document, Issues> {
     let units = options.units;
     let (results, sensitivity) = (results(report, units)?, sensitivity(report, units)?);
@@ -134,14 +144,14 @@ pub fn of_case(report: &CaseReport, options: &Options) -> Result<Document, Issue
     };
     let title = if report.title.trim().is_empty() { "Report of a collision".to_owned() } else { report.title.clone() };
     let identity = &report.identity;
-    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &report.named_files) })
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part)?, embedded: embedded(identity, &report.named_files) })
 }
 
 /// Writes the report of barrier tests as a document.
 ///
 /// # Errors
 ///
-/// A defect: drawing into memory cannot fail.
+/// Parts that are asked for and have nothing in them.
 pub fn of_stiffness(answer: &Answer<StiffnessAnswer>, identity: &Identity, options: &Options) -> Result<Document, Issues> {
     let units = options.units;
     let drawing = figure("The crush intensity of each test over its depth, with the fitted lines", chart::stiffness(answer, units)?);
@@ -157,11 +167,15 @@ pub fn of_stiffness(answer: &Answer<StiffnessAnswer>, identity: &Identity, optio
         _ => Vec::new(),
     };
     let title = if answer.title.trim().is_empty() { "Crush stiffness from barrier tests".to_owned() } else { answer.title.clone() };
-    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part), embedded: embedded(identity, &[]) })
+    Ok(Document { title, foot: foot(identity), sections: sections(options, of_part)?, embedded: embedded(identity, &[]) })
 }
 
 /// Writes how the program compares with the paper's tables and with measured tests as a document.
-pub fn of_validation(answer: &Validation, options: &Options) -> Document {
+///
+/// # Errors
+///
+/// Parts that are asked for and have nothing in them.
+pub fn of_validation(answer: &Validation, options: &Options) -> Result<Document, Issues> {
     let version = env!("CARGO_PKG_VERSION");
     let mut rows = vec![vec!["Program".to_owned(), format!("planar-impact {version}")]];
     rows.extend(options.date.iter().map(|date| vec!["Date".to_owned(), date.clone()]));
@@ -172,7 +186,7 @@ pub fn of_validation(answer: &Validation, options: &Options) -> Document {
         _ => Vec::new(),
     };
     let title = "Validation of planar-impact".to_owned();
-    Document { title, foot: format!("planar-impact {version}"), sections: sections(options, of_part), embedded: Vec::new() }
+    Ok(Document { title, foot: format!("planar-impact {version}"), sections: sections(options, of_part)?, embedded: Vec::new() })
 }
 
 /// What a printed page has at its foot.

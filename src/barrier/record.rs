@@ -2,6 +2,7 @@
 
 use super::estimate::Estimate;
 use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
+use super::noise::Noise;
 use super::weight::dot;
 use crate::issue::{InputIssue, IssueCollector, Place};
 use crate::measure::Measure;
@@ -143,8 +144,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     ///
     /// The impulse is a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over the samples. Of white noise it has the variance found in the baseline times the
     /// sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window. Noise that is correlated from sample to
-    /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline, up to the first that may be chance. They are found the less
-    /// well, the shorter the baseline is, so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
+    /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline. They are found the less well, the fewer independent samples it
+    /// has ([`Self::independent_samples`]), so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
     ///
     /// # Errors
     ///
@@ -158,25 +159,32 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         for i in self.indices_in(before) {
             weights[i] = weights[i].clone() - share.clone();
         }
-        let white = dot(&weights, &weights) * baseline.variance.clone();
-        let covariances = self.covariances(before, &baseline);
-        let of_pairs = covariances.into_iter().enumerate().map(|(i, covariance)| dot(&weights[i + 1..], &weights) * covariance);
-        let variance = of_pairs.fold(white.clone(), |sum, each| sum + T::int(2) * each);
-        let variance = if variance.less(&white) { white } else { variance };
+        let variance = self.noise(before, &baseline).variance_of_sum(&weights);
         finite_estimate("impulse", Estimate { value: dot(&weights, &self.values), variance })
     }
 
-    /// Returns the covariances of samples in a window that are one, two, … apart, up to the first that may be that of white noise: of n samples the correlation
-    /// of these has a standard deviation of 1/√n.
-    fn covariances(&self, window: &Window<T>, baseline: &Estimate<T>) -> Vec<T> {
-        /// Most samples apart, which bounds the work.
-        const MOST: usize = 1000;
-        let inside: Vec<T> = self.indices_in(window).map(|i| self.values[i].clone() - baseline.value.clone()).collect();
-        let count = whole::<T>(inside.len());
-        let apart = |lag: usize| dot(&inside[lag..], &inside) / count.clone();
-        let by_chance = T::int(4) * baseline.variance.clone().squared() / count.clone();
-        let is_certain = |covariance: &T| T::int(0).less(covariance) && by_chance.less(&covariance.clone().squared());
-        (1..(inside.len() / 4).min(MOST)).map(apart).take_while(is_certain).collect()
+    /// Returns how many independent samples would tell the mean over a window before the event as well: fewer than the samples in it, where noise is correlated.
+    ///
+    /// Its standard deviation, and that of [`Self::impulse`], has about one degree of freedom less.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::baseline`].
+    ///
+    /// ```
+    /// use planar_impact::barrier::{Record, Window};
+    /// let slow = Record::uniform(0.0, 1.0, vec![1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0])?;
+    /// assert!(slow.independent_samples(&Window { from: 0.0, to: 7.0 })? < 5.0);
+    /// # Ok::<(), planar_impact::barrier::TestIssues>(())
+    /// ```
+    pub fn independent_samples(&self, before: &Window<T>) -> Result<T, TestIssues<T>> {
+        let baseline = self.baseline(before)?;
+        finite(Place::plain("samples in the baseline"), self.noise(before, &baseline).independent_samples())
+    }
+
+    fn noise(&self, before: &Window<T>, baseline: &Estimate<T>) -> Noise<T> {
+        let samples: Vec<T> = self.indices_in(before).map(|i| self.values[i].clone()).collect();
+        Noise::of(&samples, &baseline.value)
     }
 
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {

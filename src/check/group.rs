@@ -146,6 +146,7 @@ impl Region {
 
 #[cfg(test)]
 mod tests {
+    use crate::Side;
     use crate::check::*;
 
     /// Returns the outcomes of records that each report a loss with a resolution.
@@ -213,6 +214,22 @@ mod tests {
             assert_eq!(outcome.verdict(), Verdict::Fail);
             assert!(outcome.findings[0].what.contains("at least one is wrong, and which one cannot be determined"), "{outcome}");
             assert_eq!((outcome.findings[0].severity, outcome.findings.len()), (Severity::Fail, 1));
+        }
+    }
+
+    /// What a yaw rate may be off is of the order of the turn in the impact, whatever it was before.
+    #[test]
+    fn a_yaw_rate_that_differs_is_found() {
+        for before in [0.0, 1.9] {
+            let mut outcomes = [2.0, 2.0, 2.5].map(|after| {
+                let group = Some(Membership { name: "g".into(), agreement: Agreement::Outcome });
+                let mut record = Record { group, ..Record::default() };
+                record.set(Key::BeforeYawRate(Side::One), before);
+                record.set(Key::AfterYawRate(Side::One), after);
+                check(&record, &Options::default())
+            });
+            Consensus::of(&outcomes).apply(&mut outcomes);
+            assert_eq!(outcomes.map(|outcome| outcome.of(Rule::Group).count()), [0, 0, 1], "{before}");
         }
     }
 

@@ -365,6 +365,25 @@ mod tests {
     use super::*;
     use crate::post_impact::{Area, Ground, Region, SlidingVehicle, Tires, Wheel, Wheels};
 
+    #[test]
+    fn a_motion_that_hardly_anything_slows_has_no_end() {
+        let vehicle = SlidingVehicle {
+            mass: 1500.0,
+            yaw_inertia: 2400.0,
+            front_axle: 1.15,
+            rear_axle: 1.5,
+            track: 1.5,
+            wheels: Wheels::all(Wheel::ROLLING),
+            tires: Tires::ORDINARY,
+        };
+        let slide = Slide { vehicle, ground: Ground::uniform(0.7) };
+        let rolls =
+            TrajectoryState { time: 0.0, pose: Pose::default(), motion: Motion { velocity: Xy { x: 20.0, y: 0.0 }, yaw_rate: 0.0 } };
+        assert!(matches!(slide.stand_still(&rolls), Err(NoRest::Moves(_))));
+        let stands = TrajectoryState { motion: Motion::rest(), ..rolls };
+        assert!(slide.stand_still(&stands).is_ok_and(|pose| pose == stands.pose));
+    }
+
     /// Compares with a separate implementation of the tire formulas and a fourth-order Runge–Kutta method with steps of 0.05 ms, which agrees with a step of
     /// 0.2 ms to 1e-7.
     #[test]

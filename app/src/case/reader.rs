@@ -118,7 +118,7 @@ impl CaseReader {
         if value > 0.0 {
             return Some(value);
         }
-        place.report(format!("it is {value} {}; it must be above zero", kind.si), barrier_instead(place.path()));
+        place.report_as("not-positive", format!("it is {value} {}; it must be above zero", kind.si), barrier_instead(place.path()));
         None
     }
 
@@ -133,7 +133,7 @@ impl CaseReader {
         if value >= 0.0 {
             return Some(value);
         }
-        place.report(format!("it is {value} {}; it must not be below zero", kind.si), None);
+        place.report_as("out-of-range", format!("it is {value} {}; it must not be below zero", kind.si), None);
         None
     }
 
@@ -198,7 +198,7 @@ impl CaseReader {
             return Some(value);
         }
         let range = if greatest.is_finite() { format!("from 0 to {greatest}") } else { "at least 0".to_owned() };
-        place.report(format!("it is {value}; it must be {range}"), percent_meant(value));
+        place.report_as("out-of-range", format!("it is {value}; it must be {range}"), percent_meant(value));
         None
     }
 

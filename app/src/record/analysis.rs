@@ -188,10 +188,12 @@ fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
 
 /// Returns a note of a baseline that tells the noise badly.
 fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
-    let count = record.indices_in(before).count();
-    let too_small = too_small(count.saturating_sub(1))?;
-    let message =
-        format!("{name}: a baseline of {count} samples hardly tells the noise: the standard deviation of what follows may be {too_small}");
+    let (count, independent) = (record.indices_in(before).count(), record.independent_samples(before).ok()?.round());
+    let too_small = too_small((independent as usize).saturating_sub(1))?;
+    let correlated = if independent < count as f64 { format!(", correlated as {independent} independent ones,") } else { String::new() };
+    let message = format!(
+        "{name}: a baseline of {count} samples{correlated} hardly tells the noise: the standard deviation of what follows may be {too_small}"
+    );
     Some(Notice::note("short-baseline", path, message))
 }
 

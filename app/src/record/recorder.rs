@@ -288,6 +288,6 @@ fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue
             .text(", which its standard deviation includes");
         notices.push(Notice::warning("speed-before-impact", path, message));
     }
-    let number = Uncertain { value: last.speed + 0.0, sd: noise.sd(last.speed).map(|sd| libm::hypot(sd, change)) };
+    let number = Uncertain { value: last.speed, sd: noise.sd(last.speed).map(|sd| libm::hypot(sd, change)) };
     Some(AtImpact { number, time: last.time })
 }

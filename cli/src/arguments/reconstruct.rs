@@ -53,7 +53,10 @@ pub struct Reconstruct {
 impl Reconstruct {
     /// Returns the error of an option that has no effect with the format of the call.
     pub fn without_effect(&self) -> Option<&'static str> {
-        let is_idle = self.draws && self.format == Format::Text;
-        is_idle.then_some("--draws has no effect: they are added to the JSON; give --format json, or leave it out")
+        if self.draws && self.format == Format::Text {
+            return Some("--draws has no effect: they are added to the JSON; give --format json, or leave it out");
+        }
+        let is_idle = self.brief && self.format == Format::Json;
+        is_idle.then_some("--brief has no effect: it shortens the text alone; leave it out")
     }
 }

@@ -48,28 +48,22 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Returns the error of an option that has no effect with the methods of the call; a probability is sampled with any method.
-    pub fn without_effect(&self) -> Option<String> {
-        use UncertaintyMethod::{MonteCarlo, Shapley, Sobol};
-        if self.format == UncertaintyFormat::Svg && !self.probability.is_empty() {
-            return Some(
-                "--probability has no effect: the chart has no probabilities; give --format text, json or csv, or leave it out".to_owned(),
-            );
-        }
-        if self.method.is_empty() || !self.probability.is_empty() || self.method.contains(&MonteCarlo) {
-            return None;
-        }
-        let draws = self.method.iter().any(|method| [Sobol, Shapley].contains(method));
-        // Shares in the variance have a plan of their own.
-        let of_outputs =
-            [(self.points.is_some(), "--points"), (self.precision.is_some(), "--precision"), (self.level.is_some(), "--level")];
-        let of_any = [(self.samples.is_some() && !draws, "--samples"), (self.seed.is_some() && !draws, "--seed")];
-        let idle = of_any.into_iter().chain(of_outputs).find_map(|(is_idle, option)| is_idle.then_some(option))?;
-        let (what, remedy) = match idle {
-            "--samples" | "--seed" => ("no method of the call draws samples", "monte-carlo, sobol or shapley"),
-            _ => ("it is for samples of the outputs, which no method of the call draws", "monte-carlo"),
-        };
-        Some(format!("{idle} has no effect: {what}; add {remedy} to --method, or leave {idle} out"))
+    /// Returns the options that are given and matter to some methods alone.
+    pub fn given(&self) -> Vec<&'static str> {
+        let all = [
+            (self.samples.is_some(), "--samples"),
+            (self.seed.is_some(), "--seed"),
+            (self.points.is_some(), "--points"),
+            (self.precision.is_some(), "--precision"),
+            (self.level.is_some(), "--level"),
+        ];
+        all.into_iter().filter_map(|(is_given, option)| is_given.then_some(option)).collect()
+    }
+
+    /// Returns the error of an option that has no effect with the format of the call.
+    pub fn without_effect(&self) -> Option<&'static str> {
+        let is_idle = self.format == UncertaintyFormat::Svg && !self.probability.is_empty();
+        is_idle.then_some("--probability has no effect: the chart has no probabilities; give --format text, json or csv, or leave it out")
     }
 }
 

@@ -32,8 +32,10 @@ impl Format {
             Some("parquet") => Ok(Format::Parquet),
             Some("arrow" | "feather" | "ipc") => Ok(Format::Arrow),
             _ => {
-                let message =
-                    format!("{} is not the name of a table; it must end in .csv, .parquet or .arrow", excerpt(&path.display().to_string()));
+                let message = format!(
+                    "{} is not the name of a table; it must end in .csv, .parquet, .arrow, .feather or .ipc",
+                    excerpt(&path.display().to_string())
+                );
                 let help = "`-` is CSV on standard input or output";
                 Err(Issues::of_call(vec![Issue::of_file("unreadable-file", message).with_help(help)]))
             }

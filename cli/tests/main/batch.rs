@@ -352,7 +352,7 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("open-9000.csv")], 2, "the quote that begins a cell in line 9001 is never closed"),
         (&[&path("other.csv")], 2, "no column is an input of a collision, so every row would be the case itself"),
         (&["no-such.csv"], 2, "there is no such file"),
-        (&["cli"], 2, "it must end in .csv, .parquet or .arrow"),
+        (&["cli"], 2, "it must end in .csv, .parquet, .arrow, .feather or .ipc"),
         (&["-", "-"], 2, "standard input can be read only once"),
         (&[&path("not.parquet")], 2, "cannot be read as a table"),
         (&[&path("not.arrow")], 2, "cannot be read as a table"),

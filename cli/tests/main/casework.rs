@@ -425,6 +425,11 @@ fn a_motion_at_separation_that_is_not_used_is_told() {
         assert_eq!(slid["messages"].to_string().contains("incomplete-motion"), of_slide, "{}", slid["messages"]);
         assert_eq!(drawn["messages"].to_string().contains("evidence-not-drawn"), of_draw, "{}", drawn["messages"]);
     }
+    let method = |name: &str| case.replace("[rest.vehicle.2]\n", &format!("[rest.vehicle.2]\nmethod = \"{name}\"\n"));
+    for (name, is_told) in [("closed-form", true), ("slide", false)] {
+        let messages = json_of(&["slide"], &method(name))["messages"].to_string();
+        assert_eq!(messages.contains("method-not-used") && messages.contains("rest.vehicle.2.method"), is_told, "{messages}");
+    }
 }
 
 #[test]

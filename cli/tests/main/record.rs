@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::process::{Folder, Run, run, workspace};
+use crate::process::{Folder, Run, run, run_with_input, workspace};
 
 /// The times of a test, 0.1 ms apart: 20 ms before a pulse of 100 ms, and 20 ms after it.
 fn times() -> impl Iterator<Item = f64> {
@@ -457,6 +457,39 @@ fn a_recorder_by_hand() {
     // To the right as to the left with the other sign.
     let (left, _) = record_of(&recorder("").replace("right", "left"), None);
     close(&left["recorder"]["maximum"]["pdof"]["value"], -(30.0_f64).atan2(40.0), 1e-12);
+}
+
+/// A vehicle that nothing moves has no direction of force, and the standard deviation of the steps in which its channels were read.
+#[test]
+fn no_velocity_change_has_a_standard_deviation_and_no_direction() {
+    let still = "time [ms],delta_v_forward [km/h],delta_v_left [km/h]\n0,0,0\n10,0,0\n20,0,0\n30,0,0\n";
+    let (record, run) = record_of(still, Some("resolution = \"2 km/h\"\n"));
+    let maximum = &record["recorder"]["maximum"];
+    let sd = 2.0 / 3.6 / 12_f64.sqrt();
+    assert_eq!((&maximum["magnitude"]["value"], &maximum["pdof"]), (&Value::from(0.0), &Value::Null), "{}", run.err);
+    close(&maximum["magnitude"]["sd"], sd * 2_f64.sqrt(), 1e-9);
+    close(&maximum["left"]["sd"], sd, 1e-9);
+}
+
+/// Of several files each note says of which it is; of one alone none does. What stands on standard input is a table or a document by its first line that is no
+/// comment.
+#[test]
+fn notes_of_several_files_have_their_names() {
+    let folder = Folder::new();
+    for name in ["one.csv", "two.csv"] {
+        folder.write(name, recorder("").as_bytes());
+    }
+    let notes = |files: &[&str]| -> Vec<String> {
+        let run = run(folder.path(), &[&["record"], files, &["--format", "json"]].concat());
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        json["notes"].as_array().expect("notes").iter().map(|note| note.as_str().expect("a text").to_owned()).collect()
+    };
+    let (alone, both) = (notes(&["one.csv"]), notes(&["one.csv", "two.csv"]));
+    assert!(!alone.is_empty() && alone.iter().all(|note| !note.contains(".csv")), "{alone:?}");
+    let named = ["one.csv", "two.csv"].iter().flat_map(|name| alone.iter().map(move |note| format!("{name}: {note}")));
+    assert_eq!(both, named.collect::<Vec<_>>());
+    let with_a_comment = run_with_input(&["record", "-"], &format!("# of = unit 7\n\n{}", recorder("")));
+    assert!(with_a_comment.status == 2 && with_a_comment.err.contains("CSV has no comments"), "{}", with_a_comment.err);
 }
 
 #[test]

@@ -481,10 +481,10 @@ fn wrong_calls_are_refused() {
         (
             &["uncertain.toml", "--method", "linear", "--samples", "1000"],
             2,
-            &["--samples has no effect", "add monte-carlo, sobol or shapley"],
+            &["--samples: it has no effect", "add monte-carlo, sobol or shapley"],
         ),
-        (&["uncertain.toml", "--method", "sobol", "--points", "sobol"], 2, &["--points has no effect", "add monte-carlo to --method"]),
-        (&["uncertain.toml", "--method", "linear", "--level", "0.9"], 2, &["--level has no effect", "add monte-carlo to --method"]),
+        (&["uncertain.toml", "--method", "sobol", "--points", "sobol"], 2, &["--points: it has no effect", "add monte-carlo to --method"]),
+        (&["uncertain.toml", "--method", "linear", "--level", "0.9"], 2, &["--level: it has no effect", "add monte-carlo to --method"]),
         (&["uncertain.toml", "--samples", "1"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "2.5"], 2, &["--samples", "a whole number from 2 to 1e15"]),
         (&["uncertain.toml", "--samples", "1e16"], 2, &["--samples", "a whole number from 2 to 1e15"]),

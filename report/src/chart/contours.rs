@@ -105,22 +105,18 @@ impl Field {
     fn draw_refused(&self, chart: &mut Chart<'_, '_>, place: &dyn Fn((f64, f64)) -> (f64, f64)) -> Drawn {
         let (right, top) = ((self.wide - 1) as f64, (self.high - 1) as f64);
         let mut cells = Vec::new();
-        for row in 0..self.high {
-            let refused = |column: usize| self.values[row * self.wide + column].is_nan();
-            let mut column = 0;
-            while column < self.wide {
-                let first = column;
-                while column < self.wide && refused(column) {
-                    column += 1;
-                }
-                if column > first {
+        for (row, values) in self.values.chunks(self.wide).enumerate() {
+            let mut end = 0;
+            for run in values.chunk_by(|one, other| one.is_nan() == other.is_nan()) {
+                let first = end;
+                end += run.len();
+                if run[0].is_nan() {
                     let low = ((first as f64 - 0.5).max(0.0), (row as f64 - 0.5).max(0.0));
-                    let high = ((column as f64 - 0.5).min(right), (row as f64 + 0.5).min(top));
+                    let high = ((end as f64 - 0.5).min(right), (row as f64 + 0.5).min(top));
                     cells.push(Rectangle::new([place(low), place(high)], REFUSED.filled()));
                     // Overlaps the seam to the next row, which would otherwise be visible.
                     cells.push(Rectangle::new([place(low), place(high)], REFUSED.stroke_width(px(1))));
                 }
-                column += 1;
             }
         }
         chart.draw_series(cells)?;

@@ -363,7 +363,7 @@ mod tests {
 
     #[test]
     fn the_solution_is_where_the_lines_of_its_law_meet() {
-        let (mut sticking, mut sliding, mut other_law, mut with_moment) = (0, 0, 0, 0);
+        let (mut sticking, mut sliding, mut other_law, mut with_moment, mut held) = (0, 0, 0, 0, 0);
         for [answer, _] in pairs(300) {
             let contact = &answer.contact;
             let diagram = Diagram::of(contact).expect("an angular model");
@@ -413,11 +413,28 @@ mod tests {
             }
             // The cone has the solution on its edge, or within it where friction does not limit the impulse.
             assert!(solution.1.abs() <= cone_ratio(contact).abs() * solution.0.abs() + size);
+            if let (ImpulseRatioGiven::Friction, Some(friction)) = (contact.impulse_ratio_given, contact.impulse_ratio_parameter) {
+                // Where less than the friction holds the vehicles together, the cone is that of the friction.
+                held += usize::from(contact.impulse_ratio.abs() < 0.99 * friction);
+                let (_, [_, edge]) = diagram.lines.iter().find(|(role, _)| *role == Role::Cone).expect("a cone");
+                close(edge.1.abs(), friction * edge.0.abs(), 1e-9 * edge.0.abs(), "the edge of the cone");
+            }
         }
         assert!(
-            [sticking, sliding, other_law, with_moment].iter().all(|count| *count > 20),
-            "{sticking} {sliding} {other_law} {with_moment}"
+            [sticking, sliding, other_law, with_moment, held].iter().all(|count| *count > 20),
+            "{sticking} {sliding} {other_law} {with_moment} {held}"
         );
+    }
+
+    #[test]
+    fn both_scales_are_equal_unless_the_points_are_flat() {
+        for (point, is_equal) in [((10.0, 5.0), true), ((10.0, 1.0), false), ((5.0, 10.0), true), ((1.0, 10.0), false), ((10.0, 0.0), true)]
+        {
+            let [x, y] = frame(&[(Mark::Solution, point)], point);
+            let ratio = ASPECT * (y.end - y.start) / (x.end - x.start);
+            assert_eq!((ratio - 1.0).abs() < 1e-12, is_equal, "{point:?}: {ratio}");
+            assert!(is_inside(&[x, y], point));
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use planar_impact_app::check::{Entry, Found, Summary};
+use planar_impact_app::issue::Issues;
 use planar_impact_app::plain_text::shorten;
 
 use super::{Options, Part, sections};
@@ -43,7 +44,11 @@ impl CheckDigest {
     }
 
     /// Writes the report.
-    pub fn document(&self, options: &Options) -> Document {
+    ///
+    /// # Errors
+    ///
+    /// Parts that are asked for and have nothing in them.
+    pub fn document(&self, options: &Options) -> Result<Document, Issues> {
         let of_part = |part| match part {
             Part::Summary => self.summary_blocks(options),
             Part::Method => vec![Block::paragraph(
@@ -54,12 +59,12 @@ impl CheckDigest {
             Part::Results => self.results(),
             _ => Vec::new(),
         };
-        Document {
+        Ok(Document {
             title: "Check of collision records".to_owned(),
             foot: format!("planar-impact {}", env!("CARGO_PKG_VERSION")),
-            sections: sections(options, of_part),
+            sections: sections(options, of_part)?,
             embedded: Vec::new(),
-        }
+        })
     }
 
     fn summary_blocks(&self, options: &Options) -> Vec<Block> {

@@ -51,3 +51,21 @@ pub fn draw(svg: &mut Svg, view: &View, scene: &Scene, which: usize, size: f64) 
         }
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planar_impact_app::scene::draw;
+    use planar_impact_app::{Case, Source, Uncontrolled, template};
+
+    #[test]
+    fn behind_a_wall_is_away_from_the_vehicle() {
+        let text = template::of("barrier").expect("a template").to_owned();
+        let case = Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case");
+        let scene = draw(&case, &(), &Uncontrolled).expect("a scene");
+        let from = |[x, y]: [f64; 2]| [x - scene.impact_point[0], y - scene.impact_point[1]];
+        let (behind, vehicle) = (from(behind(&scene, 1, 10.0)), from(scene.vehicles[0].position));
+        assert!((libm::hypot(behind[0], behind[1]) - 1.2).abs() < 1e-12, "a share of the size: {behind:?}");
+        assert!(behind[0] * vehicle[0] + behind[1] * vehicle[1] < 0.0, "{behind:?} {vehicle:?}");
+    }
+}

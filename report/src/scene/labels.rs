@@ -193,6 +193,17 @@ mod tests {
         assert_eq!((distance, gap(&beside, wanted.at)), (18.0, 18.0));
     }
 
+    /// Where everything near is taken, a label stands in the free place of the frame that is nearest.
+    #[test]
+    fn a_label_without_room_beside_stands_where_the_frame_is_free() {
+        let mut labels = Labels::in_frame(Frame { x: 100.0, y: 50.0, width: 800.0, height: 200.0 });
+        let wanted = Wanted { text: "label".to_owned(), class: "test".to_owned(), at: (500.0, 150.0) };
+        labels.keep_clear(Frame { x: 100.0, y: 50.0, width: 700.0, height: 200.0 });
+        // Eight columns, of which the last alone is free; rows of 16 from the top.
+        let (free, _) = labels.best(&wanted, 60.0, 16.0).expect("the right end is free");
+        assert_eq!((free.x, free.y), (840.0, 146.0));
+    }
+
     /// Farther off is better than on a thick line, and on a thin one better than farther off.
     #[test]
     fn a_thick_line_is_not_written_over() {

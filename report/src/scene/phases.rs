@@ -86,3 +86,13 @@ fn motion(svg: &mut Svg, view: &View, scene: &Scene, which: usize, pose: &RestPo
     svg.line(from, tip, &[("class", &class), ("stroke", STYLES[which].stroke), ("stroke-width", "2")]);
     arrow_head(svg, from, tip, 6.0, &[("fill", STYLES[which].stroke)]);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_is_for_what_has_one() {
+        assert_eq!([("3", 3.0), ("-3", -3.0), ("0", 0.0)].map(|(number, value)| signed(number, value)), ["+3", "−3", "0"]);
+    }
+}

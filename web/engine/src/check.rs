@@ -33,7 +33,7 @@ fn run(name: &str, bytes: Vec<u8>) -> Result<Reply, Issues> {
     }
     let records = kept.iter().map(|entry| entry.in_json(name)).collect();
     let report = CheckReport { schema: planar_impact_app::answer::SCHEMA, records, interrupted: false, summary };
-    let sections = digest.document(&document::Options { units: Units::Si, date: None, parts: Vec::new() }).sections;
+    let sections = digest.document(&document::Options { units: Units::Si, date: None, parts: Vec::new() })?.sections;
     let blocks: Vec<_> = sections.into_iter().flat_map(|section| section.blocks).collect();
     Ok(Reply { json: json::text(&report, Layout::Pretty)?, html: html::fragment(&blocks), ..Reply::default() })
 }

@@ -78,7 +78,11 @@ impl CaseReader {
         let coefficient = self.quantity(coefficient, Kind::PURE).filter(|coefficient| {
             let is_possible = coefficient.abs() < 1.0;
             if !is_possible {
-                place.report(format!("it is {coefficient}; it must be between -1 and 1, both excluded"), percent_meant(*coefficient));
+                place.report_as(
+                    "out-of-range",
+                    format!("it is {coefficient}; it must be between -1 and 1, both excluded"),
+                    percent_meant(*coefficient),
+                );
             }
             is_possible
         });

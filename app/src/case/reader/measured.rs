@@ -409,12 +409,12 @@ fn listed<'a>(keys: impl Iterator<Item = &'a &'a str>) -> String {
 fn log_normal(table: &Table<'_>, kind: Kind, median: f64, factor: f64) -> Option<(f64, Option<Distribution>)> {
     let mut sound = true;
     if median <= 0.0 {
-        table.optional("median").report(format!("it is {median} {}; it must be above zero", kind.si), None);
+        table.optional("median").report_as("not-positive", format!("it is {median} {}; it must be above zero", kind.si), None);
         sound = false;
     }
     if factor <= 1.0 {
         let help = "the natural logarithm of the factor is the standard deviation of that of the number";
-        table.optional("factor").report(format!("it is {factor}; it must be above 1"), Some(help.to_owned()));
+        table.optional("factor").report_as("out-of-range", format!("it is {factor}; it must be above 1"), Some(help.to_owned()));
         sound = false;
     }
     sound.then(|| (median, Some(Distribution::of_factor(median, factor))))
@@ -425,12 +425,13 @@ fn is_between(table: &Table<'_>, kind: Kind, min: f64, max: f64, value: Option<(
     let unit = kind.si;
     if min >= max {
         let help = (min == max).then(|| "a number that is known has no `min` and `max`: write the number alone".to_owned());
-        table.optional("max").report(format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), help);
+        table.optional("max").report_as("out-of-order", format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), help);
         return false;
     }
     match value.filter(|(_, value)| !(min..=max).contains(value)) {
         Some((key, value)) => {
-            table.optional(key).report(format!("it is {value} {unit}; it must be from `min`, {min} {unit}, to `max`, {max} {unit}"), None);
+            let message = format!("it is {value} {unit}; it must be from `min`, {min} {unit}, to `max`, {max} {unit}");
+            table.optional(key).report_as("out-of-range", message, None);
             false
         }
         None => true,

@@ -133,7 +133,7 @@ impl CaseReader {
             return None;
         };
         if !(0.0..=1.0).contains(&value) {
-            field.report(format!("the restitution of {} is {value}; it must be from 0 to 1", answer.file), None);
+            field.report_as("out-of-range", format!("the restitution of {} is {value}; it must be from 0 to 1", answer.file), None);
             return None;
         }
         let Some(sd) = sd else {

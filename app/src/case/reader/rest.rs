@@ -71,7 +71,7 @@ impl CaseReader {
             let field = rest.optional("friction");
             let holds = friction.value > 0.0 && friction.value <= MOST_FRICTION;
             if !holds {
-                field.report(format!("it is {}; it must be above 0 and at most {MOST_FRICTION}", friction.value), None);
+                field.report_as("out-of-range", format!("it is {}; it must be above 0 and at most {MOST_FRICTION}", friction.value), None);
             } else if friction.deviation.is_some_and(|deviation| deviation > friction.value) {
                 field.report("its standard deviation is larger than itself", None);
                 return false;
@@ -133,7 +133,7 @@ impl CaseReader {
             return Some(share);
         }
         let help = "a grade is height over distance: \"2 %\" or 0.02; `toward` is the direction uphill";
-        place.report(format!("it is {share}; it must be from {least} to {MOST_GRADE}"), Some(help.to_owned()));
+        place.report_as("out-of-range", format!("it is {share}; it must be from {least} to {MOST_GRADE}"), Some(help.to_owned()));
         None
     }
 

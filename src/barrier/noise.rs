@@ -1,0 +1,58 @@
+//! The noise of an unloaded channel, whose samples may be correlated.
+
+use super::record::whole;
+use super::weight::dot;
+use crate::scalar::{Field, Ordered};
+use alloc::vec::Vec;
+
+/// The noise of a channel at equal steps.
+pub(super) struct Noise<T> {
+    /// The covariances of two samples that are none, one, two, … steps apart, and zero beyond.
+    covariances: Vec<T>,
+    /// The number of samples that they were found from.
+    samples: usize,
+}
+
+impl<T: Ordered<Mask = bool>> Noise<T> {
+    /// Estimates the noise from at least two samples of the unloaded channel.
+    ///
+    /// Of n samples with deviations d from their mean, the sums S_k = Σ d_i d_{i+k} are used up to the first that is not positive, K + 1, or to n/4. The mean is
+    /// subject to the noise too, and deviations from it lack its variance v = (γ_0 + 2 Σ γ_k)/n. With γ_k = S_k/n + v this gives
+    /// v = (S_0 + 2 Σ S_k)/(n (n − 2K − 1)): for K = 0, γ_0 is the usual S_0/(n − 1).
+    pub fn of(samples: &[T], mean: &T) -> Self {
+        /// Most steps apart, which bounds the work.
+        const MOST: usize = 1000;
+        let deviations: Vec<T> = samples.iter().map(|value| value.clone() - mean.clone()).collect();
+        let sum = |apart: usize| dot(&deviations[apart..], &deviations);
+        let furthest = (samples.len() / 4).min(MOST);
+        let correlated = (1..=furthest).map(sum).take_while(|sum| T::int(0).less(sum));
+        let sums: Vec<T> = core::iter::once(sum(0)).chain(correlated).collect();
+        let count = whole::<T>(samples.len());
+        let of_mean = both_ways(&sums) / (count.clone() * whole::<T>(samples.len() + 1 - 2 * sums.len()));
+        let covariances = sums.into_iter().map(|sum| sum / count.clone() + of_mean.clone()).collect();
+        Noise { covariances, samples: samples.len() }
+    }
+
+    /// Computes the variance of a weighted sum of samples; at least that of samples that are independent.
+    pub fn variance_of_sum(&self, weights: &[T]) -> T {
+        let of_pairs = |(apart, covariance): (usize, &T)| dot(&weights[apart..], weights) * covariance.clone();
+        let terms: Vec<T> = self.covariances.iter().enumerate().map(of_pairs).collect();
+        let variance = both_ways(&terms);
+        T::select(variance.less(&terms[0]), terms[0].clone(), variance)
+    }
+
+    /// Computes the number of independent samples whose mean would be as uncertain, n γ_0/(γ_0 + 2 Σ γ_k).
+    pub fn independent_samples(&self) -> T {
+        let count = whole::<T>(self.samples);
+        let sum = both_ways(&self.covariances);
+        if T::int(0).less(&sum) { count * self.covariances[0].clone() / sum } else { count }
+    }
+}
+
+/// Adds the terms of samples that are none, one, two, … steps apart, in both directions.
+fn both_ways<T: Field>(terms: &[T]) -> T {
+    terms[1..].iter().fold(terms[0].clone(), |sum, each| sum + T::int(2) * each.clone())
+}
+
+#[cfg(test)]
+mod tests;
