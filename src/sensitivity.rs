@@ -384,3 +384,26 @@ impl<T: Real<Mask = bool> + Copy + Default> Collision<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Input;
+
+    /// One number that is large or small is enough, and zero is neither.
+    #[test]
+    fn every_number_of_a_moderate_collision_is_moderate() {
+        let vehicle = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+        let collision =
+            Collision { impulse_ratio: ImpulseRatio::Given(0.1), moment: Moment::Given(20.0), ..Collision::new(vehicle, vehicle) };
+        assert!(collision.is_moderate());
+        let angles = |input: &Input| matches!(input, Input::Heading(_) | Input::CrushPlane | Input::Restitution);
+        for input in Input::ALL.into_iter().filter(|input| !angles(input)) {
+            for (size, is_moderate) in [(1e16, false), (-1e16, false), (1e-16, false), (1e14, true), (-1e-14, true), (0.0, true)] {
+                let mut changed = collision;
+                changed.set(input, size).expect("an input of the collision");
+                assert_eq!(changed.is_moderate(), is_moderate, "{input} {size}");
+            }
+        }
+    }
+}

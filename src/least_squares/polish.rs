@@ -256,3 +256,17 @@ fn settle(x: &mut f64, span: &ParameterBounds) -> Option<Bound> {
     *x = bound;
     Some(at)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What an unknown that stays on its bound moves is in the residuals of the others: (1, 2) + ½ (1, 0) is (1.5, 2), and the nearest (x, x) is 1.75.
+    #[test]
+    fn the_free_unknowns_step_from_where_the_others_went() {
+        let jacobian = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 0.0, 1.0]);
+        let (residuals, step) = (DVector::from_vec(vec![1.0, 2.0]), DVector::from_vec(vec![0.5, 0.0]));
+        let found = gauss_newton(&jacobian, &residuals, &step, &[1]).expect("a step");
+        assert!((found[0] - 1.75).abs() < 1e-14, "{found}");
+    }
+}

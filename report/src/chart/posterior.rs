@@ -350,7 +350,10 @@ mod tests {
             "1: 96 66 396 66 396 366 96 366 96 66",
             "1: 321 66 321 366",
         ];
-        assert_eq!(drawn(vec![speed()], &[])[..5], alone);
+        let of_one = drawn(vec![speed()], &[]);
+        assert_eq!(of_one[..5], alone);
+        // Its legend is beside it.
+        assert!(of_one.contains(&"464 86 11.3 best fit".to_owned()), "{of_one:?}");
         // The pair below, lowest values first; the second density; numbers and names beside and below; the legend.
         let both = [
             "96 584 150 100 #6C8EAB",

@@ -20,6 +20,24 @@ fn a_wrong_ratio_is_told_with_the_right_one() {
     assert!(told.iter().any(|told| told.contains(&implied)), "{told:?}, not {implied}");
 }
 
+/// The impulse is that of the body whose change of momentum is known better: of 100 kg to 10 N s, of 10 t to 1000 N s.
+#[test]
+fn an_impulse_that_is_claimed_is_held_against_the_lighter_body() {
+    for [heavy, light] in [[Side::One, Side::Two], [Side::Two, Side::One]] {
+        let verdict = |claim: f64| {
+            let mut record = Record { resolution: Resolution::default().with(ResolutionGroup::Velocity, 0.1), ..Record::default() };
+            for (side, mass, [before, after]) in [(heavy, 1e4, [10.0, 9.9]), (light, 100.0, [0.0, 10.0])] {
+                let keys = [Key::Mass(side), Key::BeforeX(side), Key::AfterX(side), Key::BeforeY(side), Key::AfterY(side)];
+                keys.into_iter().zip([mass, before, after, 0.0, 0.0]).for_each(|(key, value)| record.set(key, value));
+            }
+            let on_one = if heavy == Side::One { -claim } else { claim };
+            record.set(Key::ImpulseX, on_one);
+            check(&record, &Options::default()).verdict()
+        };
+        assert_eq!([1000.0, 1200.0].map(|claim| verdict(claim) == Verdict::Fail), [false, true], "{light:?} is light");
+    }
+}
+
 #[test]
 fn claims_are_held_against_each_other() {
     let said = |claims: &[(Key, f64)]| {
