@@ -144,15 +144,35 @@ impl Units {
         format!("{value:.0$}", usual.max(needed))
     }
 
-    /// Formats a message in this system. A pure number has up to six significant digits.
+    /// Formats a message in this system. A pure number has up to six significant digits; figures that differ have as many decimals as tell them apart.
     pub fn sentence(self, message: &Message) -> String {
+        let figures = || {
+            message
+                .parts()
+                .iter()
+                .filter_map(|part| if let Part::Figure { measure, value } = part { Some((*measure, *value)) } else { None })
+        };
+        let print = |measure, value| if measure == Measure::Ratio { trim(value) } else { self.quantity(measure, value) };
+        let figure = |measure: Measure, value: f64| {
+            let usual = print(measure, value);
+            let alike = figures().find(|(of, other)| *of == measure && *other != value && print(measure, *other) == usual);
+            alike.and_then(|(_, other)| self.apart(measure, value, other)).unwrap_or(usual)
+        };
         let part = |part: &Part| match part {
             Part::Text(text) => text.to_string(),
-            Part::Figure { measure: Measure::Ratio, value } => trim(*value),
-            Part::Figure { measure, value } => self.quantity(*measure, *value),
+            Part::Figure { measure, value } => figure(*measure, *value),
             _ => String::new(),
         };
         message.parts().iter().map(part).collect()
+    }
+
+    /// Formats a value in SI with its unit and the fewest decimals that tell it from another one; `None` if it takes more than nine, which are rounding.
+    fn apart(self, measure: Measure, value: f64, other: f64) -> Option<String> {
+        let [value, other] = [value, other].map(|si| self.convert(measure, si));
+        let mut printed = (1..=9).map(|decimals| [value, other].map(|number| format!("{number:.decimals$}")));
+        let [number, _] = printed.find(|[one, other]| one != other)?;
+        let unit = self.unit(measure);
+        Some(if unit.is_empty() { number } else { format!("{number} {unit}") })
     }
 
     /// Formats a value in SI with its unit.
@@ -195,6 +215,20 @@ pub fn trim(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn figures_that_differ_are_told_apart() {
+        for (measure, values, printed) in [
+            (Measure::Length, [0.370_1, 0.370_4], "0.3701 m after 0.3704 m"),
+            (Measure::Length, [0.370_4, 0.370_4], "0.37 m after 0.37 m"),
+            (Measure::Length, [0.37, 0.38], "0.37 m after 0.38 m"),
+            (Measure::Ratio, [0.123_456_71, 0.123_456_72], "0.12345671 after 0.12345672"),
+            (Measure::Time, [1e-20, 2e-20], "1.000e-20 s after 2.000e-20 s"),
+        ] {
+            let message = Message::new().figure(measure, values[0]).text(" after ").figure(measure, values[1]);
+            assert_eq!(Units::Si.sentence(&message), printed);
+        }
+    }
 
     #[test]
     fn six_digits() {
