@@ -181,7 +181,8 @@ impl Comparison {
 fn every_vehicle_has_crush(case: &Case) -> Result<(), Issues> {
     let parties = case.collision.parties();
     let lacking: Vec<usize> = (0..2).filter(|&i| parties[i].vehicle().is_some() && case.setup.crush[i].is_none()).collect();
-    let help = "CRASH3 adds the crush energies of both vehicles; give depths of 0 for a vehicle that was not crushed";
+    let help =
+        "CRASH3 adds the crush energies of both vehicles; for a vehicle that was not crushed give depths of 0 and a stiffness with d0 = 0";
     let issue = |i: usize| Issue::at("missing-key", format!("vehicle.{}.crush", i + 1), "missing").with_help(help);
     if lacking.is_empty() { Ok(()) } else { Err(case.unfit(lacking.into_iter().map(issue))) }
 }

@@ -60,7 +60,14 @@ impl Wrt {
         if self.asked == given || self.asked == Parameter::Input(self.input) {
             return Ok(given.to_string());
         }
-        let help = format!("differentiate by {given}, or give a collision that has {}", self.asked);
+        // A critical ratio is no input, nor is a moment that there is not.
+        let is_input = match self.input {
+            Input::ImpulseRatio => kind.impulse_ratio != ImpulseRatio::Critical,
+            Input::Moment => kind.moment != Moment::None,
+            _ => true,
+        };
+        let instead = if is_input { format!("differentiate by {given}, or ") } else { String::new() };
+        let help = format!("{instead}give a collision that has {}", self.asked);
         Err(Issues::of_call(vec![Issue::of_call("--wrt", format!("this collision has no {}", self.asked), Some(help))]))
     }
 }

@@ -293,7 +293,8 @@ fn of_further_vehicle(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) ->
         Some(sd) => message.text(", and its crush energy to ± ").figure(Measure::Energy, sd),
         None => message,
     };
-    Some(Notice::note("spread-between-vehicles", "vehicle", message.text("; `reconstruct` uses these")))
+    let few = class.is_too_small().map(|too_small| format!("; of {} vehicles they may be {too_small}", class.vehicles.len()));
+    Some(Notice::note("spread-between-vehicles", "vehicle", message.text("; `reconstruct` uses these").text(few.unwrap_or_default())))
 }
 
 /// Describes a fit to tests that contradict each other.

@@ -31,6 +31,9 @@ pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
         Some(ReportVerb::Crash3) => Some(report::ReportVerb::Crash3),
         Some(ReportVerb::Uncertainty) => Some(report::ReportVerb::Uncertainty),
         Some(_) if call.posterior && call.verb != Some(ReportVerb::Reconstruct) => return Err(report::posterior_of_nothing().into()),
+        Some(ReportVerb::Check | ReportVerb::Validate) if call.units.is_some() => {
+            return Err(Failure::of_options("--units has no effect: this report has the units of its files; leave it out"));
+        }
         Some(ReportVerb::Stiffness) => return of_stiffness(call),
         Some(ReportVerb::Check) => return of_check(call),
         Some(ReportVerb::Validate) => return of_validation(call),

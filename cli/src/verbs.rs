@@ -56,7 +56,9 @@ pub fn run(verb: Verb) -> Result<CommandOutput, Failure> {
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "planar-impact", &mut script);
-            Ok(CommandOutput::text(String::from_utf8_lossy(&script).into_owned()))
+            // The script for bash names the program in its labels otherwise than where it looks for them, because of the dash.
+            let script = String::from_utf8_lossy(&script).replace("planar__subcmd__impact", "planar__impact");
+            Ok(CommandOutput::text(script))
         }
         Verb::Man => {
             let mut manual = Vec::new();

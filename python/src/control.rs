@@ -100,8 +100,7 @@ impl Signals {
         Python::attach(|py| {
             let said = format!("stopped: {error}");
             if error.is_instance_of::<PyKeyboardInterrupt>(py) {
-                // Without it the text alone is left. Nothing of Python may run after it here: that would raise it too early.
-                let _ = py.import("_thread").and_then(|thread| thread.call_method0("interrupt_main"));
+                interrupt_again(py);
             }
             said
         })
@@ -111,6 +110,11 @@ impl Signals {
     pub fn stopped(&self) -> PyErr {
         self.error(Issues::interrupted().into())
     }
+}
+
+/// Raises Ctrl+C once Python runs on, where an error of Arrow has its text alone. Nothing of Python may run after it here: that would raise it too early.
+pub fn interrupt_again(py: Python<'_>) {
+    let _ = py.import("_thread").and_then(|thread| thread.call_method0("interrupt_main"));
 }
 
 impl Control for Signals {

@@ -17,7 +17,7 @@ use pyo3_arrow::input::AnyRecordBatch;
 use pyo3_arrow::{PyRecordBatchReader, PyTable};
 
 use crate::batch::{base, warn};
-use crate::control::Signals;
+use crate::control::{Signals, interrupt_again};
 use crate::error::{self, Failure};
 use crate::source::Source;
 
@@ -152,6 +152,14 @@ fn unread(error: impl Display) -> PyErr {
     error::of(Issues::of_call(vec![Issue::of_call("columns", format!("the table cannot be read: {error}"), None)]))
 }
 
+/// Returns the error of a source of record batches. One that Ctrl+C has ended within Python hands on the traceback, whose last line says so.
+fn of_source(error: ArrowError) -> ArrowError {
+    if error.to_string().trim_end().ends_with("KeyboardInterrupt") {
+        Python::attach(interrupt_again);
+    }
+    error
+}
+
 /// Cuts a record batch into parts for one thread each.
 fn split(batch: RecordBatch) -> impl Iterator<Item = RecordBatch> {
     let rows = batch.num_rows();
@@ -180,7 +188,7 @@ impl Iterator for Stream {
             while self.parts.len() < most && failed.is_none() {
                 match self.reader.next() {
                     Some(Ok(batch)) => self.parts.extend(split(batch)),
-                    Some(Err(error)) => failed = Some(error),
+                    Some(Err(error)) => failed = Some(of_source(error)),
                     None => break,
                 }
             }

@@ -328,3 +328,23 @@ def test_an_interrupt_stops_the_reading_of_a_whole_stream() -> None:
         time.sleep(5)
 
     assert interrupted(read) < 4
+
+
+def test_an_interrupt_within_a_source_is_one_of_the_reader() -> None:
+    pa = pytest.importorskip("pyarrow")
+    batch = pa.record_batch({"vehicle.1.speed": np.linspace(1, 30, 2000)})
+
+    def batches() -> Any:
+        yield batch
+        raise KeyboardInterrupt
+
+    stream = pa.RecordBatchReader.from_batches(batch.schema, batches())
+    answer = planar_impact.solve_batch(stream, case=planar_impact.template("barrier"))
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            with contextlib.suppress(ValueError, OSError):
+                answer.read_all()
+            time.sleep(1)
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -37,8 +37,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// A peak that is stored in steps is flat for some samples too. About such a peak the values fall by at most nine steps within as many samples on each
     /// side as the flat part has, if it is a parabola; a flat top falls by more than twelve on both. A stretch that lasts to the end of the record, such as
     /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from one
-    /// sample to the next, after three samples or more. Within a tenth of the whole range from zero or from the first sample lies the unloaded reading, which is
-    /// never a flat top.
+    /// sample to the next, after three samples or more; one of the last two changes is at least four fifths of it. Within a tenth of the whole range from zero
+    /// or from the first sample lies the unloaded reading, which is never a flat top.
     ///
     /// ```
     /// use planar_impact::barrier::Record;
@@ -75,8 +75,11 @@ impl<T: Ordered<Mask = bool>> Record<T> {
                 let at_once = fall(begin - 1);
                 let greatest = values.windows(2).map(|pair| (pair[1].clone() - pair[0].clone()).magnitude());
                 let greatest = greatest.reduce(|most, change| if most.less(&change) { change } else { most });
-                let is_abrupt = greatest.is_some_and(|greatest| (greatest * T::int(3)).less(&(at_once.clone() * T::int(5))));
-                begin >= FLAT && is_abrupt && !at_once.less(&(step.clone() * T::int(2)))
+                let is_abrupt = greatest.as_ref().is_some_and(|most| (most.clone() * T::int(3)).less(&(at_once.clone() * T::int(5))));
+                let before = if begin >= FLAT { fall(begin - 2) - at_once.clone() } else { T::int(0) };
+                let latest = if before.less(&at_once) { at_once.clone() } else { before };
+                let is_fast = greatest.is_some_and(|most| !(latest * T::int(5)).less(&(most * T::int(4))));
+                begin >= FLAT && is_abrupt && is_fast && !at_once.less(&(step.clone() * T::int(2)))
             } else {
                 let beside = [begin.saturating_sub(count), (end - 1 + count).min(values.len() - 1)];
                 beside.into_iter().all(|i| exceeds(fall(i), 12))
@@ -153,6 +156,9 @@ mod tests {
         // It slows down first, by less than the steps before, and holds for longer than it takes to fall again.
         assert_eq!(speeds(&[0.0, 10.0, 20.0, 30.0, 31.0, 36.0, 36.0, 36.0]).flat_top(), None);
         assert_eq!(speeds(&[0.0, 50.0, 100.0, 100.0, 100.0, 99.0, 98.0, 97.0, 60.0, 20.0, 0.0]).flat_top(), None);
+        // A half-sine of 90 ms in whole km/h, which ends in three steps at once.
+        let half_sine = [0.0, -1.0, -3.0, -6.0, -11.0, -15.0, -20.0, -24.0, -27.0, -30.0, -30.0, -30.0, -30.0, -30.0];
+        assert_eq!(speeds(&half_sine).flat_top(), None);
         // Slow in coarse steps, or too few samples to tell.
         assert_eq!(speeds(&[0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 4.0]).flat_top(), None);
         assert_eq!(speeds(&[0.0, 20.0, 20.0, 20.0]).flat_top(), None);

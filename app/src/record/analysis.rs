@@ -70,13 +70,16 @@ pub(super) fn analyse(recording: &Recording, proceed: &dyn Fn() -> Result<(), Is
 }
 
 impl Channel {
-    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme.
+    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it turns.
     pub(super) fn clipped(&self) -> Option<Clipped> {
         let (times, values) = (self.record.times(), self.record.values());
         let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));
         if let Some(first) = (0..values.len()).find(beyond) {
             let last = first + (first..values.len()).take_while(beyond).count() - 1;
             return Some(Clipped { value: values[first], from: times[first], to: times[last], samples: last + 1 - first });
+        }
+        if self.quantity == ChannelQuantity::Distance {
+            return None;
         }
         let top = self.record.flat_top()?;
         Some(Clipped { value: top.value, from: top.from, to: top.to, samples: top.samples })
@@ -184,6 +187,12 @@ fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
     let is_spread = channel.record.baseline(before).is_ok_and(|baseline| baseline.variance >= of_noise + of_sample);
     let duration = over.to - over.from;
     if is_spread { 0.0 } else { of_sample * duration * duration }
+}
+
+/// Returns `true` if two estimates of a speed differ by more than three standard deviations and a twentieth.
+fn is_apart(one: Estimate, other: Estimate) -> bool {
+    let apart = (one.value - other.value).abs();
+    apart > 3.0 * (one.variance + other.variance).sqrt() && apart > 0.05 * other.value.abs()
 }
 
 /// Returns a note of a baseline that tells the noise badly.
@@ -442,8 +451,8 @@ impl Analysis<'_> {
             let (what, help) = match pulse.integral.value < 0.0 {
                 true => (
                     ": the barrier would pull",
-                    "forces on the vehicle away from the barrier are positive; write `polarity = -1` under each [[channel]] whose sign is reversed, or end the \
-                     baseline before the contact",
+                    "forces on the vehicle away from the barrier are positive; add or remove `polarity = -1` under each [[channel]] whose sign is reversed, or end \
+                     the baseline before the contact",
                 ),
                 false => (": there is no impact", "check the column, and the times of the window and of the baseline"),
             };
@@ -532,22 +541,39 @@ impl Analysis<'_> {
         let (first, last) = (times[0], times[times.len() - 1]);
         let contact = settings.window.map_or(first.max(0.0), |window| window.from);
         let separation = settings.separation.or(settings.window.map(|window| window.to)).unwrap_or(last);
-        let closing = match settings.speed {
-            Some(speed) => speed,
-            None => {
-                // The frames before the contact alone: a local line must not reach into it.
-                let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
-                let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
-                let slope = before.and_then(|before| smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
-                let Ok(slope) = slope else {
-                    let message = format!("{count} frames up to the contact are too few for a closing speed");
-                    let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
-                    self.issues.push(Issue::at("no-closing-speed", channel.path.clone(), message).with_help(help));
-                    return None;
-                };
-                Estimate { value: -slope.value, ..slope }
-            }
+        if separation <= contact {
+            let message = Message::from("it is ")
+                .figure(Measure::Time, separation)
+                .text(", and the contact begins at ")
+                .figure(Measure::Time, contact);
+            self.issues
+                .push(Issue::at("out-of-order", "separation", message).with_help("give the time at which the vehicle leaves the barrier"));
+            return None;
+        }
+        // The frames before the contact alone: a local line must not reach into it.
+        let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
+        let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
+        let slope = before.and_then(|before| smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
+        let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, ..slope });
+        let Some(closing) = settings.speed.or(of_film) else {
+            let message = format!("{count} frames up to the contact are too few for a closing speed");
+            let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
+            self.issues.push(Issue::at("no-closing-speed", channel.path.clone(), message).with_help(help));
+            return None;
         };
+        if let Some(filmed) = of_film.filter(|filmed| filmed.value <= 0.0) {
+            let message = Message::from("before the contact it grows by ").figure(Measure::Speed, -filmed.value);
+            let help = "a distance from the barrier falls before the contact: add or remove `polarity = -1`, or correct the window";
+            self.issues.push(Issue::at("separating", channel.path.clone(), message).with_help(help));
+            return None;
+        }
+        if let Some(filmed) = of_film.filter(|filmed| is_apart(*filmed, closing)) {
+            let message = Message::from(format!("before the contact {} falls by ", channel.name))
+                .figure(Measure::Speed, filmed.value)
+                .text(", and `speed` is ")
+                .figure(Measure::Speed, closing.value);
+            self.notices.push(Notice::warning("speed-contradicts-film", "speed", message));
+        }
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
         let restitution = match smooth(record).and_then(|smoothed| restitution_from_smoothed(&smoothed, separation, closing)) {
             Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {

@@ -96,6 +96,8 @@ pub struct AtImpact {
 struct Noise {
     step: Option<f64>,
     relative: f64,
+    /// By which readings scatter, beyond their steps.
+    scatter: f64,
 }
 
 impl Noise {
@@ -113,11 +115,12 @@ impl Noise {
             };
             notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
         }
-        Noise { step: given.or(found), relative: recording.settings.relative }
+        Noise { step: given.or(found), relative: recording.settings.relative, scatter: 0.0 }
     }
 
+    /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
     fn sd(self, value: f64) -> Option<f64> {
-        self.step.map(|step| libm::hypot(step / 12.0_f64.sqrt(), self.relative * value))
+        self.step.map(|step| libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter))
     }
 
     fn with(self, value: f64) -> Uncertain {
@@ -136,8 +139,17 @@ struct Component<'a> {
 impl<'a> Component<'a> {
     fn of(channel: &'a Channel, noise: Noise) -> Component<'a> {
         let sign = if channel.quantity == ChannelQuantity::DeltaVRight { -1.0 } else { 1.0 };
-        let values = channel.record.values().iter().map(|value| sign * value).collect();
+        let values: Vec<f64> = channel.record.values().iter().map(|value| sign * value).collect();
+        let noise = Noise { scatter: scatter(&values, noise.step.unwrap_or(0.0)), ..noise };
         Component { channel, times: channel.record.times(), values, noise }
+    }
+
+    /// Notes that the readings scatter.
+    fn of_scatter(&self) -> Option<Notice> {
+        let message = Message::from(format!("{} scatters by ", self.channel.name))
+            .figure(Measure::Speed, self.noise.scatter)
+            .text(": the greatest of such readings is too great; its standard deviation includes twice the scatter");
+        (self.noise.scatter > 0.0).then(|| Notice::note("readings-scatter", self.channel.path.clone(), message))
     }
 
     /// Returns where the velocity changes as fast as a sensor of some range can tell, to within the resolution of the record; `None` if that is nowhere, or if
@@ -160,6 +172,26 @@ impl<'a> Component<'a> {
         let at = greatest(self.values.iter().map(|value| value.abs()));
         AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
     }
+}
+
+/// Returns the standard deviation by which readings scatter from the greatest on, where a velocity change is almost constant, by their second differences; zero if
+/// their steps explain it, or if they are few.
+fn scatter(values: &[f64], step: f64) -> f64 {
+    /// Fewest readings that tell.
+    const FEW: usize = 8;
+    let after = &values[greatest(values.iter().map(|value| value.abs()))..];
+    if after.len() < FEW {
+        return 0.0;
+    }
+    let squares: f64 = after
+        .windows(3)
+        .map(|three| {
+            let bend = three[0] - 2.0 * three[1] + three[2];
+            bend * bend
+        })
+        .sum();
+    let (variance, of_steps) = (squares / (6.0 * (after.len() - 2) as f64), step * step / 12.0);
+    if variance > 2.0 * of_steps { (variance - of_steps).sqrt() } else { 0.0 }
 }
 
 /// Returns the index of the greatest of some magnitudes, the first of several.
@@ -189,6 +221,7 @@ impl Recorder {
         let [forward, left] = [forward, left].map(|channel| channel.map(|channel| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
+        notices.extend(components().filter_map(Component::of_scatter));
         let pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
         let speed_at_impact = speed.and_then(|speed| {
             let noise = Noise::of(recording, &[speed], notices);

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::model_name;
 use crate::named::positive_zero;
+use crate::wording::too_small;
 
 /// The stiffness of a class: its mean over the vehicles, and how much they differ.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -75,6 +76,11 @@ impl Pooled {
         };
         let vehicles = own.iter().zip(&d0).zip(&d1).map(vehicle).collect();
         Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)? })
+    }
+
+    /// Returns by how much the standard deviations between so few vehicles may be too small, if that matters.
+    pub(crate) fn is_too_small(&self) -> Option<String> {
+        too_small(self.vehicles.len() - 1)
     }
 
     /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.

@@ -192,11 +192,11 @@ impl TestFile {
         self.vehicles.iter().enumerate().filter_map(suspect).collect()
     }
 
-    /// Returns the stiffness of the class if each vehicle has one of its own without a negative coefficient: by a held or assumed onset, or by tests to different
-    /// depths.
+    /// Returns the stiffness of the class if two or more vehicles have one of their own: by a held or assumed onset, or by tests to different depths. A negative
+    /// coefficient of one of them is an estimate like the others: without it the spread would be too small.
     pub(crate) fn class(&self, model: CrushModel) -> Option<Pooled> {
-        let fits: Option<Vec<OwnFit>> = self.vehicles.iter().map(|tested| self.own(tested, model)).collect();
-        Pooled::of(model, &fits?)
+        let fits: Vec<OwnFit> = self.vehicles.iter().filter_map(|tested| self.own(tested, model)).collect();
+        Pooled::of(model, &fits)
     }
 
     /// Returns the stiffness of the class on mean depths and on profiles.
@@ -220,7 +220,7 @@ impl TestFile {
             Some(speed) if self.holds_onset || tested.tests.len() < 2 => held(speed),
             _ => free(),
         };
-        let fit = self.with_scatter(fit.filter(|fit| !fit.findings().iter().any(is_negative))?);
+        let fit = self.with_scatter(fit?);
         Some(OwnFit { name: tested.name.clone(), is_uncertain: self.is_uncertain(&fit), fit })
     }
 }

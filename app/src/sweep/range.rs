@@ -122,8 +122,14 @@ fn some_without_unit<'a>(name: &str, parts: impl Iterator<Item = (&'a Quantity, 
     let has_unit = |quantity: &Quantity| !quantity.bare && !quantity.unit.is_empty();
     let unit = &parts.iter().find(|(quantity, _)| has_unit(quantity))?.0.unit;
     let (_, without) = parts.iter().find(|(quantity, _)| !has_unit(quantity) && quantity.value != 0.0)?;
-    let whole = parts.iter().map(|(quantity, text)| if has_unit(quantity) { (*text).to_owned() } else { format!("{text} {unit}") });
-    let help = format!("write the unit of each: {name}={}", whole.collect::<Vec<_>>().join(":"));
+    let mut whole: Vec<String> =
+        parts.iter().map(|(quantity, text)| if has_unit(quantity) { (*text).to_owned() } else { format!("{text} {unit}") }).collect();
+    if let [(from, _), (to, _), (step, _)] = parts[..]
+        && (to.value - from.value) * step.value < 0.0
+    {
+        whole[2] = whole[2].strip_prefix('-').map_or_else(|| format!("-{}", whole[2]), str::to_owned);
+    }
+    let help = format!("write the unit of each: {name}={}", whole.join(":"));
     Some((format!("{} has no unit, and others of FROM:TO:STEP have one", excerpt(without)), Some(help)))
 }
 
@@ -229,6 +235,7 @@ mod tests {
             ("k1=1 m:2 m:1 m", "the case gives `yaw_inertia` instead"),
             ("vehicle.1.crush.d0=1:2:1", "the vehicle has no crush in this case"),
             ("v1=0:20:5 mph", "`20` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=0 mph:20 mph:5 mph"),
+            ("v1=40:20 mph:5 mph", "`40` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=40 mph:20 mph:-5 mph"),
             ("v1=10 mph:20 mph:5", "`5` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=10 mph:20 mph:5 mph"),
             ("e=0:30 %:5", "write the unit of each: e=0 %:30 %:5 %"),
             ("e=0:nan:0.1", "not a finite number"),

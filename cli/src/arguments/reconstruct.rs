@@ -23,7 +23,7 @@ pub struct Reconstruct {
     /// Seed of the random starts and of the draws. The same seed gives the same answer.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// Level of confidence of the intervals, between 0 and 1.
+    /// Level of confidence of the intervals, from 0.5 to 0.9999.
     #[arg(long, default_value_t = 0.95, value_parser = level)]
     pub level: f64,
     /// Add the profile of the likelihood: how far chi-square rises as each quantity leaves its best value.

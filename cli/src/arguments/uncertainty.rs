@@ -33,7 +33,7 @@ pub struct Uncertainty {
     /// Print the probability of a statement, such as "dV1 > 18 mph"; may be repeated. An angle counts from -180 to 180 deg.
     #[arg(long, value_name = "NAME > VALUE")]
     pub probability: Vec<String>,
-    /// Level of the middle range, between 0 and 1. Default: 0.95.
+    /// Level of the middle range, from 0.5 to 0.9999. Default: 0.95.
     #[arg(long, value_parser = level)]
     pub level: Option<f64>,
     /// Standard deviations at which `bounds` ends an input without limits.

@@ -100,6 +100,18 @@ fn every_shell_has_completions() {
     }
 }
 
+/// The script for bash goes by the words before the cursor to a label, which it must have.
+#[test]
+fn bash_completes_the_options_of_each_verb() {
+    let script = help(&["completions", "bash"]);
+    let labels: Vec<&str> = script.lines().filter_map(|line| line.trim().strip_suffix(')')).collect();
+    let wanted: Vec<&str> = script.lines().filter_map(|line| line.trim().strip_prefix("cmd=\"")?.strip_suffix('"')).collect();
+    assert!(wanted.len() > 20, "{wanted:?}");
+    for label in wanted.iter().filter(|label| !label.is_empty()) {
+        assert!(labels.contains(label), "{label}");
+    }
+}
+
 #[test]
 fn the_manual_page_has_every_verb_and_flag() {
     let page = help(&["man"]);

@@ -471,6 +471,56 @@ fn no_velocity_change_has_a_standard_deviation_and_no_direction() {
     close(&maximum["left"]["sd"], sd, 1e-9);
 }
 
+/// Readings that scatter have a greatest one that is too great, by about twice the scatter, which their standard deviation includes.
+#[test]
+fn readings_that_scatter_are_less_certain() {
+    let of = |scatter: f64| {
+        let mut text = "time [ms],delta_v_forward [km/h]\n".to_owned();
+        for i in 0..40 {
+            let zigzag = if i % 2 == 0 { scatter } else { -scatter };
+            let value = if i < 10 { -3.0 * f64::from(i) } else { -30.0 + zigzag };
+            writeln!(text, "{},{value}", 10 * i).expect("a string takes everything");
+        }
+        record_of(&text, Some("resolution = \"1 km/h\"\n"))
+    };
+    let (still, run) = of(0.0);
+    let step = 1.0 / 3.6 / 12_f64.sqrt();
+    close(&still["recorder"]["delta_v_forward"]["sd"], step, 1e-9);
+    assert!(!run.out.contains("readings-scatter"), "{}", run.out);
+    // In turn ± 2 km/h: second differences of 8 km/h, of which the variance of a reading is 64/6.
+    let (noisy, run) = of(2.0);
+    let scatter = (64.0 / 6.0 / 3.6 / 3.6 - step * step).sqrt();
+    close(&noisy["recorder"]["delta_v_forward"]["value"], -32.0 / 3.6, 1e-9);
+    close(&noisy["recorder"]["delta_v_forward"]["sd"], step.hypot(2.0 * scatter), 1e-9);
+    assert!(run.out.contains("readings-scatter"), "{}", run.out);
+}
+
+/// A film that shows another speed than the file gives, one that goes the other way, and a separation before the contact.
+#[test]
+fn a_film_that_contradicts_its_file_is_told() {
+    let film = csv(
+        "distance [m]",
+        &[&|ms| {
+            if ms < 0.0 {
+                -0.01 * ms
+            } else if ms < 100.0 {
+                0.0
+            } else {
+                0.001 * (ms - 100.0)
+            }
+        }],
+    );
+    let of = |settings: &str| record_of(&film, Some(settings)).1;
+    for (speed, is_told) in [("10 m/s ± 0.1 m/s", false), ("12 m/s ± 0.1 m/s", true)] {
+        let run = of(&format!("speed = \"{speed}\"\n"));
+        assert_eq!(run.out.contains("speed-contradicts-film"), is_told, "{}{}", run.out, run.err);
+    }
+    let run = of("separation = \"-5 ms\"\n");
+    assert!(run.status == 2 && run.err.contains("separation") && run.err.contains("leaves the barrier"), "{}", run.err);
+    let run = of("[[channel]]\ncolumn = \"distance\"\nquantity = \"distance\"\npolarity = -1\n");
+    assert!(run.status != 0 && run.err.contains("grows by") && run.err.contains("add or remove `polarity = -1`"), "{}", run.err);
+}
+
 /// Of several files each note says of which it is; of one alone none does. What stands on standard input is a table or a document by its first line that is no
 /// comment.
 #[test]

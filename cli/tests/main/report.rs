@@ -185,6 +185,14 @@ fn the_posterior_is_refused_where_nothing_is_reconstructed() {
 }
 
 #[test]
+fn units_are_refused_where_a_report_has_its_own() {
+    for call in [&["report", "--verb", "validate", "--units", "si"][..], &["report", "x.json", "--verb", "check", "--units", "us"]] {
+        let run = run(&workspace(), call);
+        assert!(run.status == 2 && run.out.is_empty() && run.err.contains("--units has no effect"), "{}", run.err);
+    }
+}
+
+#[test]
 fn a_file_appears_only_when_it_is_whole() {
     let folder = tempfile::tempdir().expect("a folder");
     let (file, case) = (folder.path().join("report.html"), workspace().join("cli/examples/position-a.toml"));

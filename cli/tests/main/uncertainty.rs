@@ -581,3 +581,14 @@ fn a_probability_of_a_direction_is_that_of_the_printed_angle() {
         assert!((of(statements[0]) - 0.4).abs() < 0.02 && (of(statements[2]) - 0.4).abs() < 0.02, "{heading}: {answer}");
     }
 }
+
+/// Where physics refuses the nominal inputs the headline has no value of an output, and the range of the samples that it accepts.
+#[test]
+fn a_refused_nominal_has_no_value_in_the_headline() {
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nspeed = 10\nimpact_center = [1.9, 0.2]\n[[vehicle]]\nmass = 1200\n\
+                yaw_inertia = 1900\nheading = \"90 deg\"\nspeed = 10\nimpact_center = [0, 0.9]\n[contact]\ncrush_plane = \"10 deg\"\nrestitution = 0.1\n\
+                impulse_ratio = \"0.01 ± 0.1\"\n";
+    let run = run_with_input(&["uncertainty", "-", "--samples", "2000", "--of", "dV1"], case);
+    assert_eq!(run.status, 0, "{}", run.err);
+    assert!(run.out.contains("delta_v_magnitude: none at the nominal inputs, 95 % from") && !run.out.contains("NaN"), "{}", run.out);
+}

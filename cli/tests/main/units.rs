@@ -162,3 +162,13 @@ fn uk_is_for_every_verb_and_never_for_json() {
     };
     assert!(!page.lines().any(is_row_of), "no second row of speeds: {page}");
 }
+
+/// The longest sentence of a solution, of a law whose critical ratio is another one, fits a terminal.
+#[test]
+fn a_ratio_and_its_critical_one_fit_a_line_each() {
+    let case = std::fs::read_to_string(workspace().join("cli/examples/sideswipe.toml")).expect("an example");
+    let case = case.replace("[contact]", "[contact]\ntangential_law = \"kudlich-slibar\"");
+    let run = run_with_input(&["solve", "-"], &case);
+    assert!(run.status == 0 && run.out.contains("critical mu0 by Brach's law"), "{}", run.err);
+    assert!(run.out.lines().all(|line| line.chars().count() <= 80), "{}", run.out);
+}

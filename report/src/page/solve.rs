@@ -165,12 +165,12 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
         ))];
     }
     let plane = units.quantity(Measure::Angle, contact.crush_plane);
-    let coefficients = format!(
-        "Crush plane Gamma = {plane}, restitution e = {}, law of {law}.\nImpulse ratio mu = {} ({kind}), {critical} = {}.",
-        ratio(contact.restitution),
-        ratio(contact.impulse_ratio),
-        ratio(contact.critical_impulse_ratio),
-    );
+    let of_impulse = format!("Impulse ratio mu = {} ({kind}),", ratio(contact.impulse_ratio));
+    let critical = format!("{critical} = {}.", ratio(contact.critical_impulse_ratio));
+    let between = if of_impulse.len() + critical.len() < 80 { " " } else { "\n" };
+    let restitution = ratio(contact.restitution);
+    let coefficients =
+        format!("Crush plane Gamma = {plane}, restitution e = {restitution}, law of {law}.\n{of_impulse}{between}{critical}");
     let bounds = contact.no_energy_gain.as_ref().map(|bounds| energy_bounds(bounds, &ratio));
     vec![Block::Verbatim(coefficients + &bounds.unwrap_or_default())]
 }

@@ -18,7 +18,8 @@ impl Facts for Uncertainty {
         let of = |(output, (name, found)): (&CaseOutput, (&str, &OutputUncertainty))| {
             let measure = output.measure();
             let measure = units.on_the_road(measure).unwrap_or(measure);
-            let value = units.quantity(measure, found.value);
+            let value =
+                if found.value.is_finite() { units.quantity(measure, found.value) } else { "none at the nominal inputs".to_owned() };
             let quantiles = found.monte_carlo.as_ref().map(|samples| &samples.quantiles);
             let [low, high] = ends(self.level);
             let range = quantiles.and_then(|quantiles| Some((*quantiles.get(&low.to_string())?, *quantiles.get(&high.to_string())?)));

@@ -14,7 +14,7 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::Source;
-use crate::stiffness::{TestFile, is_negative, message};
+use crate::stiffness::{Pooled, TestFile, is_negative, message};
 use crate::units::{Measure, Units};
 use crate::wording::{degrees_of_freedom, too_small};
 
@@ -24,8 +24,10 @@ pub(super) struct FittedToTests {
     model: CrushModel,
     fit: StiffnessFit,
     is_uncertain: bool,
-    /// Number of vehicles of a class, whose spread is in the covariance; one otherwise.
+    /// The number of vehicles of the file.
     vehicles: usize,
+    /// Their class, whose spread is in the covariance.
+    class: Option<Pooled>,
     /// d0 and d1 of each crush or zone with this stiffness, and the path of its key.
     of: Vec<([Parameter; 2], String)>,
 }
@@ -122,12 +124,10 @@ impl FittedToTests {
         let mut file = TestFile::read(tests.clone(), reader)?;
         let fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
-        let (fit, vehicles) = match file.class(model) {
-            Some(class) => (class.further_vehicle(fit), class.vehicles.len()),
-            None => (fit, 1),
-        };
+        let (vehicles, class) = (file.vehicles.len(), file.class(model));
+        let fit = class.as_ref().map_or_else(|| fit.clone(), |class| class.further_vehicle(fit.clone()));
         let notices = std::mem::take(&mut file.notices);
-        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, of: Vec::new() }, notices))
+        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, of: Vec::new() }, notices))
     }
 
     /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes is one number.
@@ -163,10 +163,22 @@ impl FittedToTests {
         let message = number(Message::from(format!("{key}: d0 = ")), Measure::RootForce, onset.value, onset.deviation());
         let message = number(message.text(", d1 = "), Measure::RootForcePerLength, slope.value, slope.deviation());
         let count = self.fit.residuals.len();
-        if self.vehicles > 1 {
-            let vehicles = self.vehicles;
-            let message = message.text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between them"));
+        let vehicles = self.vehicles;
+        if let Some(class) = &self.class {
+            let those = if class.vehicles.len() < vehicles {
+                format!("the {} with a line of their own", class.vehicles.len())
+            } else {
+                "them".to_owned()
+            };
+            let few = class.is_too_small().map(|too_small| format!(": of so few vehicles it may be {too_small}")).unwrap_or_default();
+            let message = message.text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between {those}{few}"));
             Notice::note("stiffness-from-tests", key, message)
+        } else if vehicles > 1 {
+            let message = message.text(format!(
+                ", fitted to {count} tests of {vehicles} vehicles, without the spread between them, which takes two with tests to different depths or an onset: it \
+                 is less certain"
+            ));
+            Notice::warning("stiffness-from-tests", key, message)
         } else if self.fit.is_poor() {
             let (chi_square, freedom) = (self.fit.chi_square, degrees_of_freedom(self.fit.degrees_of_freedom));
             let message = message.text(format!(

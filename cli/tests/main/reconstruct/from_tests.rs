@@ -199,15 +199,22 @@ fn a_zone_may_be_fitted_too() {
 
 /// Two tests each of vehicles whose stiffness differs by much more than their tests are uncertain.
 fn of_a_class() -> String {
+    of_vehicles(&[("A", [Some(0.16), Some(0.42)]), ("B", [Some(0.22), Some(0.60)])])
+}
+
+/// The same of these vehicles, by the depths after 7 m/s and after 15 m/s.
+fn of_vehicles(vehicles: &[(&str, [Option<f64>; 2])]) -> String {
     let test = |speed: u8, depth: f64| {
         format!(
             "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0.1\nwidth = 1.5\ndepths = [{depth}, {depth}]\nscatter = \"4 N^0.5\"\n"
         )
     };
-    let vehicle =
-        |name: &str, shallow, deep| format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{}{}", test(7, shallow), test(15, deep));
+    let vehicle = |(name, depths): &(&str, [Option<f64>; 2])| {
+        let tests: String = [7, 15].into_iter().zip(depths).filter_map(|(speed, depth)| Some(test(speed, (*depth)?))).collect();
+        format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{tests}")
+    };
     let further = "[fit]\ndepth = \"0.3 m\"\nwidth = \"1.5 m\"";
-    format!("schema = 1\n{}{}{further}", vehicle("A", 0.16, 0.42), vehicle("B", 0.22, 0.60))
+    format!("schema = 1\n{}{further}", vehicles.iter().map(vehicle).collect::<String>())
 }
 
 /// The vehicle of the case is another one of the class: the spread between those that were tested adds to the covariance of the line through all tests.
@@ -243,6 +250,26 @@ fn the_spread_of_a_class_is_in_the_deviation() {
     let wanted = (terms[0] * terms[0] + terms[1] * terms[1] + 2.0 * covariance).sqrt();
     assert!((sd / wanted - 1.0).abs() < 1e-6, "{sd} {wanted}");
     assert!(document["messages"].to_string().contains("4 tests of 2 vehicles, with the spread between them"), "{}", document["messages"]);
+}
+
+/// The spread between vehicles is in the deviation whatever the line of one of them alone is, and where few or none of them has one, that is said.
+#[test]
+fn a_vehicle_without_a_stiffness_of_its_own_does_not_hide_the_spread() {
+    let of = |vehicles: &[(&str, [Option<f64>; 2])]| {
+        let document =
+            json(&beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", &of_vehicles(vehicles))], &RECONSTRUCT));
+        (number(&document["evidence"]["crush_energy"]["sd"]), document["messages"].to_string())
+    };
+    let both = |shallow, deep| [Some(shallow), Some(deep)];
+    let (sound, few) = of(&[("A", both(0.16, 0.42)), ("B", both(0.22, 0.60)), ("C", both(0.19, 0.50))]);
+    assert!(few.contains("of 3 vehicles, with the spread between them: of so few vehicles it may be many times too small"), "{few}");
+    // The line of C alone begins below zero: 7 m/s leave more than 7/15 of the depth that 15 m/s leave.
+    let (negative, told) = of(&[("A", both(0.16, 0.42)), ("B", both(0.22, 0.60)), ("C", both(0.28, 0.50))]);
+    assert!(negative > 0.5 * sound && told.contains("of 3 vehicles, with the spread between them"), "{negative} {sound} {told}");
+    let (alone, told) = of(&[("A", both(0.16, 0.42)), ("B", both(0.22, 0.60)), ("C", [None, Some(0.50)])]);
+    assert!(alone > 0.5 * sound && told.contains("with the spread between the 2 with a line of their own"), "{alone} {sound} {told}");
+    let (_, none) = of(&[("A", [None, Some(0.42)]), ("B", [None, Some(0.60)]), ("C", [Some(0.20), None])]);
+    assert!(none.contains("without the spread between them") && none.contains("\"warning\""), "{none}");
 }
 
 /// Three tests leave one degree of freedom, of which a scatter has no standard deviation.
