@@ -1,6 +1,7 @@
 //! The verb `record`: impulse, velocity change and restitution from recorded channels, and what an event data recorder kept.
 
 mod analysis;
+mod film;
 mod kinematics;
 mod recorder;
 mod recording;

@@ -1,14 +1,11 @@
 //! From the channels of a recording to impulse, velocity change and restitution.
 
-use planar_impact::barrier::{
-    ChannelClass, Clock, Estimate, Lowess, Record, TestIssue, TestIssues, Window, bank, impulse_ratio, restitution_from_smoothed,
-};
+use planar_impact::barrier::{ChannelClass, Clock, Estimate, Record, TestIssue, TestIssues, Window, bank, impulse_ratio};
 use planar_impact::{InputIssue, InputIssueKind, Issue as _, Nt};
 
 use super::recording::{Channel, Filter};
 use super::{
-    Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Clipped, Film, Kinematics, Peak, RecordAnswer, Recorder, Recording, Trace,
-    Uncertain,
+    Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Clipped, Kinematics, Peak, RecordAnswer, Recorder, Recording, Trace, Uncertain,
 };
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
@@ -16,12 +13,8 @@ use crate::notice::Notice;
 use crate::units::Measure;
 use crate::wording::too_small;
 
-/// Samples in a local line of a film, unless the file says otherwise.
-const NEIGHBORS: usize = 9;
 /// Rounding of times, as a share of the length of a record.
 pub(super) const ROUNDING: f64 = 1e-9;
-/// Maximum number of frames of a film: smoothing takes time that grows with the square.
-const MOST_FRAMES: usize = 5000;
 
 /// The end of an event that a record lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,11 +24,11 @@ pub(super) enum Cut {
 }
 
 /// What an analysis collects.
-struct Analysis<'a> {
-    of: &'a Recording,
-    issues: Vec<Issue>,
-    notices: Vec<Notice>,
-    traces: Vec<Trace>,
+pub(super) struct Analysis<'a> {
+    pub(super) of: &'a Recording,
+    pub(super) issues: Vec<Issue>,
+    pub(super) notices: Vec<Notice>,
+    pub(super) traces: Vec<Trace>,
 }
 
 /// A pulse, integrated over the contact.
@@ -86,7 +79,7 @@ impl Channel {
     }
 
     /// Returns the step in which the channel was read: at least one unit of the last decimal that is printed, or what all samples lie whole multiples of apart.
-    fn step(&self) -> f64 {
+    pub(super) fn step(&self) -> f64 {
         let of_digits = self.digit * common_digits(&self.record, self.digit);
         step_of(&self.record).map_or(of_digits, |step| step.max(of_digits))
     }
@@ -189,12 +182,6 @@ fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
-/// Returns `true` if two estimates of a speed differ by more than three standard deviations and a twentieth.
-fn is_apart(one: Estimate, other: Estimate) -> bool {
-    let apart = (one.value - other.value).abs();
-    apart > 3.0 * (one.variance + other.variance).sqrt() && apart > 0.05 * other.value.abs()
-}
-
 /// Returns a note of a baseline that tells the noise badly.
 fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
     let (count, independent) = (record.indices_in(before).count(), record.independent_samples(before).ok()?.round());
@@ -269,7 +256,7 @@ impl Analysis<'_> {
         }
     }
 
-    fn report<T>(&mut self, path: &str, result: Result<T, TestIssues>) -> Option<T> {
+    pub(super) fn report<T>(&mut self, path: &str, result: Result<T, TestIssues>) -> Option<T> {
         self.report_of("", path, result)
     }
 
@@ -497,12 +484,12 @@ impl Analysis<'_> {
         Some(restitution)
     }
 
-    fn overflows(&mut self, source: &str) {
+    pub(super) fn overflows(&mut self, source: &str) {
         let message = format!("the restitution by {source} overflows: the speed is next to zero");
         self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
     }
 
-    fn plausible(&mut self, source: &str, restitution: &Uncertain) {
+    pub(super) fn plausible(&mut self, source: &str, restitution: &Uncertain) {
         /// Standard deviations by which one between 0 and 1 may seem to lie outside.
         const MOST: f64 = 2.0;
         let outside = (-restitution.value).max(restitution.value - 1.0);
@@ -522,69 +509,6 @@ impl Analysis<'_> {
         });
         let restitution = self.restitution(&channel.name, integral, is_known);
         Some(Accelerated { channel: channel.name.clone(), delta_v: Uncertain::of(integral, is_known), impulse, peak, restitution })
-    }
-
-    fn film(&mut self, channel: &Channel) -> Option<Film> {
-        let (record, settings) = (&channel.record, &self.of.settings);
-        self.traces.push(plain(channel));
-        if record.len() > MOST_FRAMES {
-            let message = format!("it has {} frames; at most {MOST_FRAMES} are accepted", record.len());
-            self.issues
-                .push(Issue::at("too-many", channel.path.clone(), message).with_help("leave out frames before and after the contact"));
-            return None;
-        }
-        let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };
-        // Uniform motion in whole steps leaves no scatter, however coarse they are.
-        let step = channel.step();
-        let smooth = |record: &Record| lowess.smooth(record).map(|smoothed| smoothed.with_noise_of_at_least(step * step / 12.0));
-        let times = record.times();
-        let (first, last) = (times[0], times[times.len() - 1]);
-        let contact = settings.window.map_or(first.max(0.0), |window| window.from);
-        let separation = settings.separation.or(settings.window.map(|window| window.to)).unwrap_or(last);
-        if separation <= contact {
-            let message = Message::from("it is ")
-                .figure(Measure::Time, separation)
-                .text(", and the contact begins at ")
-                .figure(Measure::Time, contact);
-            self.issues
-                .push(Issue::at("out-of-order", "separation", message).with_help("give the time at which the vehicle leaves the barrier"));
-            return None;
-        }
-        // The frames before the contact alone: a local line must not reach into it.
-        let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
-        let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
-        let slope = before.and_then(|before| smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
-        let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, ..slope });
-        let Some(closing) = settings.speed.or(of_film) else {
-            let message = format!("{count} frames up to the contact are too few for a closing speed");
-            let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
-            self.issues.push(Issue::at("no-closing-speed", channel.path.clone(), message).with_help(help));
-            return None;
-        };
-        if let Some(filmed) = of_film.filter(|filmed| filmed.value <= 0.0) {
-            let message = Message::from("before the contact it grows by ").figure(Measure::Speed, -filmed.value);
-            let help = "a distance from the barrier falls before the contact: add or remove `polarity = -1`, or correct the window";
-            self.issues.push(Issue::at("separating", channel.path.clone(), message).with_help(help));
-            return None;
-        }
-        if let Some(filmed) = of_film.filter(|filmed| is_apart(*filmed, closing)) {
-            let message = Message::from(format!("before the contact {} falls by ", channel.name))
-                .figure(Measure::Speed, filmed.value)
-                .text(", and `speed` is ")
-                .figure(Measure::Speed, closing.value);
-            self.notices.push(Notice::warning("speed-contradicts-film", "speed", message));
-        }
-        let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
-        let restitution = match smooth(record).and_then(|smoothed| restitution_from_smoothed(&smoothed, separation, closing)) {
-            Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {
-                self.overflows(&channel.name);
-                return None;
-            }
-            other => self.report(path, other)?,
-        };
-        let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
-        self.plausible(&channel.name, &restitution);
-        Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
     }
 
     /// Returns the restitution of the measured kinematics.
@@ -611,7 +535,7 @@ impl Analysis<'_> {
     }
 }
 
-fn plain(channel: &Channel) -> Trace {
+pub(super) fn plain(channel: &Channel) -> Trace {
     let (name, quantity, filter) = (channel.name.clone(), channel.quantity, None);
     Trace { name, quantity, filter, times: channel.record.times(), values: channel.record.values().to_vec(), unfiltered: None }
 }

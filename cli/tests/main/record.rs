@@ -283,6 +283,28 @@ fn an_acceleration_and_a_film_agree_with_the_forces() {
     close(&measured["sd"], sd.hypot(0.1 * restitution), 1e-3);
 }
 
+/// The point moves uniformly before and after a contact of 100 ms, so that lines which do not reach into it are exact, however few frames there are; where the
+/// separation is between two frames, the earlier one belongs to them.
+#[test]
+fn the_line_of_a_film_at_the_separation_does_not_reach_into_the_contact() {
+    for (step, separation, within) in [(4, "100 ms", 1e-9), (10, "100 ms", 1e-9), (8, "100 ms", 2e-4)] {
+        let mut text = "time [ms],distance [m]\n".to_owned();
+        for i in -12..45 {
+            let (ms, t) = (step * i, f64::from(step * i) * 1e-3);
+            let contact = t.clamp(0.0, 0.1);
+            // The velocity goes from −10 to 1.2 m/s by a half-sine of force.
+            let pushed = 11.2 / 2.0 * (contact - 0.1 / PI * (PI * contact / 0.1).sin()) + 11.2 * (t - 0.1).max(0.0);
+            writeln!(text, "{ms},{}", 2.0 - 10.0 * t + pushed).expect("a string takes everything");
+        }
+        let (record, run) = record_of(&text, Some(&format!("separation = \"{separation}\"\n")));
+        assert_eq!(run.status, 0, "{}", run.err);
+        let film = &record["films"][0];
+        close(&film["closing_speed"]["value"], 10.0, 1e-9);
+        let restitution = film["restitution"]["value"].as_f64().expect("a number");
+        assert!((restitution - 0.12).abs() < within, "{step}: {restitution}");
+    }
+}
+
 #[test]
 fn clipped_and_truncated_copies_are_recognised() {
     let (record, run) = record_of(&csv("normal_force [kN]", &[&|ms| (100.0 * pulse(ms)).min(90.0)]), None);
