@@ -171,13 +171,15 @@ impl Units {
         let [value, other] = [value, other].map(|si| self.convert(measure, si));
         let mut printed = (1..=9).map(|decimals| [value, other].map(|number| format!("{number:.decimals$}")));
         let [number, _] = printed.find(|[one, other]| one != other)?;
-        let unit = self.unit(measure);
-        Some(if unit.is_empty() { number } else { format!("{number} {unit}") })
+        Some(self.with_unit(measure, number))
     }
 
     /// Formats a value in SI with its unit.
     pub fn quantity(self, measure: Measure, si: f64) -> String {
-        let number = self.number(measure, si, 0.0);
+        self.with_unit(measure, self.number(measure, si, 0.0))
+    }
+
+    fn with_unit(self, measure: Measure, number: String) -> String {
         let unit = self.unit(measure);
         if unit.is_empty() { number } else { format!("{number} {unit}") }
     }

@@ -1,5 +1,7 @@
 //! The restitution by a film: the distance of a point from the barrier over time.
 
+use std::ops::Range;
+
 use planar_impact::barrier::{Estimate, Lowess, Record, restitution_from_smoothed};
 
 use super::analysis::{Analysis, ROUNDING, plain};
@@ -37,6 +39,9 @@ impl Analysis<'_> {
         let step = channel.step();
         let smooth = |record: &Record| lowess.smooth(record).map(|smoothed| smoothed.with_noise_of_at_least(step * step / 12.0));
         let times = record.times();
+        let smooth_part = |part: Range<usize>| {
+            Record::at_times(times[part.clone()].to_vec(), record.values()[part].to_vec()).and_then(|part| smooth(&part))
+        };
         let (first, last) = (times[0], times[times.len() - 1]);
         let contact = settings.window.map_or(first.max(0.0), |window| window.from);
         let separation = settings.separation.or(settings.window.map(|window| window.to)).unwrap_or(last);
@@ -51,8 +56,7 @@ impl Analysis<'_> {
         }
         // The frames before the contact alone: a local line must not reach into it.
         let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
-        let before = Record::at_times(times[..count].to_vec(), record.values()[..count].to_vec());
-        let slope = before.and_then(|before| smooth(&before)?.at(times[count - 1])).map(|line| line.slope);
+        let slope = smooth_part(0..count).and_then(|before| before.at(times[count - 1])).map(|line| line.slope);
         let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, ..slope });
         let Some(closing) = settings.speed.or(of_film) else {
             let message = format!("{count} frames up to the contact are too few for a closing speed");
@@ -76,8 +80,7 @@ impl Analysis<'_> {
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
         // Nor must that of the separation, where the frames from it on are enough for one.
         let left = times.partition_point(|time| *time <= separation + ROUNDING * (last - first)).max(1) - 1;
-        let after = Record::at_times(times[left..].to_vec(), record.values()[left..].to_vec()).and_then(|after| smooth(&after));
-        let smoothed = after.or_else(|_| smooth(record));
+        let smoothed = smooth_part(left..times.len()).or_else(|_| smooth(record));
         let restitution = match smoothed.and_then(|smoothed| restitution_from_smoothed(&smoothed, separation, closing)) {
             Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {
                 self.overflows(&channel.name);

@@ -125,7 +125,10 @@ impl FittedToTests {
         let fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
         let (vehicles, class) = (file.vehicles.len(), file.class(model));
-        let fit = class.as_ref().map_or_else(|| fit.clone(), |class| class.further_vehicle(fit.clone()));
+        let fit = match &class {
+            Some(class) => class.further_vehicle(fit),
+            None => fit,
+        };
         let notices = std::mem::take(&mut file.notices);
         Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, of: Vec::new() }, notices))
     }
