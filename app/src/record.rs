@@ -1,8 +1,10 @@
 //! The verb `record`: impulse, velocity change and restitution from recorded channels, and what an event data recorder kept.
 
 mod analysis;
+mod channel;
 mod film;
 mod kinematics;
+mod pulse;
 mod recorder;
 mod recording;
 mod samples;
@@ -286,6 +288,11 @@ impl ChannelQuantity {
 
     fn kind(self) -> Kind {
         self.measure().into()
+    }
+
+    /// Returns the measure of the integral of a force or an acceleration.
+    fn integral(self) -> Measure {
+        if self.measure() == Measure::Force { Measure::Impulse } else { Measure::Speed }
     }
 
     /// Returns the class of filter that the standard has for it: 60 for the forces of a barrier, 180 for an acceleration to be integrated.

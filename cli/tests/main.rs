@@ -50,7 +50,7 @@ mod printed;
 mod process;
 #[path = "main/reconstruct/mod.rs"]
 mod reconstruct;
-#[path = "main/record.rs"]
+#[path = "main/record/mod.rs"]
 mod record;
 #[path = "main/reference.rs"]
 mod reference;

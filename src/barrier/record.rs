@@ -147,6 +147,9 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline. They are found the less well, the fewer independent samples it
     /// has ([`Self::independent_samples`]), so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
     ///
+    /// Between samples the channel is not known, and where its slope changes by Δs, trapezoids of a step h err by up to h²Δs/12. That is the standard deviation
+    /// of each such error in the variance: of white noise some hundredths of its own, of a half-sine in ten samples 0.6 % of the impulse.
+    ///
     /// # Errors
     ///
     /// As [`Self::baseline`] and [`Self::impulse_over`].
@@ -154,12 +157,13 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         let baseline = self.baseline(before)?;
         self.check_window(over)?;
         let mut weights = self.weights_over(over);
+        let of_sampling = self.variance_of_sampling(&weights);
         let duration = over.to.clone() - over.from.clone();
         let share = duration / whole::<T>(self.indices_in(before).count());
         for i in self.indices_in(before) {
             weights[i] = weights[i].clone() - share.clone();
         }
-        let variance = self.noise(before, &baseline).variance_of_sum(&weights);
+        let variance = self.noise(before, &baseline).variance_of_sum(&weights) + of_sampling;
         finite_estimate("impulse", Estimate { value: dot(&weights, &self.values), variance })
     }
 
@@ -185,6 +189,23 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     fn noise(&self, before: &Window<T>, baseline: &Estimate<T>) -> Noise<T> {
         let samples: Vec<T> = self.indices_in(before).map(|i| self.values[i].clone()).collect();
         Noise::of(&samples, &baseline.value)
+    }
+
+    /// Computes what the channel between its samples adds to the variance of its integral with these weights: (h²Δs/12)² of each sample that has one, where the
+    /// slope changes by Δs and the longer of its steps is h. By the formula of Euler and Maclaurin −h²Δs B₂(θ)/2 is the error of the trapezoids at a kink a share θ
+    /// of a step after a sample, at most that of a kink on a sample, where B₂ = 1/6.
+    fn variance_of_sampling(&self, weights: &[T]) -> T {
+        let slope = |i: usize| {
+            let step = self.time(i + 1) - self.time(i);
+            ((self.values[i + 1].clone() - self.values[i].clone()) / step.clone(), step)
+        };
+        let error = |i: usize| {
+            let ((before, shorter), (after, longer)) = (slope(i - 1), slope(i));
+            let step = T::select(longer.less(&shorter), shorter, longer);
+            step.squared() * (after - before) / T::int(12)
+        };
+        let of_weight = (1..self.len() - 1).filter(|&i| T::int(0).less(&weights[i]));
+        of_weight.fold(T::int(0), |sum, i| sum + error(i).squared())
     }
 
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {

@@ -21,8 +21,8 @@ fn the_baseline_is_the_mean_before_the_event() {
     assert_eq!(record.corrected(&before).expect("two samples").values(), [-1.0, 1.0, 0.0, 10.0, 0.0]);
     let impulse = record.impulse(&Window { from: 0.0, to: 2.0 }, &before).expect("inside");
     assert_eq!(impulse.value, 10.0);
-    // Weights ½, 1, ½ in the window and −2/2 on each sample of the baseline, of variance 2.
-    assert_eq!(impulse.variance, 2.0 * (0.25 + 1.0 + 0.25 + 2.0));
+    // Weights ½, 1, ½ in the window and −2/2 on each sample of the baseline, of variance 2; and the slope changes by 11 and by −20 within the window.
+    assert_relative_eq!(impulse.variance, 2.0 * (0.25 + 1.0 + 0.25 + 2.0) + (121.0 + 400.0) / 144.0, max_relative = 1e-14);
 }
 
 #[test]
@@ -54,7 +54,55 @@ fn where_baseline_and_window_overlap_the_weights_are_one() {
     let all = Window { from: 0.0, to: 2.0 };
     let impulse = record.impulse(&all, &all).expect("inside");
     assert_relative_eq!(impulse.value, 5.5 - 6.0, max_relative = 1e-14);
-    assert_relative_eq!(impulse.variance, 7.0 * (1.0 / 36.0 + 1.0 / 9.0 + 1.0 / 36.0), max_relative = 1e-14);
+    // Its slope changes by 3.
+    assert_relative_eq!(impulse.variance, 7.0 * (1.0 / 36.0 + 1.0 / 9.0 + 1.0 / 36.0) + 9.0 / 144.0, max_relative = 1e-14);
+}
+
+/// A half-sine without noise, from −4 steps: its ends are kinks, a share of a step after a sample.
+fn half_sine(samples: usize, share: f64) -> (Record, f64) {
+    let force = |time: f64| (core::f64::consts::PI * (time - share) / samples as f64).sin();
+    let value = |i: usize| if i as f64 - 4.0 < share || i as f64 - 4.0 > share + samples as f64 { 0.0 } else { force(i as f64 - 4.0) };
+    let record = Record::uniform(-4.0, 1.0, (0..samples + 8).map(value).collect()).expect("a good record");
+    (record, 2.0 * samples as f64 / core::f64::consts::PI)
+}
+
+#[test]
+fn coarse_sampling_is_in_the_deviation() {
+    for samples in [4, 10, 33, 100] {
+        let mut worst: f64 = 0.0;
+        for share in [0.0, 0.1, 0.25, 0.5, 0.7, 0.95] {
+            let (record, exact) = half_sine(samples, share);
+            let before = Window { from: -4.0, to: -1.0 };
+            let window = Window { from: 0.0, to: samples as f64 + 3.0 };
+            let impulse = record.impulse(&window, &before).expect("inside");
+            worst = worst.max((impulse.value - exact).abs() / impulse.deviation());
+            // The window may end with the pulse, on its last sample.
+            let ends = record.impulse(&Window { from: 0.0, to: samples as f64 + share.ceil() }, &before).expect("inside");
+            assert_relative_eq!(ends.variance, impulse.variance, max_relative = 1e-12);
+        }
+        // Two kinks on samples err in the same direction.
+        assert!((1.1..1.5).contains(&worst), "{samples}: {worst}");
+    }
+    let (coarse, exact) = half_sine(10, 0.0);
+    let impulse = coarse.impulse(&Window { from: 0.0, to: 10.0 }, &Window { from: -4.0, to: -1.0 }).expect("inside");
+    assert_relative_eq!(impulse.deviation() / exact, 0.0064, max_relative = 0.02);
+    // Uneven steps, the longer of which counts: slopes of 2 and −1.
+    let uneven =
+        Record::at_times(alloc::vec![-2.0, -1.0, 0.0, 1.0, 3.0, 4.0], alloc::vec![0.0, 0.0, 0.0, 2.0, 0.0, 0.0]).expect("a good record");
+    let impulse = uneven.impulse(&Window { from: 0.0, to: 4.0 }, &Window { from: -2.0, to: -1.0 }).expect("inside");
+    assert_relative_eq!(impulse.variance, (4.0 + 16.0 * 9.0 + 16.0) / 144.0, max_relative = 1e-14);
+}
+
+#[test]
+fn sampling_adds_little_to_noise_even_where_it_alternates() {
+    for noise in [[1.0, -1.0].as_slice(), &[1.0, 1.0, -1.0, -1.0], &[2.0, -1.0, -1.0]] {
+        let record = Record::uniform(0.0, 1.0, noise.iter().copied().cycle().take(240).collect()).expect("a good record");
+        let before = Window { from: 0.0, to: 119.0 };
+        let over = Window { from: 120.0, to: 239.0 };
+        let (all, baseline) = (record.impulse(&over, &before).expect("inside"), record.baseline(&before).expect("samples"));
+        let white = baseline.variance * (119.0 + 119.0 * 119.0 / 120.0);
+        assert!(all.variance < 1.06 * white, "{noise:?}: {} {white}", all.variance);
+    }
 }
 
 #[test]

@@ -1,0 +1,233 @@
+//! A channel by itself: whether it holds the whole event, undisturbed, and in which steps it was read.
+
+use planar_impact::barrier::{Clock, Record, Window};
+
+use super::analysis::{Analysis, ROUNDING};
+use super::recording::Channel;
+use super::{ChannelAnswer, ChannelQuantity, Clipped};
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+
+/// The end of an event that a record lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cut {
+    Beginning,
+    End,
+}
+
+impl Channel {
+    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it turns.
+    pub(super) fn clipped(&self) -> Option<Clipped> {
+        let (times, values) = (self.record.times(), self.record.values());
+        let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));
+        if let Some(first) = (0..values.len()).find(beyond) {
+            let last = first + (first..values.len()).take_while(beyond).count() - 1;
+            return Some(Clipped { value: values[first], from: times[first], to: times[last], samples: last + 1 - first });
+        }
+        if self.quantity == ChannelQuantity::Distance {
+            return None;
+        }
+        let top = self.record.flat_top()?;
+        Some(Clipped { value: top.value, from: top.from, to: top.to, samples: top.samples })
+    }
+
+    /// Returns the step in which the channel was read: at least one unit of the last decimal that is printed, or what all samples lie whole multiples of apart.
+    pub(super) fn step(&self) -> f64 {
+        let of_digits = self.digit * common_digits(&self.record, self.digit);
+        step_of(&self.record).map_or(of_digits, |step| step.max(of_digits))
+    }
+
+    /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps.
+    fn gap(&self) -> Option<[f64; 2]> {
+        /// Steps that are missing.
+        const MANY: f64 = 5.0;
+        self.quantity.class()?;
+        let times = self.record.times();
+        let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let longest = times.windows(2).max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])))?;
+        steps.sort_by(f64::total_cmp);
+        (longest[1] - longest[0] > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
+    }
+
+    /// Returns the samples that stand out, up to a few, and what their neighbors give in their place: without them nothing in the channel bends a fifth as sharply as
+    /// it does at each. The smoothing of a film is robust against them.
+    fn spikes(&self) -> Vec<(usize, f64)> {
+        /// Most samples that stand out.
+        const FEW: usize = 4;
+        /// How many times as sharply.
+        const SHARPER: f64 = 5.0;
+        if self.quantity == ChannelQuantity::Distance || self.record.len() < MANY {
+            return Vec::new();
+        }
+        let (times, mut values) = (self.record.times(), self.record.values().to_vec());
+        let between = |values: &[f64], i: usize| {
+            let share = (times[i] - times[i - 1]) / (times[i + 1] - times[i - 1]);
+            values[i - 1] * (1.0 - share) + values[i + 1] * share
+        };
+        let mut spikes = Vec::new();
+        let mut least = f64::INFINITY;
+        for _ in 0..=FEW {
+            let bends = (1..values.len() - 1).map(|i| (i, (values[i] - between(&values, i)).abs()));
+            let Some((sharpest, bend)) = bends.max_by(|one, other| one.1.total_cmp(&other.1)) else { break };
+            if SHARPER * bend < least && !spikes.is_empty() {
+                spikes.sort_by_key(|(i, _)| *i);
+                return spikes;
+            }
+            least = bend.min(least);
+            values[sharpest] = between(&values, sharpest);
+            spikes.push((sharpest, values[sharpest]));
+        }
+        Vec::new()
+    }
+
+    /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a velocity change still changes by
+    /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
+    /// than two steps. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
+    pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
+        let (times, values) = (self.record.times(), self.record.values());
+        let (first, last) = (values[0], values[values.len() - 1]);
+        let slack = 2.0 * self.record.resolution().unwrap_or(0.0);
+        let (unloaded, late, left) = match self.quantity {
+            ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
+            quantity if quantity.is_running() => {
+                let begun = values.iter().position(|value| (value - first).abs() > slack).unwrap_or(values.len()) - 1;
+                let end = times[times.len() - 1];
+                let lately = end - 0.1 * (end - times[begun]);
+                let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
+                (first, 0.0, (last - values[before]).abs())
+            }
+            _ => {
+                // A window without a mean is reported where the channel is integrated.
+                let mean = before.and_then(|before| self.record.baseline(&before).ok());
+                let unloaded = mean.map_or(0.0, |mean| mean.value);
+                (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
+            }
+        };
+        let height = values.iter().map(|value| (value - unloaded).abs()).fold(0.0, f64::max);
+        let is_missing = |left: f64| left > (0.1 * height).max(slack);
+        if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
+    }
+}
+
+/// Fewest samples of which a common step is no chance.
+const MANY: usize = 16;
+
+/// Returns the greatest number of units of the last printed decimal that all samples of a record lie apart, if it has many; at least one.
+fn common_digits(record: &Record, digit: f64) -> f64 {
+    /// Greatest number of which the one after it is another float.
+    const MOST: f64 = 9.0e15;
+    /// Rounding of a difference of samples, in units of the last decimal.
+    const NEAR: f64 = 0.01;
+    let values = record.values();
+    let greatest_divisor = |one: u64, other: u64| {
+        let (mut one, mut other) = (one, other);
+        while other != 0 {
+            (one, other) = (other, one % other);
+        }
+        one
+    };
+    let digits = values.iter().map(|value| ((value - values[0]) / digit).abs());
+    let whole = digits.map(|count| (count < MOST && (count - count.round()).abs() < NEAR).then(|| count.round() as u64));
+    let common = whole.into_iter().try_fold(0, |common, count| count.map(|count| greatest_divisor(common, count)));
+    common.filter(|_| values.len() >= MANY).map_or(1.0, |common| common.max(1) as f64)
+}
+
+/// Returns the step in which a record was read, if it has many samples and all lie whole steps apart, but for the rounding of their digits.
+fn step_of(record: &Record) -> Option<f64> {
+    /// Rounding of a sample, in steps.
+    const NEAR: f64 = 0.02;
+    let least = record.resolution()?;
+    let mut levels = record.values().to_vec();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    // Counted from level to level, so that the rounding of the least step does not add up.
+    let counts: Vec<f64> = std::iter::once(0.0)
+        .chain(levels.windows(2).scan(0.0, |count, pair| {
+            *count += ((pair[1] - pair[0]) / least).round();
+            Some(*count)
+        }))
+        .collect();
+    let heights = || counts.iter().zip(&levels).map(|(count, level)| (count, level - levels[0]));
+    let step = heights().map(|(count, height)| count * height).sum::<f64>() / counts.iter().map(|count| count * count).sum::<f64>();
+    let is_whole = heights().all(|(count, height)| (height - count * step).abs() < NEAR * step);
+    (record.len() >= MANY && is_whole).then_some(step)
+}
+
+impl Analysis<'_> {
+    /// Describes a channel, and says if it does not hold the whole event.
+    pub(super) fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
+        let (times, measure) = (channel.record.times(), channel.quantity.measure());
+        let (clipped, cut) = (channel.clipped(), channel.cut(self.before(&channel.record)));
+        let greatest = channel.record.values().iter().copied().max_by(|one, other| one.abs().total_cmp(&other.abs())).unwrap_or(0.0);
+        if let Some(range) = channel.range.filter(|range| greatest.abs() > range * (1.0 + ROUNDING)) {
+            let message = Message::from(format!("{} reaches ", channel.name))
+                .figure(measure, greatest)
+                .text(", beyond its range of ")
+                .figure(measure, range)
+                .text(": check `range`, calibration and unit");
+            self.notices.push(Notice::warning("beyond-range", channel.path.clone(), message));
+        } else if let Some(Clipped { value, from, to, samples }) = clipped {
+            let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
+                .figure(measure, value)
+                .text(" from ")
+                .figure(Measure::Time, from)
+                .text(" to ")
+                .figure(Measure::Time, to)
+                .text("; what follows from it is too small in magnitude");
+            self.notices.push(Notice::warning("clipped", channel.path.clone(), message));
+        }
+        if let Some(cut) = cut {
+            let (what, at, when) = match cut {
+                Cut::Beginning => ("begins", times[0], " after the event has begun, or with an offset that no sample before it shows"),
+                Cut::End => ("ends", times[times.len() - 1], " before the event is over"),
+            };
+            let message = Message::from(format!("{} is truncated: it {what} at ", channel.name))
+                .figure(Measure::Time, at)
+                .text(format!("{when}; what follows from it is incomplete"));
+            self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
+        }
+        if let Some([from, to]) = channel.gap() {
+            let message = Message::from(format!("{} has no samples from ", channel.name))
+                .figure(Measure::Time, from)
+                .text(" to ")
+                .figure(Measure::Time, to)
+                .text("; its integral takes a straight line there");
+            self.notices.push(Notice::warning("gap", channel.path.clone(), message));
+        }
+        if let [(first, neighbors), others @ ..] = channel.spikes().as_slice() {
+            let what = if others.is_empty() {
+                "a sample that stands out".to_owned()
+            } else {
+                format!("{} samples that stand out, the first", 1 + others.len())
+            };
+            let message = Message::from(format!("{} has {what} at ", channel.name))
+                .figure(Measure::Time, times[*first])
+                .text(": ")
+                .figure(measure, channel.record.values()[*first])
+                .text(", where its neighbors give ")
+                .figure(measure, *neighbors)
+                .text("; take the neighbors' if it is a disturbance");
+            self.notices.push(Notice::warning("spike", channel.path.clone(), message));
+        }
+        ChannelAnswer {
+            name: channel.name.clone(),
+            quantity: channel.quantity,
+            samples: times.len(),
+            from: times[0],
+            to: times[times.len() - 1],
+            period: period(&channel.record),
+            resolution: channel.record.resolution(),
+            clipped,
+            is_truncated: cut.is_some(),
+        }
+    }
+}
+
+/// Returns the time from one sample to the next, if it is the same for all.
+pub(super) fn period(record: &Record) -> Option<f64> {
+    match record.clock() {
+        Clock::Uniform { step, .. } => Some(*step),
+        _ => None,
+    }
+}

@@ -1,0 +1,227 @@
+//! From the forces of a barrier and from accelerations to impulse, velocity change and restitution.
+
+use planar_impact::barrier::{ChannelClass, Estimate, Record, Window, bank, impulse_ratio};
+use planar_impact::{Issue as _, Nt};
+
+use super::analysis::{Analysis, ROUNDING};
+use super::recording::{Channel, Filter};
+use super::{Accelerated, Barrier, ChannelQuantity, Peak, Trace, Uncertain};
+use crate::issue::Issue;
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+use crate::wording::too_small;
+
+/// A pulse, integrated over the contact.
+struct Pulse {
+    integral: Estimate,
+    is_known: bool,
+    peak: Peak,
+}
+
+/// Returns what the steps of a channel add to the variance of its integral. Noise of half a step or more spreads the samples over them, so that their mean is not
+/// rounded. Of less noise all samples of the unloaded channel are off by the same part of a step, or toggle between two readings whose mean is off, and so is the
+/// whole pulse.
+fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
+    let step = channel.step();
+    let of_sample = step * step / 12.0;
+    // The reading adds its own variance to that of the noise; that of two readings in turn is at most a quarter of the square of the step.
+    let of_noise = step * step / 4.0;
+    let is_spread = channel.record.baseline(before).is_ok_and(|baseline| baseline.variance >= of_noise + of_sample);
+    let duration = over.to - over.from;
+    if is_spread { 0.0 } else { of_sample * duration * duration }
+}
+
+/// Returns a note of a baseline that tells the noise badly.
+fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
+    let (count, independent) = (record.indices_in(before).count(), record.independent_samples(before).ok()?.round());
+    let too_small = too_small((independent as usize).saturating_sub(1))?;
+    let correlated = if independent < count as f64 { format!(", correlated as {independent} independent ones,") } else { String::new() };
+    let message = format!(
+        "{name}: a baseline of {count} samples{correlated} hardly tells the noise: the standard deviation of what follows may be {too_small}"
+    );
+    Some(Notice::note("short-baseline", path, message))
+}
+
+/// Returns a warning of a channel that does not return to its baseline after the window.
+fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, before]: [&Window; 2], integral: Estimate) -> Option<Notice> {
+    /// Standard deviations that are no chance.
+    const MOST: f64 = 4.0;
+    let times = record.times();
+    let (first, last) = (*times.iter().find(|time| **time > over.to * (1.0 + ROUNDING))?, times[times.len() - 1]);
+    let mean = |window: &Window| -> Option<Estimate> {
+        let reading = record.baseline(window).ok()?;
+        Some(Estimate { variance: reading.variance / record.independent_samples(window).ok()?, ..reading })
+    };
+    let (after, before) = (mean(&Window { from: first, to: last })?, mean(before)?);
+    let difference = after.value - before.value;
+    // An offset that drifts evenly is in the integral with half of its last value.
+    let of_drift = difference * (over.to - over.from) / 2.0;
+    let is_chance = difference.abs() <= MOST * (after.variance + before.variance).sqrt() || of_drift.abs() <= integral.deviation();
+    let message = Message::from(format!("after the window {name} is "))
+        .figure(quantity.measure(), difference)
+        .text(" from its baseline: unless this acts on the vehicle, the offset drifts, and the integral has some ")
+        .figure(quantity.integral(), of_drift)
+        .text(" of it, which its standard deviation does not have");
+    (!is_chance).then(|| Notice::warning("drift", "window", message))
+}
+
+impl Analysis<'_> {
+    /// Integrates a pulse from the raw record, the sum of these channels, and draws it filtered.
+    fn pulse(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record, channels: &[&Channel]) -> Option<Pulse> {
+        let (over, before) = self.windows(record)?;
+        let place = if self.of.settings.window.is_some() { "window" } else { path };
+        let uncorrected = self.report(place, record.impulse_over(&over));
+        let corrected = match &before {
+            Some(before) => self.report("baseline", record.corrected(before)),
+            None => {
+                let message = format!("{name}: no samples before the contact, so its offset is taken as zero and its noise is not known");
+                self.notices.push(Notice::note("no-baseline", path, message));
+                Some(record.clone())
+            }
+        };
+        let class = self.class(name, path, quantity, record);
+        let filtered = match class {
+            Some(class) => self.report_of(&format!("{name}: "), "filter", corrected.as_ref().unwrap_or(record).filtered(class)),
+            None => corrected.clone(),
+        };
+        let (uncorrected, corrected, filtered) = (uncorrected?, corrected?, filtered?);
+        let mut integral = match &before {
+            Some(before) => {
+                let integral = self.report(place, record.impulse(&over, before))?;
+                self.notices.extend(of_short_baseline(name, path, record, before));
+                let of_steps: f64 = channels.iter().map(|channel| variance_of_steps(channel, &over, before)).sum();
+                let integral = Estimate { variance: integral.variance + of_steps, ..integral };
+                self.notices.extend(of_drift(name, quantity, record, [&over, before], integral));
+                integral
+            }
+            None => Estimate { value: uncorrected, variance: 0.0 },
+        };
+        // Of a constant channel nothing is left but the rounding of its sum.
+        if integral.value.abs() <= ROUNDING * 1e-3 * uncorrected.abs() {
+            integral.value = 0.0;
+        }
+        let unfiltered = class.is_some().then(|| corrected.values().to_vec());
+        let (times, values) = (filtered.times(), filtered.values().to_vec());
+        let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
+        let Some(peak) = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs())) else {
+            let message = Message::from("no sample of ")
+                .text(name.to_owned())
+                .text(" lies from ")
+                .figure(Measure::Time, over.from)
+                .text(" to ")
+                .figure(Measure::Time, over.to);
+            self.issues.push(Issue::at("too-few", place, message).with_help("widen the window to the whole contact"));
+            return None;
+        };
+        let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
+        self.cut_by_window(name, quantity, &corrected, peak);
+        self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
+        Some(Pulse { integral, is_known: before.is_some(), peak })
+    }
+
+    /// Says if the window begins or ends within the pulse.
+    fn cut_by_window(&mut self, name: &str, quantity: ChannelQuantity, corrected: &Record, peak: Peak) {
+        let Some(window) = self.of.settings.window else { return };
+        let (times, values) = (corrected.times(), corrected.values());
+        let least = (0.1 * peak.value.abs()).max(2.0 * corrected.resolution().unwrap_or(0.0));
+        for (does, edge) in [("begins", window.from), ("ends", window.to)] {
+            let nearest = (0..times.len()).min_by(|&a, &b| (times[a] - edge).abs().total_cmp(&(times[b] - edge).abs()));
+            let Some(value) = nearest.map(|at| values[at]).filter(|value| value.abs() > least) else { continue };
+            let message = Message::from(format!("the window {does} at "))
+                .figure(Measure::Time, edge)
+                .text(format!(" within the pulse: {name} is "))
+                .figure(quantity.measure(), value)
+                .text(" there; the integral has no more than the window");
+            self.notices.push(Notice::warning("cut-by-window", "window", message));
+        }
+    }
+
+    /// Returns the class of the filter: the one that the file gives, or else that of the quantity if the record is fast enough.
+    fn class(&mut self, name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<ChannelClass> {
+        let usual = match self.of.settings.filter {
+            Filter::Class(class) => return Some(class),
+            Filter::Off => return None,
+            Filter::Usual => quantity.class()?,
+        };
+        if record.filtered(usual).is_ok() {
+            return Some(usual);
+        }
+        let message = Message::from(format!("{name} is not filtered: CFC {} needs equal steps of at most ", usual.number()))
+            .figure(Measure::Time, usual.longest_step());
+        self.notices.push(Notice::note("not-filtered", path, message));
+        None
+    }
+
+    pub(super) fn barrier(&mut self) -> Option<Barrier> {
+        let of = self.of;
+        let mut sum = |quantity: ChannelQuantity, name: &str| -> Option<Pulse> {
+            let channels: Vec<&Channel> = of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
+            let records: Vec<Record> = channels.iter().map(|channel| channel.record.clone()).collect();
+            let path = channels.first()?.path.clone();
+            let total = match bank(&records) {
+                Ok(total) => total,
+                Err(issues) => {
+                    for issue in issues.iter() {
+                        let at =
+                            issue.place().and_then(|place| place.index).and_then(|i| channels.get(i)).map_or(path.as_str(), |c| &c.path);
+                        let help = format!("list the channels of a bank, here {}, at the times of {}", quantity.name(), channels[0].name);
+                        self.issues.push(Issue::at(issue.code(), at, issue.message()).with_help(help));
+                    }
+                    return None;
+                }
+            };
+            self.pulse(name, &path, quantity, &total, &channels)
+        };
+        let normal = sum(ChannelQuantity::NormalForce, "normal force");
+        let tangential = sum(ChannelQuantity::TangentialForce, "tangential force");
+        let first = of.channels.iter().find(|channel| channel.quantity == ChannelQuantity::NormalForce);
+        if let (Some(pulse), Some(first)) = (&normal, first)
+            && pulse.integral.value <= 0.0
+        {
+            let (what, help) = match pulse.integral.value < 0.0 {
+                true => (
+                    ": the barrier would pull",
+                    "forces on the vehicle away from the barrier are positive; add or remove `polarity = -1` under each [[channel]] whose sign is reversed, or end \
+                     the baseline before the contact",
+                ),
+                false => (": there is no impact", "check the column, and the times of the window and of the baseline"),
+            };
+            let message = Message::from("the normal impulse is ").figure(Measure::Impulse, pulse.integral.value).text(what);
+            self.issues.push(Issue::at("tensile", first.path.clone(), message).with_help(help));
+            return None;
+        }
+        let ratio = normal.as_ref().zip(tangential.as_ref()).and_then(|(n, t)| {
+            let ratio = impulse_ratio(Nt { n: n.integral.value, t: t.integral.value });
+            let ratio = self.report("window", ratio.map(|value| Estimate { value, ..t.integral.over(n.integral) }))?;
+            if !ratio.variance.is_finite() {
+                self.issues.push(Issue::at("overflow", "window", "the impulse ratio overflows: the normal impulse is next to zero"));
+                return None;
+            }
+            Some(Uncertain::of(ratio, n.is_known && t.is_known))
+        });
+        if normal.is_none() && tangential.is_none() {
+            return None;
+        }
+        let impulse = |bank: &Option<Pulse>| bank.as_ref().map(|pulse| Uncertain::of(pulse.integral, pulse.is_known));
+        let change = normal.as_ref().and_then(|pulse| Some((pulse.integral.over(of.settings.mass?), pulse.is_known)));
+        Some(Barrier {
+            normal_impulse: impulse(&normal),
+            tangential_impulse: impulse(&tangential),
+            impulse_ratio: ratio,
+            peak_force: normal.as_ref().map(|pulse| pulse.peak),
+            delta_v: change.map(|(change, is_known)| Uncertain::of(change, is_known)),
+            restitution: change.and_then(|(change, is_known)| self.restitution("the load cells", change, is_known)),
+        })
+    }
+
+    pub(super) fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
+        let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, &[channel])?;
+        let impulse = self.of.settings.mass.map(|mass| {
+            let variance = integral.variance * mass.value * mass.value + integral.value * integral.value * mass.variance;
+            Uncertain::of(Estimate { value: integral.value * mass.value, variance }, is_known)
+        });
+        let restitution = self.restitution(&channel.name, integral, is_known);
+        Some(Accelerated { channel: channel.name.clone(), delta_v: Uncertain::of(integral, is_known), impulse, peak, restitution })
+    }
+}

@@ -1,0 +1,108 @@
+//! Films of a point: their agreement with forces, their separation, and what contradicts them.
+
+use super::*;
+
+#[test]
+fn an_acceleration_and_a_film_agree_with_the_forces() {
+    // 160 m/s² at the peak; the point recedes with ΔV − v after the pulse.
+    let change = 160.0 * AREA;
+    let place = move |ms: f64| {
+        let t = ms / 1e3;
+        let pushed = if ms < 0.0 {
+            0.0
+        } else {
+            change / 2.0 * (t.min(0.1) - 0.1 / PI * (PI * t.min(0.1) / 0.1).sin()) + change * (t - 0.1).max(0.0)
+        };
+        1000.0 * (1.0 - 10.0 * t + pushed)
+    };
+    let samples = csv("acceleration [g],distance [mm]", &[&|ms| 160.0 / 9.80665 * pulse(ms), &place]);
+    let (record, run) = record_of(&samples, Some(CAR));
+    assert_eq!(run.status, 0, "{}", run.err);
+    let (one, film) = (&record["accelerations"][0], &record["films"][0]);
+    close(&one["delta_v"]["value"], change, 1e-6);
+    close(&one["impulse"]["value"], 1500.0 * change, 1e-6);
+    close(&one["impulse"]["sd"], 15.0 * change, 1e-6);
+    close(&one["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
+    close(&one["peak"]["value"], 160.0, 2e-3);
+    close(&one["peak"]["time"], 0.05, 1e-2);
+    // The samples are exact; the speed is known to 1 %.
+    close(&one["restitution"]["sd"], 0.01 * change / 10.0, 1e-6);
+    close(&one["delta_v"]["sd"], of_sampling(160.0, 0.1, 1000.0), 1e-6);
+    // Of a sensor with the other sign everything has the other sign, its extreme too.
+    let mirrored = record_of(&csv("acceleration [g]", &[&|ms| -160.0 / 9.80665 * pulse(ms)]), None).0;
+    close(&mirrored["accelerations"][0]["peak"]["value"], -160.0, 2e-3);
+    close(&mirrored["accelerations"][0]["delta_v"]["value"], -change, 1e-6);
+    // That of the closing speed, and what the curved distances of the contact add.
+    assert!(film["restitution"]["sd"].as_f64().is_some_and(|sd| (0.01 * (change / 10.0 - 1.0)..5e-4).contains(&sd)));
+    close(&film["closing_speed"]["sd"], 0.1, 1e-9);
+    assert_eq!((&one["channel"], &film["channel"]), (&json!("acceleration"), &json!("distance")));
+    close(&film["restitution"]["value"], change / 10.0 - 1.0, 1e-4);
+    close(&film["closing_speed"]["value"], 10.0, 1e-9);
+    close(&film["separation"], 0.12, 1e-9);
+    let of_film = record["traces"].as_array().into_iter().flatten().find(|trace| trace["quantity"] == "distance").expect("its trace");
+    assert_eq!((&of_film["filter"], &of_film["unfiltered"]), (&Value::Null, &Value::Null), "a film is not filtered");
+    // Without a speed the film gives it, from the frames before the contact.
+    let (record, _) = record_of(&samples, Some("mass = \"1500 kg\"\nseparation = \"115 ms\"\n"));
+    close(&record["films"][0]["closing_speed"]["value"], 10.0, 1e-6);
+    assert_eq!(record["accelerations"][0]["restitution"], Value::Null);
+    // Nine samples are in a line unless the file says otherwise, and it separates where the window ends.
+    let film = |settings: &str| record_of(&samples, Some(&format!("{CAR}{settings}"))).0["films"][0].clone();
+    assert_eq!(film("neighbors = 9\n"), film(""));
+    assert_ne!(film("neighbors = 7\n"), film(""));
+    let windowed = film("window = [\"0 ms\", \"110 ms\"]\n");
+    close(&windowed["separation"], 0.11, 1e-9);
+    assert_eq!(film("window = [\"0 ms\", \"110 ms\"]\nseparation = \"115 ms\"\n")["separation"], 0.115);
+    // To first order: the restitution of the film with an exact speed, and what 1 % of the speed is of it.
+    let [exact, measured] = ["\"10 m/s\"", "\"10 m/s ± 1 m/s\""]
+        .map(|speed| record_of(&samples, Some(&format!("speed = {speed}\n"))).0["films"][0]["restitution"].clone());
+    let (restitution, sd) = (measured["value"].as_f64().expect("a number"), exact["sd"].as_f64().expect("a number"));
+    close(&measured["sd"], sd.hypot(0.1 * restitution), 1e-3);
+}
+
+/// The point moves uniformly before and after a contact of 100 ms, so that lines which do not reach into it are exact, however few frames there are; where the
+/// separation is between two frames, the earlier one belongs to them.
+#[test]
+fn the_line_of_a_film_at_the_separation_does_not_reach_into_the_contact() {
+    for (step, separation, within) in [(4, "100 ms", 1e-9), (10, "100 ms", 1e-9), (8, "100 ms", 2e-4)] {
+        let mut text = "time [ms],distance [m]\n".to_owned();
+        for i in -12..45 {
+            let (ms, t) = (step * i, f64::from(step * i) * 1e-3);
+            let contact = t.clamp(0.0, 0.1);
+            // The velocity goes from −10 to 1.2 m/s by a half-sine of force.
+            let pushed = 11.2 / 2.0 * (contact - 0.1 / PI * (PI * contact / 0.1).sin()) + 11.2 * (t - 0.1).max(0.0);
+            writeln!(text, "{ms},{}", 2.0 - 10.0 * t + pushed).expect("a string takes everything");
+        }
+        let (record, run) = record_of(&text, Some(&format!("separation = \"{separation}\"\n")));
+        assert_eq!(run.status, 0, "{}", run.err);
+        let film = &record["films"][0];
+        close(&film["closing_speed"]["value"], 10.0, 1e-9);
+        let restitution = film["restitution"]["value"].as_f64().expect("a number");
+        assert!((restitution - 0.12).abs() < within, "{step}: {restitution}");
+    }
+}
+
+/// A film that shows another speed than the file gives, one that goes the other way, and a separation before the contact.
+#[test]
+fn a_film_that_contradicts_its_file_is_told() {
+    let film = csv(
+        "distance [m]",
+        &[&|ms| {
+            if ms < 0.0 {
+                -0.01 * ms
+            } else if ms < 100.0 {
+                0.0
+            } else {
+                0.001 * (ms - 100.0)
+            }
+        }],
+    );
+    let of = |settings: &str| record_of(&film, Some(settings)).1;
+    for (speed, is_told) in [("10 m/s ± 0.1 m/s", false), ("12 m/s ± 0.1 m/s", true)] {
+        let run = of(&format!("speed = \"{speed}\"\n"));
+        assert_eq!(run.out.contains("speed-contradicts-film"), is_told, "{}{}", run.out, run.err);
+    }
+    let run = of("separation = \"-5 ms\"\n");
+    assert!(run.status == 2 && run.err.contains("separation") && run.err.contains("leaves the barrier"), "{}", run.err);
+    let run = of("[[channel]]\ncolumn = \"distance\"\nquantity = \"distance\"\npolarity = -1\n");
+    assert!(run.status != 0 && run.err.contains("grows by") && run.err.contains("add or remove `polarity = -1`"), "{}", run.err);
+}

@@ -1,0 +1,281 @@
+//! Event data recorders: by hand, incomplete, in steps, and as evidence.
+
+use super::*;
+
+/// A velocity change that stands still is whole, however long the record is before it.
+#[test]
+fn a_recorder_is_whole_with_zeros_before_the_impact() {
+    let of = |before: &str, to: i32| {
+        let mut text = "time [s],speed [km/h],delta_v_forward [km/h]\n".to_owned();
+        for i in 0..10 {
+            writeln!(text, "{},{},{before}", -5.0 + 0.5 * f64::from(i), 60 - i).expect("a string takes everything");
+        }
+        for i in 0..=to {
+            let change = (-15.0 * (1.0 - (PI * f64::from(i.min(15)) / 15.0).cos())).round();
+            writeln!(text, "{},{},{change}", 0.01 * f64::from(i), if i == 0 { "50" } else { "" }).expect("a string takes everything");
+        }
+        record_of(&text, None)
+    };
+    for before in ["", "0"] {
+        let (record, run) = of(before, 30);
+        assert_eq!(run.status, 0, "{}", run.out);
+        assert!(record["channels"].as_array().is_some_and(|all| all.iter().all(|one| one["is_truncated"] == false)), "{}", run.out);
+        assert_eq!(of(before, 8).1.status, 1, "it ends while the velocity changes");
+    }
+}
+
+#[test]
+fn a_recorder_by_hand() {
+    let (record, run) = record_of(&recorder(""), None);
+    assert_eq!(run.status, 0, "{}", run.err);
+    let (found, kmh) = (&record["recorder"], 1.0 / 3.6);
+    let sd = kmh / 12_f64.sqrt();
+    let maximum = &found["maximum"];
+    close(&maximum["magnitude"]["value"], 50.0 * kmh, 1e-12);
+    close(&maximum["magnitude"]["sd"], sd, 1e-9);
+    close(&maximum["forward"]["value"], -40.0 * kmh, 1e-12);
+    close(&maximum["left"]["value"], 30.0 * kmh, 1e-12);
+    close(&maximum["forward"]["sd"], sd, 1e-9);
+    close(&maximum["left"]["sd"], sd, 1e-9);
+    // Pushed back and to the left: the force comes from ahead on the right.
+    close(&maximum["pdof"]["value"], (30.0_f64).atan2(40.0), 1e-12);
+    close(&maximum["pdof"]["sd"], sd / (50.0 * kmh), 1e-9);
+    for key in ["delta_v_forward", "delta_v_left"] {
+        close(&found[key]["time"], 0.07, 1e-9);
+        close(&found[key]["sd"], sd, 1e-9);
+    }
+    close(&maximum["time"], 0.07, 1e-9);
+    close(&found["delta_v_forward"]["value"], -40.0 * kmh, 1e-12);
+    close(&found["delta_v_left"]["value"], 30.0 * kmh, 1e-12);
+    // The components are stored in the same steps; the lateral one has the least.
+    close(&record["channels"][1]["resolution"], 2.0 * kmh, 1e-9);
+    close(&record["channels"][2]["resolution"], kmh, 1e-9);
+    assert_eq!(found["is_lower_bound"], false);
+    close(&found["pre_crash"][1]["speed"], 54.0 * kmh, 1e-12);
+    close(&found["pre_crash"][0]["time"], -1.0, 1e-12);
+    // The last speed is half a second old, and fell by 6 km/h in the half second before.
+    let at_impact = &found["speed_at_impact"];
+    close(&at_impact["value"], 54.0 * kmh, 1e-12);
+    close(&at_impact["time"], -0.5, 1e-12);
+    let step = 6.0 * kmh; // the least step of its speeds
+    close(&at_impact["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
+    assert!(run.out.contains("speed-before-impact"));
+    // It stands still, and 0 has no sign.
+    let (still, _) = record_of(&recorder("0,-0,,\n").replace("\n0,,0,0", ""), None);
+    assert_eq!(still["recorder"]["speed_at_impact"]["value"].to_string(), "0.0");
+    // What it fell by earlier does not matter.
+    let (earlier, _) = record_of(&recorder("").replace("\n-1,60", "\n-2,80,,\n-1,60"), None);
+    close(&earlier["recorder"]["speed_at_impact"]["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
+    // At the time zero nothing is added, and a given resolution and a relative error are.
+    let (record, run) = record_of(&recorder("0,50,,\n").replace("\n0,,0,0", ""), Some("resolution = \"2 km/h\"\nrelative = 0.1\n"));
+    let with = |value: f64| (2.0 * kmh / 12_f64.sqrt()).hypot(0.1 * value * kmh);
+    close(&record["recorder"]["speed_at_impact"]["sd"], with(50.0), 1e-9);
+    let maximum = &record["recorder"]["maximum"];
+    close(&maximum["forward"]["sd"], with(40.0), 1e-9);
+    close(&maximum["left"]["sd"], with(30.0), 1e-9);
+    close(&maximum["magnitude"]["sd"], (0.8 * with(40.0)).hypot(0.6 * with(30.0)), 1e-9);
+    // The lateral component turns the direction more than the longitudinal one.
+    close(&maximum["pdof"]["sd"], (30.0 * with(40.0)).hypot(40.0 * with(30.0)) / (2500.0 * kmh), 1e-9);
+    assert!(!run.out.contains("speed-before-impact") && !run.out.contains("resolution-assumed"), "{}", run.out);
+    // To the right as to the left with the other sign.
+    let (left, _) = record_of(&recorder("").replace("right", "left"), None);
+    close(&left["recorder"]["maximum"]["pdof"]["value"], -(30.0_f64).atan2(40.0), 1e-12);
+}
+
+/// A vehicle that nothing moves has no direction of force, and the standard deviation of the steps in which its channels were read.
+#[test]
+fn no_velocity_change_has_a_standard_deviation_and_no_direction() {
+    let still = "time [ms],delta_v_forward [km/h],delta_v_left [km/h]\n0,0,0\n10,0,0\n20,0,0\n30,0,0\n";
+    let (record, run) = record_of(still, Some("resolution = \"2 km/h\"\n"));
+    let maximum = &record["recorder"]["maximum"];
+    let sd = 2.0 / 3.6 / 12_f64.sqrt();
+    assert_eq!((&maximum["magnitude"]["value"], &maximum["pdof"]), (&Value::from(0.0), &Value::Null), "{}", run.err);
+    close(&maximum["magnitude"]["sd"], sd * 2_f64.sqrt(), 1e-9);
+    close(&maximum["left"]["sd"], sd, 1e-9);
+}
+
+/// Readings that scatter have a greatest one that is too great, by about twice the scatter, which their standard deviation includes.
+#[test]
+fn readings_that_scatter_are_less_certain() {
+    let of = |scatter: f64| {
+        let mut text = "time [ms],delta_v_forward [km/h]\n".to_owned();
+        for i in 0..40 {
+            let zigzag = if i % 2 == 0 { scatter } else { -scatter };
+            let value = if i < 10 { -3.0 * f64::from(i) } else { -30.0 + zigzag };
+            writeln!(text, "{},{value}", 10 * i).expect("a string takes everything");
+        }
+        record_of(&text, Some("resolution = \"1 km/h\"\n"))
+    };
+    let (still, run) = of(0.0);
+    let step = 1.0 / 3.6 / 12_f64.sqrt();
+    close(&still["recorder"]["delta_v_forward"]["sd"], step, 1e-9);
+    assert!(!run.out.contains("readings-scatter"), "{}", run.out);
+    // In turn ± 2 km/h: second differences of 8 km/h, of which the variance of a reading is 64/6.
+    let (noisy, run) = of(2.0);
+    let scatter = (64.0 / 6.0 / 3.6 / 3.6 - step * step).sqrt();
+    close(&noisy["recorder"]["delta_v_forward"]["value"], -32.0 / 3.6, 1e-9);
+    close(&noisy["recorder"]["delta_v_forward"]["sd"], step.hypot(2.0 * scatter), 1e-9);
+    assert!(run.out.contains("readings-scatter"), "{}", run.out);
+}
+
+#[test]
+fn a_recorder_that_stops_or_ends_early_is_a_lower_bound() {
+    let cut: Vec<String> = recorder("").lines().take(7).map(str::to_owned).collect();
+    let (record, run) = record_of(&cut.join("\n"), None);
+    assert!(
+        run.status == 1 && record["recorder"]["is_lower_bound"] == true && run.out.contains("delta_v_forward is truncated"),
+        "{}",
+        run.out
+    );
+    // It stops at once at 24 km/h.
+    let stopped = recorder("")
+        .lines()
+        .map(|line| line.replace(",-32,", ",-24,").replace(",-38,", ",-24,").replace(",-40,", ",-24,"))
+        .collect::<Vec<_>>();
+    let (record, _) = record_of(&stopped.join("\n"), None);
+    close(&record["channels"][1]["clipped"]["value"], -24.0 / 3.6, 1e-9);
+    let begun = recorder("")
+        .lines()
+        .filter(|line| !["0,", "0.01,", "0.02,"].iter().any(|at| line.starts_with(at)))
+        .map(str::to_owned)
+        .collect::<Vec<_>>();
+    assert!(record_of(&begun.join("\n"), None).1.out.contains("the impact had begun before it"));
+}
+
+/// Reconstructs the case of two cars with other evidence of its recorder, beside `edr.csv`.
+fn two_cars(samples: &str, evidence: &str) -> Run {
+    let text = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/recorder.toml")).expect("the example is there");
+    let line = text.lines().find(|line| line.starts_with("vehicle.2.recorder")).expect("a recorder");
+    let folder = Folder::new();
+    folder.write("edr.csv", samples.as_bytes());
+    folder.write("case.toml", text.replace(line, evidence).as_bytes());
+    run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"])
+}
+
+#[test]
+fn a_recorder_is_evidence_as_if_written_by_hand() {
+    let samples = std::fs::read_to_string(workspace().join("cli/examples/record/edr.csv")).expect("the example is there");
+    let unknowns = |run: Run| {
+        assert!(run.err.is_empty(), "{}", run.err);
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let value = |name: &str| json["unknown"][name]["value"].as_f64().expect("a number");
+        ["vehicle.1.speed", "vehicle.2.speed", "contact.restitution"].map(value)
+    };
+    let sd = "± 0.28867513459481287 km/h"; // 1/√12
+    let by_hand = format!(
+        "vehicle.2.speed = \"41 km/h {sd}\"\nvehicle.2.delta_v.forward = \"-29 km/h {sd}\"\nvehicle.2.delta_v.left = \"-23 km/h {sd}\""
+    );
+    let by_file = unknowns(two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }"));
+    for (one, other) in unknowns(two_cars(&samples, &by_hand)).into_iter().zip(by_file) {
+        assert!((one - other).abs() < 1e-6 * one.abs(), "{one} and {other}");
+    }
+    // What is not wanted is left out; magnitude and direction in place of the components.
+    let polar = unknowns(two_cars(
+        &samples,
+        "vehicle.2.recorder = { file = \"edr.csv\", resolution = \"1 km/h\", use = [\"speed\", \"delta_v_magnitude\", \"pdof\"] }",
+    ));
+    assert!((polar[0] - by_file[0]).abs() < 0.05, "{polar:?}");
+    let clipped = samples.replace("0.25,,-29", "0.25,,-34").replace("0.24,,-29", "0.24,,-32");
+    let refused = two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\" }");
+    assert!(refused.status == 2 && refused.err.contains("delta_v_forward is a lower bound") && refused.err.contains("use = [\"speed\"]"));
+    assert!(two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\"] }").err.is_empty());
+    let twice = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"pdof\", \"delta_v_left\"] }");
+    assert!(twice.err.contains("the record would count twice"), "{}", twice.err);
+    let both = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }\nvehicle.2.speed = \"40 km/h ± 1 km/h\"");
+    assert!(both.status == 2 && both.err.contains("vehicle.2.speed twice"), "{}", both.err);
+    let ranged = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", range = \"20 km/h\" }");
+    assert!(ranged.status == 2 && ranged.err.contains("clipped"), "{}", ranged.err);
+}
+
+/// A recorder whose sensor holds 50 g, sampled every 10 ms: by hand 4.9 m/s a step at most.
+#[test]
+fn a_clipped_sensor_inside_a_recorder_is_recognized() {
+    let samples = "time [ms],delta_v_forward [m/s]\n0,0\n10,-2\n20,-6.9\n30,-11.8\n40,-14\n50,-14.5\n60,-14.5\n70,-14.5\n80,-14.5\n90,-14.5\n100,-14.5\n";
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"50 g\"\nresolution = \"0.1 m/s\""));
+    assert_eq!(run.status, 1);
+    let [sensor] = &record["recorder"]["clipped_sensors"].as_array().expect("sensors")[..] else { panic!("one sensor") };
+    assert_eq!((&sensor["channel"], &sensor["from"], &sensor["to"]), (&json!("delta_v_forward"), &json!(0.01), &json!(0.03)));
+    close(&sensor["acceleration"], 490.0, 1e-9);
+    let said = run.out.contains("the sensor of delta_v_forward is clipped: from 0.010 s to 0.030 s the velocity changes by up to 490");
+    assert!(said, "{}", run.out);
+    assert_eq!(record["recorder"]["is_lower_bound"], true);
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"60 g\"\nresolution = \"0.1 m/s\""));
+    assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)));
+    assert!(record["recorder"].get("clipped_sensors").is_none());
+    // In steps of 3 m/s no change tells 4.9 m/s from less.
+    let (record, run) = record_of(samples, Some("accelerometer_range = \"50 g\"\nresolution = \"3 m/s\""));
+    assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)), "{}", run.out);
+}
+
+/// Readings in whole steps that a uniform motion crosses have no scatter, and an unloaded channel that stays on one step has no noise: what is uncertain is the
+/// step itself.
+#[test]
+fn the_step_of_a_reading_is_in_its_standard_deviation() {
+    // 10.04 m/s on a film that is read to a centimeter, in frames of a millisecond.
+    let read = |ms: f64| (-1.004 * ms).round() * 10.0 + 300.0;
+    let film: String =
+        (-29..=60).map(|ms| format!("{ms},{}\n", if ms <= 0 { read(ms.into()) } else { read(0.0) + f64::from(ms) })).collect();
+    let (found, _) = record_of(&format!("time [ms],distance.a [mm]\n{film}"), None);
+    let closing = &found["films"][0]["closing_speed"];
+    let number = |key: &str| closing[key].as_f64().unwrap_or(f64::NAN);
+    assert!((number("value") - 10.04).abs() < 3.0 * number("sd") && number("sd") < 1.0, "{closing}");
+    // Forces in steps of 5 kN: the offset is anywhere within a step, for the whole of the contact.
+    let coarse = |ms: f64| (40.0 * pulse(ms)).round() * 5.0;
+    let (found, _) = record_of(&csv("normal_force.a [kN]", &[&coarse]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+    let impulse = &found["barrier"]["normal_impulse"];
+    // And 80 steps within a tenth of a millisecond, with a bend before and after each.
+    close(&impulse["sd"], 5e3 * (0.11_f64.powi(2) / 12.0 + 160.0 * 1e-8 / 144.0).sqrt(), 1e-9);
+    // Steps that are no whole number of the last printed digit.
+    for step in [200.0 / 256.0, 2.0 / 3.0, 100.0 / 256.0] {
+        let read = |ms: f64| format!("{:.3}", (20.0 * pulse(ms) / step).round() * step).parse().expect("a number");
+        let (found, _) = record_of(&csv("acceleration.a [g]", &[&read]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+        close(&found["accelerations"][0]["delta_v"]["sd"], 9.80665 * step / 12_f64.sqrt() * 0.11, 1e-3);
+    }
+    // What only seems to have steps does not.
+    let noisy = |ms: f64| 20.0 * pulse(ms) + 0.01 * (7.3 * ms * ms).sin();
+    let (found, _) = record_of(&csv("acceleration.a [g]", &[&noisy]), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+    let sd = found["accelerations"][0]["delta_v"]["sd"].as_f64().expect("a number");
+    assert!(sd > 1e-5 && sd < 1e-2, "{sd}");
+}
+
+/// A smooth pulse has no two neighboring readings by chance: what is known is the last printed digit. Two columns of the same digits are equally uncertain.
+#[test]
+fn the_last_digit_of_a_reading_is_its_least_step() {
+    let samples = |decimals: usize, unit: &str| {
+        let mut text = format!("time [ms],normal_force.a [{unit}],tangential_force.a [{unit}]\n");
+        for ms in (-20..=120).map(f64::from) {
+            let [normal, tangential] = [300.0, 90.0].map(|height| height * pulse(ms));
+            writeln!(text, "{ms},{normal:.decimals$},{tangential:.decimals$}").expect("a string takes everything");
+        }
+        text
+    };
+    for (decimals, unit, digit) in [(1, "kN", 100.0), (2, "kN", 10.0), (0, "kN", 1000.0), (1, "N", 0.1)] {
+        let (found, run) = record_of(&samples(decimals, unit), Some("window = [\"0 ms\", \"110 ms\"]\n"));
+        for impulse in ["normal_impulse", "tangential_impulse"] {
+            let sd = &found["barrier"][impulse]["sd"];
+            assert!(sd.as_f64().is_some_and(|sd| sd > 0.99 * digit / 12_f64.sqrt() * 0.11), "{impulse}: {sd}, {decimals} {}", run.err);
+            let height = if impulse == "normal_impulse" { 300.0 } else { 90.0 } * if unit == "kN" { 1e3 } else { 1.0 };
+            close(sd, (digit / 12_f64.sqrt() * 0.11).hypot(of_sampling(height, 0.1, 100.0)), 1e-3);
+        }
+    }
+    // Steps of whole digits, of which no two samples are one step apart.
+    let counts = [0.0, 0.0, 0.0, 0.0, 6.0, 16.0, 30.0, 40.0, 46.0, 50.0, 46.0, 36.0, 30.0, 16.0, 6.0, 0.0, 0.0];
+    let rows: String = counts.iter().enumerate().map(|(i, count)| format!("{},{count}\n", i as f64 - 3.0)).collect();
+    let (found, _) = record_of(&format!("time [ms],normal_force [kN]\n{rows}"), None);
+    let bends: f64 = counts.windows(3).map(|three: &[f64]| (three[0] - 2.0 * three[1] + three[2]).powi(2)).sum();
+    close(&found["barrier"]["normal_impulse"]["sd"], (2e3 / 12_f64.sqrt() * 0.013).hypot(bends.sqrt() / 12.0), 1e-6);
+    // As evidence it is uncertain enough to be used; without unloaded samples it is not, and then those help.
+    let case = |samples: &str| {
+        let folder = Folder::new();
+        folder.write("test.csv", samples.as_bytes());
+        let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.9]\n[[vehicle]]\nbarrier = true\n\
+                    [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\ncontact.record = { file = \"test.csv\" }\n[unknown]\ncontact.impulse_ratio = { start = 0.1 }\n";
+        folder.write("case.toml", case.as_bytes());
+        run(folder.path(), &["reconstruct", "case.toml", "--starts", "4"])
+    };
+    let whole = samples(2, "kN");
+    assert_eq!(case(&whole).status, 0, "{}", case(&whole).err);
+    let late: Vec<&str> = whole.lines().filter(|line| !line.starts_with('-')).collect();
+    let refused = case(&late.join("\n"));
+    assert!(refused.status == 2 && refused.err.contains("begin the samples before the contact"), "{}", refused.err);
+}
