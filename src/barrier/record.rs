@@ -191,21 +191,27 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         Noise::of(&samples, &baseline.value)
     }
 
-    /// Computes what the channel between its samples adds to the variance of its integral with these weights: (h²Δs/12)² of each sample that has one, where the
-    /// slope changes by Δs and the longer of its steps is h. By the formula of Euler and Maclaurin −h²Δs B₂(θ)/2 is the error of the trapezoids at a kink a share θ
-    /// of a step after a sample, at most that of a kink on a sample, where B₂ = 1/6.
+    /// Computes what the channel between its samples adds to the variance of its integral with these weights: (h²Δs/12)² of each sample, where the slope changes by
+    /// Δs and the longer of its steps is h. By the formula of Euler and Maclaurin −h²Δs B₂(θ)/2 is the error of the trapezoids at a kink a share θ of a step after
+    /// a sample, at most that of a kink on a sample, where B₂ = 1/6.
+    ///
+    /// A sample on the edge of the window, which has half of its weight, counts in full. Beyond the edge one counts smoothly less, so that there is a derivative by
+    /// the edge.
     fn variance_of_sampling(&self, weights: &[T]) -> T {
         let slope = |i: usize| {
             let step = self.time(i + 1) - self.time(i);
             ((self.values[i + 1].clone() - self.values[i].clone()) / step.clone(), step)
         };
-        let error = |i: usize| {
-            let ((before, shorter), (after, longer)) = (slope(i - 1), slope(i));
-            let step = T::select(longer.less(&shorter), shorter, longer);
-            step.squared() * (after - before) / T::int(12)
+        let of_sample = |i: usize| {
+            let ((before, one), (after, other)) = (slope(i - 1), slope(i));
+            let of_weight = weights[i].clone() * T::int(4) / (one.clone() + other.clone());
+            let of_weight = T::select(of_weight.less(&T::int(1)), of_weight, T::int(1));
+            let longer = T::select(one.less(&other), other, one);
+            let error = longer.squared() * (after - before) / T::int(12);
+            of_weight.clone() * (T::int(2) - of_weight) * error.squared()
         };
-        let of_weight = (1..self.len() - 1).filter(|&i| T::int(0).less(&weights[i]));
-        of_weight.fold(T::int(0), |sum, i| sum + error(i).squared())
+        let weighted = (1..self.len() - 1).filter(|&i| T::int(0).less(&weights[i]));
+        weighted.fold(T::int(0), |sum, i| sum + of_sample(i))
     }
 
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {
