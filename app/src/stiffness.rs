@@ -293,8 +293,8 @@ fn of_further_vehicle(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) ->
         Some(sd) => message.text(", and its crush energy to ± ").figure(Measure::Energy, sd),
         None => message,
     };
-    let few = class.is_too_small().map(|too_small| format!("; of {} vehicles they may be {too_small}", class.vehicles.len()));
-    Some(Notice::note("spread-between-vehicles", "vehicle", message.text("; `reconstruct` uses these").text(few.unwrap_or_default())))
+    let message = message.text(format!(", as far as {} vehicles tell; `reconstruct` uses these", class.vehicles.len()));
+    Some(Notice::note("spread-between-vehicles", "vehicle", message))
 }
 
 /// Describes a fit to tests that contradict each other.

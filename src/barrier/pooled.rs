@@ -29,17 +29,32 @@ impl RandomEffects {
     /// assert!((class.mean.value - 100.0).abs() < 1e-9 && (class.between - 400.0).abs() < 1e-9);
     /// ```
     pub fn of(vehicles: &[Estimate]) -> Option<RandomEffects> {
+        let between = RandomEffects::between_at(vehicles, vehicles.len() as f64 - 1.0)?;
+        Some(RandomEffects { mean: weighted(vehicles, between).0, between })
+    }
+
+    /// Returns the variance between two or more vehicles at which the weighted sum of squares Σ (xᵢ − x̄)²/(vᵢ + τ²) is this, above zero; 0 if it is less without
+    /// any, and `None` as [`Self::of`].
+    ///
+    /// Of vehicles that are known exactly, the sum is that of chi-square with k − 1 degrees of freedom: its quantile gives a limit of the variance.
+    ///
+    /// ```
+    /// use planar_impact::barrier::{Estimate, RandomEffects};
+    /// let exact = [80.0, 100.0, 120.0].map(|value| Estimate { value, variance: 0.0 });
+    /// let at_most = RandomEffects::between_at(&exact, 0.5).expect("three vehicles");
+    /// assert!((at_most - 1600.0).abs() < 1e-9);
+    /// ```
+    pub fn between_at(vehicles: &[Estimate], sum_of_squares: f64) -> Option<f64> {
         let is_number = |estimate: &Estimate| estimate.value.is_finite() && estimate.variance.is_finite() && estimate.variance >= 0.0;
-        if vehicles.len() < 2 || !vehicles.iter().all(is_number) {
+        if vehicles.len() < 2 || !vehicles.iter().all(is_number) || !(sum_of_squares > 0.0 && sum_of_squares.is_finite()) {
             return None;
         }
         let count = vehicles.len() as f64;
-        let freedom = count - 1.0;
         let simple = vehicles.iter().map(|estimate| estimate.value).sum::<f64>() / count;
         let squares: f64 = vehicles.iter().map(|estimate| (estimate.value - simple) * (estimate.value - simple)).sum();
-        // The weighted sum of squares falls with τ², and is at most k − 1 at the variance of the sample.
-        let exceeds = |between| weighted(vehicles, between).1 > freedom;
-        let (mut low, mut between) = (0.0, if exceeds(0.0) { squares / freedom } else { 0.0 });
+        // The weighted sum of squares falls with τ², and is at most that without weights over τ².
+        let exceeds = |between| weighted(vehicles, between).1 > sum_of_squares;
+        let (mut low, mut between) = (0.0, if exceeds(0.0) { squares / sum_of_squares } else { 0.0 });
         loop {
             let middle = 0.5 * (low + between);
             if middle <= low || middle >= between {
@@ -47,7 +62,7 @@ impl RandomEffects {
             }
             if exceeds(middle) { low = middle } else { between = middle }
         }
-        Some(RandomEffects { mean: weighted(vehicles, between).0, between })
+        Some(between)
     }
 
     /// Returns the standard deviation between the vehicles of the class.
@@ -112,5 +127,25 @@ mod tests {
         assert_eq!(RandomEffects::of(&[Estimate::with_deviation(1.0, 1.0), Estimate::with_deviation(f64::NAN, 1.0)]), None);
         let same = class(&[(5.0, 0.0), (5.0, 0.0)]);
         assert_eq!((same.mean.value, same.between), (5.0, 0.0));
+        let two = [Estimate::with_deviation(1.0, 1.0), Estimate::with_deviation(2.0, 1.0)];
+        for sum in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(RandomEffects::between_at(&two, sum), None);
+        }
+    }
+
+    #[test]
+    fn the_variance_at_a_sum_of_squares_has_that_sum() {
+        let vehicles = [(100.0, 30.0), (160.0, 10.0), (230.0, 25.0)].map(|(value, sd)| Estimate::with_deviation(value, sd));
+        let mut last = 0.0;
+        for sum in [30.0, 8.0, 2.0, 0.1] {
+            let between = RandomEffects::between_at(&vehicles, sum).expect("three vehicles");
+            // Without a variance between them the sum is less than 30.
+            assert!(if sum == 30.0 { between == 0.0 } else { between > last }, "{sum}: {between} {last}");
+            if sum < 30.0 {
+                assert_relative_eq!(weighted(&vehicles, between).1, sum, max_relative = 1e-12);
+            }
+            last = between;
+        }
+        assert_eq!(RandomEffects::between_at(&vehicles, 2.0), RandomEffects::of(&vehicles).map(|class| class.between));
     }
 }

@@ -1,12 +1,12 @@
 //! The stiffness of a class of vehicles, from that of each.
 
+use planar_impact::Distribution;
 use planar_impact::barrier::{CrushModel, Estimate, RandomEffects, StiffnessFit};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::model_name;
 use crate::named::positive_zero;
-use crate::wording::too_small;
 
 /// The stiffness of a class: its mean over the vehicles, and how much they differ.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -45,6 +45,8 @@ pub struct PooledNumber {
     pub mean_sd: f64,
     /// Standard deviation between the vehicles of the class.
     pub between_sd: f64,
+    /// Standard deviation of a further vehicle of the class about the mean: 95 % of such vehicles lie within 1.96 of it, however few vehicles tell the spread.
+    pub further_sd: f64,
 }
 
 /// A vehicle with the fit to its own tests.
@@ -78,14 +80,9 @@ impl Pooled {
         Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)? })
     }
 
-    /// Returns by how much the standard deviations between so few vehicles may be too small, if that matters.
-    pub(crate) fn is_too_small(&self) -> Option<String> {
-        too_small(self.vehicles.len() - 1)
-    }
-
     /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.
     pub(crate) fn further_vehicle(&self, mut fit: StiffnessFit) -> StiffnessFit {
-        let squared = |number: &PooledNumber| number.between_sd * number.between_sd;
+        let squared = |number: &PooledNumber| number.further_sd * number.further_sd;
         fit.covariance.onset += squared(&self.d0);
         fit.covariance.slope += squared(&self.d1);
         fit
@@ -95,6 +92,25 @@ impl Pooled {
 impl PooledNumber {
     fn of(vehicles: &[Estimate]) -> Option<PooledNumber> {
         let class = RandomEffects::of(vehicles)?;
-        Some(PooledNumber { mean: positive_zero(class.mean.value), mean_sd: class.mean.deviation(), between_sd: class.deviation_between() })
+        Some(PooledNumber {
+            mean: positive_zero(class.mean.value),
+            mean_sd: class.mean.deviation(),
+            between_sd: class.deviation_between(),
+            further_sd: deviation_of_further(vehicles)?,
+        })
     }
+}
+
+/// Returns the standard deviation of a further vehicle about the mean of a class, which is that of the normal distribution with its 95 % interval.
+///
+/// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. It is
+/// x̄ ± z τ √(1 + 1/k) with the variance τ² at which the sum of squares is (k − 1) (z/t)², and so it is for vehicles with an error of their own: an estimate of
+/// τ², which is 0 by chance for half of the classes of two, would be too small.
+fn deviation_of_further(vehicles: &[Estimate]) -> Option<f64> {
+    let count = u32::try_from(vehicles.len()).ok()?;
+    let upper = |distribution: Distribution| distribution.quantile(0.975);
+    let z = upper(Distribution::Normal { mean: 0.0, sd: 1.0 });
+    let t = upper(Distribution::StudentT { mean: 0.0, sd: f64::from(count).sqrt(), n: count });
+    let between = RandomEffects::between_at(vehicles, f64::from(count - 1) * (z / t).powi(2))?;
+    Some((between * (1.0 + 1.0 / f64::from(count))).sqrt())
 }

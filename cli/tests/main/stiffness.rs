@@ -281,14 +281,14 @@ fn class(scatter: &str) -> String {
 
 #[test]
 fn vehicles_of_a_class_are_pooled() {
-    // Mean, its standard deviation, and the standard deviation between vehicles: cli/tests/reference/pooled.py.
+    // Mean, its standard deviation, the standard deviation between vehicles, and that of a further one: cli/tests/reference/pooled.py.
     for (scatter, d1) in [
-        ("scatter = 10", [988.643_086_996_892_2, 82.883_580_356_071_79, 141.441_195_234_104_5]),
-        ("scatter = 60", [972.231_501_046_525_4, 84.527_757_326_221_96, 11.233_862_339_256_445]),
+        ("scatter = 10", [988.643_086_996_892_2, 82.883_580_356_071_79, 141.441_195_234_104_5, 362.573_579_902_778_5]),
+        ("scatter = 60", [972.231_501_046_525_4, 84.527_757_326_221_96, 11.233_862_339_256_445, 323.752_437_763_733_7]),
     ] {
         let document = json(&class(scatter));
         for pooled in document["pooled"].as_array().expect("two models") {
-            for (key, wanted) in ["mean", "mean_sd", "between_sd"].into_iter().zip(d1) {
+            for (key, wanted) in ["mean", "mean_sd", "between_sd", "further_sd"].into_iter().zip(d1) {
                 assert!((number(&pooled["d1"][key]) - wanted).abs() <= 1e-9 * wanted, "{scatter}: {key}: {pooled}");
             }
             // d0 = b0 √(m/w) is held, and differs by the vehicle alone.
@@ -298,6 +298,9 @@ fn vehicles_of_a_class_are_pooled() {
             assert!(
                 (number(&pooled["d0"]["mean"]) / mean - 1.0).abs() < 1e-12 && (number(&pooled["d0"]["between_sd"]) / sd - 1.0).abs() < 1e-9
             );
+            // Student's quantile of two degrees of freedom, and a mean of three.
+            let further = 4.302_652_729_749_464 / 1.959_963_984_540_054 * (4.0_f64 / 3.0).sqrt() * sd;
+            assert!((number(&pooled["d0"]["further_sd"]) / further - 1.0).abs() < 1e-9, "{pooled}");
             assert_eq!((pooled["vehicles"][2]["name"].as_str(), number(&pooled["vehicles"][2]["d0_sd"])), (Some("vehicle 3"), 0.0));
             let own_sd: f64 = scatter.trim_start_matches("scatter = ").parse().expect("a number");
             assert!((number(&pooled["vehicles"][2]["d1_sd"]) / (own_sd / 0.38) - 1.0).abs() < 1e-12, "{pooled}");

@@ -1,21 +1,32 @@
 #!/usr/bin/env python3
 """Random effects by Paule and Mandel, independently of the library: Newton's method on F(t) = sum w (x - m)^2 - (k - 1) in 50 digits.
 
-Prints the mean, its standard deviation and the standard deviation between vehicles of each set of numbers that the tests use."""
+Prints the mean, its standard deviation, the standard deviation between vehicles and that of a further vehicle for each set of numbers that the tests use."""
 from decimal import Decimal as D, getcontext
 
 getcontext().prec = 50
 
 
-def pool(numbers):
+# Quantiles at 0.975 of the normal distribution and of Student's with k - 1 degrees of freedom, from mpmath.
+Z = D("1.959963984540054235524594")
+T = {3: D("4.30265272974946385232094"), 5: D("2.77644510519779435780310")}
+
+
+def further(numbers):
+    """The same with (k - 1) (z/t)^2 in place of k - 1, and the error of a mean of k vehicles."""
+    k = len(numbers)
+    return pool(numbers, (k - 1) * (Z / T[k]) ** 2)[2] * (1 + D(1) / k).sqrt()
+
+
+def pool(numbers, squares=None):
     xs = [D(str(x)) for x, _ in numbers]
     vs = [D(str(s)) ** 2 for _, s in numbers]
-    k = len(xs)
+    squares = len(xs) - 1 if squares is None else squares
 
     def at(t):
         ws = [1 / (v + t) for v in vs]
         mean = sum(w * x for w, x in zip(ws, xs)) / sum(ws)
-        f = sum(w * (x - mean) ** 2 for w, x in zip(ws, xs)) - (k - 1)
+        f = sum(w * (x - mean) ** 2 for w, x in zip(ws, xs)) - squares
         # DerSimonian and Kacker (2007): the derivative in t.
         slope = -sum(w**2 * (x - mean) ** 2 for w, x in zip(ws, xs))
         return mean, 1 / sum(ws), f, slope
@@ -50,4 +61,4 @@ if __name__ == "__main__":
         slopes("2", "10", CLASS),
         slopes("2", "60", CLASS),
     ]:
-        print(*(f"{float(value):.17g}" for value in pool(numbers)))
+        print(*(f"{float(value):.17g}" for value in [*pool(numbers), further(numbers)]))

@@ -173,8 +173,8 @@ impl FittedToTests {
             } else {
                 "them".to_owned()
             };
-            let few = class.is_too_small().map(|too_small| format!(": of so few vehicles it may be {too_small}")).unwrap_or_default();
-            let message = message.text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between {those}{few}"));
+            let message = message
+                .text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between {those} as far as they tell"));
             Notice::note("stiffness-from-tests", key, message)
         } else if vehicles > 1 {
             let message = message.text(format!(
