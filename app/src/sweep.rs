@@ -27,8 +27,19 @@ pub struct Options {
     pub vary: Vec<String>,
     /// The outputs by name or symbol; W_n, W_t, T_L and μ₀ if empty.
     pub of: Vec<String>,
-    /// Maximum number of points, if the interface has its own limit.
-    pub most_points: Option<usize>,
+    /// What the interface can show at most; `None` if it has no limit of its own.
+    pub shown: Option<Shown>,
+}
+
+/// The most points of a sweep that an interface can show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// Their number.
+    pub most: usize,
+    /// The option that shows them, for the message.
+    pub by: &'static str,
+    /// What to do about more.
+    pub help: &'static str,
 }
 
 /// A case over ranges of its inputs, in SI: a column for each name, a row for each point, the last range running fastest.
@@ -72,9 +83,8 @@ pub fn sweep(case: &Case, options: &Options, control: &dyn Control) -> Result<An
         let message = format!("{count} points of {} outputs exceed the {MOST_NUMBERS} numbers of a sweep", outputs.len());
         issues.push(Issue::of_call("--of", message, Some("take a larger step, or name fewer outputs".to_owned())));
     }
-    if let Some(most) = options.most_points.filter(|most| count > *most) {
-        let help = "take a larger step, or --format csv, json or svg".to_owned();
-        issues.push(Issue::of_call("--format text", format!("a table of {count} rows exceeds {most} rows"), Some(help)));
+    if let Some(Shown { most, by, help }) = options.shown.filter(|shown| count > shown.most) {
+        issues.push(Issue::of_call(by, format!("a table of {count} rows exceeds {most} rows"), Some(help.to_owned())));
     }
     if !issues.is_empty() {
         return Err(Issues::of_call(issues));

@@ -122,8 +122,9 @@ fn differentiate(call: &arguments::Gradient) -> Result<CommandOutput, Failure> {
 
 fn vary(call: &arguments::Sweep) -> Result<CommandOutput, Failure> {
     let (case, units) = read(&call.case, call.units)?;
-    let most_points = (call.format == SweepFormat::Text).then_some(MOST_ROWS);
-    let options = sweep::Options { vary: call.vary.clone(), of: call.of.clone(), most_points };
+    let of_text = sweep::Shown { most: MOST_ROWS, by: "--format text", help: "take a larger step, or --format csv, json or svg" };
+    let shown = (call.format == SweepFormat::Text).then_some(of_text);
+    let options = sweep::Options { vary: call.vary.clone(), of: call.of.clone(), shown };
     let answer = in_units(sweep::sweep(&case, &options, &Progress::new()), units)?;
     match call.format {
         SweepFormat::Text => Ok(CommandOutput::page(&page::page(&answer, units))),

@@ -125,7 +125,7 @@ pub fn sweep(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
     use planar_impact_app::sweep::{Options, sweep};
-    let options = Options { vary, of, most_points: None };
+    let options = Options { vary, of, shown: None };
     on_long_case(py, case, units, progress, |case, units, control| {
         let answer = Arc::new(sweep(case, &options, control)?);
         Ok(Answer::of(&answer, units, Layout::Compact).with_chart("sweep", &answer, chart::sweep))

@@ -1,6 +1,6 @@
 // The answers of the verbs: a tab for each, computed in a worker, always about the text as it is.
-import type { Case, Frame, Issue, Reply } from "./engine";
-import { Lane, Stopped } from "./jobs";
+import { isSame, sentence, type Case, type Frame, type Issue, type Reply } from "./engine";
+import { Lane } from "./jobs";
 import { fill, show } from "./morph";
 
 interface Option {
@@ -78,9 +78,10 @@ const element = <K extends keyof HTMLElementTagNameMap>(name: K, className = "")
 /** A list of issues; choosing one leads to its place. */
 export function issueList(issues: Issue[], name: string, goTo: (offset: number) => void): HTMLElement {
   const list = element("ul", "issues");
-  for (const { path, message, help, line, from, file } of issues) {
+  for (const issue of issues) {
+    const { line, from, file } = issue;
     const item = element("li");
-    const text = `${path === "" ? "" : `${path}: `}${message}${help === null ? "" : ` (${help})`}`;
+    const text = sentence(issue);
     if (from !== null && file === name) {
       const button = element("button", "link");
       button.type = "button";
@@ -106,6 +107,8 @@ export class Answers {
   private readonly result = element("div", "result");
   private readonly lane: Lane;
   private timer = 0;
+  /** Counts what has been asked and what has been given up: only the reply to the last question is shown. */
+  private question = 0;
   private dropped: { name: string; bytes: Uint8Array } | null = null;
   private frame: Frame | null = null;
 
@@ -125,7 +128,10 @@ export class Answers {
     this.bar.setAttribute("aria-label", "Progress");
     this.stop.type = "button";
     this.stop.textContent = "Cancel";
-    this.stop.addEventListener("click", () => this.cancel());
+    this.stop.addEventListener("click", () => {
+      this.cancel();
+      this.status.textContent = "Canceled.";
+    });
     this.result.id = "result";
     this.result.setAttribute("role", "tabpanel");
     this.result.tabIndex = 0;
@@ -163,7 +169,6 @@ export class Answers {
 
   /** Shows a verb, with other options if given. */
   choose(name: string, options: Record<string, string> = {}): void {
-    this.cancel();
     this.verb = VERBS.find((verb) => verb.name === name) ?? this.verb;
     for (const [of, tab] of this.tabs) {
       tab.setAttribute("aria-selected", String(of === this.verb.name));
@@ -176,7 +181,7 @@ export class Answers {
       const label = element("label");
       const input = element("input");
       input.type = option.kind === "switch" ? "checkbox" : option.kind === "number" ? "number" : "text";
-      if (option.kind === "number") [input.min, input.max] = ["100", "10000000"];
+      if (option.kind === "number") [input.min, input.max, input.step, input.required] = ["100", "10000000", "1", true];
       input.value = options[option.name] ?? option.value;
       input.addEventListener("change", () => void this.run());
       const text = element("span");
@@ -191,9 +196,15 @@ export class Answers {
       start.textContent = "Start";
       this.options.append(start);
     }
+    this.clear();
+    this.changed(this.frame);
+  }
+
+  /** Another case has taken the place of the text: nothing that was asked about the old one is shown any more. */
+  clear(): void {
+    this.cancel();
     fill(this.result);
     this.status.textContent = "";
-    this.changed(this.frame);
   }
 
   private chooser(): HTMLElement {
@@ -222,16 +233,25 @@ export class Answers {
   changed(frame: Frame | null): void {
     this.frame = frame;
     if (this.verb.name === "solve" || this.verb.name === "gradient") return this.showFrame();
-    clearTimeout(this.timer);
-    if (this.verb.isLive) this.timer = window.setTimeout(() => void this.run(), 60);
-    else if (this.verb.name !== "check") this.status.textContent = "The case has changed: start again.";
+    if (this.verb.name === "check") return;
+    if (this.verb.isLive) {
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => void this.run(), 60);
+      return;
+    }
+    this.cancel();
+    if (!this.result.hasChildNodes()) return;
+    this.result.classList.add("stale");
+    this.status.textContent = "The case has changed: start again.";
   }
 
   private showFrame(): void {
     if (!this.frame) return;
-    if (this.frame.has_unknowns) {
-      void this.run();
-    } else if (this.frame.issues.length > 0) {
+    if (this.frame.has_unknowns) return void this.run();
+    this.cancel();
+    this.status.textContent = "";
+    this.result.classList.remove("stale");
+    if (this.frame.issues.length > 0) {
       this.refuse(this.frame.issues);
     } else {
       show(this.result, this.verb.name === "solve" ? this.frame.tables : this.frame.gradient);
@@ -250,6 +270,7 @@ export class Answers {
   }
 
   cancel(): void {
+    this.question++;
     clearTimeout(this.timer);
     this.lane.cancel();
     this.busy(false);
@@ -265,7 +286,7 @@ export class Answers {
         return { posterior: this.inputs.get("posterior")?.checked ?? false };
       case "uncertainty":
         return {
-          samples: Math.min(Math.max(Math.round(Number(text("samples"))) || 100000, 100), 10_000_000),
+          samples: Number(text("samples")),
           methods: this.inputs.get("bounds")?.checked ? [] : LIVE_METHODS,
         };
       case "formula":
@@ -275,13 +296,17 @@ export class Answers {
     }
   }
 
+  /** What is wrong with an option that is typed; `null` if nothing is. */
+  private unusable(): string | null {
+    const wrong = this.verb.options.find(({ name }) => this.inputs.get(name)?.checkValidity() === false);
+    return wrong ? `${wrong.label}: ${this.inputs.get(wrong.name)!.validationMessage}` : null;
+  }
+
   /** Asks the verb that is shown about the text as it is now, in a lane of its own for an export, so that no later change takes its place; `null` where there is no answer. */
-  async ask(lane = this.lane): Promise<Reply | null> {
+  async ask(lane: Lane, progress: (done: number, total: number) => void): Promise<Reply | null> {
     const { verb } = this;
-    const progress = (done: number, total: number) => {
-      if (total <= 1) return;
-      this.bar.value = done / total;
-    };
+    const unusable = this.unusable();
+    if (unusable !== null) throw new Error(unusable);
     if (verb.name === "check") {
       if (!this.dropped) return null;
       // A copy, because a worker takes what it is given.
@@ -293,21 +318,31 @@ export class Answers {
 
   async run(): Promise<void> {
     const { verb } = this;
+    const question = ++this.question;
+    const of = this.current();
     this.busy(true);
     this.status.textContent = "Computing";
     const started = performance.now();
     try {
-      const reply = await this.ask();
-      if (verb !== this.verb) return;
+      const reply = await this.ask(this.lane, (done, total) => {
+        if (question === this.question && total > 1) this.bar.value = done / total;
+      });
+      if (question !== this.question) return;
       this.busy(false);
+      if (verb.name !== "check" && !isSame(of, this.current())) {
+        this.status.textContent = "The case has changed.";
+        return;
+      }
       this.status.textContent = reply ? `Done in ${((performance.now() - started) / 1000).toFixed(2)} s` : "";
       if (!reply) return;
+      this.result.classList.remove("stale");
       if (reply.issues.length > 0) this.refuse(reply.issues);
       else show(this.result, reply.html);
     } catch (error) {
-      if (error instanceof Stopped && error.message !== "stopped") return;
+      if (question !== this.question) return;
       this.busy(false);
-      this.status.textContent = error instanceof Stopped ? "Canceled." : `No answer: ${error instanceof Error ? error.message : String(error)}`;
+      fill(this.result);
+      this.status.textContent = `No answer: ${error instanceof Error ? error.message : String(error)}`;
     }
   }
 

@@ -9,6 +9,10 @@ export interface Case {
   units: string;
 }
 
+/** `true` if both have the same text and name, files and units. */
+export const isSame = (one: Case, other: Case): boolean =>
+  one.text === other.text && one.name === other.name && one.files === other.files && one.units === other.units;
+
 export interface Issue {
   code: string;
   path: string;
@@ -19,6 +23,9 @@ export interface Issue {
   from: number | null;
   to: number | null;
 }
+
+/** An issue in a sentence, with the remedy. */
+export const sentence = ({ path, message, help }: Issue): string => `${path === "" ? "" : `${path}: `}${message}${help === null ? "" : ` (${help})`}`;
 
 export interface Change {
   from: number;

@@ -11,6 +11,15 @@ export function save(name: string, content: BlobPart, type: string): void {
 /** Largest file that is read as a case. */
 const LARGEST = 4 << 20;
 
+/** The text of a file, whose bytes a text may not lose. */
+function decoded(name: string, bytes: ArrayBuffer): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    throw new Error(`${name} is not UTF-8 text; save it as UTF-8`);
+  }
+}
+
 export interface Opened {
   name: string;
   text: string;
@@ -21,7 +30,7 @@ export interface Opened {
 export async function open(list: File[]): Promise<Opened> {
   const read = await Promise.all(list.map(async (file) => {
     if (file.size > LARGEST) throw new Error(`${file.name} is larger than ${LARGEST >> 20} MiB, which no case file is`);
-    return { name: file.name, text: await file.text() };
+    return { name: file.name, text: decoded(file.name, await file.arrayBuffer()) };
   }));
   const report = read.find(({ name }) => /\.html?$/i.test(name));
   if (report) return fromReport(report.name, report.text);

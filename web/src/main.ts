@@ -1,7 +1,7 @@
 // The page: one text, and everything else made from it.
 import { Answers, issueList } from "./answers";
 import { Editor } from "./editor";
-import { compile, type Case, type Change, type Frame, type Issue, type Reply } from "./engine";
+import { compile, isSame, sentence, type Case, type Change, type Frame, type Issue, type Reply } from "./engine";
 import * as files from "./files";
 import { Form } from "./form";
 import * as engine from "./frame";
@@ -82,7 +82,7 @@ function refresh(isTyped: boolean): void {
   background.run<Frame>({ kind: "frame", case: of }).then(
     ({ result, took }) => {
       state.took = took;
-      if (of.text === editor.text) render(result);
+      if (isSame(of, current())) render(result);
     },
     (error: unknown) => {
       if (!(error instanceof Stopped)) say(`The case cannot be computed: ${failure(error)}`, true);
@@ -121,7 +121,7 @@ async function draw(): Promise<void> {
   const of = current();
   try {
     const { result } = await drawer.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
-    if (of.text !== editor.text || state.frame?.handles) return;
+    if (!isSame(of, current()) || state.frame?.handles) return;
     state.drawing = result.svg;
     if (result.svg !== "") scene.show(result.svg, null);
     else $("issues").replaceChildren(issueList(result.issues, state.name, (offset) => editor.goTo(offset)));
@@ -140,7 +140,7 @@ const edit = {
   begin: () => editor.begin(),
   apply: (changes: Change[]) => editor.apply(changes),
   end: () => editor.end(),
-  refuse: (issues: Issue[]) => say(issues.map(({ path, message }) => `${path}: ${message}`).join("\n"), true),
+  refuse: (issues: Issue[]) => say(issues.map(sentence).join("\n"), true),
 };
 
 function slider(id: string, input: string, toSi: number, resolution: number): void {
@@ -153,6 +153,7 @@ function slider(id: string, input: string, toSi: number, resolution: number): vo
 /** Takes another case in place of the text. */
 function take(opened: files.Opened): void {
   background.cancel();
+  answers.clear();
   [state.name, state.files, state.took] = [opened.name, opened.files, null];
   $("name").textContent = opened.name;
   editor.replace(opened.text);
@@ -181,33 +182,53 @@ async function readFragment(): Promise<void> {
 
 const base = (): string => state.name.replace(/^.*[/\\]/, "").replace(/\.[^.]*$/, "") || "case";
 
-/** Makes a file of the text as it is now; nothing that was computed before is saved. */
+/** The row of an export that is under way: its name, how far it is, and the way to end it. */
+function exporting(name: string, cancel: () => void): { row: HTMLElement; progress: (done: number, total: number) => void } {
+  const [row, text, bar, stop] = [document.createElement("p"), document.createElement("span"), document.createElement("progress"), document.createElement("button")];
+  row.className = "running";
+  text.textContent = `Exporting ${name}`;
+  bar.max = 1;
+  bar.setAttribute("aria-label", `Export of ${name}`);
+  stop.type = "button";
+  stop.textContent = "Cancel";
+  stop.addEventListener("click", cancel);
+  row.append(text, bar, stop);
+  $("exports").append(row);
+  const progress = (done: number, total: number) => {
+    if (total > 1) bar.value = done / total;
+  };
+  return { row, progress };
+}
+
+/** Makes a file of the text as it is now, under its present name; nothing that was computed before is saved. */
 async function exported(kind: string): Promise<void> {
   const of = current();
-  const exporter = new Lane("verbs", 0);
+  const verb = kind === "json" || kind === "csv" ? `.${answers.shown.name}` : "";
+  const name = `${base()}${verb}.${kind === "report" ? "html" : kind}`;
+  const lane = new Lane("verbs", 0);
+  const { row, progress } = exporting(name, () => lane.cancel());
+  const written = (reply: Reply | null): Reply => {
+    if (!reply) throw new Error("there is no answer yet");
+    if (reply.issues.length > 0) throw new Error(reply.issues.map(sentence).join("\n"));
+    return reply;
+  };
   try {
-    say("Exporting");
     if (kind === "report") {
-      const { result } = await exporter.run<Reply>({ kind: "report", case: of });
-      if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
-      files.save(`${base()}.html`, result.html, "text/html");
+      files.save(name, written((await lane.run<Reply>({ kind: "report", case: of }, progress)).result).html, "text/html");
     } else if (kind === "svg" || kind === "png") {
-      const { result } = await exporter.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
-      if (result.issues.length > 0) throw new Error(result.issues[0]!.message);
-      if (kind === "svg") files.save(`${base()}.svg`, result.svg, "image/svg+xml");
-      else files.save(`${base()}.png`, await files.toPng(result.svg), "image/png");
+      const { svg } = written((await lane.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} }, progress)).result);
+      if (kind === "svg") files.save(name, svg, "image/svg+xml");
+      else files.save(name, await files.toPng(svg), "image/png");
     } else {
-      const reply = await answers.ask(exporter);
-      const content = kind === "csv" ? reply?.csv : reply?.json;
-      if (reply && reply.issues.length > 0) throw new Error(reply.issues[0]!.message);
-      if (!content) throw new Error(kind === "csv" ? "this answer has no table as CSV; sweep, uncertainty and slide have" : "there is no answer yet");
-      files.save(`${base()}.${answers.shown.name}.${kind}`, content, kind === "csv" ? "text/csv" : "application/json");
+      const { csv, json } = written(await answers.ask(lane, progress));
+      if (kind === "csv" && csv === "") throw new Error("this answer has no table as CSV; sweep, uncertainty and slide have");
+      files.save(name, kind === "csv" ? csv : json, kind === "csv" ? "text/csv" : "application/json");
     }
-    say("");
   } catch (error) {
-    say(`There is nothing to export: ${failure(error)}`, true);
+    if (!(error instanceof Stopped)) say(`${name} cannot be exported: ${failure(error)}`, true);
   } finally {
-    exporter.cancel();
+    row.remove();
+    lane.cancel();
   }
 }
 

@@ -35,7 +35,11 @@ async function through(bytes: Uint8Array, by: GenericTransformStream, most: numb
   return whole;
 }
 
+/** `true` for text without half of a pair of surrogates, which UTF-8 cannot hold. */
+const isText = (value: unknown): value is string => typeof value === "string" && !/\p{Surrogate}/u.test(value);
+
 export async function pack(shared: Shared): Promise<string> {
+  if (![shared.name, shared.text, ...Object.entries(shared.files).flat()].every(isText)) throw new Error("it has half of a character in it (a lone surrogate)");
   const json = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.files]));
   // What cannot be read again is not written.
   if (json.length > LARGEST) throw new Error(`the case and its files are larger than ${LARGEST >> 20} MiB: an address cannot hold them`);
@@ -68,9 +72,8 @@ export async function unpack(fragment: string): Promise<Shared | null> {
   } catch {
     throw new Error("the case of this address is damaged");
   }
-  const isText = (value: unknown): value is string => typeof value === "string";
   if (!Array.isArray(shared) || shared.length !== 3 || !isText(shared[0]) || !isText(shared[1])) throw new Error("the case of this address is damaged");
   const files: unknown = shared[2];
-  if (typeof files !== "object" || files === null || !Object.values(files).every(isText)) throw new Error("the case of this address is damaged");
-  return { name: shared[0].slice(0, 200), text: shared[1], files: { ...(files as Record<string, string>) } };
+  if (typeof files !== "object" || files === null || !Object.entries(files).flat().every(isText)) throw new Error("the case of this address is damaged");
+  return { name: Array.from(shared[0]).slice(0, 200).join(""), text: shared[1], files: { ...(files as Record<string, string>) } };
 }

@@ -47,6 +47,15 @@ test("an address that could not be read again is not written", async () => {
   assert.equal((await unpack(await of((4 << 20) - 100))).files["a.csv"].length, (4 << 20) - 100);
 });
 
+test("half of a character is neither written nor read", async () => {
+  const { pack, unpack } = await module("src/share.ts");
+  for (const shared of [["\ud800", "", {}], ["a", "x\udc00", {}], ["a", "", { "\ud800": "" }], ["a", "", { b: "\ud800" }]]) {
+    await assert.rejects(pack({ name: shared[0], text: shared[1], files: shared[2] }), /half of a character/);
+    await assert.rejects(unpack(`#1.${deflateRawSync(JSON.stringify(shared)).toString("base64url")}`), /^Error: the case of this address is damaged$/);
+  }
+  assert.equal((await unpack(await pack({ name: "😀".repeat(300), text: "", files: {} }))).name, "😀".repeat(200));
+});
+
 test("a damaged address is refused with its reason", async () => {
   const { pack, unpack } = await module("src/share.ts");
   const next = random(2);

@@ -173,6 +173,16 @@ describe("the page", () => {
     });
   });
 
+  test("a file that is not UTF-8 is refused", async () => {
+    await visit(async (page) => {
+      const before = await text(page);
+      const latin = Buffer.from('schema = 1\ntitle = "Citro\u00ebn"\n[[vehicle]]\n', "latin1");
+      await page.setInputFiles("#open", [{ name: "latin1.toml", mimeType: "application/toml", buffer: latin }]);
+      await page.waitForFunction(() => document.querySelector("#message").textContent.includes("latin1.toml is not UTF-8 text"));
+      assert.equal(await text(page), before);
+    });
+  });
+
   test("a case that names files finds them when they are opened together", async () => {
     await visit(async (page) => {
       const buffer = (path) => readFileSync(join(root, "cli/examples", path));
@@ -302,6 +312,11 @@ describe("the editor and the form", () => {
       assert.match(await text(page), /^mass = "1200 kg"$/m);
       await settled(page, () => type(page, readFileSync(join(root, "cli/examples/position-c.toml"), "utf8").replace(/^mass = .*$/m, 'mass = "999 kg"')));
       assert.equal(await mass.inputValue(), "999 kg");
+      await settled(page, async () => type(page, (await text(page)).replace(/^impulse_ratio = .*$/m, "")));
+      await page.locator('[data-path="contact.impulse_ratio"]').fill("{ of_critical = 0.9 }");
+      await settled(page, () => page.locator('[data-path="contact.impulse_ratio"]').press("Enter"));
+      assert.match(await text(page), /^impulse_ratio = \{ of_critical = 0\.9 \}$/m);
+      assert.equal(await page.locator("#issues li").count(), 0);
     });
   });
 
@@ -349,6 +364,105 @@ describe("long verbs", () => {
       await page.locator(".options input").uncheck();
       await page.waitForSelector("#result table", { timeout: 60_000 });
       assert.match(await page.locator("#result").innerText(), /km\/h/);
+    });
+  });
+
+  const twoCars = "reconstruct/two-cars.toml";
+  const reconstruct = async (page) => {
+    await loadExample(page, twoCars);
+    await page.click("#tab-reconstruct");
+    await page.getByRole("button", { name: "Start" }).click();
+    await page.waitForSelector(".running progress:visible");
+  };
+
+  test("a text that changes during a reconstruction has no answer of the old one", async () => {
+    await visit(async (page) => {
+      await reconstruct(page);
+      await settled(page, async () => type(page, (await text(page)).replace(/^mass = .*$/m, 'mass = "9000 kg"')));
+      await page.waitForTimeout(4000);
+      assert.equal(await page.locator("#result table").count(), 0);
+      assert.doesNotMatch(await page.locator(".status").innerText(), /Done/);
+      // Once it has been answered, a change of the text is said beside the answer.
+      await page.getByRole("button", { name: "Start" }).click();
+      await page.waitForFunction(() => document.querySelector(".status").textContent.startsWith("Done"), null, { timeout: 60_000 });
+      assert.match(await page.locator("#result").innerText(), /Inconsistent evidence/);
+      await settled(page, async () => type(page, (await text(page)).replace("9000 kg", "1500 kg")));
+      assert.match(await page.locator(".status").innerText(), /The case has changed: start again/);
+      assert.match(await page.locator("#result").getAttribute("class"), /stale/);
+    });
+  });
+
+  test("another case takes the place of every answer about the one before", async () => {
+    await visit(async (page) => {
+      await reconstruct(page);
+      await loadExample(page, "position-b.toml");
+      await page.waitForTimeout(4000);
+      assert.equal(await page.locator("#result").innerText(), "");
+      // A reconstruction that `solve` has asked for comes too late for a case without unknowns.
+      await page.click("#tab-solve");
+      await page.selectOption("#examples", twoCars);
+      await page.waitForFunction(() => document.querySelector(".running progress").checkVisibility(), null, { polling: 5 });
+      await page.selectOption("#examples", "position-b.toml");
+      await page.waitForTimeout(2000);
+      assert.doesNotMatch(await page.locator("#result").innerText(), /missing/);
+      assert.match(await page.locator("#result").innerText(), /position B[\s\S]*delta-V/);
+    });
+  });
+
+  test("an export keeps its name, shows its progress, and can be canceled", async () => {
+    await visit(async (page) => {
+      await loadExample(page, "uncertain.toml");
+      await page.click("#tab-uncertainty");
+      await page.locator(".options input[type=number]").fill("1000000");
+      await page.locator(".options input[type=number]").press("Enter");
+      const saved = page.waitForEvent("download");
+      await page.selectOption("#export", "json");
+      await page.waitForSelector("#exports progress[value]");
+      await loadExample(page, "position-b.toml");
+      await page.click("#tab-sweep");
+      assert.equal((await saved).suggestedFilename(), "uncertain.uncertainty.json");
+      await page.waitForFunction(() => document.querySelector("#exports").childElementCount === 0);
+      await loadExample(page, "uncertain.toml");
+      await page.click("#tab-uncertainty");
+      await page.locator(".options input[type=number]").fill("10000000");
+      await page.selectOption("#export", "csv");
+      await page.locator("#exports").getByRole("button", { name: "Cancel" }).click();
+      await page.waitForFunction(() => document.querySelector("#exports").childElementCount === 0);
+      assert.equal(await page.locator("#message").isVisible(), false);
+    });
+  });
+
+  test("what an option cannot be is said, and no other number is taken", async () => {
+    await visit(async (page) => {
+      await loadExample(page, "uncertain.toml");
+      await page.click("#tab-uncertainty");
+      for (const samples of ["5", "123.5", ""]) {
+        await page.locator(".options input[type=number]").fill(samples);
+        await page.locator(".options input[type=number]").press("Enter");
+        await page.waitForFunction(() => document.querySelector(".status").textContent.startsWith("No answer: Samples: "));
+        assert.equal(await page.locator("#result table").count(), 0);
+      }
+    });
+  });
+
+  test("a long sweep is drawn and exported, and its table is left out", async () => {
+    await visit(async (page) => {
+      await page.click("#tab-sweep");
+      await page.locator(".options input").first().fill("contact.restitution=0:1:1e-4");
+      await page.locator(".options input").first().press("Enter");
+      await page.waitForFunction(() => document.querySelector("#result").textContent.includes("The table has 10001 rows"), null, { timeout: 60_000 });
+      assert.equal(await page.locator("#result figure svg").count(), 1);
+      assert.equal((await exported(page, "csv")).bytes.toString().trimEnd().split("\n").length, 10_002);
+    });
+  });
+
+  test("a case without an answer says all that is wrong when it is exported", async () => {
+    await visit(async (page) => {
+      await loadExample(page, twoCars);
+      await page.click("#tab-slide");
+      await page.selectOption("#export", "json");
+      await page.waitForFunction(() => document.querySelector("#message").textContent.includes("cannot be exported"));
+      assert.match(await page.locator("#message").innerText(), /two-cars\.slide\.json cannot be exported: vehicle\.\S+: .* \(/);
     });
   });
 

@@ -44,15 +44,15 @@ impl Document {
     /// A table that is missing, or is written in braces.
     pub fn write_text(&self, path: &str, text: &str) -> Result<Edit, Issues> {
         let (key, text) = (key_of(path), text.trim());
+        let is_table = text.starts_with('{') && text.ends_with('}');
         let is_number = text.parse::<f64>().is_ok_and(f64::is_finite) && text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
         match self.find(&key) {
             Some(node) if self.has_header(node) => Err(self.refuse_edit(&key, node.span.clone(), "is a table; write one of its keys")),
             Some(node) => {
                 let keeps_bare = is_number && matches!(node.value, Value::Number(_));
-                let raw = keeps_bare || text.starts_with('{') && text.ends_with('}');
-                Ok(Edit { span: node.span.clone(), text: if raw { text.to_owned() } else { quoted(text) } })
+                Ok(Edit { span: node.span.clone(), text: if keeps_bare || is_table { text.to_owned() } else { quoted(text) } })
             }
-            None => self.insert(&key, &if is_number { text.to_owned() } else { quoted(text) }),
+            None => self.insert(&key, &if is_number || is_table { text.to_owned() } else { quoted(text) }),
         }
     }
 

@@ -17,6 +17,8 @@ use crate::reply::Reply;
 
 /// Most rows of a table on a page.
 const MOST_ROWS: usize = 2000;
+/// Most points of a sweep, whose files the page holds in memory.
+const MOST_POINTS: sweep::Shown = sweep::Shown { most: 100_000, by: "Vary", help: "take a larger step" };
 
 /// Options of every verb; each reads its own.
 #[derive(Default, Deserialize)]
@@ -67,14 +69,19 @@ fn run(verb: &str, case: &Case, units: Units, options: &Options) -> Result<Reply
             Ok(Reply { json: json::text(&full, Layout::Pretty)?, ..written(&shown, units, Layout::Pretty, Vec::new())? })
         }
         "sweep" => {
-            let answer = sweep::sweep(
-                case,
-                &sweep::Options { vary: options.vary.clone(), of: options.of.clone(), most_points: Some(MOST_ROWS) },
-                &Reporter,
-            )?;
+            let asked = sweep::Options { vary: options.vary.clone(), of: options.of.clone(), shown: Some(MOST_POINTS) };
+            let answer = sweep::sweep(case, &asked, &Reporter)?;
             let svg = chart::sweep(&answer, units)?;
             let csv = csv(page::sweep_csv::records(&answer, units))?;
-            Ok(Reply { csv, svg: svg.clone(), ..written(&answer, units, Layout::Compact, vec![figure("Chart", svg)])? })
+            let rows = answer.refused.len();
+            let reply = if rows > MOST_ROWS {
+                let text = format!("The table has {rows} rows, and more than {MOST_ROWS} are not shown: export it as CSV or JSON.");
+                let html = html::fragment(&[Block::paragraph(&text), figure("Chart", svg.clone())]);
+                Reply { json: json::text(&answer, Layout::Compact)?, html, ..Reply::default() }
+            } else {
+                written(&answer, units, Layout::Compact, vec![figure("Chart", svg.clone())])?
+            };
+            Ok(Reply { csv, svg, ..reply })
         }
         "crush" => written(&crush::crush(case, &(), &Reporter)?, units, Layout::Pretty, Vec::new()),
         "crash3" => written(&crash3::crash3(case, &(), &Reporter)?, units, Layout::Pretty, Vec::new()),
