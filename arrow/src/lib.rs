@@ -41,7 +41,7 @@ mod answer;
 mod cells;
 mod plan;
 
-pub use plan::{Plan, Solved, UNIT};
+pub use plan::{Plan, Solved, unit_of};
 pub use planar_impact_app::batch::{Options, Refused};
 
 #[cfg(test)]

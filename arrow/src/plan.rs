@@ -12,7 +12,7 @@ use planar_impact_app::{Case, Issue, Issues, Notice};
 use crate::{answer, cells};
 
 /// The key of a field's metadata that names its unit.
-pub const UNIT: &str = "unit";
+pub(crate) const UNIT: &str = "unit";
 
 /// What is computed from every record batch of a schema.
 #[derive(Clone, Debug)]
@@ -129,9 +129,9 @@ impl Plan {
 }
 
 /// Returns the unit in the metadata of a field. Others write its key with a capital, or as `units`: a number in an unread unit would pass for SI.
-fn unit_of(field: &Field) -> Option<&String> {
+pub fn unit_of(field: &Field) -> Option<&str> {
     let named = |name: &str| field.metadata().iter().find(|(key, _)| key.trim().eq_ignore_ascii_case(name)).map(|(_, unit)| unit);
-    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units"))
+    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units")).map(String::as_str)
 }
 
 fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {
@@ -142,7 +142,7 @@ fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {
             issues.push(Issue::at("invalid-unit", header.name.clone(), message));
             header
         }
-        (None, Some(unit)) => Header { unit: Some(unit.clone()), ..header },
+        (None, Some(unit)) => Header { unit: Some(unit.to_owned()), ..header },
         _ => header,
     }
 }

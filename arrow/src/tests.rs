@@ -13,7 +13,8 @@ use arrow_array::{
 use arrow_schema::{DataType, Field, Schema};
 use planar_impact_app::{Case, Source};
 
-use crate::{Options, Plan, UNIT};
+use crate::plan::UNIT;
+use crate::{Options, Plan};
 
 fn case() -> Case {
     let text = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 15\nimpact_center = [2, 0.3]\n[[vehicle]]\nbarrier = true\n\

@@ -187,7 +187,7 @@ fn other_columns(first: &Source, other: &Source) -> String {
 
 /// Returns the headers of the answer as text: a unit of the table's metadata stands in brackets.
 fn headers(table: &SchemaRef, plan: &Plan) -> Vec<String> {
-    let header = |(i, field): (usize, &std::sync::Arc<arrow_schema::Field>)| match field.metadata().get(planar_impact_arrow::UNIT) {
+    let header = |(i, field): (usize, &std::sync::Arc<arrow_schema::Field>)| match planar_impact_arrow::unit_of(field) {
         Some(unit) if i < table.fields().len() && Header::read(field.name()).unit.is_none() => format!("{} [{unit}]", field.name()),
         _ => field.name().clone(),
     };

@@ -59,10 +59,7 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
 fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
     let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
-    // At a restitution of 1 it is the rounding of what the bodies have.
-    let energies = [Key::NormalWork, Key::TangentialWork, Key::EnergyLoss, Key::EnergyBefore].map(|key| known.number(key));
-    let available = energies.into_iter().flatten().fold(0.0, |most: f64, energy| most.max(energy.value.abs()));
-    judge.not_above(Rule::Reported, Residual::new(work, available), |size, _| {
+    judge.not_above(Rule::Reported, Residual::new(work, available(known)), |size, _| {
         format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
     });
     let numbers = [Key::NormalImpulse, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
@@ -77,6 +74,15 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     });
 }
 
+/// Returns the greatest energy that is claimed, or that claimed impulse and speeds make: of a restitution of 1, works and losses are the rounding of these.
+fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
+    use Key::{EnergyAfter, EnergyBefore, EnergyLoss, MomentWork, NormalWork, TangentialWork};
+    let size = |key| known.number(key).map_or(0.0, |number: Uncertain<N>| number.value.abs());
+    let energies = [NormalWork, TangentialWork, MomentWork, EnergyLoss, EnergyBefore, EnergyAfter].map(size);
+    let of_speeds = size(Key::NormalImpulse) * size(Key::ClosingSpeed).max(size(Key::SeparationSpeed));
+    energies.into_iter().fold(of_speeds, f64::max)
+}
+
 fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let equal = |judge: &mut Judge, (words, a): (&str, Uncertain<N>), (other, b): (&str, Uncertain<N>), scale: f64| {
         judge.zero(Rule::Reported, Residual::new(a - b, scale), |size, bound| {
@@ -86,7 +92,7 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     };
     let (loss, works) = (known.number(Key::EnergyLoss), claimed_works(known));
     if let (Some(loss), Some(works)) = (loss, works) {
-        equal(judge, ("energy loss", loss), ("sum of the works makes it", works), loss.value.abs().max(works.size));
+        equal(judge, ("energy loss", loss), ("sum of the works makes it", works), available(known).max(works.size));
     }
     // A wall that moves does work on the other body, which is no part of the loss.
     let moves = |side| {
@@ -96,7 +102,7 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let (Some(before), Some(loss), false) = (known.number(Key::EnergyBefore), loss.or(works), Side::ALL.into_iter().any(moves)) else {
         return;
     };
-    let scale = loss.value.abs().max(before.value.abs());
+    let scale = available(known);
     match known.number(Key::EnergyAfter) {
         Some(after) => equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), scale),
         None => judge.not_above(Rule::Reported, Residual::new(loss - before, scale), |size, bound| {

@@ -244,6 +244,38 @@ fn twisted() -> Record {
     }
 }
 
+/// At a restitution of 1 works and losses are the rounding of energies, or of an impulse times a speed: nothing is wrong with 4·10⁻¹¹ J beside 741 559 J, in either
+/// sign, and a joule is.
+#[test]
+fn works_of_an_elastic_impact_are_rounding() {
+    let model = Model { restitution: Some(1.0), ..Model::default() };
+    let of = |reported: Reported| Record { profile: Profile::Impulse, model: model.clone(), reported, ..Record::default() };
+    let of_energies = |work| {
+        of(Reported {
+            kinetic_energy_before: Some(741_559.0),
+            kinetic_energy_after: Some(741_559.0),
+            energy_loss: Some(0.0),
+            work_normal: Some(work),
+            work_tangential: Some(0.0),
+            ..Reported::default()
+        })
+    };
+    let of_speeds = |work| {
+        of(Reported {
+            closing_speed: Some(10.0),
+            impulse: ReportedImpulse { normal: Some(1000.0), ..Default::default() },
+            work_normal: Some(work),
+            ..Reported::default()
+        })
+    };
+    for (work, verdict) in [(4.3e-11, Verdict::Pass), (-4.3e-11, Verdict::Pass), (1.0, Verdict::Fail)] {
+        assert_eq!(check(&of_energies(work), &Options::default()).verdict(), verdict, "{work}");
+    }
+    for (work, verdict) in [(1e-12, Verdict::Pass), (1.0, Verdict::Fail)] {
+        assert_eq!(check(&of_speeds(work), &Options::default()).verdict(), verdict, "{work}");
+    }
+}
+
 /// Two bodies of 1 kg and 1 kg m² push each other apart with 6 N for half a second, and their contact point stays at the origin. By hand: P = −3 N s, the
 /// centers of mass move by v τ ± ½ 6 τ², and the spins change by the mean of the levers, 0.25 m, times P.
 fn long_contact() -> Record {

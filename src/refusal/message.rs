@@ -92,10 +92,10 @@ impl<T: Ordered<Mask = bool>> Issue for Refusal<T> {
                 "they close when the two have opposite signs and neither is zero; check velocities, impact centers and crush plane".into()
             }
             Refusal::Tensile { reason: Tension::Pulls, .. } => {
-                "sliding does not end in this contact; give `impulse_ratio` as a number, or a `friction`".into()
+                "sliding does not end in this contact: give `impulse_ratio` as a number, or a `friction`; of a contact with a moment impulse, a smaller one".into()
             }
             Refusal::IllConditioned { .. } => "check each mass, yaw inertia and impact center, and their units".into(),
-            Refusal::EnergyGain { .. } => "the restitution is too high for this contact".into(),
+            Refusal::EnergyGain { .. } => "the restitution is too high for this contact, or a moment impulse is too large".into(),
             Refusal::BeyondCritical { critical: Some(_), .. } => "the limit is rounded here; `critical` is the limit itself".into(),
             _ => return None,
         })

@@ -118,7 +118,11 @@ impl Source {
 
     fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Quotes::new(bytes_of));
-        let headers = reader.headers().map_err(|error| not_a_table(name, &error))?.clone();
+        let headers = reader.headers().map_err(|error| match error.kind() {
+            csv::ErrorKind::Utf8 { .. } => decode::unreadable(name, "has a header that is not UTF-8 text; save it as UTF-8"),
+            _ => not_a_table(name, &error),
+        });
+        let headers = headers?.clone();
         if headers.is_empty() {
             return Err(decode::unreadable(name, "is empty; the first line of a table names its columns"));
         }

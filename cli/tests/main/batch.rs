@@ -11,6 +11,7 @@ use arrow_array::{Array, ArrayRef, Date32Array, Float64Array, RecordBatch, Strin
 use arrow_ipc::CompressionType;
 use arrow_ipc::reader::FileReader;
 use arrow_ipc::writer::{FileWriter, IpcWriteOptions, StreamWriter};
+use arrow_schema::{DataType, Field, Schema};
 use arrow_select::concat::concat_batches;
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -242,6 +243,43 @@ fn threads_and_formats_change_no_bit() {
         solve("in.csv", name, &["--threads", "1"]);
         solve("in.csv", &format!("two-{name}"), &["--threads", "2"]);
         assert!(fs::read(at(name)).ok() == fs::read(at(&format!("two-{name}"))).ok(), "{name}");
+    }
+}
+
+#[test]
+fn a_header_that_is_not_utf_8_is_told() {
+    let folder = Folder::new();
+    let path = folder.path().join("in.csv");
+    for header in
+        [b"vehicle.1.speed,v\xfc\n12,1\n".to_vec(), "\u{feff}vehicle.1.speed\n12\n".encode_utf16().flat_map(u16::to_le_bytes).collect()]
+    {
+        fs::write(&path, header).expect("a table");
+        let refused = batch(&[text(&path), "-o", "-", "--case", POSITION_A]);
+        assert!(refused.status == 2 && refused.err.contains("has a header that is not UTF-8 text; save it as UTF-8"), "{}", refused.err);
+    }
+}
+
+/// The unit of a column stands in its metadata, under any of the keys that are read; in text it stands in the header, so that the table can be read again.
+#[test]
+fn a_unit_of_the_metadata_comes_back_from_text() {
+    let folder = Folder::new();
+    let at = |name: &str| folder.path().join(name);
+    for key in ["unit", "Unit", "UNITS", " units "] {
+        let metadata = [(key.to_owned(), "mph".to_owned())].into_iter().collect();
+        let schema = Arc::new(Schema::new(vec![Field::new("vehicle.1.speed", DataType::Float64, true).with_metadata(metadata)]));
+        let speeds: ArrayRef = Arc::new(Float64Array::from(vec![30.0]));
+        let table = RecordBatch::try_new(schema.clone(), vec![speeds]).expect("a table");
+        let mut writer = FileWriter::try_new(fs::File::create(at("in.arrow")).expect("a file"), &schema).expect("a writer");
+        writer.write(&table).and_then(|()| writer.finish()).expect("it is written");
+        let solve = |input: &str, output: &str| {
+            let done = batch(&[text(&at(input)), "-o", text(&at(output)), "--case", POSITION_A, "--of", "T_L"]);
+            assert_eq!(done.status, 0, "{key}: {}", done.err);
+            rows(&fs::read_to_string(at(output)).expect("a table"))
+        };
+        let first = solve("in.arrow", "out.csv");
+        assert_eq!(first[0][0], "vehicle.1.speed [mph]", "{key}");
+        fs::write(at("again.csv"), format!("{}\n{}\n", first[0][0], first[1][0])).expect("a table");
+        assert_eq!(solve("again.csv", "second.csv")[1], first[1], "{key}");
     }
 }
 
