@@ -93,13 +93,21 @@ impl Table {
 
     /// Returns the table without its optional column.
     pub(crate) fn without_optional(&self) -> Table {
-        let mut table = self.clone();
-        if let Some(column) = table.optional.take() {
-            table.header.remove(column);
-            table.columns.remove(column);
-            table.rows.iter_mut().for_each(|row| drop(row.remove(column)));
+        self.with_columns(|column| self.optional != Some(column))
+    }
+
+    /// Returns the table with some of its columns, none of which is optional.
+    pub(crate) fn with_columns(&self, is_kept: impl Fn(usize) -> bool) -> Table {
+        fn kept<T: Clone>(cells: &[T], is_kept: impl Fn(usize) -> bool) -> Vec<T> {
+            cells.iter().enumerate().filter(|(column, _)| is_kept(*column)).map(|(_, cell)| cell.clone()).collect()
         }
-        table
+        Table {
+            header: kept(&self.header, &is_kept),
+            columns: kept(&self.columns, &is_kept),
+            rows: self.rows.iter().map(|row| kept(row, &is_kept)).collect(),
+            is_narrow: self.is_narrow,
+            optional: None,
+        }
     }
 }
 

@@ -58,14 +58,27 @@ pub fn wrap(text: &str, label: &str) -> String {
     textwrap::fill(&clean(text), options).replace('\u{a0}', " ") + "\n"
 }
 
-/// Renders a table without frames, with the header underlined. If it would be wider than the terminal, names in its
-/// columns break after a dot.
+/// Renders a table without frames, with the header underlined. If it would be wider than the terminal even so, as many of its columns as fit stand beside the
+/// names in its first ones, and the others below, beside the same names.
 fn table(of: &Table) -> String {
+    let text = whole(of);
+    let names = of.columns.iter().take_while(|align| **align == Align::Left).count();
+    let others = of.columns.len() - names;
+    if width(&text) <= WIDTH || others < 2 {
+        return text;
+    }
+    let part = |from: usize, to: usize| of.with_columns(|column| column < names || (from..to).contains(&(column - names)));
+    let count = (2..others).rev().find(|count| width(&whole(&part(0, *count))) <= WIDTH).unwrap_or(1);
+    format!("{}\n\n{}", table(&part(0, count)), table(&part(count, others)))
+}
+
+/// Renders a table in one piece. If it would be wider than the terminal, it leaves out its optional column, or names in its columns break after a dot.
+fn whole(of: &Table) -> String {
     let padding = if of.is_narrow { (0, 1) } else { (1, 1) };
     let mut rows = of.rows.clone();
     let mut text = lay_out(of, &rows, padding);
     if of.optional.is_some() && width(&text) > WIDTH {
-        return table(&of.without_optional());
+        return whole(&of.without_optional());
     }
     for place in (0..of.columns.len()).filter(|&place| of.columns[place] == Align::Left) {
         let over = width(&text).saturating_sub(WIDTH);
@@ -133,6 +146,25 @@ mod tests {
         let row = vec!["vehicle.1.separation_velocity.x".to_owned(), "x".repeat(52)];
         let text = render(&[Table::new(["a", "b"], "ll", vec![row]).narrow().into()]);
         assert!(text.lines().all(|line| line.width() <= WIDTH), "{text}");
+    }
+
+    #[test]
+    fn a_table_that_is_too_wide_is_divided() {
+        let cells = |name: &str, count: usize| {
+            std::iter::once(name.to_owned()).chain((0..count).map(|i| format!("{i}{}", "x".repeat(14)))).collect()
+        };
+        let of = |count: usize| Table::new(cells("name", count), &format!("l{}", "r".repeat(count)), vec![cells("row", count)]).narrow();
+        assert_eq!(render(&[of(4).into()]).lines().count(), 3);
+        let divided = render(&[of(9).into()]);
+        assert!(divided.lines().all(|line| line.width() <= WIDTH), "{divided}");
+        // Every column stands once in a header and once in a row, in their order.
+        let rows: Vec<&str> = divided.lines().filter(|line| line.starts_with("row")).collect();
+        let places = (0..9).map(|i| rows.iter().position(|row| row.contains(&format!("{i}x")))).collect::<Option<Vec<_>>>();
+        assert_eq!(places, Some(vec![0, 0, 0, 0, 1, 1, 1, 1, 2]), "{divided}");
+        assert_eq!(divided.matches("name").count(), 3);
+        // One column that is too wide stays as it is.
+        let wide = Table::new(["name", "value"], "lr", vec![vec!["row".to_owned(), "y".repeat(90)]]);
+        assert_eq!(render(&[wide.into()]).matches("name").count(), 1);
     }
 
     #[test]

@@ -85,6 +85,8 @@ impl Channel {
     /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
     /// than two steps. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
     pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
+        /// Standard deviations that are no chance.
+        const MOST: f64 = 3.0;
         let (times, values) = (self.record.times(), self.record.values());
         let (first, last) = (values[0], values[values.len() - 1]);
         let slack = 2.0 * self.record.resolution().unwrap_or(0.0);
@@ -95,7 +97,10 @@ impl Channel {
                 let end = times[times.len() - 1];
                 let lately = end - 0.1 * (end - times[begun]);
                 let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
-                (first, 0.0, (last - values[before]).abs())
+                // Two readings that scatter differ by as much as this without any change.
+                let by_chance = MOST * 2_f64.sqrt() * scatter(values, slack / 2.0);
+                let change = (last - values[before]).abs();
+                (first, 0.0, if change > by_chance { change } else { 0.0 })
             }
             _ => {
                 // A window without a mean is reported where the channel is integrated.
@@ -152,6 +157,31 @@ fn step_of(record: &Record) -> Option<f64> {
     let step = heights().map(|(count, height)| count * height).sum::<f64>() / counts.iter().map(|count| count * count).sum::<f64>();
     let is_whole = heights().all(|(count, height)| (height - count * step).abs() < NEAR * step);
     (record.len() >= MANY && is_whole).then_some(step)
+}
+
+/// Returns the standard deviation by which readings scatter from the greatest on, where a velocity change is almost constant, by their second differences; zero if
+/// their steps explain it, or if they are few.
+pub(super) fn scatter(values: &[f64], step: f64) -> f64 {
+    /// Fewest readings that tell.
+    const FEW: usize = 8;
+    let after = &values[greatest(values.iter().map(|value| value.abs()))..];
+    if after.len() < FEW {
+        return 0.0;
+    }
+    let squares: f64 = after
+        .windows(3)
+        .map(|three| {
+            let bend = three[0] - 2.0 * three[1] + three[2];
+            bend * bend
+        })
+        .sum();
+    let (variance, of_steps) = (squares / (6.0 * (after.len() - 2) as f64), step * step / 12.0);
+    if variance > 2.0 * of_steps { (variance - of_steps).sqrt() } else { 0.0 }
+}
+
+/// Returns the index of the greatest of some magnitudes, the first of several.
+pub(super) fn greatest(values: impl Iterator<Item = f64>) -> usize {
+    values.enumerate().fold((0, f64::NEG_INFINITY), |best, (i, value)| if value > best.1 { (i, value) } else { best }).0
 }
 
 impl Analysis<'_> {

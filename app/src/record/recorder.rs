@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::analysis::ROUNDING;
+use super::channel::{greatest, scatter};
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -172,31 +173,6 @@ impl<'a> Component<'a> {
         let at = greatest(self.values.iter().map(|value| value.abs()));
         AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
     }
-}
-
-/// Returns the standard deviation by which readings scatter from the greatest on, where a velocity change is almost constant, by their second differences; zero if
-/// their steps explain it, or if they are few.
-fn scatter(values: &[f64], step: f64) -> f64 {
-    /// Fewest readings that tell.
-    const FEW: usize = 8;
-    let after = &values[greatest(values.iter().map(|value| value.abs()))..];
-    if after.len() < FEW {
-        return 0.0;
-    }
-    let squares: f64 = after
-        .windows(3)
-        .map(|three| {
-            let bend = three[0] - 2.0 * three[1] + three[2];
-            bend * bend
-        })
-        .sum();
-    let (variance, of_steps) = (squares / (6.0 * (after.len() - 2) as f64), step * step / 12.0);
-    if variance > 2.0 * of_steps { (variance - of_steps).sqrt() } else { 0.0 }
-}
-
-/// Returns the index of the greatest of some magnitudes, the first of several.
-fn greatest(values: impl Iterator<Item = f64>) -> usize {
-    values.enumerate().fold((0, f64::NEG_INFINITY), |best, (i, value)| if value > best.1 { (i, value) } else { best }).0
 }
 
 impl Recorder {

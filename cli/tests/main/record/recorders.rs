@@ -95,6 +95,36 @@ fn no_velocity_change_has_a_standard_deviation_and_no_direction() {
 }
 
 /// Readings that scatter have a greatest one that is too great, by about twice the scatter, which their standard deviation includes.
+/// Readings that scatter by a step differ by more than a tenth of a small change from one to the next, long after it is over. One that still changes is truncated.
+#[test]
+fn readings_that_scatter_do_not_seem_truncated() {
+    let mut state = 20_u64;
+    let mut uniform = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let folder = Folder::new();
+    let mut write = |name: &str, change: &dyn Fn(f64) -> f64| {
+        let mut text = "time [ms],delta_v_forward [km/h]\n".to_owned();
+        for i in 0..=30 {
+            let noise: f64 = (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
+            writeln!(text, "{},{}", 10 * i, (change(f64::from(i)) + noise).round()).expect("a string takes everything");
+        }
+        folder.write(name, text.as_bytes());
+    };
+    let names: [Vec<String>; 2] = ["whole", "cut"].map(|kind| (0..40).map(|i| format!("{kind}{i}.csv")).collect());
+    names[0].iter().for_each(|name| write(name, &|i| -15.0 * (i / 8.0).min(1.0)));
+    names[1].iter().for_each(|name| write(name, &|i| -40.0 * (i / 30.0).powi(2)));
+    let truncated = |names: &[String]| {
+        let arguments: Vec<&str> = std::iter::once("record").chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
+        let json: Value = serde_json::from_str(&run(folder.path(), &arguments).out).expect("JSON");
+        let records = json["records"].as_array().expect("records").iter();
+        records.filter(|record| record["channels"][0]["is_truncated"] == true).count()
+    };
+    let [of_whole, of_cut] = [truncated(&names[0]), truncated(&names[1])];
+    assert!(of_whole <= 2 && of_cut >= 36, "{of_whole} of 40 whole ones, {of_cut} of 40 that end early");
+}
+
 #[test]
 fn readings_that_scatter_are_less_certain() {
     let of = |scatter: f64| {
