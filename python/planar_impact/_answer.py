@@ -7,7 +7,7 @@ import json
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-from . import _native
+from . import _case, _native
 from ._errors import CaseError, Issue
 
 _V = TypeVar("_V", covariant=True)
@@ -116,7 +116,7 @@ class Answer(Facts[Any]):
 
     def to_text(self, *, units: str | None = None) -> str:
         """Return the page that the command line prints, in a system of units: ``us``, ``si`` or ``uk``."""
-        return self._native.page(units if units is not None else self._units)
+        return self._native.page(_case.units(units) if units is not None else self._units)
 
     @property
     def figures(self) -> list[str]:
@@ -130,7 +130,8 @@ class Answer(Facts[Any]):
         >>> planar_impact.solve(planar_impact.template("t-bone")).figures
         ['scene', 'impulse', 'energy']
         """
-        return self._native.drawing(figure, units if units is not None else self._units)
+        figure = None if figure is None else _case.unicode(figure, "figure")
+        return self._native.drawing(figure, _case.units(units) if units is not None else self._units)
 
     def __repr__(self) -> str:
         return self.to_text()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import operator
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, Protocol, TypeVar, overload
@@ -12,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._case import Case, names, source, unicode
+from ._case import Case, names, source, unicode, whole
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 
@@ -152,10 +151,7 @@ def _threads(threads: int | None) -> int:
     if threads is None:
         available = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
         return available or 1
-    count = operator.index(threads)
-    if not 1 <= count <= 1024:
-        raise CaseError._with([Issue("call", "threads", f"{count:.6g}; it must be from 1 to 1024")])
-    return count
+    return whole(threads, "threads", 1, 1024)
 
 
 def _solve_arrays(
@@ -193,6 +189,13 @@ def _solve_arrays(
     if issues:
         raise CaseError._with(issues)
     plan = _native.Plan(list(arrays), base, of, wrt, check, fast)
+    if is_array:
+        # Who looks a derivative up by the place of a name must find it there.
+        for argument, asked, count in (("of", of, plan.shape[0]), ("wrt", wrt, plan.shape[1])):
+            if len(asked) > count:
+                issues.append(Issue("call", argument, f"{len(asked)} names of {count}: the array of derivatives has a place for each once"))
+        if issues:
+            raise CaseError._with(issues)
     inputs = [list(arrays)[place] for place in plan.inputs]
     cells = []
     for name in inputs:

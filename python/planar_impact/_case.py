@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Union
+from typing import Any, SupportsFloat, SupportsIndex, Union
 
 from . import _native
 from ._errors import CaseError, Issue
@@ -46,6 +47,35 @@ def unicode(text: str, argument: str) -> str:
         code, of = ("call", "text") if argument else ("unreadable-file", "a case file")
         raise CaseError._with([Issue(code, argument, f"a lone surrogate is no character of {of}")]) from None
     return text
+
+
+def units(value: str | None) -> str | None:
+    """Return the name of a system of units."""
+    return None if value is None else unicode(value, "units")
+
+
+def number(value: SupportsFloat | SupportsIndex, argument: str) -> float:
+    """Return a number; one beyond the floats is infinite, which its verb refuses."""
+    if isinstance(value, (str, bytes, bytearray)):
+        raise TypeError(f"{argument} is a number, not {type(value).__name__}")
+    try:
+        return float(value)
+    except OverflowError:
+        return float("inf")
+    except TypeError:
+        raise TypeError(f"{argument} is a number, not {type(value).__name__}") from None
+
+
+def whole(value: SupportsIndex, argument: str, least: int = 0, most: int = (1 << 64) - 1) -> int:
+    """Return a whole number within limits."""
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{argument} is a whole number, not {type(value).__name__}") from None
+    if not least <= count <= most:
+        limit = "2^64 - 1" if most == (1 << 64) - 1 else str(most)
+        raise CaseError._with([Issue("call", argument, f"expected a whole number from {least} to {limit}, found {count:.3g}")])
+    return count
 
 
 def names(value: str | Sequence[str] | None, argument: str) -> list[str]:

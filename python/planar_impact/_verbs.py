@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import operator
 import os
-from collections.abc import Mapping, Sequence
-from typing import Literal, SupportsIndex, TypeVar, Union
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Literal, Union
 
 from . import _native
-from ._case import Case, names, source, unicode
+from ._case import Case, names, number, source, unicode, whole
+from ._case import units as _units
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 from .answers import (
@@ -32,22 +32,17 @@ Units = Literal["us", "si", "uk"]
 Method = Literal["linear", "second-order", "monte-carlo", "sobol", "shapley", "bounds"]
 _Names = Union[str, Sequence[str], None]
 _Path = Union[str, "os.PathLike[str]"]
-_File = TypeVar("_File")
 #: From, to and step of an input: numbers in SI, or strings with units.
 Range = tuple[Union[float, str], Union[float, str], Union[float, str]]
 
 
-def _whole(value: SupportsIndex, argument: str) -> int:
-    whole = operator.index(value)
-    if not 0 <= whole < 1 << 64:
-        raise CaseError._with([Issue("call", argument, f"expected a whole number from 0 to 2^64 - 1, found {whole:.3g}")])
-    return whole
-
-
-def _some(files: list[_File]) -> list[_File]:
-    if not files:
+def _several(files: Any, one: tuple[type, ...]) -> list[Any]:
+    several = [files] if isinstance(files, one) else list(files) if isinstance(files, Iterable) else None
+    if several is None:
+        raise TypeError(f"files is a file or a sequence of files, not {type(files).__name__}")
+    if not several:
         raise CaseError._with([Issue("call", "files", "expected one file or more, found none")])
-    return files
+    return several
 
 
 def solve(case: Case, *, units: Units | None = None) -> Solution:
@@ -80,7 +75,7 @@ def solve(case: Case, *, units: Units | None = None) -> Solution:
     >>> round(answer.energy.loss)
     167062
     """
-    return Solution(_native.solve(source(case), units), units)
+    return Solution(_native.solve(source(case), _units(units)), units)
 
 
 def gradient(
@@ -103,7 +98,7 @@ def gradient(
     >>> answer.of["vehicle.1.delta_v_magnitude"].d["vehicle.1.speed"] > 1
     True
     """
-    return Gradient(_native.gradient(source(case), units, names(of, "of"), names(wrt, "wrt"), bool(second)), units)
+    return Gradient(_native.gradient(source(case), _units(units), names(of, "of"), names(wrt, "wrt"), bool(second)), units)
 
 
 def sweep(
@@ -141,13 +136,13 @@ def sweep(
             if len({_has_unit(end) for end in ends}) > 1:
                 # A number alone is in SI, and the text of a range would give it the unit of the others.
                 raise CaseError._with([Issue("call", f"vary {name}", "give all three values a unit, or none, which is SI")])
-            ranges.append(f"{name}={':'.join(end if isinstance(end, str) else repr(float(end)) for end in ends)}")
+            ranges.append(f"{name}={':'.join(end if isinstance(end, str) else repr(number(end, f'vary {name}')) for end in ends)}")
     else:
         ranges = names(vary, "vary")
     if not ranges:
         raise CaseError._with([Issue("call", "vary", "expected one or two ranges, found none")])
     with reporting(progress) as report:
-        return Sweep(_native.sweep(source(case), units, ranges, names(of, "of"), report), units)
+        return Sweep(_native.sweep(source(case), _units(units), ranges, names(of, "of"), report), units)
 
 
 def _has_unit(value: object) -> bool:
@@ -170,7 +165,7 @@ def crush(case: Case, *, units: Units | None = None) -> CrushAnswer:
     >>> planar_impact.crush(planar_impact.template("t-bone")).vehicles[0].crush_energy > 0
     True
     """
-    return CrushAnswer(_native.crush(source(case), units), units)
+    return CrushAnswer(_native.crush(source(case), _units(units)), units)
 
 
 def crash3(case: Case, *, units: Units | None = None) -> Comparison:
@@ -183,7 +178,7 @@ def crash3(case: Case, *, units: Units | None = None) -> Comparison:
     >>> planar_impact.crash3(planar_impact.template("t-bone")).vehicles[0].delta_v_magnitude > 0
     True
     """
-    return Comparison(_native.crash3(source(case), units), units)
+    return Comparison(_native.crash3(source(case), _units(units)), units)
 
 
 def reconstruct(
@@ -227,10 +222,10 @@ def reconstruct(
     True
     """
     statements = names(probability, "probability")
-    starts, seed = _whole(starts, "starts"), _whole(seed, "seed")
-    question = (starts, seed, float(level), bool(profile), bool(guaranteed), float(bounds_sd), bool(posterior), statements, bool(draws))
+    starts, seed = whole(starts, "starts"), whole(seed, "seed")
+    question = (starts, seed, number(level, "level"), bool(profile), bool(guaranteed), number(bounds_sd, "bounds_sd"), bool(posterior), statements, bool(draws))
     with reporting(progress) as report:
-        return Reconstruction(_native.reconstruct(source(case), units, *question, report), units)
+        return Reconstruction(_native.reconstruct(source(case), _units(units), *question, report), units)
 
 
 def uncertainty(
@@ -276,16 +271,16 @@ def uncertainty(
     options: dict[str, object] = {
         "of": names(of, "of"),
         "method": names(method, "method"),
-        "samples": _whole(samples, "samples"),
-        "seed": _whole(seed, "seed"),
-        "points": points,
-        "precision": None if precision is None else float(precision),
+        "samples": whole(samples, "samples"),
+        "seed": whole(seed, "seed"),
+        "points": unicode(points, "points"),
+        "precision": None if precision is None else number(precision, "precision"),
         "probability": names(probability, "probability"),
-        "level": float(level),
-        "bounds_sd": float(bounds_sd),
+        "level": number(level, "level"),
+        "bounds_sd": number(bounds_sd, "bounds_sd"),
     }
     with reporting(progress) as report:
-        return Uncertainty(_native.uncertainty(source(case), units, options, report), units)
+        return Uncertainty(_native.uncertainty(source(case), _units(units), options, report), units)
 
 
 def stiffness(tests: Case, *, units: Units | None = None) -> StiffnessAnswer:
@@ -314,7 +309,7 @@ def stiffness(tests: Case, *, units: Units | None = None) -> StiffnessAnswer:
     >>> round(fit.d0), round(fit.d1)
     (134, 750)
     """
-    return StiffnessAnswer(_native.stiffness(source(tests), units), units)
+    return StiffnessAnswer(_native.stiffness(source(tests), _units(units)), units)
 
 
 def slide(case: Case, *, units: Units | None = None) -> Slides:
@@ -331,7 +326,7 @@ def slide(case: Case, *, units: Units | None = None) -> Slides:
     >>> planar_impact.slide(planar_impact.template("rest")).vehicles[0].time > 0
     True
     """
-    return Slides(_native.slide(source(case), units), units)
+    return Slides(_native.slide(source(case), _units(units)), units)
 
 
 def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Records:
@@ -349,8 +344,8 @@ def record(files: Case | Sequence[Case], *, units: Units | None = None) -> Recor
     >>> round(answer.records[0].recorder.delta_v_forward.value * 3.6)    # km/h
     -33
     """
-    several = [files] if isinstance(files, (str, Mapping, os.PathLike)) else list(files)
-    return Records(_native.record([source(file) for file in _some(several)], units), units)
+    several = _several(files, (str, Mapping, os.PathLike))
+    return Records(_native.record([source(file) for file in several], _units(units)), units)
 
 
 def formula(output: str, *, wrt: str | None = None, case: Case | None = None) -> Formula:
@@ -402,8 +397,8 @@ def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> 
     >>> answer.records[0].verdict, answer.records[0].findings[0].rule
     ('fail', 'linear-momentum')
     """
-    several = [files] if isinstance(files, (str, os.PathLike)) else list(files)
-    return CheckReport(_native.check([os.fspath(path) for path in _some(several)], tolerance))
+    paths = [os.fspath(path) for path in _several(files, (str, os.PathLike))]
+    return CheckReport(_native.check(paths, None if tolerance is None else number(tolerance, "tolerance")))
 
 
 def draw(case: Case, *, units: Units | None = None) -> str:
@@ -413,7 +408,7 @@ def draw(case: Case, *, units: Units | None = None) -> str:
     >>> planar_impact.draw(planar_impact.template("barrier")).startswith("<svg")
     True
     """
-    return _native.draw(source(case), units)
+    return _native.draw(source(case), _units(units))
 
 
 def report(
@@ -440,7 +435,7 @@ def report(
     True
     """
     date = None if date is None else unicode(date, "date")
-    return _native.report(source(case), units, verb, bool(posterior), date, names(sections, "sections"))
+    return _native.report(source(case), _units(units), None if verb is None else unicode(verb, "verb"), bool(posterior), date, names(sections, "sections"))
 
 
 def template(kind: str = "t-bone") -> str:
@@ -450,4 +445,4 @@ def template(kind: str = "t-bone") -> str:
     >>> "barrier = true" in planar_impact.template("barrier")
     True
     """
-    return _native.template(kind)
+    return _native.template(unicode(kind, "kind"))

@@ -348,3 +348,51 @@ def test_an_interrupt_within_a_source_is_one_of_the_reader() -> None:
             time.sleep(1)
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+#: The package without its types, for arguments that they forbid.
+UNTYPED: Any = planar_impact
+
+
+@pytest.mark.parametrize(
+    ("call", "argument"),
+    [
+        (lambda case: UNTYPED.sweep(case, vary={"e": (0, None, 1)}), "vary e"),
+        (lambda case: UNTYPED.uncertainty(case, precision="a"), "precision"),
+        (lambda case: UNTYPED.uncertainty(case, level="high"), "level"),
+        (lambda case: UNTYPED.uncertainty(case, points=1), "points"),
+        (lambda case: UNTYPED.uncertainty(case, samples="5"), "samples"),
+        (lambda case: UNTYPED.reconstruct(case, bounds_sd=None), "bounds_sd"),
+        (lambda case: UNTYPED.solve(case, units=1), "units"),
+        (lambda case: UNTYPED.solve(case).to_text(units=[]), "units"),
+        (lambda case: pickle.loads(pickle.dumps(UNTYPED.solve(case))).to_text(units=b"si"), "units"),
+        (lambda case: UNTYPED.solve(case).to_svg(5), "figure"),
+        (lambda case: UNTYPED.report(case, verb=5), "verb"),
+        (lambda case: UNTYPED.template(5), "kind"),
+        (lambda case: UNTYPED.check(5), "files"),
+        (lambda case: UNTYPED.check("x", tolerance="a"), "tolerance"),
+        (lambda case: UNTYPED.record(5), "files"),
+        (lambda case: UNTYPED.solve_batch({"vehicle.1.speed": [1.0]}, case=case, threads="2"), "threads"),
+    ],
+)
+def test_an_argument_of_another_type_is_named(call: Any, argument: str) -> None:
+    with pytest.raises(TypeError, match=f"^{argument} is a .*, not "):
+        call(planar_impact.template("t-bone"))
+
+
+def test_a_number_beyond_the_floats_is_refused_like_any_other() -> None:
+    case = planar_impact.template("barrier")
+    with pytest.raises(CaseError, match="contact.restitution|vary"):
+        UNTYPED.sweep(case, vary={"e": (0, 10**400, 1)})
+    with pytest.raises(CaseError, match="bounds-sd|bounds_sd"):
+        UNTYPED.reconstruct(planar_impact.template("t-bone"), bounds_sd=10**400, guaranteed=True)
+
+
+def test_an_array_of_derivatives_has_each_input_once() -> None:
+    columns, case = {"vehicle.1.speed": [10.0]}, planar_impact.template("barrier")
+    asked = {"case": case, "of": "T_L", "derivatives": "array"}
+    with pytest.raises(CaseError, match="wrt: 3 names of 2"):
+        UNTYPED.solve_batch(columns, **asked, wrt=["e", "contact.restitution", "v1"])
+    with pytest.raises(CaseError, match="of: 2 names of 1"):
+        UNTYPED.solve_batch(columns, **{**asked, "of": ["T_L", "energy.loss"]}, wrt="e")
+    assert UNTYPED.solve_batch(columns, **asked, wrt=["e", "v1"])["derivatives"].shape == (1, 1, 2)
