@@ -19,6 +19,7 @@ use crate::case::{
     Case, CaseOutput, ContactInputs, CrushInputs, Inertia, Inputs, Parameter, Restitution, Size, VehicleInputs, Velocity,
     at_nominal_values, parameter_of, vehicle_number,
 };
+use crate::gradient::ratio_note;
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
@@ -154,7 +155,10 @@ impl Plan {
             let message = format!("the column {} passes through unread; as an input it is named {}", excerpt(name), meant.join(" or "));
             Notice::warning("unread-column", name.clone(), message)
         });
-        at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter))).into_iter().chain(unread).collect()
+        // Rows may give a number of their own.
+        let ratio = Parameter::Input(Input::ImpulseRatio);
+        let follows = base.filter(|_| self.wrt.contains(&ratio) && !is_given(ratio)).and_then(ratio_note);
+        at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter))).into_iter().chain(follows).chain(unread).collect()
     }
 
     /// Returns the names of the columns that are added to those of the table: outputs, derivatives, the check, refusals.

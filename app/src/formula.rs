@@ -10,6 +10,7 @@ use serde::Serialize;
 use crate::answer::SCHEMA;
 use crate::case::{Case, Inertia, Parameter, Restitution, Velocity, moment_parameter, ratio_parameter, vehicle_number};
 use crate::control::Control;
+use crate::gradient::ratio_note;
 use crate::issue::{Issue, Issues};
 use crate::notice::Notices;
 use crate::quantity::{excerpt, nearest};
@@ -172,6 +173,10 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
     let wrt = options.wrt.map(|wrt| wrt.of(&kind)).transpose()?;
     let formula = options.wrt.map_or_else(|| of_output.clone(), |wrt| of_output.derivative(wrt.input.symbol()));
     let held = case.zip(options.wrt).and_then(|(case, wrt)| held(case, wrt.input));
+    // Of a friction or a share of the critical ratio the derivative is by that.
+    let follows = case.filter(|case| {
+        options.wrt.is_some_and(|wrt| wrt.input == Input::ImpulseRatio) && case.inputs.contact.impulse_ratio == ImpulseRatio::Critical
+    });
     let subject = subject(options.output, wrt.as_deref(), &kind) + held.unwrap_or_default();
     let value = |name: &str| Input::named(name).zip(collision).and_then(|(input, collision)| collision.input(input));
     let definition = |definition: formula::Definition| Definition {
@@ -201,7 +206,7 @@ pub fn formula(case: Option<&Case>, options: &Options, _: &dyn Control) -> Resul
             formula.rust()
         ),
         subject,
-        notices: case.map(|case| case.answer((), []).notices).unwrap_or_default(),
+        notices: case.map(|case| case.answer((), follows.and_then(ratio_note)).notices).unwrap_or_default(),
         has_case: case.is_some(),
         formula,
     })

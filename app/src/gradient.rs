@@ -142,7 +142,7 @@ pub(crate) fn principal(case: &Case) -> Vec<CaseOutput> {
 }
 
 /// Returns a note that nothing depends on the impulse ratio, if the file does not give it.
-fn ratio_note(case: &Case) -> Option<Notice> {
+pub(crate) fn ratio_note(case: &Case) -> Option<Notice> {
     let message = "the file does not give contact.impulse_ratio; the ratio follows from the inputs, and moves with them";
     match case.inputs.contact.impulse_ratio {
         ImpulseRatio::Given(_) => None,

@@ -238,6 +238,13 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     }
     let pooled = file.pooled();
     notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, &pooled, fit)));
+    if let (count @ 2.., true, false) = (file.vehicles.len(), pooled.is_empty(), fits.is_empty()) {
+        let message = format!(
+            "the tests of {count} vehicles are fitted as those of one: how much vehicles differ is not known, which takes two with tests to different depths or an \
+             onset, so that a further one is less certain"
+        );
+        notices.0.push(Notice::warning("spread-between-vehicles", "vehicle", message));
+    }
     let suspected = file.not_one_car();
     let fits_as_new_cars = if suspected.is_empty() {
         Vec::new()

@@ -249,7 +249,7 @@ fn twisted() -> Record {
 #[test]
 fn works_of_an_elastic_impact_are_rounding() {
     let model = Model { restitution: Some(1.0), ..Model::default() };
-    let of = |reported: Reported| Record { profile: Profile::Impulse, model: model.clone(), reported, ..Record::default() };
+    let of = |reported: Reported| Record { profile: Profile::Impulse, model, reported, ..Record::default() };
     let of_energies = |work| {
         of(Reported {
             kinetic_energy_before: Some(741_559.0),

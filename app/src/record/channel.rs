@@ -17,7 +17,8 @@ pub(super) enum Cut {
 }
 
 impl Channel {
-    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it turns.
+    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it turns, and a speed
+    /// where the driver holds it.
     pub(super) fn clipped(&self) -> Option<Clipped> {
         let (times, values) = (self.record.times(), self.record.values());
         let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));
@@ -25,7 +26,7 @@ impl Channel {
             let last = first + (first..values.len()).take_while(beyond).count() - 1;
             return Some(Clipped { value: values[first], from: times[first], to: times[last], samples: last + 1 - first });
         }
-        if self.quantity == ChannelQuantity::Distance {
+        if matches!(self.quantity, ChannelQuantity::Distance | ChannelQuantity::Speed) {
             return None;
         }
         let top = self.record.flat_top()?;
@@ -83,13 +84,13 @@ impl Channel {
 
     /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a velocity change still changes by
     /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
-    /// than two steps. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
+    /// than two steps and more than the noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
     pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
         /// Standard deviations that are no chance.
         const MOST: f64 = 3.0;
         let (times, values) = (self.record.times(), self.record.values());
         let (first, last) = (values[0], values[values.len() - 1]);
-        let slack = 2.0 * self.record.resolution().unwrap_or(0.0);
+        let mut slack = 2.0 * self.record.resolution().unwrap_or(0.0);
         let (unloaded, late, left) = match self.quantity {
             ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
             quantity if quantity.is_running() => {
@@ -106,6 +107,7 @@ impl Channel {
                 // A window without a mean is reported where the channel is integrated.
                 let mean = before.and_then(|before| self.record.baseline(&before).ok());
                 let unloaded = mean.map_or(0.0, |mean| mean.value);
+                slack = slack.max(MOST * mean.map_or(0.0, |mean| mean.deviation()));
                 (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
             }
         };

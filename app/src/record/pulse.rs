@@ -43,6 +43,20 @@ fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -
     Some(Notice::note("short-baseline", path, message))
 }
 
+/// Returns a note of a pulse that has few samples: what lies between them is not known.
+fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, peak: Peak) -> Option<Notice> {
+    /// Fewest samples that show how rough a pulse is.
+    const FEW: usize = 20;
+    let (times, values) = (corrected.times(), corrected.values());
+    let of_pulse = |i: &usize| (over.from..=over.to).contains(&times[*i]) && values[*i].abs() > 0.1 * peak.value.abs();
+    let count = (0..times.len()).filter(of_pulse).count();
+    let message = format!(
+        "{name} has {count} samples above a tenth of its peak: its standard deviation takes it as smooth but for kinks between them; of a rougher pulse it is too \
+         small"
+    );
+    (count < FEW).then(|| Notice::note("coarse-sampling", path, message))
+}
+
 /// Returns a warning of a channel that does not return to its baseline after the window.
 fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, before]: [&Window; 2], integral: Estimate) -> Option<Notice> {
     /// Standard deviations that are no chance.
@@ -115,16 +129,20 @@ impl Analysis<'_> {
             return None;
         };
         let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
-        self.cut_by_window(name, quantity, &corrected, peak);
+        let noise = before.and_then(|before| record.baseline(&before).ok()).map_or(0.0, |mean| mean.deviation());
+        self.cut_by_window(name, quantity, &corrected, peak, noise);
+        self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })
     }
 
     /// Says if the window begins or ends within the pulse.
-    fn cut_by_window(&mut self, name: &str, quantity: ChannelQuantity, corrected: &Record, peak: Peak) {
+    fn cut_by_window(&mut self, name: &str, quantity: ChannelQuantity, corrected: &Record, peak: Peak, noise: f64) {
+        /// Standard deviations that are no chance.
+        const MOST: f64 = 3.0;
         let Some(window) = self.of.settings.window else { return };
         let (times, values) = (corrected.times(), corrected.values());
-        let least = (0.1 * peak.value.abs()).max(2.0 * corrected.resolution().unwrap_or(0.0));
+        let least = (0.1 * peak.value.abs()).max(2.0 * corrected.resolution().unwrap_or(0.0)).max(MOST * noise);
         for (does, edge) in [("begins", window.from), ("ends", window.to)] {
             let nearest = (0..times.len()).min_by(|&a, &b| (times[a] - edge).abs().total_cmp(&(times[b] - edge).abs()));
             let Some(value) = nearest.map(|at| values[at]).filter(|value| value.abs() > least) else { continue };

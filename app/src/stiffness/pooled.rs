@@ -1,7 +1,7 @@
 //! The stiffness of a class of vehicles, from that of each.
 
 use planar_impact::Distribution;
-use planar_impact::barrier::{CrushModel, Estimate, RandomEffects, StiffnessFit};
+use planar_impact::barrier::{CrushModel, Estimate, RandomEffects, StiffnessCovariance, StiffnessFit};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -19,6 +19,9 @@ pub struct Pooled {
     pub d0: PooledNumber,
     /// d1 of the class in √N/m.
     pub d1: PooledNumber,
+    /// The fit to the tests of each vehicle alone, with its covariance; zero if it is not known.
+    #[serde(skip)]
+    own: Vec<StiffnessFit>,
 }
 
 /// The stiffness of one vehicle of a class.
@@ -62,6 +65,14 @@ impl OwnFit {
         let Estimate { value, variance } = of(&self.fit);
         Estimate { value, variance: if self.is_uncertain { variance } else { 0.0 } }
     }
+
+    fn with_known_covariance(&self) -> StiffnessFit {
+        let mut fit = self.fit.clone();
+        if !self.is_uncertain {
+            fit.covariance = StiffnessCovariance { onset: 0.0, between: 0.0, slope: 0.0 };
+        }
+        fit
+    }
 }
 
 impl Pooled {
@@ -77,16 +88,65 @@ impl Pooled {
             d1_sd: d1.deviation(),
         };
         let vehicles = own.iter().zip(&d0).zip(&d1).map(vehicle).collect();
-        Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)? })
+        let own = own.iter().map(OwnFit::with_known_covariance).collect();
+        Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)?, own })
     }
 
     /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.
+    ///
+    /// The spread V between vehicles moves the line through all tests, of covariance C, by C Σ I V I C, with the information I of the tests of each vehicle: more
+    /// than V/k where they were tested to different depths.
     pub(crate) fn further_vehicle(&self, mut fit: StiffnessFit) -> StiffnessFit {
-        let squared = |number: &PooledNumber| number.further_sd * number.further_sd;
-        fit.covariance.onset += squared(&self.d0);
-        fit.covariance.slope += squared(&self.d1);
+        let count = self.own.len() as f64;
+        let Some([onset, slope]) = self.spread(&fit.covariance) else { return fit };
+        let informations: Option<Vec<StiffnessCovariance>> = self.own.iter().map(|own| inverse(&own.covariance)).collect();
+        let (spread, all) = (StiffnessCovariance { onset, between: 0.0, slope }, fit.covariance);
+        let moved = match informations.filter(|_| inverse(&all).is_some()) {
+            Some(informations) => informations.iter().map(|each| around(&all, &around(each, &spread))).fold(spread, sum),
+            // Of tests that do not tell the covariance, or with one coefficient held, each vehicle counts as much as the others.
+            None => StiffnessCovariance { onset: onset * (1.0 + 1.0 / count), slope: slope * (1.0 + 1.0 / count), ..spread },
+        };
+        fit.covariance = sum(all, moved);
         fit
     }
+
+    /// Returns the variances between vehicles of d₀ and d₁, as large as they may be. Each by itself may vanish by chance, since the errors of both are large and
+    /// opposite: at the depth where the line through all tests is known best, E* spreads at least as the E* of each vehicle there.
+    fn spread(&self, all: &StiffnessCovariance) -> Option<[f64; 2]> {
+        let between = |of: &dyn Fn(&StiffnessFit) -> Estimate| between_at_most(&self.own.iter().map(of).collect::<Vec<_>>());
+        let [onset, slope] = [between(&StiffnessFit::onset)?, between(&StiffnessFit::slope)?];
+        let depth = -all.between / all.slope;
+        if !(depth > 0.0 && depth.is_finite()) {
+            return Some([onset, slope]);
+        }
+        let missing = (between(&|own| own.intensity_at(depth))? - onset - depth * depth * slope).max(0.0);
+        Some([onset + missing / 2.0, slope + missing / (2.0 * depth * depth)])
+    }
+}
+
+/// Returns the inverse of a covariance; `None` of a singular one.
+fn inverse(of: &StiffnessCovariance) -> Option<StiffnessCovariance> {
+    let determinant = of.onset * of.slope - of.between * of.between;
+    let is_regular = determinant > 1e-12 * of.onset * of.slope;
+    is_regular.then(|| StiffnessCovariance {
+        onset: of.slope / determinant,
+        between: -of.between / determinant,
+        slope: of.onset / determinant,
+    })
+}
+
+/// Returns A S A.
+fn around(a: &StiffnessCovariance, s: &StiffnessCovariance) -> StiffnessCovariance {
+    let rows = [[a.onset, a.between], [a.between, a.slope]];
+    let entry = |[one, other]: [usize; 2]| {
+        let by = |place: usize| rows[one][0] * [s.onset, s.between][place] + rows[one][1] * [s.between, s.slope][place];
+        by(0) * rows[0][other] + by(1) * rows[1][other]
+    };
+    StiffnessCovariance { onset: entry([0, 0]), between: entry([0, 1]), slope: entry([1, 1]) }
+}
+
+fn sum(one: StiffnessCovariance, other: StiffnessCovariance) -> StiffnessCovariance {
+    StiffnessCovariance { onset: one.onset + other.onset, between: one.between + other.between, slope: one.slope + other.slope }
 }
 
 impl PooledNumber {
@@ -96,21 +156,21 @@ impl PooledNumber {
             mean: positive_zero(class.mean.value),
             mean_sd: class.mean.deviation(),
             between_sd: class.deviation_between(),
-            further_sd: deviation_of_further(vehicles)?,
+            further_sd: (between_at_most(vehicles)? * (1.0 + 1.0 / vehicles.len() as f64)).sqrt(),
         })
     }
 }
 
-/// Returns the standard deviation of a further vehicle about the mean of a class, which is that of the normal distribution with its 95 % interval.
+/// Returns the variance τ² between vehicles with which a normal distribution has the 95 % interval of a further one.
 ///
 /// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. It is
 /// x̄ ± z τ √(1 + 1/k) with the variance τ² at which the sum of squares is (k − 1) (z/t)², and so it is for vehicles with an error of their own: an estimate of
 /// τ², which is 0 by chance for half of the classes of two, would be too small.
-fn deviation_of_further(vehicles: &[Estimate]) -> Option<f64> {
+fn between_at_most(vehicles: &[Estimate]) -> Option<f64> {
     let count = u32::try_from(vehicles.len()).ok()?;
     let upper = |distribution: Distribution| distribution.quantile(0.975);
     let z = upper(Distribution::Normal { mean: 0.0, sd: 1.0 });
     let t = upper(Distribution::StudentT { mean: 0.0, sd: f64::from(count).sqrt(), n: count });
-    let between = RandomEffects::between_at(vehicles, f64::from(count - 1) * (z / t).powi(2))?;
-    Some((between * (1.0 + 1.0 / f64::from(count))).sqrt())
+    let narrower = z / t;
+    RandomEffects::between_at(vehicles, f64::from(count - 1) * narrower * narrower)
 }

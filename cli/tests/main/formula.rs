@@ -222,3 +222,27 @@ fn the_guide_shows_what_is_printed() {
     }
     assert_eq!(shown, 2);
 }
+
+/// The critical impulse ratio follows from the inputs, so that nothing depends on the ratio itself: 0, with the note of `gradient`, in `batch` too. A ratio that is
+/// given has none.
+#[test]
+fn a_ratio_that_follows_from_the_inputs_is_noted() {
+    let note = "the file does not give contact.impulse_ratio";
+    let folder = Folder::new();
+    let critical = fs::read_to_string(workspace().join("cli/examples/position-a.toml")).expect("an example");
+    let given = critical.replace("[contact]", "[contact]\nimpulse_ratio = 0.1");
+    fs::write(folder.path().join("rows.csv"), "vehicle.1.speed\n12\n").expect("a table");
+    for (name, text, is_noted) in [("critical.toml", critical, true), ("given.toml", given, false)] {
+        fs::write(folder.path().join(name), text).expect("a case");
+        let found = run(folder.path(), &["formula", "T_L", "--case", name, "--wrt", "mu"]);
+        assert_eq!(
+            (found.status, found.out.contains(note) || found.err.contains(note)),
+            (0, is_noted),
+            "{name}: {}{}",
+            found.out,
+            found.err
+        );
+        let rows = run(folder.path(), &["batch", "rows.csv", "-o", "-", "--case", name, "--of", "T_L", "--wrt", "mu"]);
+        assert_eq!((rows.status, rows.err.contains(note)), (0, is_noted), "{name}: {}{}", rows.out, rows.err);
+    }
+}

@@ -269,3 +269,44 @@ fn hostile_names_stay_names() {
         assert_eq!(again["title"], bad);
     }
 }
+
+/// What the method says is true of the case: its bodies, its moment impulse, and its law.
+#[test]
+fn the_method_is_that_of_the_case() {
+    let two = "[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"180 deg\"\nspeed = 9.3\nimpact_center = [1.8, 0.3]\n";
+    let of = |second: &str, contact: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1422.2\nyaw_inertia = 2000\nheading = 0\nspeed = 13.7\nimpact_center = [1.9, 0.5]\n{second}[contact]\n\
+             crush_plane = \"20 deg\"\nrestitution = 0.2\n{contact}"
+        );
+        let run = run_with_input(&["report", "-", "--sections", "method"], &case);
+        assert_eq!(run.status, 0, "{contact}: {}", run.err);
+        section(&run.out, "method").to_owned()
+    };
+    let [conserved, ends, moment] =
+        ["Momentum and angular momentum are conserved", "Sliding at the impact center ends", "moment impulse of the file"];
+    let usual = of(two, "");
+    assert!(usual.contains(conserved) && usual.contains(ends) && !usual.contains(moment) && !usual.contains("barrier"), "{usual}");
+    let wall = of("[[vehicle]]\nbarrier = true\n", "");
+    assert!(wall.contains("a rigid body and a fixed barrier exchange one impulse") && !wall.contains(conserved), "{wall}");
+    let turned = of(two, "moment = \"-200 N m s\"\n");
+    assert!(turned.contains(moment) && turned.contains("one impulse at a common point, and a moment impulse"), "{turned}");
+    let reversed = of(two, "tangential_law = \"kudlich-slibar\"\n");
+    assert!(!reversed.contains(ends) && reversed.contains("is reversed before the vehicles separate"), "{reversed}");
+    assert!(!reversed.contains("mu0 at which sliding ends"), "{reversed}");
+    for (friction, is) in [("0.9", "Here it is the limit."), ("0.05", "Here it is the friction: the vehicles still slide")] {
+        let limited = of(two, &format!("friction = {friction}\n"));
+        assert!(limited.contains(is), "{friction}: {limited}");
+    }
+}
+
+/// A loss, a share or an effect that is rounding is zero.
+#[test]
+fn rounding_is_no_loss() {
+    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 13.7\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1422.2\n\
+                yaw_inertia = 2000\nheading = \"180 deg\"\nspeed = 9.3\nimpact_center = [1.8, 0]\n[contact]\ncrush_plane = 0\nrestitution = 1\n";
+    let solved = run_with_input(&["solve", "-"], case);
+    assert!(solved.out.contains("Energy lost: 0 J, 0 % of what there was.") && !solved.out.contains("-0"), "{}", solved.out);
+    let html = run_with_input(&["report", "-", "--sections", "summary,results,sensitivity"], case);
+    assert!(html.status == 0 && !html.out.contains("e-1") && !html.out.contains("-0.0 %"), "{}", html.out);
+}

@@ -7,6 +7,8 @@ use planar_impact_app::{Answer, Units};
 use plotters::prelude::Color;
 use plotters::style::text_anchor::VPos;
 
+use crate::page::solve::loss_share;
+
 use super::canvas::{Area, BLUE, DARK, Drawn, GRAY, VERMILION, Writing, hatch, outline, page, px, rectangle, segment};
 
 /// Height of a bar and of its row, in pixels.
@@ -99,7 +101,7 @@ fn draw(area: &Area<'_>, answer: &Solution, bars: &[Bar], units: Units) -> Drawn
         }
         let middle = top + BAR / 2;
         Writing { size: 15, down: VPos::Center, ..Writing::ending() }.write(area, bar.name, (LEFT - 12, middle))?;
-        let share = answer.energy.loss_share.filter(|_| bar.kind == Kind::Loss);
+        let share = loss_share(answer).filter(|_| bar.kind == Kind::Loss);
         let text = number(answer, units, bar.value) + &share.map_or_else(String::new, |share| format!(" ({:.1} %)", 100.0 * share));
         Writing { size: 15, down: VPos::Center, ..Writing::default() }.write(area, &text, (from.0.max(to.0) + 10, middle))?;
     }

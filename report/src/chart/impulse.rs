@@ -99,12 +99,10 @@ impl<'a> Diagram<'a> {
 
     fn description(&self, units: Units) -> String {
         let ratio = |value: f64| units.number(Measure::Ratio, value, 1.0);
-        let impulse = |value: f64| units.quantity(Measure::Impulse, value);
+        let [normal, tangential] = components(self.contact, units);
         format!(
-            "The impulse on vehicle 1 is {} along the normal and {} along the tangent, at the ratio {}; the critical ratio is {}. \
+            "The impulse on vehicle 1 is {normal} along the normal and {tangential} along the tangent, at the ratio {}; the critical ratio is {}. \
              The line where sliding ends meets the line of termination at the impulse of the critical ratio.",
-            impulse(self.contact.impulse.normal),
-            impulse(self.contact.impulse.tangential),
             ratio(self.contact.impulse_ratio),
             ratio(self.contact.critical_impulse_ratio),
         )
@@ -169,8 +167,8 @@ impl<'a> Diagram<'a> {
             TangentialLaw::Brach => "by the law of Brach",
             TangentialLaw::KudlichSlibar => "by that of Kudlich and Slibar",
         };
-        let numbers = [contact.impulse.normal, contact.impulse.tangential].map(|value| units.quantity(Measure::Impulse, value));
-        let solution = ["impulse on vehicle 1", law, &format!("P_n = {}", numbers[0]), &format!("P_t = {}", numbers[1])];
+        let [normal, tangential] = components(contact, units);
+        let solution = ["impulse on vehicle 1", law, &format!("P_n = {normal}"), &format!("P_t = {tangential}")];
         // A moment impulse shifts the lines, but not by the restitution.
         let of_both = if contact.impulse.moment.is_some() { "restitution of both parts" } else { "common velocity times 1 + e" };
         let words: [&[&str]; 4] = [
@@ -339,6 +337,13 @@ fn polygon(frame: &[std::ops::Range<f64>; 2], edges: [Place; 2], normal: f64) ->
             .collect();
     corners.sort_by(|one, other| slope(*one).total_cmp(&slope(*other)));
     std::iter::once((0.0, 0.0)).chain(corners).collect()
+}
+
+/// Formats the impulse along the normal and along the tangent, 0 where it is rounding.
+fn components(contact: &Contact, units: Units) -> [String; 2] {
+    let (normal, tangential) = (contact.impulse.normal, contact.impulse.tangential);
+    let size = libm::hypot(normal, tangential);
+    [normal, tangential].map(|value| units.quantity(Measure::Impulse, if value.abs() <= 1e-12 * size { 0.0 } else { value }))
 }
 
 #[cfg(test)]

@@ -53,7 +53,11 @@ pub fn tornado_of_uncertainty(answer: &Answer<Uncertainty>, units: Units) -> Res
 pub fn tornado_of_gradient(answer: &Answer<Gradient>, units: Units) -> Result<String, Issues> {
     let panel = |(name, derivatives): (&str, &Derivatives)| {
         let of = CaseOutput::named(name)?;
-        let bar = |effect: Effect| Bar { input: format!("{} ± {}", effect.parameter, effect.uncertainty.text), effect: effect.change };
+        let bar = |effect: Effect| Bar {
+            input: format!("{} ± {}", effect.parameter, effect.uncertainty.text),
+            // A change that is rounding has no derivative.
+            effect: if effect.derivative == 0.0 { 0.0 } else { effect.change },
+        };
         Some(Panel::of(of, derivatives.value, answer.effects(of, derivatives, units).into_iter().map(bar).collect()))
     };
     let panels: Vec<Panel> = answer.of.iter().filter_map(panel).collect();
@@ -92,7 +96,8 @@ struct Panel {
 impl Panel {
     fn of(of: CaseOutput, value: f64, mut bars: Vec<Bar>) -> Panel {
         let count = bars.len();
-        bars.retain(|bar| bar.effect != 0.0 && bar.effect.is_finite());
+        let greatest = bars.iter().map(|bar| bar.effect.abs()).filter(|effect| effect.is_finite()).fold(value.abs(), f64::max);
+        bars.retain(|bar| bar.effect.is_finite() && bar.effect.abs() > 1e-12 * greatest);
         bars.sort_by(|one, other| other.effect.abs().total_cmp(&one.effect.abs()));
         bars.truncate(MOST_BARS);
         Panel { of, value, others: count - bars.len(), bars }

@@ -1,7 +1,7 @@
 //! What was asked, by which equations, and what they assume.
 
 use planar_impact_app::report::{CaseReport, MainAnswer, ReportVerb};
-use planar_impact_app::solve::{ImpulseRatioGiven, TangentialLaw};
+use planar_impact_app::solve::{ImpulseRatioGiven, Solution, TangentialLaw};
 
 use crate::block::Block;
 
@@ -48,35 +48,53 @@ pub fn blocks(report: &CaseReport) -> Vec<Block> {
     blocks
 }
 
-fn method(report: &CaseReport) -> &'static str {
-    const IMPACT: &str = "Planar impact mechanics (Brach and Brach): two rigid bodies exchange one impulse at a common point. Momentum and angular momentum are \
-                          conserved; the coefficient of restitution e relates the normal velocities at the impact center before and after; the impulse \
-                          ratio mu relates tangential to normal impulse, and is limited by the critical ratio mu0 at which sliding ends.";
-    match (&report.main, report.verb) {
-        (MainAnswer::Reconstruct(answer), _) if answer.solution.as_ref().is_some_and(|solution| solution.contact.model.is_some()) => {
+/// Describes the mechanics of a solution: its bodies, what they exchange, and the law of the tangential impulse.
+fn impact(solution: &Solution) -> String {
+    let has_barrier = solution.vehicles.iter().any(|vehicle| vehicle.barrier);
+    let bodies = if has_barrier { "a rigid body and a fixed barrier exchange" } else { "two rigid bodies exchange" };
+    let what = if solution.contact.impulse.moment.is_some() { ", and a moment impulse" } else { "" };
+    let kept = if has_barrier {
+        "The momentum and the angular momentum of the body change by the impulse, which the barrier takes"
+    } else {
+        "Momentum and angular momentum are conserved"
+    };
+    let law = match solution.contact.tangential_law {
+        TangentialLaw::Brach => "is limited by the critical ratio mu0 at which sliding ends",
+        TangentialLaw::KudlichSlibar => "is limited by the ratio at which the tangential velocity comes back with e as the normal one does",
+    };
+    format!(
+        "Planar impact mechanics (Brach and Brach): {bodies} one impulse at a common point{what}. {kept}; the coefficient of restitution e relates the normal \
+         velocities at the impact center before and after; the impulse ratio mu relates tangential to normal impulse, and {law}."
+    )
+}
+
+fn method(report: &CaseReport) -> String {
+    let text = match &report.main {
+        MainAnswer::Solve(solution) => return impact(solution),
+        MainAnswer::Reconstruct(answer) if answer.solution.as_ref().is_some_and(|solution| solution.contact.model.is_some()) => {
             "Conservation of momentum: the velocities after the impact, which the evidence gives, and the directions before it determine the speeds before. No \
              contact model is used. Every unknown is found by least squares, weighted by the uncertainty of the evidence; intervals are profile likelihoods."
         }
-        (MainAnswer::Reconstruct(_), _) => {
+        MainAnswer::Reconstruct(_) => {
             "Planar impact mechanics (Brach and Brach), in reverse: the values of the unknowns with which two rigid bodies that exchange one impulse at a \
              common point come closest to the evidence, by least squares weighted with its uncertainty (chi-square), from many starting points, within the \
              bounds and the limits of the physics. The interval of an unknown is its profile likelihood: the range over which the best fit of everything \
              else stays within a quantile of chi-square of the least one. It accounts for bounds and for curved evidence."
         }
-        (_, ReportVerb::Crush) => {
+        MainAnswer::Crush(_) => {
             "The crush energy of a profile of residual depths: at each place across the width the force per width is A + B C, with C the depth there, linear \
              between the measured stations. The energy is the integral of that force over the depth, with G = A^2/(2 B) for the force without residual crush."
         }
-        (_, ReportVerb::Crash3) => {
+        MainAnswer::Crash3(_) => {
             "CRASH3: the crush energies of both vehicles, corrected for the direction of the force, give the change of velocity of each under the assumption of \
              a common velocity at the end; planar impact mechanics from the same energy stands beside it."
         }
-        (_, ReportVerb::Uncertainty) => {
+        MainAnswer::Uncertainty(_) => {
             "Planar impact mechanics (Brach and Brach), with inputs that have distributions: by exact first and second derivatives, by samples, and by \
              guaranteed bounds. Samples that physics refuses are counted, and never moved."
         }
-        _ => IMPACT,
-    }
+    };
+    text.to_owned()
 }
 
 /// Names what the method assumes of this case.
@@ -88,6 +106,11 @@ fn assumptions(report: &CaseReport) -> Vec<String> {
         "The vehicles are rigid but for the crush, which does not change their mass, inertia or center of mass.",
     ];
     let mut all: Vec<String> = impact.map(str::to_owned).into();
+    if matches!(&report.main, MainAnswer::Solve(answer) if answer.contact.impulse.moment.is_some()) {
+        all.push(
+            "The moment impulse of the file acts beside it, as of a contact over an area, and its work is in the energy lost.".to_owned(),
+        );
+    }
     let solution = match &report.main {
         MainAnswer::Solve(answer) => Some(answer.as_ref()),
         MainAnswer::Reconstruct(answer) => answer.solution.as_ref(),
@@ -101,13 +124,25 @@ fn assumptions(report: &CaseReport) -> Vec<String> {
         MainAnswer::Uncertainty(_) => None,
     };
     if let Some(contact) = solution.map(|solution| &solution.contact).filter(|contact| contact.model.is_none()) {
-        all.push(match contact.impulse_ratio_given {
-            ImpulseRatioGiven::Critical => {
+        all.push(match (contact.impulse_ratio_given, contact.tangential_law) {
+            (ImpulseRatioGiven::Critical, TangentialLaw::Brach) => {
                 "Sliding at the impact center ends before the vehicles separate: the impulse ratio is critical.".to_owned()
             }
-            ImpulseRatioGiven::Number => "The impulse ratio is the number that the file gives.".to_owned(),
-            ImpulseRatioGiven::OfCritical => "The impulse ratio is a fraction of the critical one.".to_owned(),
-            ImpulseRatioGiven::Friction => "The impulse ratio is critical, or what friction allows if that is less.".to_owned(),
+            (ImpulseRatioGiven::Critical, TangentialLaw::KudlichSlibar) => {
+                "Sliding at the impact center is reversed before the vehicles separate: the impulse ratio is the limit of this law."
+                    .to_owned()
+            }
+            (ImpulseRatioGiven::Number, _) => "The impulse ratio is the number that the file gives.".to_owned(),
+            (ImpulseRatioGiven::OfCritical, _) => "The impulse ratio is a fraction of the critical one.".to_owned(),
+            (ImpulseRatioGiven::Friction, _) => {
+                let friction = contact.impulse_ratio_parameter.unwrap_or(f64::NAN);
+                let is = if contact.impulse_ratio.abs() < friction {
+                    "the limit"
+                } else {
+                    "the friction: the vehicles still slide at separation"
+                };
+                format!("The impulse ratio is the limit of the law below, or the friction if that is less. Here it is {is}.")
+            }
         });
         all.push(match contact.tangential_law {
             TangentialLaw::Brach => {

@@ -24,8 +24,9 @@ impl Facts for Solution {
             )
         };
         let moving = self.vehicles.iter().filter(|vehicle| !vehicle.barrier);
-        let share = self.energy.loss_share.map_or_else(String::new, |share| format!(", {:.0} % of what there was", 100.0 * share));
-        let lost = format!("Energy lost: {}{share}.", units.quantity(Measure::Energy, self.energy.loss));
+        let share = loss_share(self).map_or_else(String::new, |share| format!(", {:.0} % of what there was", 100.0 * share));
+        let lost =
+            format!("Energy lost: {}{share}.", units.quantity(Measure::Energy, without_rounding(self, Measure::Energy, self.energy.loss)));
         moving.map(of).chain([lost]).map(Block::paragraph).collect()
     }
 
@@ -35,6 +36,17 @@ impl Facts for Solution {
         blocks.extend(remarks(self, units));
         blocks
     }
+}
+
+/// Returns a number of the collision, or 0 if it is rounding.
+pub(crate) fn without_rounding(solution: &Solution, measure: Measure, value: f64) -> f64 {
+    if value.abs() <= 1e-12 * solution.scale(measure) { 0.0 } else { value }
+}
+
+/// Returns the share of the energy that is lost, 0 if the loss is rounding.
+pub(crate) fn loss_share(solution: &Solution) -> Option<f64> {
+    let loss = without_rounding(solution, Measure::Energy, solution.energy.loss);
+    solution.energy.loss_share.map(|share| if loss == 0.0 { 0.0 } else { share })
 }
 
 fn tables(solution: &Solution, units: Units) -> [Block; 3] {
@@ -132,7 +144,7 @@ fn energies(solution: &Solution, units: Units) -> Table {
         let number = units.number(Measure::Energy, value, solution.scale(Measure::Energy));
         vec![what.to_owned(), units.unit(Measure::Energy).to_owned(), number]
     };
-    let share = energy.loss_share.map_or_else(String::new, |share| format!(" ({:.1} %)", 100.0 * share));
+    let share = loss_share(solution).map_or_else(String::new, |share| format!(" ({:.1} %)", 100.0 * share));
     let rows = vec![
         row("kinetic energy before", energy.before),
         row("kinetic energy after", energy.after),

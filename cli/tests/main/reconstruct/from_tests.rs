@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::{example, number, replaced};
-use crate::process::{Folder, Run, run, workspace};
+use crate::process::{Folder, Run, run, run_with_input, workspace};
 
 const TESTS: &str = "stiffness = { tests = \"../tests/struble-welsh.toml\" }";
 
@@ -224,14 +224,13 @@ fn the_spread_of_a_class_is_in_the_deviation() {
     let folder = Folder::new();
     folder.write("tests.toml", tests.as_bytes());
     let class = json(&run(folder.path(), &["stiffness", "tests.toml", "--format", "json"]));
-    let between = ["d0", "d1"].map(|name| number(&class["pooled"][1][name]["further_sd"]));
-    assert!(between[1] > 1000.0, "{between:?}");
-    let [d0, d1, d0_sd, d1_sd, correlation] = fit(&tests, 1);
-    let sds = [d0_sd.hypot(between[0]), d1_sd.hypot(between[1])];
-    let (width, depth) = (5.0 * 0.3048, 0.520335 * 0.3048);
-    let by_d0 = width * (d0 + d1 * depth);
-    let terms = [by_d0 * sds[0], by_d0 * depth * sds[1]];
-    let covariance = correlation * by_d0 * d0_sd * by_d0 * depth * d1_sd;
+    // cli/tests/reference/class.py: the line through all tests, and the covariance of a further vehicle.
+    let [d0, d1, d0_sd, d1_sd, covariance] =
+        [111.954_246_816_302_2, 669.007_637_370_993_9, 298.231_506_909_865, 1_990.979_858_994, -296_524.712_574_9];
+    let [d0_of_line, d1_of_line, ..] = fit(&tests, 1);
+    assert!((d0_of_line / d0 - 1.0).abs() < 1e-12 && (d1_of_line / d1 - 1.0).abs() < 1e-12, "{d0_of_line} {d1_of_line}");
+    let of_energy =
+        |width: f64, depth: f64| width * (d0 + d1 * depth) * (d0_sd * d0_sd + 2.0 * depth * covariance + (depth * d1_sd).powi(2)).sqrt();
     let document = json(&beside(&case("stiffness = { tests = \"tests.toml\" }"), &[("tests.toml", &tests)], &RECONSTRUCT));
     // `stiffness` prints the deviations of the line, and notes those of a further vehicle.
     let notes: Vec<&Value> =
@@ -239,15 +238,13 @@ fn the_spread_of_a_class_is_in_the_deviation() {
     assert_eq!(notes.len(), 2, "{}", class["messages"]);
     let prediction = &class["fits"][1]["prediction"];
     let [width, depth] = ["width", "depth"].map(|key| number(&prediction[key]));
-    let by_d0 = width * (d0 + d1 * depth);
-    let variance = sds[0].powi(2) + (depth * sds[1]).powi(2) + 2.0 * depth * correlation * d0_sd * d1_sd;
     let figures = notes[1]["figures"].as_array().expect("figures");
     assert_eq!(figures.len(), 3);
-    for (figure, sd) in figures.iter().zip([sds[0], sds[1], by_d0 * variance.sqrt()]) {
-        assert!((number(&figure["value"]) / sd - 1.0).abs() < 1e-12, "{figure} {sd}");
+    for (figure, sd) in figures.iter().zip([d0_sd, d1_sd, of_energy(width, depth)]) {
+        assert!((number(&figure["value"]) / sd - 1.0).abs() < 1e-9, "{figure} {sd}");
     }
     let sd = number(&document["evidence"]["crush_energy"]["sd"]);
-    let wanted = (terms[0] * terms[0] + terms[1] * terms[1] + 2.0 * covariance).sqrt();
+    let wanted = of_energy(5.0 * 0.3048, 0.520335 * 0.3048);
     assert!((sd / wanted - 1.0).abs() < 1e-6, "{sd} {wanted}");
     assert!(document["messages"].to_string().contains("4 tests of 2 vehicles, with the spread between them"), "{}", document["messages"]);
 }
@@ -268,8 +265,11 @@ fn a_vehicle_without_a_stiffness_of_its_own_does_not_hide_the_spread() {
     assert!(negative > 0.5 * sound && told.contains("of 3 vehicles, with the spread between them"), "{negative} {sound} {told}");
     let (alone, told) = of(&[("A", both(0.16, 0.42)), ("B", both(0.22, 0.60)), ("C", [None, Some(0.50)])]);
     assert!(alone > 0.5 * sound && told.contains("with the spread between the 2 with a line of their own"), "{alone} {sound} {told}");
-    let (_, none) = of(&[("A", [None, Some(0.42)]), ("B", [None, Some(0.60)]), ("C", [Some(0.20), None])]);
+    let none_has_one = [("A", [None, Some(0.42)]), ("B", [None, Some(0.60)]), ("C", [Some(0.20), None])];
+    let (_, none) = of(&none_has_one);
     assert!(none.contains("without the spread between them") && none.contains("\"warning\""), "{none}");
+    let fitted = run_with_input(&["stiffness", "-"], &of_vehicles(&none_has_one));
+    assert!(fitted.status <= 1 && fitted.out.contains("the tests of 3 vehicles are"), "{}{}", fitted.out, fitted.err);
 }
 
 /// Three tests leave one degree of freedom, of which a scatter has no standard deviation.

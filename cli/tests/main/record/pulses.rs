@@ -387,3 +387,25 @@ fn an_offset_that_drifts_is_told() {
     // Without a window all samples are the pulse.
     assert!(warned("drift", "", &|ms| 0.01 * ms.max(0.0)).is_empty());
 }
+
+#[test]
+fn noise_does_not_cut_a_pulse() {
+    // ±12 % of the peak from sample to sample: the last one is no part of a pulse, nor is that at the end of a window.
+    let noise = |ms: f64| if (ms * 10.0).round() as i64 % 2 == 0 { 12.0 } else { -12.0 };
+    assert!(warned("truncated", "", &noise).is_empty());
+    assert!(warned("cut-by-window", "window = [\"0 ms\", \"100.1 ms\"]\n", &noise).is_empty());
+    // Without noise it is.
+    assert_eq!(warned("truncated", "", &|ms| if ms > 100.0 { 12.0 } else { 0.0 }).len(), 1);
+    assert_eq!(warned("cut-by-window", "window = [\"0 ms\", \"96 ms\"]\n", &|_| 0.0).len(), 1);
+}
+
+#[test]
+fn a_pulse_of_few_samples_is_noted() {
+    let of = |step: f64| {
+        let rows = (-20..=(120.0 / step) as i32).map(|i| (f64::from(i) * step, 100.0 * pulse(f64::from(i) * step)));
+        let samples: String = rows.map(|(ms, force)| format!("{ms},{force}\n")).collect();
+        record_of(&format!("time [ms],normal_force [kN]\n{samples}"), None).1.out
+    };
+    assert!(of(10.0).contains("normal force has 9 samples above a tenth of its peak"), "{}", of(10.0));
+    assert!(!of(1.0).contains("coarse-sampling"), "{}", of(1.0));
+}

@@ -95,6 +95,15 @@ fn no_velocity_change_has_a_standard_deviation_and_no_direction() {
 }
 
 /// Readings that scatter have a greatest one that is too great, by about twice the scatter, which their standard deviation includes.
+/// A driver who holds the speed makes it flat at its least.
+#[test]
+fn a_speed_that_is_held_is_not_clipped() {
+    let speeds = [62, 62, 62, 60, 58, 56, 54, 54, 54, 54];
+    let rows: String = speeds.iter().enumerate().map(|(i, speed)| format!("{},{speed}\n", -5.0 + 0.5 * i as f64)).collect();
+    let (record, run) = record_of(&format!("time [s],speed [km/h]\n{rows}"), None);
+    assert_eq!((run.status, &record["channels"][0]["clipped"]), (0, &Value::Null), "{}", run.out);
+}
+
 /// Readings that scatter by a step differ by more than a tenth of a small change from one to the next, long after it is over. One that still changes is truncated.
 #[test]
 fn readings_that_scatter_do_not_seem_truncated() {
