@@ -1,7 +1,7 @@
 //! The verb `crash3`: compares CRASH3's damage algorithm with planar mechanics.
 
 use planar_impact::crash3::{
-    Assumption, Assumptions, Consequence, Damaged, DamagedPair, PairEstimate, Surface, VehicleEstimate, approach_velocity,
+    Assumption, Assumptions, Consequence, Damaged, DamagedPair, PairEstimate, Surface, VehicleEstimate, approach_velocity, force_correction,
 };
 use planar_impact::reconstruct::Measurand;
 use planar_impact::{Heading, Impact, Moment, Output, Refusals, Side, Xy};
@@ -297,7 +297,17 @@ fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Not
         let message = format!("{path}: the energy correction is at its limit of 2; the force comes 45 deg or more off");
         Some(Notice::warning("correction-at-limit", path, message))
     };
+    /// A force so many times that across the surface runs along it.
+    const ALONG: f64 = 1e6;
+    let leaves = |(i, damaged): (usize, Option<&Damaged>)| {
+        let Damaged { surface, force_direction, .. } = damaged?;
+        let presses = force_correction(*surface, force_direction).is_some_and(|correction| correction < ALONG);
+        let path = format!("vehicle.{}", i + 1);
+        let message = format!("{path}: the force does not press on the damaged surface; check `surface` and the sign of `pdof`");
+        (!presses).then(|| Notice::warning("pulling-force", path, message))
+    };
     let mut warnings: Vec<Notice> = [estimate.one.as_ref(), estimate.two.as_ref()].into_iter().enumerate().filter_map(at_limit).collect();
+    warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(leaves));
     if let Some(angle) = pair.force_misalignment(&case.collision).filter(|angle| *angle > MISALIGNED) {
         let message = Message::from("the forces on the two vehicles are ")
             .figure(Measure::Angle, angle)

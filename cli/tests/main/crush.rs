@@ -463,3 +463,30 @@ fn a_stiffness_beyond_that_of_a_case_file_has_no_energy() {
     let of_point = run(&workspace(), &["sweep", &case, "--vary", vary, "--of", "vehicle.2.crush_energy", "--format", "json"]);
     assert!(of_point.out.contains("it is too large: d0 would be"), "{} {}", of_point.out, of_point.err);
 }
+
+/// A force presses on the surface that it damages; one that runs along it or leaves it tells of a wrong surface or sign.
+#[test]
+fn a_force_that_leaves_its_surface_is_told() {
+    let vehicle = |heading: &str, crush: &str| {
+        format!(
+            "[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"{heading} deg\"\nspeed = 12\nimpact_center = [2, 0.2]\n[vehicle.crush]\nwidth = 1.5\n\
+             depths = [0.3, 0.3]\nstiffness = {{ d0 = 100, d1 = 400 }}\n{crush}\n"
+        )
+    };
+    let told = |crush: &str| {
+        let case = format!("schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0\n", vehicle("0", crush), vehicle("180", ""));
+        let run = run_with_input(&["crash3", "-"], &case);
+        assert!(run.status <= 1, "{crush}: {}", run.err);
+        run.out.replace("\n    ", " ").contains("vehicle.1: the force does not press on the damaged surface")
+    };
+    for (crush, leaves) in [
+        ("pdof = \"40 deg\"\nsurface = \"front\"", false),
+        ("pdof = \"89 deg\"\nsurface = \"front\"", false),
+        ("pdof = \"90 deg\"\nsurface = \"front\"", true),
+        ("pdof = \"120 deg\"\nsurface = \"front\"", true),
+        ("pdof = \"46 deg\"\nsurface = \"left\"", true),
+        ("pdof = \"46 deg\"\nsurface = \"right\"", false),
+    ] {
+        assert_eq!(told(crush), leaves, "{crush}");
+    }
+}
