@@ -17,8 +17,8 @@ pub(super) enum Cut {
 }
 
 impl Channel {
-    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it turns, and a speed
-    /// where the driver holds it.
+    /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it
+    /// turns, and a speed where the driver holds it.
     pub(super) fn clipped(&self) -> Option<Clipped> {
         let (times, values) = (self.record.times(), self.record.values());
         let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));

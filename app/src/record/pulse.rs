@@ -54,7 +54,7 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
         "{name} has {count} samples above a tenth of its peak: its standard deviation takes it as smooth but for kinks between them; of a rougher pulse it is too \
          small"
     );
-    (count < FEW).then(|| Notice::note("coarse-sampling", path, message))
+    (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))
 }
 
 /// Returns a warning of a channel that does not return to its baseline after the window.
@@ -62,7 +62,8 @@ fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, befor
     /// Standard deviations that are no chance.
     const MOST: f64 = 4.0;
     let times = record.times();
-    let (first, last) = (*times.iter().find(|time| **time > over.to * (1.0 + ROUNDING))?, times[times.len() - 1]);
+    let last = times[times.len() - 1];
+    let first = *times.iter().find(|time| **time > over.to + ROUNDING * (last - times[0]))?;
     let mean = |window: &Window| -> Option<Estimate> {
         let reading = record.baseline(window).ok()?;
         Some(Estimate { variance: reading.variance / record.independent_samples(window).ok()?, ..reading })
@@ -129,9 +130,11 @@ impl Analysis<'_> {
             return None;
         };
         let peak = Peak { value: values[peak] + 0.0, time: times[peak] };
-        let noise = before.and_then(|before| record.baseline(&before).ok()).map_or(0.0, |mean| mean.deviation());
+        let noise = before.as_ref().and_then(|before| record.baseline(before).ok()).map_or(0.0, |mean| mean.deviation());
         self.cut_by_window(name, quantity, &corrected, peak, noise);
-        self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
+        if before.is_some() {
+            self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
+        }
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })
     }

@@ -408,4 +408,7 @@ fn a_pulse_of_few_samples_is_noted() {
     };
     assert!(of(10.0).contains("normal force has 9 samples above a tenth of its peak"), "{}", of(10.0));
     assert!(!of(1.0).contains("coarse-sampling"), "{}", of(1.0));
+    // A quiet channel has no pulse.
+    let quiet = record_of(&csv("normal_force [kN],tangential_force [kN]", &[&|ms| 100.0 * pulse(ms), &|_| 0.0]), None).1.out;
+    assert!(!quiet.contains("coarse-sampling"), "{quiet}");
 }
