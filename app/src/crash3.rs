@@ -1,7 +1,7 @@
 //! The verb `crash3`: compares CRASH3's damage algorithm with planar mechanics.
 
 use planar_impact::crash3::{
-    Assumption, Assumptions, Consequence, Damaged, DamagedPair, PairEstimate, Surface, VehicleEstimate, approach_velocity, force_correction,
+    Assumption, Assumptions, Consequence, Damaged, DamagedPair, PairEstimate, Surface, VehicleEstimate, approach_velocity,
 };
 use planar_impact::reconstruct::Measurand;
 use planar_impact::{Heading, Impact, Moment, Output, Refusals, Side, Xy};
@@ -11,6 +11,7 @@ use serde::Serialize;
 use crate::answer::Answer;
 use crate::case::{Case, Known, vehicle_number};
 use crate::control::Control;
+use crate::crush::{pressing, pulling};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
 use crate::named::positive_zero;
@@ -297,14 +298,9 @@ fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Not
         let message = format!("{path}: the energy correction is at its limit of 2; the force comes 45 deg or more off");
         Some(Notice::warning("correction-at-limit", path, message))
     };
-    /// A force so many times that across the surface runs along it.
-    const ALONG: f64 = 1e6;
     let leaves = |(i, damaged): (usize, Option<&Damaged>)| {
         let Damaged { surface, force_direction, .. } = damaged?;
-        let presses = force_correction(*surface, force_direction).is_some_and(|correction| correction < ALONG);
-        let path = format!("vehicle.{}", i + 1);
-        let message = format!("{path}: the force does not press on the damaged surface; check `surface` and the sign of `pdof`");
-        (!presses).then(|| Notice::warning("pulling-force", path, message))
+        pressing(*surface, force_direction).is_none().then(|| pulling(i))
     };
     let mut warnings: Vec<Notice> = [estimate.one.as_ref(), estimate.two.as_ref()].into_iter().enumerate().filter_map(at_limit).collect();
     warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(leaves));

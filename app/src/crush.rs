@@ -138,7 +138,12 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
                        depths and pdof of both";
         Notice::warning("crush-forces-not-balanced", "vehicle", message)
     });
-    Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles, force_imbalance }, warning))
+    let leaves = |(i, direction): (usize, &Option<(Surface, ForceDirection)>)| {
+        let (surface, origin) = direction.as_ref()?;
+        pressing(*surface, origin).is_none().then(|| pulling(i))
+    };
+    let warnings = directions.iter().enumerate().filter_map(leaves).chain(warning);
+    Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles, force_imbalance }, warnings))
 }
 
 /// Returns the surface and the direction of the principal force of each vehicle, as `crash3` takes them; `None` where they follow from a collision that is not
@@ -153,6 +158,20 @@ fn directions_of_force(case: &Case) -> [Option<(Surface, ForceDirection)>; 2] {
         let has_surface = crush.surface.is_some() || is_known;
         damaged.filter(|_| has_direction && has_surface).map(|damaged| (damaged.surface, damaged.force_direction))
     })
+}
+
+/// Returns the force along its direction as a multiple of that across the surface; `None` if it runs along the surface or leaves it.
+pub(crate) fn pressing(surface: Surface, direction: &ForceDirection) -> Option<f64> {
+    /// A force so many times that across the surface runs along it.
+    const ALONG: f64 = 1e6;
+    force_correction(surface, direction).filter(|correction| *correction < ALONG)
+}
+
+/// Returns a warning of a force that does not press on the damaged surface of a vehicle.
+pub(crate) fn pulling(place: usize) -> Notice {
+    let path = format!("vehicle.{}", place + 1);
+    let message = format!("{path}: the force does not press on the damaged surface; check `surface` and the sign of `pdof`");
+    Notice::warning("pulling-force", path, message)
 }
 
 impl VehicleCrush {
@@ -188,7 +207,7 @@ impl VehicleCrush {
     /// Adds the force along a principal direction of force.
     fn at(self, direction: Option<(Surface, ForceDirection)>) -> Self {
         let Some((surface, origin)) = direction else { return self };
-        let along = self.crush_force.zip(force_correction(surface, &origin)).map(|(force, factor)| force * factor);
+        let along = self.crush_force.zip(pressing(surface, &origin)).map(|(force, factor)| force * factor);
         VehicleCrush {
             pdof: Some(positive_zero(origin.direction())),
             surface: Some(name_of(surface)),

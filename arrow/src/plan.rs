@@ -128,10 +128,10 @@ impl Plan {
     }
 }
 
-/// Returns the unit in the metadata of a field. Others write its key with a capital, or as `units`: a number in an unread unit would pass for SI.
+/// Returns the unit in the metadata of a field. Others write its key with a capital, as `units` or as `uom`: a number in an unread unit would pass for SI.
 pub fn unit_of(field: &Field) -> Option<&str> {
     let named = |name: &str| field.metadata().iter().find(|(key, _)| key.trim().eq_ignore_ascii_case(name)).map(|(_, unit)| unit);
-    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units")).map(String::as_str)
+    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units")).or_else(|| named("uom")).map(String::as_str)
 }
 
 fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {

@@ -101,7 +101,7 @@ fn a_unit_is_in_the_name_or_in_the_metadata() {
     assert_eq!(losses(&with_metadata(field("vehicle.1.speed [km/h]", "km/h"))), bracketed);
     assert_ne!(losses(&with_metadata(field("vehicle.1.speed", "m/s"))), bracketed);
     // A unit that was not read would make a number of km/h one of m/s.
-    for key in ["Unit", "UNITS", " units "] {
+    for key in ["Unit", "UNITS", " units ", "UoM"] {
         let field = Field::new("vehicle.1.speed", DataType::Float64, true);
         let field = field.with_metadata(HashMap::from([(key.to_owned(), "km/h".to_owned())]));
         assert_eq!(losses(&with_metadata(field)), bracketed, "{key}");

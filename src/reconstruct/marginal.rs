@@ -58,9 +58,18 @@ impl Marginal {
         self.quantile(0.5)
     }
 
-    /// Returns the probability that the quantity is greater than a value. An angle that is computed counts within half a turn of zero, as it is printed, if the
-    /// value lies there.
+    /// Returns the probability that the quantity is greater than a value, by more than the rounding of exact evidence. An angle that is computed counts within half
+    /// a turn of zero, as it is printed, if the value lies there.
     pub fn probability_above(&self, value: f64) -> f64 {
+        self.counted_above(value + rounding(value))
+    }
+
+    /// Returns the probability that the quantity is less than a value. With that of greater ones it is 1, unless the quantity may be the value itself.
+    pub fn probability_below(&self, value: f64) -> f64 {
+        1.0 - self.counted_above(value - rounding(value))
+    }
+
+    fn counted_above(&self, value: f64) -> f64 {
         if matches!(self.of, Measurand::Variable(_)) || self.of.period().is_none() || value.abs() > PI {
             return self.share_above(value);
         }
@@ -72,6 +81,11 @@ impl Marginal {
         let count = self.sorted.len();
         (count - self.sorted.partition_point(|x| *x <= value)) as f64 / count as f64
     }
+}
+
+/// Returns the difference in SI that is rounding.
+fn rounding(value: f64) -> f64 {
+    1e-12 * (1.0 + value.abs())
 }
 
 /// Returns a quantile of ascending numbers, between two of them by their distance.
@@ -94,6 +108,16 @@ mod tests {
     use super::*;
     use crate::input::Side;
     use crate::output::Output;
+
+    #[test]
+    fn what_is_a_value_itself_is_neither_above_nor_below() {
+        let draws: Vec<f64> = (0..40).map(|i| [0.0, 3e-17, -3e-17, 0.2][i % 4]).collect();
+        let of = Measurand::Output(Output::CriticalImpulseRatio);
+        let marginal = Marginal::of(of, &draws, 4, 10, 0.95).expect("finite");
+        for (value, above, below) in [(0.0, 0.25, 0.0), (0.1, 0.25, 0.75), (0.2, 0.0, 0.75), (-0.1, 1.0, 0.0)] {
+            assert_eq!((marginal.probability_above(value), marginal.probability_below(value)), (above, below), "{value}");
+        }
+    }
 
     /// Draws every degree within half a turn of 170°: 10° of 360° lie from 170° to 180° and as many from −180° to −170°.
     #[test]

@@ -62,8 +62,7 @@ impl Statement {
 
     /// Returns its probability under the posterior of its quantity.
     pub fn probability(&self, marginal: &Marginal) -> f64 {
-        let above = marginal.probability_above(self.value);
-        if self.is_above { above } else { 1.0 - above }
+        if self.is_above { marginal.probability_above(self.value) } else { marginal.probability_below(self.value) }
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) enum Cut {
 
 impl Channel {
     /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it
-    /// turns, and a speed where the driver holds it.
+    /// turns, a speed where the driver holds it, and a velocity change that ends below a given range where it is over.
     pub(super) fn clipped(&self) -> Option<Clipped> {
         let (times, values) = (self.record.times(), self.record.values());
         let beyond = |i: &usize| self.range.is_some_and(|range| values[*i].abs() >= range * (1.0 - 1e-9));
@@ -26,7 +26,8 @@ impl Channel {
             let last = first + (first..values.len()).take_while(beyond).count() - 1;
             return Some(Clipped { value: values[first], from: times[first], to: times[last], samples: last + 1 - first });
         }
-        if matches!(self.quantity, ChannelQuantity::Distance | ChannelQuantity::Speed) {
+        let is_within_range = self.range.is_some() && self.quantity.is_running();
+        if is_within_range || matches!(self.quantity, ChannelQuantity::Distance | ChannelQuantity::Speed) {
             return None;
         }
         let top = self.record.flat_top()?;
@@ -206,7 +207,8 @@ impl Analysis<'_> {
                 .figure(Measure::Time, from)
                 .text(" to ")
                 .figure(Measure::Time, to)
-                .text("; what follows from it is too small in magnitude");
+                .text("; what follows from it is too small in magnitude")
+                .text(if channel.range.is_none() && channel.quantity.is_running() { "; give its `range` if it is whole" } else { "" });
             self.notices.push(Notice::warning("clipped", channel.path.clone(), message));
         }
         if let Some(cut) = cut {

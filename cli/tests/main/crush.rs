@@ -477,7 +477,10 @@ fn a_force_that_leaves_its_surface_is_told() {
         let case = format!("schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0\n", vehicle("0", crush), vehicle("180", ""));
         let run = run_with_input(&["crash3", "-"], &case);
         assert!(run.status <= 1, "{crush}: {}", run.err);
-        run.out.replace("\n    ", " ").contains("vehicle.1: the force does not press on the damaged surface")
+        let said = |run: &Run| run.out.replace("\n    ", " ").contains("vehicle.1: the force does not press on the damaged surface");
+        let crush = run_with_input(&["crush", "-"], &case);
+        assert_eq!((crush.status, said(&crush)), (0, said(&run)), "{}{}", crush.out, crush.err);
+        said(&run)
     };
     for (crush, leaves) in [
         ("pdof = \"40 deg\"\nsurface = \"front\"", false),

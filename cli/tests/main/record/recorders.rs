@@ -104,6 +104,20 @@ fn a_speed_that_is_held_is_not_clipped() {
     assert_eq!((run.status, &record["channels"][0]["clipped"]), (0, &Value::Null), "{}", run.out);
 }
 
+/// A velocity change that ends as fast as it began looks like one at its range, in coarse steps; where the range is given, that decides.
+#[test]
+fn a_given_range_decides_what_is_clipped() {
+    let changes = [0, -2, -5, -9, -14, -18, -18, -18, -18, -18];
+    let rows: String = changes.iter().enumerate().map(|(i, change)| format!("{},{change}\n", 10 * i)).collect();
+    let samples = format!("time [ms],delta_v_forward [km/h]\n{rows}");
+    let (record, run) = record_of(&samples, None);
+    assert_eq!((run.status, &record["channels"][0]["clipped"]["samples"]), (1, &json!(5)), "{}", run.out);
+    assert!(run.out.contains("give its `range` if it is whole"), "{}", run.out);
+    let of_range = |range: &str| record_of(&samples, Some(&format!("[[channel]]\ncolumn = \"delta_v_forward\"\nrange = \"{range}\"\n"))).0;
+    assert_eq!(of_range("100 km/h")["channels"][0]["clipped"], Value::Null);
+    assert_eq!(of_range("18 km/h")["channels"][0]["clipped"]["samples"], 5);
+}
+
 /// Readings that scatter by a step differ by more than a tenth of a small change from one to the next, long after it is over. One that still changes is truncated.
 #[test]
 fn readings_that_scatter_do_not_seem_truncated() {
