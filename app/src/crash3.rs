@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::answer::Answer;
 use crate::case::{Case, Known, vehicle_number};
 use crate::control::Control;
-use crate::crush::{pressing, pulling};
+use crate::crush::pulling;
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
 use crate::named::positive_zero;
@@ -300,7 +300,7 @@ fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Not
     };
     let leaves = |(i, damaged): (usize, Option<&Damaged>)| {
         let Damaged { surface, force_direction, .. } = damaged?;
-        pressing(*surface, force_direction).is_none().then(|| pulling(i))
+        pulling(i, *surface, force_direction)
     };
     let mut warnings: Vec<Notice> = [estimate.one.as_ref(), estimate.two.as_ref()].into_iter().enumerate().filter_map(at_limit).collect();
     warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(leaves));

@@ -140,7 +140,7 @@ pub fn crush(case: &Case, _: &(), _: &dyn Control) -> Result<Answer<CrushAnswer>
     });
     let leaves = |(i, direction): (usize, &Option<(Surface, ForceDirection)>)| {
         let (surface, origin) = direction.as_ref()?;
-        pressing(*surface, origin).is_none().then(|| pulling(i))
+        pulling(i, *surface, origin)
     };
     let warnings = directions.iter().enumerate().filter_map(leaves).chain(warning);
     Ok(case.answer(CrushAnswer { names: case.names.clone(), vehicles, force_imbalance }, warnings))
@@ -161,17 +161,17 @@ fn directions_of_force(case: &Case) -> [Option<(Surface, ForceDirection)>; 2] {
 }
 
 /// Returns the force along its direction as a multiple of that across the surface; `None` if it runs along the surface or leaves it.
-pub(crate) fn pressing(surface: Surface, direction: &ForceDirection) -> Option<f64> {
+fn pressing(surface: Surface, direction: &ForceDirection) -> Option<f64> {
     /// A force so many times that across the surface runs along it.
     const ALONG: f64 = 1e6;
     force_correction(surface, direction).filter(|correction| *correction < ALONG)
 }
 
 /// Returns a warning of a force that does not press on the damaged surface of a vehicle.
-pub(crate) fn pulling(place: usize) -> Notice {
+pub(crate) fn pulling(place: usize, surface: Surface, direction: &ForceDirection) -> Option<Notice> {
     let path = format!("vehicle.{}", place + 1);
     let message = format!("{path}: the force does not press on the damaged surface; check `surface` and the sign of `pdof`");
-    Notice::warning("pulling-force", path, message)
+    pressing(surface, direction).is_none().then(|| Notice::warning("pulling-force", path, message))
 }
 
 impl VehicleCrush {

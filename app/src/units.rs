@@ -44,6 +44,11 @@ impl From<Measure> for Kind {
     }
 }
 
+/// Returns a number, or 0 if it is rounding beside the scale of what it is computed from.
+pub fn beyond_rounding(value: f64, scale: f64) -> f64 {
+    if value.abs() <= 1e-12 * scale { 0.0 } else { value }
+}
+
 impl Units {
     /// Returns the system that a unit belongs to, if only one uses it.
     pub fn of(unit: &str) -> Option<Units> {
@@ -117,7 +122,7 @@ impl Units {
     /// Formats a value in SI without its unit, with as many decimals as suit the measure: more for a value that would
     /// round to zero, and `0` for one that is within rounding of `scale`.
     pub fn number(self, measure: Measure, si: f64, scale: f64) -> String {
-        if si.abs() <= 1e-12 * scale {
+        if beyond_rounding(si, scale) == 0.0 {
             return "0".to_owned();
         }
         let value = self.convert(measure, si);

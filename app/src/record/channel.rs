@@ -85,7 +85,8 @@ impl Channel {
 
     /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a velocity change still changes by
     /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
-    /// than two steps and more than the noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
+    /// than two steps and more than the noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its
+    /// beginning can be missing.
     pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
         /// Standard deviations that are no chance.
         const MOST: f64 = 3.0;

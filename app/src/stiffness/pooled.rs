@@ -163,9 +163,9 @@ impl PooledNumber {
 
 /// Returns the variance τ² between vehicles with which a normal distribution has the 95 % interval of a further one.
 ///
-/// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. It is
-/// x̄ ± z τ √(1 + 1/k) with the variance τ² at which the sum of squares is (k − 1) (z/t)², and so it is for vehicles with an error of their own: an estimate of
-/// τ², which is 0 by chance for half of the classes of two, would be too small.
+/// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. With
+/// the variance τ² at which the sum of squares is (k − 1) (z/t)² it is x̄ ± z τ √(1 + 1/k). The same sum is used for vehicles with an error of their own. An
+/// estimate of τ² would be too small: for half of the classes of two it is 0 by chance.
 fn between_at_most(vehicles: &[Estimate]) -> Option<f64> {
     let count = u32::try_from(vehicles.len()).ok()?;
     let upper = |distribution: Distribution| distribution.quantile(0.975);

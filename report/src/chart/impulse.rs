@@ -2,7 +2,7 @@
 
 use planar_impact_app::issue::Issues;
 use planar_impact_app::solve::{Contact, ImpulsePlane, ImpulseRatioGiven, PlaneImpulse, Solution, TangentialLaw};
-use planar_impact_app::units::Measure;
+use planar_impact_app::units::{Measure, beyond_rounding};
 use planar_impact_app::{Answer, Units};
 use plotters::coord::CoordTranslate;
 use plotters::prelude::{Circle, Color, DrawingArea, Polygon, RGBColor, SVGBackend, ShapeStyle, TriangleMarker, WHITE};
@@ -343,7 +343,7 @@ fn polygon(frame: &[std::ops::Range<f64>; 2], edges: [Place; 2], normal: f64) ->
 fn components(contact: &Contact, units: Units) -> [String; 2] {
     let (normal, tangential) = (contact.impulse.normal, contact.impulse.tangential);
     let size = libm::hypot(normal, tangential);
-    [normal, tangential].map(|value| units.quantity(Measure::Impulse, if value.abs() <= 1e-12 * size { 0.0 } else { value }))
+    [normal, tangential].map(|value| units.quantity(Measure::Impulse, beyond_rounding(value, size)))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::solve::{EnergyBounds, ImpulseRatioGiven, Solution, TangentialLaw, Vehicle};
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Measure, Units, beyond_rounding};
 
 use super::{Facts, SUMMARY_WIDTH, crush_plane_bracket, heads};
 use crate::block::{Block, Table};
@@ -25,8 +25,7 @@ impl Facts for Solution {
         };
         let moving = self.vehicles.iter().filter(|vehicle| !vehicle.barrier);
         let share = loss_share(self).map_or_else(String::new, |share| format!(", {:.0} % of what there was", 100.0 * share));
-        let lost =
-            format!("Energy lost: {}{share}.", units.quantity(Measure::Energy, without_rounding(self, Measure::Energy, self.energy.loss)));
+        let lost = format!("Energy lost: {}{share}.", units.quantity(Measure::Energy, loss(self)));
         moving.map(of).chain([lost]).map(Block::paragraph).collect()
     }
 
@@ -38,15 +37,14 @@ impl Facts for Solution {
     }
 }
 
-/// Returns a number of the collision, or 0 if it is rounding.
-pub(crate) fn without_rounding(solution: &Solution, measure: Measure, value: f64) -> f64 {
-    if value.abs() <= 1e-12 * solution.scale(measure) { 0.0 } else { value }
+/// Returns the energy that is lost, 0 if it is rounding.
+fn loss(solution: &Solution) -> f64 {
+    beyond_rounding(solution.energy.loss, solution.scale(Measure::Energy))
 }
 
 /// Returns the share of the energy that is lost, 0 if the loss is rounding.
 pub(crate) fn loss_share(solution: &Solution) -> Option<f64> {
-    let loss = without_rounding(solution, Measure::Energy, solution.energy.loss);
-    solution.energy.loss_share.map(|share| if loss == 0.0 { 0.0 } else { share })
+    solution.energy.loss_share.map(|share| if loss(solution) == 0.0 { 0.0 } else { share })
 }
 
 fn tables(solution: &Solution, units: Units) -> [Block; 3] {
