@@ -137,6 +137,33 @@ fn correlated_noise_is_in_the_deviation() {
     }
 }
 
+/// A half-sine on which everything up to twice the rate of the samples rides, so that each sample is almost by itself.
+#[test]
+fn a_pulse_that_its_samples_do_not_resolve_has_a_deviation_of_its_samples() {
+    const SETS: u32 = 300;
+    let mut noise = Noise::of_seed(3);
+    for (steps, baseline) in [(100, 0.0), (100, 0.03), (27, 0.03)] {
+        let squares = (0..SETS).map(|_| {
+            let parts: Vec<_> = (1..=2 * steps).map(|k| (2.0 * f64::from(k), 0.14 * noise.normal(), 0.14 * noise.normal())).collect();
+            // ∫ sin x cos 2kx = 2/(1 − 4k²) over half a turn, and ∫ sin x sin 2kx = 0.
+            let exact = f64::from(steps) / PI * parts.iter().fold(2.0, |sum, (k, cos, _)| sum + 2.0 * cos / (1.0 - k * k));
+            let from = noise.normal();
+            let mut value = |i: i32| {
+                let x = (f64::from(i) - from) * PI / f64::from(steps);
+                let rough = parts.iter().fold(1.0, |sum, (k, cos, sin)| sum + cos * (k * x).cos() + sin * (k * x).sin());
+                let pulse = if (0.0..=PI).contains(&x) { x.sin() * rough } else { 0.0 };
+                pulse + baseline * noise.normal()
+            };
+            let record = Record::uniform(-60.0, 1.0, (-60..steps + 10).map(&mut value).collect()).expect("a good record");
+            let over = Window { from: -5.0, to: f64::from(steps) + 5.0 };
+            let impulse = record.impulse(&over, &Window { from: -60.0, to: -10.0 }).expect("good windows");
+            (impulse.value - exact).powi(2) / impulse.variance
+        });
+        let found = squares.sum::<f64>() / f64::from(SETS);
+        assert!((0.8..1.5).contains(&found), "{steps}, {baseline}: {found}");
+    }
+}
+
 proptest! {
     #![proptest_config(fewer(100))]
 

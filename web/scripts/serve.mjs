@@ -16,15 +16,22 @@ const TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
-const packed = new Map();
-
-export function serve(folder, port = 0) {
+/** Serves a folder; the files of `instead`, by their paths, take the place of its own. Browsers keep a file for as many seconds as are given. */
+export function serve(folder, port = 0, { instead = new Map(), seconds = 0 } = {}) {
+  const packed = new Map();
+  const keep = seconds > 0 ? `max-age=${seconds}` : "no-store";
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname)).replace(/^(\.\.[/\\])+/, "");
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
+    const other = instead.get(path);
+    if (other !== undefined) {
+      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "cache-control": keep });
+      response.end(other);
+      return;
+    }
     try {
       if (!packed.has(file)) packed.set(file, gzipSync(await readFile(file)));
-      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "content-encoding": "gzip", "cache-control": "no-store" });
+      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "content-encoding": "gzip", "cache-control": keep });
       response.end(packed.get(file));
     } catch {
       response.writeHead(404).end("not found");

@@ -1,11 +1,11 @@
 // The case file as text: CodeMirror with completion and documentation from the JSON Schema, and the engine's issues at their place.
 import { autocompletion, closeBrackets, completionKeymap, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { searchKeymap } from "@codemirror/search";
-import { EditorState, Transaction } from "@codemirror/state";
+import { EditorState, StateEffect, StateField, Transaction } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Change, Issue } from "./engine";
@@ -32,12 +32,26 @@ const highlighting = HighlightStyle.define([
   { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--key)" },
 ]);
 
+/** What the text belongs to. */
+export interface Source {
+  name: string;
+  /** Files that the case may name. */
+  files: Record<string, string>;
+}
+
+const opened = StateEffect.define<Source>();
+
+const source = StateField.define<Source>({
+  create: () => ({ name: "", files: {} }),
+  update: (was, { effects }) => effects.reduce((now, effect) => (effect.is(opened) ? effect.value : now), was),
+});
+
 export class Editor {
   readonly view: EditorView;
   private isMarked = false;
   private before: { text: string; scroll: number } | null = null;
 
-  constructor(place: HTMLElement, text: string, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void) {
+  constructor(place: HTMLElement, first: Source & { text: string }, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void, replaced: () => void) {
     const lines = (state: EditorState) => (number: number) => state.doc.line(number).text;
     const complete = async (context: CompletionContext): Promise<CompletionResult | null> => {
       const line = context.state.doc.lineAt(context.pos);
@@ -77,8 +91,11 @@ export class Editor {
       root,
       parent: root,
       state: EditorState.create({
-        doc: text,
+        doc: first.text,
         extensions: [
+          source.init(() => first),
+          // A step back to another case is one to its name and files.
+          invertedEffects.of(({ effects, startState }) => (effects.some((effect) => effect.is(opened)) ? [opened.of(startState.field(source))] : [])),
           lineNumbers(),
           lintGutter(),
           history(),
@@ -94,6 +111,7 @@ export class Editor {
           EditorView.contentAttributes.of({ "aria-label": "Case file" }),
           colors,
           EditorView.updateListener.of((update) => {
+            if (update.state.field(source) !== update.startState.field(source)) replaced();
             if (update.docChanged) changed(!update.transactions.every((transaction) => transaction.isUserEvent("drag")));
           }),
         ],
@@ -107,9 +125,14 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  /** Replaces the whole text, as one step that can be undone. */
-  replace(text: string): void {
-    this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text }, annotations: isolateHistory.of("full") });
+  get source(): Source {
+    return this.view.state.field(source);
+  }
+
+  /** Replaces the whole text and what it belongs to, as one step that can be undone. */
+  replace({ name, files, text }: Source & { text: string }): void {
+    const changes = { from: 0, to: this.view.state.doc.length, insert: text };
+    this.view.dispatch({ changes, effects: opened.of({ name, files }), annotations: isolateHistory.of("full") });
   }
 
   /** Applies an edit of the form or of the drawing, as one step that can be undone. */

@@ -62,10 +62,12 @@ export class Lane {
     );
   }
 
-  private hear(data: { ready?: true; progress?: [number, number]; trap?: string; result?: unknown; took?: number }): void {
+  private hear(data: { ready?: true; unusable?: string; progress?: [number, number]; trap?: string; result?: unknown; took?: number }): void {
     if (data.ready) {
       this.isReady = true;
       this.next();
+    } else if (data.unusable !== undefined) {
+      this.fail(new Error(`the engine is not of this version of the page (${data.unusable}); save the case, and load the page again`));
     } else if (data.progress) {
       this.running?.progress(...data.progress);
     } else if (data.trap !== undefined) {

@@ -26,8 +26,6 @@ const PATIENCE = 10_000;
 const $ = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 
 const state = {
-  name: "position-a.toml",
-  files: {} as Record<string, string>,
   units: "",
   frame: null as Frame | null,
   /** What the last frame took in the worker, in milliseconds; `null` if the text has been replaced since. */
@@ -42,7 +40,7 @@ let answers: Answers;
 const background = new Lane("frame", PATIENCE);
 const drawer = new Lane("verbs", 60_000);
 
-const current = (): Case => ({ name: state.name, text: editor.text, files: state.files, units: state.units });
+const current = (): Case => ({ ...editor.source, text: editor.text, units: state.units });
 
 function say(text: string, isError = false): void {
   const place = $("message");
@@ -92,9 +90,9 @@ function refresh(isTyped: boolean): void {
 
 function render(frame: Frame): void {
   state.frame = frame;
-  editor.mark(state.name, frame.issues);
+  editor.mark(editor.source.name, frame.issues);
   const isRefused = frame.issues.length > 0;
-  $("issues").replaceChildren(...(isRefused ? [issueList(frame.issues, state.name, (offset) => editor.goTo(offset))] : []));
+  $("issues").replaceChildren(...(isRefused ? [issueList(frame.issues, editor.source.name, (offset) => editor.goTo(offset))] : []));
   $("scene").classList.toggle("stale", isRefused);
   form.update();
   if (frame.handles) {
@@ -124,7 +122,7 @@ async function draw(): Promise<void> {
     if (!isSame(of, current()) || state.frame?.handles) return;
     state.drawing = result.svg;
     if (result.svg !== "") scene.show(result.svg, null);
-    else $("issues").replaceChildren(issueList(result.issues, state.name, (offset) => editor.goTo(offset)));
+    else $("issues").replaceChildren(issueList(result.issues, editor.source.name, (offset) => editor.goTo(offset)));
   } catch (error) {
     if (!(error instanceof Stopped)) say(`The scene cannot be drawn: ${failure(error)}`, true);
   }
@@ -150,13 +148,18 @@ function slider(id: string, input: string, toSi: number, resolution: number): vo
   control.addEventListener("input", () => scene.move([[input, Number(control.value) * toSi, resolution]]));
 }
 
-/** Takes another case in place of the text. */
+/** Takes another case in place of the text; the address is no longer that of the case. */
 function take(opened: files.Opened): void {
+  if (location.hash !== "") history.replaceState(null, "", location.pathname + location.search);
+  editor.replace(opened);
+}
+
+/** Another case has taken the place of the text, or the one before it again. */
+function replaced(): void {
   background.cancel();
   answers.clear();
-  [state.name, state.files, state.took] = [opened.name, opened.files, null];
-  $("name").textContent = opened.name;
-  editor.replace(opened.text);
+  state.took = null;
+  $("name").textContent = editor.source.name;
 }
 
 function example(path: string): Example | undefined {
@@ -173,14 +176,16 @@ async function openFiles(chosen: File[]): Promise<void> {
 
 async function readFragment(): Promise<void> {
   try {
-    const shared = await share.unpack(location.hash);
-    if (shared) take(shared);
+    const fragment = location.hash;
+    const shared = await share.unpack(fragment);
+    // Another address, or another case, may have come first.
+    if (shared && fragment === location.hash) editor.replace(shared);
   } catch (error) {
     say(`This address cannot be opened: ${failure(error)}.`, true);
   }
 }
 
-const base = (): string => state.name.replace(/^.*[/\\]/, "").replace(/\.[^.]*$/, "") || "case";
+const base = (): string => editor.source.name.replace(/^.*[/\\]/, "").replace(/\.[^.]*$/, "") || "case";
 
 /** The row of an export that is under way: its name, how far it is, and the way to end it. */
 function exporting(name: string, cancel: () => void): { row: HTMLElement; progress: (done: number, total: number) => void } {
@@ -280,10 +285,13 @@ function wire(): void {
   opener.addEventListener("change", () => {
     void openFiles(Array.from(opener.files ?? [])).then(() => (opener.value = ""));
   });
-  $("save").addEventListener("click", () => files.save(/\.(toml|json)$/.test(state.name) ? `${base()}${state.name.slice(-5)}` : `${base()}.toml`, editor.text, "text/plain"));
+  $("save").addEventListener("click", () => {
+    const ending = /\.(toml|json)$/.exec(editor.source.name)?.[0] ?? ".toml";
+    files.save(`${base()}${ending}`, editor.text, "text/plain");
+  });
   $("share").addEventListener("click", async () => {
     try {
-      history.replaceState(null, "", await share.pack({ name: state.name, text: editor.text, files: state.files }));
+      history.replaceState(null, "", await share.pack({ ...editor.source, text: editor.text }));
       await navigator.clipboard?.writeText(location.href).catch(() => {});
       say("The address of this page now has the case in it. It stays on this machine until you send it.");
     } catch (error) {
@@ -321,12 +329,11 @@ function wire(): void {
 async function start(): Promise<void> {
   const module = compile("frame");
   const first = example("position-a.toml") ?? EXAMPLES[0]!;
-  state.files = first.files;
-  editor = new Editor($("editor"), first.text, caseSchema, changed);
+  editor = new Editor($("editor"), { name: first.path, files: first.files, text: first.text }, caseSchema, changed, replaced);
   scene = new Scene($("scene"), current, edit);
   form = new Form($("form"), current, (changes) => editor.apply(changes), edit.refuse);
   answers = new Answers($("answers"), current, (offset) => editor.goTo(offset));
-  $("name").textContent = state.name;
+  $("name").textContent = editor.source.name;
   wire();
   await engine.load(await module);
   // The first example is known to be quick.

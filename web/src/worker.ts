@@ -34,8 +34,11 @@ function run(task: Task): Frame | Reply {
 
 onmessage = async ({ data }: MessageEvent<{ part: Part; module: WebAssembly.Module } | { task: Task }>) => {
   if ("module" in data) {
-    await (data.part === "frame" ? frame.load(data.module) : verbs.load(data.module, progress));
-    postMessage({ ready: true });
+    const loaded = data.part === "frame" ? frame.load(data.module) : verbs.load(data.module, progress);
+    await loaded.then(
+      () => postMessage({ ready: true }),
+      (error: unknown) => postMessage({ unusable: String(error) }),
+    );
     return;
   }
   try {

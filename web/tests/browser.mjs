@@ -32,8 +32,8 @@ export function cliLater(args) {
   });
 }
 
-export async function start() {
-  const server = await serve(join(web, "dist"));
+export async function start(folder = join(web, "dist"), how = {}) {
+  const server = await serve(folder, 0, how);
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],

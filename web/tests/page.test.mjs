@@ -1,6 +1,6 @@
 // The page in Debian's Chromium: loads, answers, drags, edits, exports, shares; and what a hostile case does to it.
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, readdirSync } from "node:fs";
+import { appendFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -25,6 +25,12 @@ async function visit(act, options) {
   } finally {
     await context.close();
   }
+}
+
+/** Waits until the page and its files are kept for use without a network. */
+async function kept(page) {
+  await page.waitForFunction(() => navigator.serviceWorker.ready.then(() => true));
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
 }
 
 /** Compares long texts, and shows where they differ. */
@@ -392,6 +398,23 @@ describe("long verbs", () => {
     });
   });
 
+  test("a step back to another case is one to its name, its files and no address of the other", async () => {
+    await visit(async (page) => {
+      const name = () => page.locator("#name").innerText();
+      const first = await name();
+      await page.click("#share");
+      await page.waitForFunction(() => location.hash !== "");
+      await loadExample(page, "position-b.toml");
+      assert.deepEqual([await name(), await page.evaluate(() => location.hash)], ["position-b.toml", ""]);
+      await settled(page, () => page.click("#undo"));
+      assert.equal(await name(), first);
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+      assert.equal(download.suggestedFilename(), first);
+      await settled(page, () => page.click("#redo"));
+      assert.equal(await name(), "position-b.toml");
+    });
+  });
+
   test("another case takes the place of every answer about the one before", async () => {
     await visit(async (page) => {
       await reconstruct(page);
@@ -633,11 +656,68 @@ describe("for everyone", () => {
 
   test("works without a network once it has been opened", async () => {
     const { page, context } = await open(site, { serviceWorkers: "allow" });
-    await page.waitForFunction(() => navigator.serviceWorker.ready.then(() => true));
-    await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    await kept(page);
     await context.setOffline(true);
     await page.reload();
     await page.waitForSelector(".drawing svg");
     await context.close();
+  });
+
+  test("a page keeps its own version while it is open, and the next one is new as a whole", async () => {
+    const instead = new Map();
+    const other = await start(join(web, "dist"), { instead, seconds: 600 });
+    const { page, context } = await open(other, { serviceWorkers: "allow" });
+    await kept(page);
+    const read = (name) => readFileSync(join(web, "dist", name), "utf8");
+    instead.set("/sw.js", read("sw.js").replace(/`\$\{OURS\}\w+`/, "`${OURS}new`"));
+    instead.set("/verbs.wasm", "no engine of the old page");
+    instead.set("/worker.js", "// no worker of the old page");
+    instead.set("/style.css", "/* new */");
+    await page.evaluate(async () => {
+      const registration = await navigator.serviceWorker.ready;
+      await registration.update();
+      while (!registration.waiting) await new Promise((next) => setTimeout(next, 20));
+    });
+    await page.click("#tab-sweep");
+    await page.waitForSelector("#result svg");
+    await page.close();
+    const next = await context.newPage();
+    await next.goto(other.address);
+    await next.waitForFunction(async () => (await caches.keys()).length === 1);
+    assert.deepEqual(await next.evaluate(async () => [await caches.keys(), await (await fetch("style.css")).text()]), [[`planar-impact ${other.address} new`], "/* new */"]);
+    await context.close();
+    await other.close();
+  });
+
+  test("two pages of one host keep their files apart", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "pages-"));
+    for (const name of ["one", "two"]) cpSync(join(web, "dist"), join(folder, name), { recursive: true });
+    appendFileSync(join(folder, "two/style.css"), "/* another */");
+    const text = readFileSync(join(folder, "two/sw.js"), "utf8");
+    writeFileSync(join(folder, "two/sw.js"), text.replace(/`\$\{OURS\}\w+`/, "`${OURS}another`"));
+    const other = await start(folder);
+    const { page, context } = await open(other, { fragment: "one/", serviceWorkers: "allow" });
+    await kept(page);
+    await page.goto(`${other.address}two/`);
+    await kept(page);
+    await context.setOffline(true);
+    for (const name of ["one", "two"]) {
+      await page.goto(`${other.address}${name}/`);
+      await page.waitForSelector(".drawing svg");
+    }
+    await context.close();
+    await other.close();
+    rmSync(folder, { recursive: true });
+  });
+
+  test("says that an engine is of another version", async () => {
+    const worker = readFileSync(join(web, "dist/worker.js"), "utf8").replaceAll("__wbindgen", "__of_another");
+    const other = await start(join(web, "dist"), { instead: new Map([["/worker.js", worker]]) });
+    const { page, context } = await open(other);
+    await page.waitForSelector(".drawing svg");
+    await page.click("#tab-sweep");
+    await page.waitForFunction(() => /not of this version of the page[^]*load the page again/.test(document.querySelector("#answers").innerText));
+    await context.close();
+    await other.close();
   });
 });

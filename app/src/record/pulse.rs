@@ -51,7 +51,7 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
     let of_pulse = |i: &usize| (over.from..=over.to).contains(&times[*i]) && values[*i].abs() > 0.1 * peak.value.abs();
     let count = (0..times.len()).filter(of_pulse).count();
     let message = format!(
-        "{name} has {count} samples above a tenth of its peak: its standard deviation takes it as smooth but for kinks between them; of a rougher pulse it is too \
+        "{name} has {count} samples above a tenth of its peak: they hardly tell how rough it is, and of a rough one the standard deviation may be several times too \
          small"
     );
     (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))

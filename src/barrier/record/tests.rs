@@ -21,8 +21,10 @@ fn the_baseline_is_the_mean_before_the_event() {
     assert_eq!(record.corrected(&before).expect("two samples").values(), [-1.0, 1.0, 0.0, 10.0, 0.0]);
     let impulse = record.impulse(&Window { from: 0.0, to: 2.0 }, &before).expect("inside");
     assert_eq!(impulse.value, 10.0);
-    // Weights ½, 1, ½ in the window and −2/2 on each sample of the baseline, of variance 2; and the slope changes by 11 and by −20 within the window.
-    assert_relative_eq!(impulse.variance, 2.0 * (0.25 + 1.0 + 0.25 + 2.0) + (121.0 + 400.0) / 144.0, max_relative = 1e-14);
+    // Weights ½, 1, ½ in the window and −2/2 on each sample of the baseline, of variance 2; and the slope changes by 11 and by −20 within the window,
+    // which is to and fro beyond twice that variance.
+    let of_sampling = (121.0 + 400.0) / 144.0 + 220.0 / 4.0 - 2.0 * 2.0;
+    assert_relative_eq!(impulse.variance, 2.0 * (0.25 + 1.0 + 0.25 + 2.0) + of_sampling, max_relative = 1e-14);
 }
 
 #[test]
@@ -68,7 +70,8 @@ fn half_sine(samples: usize, share: f64) -> (Record, f64) {
 
 #[test]
 fn coarse_sampling_is_in_the_deviation() {
-    for samples in [4, 10, 33, 100] {
+    // Of four steps, the bends next to the ends are to and fro.
+    for (samples, errors) in [(4, 0.7..1.1), (10, 1.1..1.5), (33, 1.1..1.5), (100, 1.1..1.5)] {
         let mut worst: f64 = 0.0;
         for share in [0.0, 0.1, 0.25, 0.5, 0.7, 0.95] {
             let (record, exact) = half_sine(samples, share);
@@ -81,16 +84,16 @@ fn coarse_sampling_is_in_the_deviation() {
             assert_relative_eq!(ends.variance, impulse.variance, max_relative = 1e-12);
         }
         // Two kinks on samples err in the same direction.
-        assert!((1.1..1.5).contains(&worst), "{samples}: {worst}");
+        assert!(errors.contains(&worst), "{samples}: {worst}");
     }
     let (coarse, exact) = half_sine(10, 0.0);
     let impulse = coarse.impulse(&Window { from: 0.0, to: 10.0 }, &Window { from: -4.0, to: -1.0 }).expect("inside");
     assert_relative_eq!(impulse.deviation() / exact, 0.0064, max_relative = 0.02);
-    // Uneven steps, the longer of which counts: slopes of 2 and −1.
+    // Uneven steps, the longer of which counts: bends of 2, −6 and 2, whose steps are 1, 3/2 and 3/2: the peak alternates with both of its neighbors.
     let uneven =
         Record::at_times(alloc::vec![-2.0, -1.0, 0.0, 1.0, 3.0, 4.0], alloc::vec![0.0, 0.0, 0.0, 2.0, 0.0, 0.0]).expect("a good record");
     let impulse = uneven.impulse(&Window { from: 0.0, to: 4.0 }, &Window { from: -2.0, to: -1.0 }).expect("inside");
-    assert_relative_eq!(impulse.variance, (4.0 + 16.0 * 9.0 + 16.0) / 144.0, max_relative = 1e-14);
+    assert_relative_eq!(impulse.variance, (4.0 + 16.0 * 9.0 + 16.0) / 144.0 + 3.0 * 1.5 + 3.0 * 2.25, max_relative = 1e-14);
 }
 
 #[test]
