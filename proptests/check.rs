@@ -104,6 +104,26 @@ proptest! {
         let outcome = check(&printed, &Options::default());
         prop_assert!(failures(&outcome).is_empty(), "{outcome}");
     }
+
+    /// Whatever a program leaves out of its motions, results and places.
+    #[test]
+    fn parts_of_what_is_solved_raise_no_alarm(
+        collision in possible(),
+        decimals in prop::collection::vec(0..5_i32, Key::COUNT),
+        kept in prop::collection::vec(prop::bool::weighted(0.8), Key::COUNT),
+        print in any::<bool>(),
+    ) {
+        let mut whole = Record::of(&collision, &collision.evaluate());
+        for (side, party) in SIDES.into_iter().zip([&collision.one, &collision.two]) {
+            if let Some(vehicle) = party.vehicle() {
+                whole.set(Key::Heading(side), vehicle.heading.angle());
+            }
+        }
+        let record = parts(&whole, |key| kept[key.index()]);
+        let record = if print { printed(&record, |key| (!matches!(key, Key::Mass(_) | Key::YawInertia(_))).then(|| decimals[key.index()])) } else { record };
+        let outcome = check(&record, &Options::default());
+        prop_assert!(failures(&outcome).is_empty(), "{outcome}");
+    }
 }
 
 fn vehicle() -> impl Strategy<Value = Vehicle> {
@@ -224,6 +244,28 @@ fn is_found(record: &Record, rule: Rule) -> Result<(), TestCaseError> {
 /// Removes the values reported in addition to the motions: the laws alone must find the error.
 fn motions(record: &Record) -> Record {
     Record { reported: Reported::default(), ..record.clone() }
+}
+
+/// Returns the numbers of a record that are kept; both components of a vector are, or none.
+fn parts(record: &Record, keep: impl Fn(Key) -> bool) -> Record {
+    let first = |key| match key {
+        Key::CenterY(side) => Key::CenterX(side),
+        Key::BeforeY(side) => Key::BeforeX(side),
+        Key::AfterY(side) => Key::AfterX(side),
+        Key::CenterAfterY(side) => Key::CenterAfterX(side),
+        Key::PointY => Key::PointX,
+        Key::PointAfterY => Key::PointAfterX,
+        other => other,
+    };
+    let mut some =
+        Record { model: Model { law: record.model.law, ratio_kind: record.model.ratio_kind, ..Model::default() }, ..Record::default() };
+    (some.one.fixed, some.two.fixed) = (record.one.fixed, record.two.fixed);
+    for key in Key::ALL.into_iter().filter(|key| keep(first(*key))) {
+        if let Some(value) = record.get(key) {
+            some.set(key, value);
+        }
+    }
+    some
 }
 
 fn scaled(record: &Record, key: Key, factor: f64) -> Record {
@@ -452,5 +494,73 @@ proptest! {
             }
             is_found(&scaled(&record, key, by), Rule::Reported)?;
         }
+    }
+
+    /// Motions before the impact alone, or after it, tell the energy and the speed along the normal then; and an impulse the directions of force.
+    #[test]
+    fn a_wrong_result_is_found_by_half_of_the_motions(collision in possible(), by in prop_oneof![1.01..3.0, 0.3..0.99], turn in 0.01..3.0) {
+        let impact = collision.evaluate();
+        let whole = Record::of(&collision, &impact);
+        let of_after = |key| matches!(key, Key::AfterX(_) | Key::AfterYawRate(_));
+        let of_before = |key| matches!(key, Key::BeforeX(_) | Key::BeforeYawRate(_));
+        let given = motions(&whole);
+        let (before, after) = (parts(&given, |key| !of_after(key)), parts(&given, |key| !of_before(key)));
+        let speeds = [impact.approach.n.abs(), impact.separation.n.abs()];
+        let energies = [impact.kinetic_energy.before, impact.kinetic_energy.after];
+        for (record, energy, speed, i) in [(&before, Key::EnergyBefore, Key::ClosingSpeed, 0), (&after, Key::EnergyAfter, Key::SeparationSpeed, 1)] {
+            for (key, value) in [(energy, energies[i]), (speed, speeds[i])] {
+                let relative = if key == energy { energies[i] } else { [impact.approach, impact.separation][i].length() };
+                if value < 0.1 * relative || relative < 1e-3 {
+                    continue;
+                }
+                let mut told = record.clone();
+                told.set(key, value);
+                prop_assert!(failures(&check(&told, &Options::default())).is_empty(), "{key}");
+                is_found(&scaled(&told, key, by), Rule::Reported)?;
+            }
+        }
+        // A loss that is more than there was, and vehicles that part.
+        let mut lost = before.clone();
+        lost.set(Key::EnergyLoss, 1.01 * energies[0] + 1.0);
+        if free(&whole).count() == 2 {
+            is_found(&lost, Rule::Reported)?;
+        }
+        let is_motion = |key: &Key| matches!(key, Key::BeforeX(_) | Key::BeforeY(_) | Key::BeforeYawRate(_)) && before.get(*key).is_some();
+        let parting = Key::ALL.into_iter().filter(is_motion).fold(before.clone(), |record, key| scaled(&record, key, -1.0));
+        is_found(&parting, Rule::Compressive)?;
+        // The force on each vehicle by the impulse, and by each other.
+        let mut forces = Record::default();
+        (forces.one.fixed, forces.two.fixed) = (whole.one.fixed, whole.two.fixed);
+        for (side, party) in SIDES.into_iter().zip([&collision.one, &collision.two]) {
+            if let (Some(vehicle), Some(from)) = (party.vehicle(), whole.get(Key::ForceDirection(side))) {
+                forces.set(Key::Heading(side), vehicle.heading.angle());
+                forces.set(Key::ForceDirection(side), from);
+            }
+        }
+        let mut by_impulse = forces.clone();
+        by_impulse.set(Key::ImpulseX, impact.impulse_on_ground.x);
+        by_impulse.set(Key::ImpulseY, impact.impulse_on_ground.y);
+        for record in [&forces, &by_impulse] {
+            prop_assert!(failures(&check(record, &Options::default())).is_empty());
+            for side in SIDES {
+                let Some(from) = record.get(Key::ForceDirection(side)).filter(|_| free(&whole).count() == 2) else { continue };
+                let mut wrong = record.clone();
+                wrong.set(Key::ForceDirection(side), from + turn);
+                is_found(&wrong, Rule::Reported)?;
+            }
+        }
+    }
+
+    /// The work of the normal impulse by the restitution, where no separation speed is reported.
+    #[test]
+    fn a_wrong_work_is_found_by_the_restitution(collision in possible(), by in prop_oneof![1.01..3.0, 0.3..0.99]) {
+        let impact = collision.evaluate();
+        prop_assume!(impact.work.n.abs() > 1e-3 * impact.kinetic_energy.before);
+        let mut record = Record { model: Model { restitution: Some(collision.restitution), ..Model::default() }, ..Record::default() };
+        record.set(Key::ClosingSpeed, impact.approach.n.abs());
+        record.set(Key::NormalImpulse, impact.impulse.n);
+        record.set(Key::NormalWork, impact.work.n);
+        prop_assert!(failures(&check(&record, &Options::default())).is_empty());
+        is_found(&scaled(&record, Key::NormalWork, by), Rule::Reported)?;
     }
 }

@@ -299,12 +299,18 @@ fn missing(name: &str) -> Issue {
     Issue::at("missing-column", name, "neither a column nor a case gives it").with_help(help)
 }
 
+impl VehicleDefaults {
+    /// What a case file may leave out of a vehicle.
+    fn left_out() -> Self {
+        VehicleDefaults { yaw_rate: Some(0.0), ..VehicleDefaults::default() }
+    }
+}
+
 impl Defaults {
     /// What a case file may leave out.
     fn without_case() -> Self {
-        let vehicle = || VehicleDefaults { yaw_rate: Some(0.0), ..VehicleDefaults::default() };
         Defaults {
-            vehicles: [vehicle(), vehicle()],
+            vehicles: [VehicleDefaults::left_out(), VehicleDefaults::left_out()],
             impulse_ratio: Some(ImpulseRatio::Critical),
             moment: Some(Moment::None),
             ..Defaults::default()
@@ -317,7 +323,7 @@ impl Defaults {
         let known = |parameter: Parameter| !unknown.contains(&parameter);
         let vehicle = |i: usize, side: Side| {
             let Some(vehicle) = &case.inputs.vehicles[i] else {
-                return VehicleDefaults { is_barrier: true, ..VehicleDefaults::default() };
+                return VehicleDefaults { is_barrier: true, ..VehicleDefaults::left_out() };
             };
             let number = |input: fn(Side) -> Input, value: f64| known(Parameter::Input(input(side))).then_some(value);
             let has_inertia = known(Parameter::RadiusOfGyration(side)) && known(Parameter::Input(Input::YawInertia(side)));

@@ -4,6 +4,7 @@ mod pooled;
 mod series;
 mod test_file;
 
+use planar_impact::Issue as _;
 use planar_impact::barrier::{
     BarrierTest, CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessFit, TestIssue, TestIssues, TestSeries,
 };
@@ -211,11 +212,15 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     }
     let mut notices = file.notices.clone();
     let mut note = |code, message: &'static str| notices.0.push(Notice::note(code, "vehicle", message));
+    let mut not_on_profile = None;
     let fits = if file.count() < 2 && !file.holds() {
         Vec::new()
     } else {
         match file.fits(&observations) {
-            Ok(fits) => fits,
+            Ok((fits, why)) => {
+                not_on_profile = why;
+                fits
+            }
             Err(Unfitted::OnsetOfEach) => {
                 note(
                     "onset-of-each",
@@ -236,6 +241,10 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     if !problems.is_empty() {
         return Err(problems);
     }
+    notices.0.extend(not_on_profile.map(|why| {
+        let message = Message::from("no stiffness fitted on profile: ").join(why.message());
+        Notice::warning(why.code(), "vehicle", message)
+    }));
     let pooled = file.pooled();
     notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, &pooled, fit)));
     if let (count @ 2.., true, false) = (file.vehicles.len(), pooled.is_empty(), fits.is_empty()) {
@@ -250,7 +259,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         Vec::new()
     } else {
         let as_new = file.series_with(|vehicle| suspected.iter().any(|car| car.vehicle == vehicle));
-        file.fits(&as_new.observations()?).unwrap_or_default()
+        file.fits(&as_new.observations()?).map(|(fits, _)| fits).unwrap_or_default()
     };
     let negative = fits.iter().flat_map(|fit| fit.findings().into_iter().filter(is_negative).map(|finding| negative_fit(fit, &finding)));
     // The vehicles of a class may differ, and so do tests of new cars that are taken as those of one.

@@ -130,19 +130,30 @@ impl Plan {
 
 /// Returns the unit in the metadata of a field. Others write its key with a capital, as `units` or as `uom`: a number in an unread unit would pass for SI.
 pub fn unit_of(field: &Field) -> Option<&str> {
-    let named = |name: &str| field.metadata().iter().find(|(key, _)| key.trim().eq_ignore_ascii_case(name)).map(|(_, unit)| unit);
-    field.metadata().get(UNIT).or_else(|| named(UNIT)).or_else(|| named("units")).or_else(|| named("uom")).map(String::as_str)
+    units_of(field).first().copied()
+}
+
+/// Returns the units in the metadata of a field, that of our own key first.
+fn units_of(field: &Field) -> Vec<&str> {
+    let place = |key: &str| {
+        let names = [UNIT, "units", "uom"];
+        if key == UNIT { Some(0) } else { names.iter().position(|name| key.trim().eq_ignore_ascii_case(name)).map(|place| place + 1) }
+    };
+    let mut found: Vec<_> = field.metadata().iter().filter_map(|(key, unit)| Some((place(key)?, key, unit.as_str()))).collect();
+    found.sort_unstable();
+    found.into_iter().map(|(_, _, unit)| unit).collect()
 }
 
 fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {
     let header = Header::read(field.name());
-    match (&header.unit, unit_of(field)) {
-        (Some(bracketed), Some(unit)) if bracketed != unit => {
-            let message = format!("the name has the unit {bracketed}, and the metadata {unit}; keep one");
-            issues.push(Issue::at("invalid-unit", header.name.clone(), message));
-            header
-        }
-        (None, Some(unit)) => Header { unit: Some(unit.to_owned()), ..header },
-        _ => header,
+    let units = units_of(field);
+    let mut stated: Vec<&str> = header.unit.as_deref().into_iter().chain(units.iter().copied()).collect();
+    stated.dedup();
+    if let [one, other, ..] = stated[..] {
+        let (where_one, where_other) = if header.unit.is_some() { ("the name", "and the metadata") } else { ("the metadata", "and also") };
+        let message = format!("{where_one} has the unit {one}, {where_other} {other}; keep one");
+        issues.push(Issue::at("invalid-unit", header.name.clone(), message));
     }
+    let unit = header.unit.clone().or_else(|| units.first().map(|unit| (*unit).to_owned()));
+    Header { unit, ..header }
 }

@@ -32,6 +32,7 @@ use source::{Part, Source};
 /// Returns everything wrong with the call or the tables, or fails if the output cannot be written; with `--fail-fast` also the first row that is refused.
 pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     let format = Format::of(&call.output)?;
+    files::is_read_once(call.files.iter().chain(&call.case))?;
     files::is_no_input(Some(&call.output), call.files.iter().chain(&call.case))?;
     let (rows, together) = (rows_of_a_part(format), rows_solved_together(format));
     let base = call.case.as_deref().map(|path| verbs::case_unless_written(path, Some(&call.output))).transpose();

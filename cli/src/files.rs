@@ -64,6 +64,23 @@ pub fn is_no_input(output: Option<&Path>, inputs: impl IntoIterator<Item = impl 
     if issues.is_empty() { Ok(()) } else { Err(Issues::without_source(Cause::Input, issues)) }
 }
 
+/// Refuses a file to write whose name ends as that of another format does: who opens it would find something else.
+///
+/// # Errors
+///
+/// If the name has the ending of a format, which is none of these.
+pub fn is_named_as(output: Option<&Path>, endings: &[&str]) -> Result<(), Issues> {
+    // A case names its tables and tests, which are refused as what it reads.
+    const OF_FORMATS: [&str; 13] = ["svg", "html", "htm", "json", "jsonl", "txt", "md", "png", "jpg", "jpeg", "pdf", "docx", "parquet"];
+    let Some(output) = output else { return Ok(()) };
+    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    if !ending.is_some_and(|ending| OF_FORMATS.contains(&ending.as_str()) && !endings.contains(&ending.as_str())) {
+        return Ok(());
+    }
+    let message = format!("`{}` has the name of another format; let it end in .{}", output.display(), endings[0]);
+    Err(Issues::without_source(Cause::Input, vec![Issue::of_file("other-format", message)]))
+}
+
 /// Checks that standard input is named no more than once.
 ///
 /// # Errors

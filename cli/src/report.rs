@@ -23,6 +23,7 @@ use crate::{check, files, interrupt, verbs};
 /// Those of the verb that it is about; a call with the wrong number of files, or that would write over one of them.
 pub fn run(call: &Report) -> Result<CommandOutput, Failure> {
     files::is_no_input(call.output.as_deref(), &call.files)?;
+    files::is_named_as(call.output.as_deref(), &["html", "htm"])?;
     let verb = match call.verb {
         None => None,
         Some(ReportVerb::Solve) => Some(report::ReportVerb::Solve),

@@ -233,7 +233,12 @@ fn follow(call: &arguments::Slide) -> Result<CommandOutput, Failure> {
 }
 
 fn sketch(call: &arguments::Draw) -> Result<CommandOutput, Failure> {
+    let ending = match call.format {
+        DrawFormat::Svg => "svg",
+        DrawFormat::Json => "json",
+    };
     files::is_no_input(call.output.as_deref(), [&call.case])?;
+    files::is_named_as(call.output.as_deref(), &[ending])?;
     let (case, units) = read_unless_written(&call.case, call.units, call.output.as_deref())?;
     let answer = in_units(scene::draw(&case, &(), &Progress::new()), units)?;
     let output = match call.format {

@@ -1685,8 +1685,8 @@ class PooledNumber(Facts[Any]):
     between_sd: float
     """Standard deviation between the vehicles of the class."""
     further_sd: float
-    """Standard deviation of a further vehicle of the class about the mean: 95 % of such vehicles lie within 1.96 of it, however few
-    vehicles tell the spread."""
+    """Standard deviation of a further vehicle of the class about the mean, which is itself uncertain: 95 % of such vehicles lie
+    within 1.96 of it, however few vehicles tell the spread."""
     mean: float
     """Mean over the class."""
     mean_sd: float

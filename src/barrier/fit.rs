@@ -166,7 +166,7 @@ impl<T: Real + Ordered<Mask = bool>> StiffnessFit<T> {
     ///
     /// # Errors
     ///
-    /// As [`Self::on_mean_depth`], and if the fit does not converge.
+    /// As [`Self::on_mean_depth`], and if the fit does not converge, or d₀ and d₁ change E* of all profiles alike where it is best.
     pub fn on_profiles(observations: &Observations<T>) -> Result<Self, TestIssues<T>> {
         let weight = line_fit::ready(observations)?;
         let (start, _) = line_fit::line(observations, &weight);

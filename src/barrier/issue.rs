@@ -42,6 +42,8 @@ pub enum TestIssue<T = f64> {
         /// The mean depth of all, in m.
         depth: T,
     },
+    /// Where the fit is best, d₀ and d₁ change E* of all tests alike: the profiles do not tell the two apart.
+    Undetermined,
     /// The speed that is assumed to leave no crush is above the speed that remains of the test after restitution.
     OnsetTooFast {
         /// The assumed onset speed b₀, in m/s.
@@ -167,6 +169,7 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
             TestIssue::InstantsDiffer { .. } => "instants-differ",
             TestIssue::ImpossibleProfile { .. } => "impossible-profile",
             TestIssue::OneDepth { .. } => "one-depth",
+            TestIssue::Undetermined => "undetermined",
             TestIssue::OnsetTooFast { .. } => "onset-too-fast",
             TestIssue::SampledTooSlowly { .. } => "sampled-too-slowly",
             TestIssue::NotUniform => "not-uniform",
@@ -196,6 +199,9 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
                 .text("all tests have the mean depth ")
                 .figure(Measure::Length, depth.clone())
                 .text("; two different depths are needed"),
+            TestIssue::Undetermined => {
+                "d0 and d1 change E* of all tests alike where the fit is best, so that the profiles do not tell the two apart".into()
+            }
             TestIssue::OnsetTooFast { onset, speed } => message
                 .text("the onset speed is assumed to be ")
                 .figure(Measure::Speed, onset.clone())
@@ -224,6 +230,7 @@ impl<T: Ordered<Mask = bool>> Issue for TestIssue<T> {
     fn help(&self) -> Option<Message<T>> {
         match self {
             TestIssue::Input(issue) => issue.help(),
+            TestIssue::Undetermined => Some("add a test with another depth, or fit on mean depth".into()),
             TestIssue::NotConverged { .. } => Some("fit tests whose depths differ by more than they are known to".into()),
             _ => None,
         }

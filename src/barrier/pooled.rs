@@ -29,22 +29,21 @@ impl RandomEffects {
     /// assert!((class.mean.value - 100.0).abs() < 1e-9 && (class.between - 400.0).abs() < 1e-9);
     /// ```
     pub fn of(vehicles: &[Estimate]) -> Option<RandomEffects> {
-        let between = RandomEffects::between_at(vehicles, vehicles.len() as f64 - 1.0)?;
-        Some(RandomEffects { mean: weighted(vehicles, between).0, between })
+        RandomEffects::at(vehicles, vehicles.len() as f64 - 1.0)
     }
 
-    /// Returns the variance between two or more vehicles at which the weighted sum of squares Σ (xᵢ − x̄)²/(vᵢ + τ²) is this, above zero; 0 if it is less without
-    /// any, and `None` as [`Self::of`].
+    /// Pools the numbers of two or more vehicles with the variance between them at which the weighted sum of squares Σ (xᵢ − x̄)²/(vᵢ + τ²) is this, above zero; with
+    /// none if the sum is less without it. `None` as [`Self::of`].
     ///
     /// Of vehicles that are known exactly, the sum is that of chi-square with k − 1 degrees of freedom: its quantile gives a limit of the variance.
     ///
     /// ```
     /// use planar_impact::barrier::{Estimate, RandomEffects};
     /// let exact = [80.0, 100.0, 120.0].map(|value| Estimate { value, variance: 0.0 });
-    /// let at_most = RandomEffects::between_at(&exact, 0.5).expect("three vehicles");
-    /// assert!((at_most - 1600.0).abs() < 1e-9);
+    /// let at_most = RandomEffects::at(&exact, 0.5).expect("three vehicles");
+    /// assert!((at_most.between - 1600.0).abs() < 1e-9 && (at_most.mean.variance - 1600.0 / 3.0).abs() < 1e-9);
     /// ```
-    pub fn between_at(vehicles: &[Estimate], sum_of_squares: f64) -> Option<f64> {
+    pub fn at(vehicles: &[Estimate], sum_of_squares: f64) -> Option<RandomEffects> {
         let is_number = |estimate: &Estimate| estimate.value.is_finite() && estimate.variance.is_finite() && estimate.variance >= 0.0;
         if vehicles.len() < 2 || !vehicles.iter().all(is_number) || !(sum_of_squares > 0.0 && sum_of_squares.is_finite()) {
             return None;
@@ -62,7 +61,9 @@ impl RandomEffects {
             }
             if exceeds(middle) { low = middle } else { between = middle }
         }
-        Some(between)
+        let mean = weighted(vehicles, between).0;
+        // Squares of the largest numbers overflow.
+        [mean.value, mean.variance, between, squares].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
     }
 
     /// Returns the standard deviation between the vehicles of the class.
@@ -129,8 +130,9 @@ mod tests {
         assert_eq!((same.mean.value, same.between), (5.0, 0.0));
         let two = [Estimate::with_deviation(1.0, 1.0), Estimate::with_deviation(2.0, 1.0)];
         for sum in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(RandomEffects::between_at(&two, sum), None);
+            assert_eq!(RandomEffects::at(&two, sum), None);
         }
+        assert_eq!(RandomEffects::of(&[1e308, -1e308].map(|value| Estimate { value, variance: 0.0 })), None);
     }
 
     #[test]
@@ -138,7 +140,7 @@ mod tests {
         let vehicles = [(100.0, 30.0), (160.0, 10.0), (230.0, 25.0)].map(|(value, sd)| Estimate::with_deviation(value, sd));
         let mut last = 0.0;
         for sum in [30.0, 8.0, 2.0, 0.1] {
-            let between = RandomEffects::between_at(&vehicles, sum).expect("three vehicles");
+            let between = RandomEffects::at(&vehicles, sum).expect("three vehicles").between;
             // Without a variance between them the sum is less than 30.
             assert!(if sum == 30.0 { between == 0.0 } else { between > last }, "{sum}: {between} {last}");
             if sum < 30.0 {
@@ -146,6 +148,6 @@ mod tests {
             }
             last = between;
         }
-        assert_eq!(RandomEffects::between_at(&vehicles, 2.0), RandomEffects::of(&vehicles).map(|class| class.between));
+        assert_eq!(RandomEffects::at(&vehicles, 2.0), RandomEffects::of(&vehicles));
     }
 }

@@ -33,6 +33,14 @@ impl<T: Field> Symmetric<T> {
         self.first.clone() * self.second.clone() - self.between.clone().squared()
     }
 
+    /// Returns `true` if the determinant is more than the rounding of its two products.
+    fn is_definite(&self) -> bool
+    where
+        T: Ordered<Mask = bool>,
+    {
+        (self.first.clone() * self.second.clone() * slack()).less(&self.determinant())
+    }
+
     /// Returns the covariance of the coefficients whose information this is.
     fn covariance(&self, free: Free) -> StiffnessCovariance<T> {
         if free == Free::Slope {
@@ -72,6 +80,9 @@ pub(super) fn settle<T: Real + Ordered<Mask = bool>>(
     for steps in 0..STEPS {
         let local = Local::at(observations, weight, &stiffness).ok_or(TestIssue::NotConverged { steps })?;
         if settled_for > STEPS_OF_DERIVATIVES {
+            if free == Free::Both && !local.information.is_definite() {
+                return Err(TestIssue::Undetermined.into());
+            }
             return Ok((stiffness, local.information.covariance(free)));
         }
         let step = local.step(free);

@@ -1,12 +1,13 @@
 //! Consistency of reported results with each other: the second half of `reported`. It needs no motions, and even with motions it may detect more, because a
 //! sum of printed numbers is often more precise than the numbers it was computed from.
 
-use super::claims::norm;
+use super::claims::{direction_of_force, norm};
 use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
-use super::known::Known;
+use super::known::{Known, turned};
 use super::rule::Rule;
+use super::subject::When;
 use super::uncertain::{Uncertain, sharper_known};
 use crate::frame::{Nt, Xy};
 use crate::input::Side;
@@ -19,6 +20,7 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     normal_work(known, judge);
     energies(known, judge);
     impulses(known, judge);
+    directions_of_force(known, judge);
     equivalent_energy_speeds(known, judge);
 }
 
@@ -62,8 +64,9 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     judge.not_above(Rule::Reported, Residual::new(work, available(known)), |size, _| {
         format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
     });
-    let numbers = [Key::NormalImpulse, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
-    let [Some(impulse), Some(closing), Some(parting)] = numbers else { return };
+    let (impulse, closing) = (known.number(Key::NormalImpulse), known.closing_speed());
+    let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
+    let (Some(impulse), Some(closing), Some(parting)) = (impulse, closing, parting) else { return };
     let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
     let scale = work.value.abs().max(of_speeds.size);
     judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale), |size, bound| {
@@ -99,7 +102,10 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         let subject = known.subject(side);
         subject.fixed && subject.before.is_some_and(|v| [v.x, v.y].iter().any(|v| v.value != 0.0 || v.radius() > 0.0))
     };
-    let (Some(before), Some(loss), false) = (known.number(Key::EnergyBefore), loss.or(works), Side::ALL.into_iter().any(moves)) else {
+    // All motions tell the loss itself.
+    let of_motions = || known.kinetic_energy(When::Before).filter(|_| known.energy_loss.is_none());
+    let before = known.number(Key::EnergyBefore).or_else(of_motions);
+    let (Some(before), Some(loss), false) = (before, loss.or(works), Side::ALL.into_iter().any(moves)) else {
         return;
     };
     let scale = available(known);
@@ -151,6 +157,26 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
     if let (Some(impulse), Some(passed)) = (impulse, sharper_known(on_one, on_two, Uncertain::radius)) {
         equal(judge, "the impulse and mass times delta-V", impulse, passed, impulse.value.abs().max(passed.value.abs()));
+    }
+}
+
+/// Checks the directions of force of bodies whose motions do not tell them: by the reported impulse, or by each other.
+fn directions_of_force<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let pair = |x, y| Some((known.number(x)?, known.number(y)?));
+    let of_plane = || known.plane.zip(pair(Key::NormalImpulse, Key::TangentialImpulse)).map(|(plane, (n, t))| plane.to_ground(Nt { n, t }));
+    let impulse = pair(Key::ImpulseX, Key::ImpulseY).map(|(x, y)| Xy { x, y }).or_else(of_plane);
+    let claimed = |side| known.number(Key::ForceDirection(side)).filter(|_| known.subject(side).delta_v().is_none());
+    if let Some(impulse) = impulse {
+        for (side, force) in [(Side::One, impulse), (Side::Two, -impulse)] {
+            if let Some(claimed) = claimed(side) {
+                direction_of_force(known, side, ("the impulse", force), claimed, judge);
+            }
+        }
+    } else if let (Some((direction, heading)), Some(claimed)) =
+        (pair(Key::ForceDirection(Side::One), Key::Heading(Side::One)), claimed(Side::Two))
+    {
+        let on_two = turned(heading - direction);
+        direction_of_force(known, Side::Two, ("the force on body 1", Xy { x: on_two.cos, y: on_two.sin }), claimed, judge);
     }
 }
 

@@ -7,6 +7,7 @@ use super::known::{Known, Touch};
 use super::momentum::number_of;
 use super::normal;
 use super::rule::Rule;
+use super::subject::When;
 use super::uncertain::Uncertain;
 use super::work::scale_of;
 use crate::frame::{Heading, Xy};
@@ -28,10 +29,13 @@ struct Claim<const N: usize> {
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let claim = |key, implied, scale| Claim { key, implied, scale };
-    if let Some(fall) = known.energy_loss.filter(|fall| !fall.translation_only) {
-        let scale = fall.before.value.max(fall.after.value);
-        hold(known, judge, claim(Key::EnergyBefore, fall.before, scale));
-        hold(known, judge, claim(Key::EnergyAfter, fall.after, scale));
+    let energies =
+        [(Key::EnergyBefore, When::Before), (Key::EnergyAfter, When::After)].map(|(key, when)| (key, known.kinetic_energy(when)));
+    let most = energies.iter().filter_map(|(_, energy)| Some((*energy)?.value)).fold(0.0, f64::max);
+    for (key, energy) in energies {
+        if let Some(energy) = energy {
+            hold(known, judge, claim(key, energy, most));
+        }
     }
     if let Some(loss) = known.loss() {
         let of_work = known.touch.as_ref().and_then(scale_of);
@@ -47,6 +51,12 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             hold(known, judge, claim(key, implied, magnitude.value));
         }
     }
+    let speed = known.before.or(known.after).map_or(0.0, |meeting| normal::length(&meeting.velocity));
+    for (key, meeting) in [(Key::ClosingSpeed, known.before), (Key::SeparationSpeed, known.after)] {
+        if let Some(meeting) = meeting {
+            hold(known, judge, claim(key, meeting.velocity.n.magnitude(), speed));
+        }
+    }
     if let Some(touch) = &known.touch {
         at_contact(known, touch, judge);
     }
@@ -59,15 +69,12 @@ fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) 
     let scale = both.fold(0.0, |scale: f64, delta_v| scale.max(norm(delta_v).value));
     hold(known, judge, Claim { key: Key::DeltaV(side), implied: norm(delta_v), scale });
     if let Some(claimed) = known.number(Key::ForceDirection(side)) {
-        direction_of_force(known, side, delta_v, claimed, judge);
+        direction_of_force(known, side, ("its change of velocity", delta_v), claimed, judge);
     }
 }
 
 fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
     let mut claim = |key, implied, scale| hold(known, judge, Claim { key, implied, scale });
-    let speed = normal::length(&touch.approach);
-    claim(Key::ClosingSpeed, touch.approach.n.magnitude(), speed);
-    claim(Key::SeparationSpeed, touch.separation.n.magnitude(), speed);
     let (Some(p), Some(work), Some(scale)) = (touch.impulse, touch.work, scale_of(touch)) else { return };
     claim(Key::NormalImpulse, p.n, normal::length(&p));
     claim(Key::TangentialImpulse, p.t, normal::length(&p));
@@ -129,10 +136,11 @@ fn along_and_across<const N: usize>(v: Xy<Uncertain<N>>, length: f64) -> (Uncert
     (v.x.scaled(cos) + v.y.scaled(sin), v.y.scaled(cos) - v.x.scaled(sin))
 }
 
-fn direction_of_force<const N: usize>(
+/// Checks the direction of force of a body by a vector along the force, and what that is.
+pub(super) fn direction_of_force<const N: usize>(
     known: &Known<'_, N>,
     side: Side,
-    delta_v: Xy<Uncertain<N>>,
+    (what, delta_v): (&str, Xy<Uncertain<N>>),
     claimed: Uncertain<N>,
     judge: &mut Judge,
 ) {
@@ -157,7 +165,7 @@ fn direction_of_force<const N: usize>(
         let (said, implied) = (Digits(claimed.value), Digits(implied));
         let body = number_of(side);
         format!(
-            "the force on body {body} is said to come from {said} rad clockwise of its heading, and its change of velocity gives {implied} rad: {} \
+            "the force on body {body} is said to come from {said} rad clockwise of its heading, and {what} gives {implied} rad: {} \
              off, {} may be",
             Digits(size),
             Digits(bound)

@@ -25,10 +25,41 @@ pub(super) struct Known<'a, const N: usize> {
     pub(super) impulse: Option<Xy<Uncertain<N>>>,
     /// Change of the lever arms during the contact.
     pub(super) travel: Travel,
+    /// The bodies at the contact point before the impact.
+    pub(super) before: Option<Meeting<N>>,
+    /// The same after it.
+    pub(super) after: Option<Meeting<N>>,
     /// Quantities that need the contact and the motions around it.
     pub(super) touch: Option<Touch<N>>,
     /// Quantities that need masses and motions.
     pub(super) energy_loss: Option<EnergyLoss<N>>,
+}
+
+/// Two bodies at the contact point, before the impact or after it.
+#[derive(Clone, Copy)]
+pub(super) struct Meeting<const N: usize> {
+    /// Relative velocity, of body 2 less body 1.
+    pub(super) velocity: Nt<Uncertain<N>>,
+    /// From center of mass 1 to center of mass 2; a fixed body's reference point is the contact point.
+    pub(super) offset: Nt<Uncertain<N>>,
+    /// `true` for two point masses, which touch at both centers of mass and have no sides.
+    pub(super) is_of_points: bool,
+    /// The bodies, without their inertia.
+    bodies: [Body<Uncertain<N>>; 2],
+}
+
+impl<const N: usize> Meeting<N> {
+    fn of(plane: &CrushPlane<Uncertain<N>>, subjects: [&Subject<N>; 2], when: When) -> Option<Self> {
+        let bodies = [subjects[0].body(plane, when)?, subjects[1].body(plane, when)?];
+        let is_zero = |x: &Uncertain<N>| x.value == 0.0 && x.radius() == 0.0;
+        let has_no_arm = |body: &Body<Uncertain<N>>| is_zero(&body.arm.n) && is_zero(&body.arm.t);
+        Some(Meeting {
+            velocity: relative_velocity(&bodies[0], &bodies[1]),
+            offset: bodies[0].arm - bodies[1].arm,
+            is_of_points: bodies.iter().all(has_no_arm) && !subjects.iter().any(|subject| subject.fixed),
+            bodies,
+        })
+    }
 }
 
 /// The impact at the contact point.
@@ -38,8 +69,6 @@ pub(super) struct Touch<const N: usize> {
     pub(super) approach: Nt<Uncertain<N>>,
     /// Relative velocity after.
     pub(super) separation: Nt<Uncertain<N>>,
-    /// From center of mass 1 to center of mass 2; a fixed body's reference point is the contact point.
-    pub(super) offset: Nt<Uncertain<N>>,
     /// Impulse on body 1.
     pub(super) impulse: Option<Nt<Uncertain<N>>>,
     pub(super) work: Option<Work<Uncertain<N>>>,
@@ -58,10 +87,12 @@ impl<'a, const N: usize> Known<'a, N> {
         let on_two = two.momentum_gained().map(|gained| -gained);
         let impulse = sharper_known(one.momentum_gained(), on_two, |p: &Xy<Uncertain<N>>| p.x.radius() + p.y.radius());
         let moment = number(record, Key::Moment);
-        let touch = plane.as_ref().and_then(|plane| Touch::of(plane, &one, &two, impulse, moment));
+        let meeting = |when| Meeting::of(plane.as_ref()?, [&one, &two], when);
+        let (before, after) = (meeting(When::Before), meeting(When::After));
+        let touch = plane.as_ref().zip(before.zip(after)).map(|(plane, around)| Touch::of(plane, around, [one, two], impulse, moment));
         let energy_loss = EnergyLoss::of(&one, &two);
         let travel = Travel::of(record, &one, &two);
-        Known { record, one, two, plane, moment, impulse, travel, touch, energy_loss }
+        Known { record, one, two, plane, moment, impulse, travel, before, after, touch, energy_loss }
     }
 
     /// Returns a number of the record with its resolution.
@@ -81,6 +112,22 @@ impl<'a, const N: usize> Known<'a, N> {
         self.impulse.map_or(Xy::zero(), |impulse| impulse.map(|p| p.value))
     }
 
+    /// Returns the closing speed that is reported, or that of the motions before.
+    pub(super) fn closing_speed(&self) -> Option<Uncertain<N>> {
+        self.number(Key::ClosingSpeed).or(self.before.map(|meeting| meeting.velocity.n.magnitude()))
+    }
+
+    /// Returns the separation speed that is reported, or that of the motions after.
+    pub(super) fn separation_speed(&self) -> Option<Uncertain<N>> {
+        self.number(Key::SeparationSpeed).or(self.after.map(|meeting| meeting.velocity.n.magnitude()))
+    }
+
+    /// Returns the kinetic energy of both bodies, with their spins.
+    pub(super) fn kinetic_energy(&self, when: When) -> Option<Uncertain<N>> {
+        let of = |subject: &Subject<N>| subject.kinetic_energy(when, Xy::zero(), true);
+        Some(of(&self.one)? + of(&self.two)?)
+    }
+
     /// Returns the most precise energy loss: from the kinetic energies, or from the works.
     pub(super) fn loss(&self) -> Option<Uncertain<N>> {
         let falls = self.energy_loss.filter(|fall| !fall.translation_only).map(|fall| fall.sharpest());
@@ -92,34 +139,24 @@ impl<'a, const N: usize> Known<'a, N> {
 impl<const N: usize> Touch<N> {
     fn of(
         plane: &CrushPlane<Uncertain<N>>,
-        one: &Subject<N>,
-        two: &Subject<N>,
+        (before, after): (Meeting<N>, Meeting<N>),
+        subjects: [Subject<N>; 2],
         impulse: Option<Xy<Uncertain<N>>>,
         moment: Option<Uncertain<N>>,
-    ) -> Option<Self> {
-        let before = [one.body(plane, When::Before)?, two.body(plane, When::Before)?];
-        let after = [one.body(plane, When::After)?, two.body(plane, When::After)?];
-        let (approach, separation) = (relative_velocity(&before[0], &before[1]), relative_velocity(&after[0], &after[1]));
-        let relative_yaw_rate = |bodies: &[Body<Uncertain<N>>; 2]| bodies[1].yaw_rate - bodies[0].yaw_rate;
+    ) -> Self {
+        let (approach, separation) = (before.velocity, after.velocity);
+        let relative_yaw_rate = |meeting: &Meeting<N>| meeting.bodies[1].yaw_rate - meeting.bodies[0].yaw_rate;
         let of_moment = moment.map_or(Uncertain::exact(0.0), |m| work(m, relative_yaw_rate(&before), relative_yaw_rate(&after)));
         let impulse = impulse.map(|impulse| plane.to_contact(impulse));
-        Some(Touch {
+        Touch {
             approach,
             separation,
-            offset: before[0].arm - before[1].arm,
             impulse,
             work: impulse.map(|impulse| Work { m: of_moment, ..Work::of(impulse, approach, separation) }),
             moment,
-            bodies: before,
-            subjects: [*one, *two],
-        })
-    }
-
-    /// Returns `true` for two point masses, which touch at both centers of mass and have no sides.
-    pub(super) fn is_of_points(&self) -> bool {
-        let is_zero = |x: &Uncertain<N>| x.value == 0.0 && x.radius() == 0.0;
-        let has_no_arm = |body: &Body<Uncertain<N>>| is_zero(&body.arm.n) && is_zero(&body.arm.t);
-        self.bodies.iter().all(has_no_arm) && !self.subjects.iter().any(|subject| subject.fixed)
+            bodies: before.bodies,
+            subjects,
+        }
     }
 
     /// Returns the impulse that ends sliding under a law, with restitution e and the moment impulse, if the inertia of the bodies is known.
@@ -148,7 +185,7 @@ impl<const N: usize> Touch<N> {
 }
 
 /// Returns the cosine and sine of an angle with a resolution. The magnitude of either second derivative is at most 1.
-fn turned<const N: usize>(angle: Uncertain<N>) -> CrushPlane<Uncertain<N>> {
+pub(super) fn turned<const N: usize>(angle: Uncertain<N>) -> CrushPlane<Uncertain<N>> {
     let exact = CrushPlane::from_angle(angle.value);
     CrushPlane { cos: angle.through(exact.cos, -exact.sin, 1.0), sin: angle.through(exact.sin, exact.cos, 1.0) }
 }

@@ -18,22 +18,26 @@ pub(super) fn length<const N: usize>(v: &Nt<Uncertain<N>>) -> f64 {
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     restitution_in_range(known, judge);
+    along_the_normal(known, judge);
     match &known.touch {
-        Some(touch) => {
-            along_the_normal(touch, known.travel.velocity_leeway(), judge);
-            restitution(known, touch, judge);
-        }
+        Some(touch) => restitution(known, touch, judge),
         None => restitution_of_claims(known, judge),
     }
 }
 
 /// Checks `compressive` and `interpenetration`. The sign of s, the normal component of center of mass 2 less center of mass 1, determines the compressive
 /// direction; of point masses the approach does.
-fn along_the_normal<const N: usize>(touch: &Touch<N>, leeway: f64, judge: &mut Judge) {
-    let offset = Residual::new(touch.offset.n, length(&touch.offset));
+fn along_the_normal<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let [approach, separation] = [known.before, known.after].map(|meeting| meeting.map(|meeting| meeting.velocity));
+    let Some(meeting) = known.before.or(known.after) else { return };
+    let offset = Residual::new(meeting.offset.n, length(&meeting.offset));
     // Point masses may come from either side, and then the other body lies ahead.
-    let ahead = Residual::new(-touch.approach.n, length(&touch.approach));
-    let side = judge.sign(Rule::Compressive, if touch.is_of_points() { &ahead } else { &offset });
+    let side = if meeting.is_of_points {
+        let Some(approach) = approach else { return };
+        judge.sign(Rule::Compressive, &Residual::new(-approach.n, length(&approach)))
+    } else {
+        judge.sign(Rule::Compressive, &offset)
+    };
     let Some(side) = side else {
         judge.checks(Rule::Compressive);
         judge.checks(Rule::Interpenetration);
@@ -57,19 +61,27 @@ fn along_the_normal<const N: usize>(touch: &Touch<N>, leeway: f64, judge: &mut J
         }
         return;
     };
-    let speed = length(&touch.approach);
+    let speed = length(&meeting.velocity);
     let apart = |v: Uncertain<N>| Residual::new(v.scaled(side), speed);
-    judge.not_above(Rule::Compressive, apart(touch.approach.n), |size, bound| {
-        format!("before the impact the bodies part along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
-    });
-    if let Some(impulse) = touch.impulse {
+    if let Some(approach) = approach {
+        judge.not_above(Rule::Compressive, apart(approach.n), |size, bound| {
+            format!("before the impact the bodies part along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
+        });
+    }
+    if let Some(impulse) = known.touch.and_then(|touch| touch.impulse) {
         judge.not_above(Rule::Compressive, Residual::new(impulse.n.scaled(side), length(&impulse)), |size, bound| {
             format!("the normal impulse pulls the bodies together with {} N s, {} may be", Digits(size), Digits(bound))
         });
     }
-    judge.not_above(Rule::Interpenetration, apart(-touch.separation.n).open(0.0, leeway), |size, bound| {
-        format!("after the impact the bodies approach each other still along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
-    });
+    if let Some(separation) = separation {
+        judge.not_above(Rule::Interpenetration, apart(-separation.n).open(0.0, known.travel.velocity_leeway()), |size, bound| {
+            format!(
+                "after the impact the bodies approach each other still along the normal at {} m/s, {} may be",
+                Digits(size),
+                Digits(bound)
+            )
+        });
+    }
 }
 
 fn restitution_in_range<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
@@ -143,15 +155,15 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
     }
 }
 
-/// Checks the restitution of reported speeds if the motions do not determine it.
+/// Checks the restitution of speeds that are reported, or that the motions before or after alone give.
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let [e, closing, parting] = [Key::Restitution, Key::ClosingSpeed, Key::SeparationSpeed].map(|key| known.number(key));
-    let (Some(closing), Some(parting)) = (closing, parting) else { return };
+    let e = known.number(Key::Restitution);
+    let (Some(closing), Some(parting)) = (known.closing_speed(), known.separation_speed()) else { return };
     let scale = closing.value.abs();
     let Some(e) = e else {
         return judge.not_above(Rule::Restitution, Residual::new(parting - closing, scale.max(parting.value.abs())), |size, bound| {
             format!(
-                "the closing speed is said to be {} m/s, and the separation speed {} m/s, which is more: {} m/s off, {} may be",
+                "the closing speed is {} m/s, and the separation speed {} m/s, which is more: {} m/s off, {} may be",
                 Digits(closing.value),
                 Digits(parting.value),
                 Digits(size),
@@ -163,7 +175,7 @@ fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge
     let (unit, of_unit) = if scale > 0.0 { (scale, "their ratio is") } else { (1.0, "in m/s, this is") };
     judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(unit), |size, bound| {
         format!(
-            "the restitution is said to be {}, and the closing speed {} m/s and the separation speed {} m/s; {of_unit} {} off, {} may be",
+            "the restitution is said to be {}, the closing speed is {} m/s and the separation speed {} m/s; {of_unit} {} off, {} may be",
             Digits(e.value),
             Digits(closing.value),
             Digits(parting.value),

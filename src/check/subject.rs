@@ -44,8 +44,9 @@ pub(super) const PLACES: usize = 40;
 const fn place(key: Key) -> usize {
     match key {
         Key::Mass(side) => 10 * side as usize,
-        Key::YawInertia(side) => 10 * side as usize + 1,
-        Key::CenterX(side) => 10 * side as usize + 2,
+        // A direction of force with the heading, and with motions or an impulse.
+        Key::YawInertia(side) | Key::Heading(side) => 10 * side as usize + 1,
+        Key::CenterX(side) | Key::ForceDirection(side) => 10 * side as usize + 2,
         Key::CenterY(side) => 10 * side as usize + 3,
         Key::BeforeX(side) => 10 * side as usize + 4,
         Key::BeforeY(side) => 10 * side as usize + 5,
@@ -60,9 +61,6 @@ const fn place(key: Key) -> usize {
         Key::ImpulseRatio => 24,
         // With a mass and the impulse, or with the loss.
         Key::DeltaV(side) | Key::EquivalentEnergySpeed(side) => 25 + side as usize,
-        // With the heading and the motion.
-        Key::Heading(side) => 27 + side as usize,
-        Key::ForceDirection(side) => 29 + side as usize,
         Key::EnergyLoss | Key::NormalImpulse => 27,
         Key::NormalWork | Key::TangentialImpulse => 28,
         // The speeds with the normal impulse and its work.

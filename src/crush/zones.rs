@@ -124,12 +124,14 @@ impl<T: Ordered> StiffnessZones<T> {
     pub fn moments<'a>(&'a self, profile: &'a Profile<T>) -> impl Iterator<Item = ProfileMoments<T>> + 'a {
         let stations = profile.stations();
         (0..self.zones.len()).map(move |zone| {
+            let furthest = |one: T, other: &T| T::select(one.less(other), other.clone(), one);
+            let start = self.borders[..zone].split_first().map(|(first, others)| others.iter().fold(first.clone(), furthest));
             let ends = stations.windows(2).zip(profile.depths().windows(2));
             ends.fold(ProfileMoments::zero(), |sum, (at, depth)| {
                 let (begin, end) = (at[0].clone(), at[1].clone());
                 let (mut from, mut to) = (begin.clone(), end.clone());
                 // A border belongs to the part that begins at it: if it lies on a station it shifts only that part, not the one before as well.
-                if let Some(border) = zone.checked_sub(1).and_then(|before| self.borders.get(before)) {
+                if let Some(border) = &start {
                     let inside = T::select(border.less(&end), border.clone(), end.clone());
                     from = T::select(border.less(&begin), from, inside);
                 }

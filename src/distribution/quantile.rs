@@ -37,7 +37,8 @@ impl Distribution {
                 let z = if below + p * between <= 0.5 { standard(below + p * between) } else { -standard(above + (1.0 - p) * between) };
                 (mode + scale * z).clamp(min, max)
             }
-            Uniform { min, max } => min + p * (max - min),
+            // Rounded, the whole width may end beyond the end.
+            Uniform { min, max } => (min + p * (max - min)).min(max),
             Triangular { min, mode, max } => {
                 let (rise, width) = (mode - min, max - min);
                 if p * width < rise { min + libm::sqrt(p * width * rise) } else { max - libm::sqrt((1.0 - p) * width * (max - mode)) }
@@ -224,6 +225,7 @@ mod tests {
             TruncatedNormal { mode: 0.2, scale: 0.5, min: 0.0, max: 1.0 },
             TruncatedNormal { mode: 1.0, scale: 3.0, min: 0.9, max: 1.0 },
             Uniform { min: -1.0, max: 5.0 },
+            Uniform { min: 0.93, max: 1.99 },
             Triangular { min: 1.0, mode: 1.5, max: 4.0 },
             Triangular { min: 1.0, mode: 1.0, max: 4.0 },
             LogNormal { median: 20.0, log_sd: 0.4 },

@@ -28,6 +28,7 @@ use crate::message::Message;
 /// | `instants-differ` | two records are sampled at different instants |
 /// | `impossible-profile` | no crush profile has the given moments |
 /// | `one-depth` | all tests have the same mean depth |
+/// | `undetermined` | the profiles of the tests do not tell the coefficients of a stiffness apart |
 /// | `onset-too-fast` | the assumed onset speed is above the speed of the test |
 /// | `sampled-too-slowly`, `not-uniform` | a record is sampled too slowly for its filter, or at unequal intervals |
 /// | `span-too-narrow` | too few samples have a weight in a local line |

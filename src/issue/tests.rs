@@ -100,6 +100,7 @@ fn tests_and_profiles() -> Vec<Sample> {
         sample(TestIssue::<f64>::InstantsDiffer { at }, "instants-differ", "crush[1][2]", []),
         sample(profile, "impossible-profile", "crush[1][2]", [(Length, 1.5), (Area, 0.75)]),
         sample(TestIssue::OneDepth { depth: 0.25 }, "one-depth", None, [(Length, 0.25)]),
+        sample(TestIssue::Undetermined::<f64>, "undetermined", None, []),
         sample(TestIssue::OnsetTooFast { onset: 2.5, speed: 1.5 }, "onset-too-fast", None, [(Speed, 2.5), (Speed, 1.5)]),
         sample(TestIssue::SampledTooSlowly { step: 0.5, longest: 0.25 }, "sampled-too-slowly", None, [(Time, 0.5), (Time, 0.25)]),
         sample(TestIssue::NotUniform::<f64>, "not-uniform", None, []),

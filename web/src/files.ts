@@ -32,11 +32,17 @@ export async function open(list: File[]): Promise<Opened> {
     if (file.size > LARGEST) throw new Error(`${file.name} is larger than ${LARGEST >> 20} MiB, which no case file is`);
     return { name: file.name, text: decoded(file.name, await file.arrayBuffer()) };
   }));
+  const twice = read.find(({ name }, at) => read.findIndex((other) => other.name === name) < at);
+  if (twice) throw new Error(`two files have the name ${twice.name}, by which a case would name both`);
   const report = read.find(({ name }) => /\.html?$/i.test(name));
   if (report) return fromReport(report.name, report.text);
   const first = read.find(({ name, text }) => /\.(toml|json)$/i.test(name) && /vehicle/.test(text)) ?? read[0];
   if (!first) throw new Error("no file is given");
   const others = read.filter((file) => file !== first);
+  // Tests that a case names may themselves name recordings.
+  const texts = read.map(({ text }) => text).join("\n");
+  const unused = others.filter(({ name }) => !texts.includes(name)).map(({ name }) => name);
+  if (unused.length > 0) throw new Error(`${first.name} does not name ${unused.join(" and ")}: open a case with its own files alone`);
   return { ...first, files: Object.fromEntries(others.map(({ name, text }) => [name, text])) };
 }
 

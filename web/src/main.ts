@@ -318,7 +318,8 @@ function wire(): void {
     if (dropped.length === 0) return;
     event.preventDefault();
     const records = answers.shown.name === "check" || dropped.every(({ name }) => /\.(jsonl|csv)$/i.test(name));
-    if (records) void answers.check(dropped[0]!);
+    if (records && dropped.length > 1) say(`${dropped.map(({ name }) => name).join(" and ")}: check one file of records at a time`, true);
+    else if (records) void answers.check(dropped[0]!);
     else void openFiles(dropped);
   });
   slider("gamma", "contact.crush_plane", Math.PI / 180, Math.PI / 1800);

@@ -93,7 +93,7 @@ impl Analysis<'_> {
     }
 
     /// Returns the window of the contact.
-    fn over(&self, record: &Record) -> Window {
+    pub(super) fn over(&self, record: &Record) -> Window {
         let times = record.times();
         self.of.settings.window.unwrap_or(Window { from: times[0].max(0.0), to: times[times.len() - 1] })
     }

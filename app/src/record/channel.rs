@@ -40,16 +40,43 @@ impl Channel {
         step_of(&self.record).map_or(of_digits, |step| step.max(of_digits))
     }
 
-    /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps.
-    fn gap(&self) -> Option<[f64; 2]> {
+    /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps and within the window.
+    fn gap(&self, over: &Window) -> Option<[f64; 2]> {
         /// Steps that are missing.
         const MANY: f64 = 5.0;
         self.quantity.class()?;
-        let times = self.record.times();
+        let times: Vec<f64> = self.record.times().into_iter().filter(|time| (over.from..=over.to).contains(time)).collect();
         let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let longest = times.windows(2).max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])))?;
         steps.sort_by(f64::total_cmp);
         (longest[1] - longest[0] > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
+    }
+
+    /// Returns the first stretch of a pulse, of its times and value, that is no part of it: the channel falls to a value, holds it exactly, and returns. Both changes are
+    /// a fifth of its range and several steps.
+    fn dropout(&self) -> Option<([f64; 2], f64)> {
+        /// Fewest samples that are held.
+        const FEW: usize = 3;
+        /// Share of the range by which the channel changes.
+        const LARGE: f64 = 0.2;
+        /// Steps of the readings that are no change.
+        const STEPS: f64 = 5.0;
+        self.quantity.class()?;
+        let (times, values) = (self.record.times(), self.record.values());
+        let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - values.iter().copied().fold(f64::INFINITY, f64::min);
+        let least = (LARGE * range).max(STEPS * self.step());
+        let mut first = 1;
+        for held in values[1..].chunk_by(|one, other| one == other) {
+            let last = first + held.len() - 1;
+            if let Some(after) = values.get(last + 1).filter(|_| held.len() >= FEW) {
+                let [fall, rise] = [values[first - 1] - held[0], after - held[0]];
+                if fall.abs() > least && rise.abs() > least && fall.signum() == rise.signum() {
+                    return Some(([times[first], times[last]], held[0]));
+                }
+            }
+            first = last + 1;
+        }
+        None
     }
 
     /// Returns the samples that stand out, up to a few, and what their neighbors give in their place: without them nothing in the channel bends a fifth as sharply as
@@ -222,7 +249,17 @@ impl Analysis<'_> {
                 .text(format!("{when}; what follows from it is incomplete"));
             self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
         }
-        if let Some([from, to]) = channel.gap() {
+        if let Some(([from, to], value)) = channel.dropout() {
+            let message = Message::from(format!("{} falls to ", channel.name))
+                .figure(measure, value)
+                .text(", holds it from ")
+                .figure(Measure::Time, from)
+                .text(" to ")
+                .figure(Measure::Time, to)
+                .text(", and returns: what follows from it is wrong if the channel was lost there");
+            self.notices.push(Notice::warning("dropout", channel.path.clone(), message));
+        }
+        if let Some([from, to]) = channel.gap(&self.over(&channel.record)) {
             let message = Message::from(format!("{} has no samples from ", channel.name))
                 .figure(Measure::Time, from)
                 .text(" to ")

@@ -43,6 +43,11 @@ fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -
     Some(Notice::note("short-baseline", path, message))
 }
 
+/// Returns `true` for a quantity that gives a restitution by the closing speed alone.
+fn is_of_speed(quantity: ChannelQuantity) -> bool {
+    matches!(quantity, ChannelQuantity::Acceleration | ChannelQuantity::Distance)
+}
+
 /// Returns a note of a pulse that has few samples: what lies between them is not known.
 fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, peak: Peak) -> Option<Notice> {
     /// Fewest samples that show how rough a pulse is.
@@ -223,6 +228,11 @@ impl Analysis<'_> {
         });
         if normal.is_none() && tangential.is_none() {
             return None;
+        }
+        let is_used = of.settings.mass.is_some() || of.channels.iter().any(|channel| is_of_speed(channel.quantity));
+        if of.settings.speed.is_some() && !is_used && normal.is_some() {
+            let message = "it is not used here: with a mass, load cells give the velocity change and the restitution";
+            self.notices.push(Notice::note("missing-partner", "speed", message));
         }
         let impulse = |bank: &Option<Pulse>| bank.as_ref().map(|pulse| Uncertain::of(pulse.integral, pulse.is_known));
         let change = normal.as_ref().and_then(|pulse| Some((pulse.integral.over(of.settings.mass?), pulse.is_known)));

@@ -116,7 +116,18 @@ impl Noise {
             };
             notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
         }
-        Noise { step: given.or(found), relative: recording.settings.relative, scatter: 0.0 }
+        // All readings of a finer recorder are no multiples of coarser steps.
+        let printed = channels.iter().map(|channel| channel.step()).reduce(f64::min);
+        let coarser = given.zip(printed).filter(|(given, printed)| *printed > 1.5 * given);
+        if let Some((given, printed)) = coarser {
+            let message = Message::from(format!("all readings of {} lie whole steps of ", channels[0].name))
+                .figure(Measure::Speed, printed)
+                .text(" apart: that is taken as the resolution, and not the ")
+                .figure(Measure::Speed, given)
+                .text(" of `resolution`");
+            notices.push(Notice::warning("resolution-coarser", channels[0].path.clone(), message));
+        }
+        Noise { step: coarser.map(|(_, printed)| printed).or(given).or(found), relative: recording.settings.relative, scatter: 0.0 }
     }
 
     /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
@@ -198,14 +209,28 @@ impl Recorder {
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
         notices.extend(components().filter_map(Component::of_scatter));
-        let pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
+        let is_dead = |component: &Component<'_>| component.channel.record.resolution().is_none();
+        if let Some(first) = components().next().filter(|_| components().all(is_dead)) {
+            let message = format!("{} is constant: it has no velocity change of an impact in it", first.channel.name);
+            notices.push(Notice::warning("no-event", first.channel.path.clone(), message));
+        }
+        let mut pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
         let speed_at_impact = speed.and_then(|speed| {
             let noise = Noise::of(recording, &[speed], notices);
+            let after = after_impact(&mut pre_crash);
+            if after > 0 {
+                let message = format!(
+                    "{} of {} speeds are later than the impact, and not used: times count from the impact, and those before it are negative",
+                    after,
+                    after + pre_crash.len()
+                );
+                notices.push(Notice::warning("after-impact", speed.path.clone(), message));
+            }
             at_impact(&pre_crash, noise, &speed.path, issues, notices)
         });
         for component in components() {
             if let (Some(first), Some(step)) = (component.values.first(), component.noise.step)
-                && component.times[0] > 0.0
+                && component.times[0] >= 0.0
                 && first.abs() > 2.0 * step
             {
                 let message = Message::from(format!("{} begins at ", component.channel.name))
@@ -275,20 +300,30 @@ fn rows(record: &Record) -> impl Iterator<Item = PreCrash> {
     record.times().into_iter().zip(record.values().to_vec()).map(|(time, speed)| PreCrash { time, speed })
 }
 
+/// Removes the rows after the impact, and returns how many there were.
+fn after_impact(rows: &mut Vec<PreCrash>) -> usize {
+    let count = rows.len();
+    rows.truncate(rows.partition_point(|row| row.time <= slack_of(rows)));
+    count - rows.len()
+}
+
+/// Returns the rounding of the times of rows.
+fn slack_of(rows: &[PreCrash]) -> f64 {
+    rows.first().zip(rows.last()).map_or(0.0, |(first, last)| ROUNDING * (last.time - first.time))
+}
+
 /// Returns the last speed that was stored up to the impact. It may have changed since, at the rate at which it changed last.
-fn at_impact(rows: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<AtImpact> {
-    let slack = ROUNDING * (rows.last()?.time - rows.first()?.time);
-    let before = rows.partition_point(|row| row.time <= slack);
-    let Some(last) = before.checked_sub(1).map(|last| rows[last]) else {
+fn at_impact(before: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<AtImpact> {
+    let Some(last) = before.last() else {
         let help = "count the times from the impact: those before it are negative";
         issues.push(Issue::at("no-speed-before-impact", path, "no speed is at or before the time zero").with_help(help));
         return None;
     };
-    let rate = match &rows[..before] {
+    let rate = match before {
         [.., one, other] => (other.speed - one.speed) / (other.time - one.time),
         _ => 0.0,
     };
-    let change = if last.time < -slack { rate * -last.time } else { 0.0 };
+    let change = if last.time < -slack_of(before) { rate * -last.time } else { 0.0 };
     if change != 0.0 {
         let message = Message::from("the last speed is ")
             .figure(Measure::Time, -last.time)

@@ -48,7 +48,8 @@ pub struct PooledNumber {
     pub mean_sd: f64,
     /// Standard deviation between the vehicles of the class.
     pub between_sd: f64,
-    /// Standard deviation of a further vehicle of the class about the mean: 95 % of such vehicles lie within 1.96 of it, however few vehicles tell the spread.
+    /// Standard deviation of a further vehicle of the class about the mean, which is itself uncertain: 95 % of such vehicles lie within 1.96 of it, however few
+    /// vehicles tell the spread.
     pub further_sd: f64,
 }
 
@@ -113,7 +114,9 @@ impl Pooled {
     /// Returns the variances between vehicles of d₀ and d₁, as large as they may be. Each by itself may vanish by chance, since the errors of both are large and
     /// opposite: at the depth where the line through all tests is known best, E* spreads at least as the E* of each vehicle there.
     fn spread(&self, all: &StiffnessCovariance) -> Option<[f64; 2]> {
-        let between = |of: &dyn Fn(&StiffnessFit) -> Estimate| between_at_most(&self.own.iter().map(of).collect::<Vec<_>>());
+        let between = |of: &dyn Fn(&StiffnessFit) -> Estimate| {
+            spread_at_most(&self.own.iter().map(of).collect::<Vec<_>>()).map(|class| class.between)
+        };
         let [onset, slope] = [between(&StiffnessFit::onset)?, between(&StiffnessFit::slope)?];
         let depth = -all.between / all.slope;
         if !(depth > 0.0 && depth.is_finite()) {
@@ -151,26 +154,26 @@ fn sum(one: StiffnessCovariance, other: StiffnessCovariance) -> StiffnessCovaria
 
 impl PooledNumber {
     fn of(vehicles: &[Estimate]) -> Option<PooledNumber> {
-        let class = RandomEffects::of(vehicles)?;
+        let (class, at_most) = (RandomEffects::of(vehicles)?, spread_at_most(vehicles)?);
         Some(PooledNumber {
             mean: positive_zero(class.mean.value),
             mean_sd: class.mean.deviation(),
             between_sd: class.deviation_between(),
-            further_sd: (between_at_most(vehicles)? * (1.0 + 1.0 / vehicles.len() as f64)).sqrt(),
+            further_sd: (at_most.between + at_most.mean.variance).sqrt(),
         })
     }
 }
 
-/// Returns the variance τ² between vehicles with which a normal distribution has the 95 % interval of a further one.
+/// Returns the class with the variance τ² between vehicles with which a normal distribution has the 95 % interval of a further one.
 ///
 /// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. With
 /// the variance τ² at which the sum of squares is (k − 1) (z/t)² it is x̄ ± z τ √(1 + 1/k). The same sum is used for vehicles with an error of their own. An
 /// estimate of τ² would be too small: for half of the classes of two it is 0 by chance.
-fn between_at_most(vehicles: &[Estimate]) -> Option<f64> {
+fn spread_at_most(vehicles: &[Estimate]) -> Option<RandomEffects> {
     let count = u32::try_from(vehicles.len()).ok()?;
     let upper = |distribution: Distribution| distribution.quantile(0.975);
     let z = upper(Distribution::Normal { mean: 0.0, sd: 1.0 });
     let t = upper(Distribution::StudentT { mean: 0.0, sd: f64::from(count).sqrt(), n: count });
     let narrower = z / t;
-    RandomEffects::between_at(vehicles, f64::from(count - 1) * narrower * narrower)
+    RandomEffects::at(vehicles, f64::from(count - 1) * narrower * narrower)
 }

@@ -123,9 +123,17 @@ impl TestFile {
         series
     }
 
-    /// Fits the stiffness to tests, on mean depths and on profiles.
-    pub(super) fn fits(&self, observations: &Observations) -> Result<Vec<StiffnessFit>, Unfitted> {
-        [CrushModel::MeanDepth, CrushModel::Profile].into_iter().map(|model| self.fitted(observations, model)).collect()
+    /// Fits the stiffness to tests, on mean depths and on profiles; with the reason if the profiles alone do not determine it.
+    pub(super) fn fits(&self, observations: &Observations) -> Result<(Vec<StiffnessFit>, Option<TestIssue>), Unfitted> {
+        let on_mean_depth = self.fitted(observations, CrushModel::MeanDepth)?;
+        match self.fitted(observations, CrushModel::Profile) {
+            Ok(on_profile) => Ok((vec![on_mean_depth, on_profile], None)),
+            Err(Unfitted::Issues(wrong)) => match wrong.as_slice() {
+                [why @ (TestIssue::Undetermined | TestIssue::NotConverged { .. })] => Ok((vec![on_mean_depth], Some(why.clone()))),
+                _ => Err(Unfitted::Issues(wrong)),
+            },
+            Err(why) => Err(why),
+        }
     }
 
     fn fitted(&self, observations: &Observations, model: CrushModel) -> Result<StiffnessFit, Unfitted> {

@@ -67,6 +67,15 @@ enum Rows {
     },
 }
 
+/// First bytes of what is no table of the format that the name of its file says, and what it is.
+const FOREIGN: &[(&[u8], &str)] = &[
+    (b"\x1f\x8b", "is compressed by gzip; decompress it"),
+    (b"PK\x03\x04", "is a workbook or an archive; save the table as CSV"),
+    (b"PAR1", "is Parquet; let its name end in .parquet"),
+    (b"ARROW1", "is Arrow; let its name end in .arrow"),
+    (b"FEA1", "is Feather of version 1; write version 2"),
+];
+
 type Texts = csv::Reader<Quotes<Box<dyn Read>>>;
 
 impl Source {
@@ -86,6 +95,14 @@ impl Source {
         let metadata = file.metadata().map_err(|error| unreadable(&error))?;
         if metadata.is_dir() {
             return Err(decode::unreadable(&name, "is a directory, not a table"));
+        }
+        if metadata.is_file() {
+            for (magic, is) in FOREIGN {
+                let is_own = matches!((format, *magic), (Format::Parquet, b"PAR1") | (Format::Arrow, b"ARROW1"));
+                if !is_own && starts_with(&file, magic).map_err(|error| unreadable(&error))? {
+                    return Err(decode::unreadable(&name, is));
+                }
+            }
         }
         let size = metadata.len();
         let bytes = Arc::default();

@@ -52,6 +52,48 @@ fn solved(document: &Value, name: &str) -> f64 {
     component.map_or(found, |i| &found[i]).as_f64().unwrap_or_else(|| panic!("{name}"))
 }
 
+/// Of a case against a barrier a row makes one of two vehicles, whose yaw rate may be left out as in any case.
+#[test]
+fn a_row_may_have_a_vehicle_for_the_barrier_of_its_case() {
+    let folder = Folder::new();
+    let vehicle = "mass = 1163\nyaw_inertia = 1945\nheading = \"180 deg\"\nspeed = 17.8816\nimpact_center = [1.94, 0.3]\n";
+    let case = folder.write(
+        "case.toml",
+        format!("schema = 1\n[[vehicle]]\n{vehicle}[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n")
+            .as_bytes(),
+    );
+    let names = ["barrier", "mass", "heading [deg]", "yaw_inertia", "speed", "impact_center.forward", "impact_center.left"];
+    let header: Vec<String> = names.iter().map(|name| format!("vehicle.2.{name}")).collect();
+    let table = format!("{}\nfalse,2000,90,4000,10,-1,-2.4\ntrue,,,,,,\n", header.join(","));
+    let done = run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "dV1"], &table);
+    assert_eq!(done.status, 0, "{}{}", done.out, done.err);
+    let second = "mass = 2000\nyaw_inertia = 4000\nheading = \"90 deg\"\nspeed = 10\nimpact_center = [-1, -2.4]\n";
+    let solved_case = format!("schema = 1\n[[vehicle]]\n{vehicle}[[vehicle]]\n{second}[contact]\ncrush_plane = 0\nrestitution = 0.1\n");
+    let document: Value = serde_json::from_str(&run_with_input(&["solve", "-", "--format", "json"], &solved_case).out).expect("JSON");
+    let found = rows(&done.out);
+    let at = found[0].iter().position(|name| name.contains("delta_v")).expect("the output");
+    assert_eq!(found[1][at].parse::<f64>().ok(), Some(solved(&document, &found[0][at])), "{}", done.out);
+}
+
+/// Standard input is one table, and a file is what its first bytes say.
+#[test]
+fn what_is_no_table_is_told_as_what_it_is() {
+    let folder = Folder::new();
+    let twice = run_with_input(&["batch", "-", "--case", "-", "-o", "-"], "vehicle.1.speed\n10\n");
+    assert_eq!((twice.status, twice.err.contains("`-` stands twice")), (2, true), "{}", twice.err);
+    for (name, bytes, is) in [
+        ("a.csv", &b"\x1f\x8b\x08\0"[..], "compressed by gzip"),
+        ("b.csv", b"PK\x03\x04", "a workbook"),
+        ("c.csv", b"PAR1", "Parquet; let its name end in .parquet"),
+        ("d.parquet", b"ARROW1\0\0", "Arrow; let its name end in .arrow"),
+        ("e.arrow", b"FEA1", "Feather of version 1"),
+    ] {
+        let path = folder.write(name, bytes);
+        let refused = batch(&[text(&path), "-o", "-", "--case", POSITION_A]);
+        assert_eq!((refused.status, refused.err.contains(is)), (2, true), "{name}: {}", refused.err);
+    }
+}
+
 #[test]
 fn a_row_has_the_numbers_of_solve() {
     let table = batch(&["-", "-o", "-", "--case", POSITION_A]);

@@ -76,6 +76,26 @@ fn an_input_is_not_written_over() {
     assert_eq!(files(folder.path()), ["case.toml", "inner", "link.csv", "other.csv", "speeds.csv"]);
 }
 
+/// A drawing is no picture of pixels, and a report no PDF, whatever their names say.
+#[test]
+fn a_name_of_another_format_is_refused() {
+    let folder = Folder::new();
+    let case = workspace().join("cli/examples/position-a.toml");
+    let case = case.to_str().expect("a plain path");
+    for (call, ending) in
+        [(["draw", case, "-o", "a.png"], ".svg"), (["draw", case, "-o", "a.JSON"], ".svg"), (["report", case, "-o", "a.pdf"], ".html")]
+    {
+        let run = run(folder.path(), &call);
+        assert_eq!(run.status, 2, "{}", run.err);
+        assert!(run.err.contains(&format!("`{}` has the name of another format; let it end in {ending}", call[3])), "{}", run.err);
+        assert!(!folder.path().join(call[3]).exists());
+    }
+    for call in [&["draw", case, "-o", "a.svg"][..], &["draw", case, "-o", "a"], &["draw", case, "-o", "a.json", "--format", "json"]] {
+        assert_eq!(run(folder.path(), call).status, 0, "{call:?}");
+        assert!(folder.path().join(call[3]).exists(), "{call:?}");
+    }
+}
+
 /// A pipe stays a pipe, and its reader gets the whole document; a link stays a link, and what it leads to is replaced.
 #[test]
 fn what_is_no_file_is_written_and_not_replaced() {

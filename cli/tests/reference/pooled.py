@@ -13,9 +13,10 @@ T = {3: D("4.30265272974946385232094"), 5: D("2.77644510519779435780310")}
 
 
 def further(numbers):
-    """The same with (k - 1) (z/t)^2 in place of k - 1, and the error of a mean of k vehicles."""
+    """The spread and the error of the mean, both with (k - 1) (z/t)^2 in place of k - 1."""
     k = len(numbers)
-    return pool(numbers, (k - 1) * (Z / T[k]) ** 2)[2] * (1 + D(1) / k).sqrt()
+    _, of_mean, between = pool(numbers, (k - 1) * (Z / T[k]) ** 2)
+    return (between**2 + of_mean**2).sqrt()
 
 
 def pool(numbers, squares=None):

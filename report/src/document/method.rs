@@ -151,8 +151,13 @@ fn assumptions(report: &CaseReport) -> Vec<String> {
             TangentialLaw::KudlichSlibar => "Law of Kudlich and Slibar: restitution holds for the tangential velocity too.".to_owned(),
         });
     }
-    if matches!(report.main, MainAnswer::Reconstruct(_)) {
-        all.push("Errors of the evidence are independent and normally distributed with the standard deviations of the file.".to_owned());
+    if let MainAnswer::Reconstruct(answer) = &report.main {
+        let which = if answer.facts.separations.is_empty() {
+            "are independent."
+        } else {
+            "are independent, but for those of the separations from rest positions: what is uncertain of the slides correlates them."
+        };
+        all.push(format!("Errors of the evidence are normally distributed with the standard deviations of the file, and {which}"));
     }
     all
 }

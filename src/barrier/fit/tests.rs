@@ -100,6 +100,21 @@ fn a_line_needs_two_different_depths() {
     assert_eq!(bad.len(), 5);
 }
 
+/// Two uneven profiles of nearly one mean depth and other energies: no stiffness has both, and the best lies where d₀ and d₁ do the same to each.
+#[test]
+fn profiles_that_do_not_tell_the_coefficients_apart_have_no_fit() {
+    let observe =
+        |depths: &[f64], intensity| Observation { crush: ProfileMoments::of(1.5, depths).expect("six depths"), intensity, deviation: 10.0 };
+    let uneven = [observe(&[0.43, 0.49, 0.0, 0.17, 0.12, 0.0], 230.85), observe(&[0.49, 0.0, 0.12, 0.38, 0.16, 0.29], 404.77)];
+    let two = Observations::independent(&uneven).expect("good numbers");
+    let issues = StiffnessFit::on_profiles(&two).expect_err("one direction is free");
+    assert_eq!(issues.as_slice(), [TestIssue::Undetermined]);
+    // A third of another depth tells them apart, though it fits no better.
+    let three = Observations::independent(&[uneven[0], uneven[1], observe(&[0.6; 6], 500.0)]).expect("good numbers");
+    let fit = StiffnessFit::on_profiles(&three).expect("it settles");
+    assert!(fit.covariance.onset > 0.0 && fit.covariance.slope > 0.0, "{:?}", fit.covariance);
+}
+
 #[test]
 fn of_flat_profiles_both_models_are_one() {
     let observations = Observations::independent(&[flat(0.1, 5.0, 1.0), flat(0.2, 9.0, 2.0), flat(0.4, 12.0, 1.0)]).expect("good numbers");

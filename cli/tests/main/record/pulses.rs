@@ -356,6 +356,44 @@ fn warned(code: &str, settings: &str, disturbance: &dyn Fn(f64) -> f64) -> Vec<S
     notices.map(|notice| notice["text"].as_str().expect("a sentence").to_owned()).collect()
 }
 
+/// A channel that is lost for a while has no part of the pulse; one that returns to its offset does so from sample to sample.
+#[test]
+fn a_lost_stretch_of_a_pulse_is_told() {
+    let lost = |from: f64, to: f64, value: f64| move |ms: f64| if (from..=to).contains(&ms) { value - 100.0 * pulse(ms) } else { 0.0 };
+    let told = warned("dropout", "", &lost(39.95, 60.05, 0.0));
+    assert_eq!(told.len(), 1);
+    assert!(told[0].contains("normal_force falls to 0 N, holds it from 0.040 s to 0.060 s, and returns"), "{told:?}");
+    // Whatever it is held at, above the pulse or below, and for three samples; the last reading, an end, and less than a fifth of the pulse are none.
+    assert_eq!(warned("dropout", "", &lost(20.0, 25.0, 150.0)).len(), 1);
+    assert_eq!(warned("dropout", "", &lost(29.95, 30.25, -20.0)).len(), 1);
+    for (from, to, value) in [(29.95, 30.15, 0.0), (80.0, 120.0, 0.0), (-20.0, 30.0, 0.0), (48.0, 52.0, 85.0)] {
+        assert!(warned("dropout", "", &lost(from, to, value)).is_empty(), "{from} to {to}");
+    }
+    // Two pulses with nothing between them, and steps of a coarse recorder.
+    assert!(warned("dropout", "", &|ms| -100.0 * pulse(ms) + 80.0 * (pulse(2.5 * ms) + pulse(2.5 * (ms - 60.0)))).is_empty());
+    assert!(warned("dropout", "", &|ms| (5.0 * pulse(ms)).round() * 20.0 - 100.0 * pulse(ms)).is_empty());
+}
+
+/// What is not used is told, and a gap only where it is integrated.
+#[test]
+fn a_speed_without_a_mass_and_a_gap_outside_of_the_window_are_told_as_that() {
+    let texts = |samples: &str, settings: &str| {
+        let run = record_of(samples, Some(settings)).1;
+        assert!(run.status <= 1, "{}", run.err);
+        run.out
+    };
+    let force = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms)]);
+    let speed = "speed = \"10 m/s\"\n";
+    assert!(texts(&force, speed).contains("with a mass, load cells give the velocity change"));
+    assert!(!texts(&force, &format!("{speed}mass = \"1500 kg\"\n")).contains("it is not used here"));
+    let with_gap: String = force
+        .lines()
+        .filter(|line| !["111", "112", "113", "114"].iter().any(|ms| line.starts_with(ms)))
+        .fold(String::new(), |text, line| text + line + "\n");
+    assert!(texts(&with_gap, "").contains("has no samples from 0.111 s to 0.115 s"));
+    assert!(!texts(&with_gap, "window = [\"0 ms\", \"105 ms\"]\n").contains("has no samples"));
+}
+
 #[test]
 fn samples_that_stand_out_are_told() {
     let at =

@@ -104,6 +104,51 @@ fn a_speed_that_is_held_is_not_clipped() {
     assert_eq!((run.status, &record["channels"][0]["clipped"]), (0, &Value::Null), "{}", run.out);
 }
 
+/// Readings that are all multiples of 5 km/h are no finer than that, whatever the file says; and a velocity change that is constant is none.
+#[test]
+fn readings_tell_more_of_a_recorder_than_its_settings() {
+    let of = |changes: &[i32], resolution: &str| {
+        let rows: String = changes.iter().enumerate().map(|(i, change)| format!("{},{change}\n", 10 * i)).collect();
+        record_of(&format!("time [ms],delta_v_forward [km/h]\n{rows}"), Some(&format!("resolution = \"{resolution}\"\n")))
+    };
+    let coarse = [0, 0, -5, -5, -10, -15, -20, -25, -25, -30, -30, -35, -35, -35, -35, -35, -35, -35];
+    let (found, run) = of(&coarse, "1 km/h");
+    assert!(
+        run.out.contains(
+            "delta_v_forward lie whole steps of 1.39 m/s apart: that is taken as the resolution, and not the 0.28 m/s of `resolution`"
+        ),
+        "{}",
+        run.out
+    );
+    close(&found["recorder"]["delta_v_forward"]["sd"], 5.0 / 3.6 / 12_f64.sqrt(), 1e-9);
+    // One reading between them, and a resolution that is no finer.
+    let mut fine = coarse;
+    fine[5] = -14;
+    for (changes, resolution) in [(fine, "1 km/h"), (coarse, "5 km/h"), (coarse, "4 km/h")] {
+        let (found, run) = of(&changes, resolution);
+        assert!(!run.out.contains("lie whole steps"), "{}", run.out);
+        let given: f64 = resolution.trim_end_matches(" km/h").parse().expect("a number");
+        close(&found["recorder"]["delta_v_forward"]["sd"], given / 3.6 / 12_f64.sqrt(), 1e-9);
+    }
+    let (_, dead) = of(&[0; 18], "1 km/h");
+    assert_eq!(dead.status, 0, "{}", dead.err);
+    assert!(dead.out.contains("is constant: it has no velocity change of an impact in it"), "{}", dead.out);
+    assert!(!of(&coarse, "5 km/h").1.out.contains("is constant"));
+    // At the time zero an impact has changed nothing yet.
+    let (_, late) = of(&[-12, -12, -15, -20, -25, -30, -31, -31, -31, -31, -31, -31, -31, -31, -31, -31, -31, -31], "1 km/h");
+    assert!(late.out.contains("begins at 0 s with -3.33 m/s: the impact had begun before it"), "{}", late.out);
+}
+
+/// Times count from the impact: what was stored later is no speed before it.
+#[test]
+fn speeds_after_the_impact_are_not_used() {
+    let (found, run) = record_of("time [s],speed [mph]\n-1,60\n0,50\n1,40\n2,30\n", None);
+    assert!(run.out.contains("2 of 4 speeds are later than the impact, and not used"), "{}", run.out);
+    assert_eq!(found["recorder"]["pre_crash"].as_array().map(Vec::len), Some(2));
+    close(&found["recorder"]["speed_at_impact"]["value"], 50.0 * 0.44704, 1e-12);
+    assert!(!record_of("time [s],speed [mph]\n-1,60\n0,50\n", None).1.out.contains("not used"));
+}
+
 /// A velocity change that ends as fast as it began looks like one at its range, in coarse steps; where the range is given, that decides.
 #[test]
 fn a_given_range_decides_what_is_clipped() {
@@ -154,7 +199,7 @@ fn readings_that_scatter_are_less_certain() {
         let mut text = "time [ms],delta_v_forward [km/h]\n".to_owned();
         for i in 0..40 {
             let zigzag = if i % 2 == 0 { scatter } else { -scatter };
-            let value = if i < 10 { -3.0 * f64::from(i) } else { -30.0 + zigzag };
+            let value = if i < 10 { -3.1 * f64::from(i) } else { -30.0 + zigzag };
             writeln!(text, "{},{value}", 10 * i).expect("a string takes everything");
         }
         record_of(&text, Some("resolution = \"1 km/h\"\n"))
