@@ -38,6 +38,8 @@ mod predicate;
 pub mod symbol;
 
 pub use power::Power;
+#[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
+pub(crate) use predicate::rounding_at;
 pub(crate) use predicate::{Logic, is_finite, is_positive, is_single, is_zero, rounding, slack, tolerance};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -16,7 +16,7 @@ use crate::message::Sentence;
 use crate::notice::{Notice, Notices};
 use crate::reconstruct::{self, Interval, Reconstruction};
 use crate::solve::{self, Solution, TangentialLaw, Vehicle};
-use crate::units::Measure;
+use crate::units::{Measure, beyond_rounding};
 
 /// The least and the greatest number of cases.
 pub const COUNT: [usize; 2] = [2, 20];
@@ -404,7 +404,7 @@ fn differs(input: &ComparedInput, scale: f64) -> bool {
     let is_shape = input.name.ends_with(SHAPE);
     let is_same = |one: &Option<InputValue>, other: &Option<InputValue>| match (one, other) {
         (Some(InputValue::Number(one)), Some(InputValue::Number(other))) => {
-            one.total_cmp(other).is_eq() || (one - other).abs() <= 1e-12 * scale
+            one.total_cmp(other).is_eq() || beyond_rounding(one - other, scale) == 0.0
         }
         (None, Some(_)) | (Some(_), None) => is_shape,
         _ => one == other,

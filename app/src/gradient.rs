@@ -12,7 +12,7 @@ use crate::issue::{Issue, Issues};
 use crate::named::{Named, positive_zero};
 use crate::names;
 use crate::notice::Notice;
-use crate::units::{Measure, Units};
+use crate::units::{Measure, Units, beyond_rounding};
 
 /// Maximum number of derivatives computed at once, so that a file with a million depths cannot exhaust the memory.
 const MOST: usize = 250_000;
@@ -294,7 +294,7 @@ impl Gradient {
         let scale = self.scale(output);
         let effect = |((parameter, value, uncertainty), derivative): ((Parameter, Option<f64>, TypicalUncertainty), f64)| {
             let change = derivative * uncertainty.size;
-            let is_rounding = change.abs() <= 1e-12 * scale && uncertainty.size > 0.0;
+            let is_rounding = beyond_rounding(change, scale) == 0.0 && uncertainty.size > 0.0;
             Effect { parameter, value, uncertainty, derivative: if is_rounding { 0.0 } else { derivative }, change }
         };
         let mut effects: Vec<Effect> =
@@ -312,7 +312,7 @@ impl Gradient {
                 let weight = if i == j { 0.5 } else { 1.0 };
                 let ((one, _, by), (two, _, with)) = (parameters[i], parameters[j]);
                 let change = weight * second * by.size * with.size;
-                if change.abs() > 1e-12 * scale {
+                if beyond_rounding(change, scale).abs() > 0.0 {
                     effects.push(SecondEffect { one, two, change });
                 }
             }

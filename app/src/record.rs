@@ -19,6 +19,7 @@ use planar_impact::barrier::{ChannelClass, Estimate};
 use crate::answer::Answer;
 use crate::control::Control;
 use crate::issue::Issues;
+use crate::named::positive_zero;
 use crate::notice::Notices;
 use crate::quantity::Kind;
 use crate::units::Measure;
@@ -235,7 +236,7 @@ impl Records {
 
 impl Uncertain {
     fn of(estimate: Estimate, is_known: bool) -> Uncertain {
-        Uncertain { value: estimate.value + 0.0, sd: is_known.then(|| estimate.deviation()) }
+        Uncertain { value: positive_zero(estimate.value), sd: is_known.then(|| estimate.deviation()) }
     }
 }
 
@@ -313,5 +314,35 @@ impl ChannelQuantity {
 impl Serialize for ChannelQuantity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::Source;
+
+    /// Each recording is a step, and each film in it another.
+    #[test]
+    fn recordings_and_films_are_steps() {
+        struct Noted(Mutex<Vec<(usize, usize)>>);
+        impl Control for Noted {
+            fn goes_on(&self, done: usize, total: usize) -> bool {
+                self.0.lock().is_ok_and(|mut steps| {
+                    steps.push((done, total));
+                    true
+                })
+            }
+        }
+        let rows: String = (-12..=12).map(|i: i32| format!("{},{}\n", 10 * i, if i < 0 { -100 * i } else { 15 * i })).collect();
+        let of = |name: &str| {
+            let source = Source { name: name.to_owned(), text: format!("time [ms],distance [mm]\n{rows}") };
+            Recording::parse_by(source, |_| panic!("it names no file")).expect("a film")
+        };
+        let steps = Noted(Mutex::default());
+        record(&[of("a.csv"), of("b.csv")], &(), &steps).expect("an answer");
+        assert_eq!(steps.0.into_inner().expect("nothing panics"), [(0, 4), (1, 4), (2, 4), (3, 4)]);
     }
 }

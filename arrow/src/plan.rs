@@ -133,15 +133,13 @@ pub fn unit_of(field: &Field) -> Option<&str> {
     units_of(field).first().copied()
 }
 
-/// Returns the units in the metadata of a field, that of our own key first.
+/// Returns the different units in the metadata of a field.
 fn units_of(field: &Field) -> Vec<&str> {
-    let place = |key: &str| {
-        let names = [UNIT, "units", "uom"];
-        if key == UNIT { Some(0) } else { names.iter().position(|name| key.trim().eq_ignore_ascii_case(name)).map(|place| place + 1) }
-    };
-    let mut found: Vec<_> = field.metadata().iter().filter_map(|(key, unit)| Some((place(key)?, key, unit.as_str()))).collect();
-    found.sort_unstable();
-    found.into_iter().map(|(_, _, unit)| unit).collect()
+    let is_unit = |key: &str| [UNIT, "units", "uom"].iter().any(|name| key.trim().eq_ignore_ascii_case(name));
+    let mut units: Vec<&str> = field.metadata().iter().filter(|(key, _)| is_unit(key)).map(|(_, unit)| unit.as_str()).collect();
+    units.sort_unstable();
+    units.dedup();
+    units
 }
 
 fn header(field: &Field, issues: &mut Vec<Issue>) -> Header {

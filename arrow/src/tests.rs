@@ -109,6 +109,13 @@ fn a_unit_is_in_the_name_or_in_the_metadata() {
     let wrong = |field: Field| Plan::of(&schema(field), Some(&case()), &of(&["T_L"])).expect_err("a wrong unit").list()[0].code;
     assert_eq!(wrong(field("vehicle.1.speed [km/h]", "m/s")), "invalid-unit");
     assert_eq!(wrong(field("vehicle.1.speed", "kg")), "invalid-unit");
+    // Two keys may say the same, and no more than that.
+    let both = |other: &str| {
+        let units = [(UNIT, "km/h"), ("Units", other)].map(|(key, unit)| (key.to_owned(), unit.to_owned()));
+        Field::new("vehicle.1.speed", DataType::Float64, true).with_metadata(HashMap::from(units))
+    };
+    assert_eq!(losses(&with_metadata(both("km/h"))), bracketed);
+    assert_eq!(wrong(both("mph")), "invalid-unit");
     assert_eq!(wrong(Field::new("vehicle.1.speed", DataType::Binary, true)), "wrong-type");
 }
 

@@ -44,8 +44,8 @@ impl RandomEffects {
     /// assert!((at_most.between - 1600.0).abs() < 1e-9 && (at_most.mean.variance - 1600.0 / 3.0).abs() < 1e-9);
     /// ```
     pub fn at(vehicles: &[Estimate], sum_of_squares: f64) -> Option<RandomEffects> {
-        let is_number = |estimate: &Estimate| estimate.value.is_finite() && estimate.variance.is_finite() && estimate.variance >= 0.0;
-        if vehicles.len() < 2 || !vehicles.iter().all(is_number) || !(sum_of_squares > 0.0 && sum_of_squares.is_finite()) {
+        let has_variance = |estimate: &Estimate| estimate.variance >= 0.0 && estimate.variance.is_finite();
+        if vehicles.len() < 2 || !vehicles.iter().all(has_variance) || !(sum_of_squares > 0.0 && sum_of_squares.is_finite()) {
             return None;
         }
         let count = vehicles.len() as f64;
@@ -62,7 +62,7 @@ impl RandomEffects {
             if exceeds(middle) { low = middle } else { between = middle }
         }
         let mean = weighted(vehicles, between).0;
-        // Squares of the largest numbers overflow.
+        // A value may be none, and squares of the largest overflow.
         [mean.value, mean.variance, between, squares].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
     }
 
@@ -131,6 +131,9 @@ mod tests {
         let two = [Estimate::with_deviation(1.0, 1.0), Estimate::with_deviation(2.0, 1.0)];
         for sum in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(RandomEffects::at(&two, sum), None);
+        }
+        for variance in [-1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(RandomEffects::of(&[two[0], Estimate { value: 1.0, variance }]), None);
         }
         assert_eq!(RandomEffects::of(&[1e308, -1e308].map(|value| Estimate { value, variance: 0.0 })), None);
     }

@@ -191,6 +191,13 @@ mod tests {
         }
     }
 
+    /// Of a length that may vanish: along itself, twice that more, and across.
+    #[test]
+    fn the_bound_of_a_length_that_may_vanish() {
+        let length = norm(Xy { x: Uncertain::<2>::input(0.1, 0, 0.4), y: Uncertain::input(0.0, 1, 0.3) });
+        assert!((length.radius() - (0.4 + 2.0 * 0.4 + 0.3)).abs() < 1e-15, "{}", length.radius());
+    }
+
     #[test]
     fn a_length_is_rounded_as_what_cancels_across_it() {
         // 1e-17 along x; along y two speeds of 3 km/s cancel, whose rounding hides as much.

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::convergence::Convergence;
 use super::measurand::Measurand;
+use crate::scalar::rounding_at;
 
 /// The posterior of one quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,12 +62,12 @@ impl Marginal {
     /// Returns the probability that the quantity is greater than a value, by more than the rounding of exact evidence. An angle that is computed counts within half
     /// a turn of zero, as it is printed, if the value lies there.
     pub fn probability_above(&self, value: f64) -> f64 {
-        self.counted_above(value + rounding(value))
+        self.counted_above(value + rounding_at(value))
     }
 
     /// Returns the probability that the quantity is less than a value. With that of greater ones it is 1, unless the quantity may be the value itself.
     pub fn probability_below(&self, value: f64) -> f64 {
-        1.0 - self.counted_above(value - rounding(value))
+        1.0 - self.counted_above(value - rounding_at(value))
     }
 
     fn counted_above(&self, value: f64) -> f64 {
@@ -81,11 +82,6 @@ impl Marginal {
         let count = self.sorted.len();
         (count - self.sorted.partition_point(|x| *x <= value)) as f64 / count as f64
     }
-}
-
-/// Returns the difference in SI that is rounding.
-fn rounding(value: f64) -> f64 {
-    1e-12 * (1.0 + value.abs())
 }
 
 /// Returns a quantile of ascending numbers, between two of them by their distance.

@@ -28,6 +28,12 @@ pub(crate) fn rounding<T: Ordered<Mask: Logic>>() -> T {
     two_to_minus::<T>(24, 10).squared()
 }
 
+/// Returns how far a quantity in SI may be from a value that it is, by rounding.
+#[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
+pub(crate) fn rounding_at(value: f64) -> f64 {
+    1e-12 * (1.0 + value.abs())
+}
+
 /// Returns 2⁻⁴⁰, or 2⁻¹⁶ for an f32: accepted deviation of a given direction from unit length, and of a given ratio from a critical one computed elsewhere.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn slack<T: Ordered<Mask: Logic>>() -> T {

@@ -10,6 +10,7 @@ use super::points::Filled;
 use super::tally::{Moments, Sorted, Tally, nearest_turn};
 use super::{Points, Uncertain, UncertainNumber};
 use crate::output::Output;
+use crate::scalar::rounding_at;
 use crate::simulation::{Reduce, RefusedSamples, Samples, reduce};
 
 /// Samples that find where the outputs lie.
@@ -135,9 +136,12 @@ impl<K: Copy + PartialEq + fmt::Debug + Send + Sync> Reduce<K> for Count<K> {
 
     fn take(&mut self, samples: &Samples<'_, K>) {
         let Threshold { of, is_above, or_equal, value } = self.of;
+        let slack = rounding_at(value);
         let holds = |x: &&f64| {
             let x = if self.is_angle { nearest_turn(**x, self.center) } else { **x };
-            (if is_above { x > value } else { x < value }) || (or_equal && x == value)
+            let beyond = if is_above { x - value } else { value - x };
+            // What is the value itself, such as a friction that limits the ratio, is so but for rounding.
+            beyond > slack || (or_equal && beyond >= -slack)
         };
         let column = samples.column(of);
         self.samples += column.len() as u64;

@@ -226,6 +226,29 @@ fn quantiles_probabilities_and_refusals_are_those_of_the_normal_distribution() {
     assert!((shown - 0.998).abs() < 2e-3 && found.edges.len() == found.shares.len() + 1);
 }
 
+/// Where friction limits the ratio, the ratio is the friction: neither above nor below it, whatever its last bits are.
+#[test]
+fn what_is_the_value_itself_is_neither_above_nor_below() {
+    let collision = Collision { impulse_ratio: crate::law::ImpulseRatio::LimitedByFriction(0.05), ..oblique() };
+    let value = 0.05_f64.copysign(collision.solve().expect("possible").impulse_ratio());
+    let uncertain = collision.uncertain(&[(V, Normal { mean: 15.0, sd: 0.5 }), (E, Uniform { min: 0.0, max: 0.3 })]).expect("uncertain");
+    let said = |is_above, or_equal, value| Threshold { of: Output::ImpulseRatio, is_above, or_equal, value };
+    let beside = value.abs() * 1e-9;
+    let statements = vec![
+        said(true, false, value),
+        said(false, false, value),
+        said(true, true, value),
+        said(false, true, value),
+        said(true, false, value - beside),
+        said(false, true, value - beside),
+        said(false, false, value + beside),
+        said(true, true, value + beside),
+    ];
+    let sampled = uncertain.monte_carlo(&[Output::ImpulseRatio], &MonteCarlo { statements, ..MonteCarlo::of(10_000) });
+    let found: Vec<f64> = sampled.probabilities.iter().map(|found| found.value).collect();
+    assert_eq!(found, [0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0]);
+}
+
 #[test]
 fn points_of_sobol_are_closer_than_chance_and_say_so() {
     let inputs = [(V, Normal { mean: 15.0, sd: 1.0 }), (E, Uniform { min: 0.0, max: 0.3 })];

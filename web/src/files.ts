@@ -36,7 +36,9 @@ export async function open(list: File[]): Promise<Opened> {
   if (twice) throw new Error(`two files have the name ${twice.name}, by which a case would name both`);
   const report = read.find(({ name }) => /\.html?$/i.test(name));
   if (report) return fromReport(report.name, report.text);
-  const first = read.find(({ name, text }) => /\.(toml|json)$/i.test(name) && /vehicle/.test(text)) ?? read[0];
+  const cases = read.filter(({ name, text }) => /\.(toml|json)$/i.test(name) && /vehicle/.test(text));
+  // Tests have vehicles too: the case is what no other file names.
+  const first = cases.find(({ name }) => !cases.some((other) => other.name !== name && other.text.includes(name))) ?? read[0];
   if (!first) throw new Error("no file is given");
   const others = read.filter((file) => file !== first);
   // Tests that a case names may themselves name recordings.

@@ -62,6 +62,23 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
     (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))
 }
 
+/// Returns a warning of a pulse that is beyond any impact of vehicles: its times or its readings are in another unit.
+fn of_implausible_size(name: &str, path: &str, quantity: ChannelQuantity, over: &Window, peak: Peak) -> Option<Notice> {
+    /// In s, N and m/s²: impacts last a tenth of a second, with forces to some MN and accelerations to some hundred g.
+    const LONGEST: f64 = 5.0;
+    const GREATEST_FORCE: f64 = 1e9;
+    const GREATEST_ACCELERATION: f64 = 1e5;
+    let greatest = if quantity == ChannelQuantity::Acceleration { GREATEST_ACCELERATION } else { GREATEST_FORCE };
+    let duration = over.to - over.from;
+    let (measure, found, what) = match (duration > LONGEST, peak.value.abs() > greatest) {
+        (true, _) => (Measure::Time, duration, "is integrated over"),
+        (false, true) => (quantity.measure(), peak.value, "reaches"),
+        (false, false) => return None,
+    };
+    let message = Message::from(format!("{name} {what} ")).figure(measure, found).text(", which no impact does: check the unit");
+    Some(Notice::warning("implausible-size", path, message))
+}
+
 /// Returns a warning of a channel that does not return to its baseline after the window.
 fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, before]: [&Window; 2], integral: Estimate) -> Option<Notice> {
     /// Standard deviations that are no chance.
@@ -140,6 +157,7 @@ impl Analysis<'_> {
         if before.is_some() {
             self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
         }
+        self.notices.extend(of_implausible_size(name, path, quantity, &over, peak));
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })
     }

@@ -177,3 +177,20 @@ fn spread_at_most(vehicles: &[Estimate]) -> Option<RandomEffects> {
     let narrower = z / t;
     RandomEffects::at(vehicles, f64::from(count - 1) * narrower * narrower)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_covariance_that_is_singular_by_rounding_has_no_inverse() {
+        let of = |between: f64| inverse(&StiffnessCovariance { onset: 4e6, between, slope: 9e6 });
+        for share in [1.0, 1.0 - 1e-14] {
+            assert_eq!(of(-6e6 * share), None);
+        }
+        let found = of(-3e6).expect("a correlation of a half");
+        let determinant = 4e6 * 9e6 - 9e12;
+        assert_eq!(found, StiffnessCovariance { onset: 9e6 / determinant, between: 3e6 / determinant, slope: 4e6 / determinant });
+        assert!(of(-6e6 * (1.0 - 1e-9)).is_some());
+    }
+}

@@ -1,7 +1,7 @@
 //! The page of `sweep`: a table of all points.
 
 use planar_impact_app::sweep::Sweep;
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Measure, Units, beyond_rounding};
 
 use super::Facts;
 use crate::block::{Block, Table};
@@ -73,7 +73,7 @@ fn computed(sweep: &Sweep, at: usize, units: Units) -> Column {
     let output = sweep.outputs[at];
     let measure = output.measure();
     let conversion = units.conversion(measure);
-    let convert = |value: &f64| if value.abs() <= 1e-12 * sweep.scales[at] { 0.0 } else { conversion.of_si(*value) };
+    let convert = |value: &f64| conversion.of_si(beyond_rounding(*value, sweep.scales[at]));
     let values: Vec<f64> = sweep.column(at).iter().map(convert).collect();
     let usual = match measure {
         Measure::Ratio => 3,
@@ -92,7 +92,7 @@ fn computed(sweep: &Sweep, at: usize, units: Units) -> Column {
 fn decimals(values: &[f64], usual: usize, scale: f64) -> usize {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let change = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
-    if !change.is_finite() || change <= 1e-12 * scale {
+    if !change.is_finite() || beyond_rounding(change, scale) == 0.0 {
         return usual;
     }
     usual.max((1.0 - libm::log10(change)).ceil().clamp(0.0, 12.0) as usize)

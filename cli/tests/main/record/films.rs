@@ -2,6 +2,17 @@
 
 use super::*;
 
+/// A point that leaves the barrier at once has a kink there: the frame of the separation belongs to the line after it, and no frame before it does.
+#[test]
+fn the_frame_of_the_separation_belongs_to_the_motion_after_it() {
+    let place = |ms: i32| if ms <= 100 { 1000 - 10 * ms } else { 3 * (ms - 100) / 2 };
+    let rows: String = (-15..=25).map(|i| format!("{},{}\n", 10 * i, place(10 * i))).collect();
+    let (record, run) = record_of(&format!("time [ms],distance [mm]\n{rows}"), Some("separation = \"100 ms\"\n"));
+    let film = &record["films"][0];
+    close(&film["closing_speed"]["value"], 10.0, 1e-9);
+    assert!((film["restitution"]["value"].as_f64().unwrap_or(f64::NAN) - 0.15).abs() < 1e-9, "{film} {}", run.err);
+}
+
 #[test]
 fn an_acceleration_and_a_film_agree_with_the_forces() {
     // 160 m/s² at the peak; the point recedes with ΔV − v after the pulse.

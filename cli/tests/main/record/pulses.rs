@@ -374,6 +374,26 @@ fn a_lost_stretch_of_a_pulse_is_told() {
     assert!(warned("dropout", "", &|ms| (5.0 * pulse(ms)).round() * 20.0 - 100.0 * pulse(ms)).is_empty());
 }
 
+/// Milliseconds that pass for seconds, and readings of no vehicle.
+#[test]
+fn a_pulse_beyond_any_impact_is_told() {
+    let texts = |header: &str, height: f64, step: f64| {
+        let rows: String = (-20..=120).map(|i| format!("{},{}\n", f64::from(i) * step, height * pulse(i.into()))).collect();
+        record_of(&format!("{header}\n{rows}"), None).1.out
+    };
+    let told = texts("time,normal_force [kN]", 100.0, 1.0);
+    assert!(told.contains("normal force is integrated over 120.000 s, which no impact does: check the unit"), "{told}");
+    let told = texts("time [ms],acceleration.a [g]", 11_000.0, 1.0);
+    assert!(told.contains("acceleration.a reaches 10787") && told.contains("which no impact does"), "{told}");
+    assert!(texts("time [ms],normal_force [kN]", 1.1e6, 1.0).contains("which no impact does"));
+    for (header, height, step) in
+        [("time,normal_force [kN]", 100.0, 0.04), ("time [ms],acceleration.a [g]", 1000.0, 1.0), ("time [ms],normal_force [kN]", 9e5, 1.0)]
+    {
+        let told = texts(header, height, step);
+        assert!(told.contains("records") && !told.contains("which no impact does"), "{told}");
+    }
+}
+
 /// What is not used is told, and a gap only where it is integrated.
 #[test]
 fn a_speed_without_a_mass_and_a_gap_outside_of_the_window_are_told_as_that() {
@@ -424,6 +444,18 @@ fn an_offset_that_drifts_is_told() {
     assert!(warned("drift", window, &noise).is_empty());
     // Without a window all samples are the pulse.
     assert!(warned("drift", "", &|ms| 0.01 * ms.max(0.0)).is_empty());
+}
+
+/// What is left of a pulse counts from the unloaded reading, as its height does, and beside three standard deviations of the noise.
+#[test]
+fn the_end_of_a_pulse_counts_from_its_offset_and_beside_the_noise() {
+    let tail = |height: f64| move |ms: f64| if ms > 100.0 { height } else { 0.0 };
+    assert_eq!(warned("truncated", "", &|ms| 50.0 + tail(15.0)(ms)).len(), 1);
+    assert!(warned("truncated", "", &|ms| 50.0 + tail(8.0)(ms)).is_empty());
+    let noise = |ms: f64| if (ms * 10.0).round() as i64 % 2 == 0 { 6.0 } else { -6.0 };
+    let last = |height: f64| move |ms: f64| if ms > 119.95 { height } else { noise(ms) };
+    assert!(warned("truncated", "", &last(14.0)).is_empty());
+    assert_eq!(warned("truncated", "", &last(20.0)).len(), 1);
 }
 
 #[test]

@@ -300,6 +300,18 @@ fn a_clipped_sensor_inside_a_recorder_is_recognized() {
     let (record, run) = record_of(samples, Some("accelerometer_range = \"60 g\"\nresolution = \"0.1 m/s\""));
     assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)));
     assert!(record["recorder"].get("clipped_sensors").is_none());
+    // By the steps as they are: 7.35 m/s in 15 ms are 490 m/s², and 9.8 m/s in 20 ms the first change of all.
+    for (uneven, [from, to]) in
+        [("0,0\n5,-1\n20,-8.35\n30,-10\n40,-10.5\n", [0.005, 0.02]), ("0,0\n20,-9.8\n30,-12\n40,-13\n", [0.0, 0.02])]
+    {
+        let (record, _) = record_of(
+            &format!("time [ms],delta_v_forward [m/s]\n{uneven}"),
+            Some("accelerometer_range = \"50 g\"\nresolution = \"0.1 m/s\""),
+        );
+        let sensor = &record["recorder"]["clipped_sensors"][0];
+        assert_eq!((&sensor["from"], &sensor["to"]), (&json!(from), &json!(to)), "{sensor}");
+        close(&sensor["acceleration"], 490.0, 1e-9);
+    }
     // In steps of 3 m/s no change tells 4.9 m/s from less.
     let (record, run) = record_of(samples, Some("accelerometer_range = \"50 g\"\nresolution = \"3 m/s\""));
     assert_eq!((run.status, &record["recorder"]["is_lower_bound"]), (0, &json!(false)), "{}", run.out);
