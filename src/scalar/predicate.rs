@@ -31,7 +31,8 @@ pub(crate) fn rounding<T: Ordered<Mask: Logic>>() -> T {
 /// Returns how far a quantity in SI may be from a value that it is, by rounding.
 #[cfg(any(feature = "uncertainty", feature = "reconstruct"))]
 pub(crate) fn rounding_at(value: f64) -> f64 {
-    1e-12 * (1.0 + value.abs())
+    // Every number is below infinity.
+    if value.is_finite() { 1e-12 * (1.0 + value.abs()) } else { 0.0 }
 }
 
 /// Returns 2⁻⁴⁰, or 2⁻¹⁶ for an f32: accepted deviation of a given direction from unit length, and of a given ratio from a critical one computed elsewhere.

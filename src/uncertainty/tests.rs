@@ -243,10 +243,12 @@ fn what_is_the_value_itself_is_neither_above_nor_below() {
         said(false, true, value - beside),
         said(false, false, value + beside),
         said(true, true, value + beside),
+        said(true, true, f64::INFINITY),
+        said(false, false, f64::INFINITY),
     ];
     let sampled = uncertain.monte_carlo(&[Output::ImpulseRatio], &MonteCarlo { statements, ..MonteCarlo::of(10_000) });
     let found: Vec<f64> = sampled.probabilities.iter().map(|found| found.value).collect();
-    assert_eq!(found, [0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0]);
+    assert_eq!(found, [0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
 }
 
 #[test]

@@ -40,19 +40,21 @@ impl Channel {
         step_of(&self.record).map_or(of_digits, |step| step.max(of_digits))
     }
 
-    /// Returns the longest stretch without samples of a channel that is integrated, if that is many times as long as most of its steps and within the window.
+    /// Returns the longest stretch without samples of a channel that is integrated there, if that is many times as long as most of its steps.
     fn gap(&self, over: &Window) -> Option<[f64; 2]> {
         /// Steps that are missing.
         const MANY: f64 = 5.0;
         self.quantity.class()?;
-        let times: Vec<f64> = self.record.times().into_iter().filter(|time| (over.from..=over.to).contains(time)).collect();
-        let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let longest = times.windows(2).max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])))?;
+        let times = self.record.times();
+        let step = |pair: &[f64]| pair[1] - pair[0];
+        let mut steps: Vec<f64> = times.windows(2).map(step).collect();
         steps.sort_by(f64::total_cmp);
-        (longest[1] - longest[0] > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
+        let inside = times.windows(2).filter(|pair| pair[0] < over.to && over.from < pair[1]);
+        let longest = inside.max_by(|one, other| step(one).total_cmp(&step(other)))?;
+        (step(longest) > MANY * steps[steps.len() / 2]).then_some([longest[0], longest[1]])
     }
 
-    /// Returns the first stretch of a pulse, of its times and value, that is no part of it: the channel falls to a value, holds it exactly, and returns. Both changes are
+    /// Returns the first stretch of a pulse, of its times and value, that is no part of it: the channel goes to a value, holds it exactly, and returns. Both changes are
     /// a fifth of its range and several steps.
     fn dropout(&self) -> Option<([f64; 2], f64)> {
         /// Fewest samples that are held.
@@ -250,7 +252,7 @@ impl Analysis<'_> {
             self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
         }
         if let Some(([from, to], value)) = channel.dropout() {
-            let message = Message::from(format!("{} falls to ", channel.name))
+            let message = Message::from(format!("{} goes to ", channel.name))
                 .figure(measure, value)
                 .text(", holds it from ")
                 .figure(Measure::Time, from)

@@ -65,6 +65,7 @@ impl Series<'_> {
             TestIssue::Input(InputIssue { kind: InputIssueKind::OutOfOrder { .. }, .. }) => {
                 Some("list the tests of one car in their order, each with all its crush, or write new_cars = true if each was of a new car")
             }
+            TestIssue::Undetermined => Some("add a test with another depth, or fit on mean depth: model = \"mean depth\""),
             TestIssue::OneDepth { .. } | TestIssue::Input(InputIssue { kind: InputIssueKind::TooFew { .. }, .. }) => {
                 Some("or assume an onset: onset = \"2 m/s\" under [fit]")
             }

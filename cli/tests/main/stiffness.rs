@@ -342,6 +342,24 @@ fn profiles_that_do_not_tell_the_coefficients_apart_are_told() {
         let vehicles: Vec<_> =
             class["pooled"].as_array().into_iter().flatten().map(|pooled| pooled["vehicles"].as_array().map(Vec::len)).collect();
         assert_eq!(vehicles, [Some(3), Some(2)], "{class}");
+        // A case that fits them on profiles is refused, with the remedy.
+        let folder = Folder::new();
+        folder.write("tests.toml", tests.as_bytes());
+        let case = |model: &str| {
+            let example = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/from-tests.toml")).expect("the example");
+            let case = example.replace("{ tests = \"../tests/struble-welsh.toml\" }", &format!("{{ tests = \"tests.toml\"{model} }}"));
+            folder.write("case.toml", case.as_bytes());
+            run(folder.path(), &["crush", "case.toml"])
+        };
+        let refused = case("");
+        assert_eq!(refused.status, 2, "{}", refused.out);
+        assert!(
+            refused.err.contains("the profiles do not tell the two apart") && refused.err.contains("model = \"mean depth\""),
+            "{}",
+            refused.err
+        );
+        let sound = case(", model = \"mean depth\"");
+        assert!(sound.status <= 1, "{}", sound.err);
     }
 }
 

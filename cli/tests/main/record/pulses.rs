@@ -362,7 +362,7 @@ fn a_lost_stretch_of_a_pulse_is_told() {
     let lost = |from: f64, to: f64, value: f64| move |ms: f64| if (from..=to).contains(&ms) { value - 100.0 * pulse(ms) } else { 0.0 };
     let told = warned("dropout", "", &lost(39.95, 60.05, 0.0));
     assert_eq!(told.len(), 1);
-    assert!(told[0].contains("normal_force falls to 0 N, holds it from 0.040 s to 0.060 s, and returns"), "{told:?}");
+    assert!(told[0].contains("normal_force goes to 0 N, holds it from 0.040 s to 0.060 s, and returns"), "{told:?}");
     // Whatever it is held at, above the pulse or below, and for three samples; the last reading, an end, and less than a fifth of the pulse are none.
     assert_eq!(warned("dropout", "", &lost(20.0, 25.0, 150.0)).len(), 1);
     assert_eq!(warned("dropout", "", &lost(29.95, 30.25, -20.0)).len(), 1);
@@ -412,6 +412,7 @@ fn a_speed_without_a_mass_and_a_gap_outside_of_the_window_are_told_as_that() {
         .fold(String::new(), |text, line| text + line + "\n");
     assert!(texts(&with_gap, "").contains("has no samples from 0.111 s to 0.115 s"));
     assert!(!texts(&with_gap, "window = [\"0 ms\", \"105 ms\"]\n").contains("has no samples"));
+    assert!(texts(&with_gap, "window = [\"0 ms\", \"112 ms\"]\n").contains("has no samples from 0.111 s to 0.115 s"));
 }
 
 #[test]
