@@ -91,15 +91,8 @@ proptest! {
     ) {
         let whole = Record::of(&collision, &collision.evaluate());
         let given = motions(&whole);
-        let mut record = Record { model: Model { law: whole.model.law, ..Model::default() }, ..Record::default() };
-        (record.one.fixed, record.two.fixed) = (whole.one.fixed, whole.two.fixed);
         let is_scalar = |key| matches!(key, Key::Mass(_) | Key::Restitution | Key::ImpulseRatio | Key::NormalAngle);
-        for key in Key::ALL.into_iter().filter(|&key| kept[key.index()] && (is_scalar(key) || given.get(key).is_none())) {
-            if let Some(value) = whole.get(key) {
-                record.set(key, value);
-            }
-        }
-        record.model.ratio_kind = whole.model.ratio_kind;
+        let record = parts(&whole, |key| kept[key.index()] && (is_scalar(key) || given.get(key).is_none()));
         let printed = printed(&record, |key| (!matches!(key, Key::Mass(_))).then(|| decimals[key.index()]));
         let outcome = check(&printed, &Options::default());
         prop_assert!(failures(&outcome).is_empty(), "{outcome}");

@@ -15,6 +15,28 @@ impl dyn Control + '_ {
     }
 }
 
+/// Notes the steps that a verb reports, for tests.
+#[cfg(test)]
+#[derive(Default)]
+pub(crate) struct Noted(std::sync::Mutex<Vec<(usize, usize)>>);
+
+#[cfg(test)]
+impl Noted {
+    pub fn steps(self) -> Vec<(usize, usize)> {
+        self.0.into_inner().expect("no step panics")
+    }
+}
+
+#[cfg(test)]
+impl Control for Noted {
+    fn goes_on(&self, done: usize, total: usize) -> bool {
+        self.0.lock().is_ok_and(|mut steps| {
+            steps.push((done, total));
+            true
+        })
+    }
+}
+
 /// Reports no progress and never stops the verb.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Uncontrolled;

@@ -324,25 +324,11 @@ impl Gradient {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Mutex;
-
     use super::*;
     use crate::Source;
     use crate::case::CrushKey;
+    use crate::control::Noted;
     use planar_impact::Input;
-
-    /// Notes the steps that are reported.
-    #[derive(Default)]
-    struct Noted(Mutex<Vec<(usize, usize)>>);
-
-    impl Control for Noted {
-        fn goes_on(&self, done: usize, total: usize) -> bool {
-            self.0.lock().is_ok_and(|mut steps| {
-                steps.push((done, total));
-                true
-            })
-        }
-    }
 
     /// What rounding leaves of a derivative has no effect.
     #[test]
@@ -370,8 +356,7 @@ mod tests {
             let named = |names: &[&str]| Selection::Named(names.iter().map(|name| (*name).to_owned()).collect());
             let (options, steps) = (Options { of: named(&["T_L"]), wrt: named(&["e", "Gamma", "m1"]), second }, Noted::default());
             gradient(&case, &options, &steps).unwrap_or_else(|issues| panic!("{issues}"));
-            let steps = steps.0.into_inner().expect("no step panicked");
-            assert_eq!(steps, (0..total).map(|done| (done, total)).collect::<Vec<_>>());
+            assert_eq!(steps.steps(), (0..total).map(|done| (done, total)).collect::<Vec<_>>());
         }
     }
 

@@ -319,30 +319,20 @@ impl Serialize for ChannelQuantity {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Mutex;
-
     use super::*;
     use crate::Source;
+    use crate::control::Noted;
 
     /// Each recording is a step, and each film in it another.
     #[test]
     fn recordings_and_films_are_steps() {
-        struct Noted(Mutex<Vec<(usize, usize)>>);
-        impl Control for Noted {
-            fn goes_on(&self, done: usize, total: usize) -> bool {
-                self.0.lock().is_ok_and(|mut steps| {
-                    steps.push((done, total));
-                    true
-                })
-            }
-        }
         let rows: String = (-12..=12).map(|i: i32| format!("{},{}\n", 10 * i, if i < 0 { -100 * i } else { 15 * i })).collect();
         let of = |name: &str| {
             let source = Source { name: name.to_owned(), text: format!("time [ms],distance [mm]\n{rows}") };
             Recording::parse_by(source, |_| panic!("it names no file")).expect("a film")
         };
-        let steps = Noted(Mutex::default());
+        let steps = Noted::default();
         record(&[of("a.csv"), of("b.csv")], &(), &steps).expect("an answer");
-        assert_eq!(steps.0.into_inner().expect("nothing panics"), [(0, 4), (1, 4), (2, 4), (3, 4)]);
+        assert_eq!(steps.steps(), [(0, 4), (1, 4), (2, 4), (3, 4)]);
     }
 }

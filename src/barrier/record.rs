@@ -214,8 +214,9 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         let product = |i: usize| self.bend(i).1 * self.bend(i + 1).1 / T::int(-4);
         // The first and the last sample of the baseline bend towards others.
         let unloaded: Vec<usize> = self.indices_in(before).collect();
-        let pairs = unloaded[1..].len().saturating_sub(2);
-        let of_noise = unloaded[1..].iter().take(pairs).fold(zero.clone(), |sum, &i| sum + product(i)) / whole(pairs.max(1));
+        let pairs = unloaded.windows(4);
+        let count = whole(pairs.len().max(1));
+        let of_noise = pairs.fold(zero.clone(), |sum, four| sum + product(four[1])) / count;
         let noise = T::select(baseline.variance.less(&of_noise), of_noise, baseline.variance.clone());
         let inside = (1..self.len().saturating_sub(2)).filter(|&i| zero.less(&weights[i]) && zero.less(&weights[i + 1]));
         let beyond = inside.fold(zero.clone(), |sum, i| {

@@ -124,6 +124,12 @@ impl<'a, const N: usize> Known<'a, N> {
 
     /// Returns the kinetic energy of both bodies, with their spins.
     pub(super) fn kinetic_energy(&self, when: When) -> Option<Uncertain<N>> {
+        if let Some(fall) = self.energy_loss.filter(|fall| !fall.translation_only) {
+            return Some(match when {
+                When::Before => fall.before,
+                When::After => fall.after,
+            });
+        }
         let of = |subject: &Subject<N>| subject.kinetic_energy(when, Xy::zero(), true);
         Some(of(&self.one)? + of(&self.two)?)
     }

@@ -24,15 +24,10 @@ export function serve(folder, port = 0, { instead = new Map(), seconds = 0 } = {
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname)).replace(/^(\.\.[/\\])+/, "");
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
     const other = instead.get(path);
-    if (other !== undefined) {
-      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "cache-control": keep });
-      response.end(other);
-      return;
-    }
     try {
-      if (!packed.has(file)) packed.set(file, gzipSync(await readFile(file)));
+      if (other === undefined && !packed.has(file)) packed.set(file, gzipSync(await readFile(file)));
       response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "content-encoding": "gzip", "cache-control": keep });
-      response.end(packed.get(file));
+      response.end(other === undefined ? packed.get(file) : gzipSync(other));
     } catch {
       response.writeHead(404).end("not found");
     }

@@ -8,7 +8,7 @@ import { searchKeymap } from "@codemirror/search";
 import { EditorState, StateEffect, StateField, Transaction } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
-import type { Change, Issue } from "./engine";
+import type { Change, Issue, Opened, Source } from "./engine";
 import { tableAt, type CaseSchema } from "./schema";
 
 const colors = EditorView.theme({
@@ -32,13 +32,6 @@ const highlighting = HighlightStyle.define([
   { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--key)" },
 ]);
 
-/** What the text belongs to. */
-export interface Source {
-  name: string;
-  /** Files that the case may name. */
-  files: Record<string, string>;
-}
-
 const opened = StateEffect.define<Source>();
 
 const source = StateField.define<Source>({
@@ -51,7 +44,7 @@ export class Editor {
   private isMarked = false;
   private before: { text: string; scroll: number } | null = null;
 
-  constructor(place: HTMLElement, first: Source & { text: string }, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void, replaced: () => void) {
+  constructor(place: HTMLElement, first: Opened, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void, replaced: () => void) {
     const lines = (state: EditorState) => (number: number) => state.doc.line(number).text;
     const complete = async (context: CompletionContext): Promise<CompletionResult | null> => {
       const line = context.state.doc.lineAt(context.pos);
@@ -130,7 +123,7 @@ export class Editor {
   }
 
   /** Replaces the whole text and what it belongs to, as one step that can be undone. */
-  replace({ name, files, text }: Source & { text: string }): void {
+  replace({ name, files, text }: Opened): void {
     const changes = { from: 0, to: this.view.state.doc.length, insert: text };
     this.view.dispatch({ changes, effects: opened.of({ name, files }), annotations: isolateHistory.of("full") });
   }

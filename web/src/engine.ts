@@ -1,11 +1,18 @@
 // What crosses the border to the engine, and its two modules.
 import { once } from "./once";
 
-export interface Case {
+/** What the text of a case belongs to. */
+export interface Source {
   name: string;
-  text: string;
   /** Files that the case may name. */
   files: Record<string, string>;
+}
+
+export interface Opened extends Source {
+  text: string;
+}
+
+export interface Case extends Opened {
   units: string;
 }
 

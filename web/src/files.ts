@@ -1,4 +1,6 @@
 // Files in and out. Nothing leaves the machine: a file that is saved is made here.
+import type { Opened } from "./engine";
+
 export function save(name: string, content: BlobPart, type: string): void {
   const address = URL.createObjectURL(new Blob([content], { type }));
   const link = document.createElement("a");
@@ -18,12 +20,6 @@ function decoded(name: string, bytes: ArrayBuffer): string {
   } catch {
     throw new Error(`${name} is not UTF-8 text; save it as UTF-8`);
   }
-}
-
-export interface Opened {
-  name: string;
-  text: string;
-  files: Record<string, string>;
 }
 
 /** Reads files that are opened together: the first case among them, with the others as the files that it may name. */

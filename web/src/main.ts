@@ -1,7 +1,7 @@
 // The page: one text, and everything else made from it.
 import { Answers, issueList } from "./answers";
 import { Editor } from "./editor";
-import { compile, isSame, sentence, type Case, type Change, type Frame, type Issue, type Reply } from "./engine";
+import { compile, isSame, sentence, type Case, type Change, type Frame, type Issue, type Opened, type Reply } from "./engine";
 import * as files from "./files";
 import { Form } from "./form";
 import * as engine from "./frame";
@@ -13,7 +13,7 @@ import * as share from "./share";
 import { TOUR } from "./tour";
 import list from "../generated/examples.json";
 
-interface Example extends files.Opened {
+interface Example extends Opened {
   path: string;
   title: string;
 }
@@ -149,7 +149,7 @@ function slider(id: string, input: string, toSi: number, resolution: number): vo
 }
 
 /** Takes another case in place of the text; the address is no longer that of the case. */
-function take(opened: files.Opened): void {
+function take(opened: Opened): void {
   if (location.hash !== "") history.replaceState(null, "", location.pathname + location.search);
   editor.replace(opened);
 }

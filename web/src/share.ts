@@ -1,16 +1,12 @@
 // A case as the fragment of an address: "#2." and the packed JSON in base64url. The number is the version of the form: version 1 had no checksum, so that a letter
 // that was changed on its way could open another case.
+import type { Opened } from "./engine";
+
 const VERSION = "2";
 const FORMS: Record<string, CompressionFormat> = { 1: "deflate-raw", [VERSION]: "gzip" };
 /** Most bytes of a case with its files, packed and unpacked. */
 const PACKED = 1 << 20;
 const LARGEST = 4 << 20;
-
-export interface Shared {
-  name: string;
-  text: string;
-  files: Record<string, string>;
-}
 
 async function through(bytes: Uint8Array, by: GenericTransformStream, most: number, tooLarge: string): Promise<Uint8Array> {
   const reader = (new Blob([bytes as BlobPart]).stream().pipeThrough(by as ReadableWritablePair<Uint8Array, Uint8Array>)).getReader();
@@ -38,7 +34,7 @@ async function through(bytes: Uint8Array, by: GenericTransformStream, most: numb
 /** `true` for text without half of a pair of surrogates, which UTF-8 cannot hold. */
 const isText = (value: unknown): value is string => typeof value === "string" && !/\p{Surrogate}/u.test(value);
 
-export async function pack(shared: Shared): Promise<string> {
+export async function pack(shared: Opened): Promise<string> {
   if (![shared.name, shared.text, ...Object.entries(shared.files).flat()].every(isText)) throw new Error("it has half of a character in it (a lone surrogate)");
   const json = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.files]));
   // What cannot be read again is not written.
@@ -50,7 +46,7 @@ export async function pack(shared: Shared): Promise<string> {
 }
 
 /** The case of a fragment; `null` if there is none. */
-export async function unpack(fragment: string): Promise<Shared | null> {
+export async function unpack(fragment: string): Promise<Opened | null> {
   if (fragment.length <= 1) return null;
   const parts = /^#([0-9]+)\.([A-Za-z0-9_-]+)$/.exec(fragment);
   if (!parts) throw new Error("the part of this address after # is not a case");

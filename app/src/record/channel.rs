@@ -217,6 +217,11 @@ pub(super) fn greatest(values: impl Iterator<Item = f64>) -> usize {
     values.enumerate().fold((0, f64::NEG_INFINITY), |best, (i, value)| if value > best.1 { (i, value) } else { best }).0
 }
 
+/// Says from when to when something is.
+pub(super) fn stretch(from: f64, to: f64) -> Message {
+    Message::from(" from ").figure(Measure::Time, from).text(" to ").figure(Measure::Time, to)
+}
+
 impl Analysis<'_> {
     /// Describes a channel, and says if it does not hold the whole event.
     pub(super) fn channel(&mut self, channel: &Channel) -> ChannelAnswer {
@@ -233,10 +238,7 @@ impl Analysis<'_> {
         } else if let Some(Clipped { value, from, to, samples }) = clipped {
             let message = Message::from(format!("{} is clipped: {samples} samples at ", channel.name))
                 .figure(measure, value)
-                .text(" from ")
-                .figure(Measure::Time, from)
-                .text(" to ")
-                .figure(Measure::Time, to)
+                .join(stretch(from, to))
                 .text("; what follows from it is too small in magnitude")
                 .text(if channel.range.is_none() && channel.quantity.is_running() { "; give its `range` if it is whole" } else { "" });
             self.notices.push(Notice::warning("clipped", channel.path.clone(), message));
@@ -254,18 +256,14 @@ impl Analysis<'_> {
         if let Some(([from, to], value)) = channel.dropout() {
             let message = Message::from(format!("{} goes to ", channel.name))
                 .figure(measure, value)
-                .text(", holds it from ")
-                .figure(Measure::Time, from)
-                .text(" to ")
-                .figure(Measure::Time, to)
+                .text(", holds it")
+                .join(stretch(from, to))
                 .text(", and returns: what follows from it is wrong if the channel was lost there");
             self.notices.push(Notice::warning("dropout", channel.path.clone(), message));
         }
         if let Some([from, to]) = channel.gap(&self.over(&channel.record)) {
-            let message = Message::from(format!("{} has no samples from ", channel.name))
-                .figure(Measure::Time, from)
-                .text(" to ")
-                .figure(Measure::Time, to)
+            let message = Message::from(format!("{} has no samples", channel.name))
+                .join(stretch(from, to))
                 .text("; its integral takes a straight line there");
             self.notices.push(Notice::warning("gap", channel.path.clone(), message));
         }

@@ -4,6 +4,7 @@ use planar_impact::barrier::{ChannelClass, Estimate, Record, Window, bank, impul
 use planar_impact::{Issue as _, Nt};
 
 use super::analysis::{Analysis, ROUNDING};
+use super::channel::stretch;
 use super::recording::{Channel, Filter};
 use super::{Accelerated, Barrier, ChannelQuantity, Peak, Trace, Uncertain};
 use crate::issue::Issue;
@@ -41,11 +42,6 @@ fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -
         "{name}: a baseline of {count} samples{correlated} hardly tells the noise: the standard deviation of what follows may be {too_small}"
     );
     Some(Notice::note("short-baseline", path, message))
-}
-
-/// Returns `true` for a quantity that gives a restitution by the closing speed alone.
-fn is_of_speed(quantity: ChannelQuantity) -> bool {
-    matches!(quantity, ChannelQuantity::Acceleration | ChannelQuantity::Distance)
 }
 
 /// Returns a note of a pulse that has few samples: what lies between them is not known.
@@ -142,12 +138,7 @@ impl Analysis<'_> {
         let (times, values) = (filtered.times(), filtered.values().to_vec());
         let inside = (0..times.len()).filter(|&i| (over.from..=over.to).contains(&times[i]));
         let Some(peak) = inside.max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs())) else {
-            let message = Message::from("no sample of ")
-                .text(name.to_owned())
-                .text(" lies from ")
-                .figure(Measure::Time, over.from)
-                .text(" to ")
-                .figure(Measure::Time, over.to);
+            let message = Message::from("no sample of ").text(format!("{name} lies")).join(stretch(over.from, over.to));
             self.issues.push(Issue::at("too-few", place, message).with_help("widen the window to the whole contact"));
             return None;
         };
@@ -247,7 +238,9 @@ impl Analysis<'_> {
         if normal.is_none() && tangential.is_none() {
             return None;
         }
-        let is_used = of.settings.mass.is_some() || of.channels.iter().any(|channel| is_of_speed(channel.quantity));
+        // Accelerations and films give a restitution by the closing speed alone.
+        let needs_speed = |channel: &Channel| matches!(channel.quantity, ChannelQuantity::Acceleration | ChannelQuantity::Distance);
+        let is_used = of.settings.mass.is_some() || of.channels.iter().any(needs_speed);
         if of.settings.speed.is_some() && !is_used && normal.is_some() {
             let message = "it is not used here: with a mass, load cells give the velocity change and the restitution";
             self.notices.push(Notice::note("missing-partner", "speed", message));

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::analysis::ROUNDING;
-use super::channel::{greatest, scatter};
+use super::channel::{greatest, scatter, stretch};
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -245,10 +245,8 @@ impl Recorder {
         let clipped_sensors: Vec<ClippedSensor> =
             range.map_or_else(Vec::new, |range| components().filter_map(|component| component.clipped_sensor(range)).collect());
         for (sensor, range) in clipped_sensors.iter().zip(range.into_iter().cycle()) {
-            let message = Message::from(format!("the sensor of {} is clipped: from ", sensor.channel))
-                .figure(Measure::Time, sensor.from)
-                .text(" to ")
-                .figure(Measure::Time, sensor.to)
+            let message = Message::from(format!("the sensor of {} is clipped:", sensor.channel))
+                .join(stretch(sensor.from, sensor.to))
                 .text(" the velocity changes by up to ")
                 .figure(Measure::Acceleration, sensor.acceleration)
                 .text(", and it holds ")

@@ -394,7 +394,7 @@ fn a_pulse_beyond_any_impact_is_told() {
     }
 }
 
-/// What is not used is told, and a gap only where it is integrated.
+/// A speed that nothing uses is noted, and a gap is a warning where the channel is integrated.
 #[test]
 fn a_speed_without_a_mass_and_a_gap_outside_of_the_window_are_told_as_that() {
     let texts = |samples: &str, settings: &str| {
