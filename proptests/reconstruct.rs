@@ -4,6 +4,7 @@ mod answers;
 mod calibration;
 mod closed_form;
 mod coverage;
+mod dependence;
 mod diagnosis;
 mod guaranteed;
 mod intervals;

@@ -84,6 +84,7 @@ mod observation;
 mod pooled;
 mod profile_fit;
 mod record;
+mod sampling;
 mod series;
 mod soundness;
 mod test;

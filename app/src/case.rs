@@ -29,6 +29,7 @@ pub use crush::{CrushInputs, CrushKey, FormKey, StiffnessInputs};
 pub use domain::Domain;
 pub use inputs::{ContactInputs, Inputs};
 pub(crate) use inputs::{moment_parameter, ratio_parameter};
+pub(crate) use knowledge::correlation_of;
 pub use knowledge::{Knowledge, Known, RequestedUnknown, parameter_of, variable_of};
 pub use model::ContactModel;
 pub use outputs::{CaseOutput, CaseOutputs, Crash3Key, Crash3Outputs, CrushOutputs};

@@ -29,6 +29,7 @@ pub mod notice;
 pub mod plain_text;
 pub mod prove;
 pub mod quantity;
+pub mod quotes;
 pub mod reconstruct;
 pub mod record;
 pub mod report;

@@ -1,6 +1,7 @@
 //! The verb `reconstruct`: determines the collision from evidence, with the uncertainty of the answer.
 
 mod answer;
+mod dependences;
 pub mod diagnostics;
 mod estimated;
 mod from_crush;
@@ -12,6 +13,7 @@ mod posterior;
 mod question;
 mod slips;
 mod solve_error;
+mod solved;
 mod statement;
 
 use planar_impact::momentum::approach_speeds;
@@ -28,10 +30,10 @@ use crate::notice::Notice;
 use crate::scene::Scene;
 use crate::uncertainty::wrong_bounds_sd;
 use crate::units::Measure;
-use answer::{Height, Solved};
 use from_rest::Separations;
 use posterior::Drawn;
 use question::{Question, key_of};
+use solved::{Height, Solved};
 use statement::Statement;
 
 pub use answer::{Alternative, Derived, Evidence, FurthestOff, Influence, Interval, ProfileLevel, Reconstruction, Unknown};
@@ -96,6 +98,12 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
         return Err(Issues::of_call(vec![issue]));
     }
     case.needs_one_restitution()?;
+    if case.rest.is_some() {
+        // Slides may take minutes: what is wrong whatever they say is told before.
+        let question = Question::of(case, &[None, None])?;
+        solve_error::check_with_any_evidence(&question)?;
+        Statement::read_all(&options.probabilities, &question)?;
+    }
     let (combinations, mut notices) = from_rest::combinations(&case.separations_from_rest(control)?);
     let mut answers: Vec<Answer<Reconstruction>> = Vec::new();
     let mut refused: Option<Issues> = None;
@@ -156,6 +164,7 @@ fn by_separations(
         }
     }
     notices.0.extend(at_a_corner(&question, answer.best()));
+    notices.0.extend(dependences::bent(case, separations, &question.asked, answer.best()));
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }
@@ -290,4 +299,28 @@ fn through_crash3(solved: &Case, best: &Solution, notices: &mut Vec<Notice>) -> 
         Some(_) => notices.extend(of_crash3.into_iter().map(|notice| notice.prefixed("CRASH3: "))),
     }
     comparison.filter(|comparison| !comparison.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Source;
+    use crate::control::Noted;
+
+    /// A search for slides takes minutes where there is none.
+    #[test]
+    fn a_question_is_checked_before_slides_are_searched_for() {
+        let case = |more: &str| {
+            let text = format!("{}\n{more}", include_str!("../../cli/examples/to-rest.toml"));
+            Case::parse(Source { name: "to-rest.toml".to_owned(), text }).expect("a case")
+        };
+        let unknown = "[unknown]\nvehicle.1.speed = { start = \"20 m/s\" }\nvehicle.2.speed = { start = \"10 m/s\" }\n";
+        for (more, probability, code) in [("", None, "nothing-unknown"), (unknown, Some("vehicle.1.speed > 3 kg"), "call")] {
+            let options = Options { probabilities: probability.map(str::to_owned).into_iter().collect(), ..Options::default() };
+            let noted = Noted::default();
+            let refused = reconstruct(&case(more), &options, &noted).map(|_| ()).expect_err("a wrong question");
+            let codes: Vec<&str> = refused.list().iter().map(|issue| issue.code).collect();
+            assert_eq!((&codes[..], noted.steps().len()), (&[code][..], 1), "{refused}");
+        }
+    }
 }

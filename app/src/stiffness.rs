@@ -23,6 +23,7 @@ use crate::wording::degrees_of_freedom;
 
 use series::Unfitted;
 
+pub(crate) use pooled::FurtherVehicle;
 pub use pooled::{OfVehicle, Pooled, PooledNumber};
 pub use test_file::{Prediction, TestFile, Tested};
 
@@ -294,7 +295,7 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
 /// Returns a note of the standard deviations of a further vehicle of a class, where those of the line through all tests are smaller.
 fn of_further_vehicle(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) -> Option<Notice> {
     let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
-    let further = class.further_vehicle(fit.clone());
+    let FurtherVehicle { fit: further, .. } = class.further_vehicle(fit.clone());
     if !file.is_uncertain(fit) || further.covariance == fit.covariance {
         return None;
     }

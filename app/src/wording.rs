@@ -60,6 +60,10 @@ pub fn remedy_of_no_rest(why: &NoRest) -> &'static str {
     }
 }
 
+/// What to do where no slide was found that ends in the rest position.
+pub const NO_SLIDE_FOUND: &str = "check the heading at rest, whole turns counted, and which wheels are locked; where wheels roll, the search \
+may miss a slide that exists: give the separation velocity as evidence instead";
+
 /// Returns a number of degrees of freedom in words.
 pub fn degrees_of_freedom(count: usize) -> String {
     if count == 1 { "1 degree of freedom".to_owned() } else { format!("{count} degrees of freedom") }

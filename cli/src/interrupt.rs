@@ -22,12 +22,22 @@ fn interrupt() {
     }
 }
 
-/// Calls a function at each Ctrl-C and at each SIGTERM, which a supervisor sends; a hangup stays what it is, so that `nohup` keeps its meaning.
+/// Calls a function at each Ctrl-C, at each SIGTERM, which a supervisor sends, and at a hangup, unless it is ignored. A file that reaches the limit of sizes does not end the
+/// program: writing it is an error.
 #[cfg(unix)]
 fn handle(interrupt: fn()) -> std::io::Result<()> {
-    use signal_hook::consts::{SIGINT, SIGTERM};
-    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
-    std::thread::Builder::new().spawn(move || signals.forever().for_each(|_| interrupt())).map(drop)
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    let hangup = (!ignores(SIGHUP)).then_some(SIGHUP);
+    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM, SIGXFSZ].into_iter().chain(hangup))?;
+    std::thread::Builder::new().spawn(move || signals.forever().filter(|signal| *signal != SIGXFSZ).for_each(|_| interrupt())).map(drop)
+}
+
+/// Returns `true` if a signal is ignored, as `nohup` has a hangup, or if the system does not tell: a handler would undo that.
+#[cfg(unix)]
+fn ignores(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_none_or(|mask| mask & (1 << (signal - 1)) != 0)
 }
 
 #[cfg(not(unix))]

@@ -143,14 +143,15 @@ impl OutputFile {
 impl Write for OutputFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            OutputFile::Beside(file, _) => file.write(bytes),
+            // Errors of the temporary file itself do not name it.
+            OutputFile::Beside(file, _) => file.as_file_mut().write(bytes),
             OutputFile::Straight(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            OutputFile::Beside(file, _) => file.flush(),
+            OutputFile::Beside(file, _) => file.as_file_mut().flush(),
             OutputFile::Straight(file) => file.flush(),
         }
     }
@@ -165,11 +166,23 @@ pub fn write(text: &[u8]) -> io::Result<()> {
     if closed::at_start() {
         return Err(io::Error::other("standard output is closed"));
     }
-    let mut output = io::stdout().lock();
+    let mut output = standard_output()?;
     match output.write_all(text).and_then(|()| output.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         other => other,
     }
+}
+
+/// Returns standard output itself: that of the library takes what is written to a file that is open for reading alone, and tells nothing.
+#[cfg(unix)]
+fn standard_output() -> io::Result<File> {
+    use std::os::fd::AsFd;
+    Ok(File::from(io::stdout().as_fd().try_clone_to_owned()?))
+}
+
+#[cfg(not(unix))]
+fn standard_output() -> io::Result<io::StdoutLock<'static>> {
+    Ok(io::stdout().lock())
 }
 
 /// Writes a whole file to standard output.

@@ -273,4 +273,13 @@ mod tests {
             ]
         );
     }
+
+    #[test]
+    fn issues_that_other_tests_mend_say_which() {
+        let help = |issue: TestIssue| issue.help().map(|help| help.to_string());
+        assert_eq!(help(TestIssue::Undetermined).as_deref(), Some("add a test with another depth, or fit on mean depth"));
+        let depths = "fit tests whose depths differ by more than they are known to";
+        assert_eq!(help(TestIssue::NotConverged { steps: 9 }).as_deref(), Some(depths));
+        assert_eq!(help(TestIssue::NotUniform), None);
+    }
 }

@@ -392,4 +392,24 @@ mod tests {
             assert!(smoothed.at(time).is_err());
         }
     }
+
+    /// Where the samples beside a time are not trusted, all of them make its line, and their scatter about it is its noise.
+    #[test]
+    fn a_line_of_samples_that_are_not_trusted_has_their_scatter() {
+        let times: Vec<f64> = (0..7).map(f64::from).collect();
+        let values = vec![0.0, 1.0, 4.0, 1.0, 4.0, 5.0, 6.0];
+        let trust = [true, true, false, false, false, true, true]
+            .map(|is_trusted| if is_trusted { Trust::whole() } else { Trust { weight: 0.0, slope: 0.0 } });
+        let smoothed = Smoothed { times, values, neighbors: 3, trust: trust.to_vec(), noise: 0.01 };
+        // The nearest three are at −1, 0 and 1, and those at the reach have no weight; of four they have (1 − (½)³)³.
+        let wide = Smoothed { neighbors: 5, ..smoothed };
+        let line = wide.at(3.0).expect("a line");
+        // With equal weights w at −1 and 1 and one at 0 the line is level at (1 + 8 w)/(1 + 2 w).
+        let w = 0.875_f64.powi(3);
+        let level = (1.0 + 8.0 * w) / (1.0 + 2.0 * w);
+        let scatter = 2.0 * (4.0 - level).powi(2) + (1.0 - level).powi(2);
+        assert_abs_diff_eq!(line.value.value, level, epsilon = 1e-12);
+        assert_abs_diff_eq!(line.value.variance, scatter * (1.0 + 2.0 * w * w) / (1.0 + 2.0 * w).powi(2), epsilon = 1e-9);
+        assert_abs_diff_eq!(line.slope.variance, scatter / 2.0, epsilon = 1e-9);
+    }
 }

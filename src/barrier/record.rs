@@ -3,6 +3,7 @@
 use super::estimate::Estimate;
 use super::issue::{TestIssue, TestIssues, finite, finite_estimate};
 use super::noise::Noise;
+use super::sampling::Bends;
 use super::weight::dot;
 use crate::issue::{InputIssue, IssueCollector, Place};
 use crate::measure::Measure;
@@ -158,7 +159,7 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         let baseline = self.baseline(before)?;
         self.check_window(over)?;
         let mut weights = self.weights_over(over);
-        let of_sampling = self.variance_of_kinks(&weights) + self.variance_of_alternation(&weights, before, &baseline);
+        let of_sampling = Bends::of(self).variance_of_integral(&weights, self.indices_in(before), &baseline.variance);
         let duration = over.to.clone() - over.from.clone();
         let share = duration / whole::<T>(self.indices_in(before).count());
         for i in self.indices_in(before) {
@@ -190,57 +191,6 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     fn noise(&self, before: &Window<T>, baseline: &Estimate<T>) -> Noise<T> {
         let samples: Vec<T> = self.indices_in(before).map(|i| self.values[i].clone()).collect();
         Noise::of(&samples, &baseline.value)
-    }
-
-    /// Computes what kinks between the samples add to the variance of an integral with these weights: (h²Δs/12)² of each sample, where the slope changes by
-    /// Δs and the longer of its steps is h. By the formula of Euler and Maclaurin −h²Δs B₂(θ)/2 is the error of the trapezoids at a kink a share θ of a step after
-    /// a sample, at most that of a kink on a sample, where B₂ = 1/6.
-    fn variance_of_kinks(&self, weights: &[T]) -> T {
-        let inside = (1..self.len() - 1).filter(|&i| T::int(0).less(&weights[i]));
-        inside.fold(T::int(0), |sum, i| {
-            let (longer, bend) = self.bend(i);
-            sum + self.share_inside(weights, i) * (longer * bend / T::int(12)).squared()
-        })
-    }
-
-    /// Computes what a channel that its samples do not resolve adds to the variance of an integral with these weights: s² Σ h_i h_{i+1}, where h_i is the mean of the
-    /// steps beside a sample.
-    ///
-    /// Samples of a smooth channel bend the same way, and of one with kinks each by itself. Those that vary by themselves with a variance s² bend to and fro: the
-    /// mean product of the bends of neighbors is −4s². Noise does so too, and is in the variance already, so that only what is beyond twice the noise
-    /// of the unloaded channel counts.
-    fn variance_of_alternation(&self, weights: &[T], before: &Window<T>, baseline: &Estimate<T>) -> T {
-        let zero = T::int(0);
-        let product = |i: usize| self.bend(i).1 * self.bend(i + 1).1 / T::int(-4);
-        // The first and the last sample of the baseline bend towards others.
-        let unloaded: Vec<usize> = self.indices_in(before).collect();
-        let pairs = unloaded.windows(4);
-        let count = whole(pairs.len().max(1));
-        let of_noise = pairs.fold(zero.clone(), |sum, four| sum + product(four[1])) / count;
-        let noise = T::select(baseline.variance.less(&of_noise), of_noise, baseline.variance.clone());
-        let inside = (1..self.len().saturating_sub(2)).filter(|&i| zero.less(&weights[i]) && zero.less(&weights[i + 1]));
-        let beyond = inside.fold(zero.clone(), |sum, i| {
-            let [one, other] = [i, i + 1].map(|i| self.share_inside(weights, i) * (self.time(i + 1) - self.time(i - 1)).half());
-            sum + one * other * (product(i) - T::int(2) * noise.clone())
-        });
-        T::select(zero.less(&beyond), beyond, zero)
-    }
-
-    /// Computes by how much the channel bends at a sample, as the change of its slope times the longer of the steps beside the sample; returns that step first.
-    fn bend(&self, i: usize) -> (T, T) {
-        let [one, other] = [i - 1, i].map(|i| self.time(i + 1) - self.time(i));
-        let [before, after] =
-            [(i - 1, &one), (i, &other)].map(|(i, step)| (self.values[i + 1].clone() - self.values[i].clone()) / step.clone());
-        let longer = T::select(one.less(&other), other, one);
-        (longer.clone(), longer * (after - before))
-    }
-
-    /// Computes the share with which a sample counts as one of the window. A sample on its edge, which has half of its weight, counts in full; beyond the edge one counts
-    /// smoothly less, so that there is a derivative by the edge.
-    fn share_inside(&self, weights: &[T], i: usize) -> T {
-        let of_weight = weights[i].clone() * T::int(4) / (self.time(i + 1) - self.time(i - 1));
-        let of_weight = T::select(of_weight.less(&T::int(1)), of_weight, T::int(1));
-        of_weight.clone() * (T::int(2) - of_weight)
     }
 
     fn check_window(&self, window: &Window<T>) -> Result<(), TestIssues<T>> {

@@ -271,6 +271,16 @@ impl Slide {
         }
     }
 
+    /// Computes the motion at separation near that of a vehicle, or of a pose at separation, that differs little: the last steps of the search alone, without its
+    /// checks. `None` if they do not lead to the pose at rest.
+    #[must_use]
+    pub fn motion_near(&self, evidence: &RestEvidence, method: Method, known: &Motion) -> Option<Motion> {
+        match method {
+            Method::ClosedForm => self.separation_in_closed_form(evidence).ok().map(|separation| separation.motion),
+            Method::Slide => self.motion_by_slide_near(evidence, known),
+        }
+    }
+
     fn check_evidence(&self, evidence: &RestEvidence) -> Result<(), SlideIssues> {
         let mut issues = self.issues();
         check_proportions(&mut issues, &self.vehicle);

@@ -100,6 +100,10 @@ impl Slide {
         Ok(separation)
     }
 
+    pub(super) fn motion_by_slide_near(&self, evidence: &RestEvidence, known: &Motion) -> Option<Motion> {
+        ToRest::of(self, evidence, &|_, _| true).near(known)
+    }
+
     /// Returns the closed form, or a rotation in proportion to the path if the tires would drive the vehicle.
     fn first_guess(&self, evidence: &RestEvidence) -> [f64; 3] {
         let Motion { velocity, yaw_rate } = self.closed_form(&evidence.separation, &evidence.rest);

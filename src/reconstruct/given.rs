@@ -67,6 +67,20 @@ pub struct PriorCorrelation {
     pub coefficient: f64,
 }
 
+/// How the value of a piece of evidence follows an unknown that it was computed with, to first order: the separation that leads to a rest position depends on the
+/// heading before the impact, for instance. Without evidence of this kind, or without this unknown, it has no effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dependence {
+    /// The piece of evidence.
+    pub of: Measurand,
+    /// The unknown.
+    pub on: Variable,
+    /// The value of the unknown with which the evidence was computed, in SI.
+    pub at: f64,
+    /// The change of the evidence by that of the unknown, in SI.
+    pub slope: f64,
+}
+
 /// A reconstruction problem: the collision, its unknowns, and the evidence.
 ///
 /// ```
@@ -100,6 +114,8 @@ pub struct ReconstructionProblem {
     pub unknowns: Vec<Unknown>,
     /// The evidence.
     pub evidence: Vec<Evidence>,
+    /// Evidence that was computed with unknowns.
+    pub dependences: Vec<Dependence>,
     /// Correlations between pieces of evidence.
     pub correlations: Vec<Correlation>,
     /// Correlations between priors.
@@ -180,6 +196,7 @@ impl ReconstructionProblem {
             collision,
             unknowns: Vec::new(),
             evidence: Vec::new(),
+            dependences: Vec::new(),
             correlations: Vec::new(),
             prior_correlations: Vec::new(),
             drives_along_heading: [false; 2],
@@ -266,5 +283,12 @@ impl ReconstructionProblem {
     /// Returns the evidence, followed by the priors.
     pub(super) fn all_evidence(&self) -> Vec<Evidence> {
         self.evidence.iter().copied().chain(self.unknowns.iter().filter_map(Unknown::as_evidence)).collect()
+    }
+
+    /// Returns the dependences of evidence that there is on unknowns that there are, each with the places of both.
+    pub(super) fn placed_dependences(&self) -> Vec<(usize, usize, Dependence)> {
+        let place = |of: Measurand| self.evidence.iter().position(|evidence| evidence.of == of);
+        let unknown = |on: Variable| self.unknowns.iter().position(|unknown| unknown.of == on);
+        self.dependences.iter().filter_map(|one| Some((place(one.of)?, unknown(one.on)?, *one))).collect()
     }
 }

@@ -42,6 +42,18 @@ impl Limit {
     }
 }
 
+/// Returns the work that the normal impulse could do.
+fn work<T: Real>(impact: &Impact<T>) -> T {
+    impact.impulse.n.clone() * impact.approach.n.clone()
+}
+
+/// Returns `true` if an impact loses nothing but rounding, as those beside it with the same restitution of 1: that is no limit.
+fn is_elastic(impact: &Impact) -> bool {
+    /// Share of the work that is rounding, far below the margin at which a search ends.
+    const NOTHING: f64 = 1e-9;
+    impact.loss().abs() <= NOTHING * work(impact)
+}
+
 /// The margins of a collision: smooth functions of order 1 that are negative where the mechanics refuses it.
 #[derive(Clone)]
 pub(super) struct Margins {
@@ -74,7 +86,10 @@ impl Margins {
         let distance = (!placed.collision.is_of_points(&contact)).then(|| contact.offset().n.abs().max(0.1));
         let mut limits = vec![Limit::Closing];
         limits.extend(distance.map(|_| Limit::Closing));
-        limits.extend([Limit::Tension, Limit::Energy]);
+        limits.push(Limit::Tension);
+        if !is_elastic(impact) {
+            limits.push(Limit::Energy);
+        }
         match placed.collision.impulse_ratio {
             ImpulseRatio::Given(_) => limits.extend([Limit::Sliding; 2]),
             ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
@@ -121,14 +136,15 @@ impl Margins {
         if placed.impulse.is_some() {
             return vec![over(impact.loss(), self.energy, ROUNDING)];
         }
-        // Of the work that the impulse can do: the loss ends with the square of the approach, and a share of a constant would end it earlier.
-        let work = impact.impulse.n.clone() * impact.approach.n.clone();
-        let energy = over(impact.loss() - T::from(ROUNDING) * work, self.energy, 0.0);
         let collision = &placed.collision;
         let sticking = collision.sticking_impulse(contact);
         let mut margins = vec![over(impact.approach.n.clone(), -self.side * self.velocity, LEAST)];
         margins.extend(self.distance.map(|distance| over(contact.offset().n, self.side * distance, LEAST)));
-        margins.extend([over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING), energy]);
+        margins.push(over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING));
+        if self.limits.contains(&Limit::Energy) {
+            // Of the work that the impulse can do: the loss ends with the square of the approach, and a share of a constant would end it earlier.
+            margins.push(over(impact.loss() - T::from(ROUNDING) * work(impact), self.energy, 0.0));
+        }
         match collision.impulse_ratio {
             ImpulseRatio::Given(_) => {
                 let along = impact.impulse.t.clone() * sticking.t.clone();

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual64, HyperDual64};
 
-use super::given::{Evidence, ReconstructionProblem};
+use super::given::{Dependence, Evidence, ReconstructionProblem};
 use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
@@ -20,6 +20,8 @@ pub(super) struct Model<'a> {
     /// The evidence, then the priors.
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
+    /// How evidence follows unknowns, with the places of both.
+    dependences: Vec<(usize, usize, Dependence)>,
     scene: Scene,
     /// A significant change of each unknown.
     scales: Vec<f64>,
@@ -29,7 +31,14 @@ impl<'a> Model<'a> {
     pub(super) fn of(question: &'a ReconstructionProblem) -> Self {
         let evidence = question.all_evidence();
         let scales = question.unknowns.iter().map(|unknown| unknown.of.scale(&question.collision, unknown.start)).collect();
-        Model { weights: Weights::of(question, &evidence), scene: Scene::of(question), evidence, question, scales }
+        Model {
+            weights: Weights::of(question, &evidence),
+            scene: Scene::of(question),
+            dependences: question.placed_dependences(),
+            evidence,
+            question,
+            scales,
+        }
     }
 
     /// Returns the same model with no tolerance below a thousandth of the size of its evidence, with which a search approaches the solution more easily.
@@ -63,10 +72,14 @@ impl<'a> Model<'a> {
         Ok((placed, impact))
     }
 
-    /// Returns the computed values of the evidence for a collision and its impact.
-    pub(super) fn measured<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
+    /// Returns the computed values of the evidence for unknowns, their collision and its impact, each less what its given value follows the unknowns by.
+    pub(super) fn measured<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
         let nothing = || T::int(0);
-        self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect()
+        let mut computed: Vec<T> = self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect();
+        for (piece, unknown, Dependence { at, slope, .. }) in &self.dependences {
+            computed[*piece] = computed[*piece] - (unknowns[*unknown] - T::from(*at)) * T::from(*slope);
+        }
+        computed
     }
 
     /// Returns the value of a quantity at given unknowns, for their collision and its impact, or `None` if absent. An unknown angle is not wrapped.
@@ -85,13 +98,13 @@ impl<'a> Model<'a> {
 
     fn residuals_at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
         let (placed, impact) = self.solve(unknowns).ok()?;
-        Some(self.residuals(&self.measured(&placed, &impact)))
+        Some(self.residuals(&self.measured(unknowns, &placed, &impact)))
     }
 
     /// Returns the computed values of the evidence at given unknowns, whether or not the mechanics accepts the collision.
     fn evaluated<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> Vec<T> {
         let placed = self.scene.place(unknowns);
-        self.measured(&placed, &placed.evaluate())
+        self.measured(unknowns, &placed, &placed.evaluate())
     }
 
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.

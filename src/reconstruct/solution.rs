@@ -177,7 +177,7 @@ impl Seen {
     pub(super) fn of(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], searches: usize) -> Option<Self> {
         let values = &minimum.unknowns;
         let (placed, impact) = model.solve(values).ok()?;
-        let computed = model.measured(&placed, &impact);
+        let computed = model.measured(values, &placed, &impact);
         let residuals = DVector::from_vec(model.residuals(&computed));
         let problem = WithinLimits::around(model, &placed, &impact);
         let edges = problem.margin_slopes(values, &minimum.margins);

@@ -55,3 +55,23 @@ impl Reduce for Exceedance {
         self.undecided += later.undecided;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Side;
+
+    #[test]
+    fn what_is_the_threshold_is_not_above_it() {
+        let of = Output::DeltaVMagnitude(Side::One);
+        let count = |threshold: f64| {
+            let mut count = Exceedance::of(of, threshold);
+            count.take(&Samples { of: &[of], columns: &[vec![1.0, 2.0, 2.0, 3.0]], first: 0, places: None });
+            count
+        };
+        assert_eq!(count(2.0), Exceedance { of, threshold: 2.0, above: 1, samples: 4, undecided: 0 });
+        assert_eq!((count(2.0).share(), count(1.5).share()), (0.25, 0.75));
+        // Nothing is above or below what is no number.
+        assert!(count(f64::NAN).undecided == 4 && count(f64::NAN).share().is_nan());
+    }
+}

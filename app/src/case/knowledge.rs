@@ -1,6 +1,6 @@
 //! Evidence and unknowns of a case file.
 
-use planar_impact::reconstruct::{Measurand, Uncertainty, Variable};
+use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty, Variable};
 use planar_impact::{Input, Output, Side, Xy};
 
 use super::parameter::Parameter;
@@ -10,6 +10,8 @@ use super::parameter::Parameter;
 pub struct Knowledge {
     /// The evidence, in the order of the file.
     pub evidence: Vec<Known>,
+    /// Correlations of pieces that come from one recording.
+    pub correlations: Vec<Correlation>,
     /// The unknowns, in the order of the file.
     pub unknowns: Vec<RequestedUnknown>,
     /// Keys left out of the vehicles and the contact because they are unknown, or because the evidence measures them.
@@ -57,6 +59,13 @@ pub struct LeftOut {
     pub of: Variable,
     /// Path of the entry that declares it unknown, or of the evidence that measures it.
     pub key: String,
+}
+
+/// Returns the coefficient of correlation of two pieces of evidence with a covariance. Where all of their errors are the same, rounding would make their matrix
+/// singular: they differ by a ten-thousandth of their standard deviation.
+pub(crate) fn correlation_of(covariance: f64, [one, other]: [f64; 2]) -> f64 {
+    const GREATEST: f64 = 1.0 - 1e-8;
+    (covariance / (one * other)).clamp(-GREATEST, GREATEST)
 }
 
 impl LeftOut {

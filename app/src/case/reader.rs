@@ -17,8 +17,9 @@ mod sample;
 mod unknown;
 
 use std::cell::{Cell, RefCell};
+use std::path::PathBuf;
 
-use planar_impact::reconstruct::Variable;
+use planar_impact::reconstruct::{Correlation, Variable};
 use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 
 pub(crate) use self::csv_column::Rows;
@@ -67,6 +68,10 @@ pub(crate) struct CaseReader {
     uncertain: RefCell<Vec<UncertainInput>>,
     open: Option<SharedOpen>,
     fitted: RefCell<Vec<FittedToTests>>,
+    /// The recordings that give tests their restitution, each with the path of its key.
+    records_of_tests: RefCell<Vec<(PathBuf, String)>>,
+    /// Correlations of pieces of evidence that come from one recording.
+    correlations: RefCell<Vec<Correlation>>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
     us: Cell<usize>,
@@ -263,7 +268,7 @@ impl CaseReader {
         let uncertain = Uncertain { inputs: self.uncertain.take(), correlations };
         let agrees = implied.agree_with(&inputs, &uncertain);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
-        let knowledge = Knowledge { evidence: evidence?, unknowns, left_out: implied.left_out() };
+        let knowledge = Knowledge { evidence: evidence?, correlations: self.correlations.take(), unknowns, left_out: implied.left_out() };
         let rest = match rest {
             Some(rest) => Some(rest?),
             None => None,

@@ -130,7 +130,7 @@ impl Case {
 fn help(why: &NoSeparation) -> Option<&'static str> {
     Some(match why {
         NoSeparation::NoRest(why) => wording::remedy_of_no_rest(why),
-        NoSeparation::NotConverged { .. } => "check the heading at rest, whole turns counted, and which wheels are locked",
+        NoSeparation::NotConverged { .. } => wording::NO_SLIDE_FOUND,
         NoSeparation::NotDetermined { .. } => "give the separation velocity as evidence, or more of what held the wheels",
         NoSeparation::NoPath => "leave `points` or `method` out",
         NoSeparation::NotHeld => "check `grade`, which is positive uphill, the friction, and which wheels are locked",

@@ -12,6 +12,7 @@ use super::lines::{LONGEST, Line, Lines, unreadable};
 use super::units::{kind_of, size_of};
 use crate::batch::separated_otherwise;
 use crate::quantity::{self, excerpt, nearest};
+use crate::quotes::{QuoteFault, Quotes};
 
 /// Maximum number of columns; there are fewer valid names.
 const MOST_COLUMNS: usize = 500;
@@ -32,8 +33,11 @@ impl Fields {
     ///
     /// # Errors
     ///
-    /// Returns a message if a quotation mark is unmatched or there are too many fields.
+    /// Returns a message if a quotation mark is unmatched, a field goes on after one, or there are too many fields.
     fn split(&mut self, line: &str) -> Result<Vec<&str>, String> {
+        if let Some(QuoteFault::GoesOn(_)) = Quotes::fault_of(line) {
+            return Err("a field goes on after its closing quotation mark; write one within a field twice".to_owned());
+        }
         self.reader.reset();
         let count = read_line(&mut self.reader, line, &mut self.text, &mut self.ends)?;
         let text = &self.text;

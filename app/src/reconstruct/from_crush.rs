@@ -5,7 +5,7 @@ use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty};
 
 use super::inputs::without_deviation;
-use crate::case::{Case, CrushKey, Known, Parameter, Uncertain};
+use crate::case::{Case, CrushKey, Known, Parameter, Uncertain, correlation_of};
 use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
@@ -67,7 +67,7 @@ impl FromCrush {
                 let (Some(of_one), Some(of_other)) = (&slopes[i], &slopes[k]) else { continue };
                 let shared = covariance(of_one, of_other);
                 if shared != 0.0 {
-                    let coefficient = shared / (deviations[i] * deviations[k]);
+                    let coefficient = correlation_of(shared, [deviations[i], deviations[k]]);
                     found.correlations.push(Correlation { one: one.of, other: other.of, coefficient });
                 }
             }

@@ -13,7 +13,7 @@ use crate::named::positive_zero;
 use crate::notice::{Notice, Notices};
 use crate::slide::PointFit;
 use crate::units::Measure;
-use crate::wording::degrees_of_freedom;
+use crate::wording::{self, degrees_of_freedom};
 
 /// The separations of both vehicles, as far as rest positions give them.
 pub type Separations = [Option<Separation>; 2];
@@ -186,7 +186,7 @@ impl SeparationFromRest {
     }
 }
 
-fn key(side: Side) -> String {
+pub(super) fn key(side: Side) -> String {
     format!("rest.vehicle.{}", vehicle_number(side))
 }
 
@@ -204,8 +204,7 @@ fn unfit(case: &Case, i: usize, separation: &Separation) -> Option<Issue> {
         .text(" and ")
         .figure(Measure::Angle, miss.heading.abs())
         .text(", more than its standard deviations");
-    let help = "check the heading at rest, whole turns counted, and which wheels are locked";
-    Some(Issue::at("no-separation", path, message).with_help(help))
+    Some(Issue::at("no-separation", path, message).with_help(wording::NO_SLIDE_FOUND))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Uncertainty, Unknown, Variable, crush_share};
 use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
+use super::dependences::Dependences;
 use super::from_crush::FromCrush;
 use super::from_rest::{FromRest, SeparationFromRest, Separations};
 use super::from_skids::FromSkids;
@@ -64,9 +65,10 @@ impl Question {
     /// Returns the contradictions in the case.
     pub fn of(case: &Case, separations: &Separations) -> Result<Self, Issues> {
         let of_rest = SeparationFromRest::of(case, separations);
+        let with_rest = case;
         let FromRest { mut case, mut correlations } = FromRest::of(case, separations)?;
         let of_crush = FromCrush::of(&mut case);
-        correlations.extend(of_crush.correlations);
+        correlations.extend(of_crush.correlations.into_iter().chain(case.knowledge.correlations.iter().copied()));
         // Without a question and evidence there is nothing to learn of the inputs.
         let is_asked = !case.knowledge.unknowns.is_empty() || !case.knowledge.evidence.is_empty();
         let of_inputs = if is_asked { InputUnknowns::of(&case) } else { InputUnknowns::default() };
@@ -132,6 +134,9 @@ impl Question {
         if crush_share.is_none() {
             draft.share_the_crush();
         }
+        let dependences = Dependences::of(with_rest, separations, &draft.unknowns);
+        issues.extend(dependences.issues);
+        draft.notices.0.extend(dependences.notices);
         let holds_radius_of_gyration = [Side::One, Side::Two].map(|side| draft.holds_radius_of_gyration(side));
         let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut issues));
         if !issues.is_empty() {
@@ -141,6 +146,7 @@ impl Question {
         let asked = ReconstructionProblem {
             unknowns: draft.unknowns,
             evidence: draft.evidence,
+            dependences: dependences.all,
             correlations,
             prior_correlations: of_inputs.correlations.into_iter().chain(of_skids.correlation).collect(),
             skid_speeds: of_skids.known,

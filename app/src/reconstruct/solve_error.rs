@@ -40,10 +40,19 @@ pub fn check(question: &Question) -> Result<(), Issues> {
     if unknowns.len() <= evidence {
         return Ok(());
     }
-    let others = asked.check().err();
-    let others = others.iter().flatten().filter(|issue| !matches!(issue, ReconstructionIssue::TooLittleEvidence { .. }));
     let few = ReconstructionIssue::TooLittleEvidence { unknowns, evidence };
-    Err(question.case.unfit(others.map(|issue| wrong(question, issue)).chain([wrong(question, &few)])))
+    Err(question.case.unfit(wrong_with_any_evidence(question).chain([wrong(question, &few)])))
+}
+
+/// Checks what more evidence does not mend.
+pub fn check_with_any_evidence(question: &Question) -> Result<(), Issues> {
+    let issues: Vec<Issue> = wrong_with_any_evidence(question).collect();
+    if issues.is_empty() { Ok(()) } else { Err(question.case.unfit(issues)) }
+}
+
+fn wrong_with_any_evidence(question: &Question) -> impl Iterator<Item = Issue> {
+    let issues = question.asked.check().err().into_iter().flatten();
+    issues.filter(|issue| !matches!(issue, ReconstructionIssue::TooLittleEvidence { .. })).map(|issue| wrong(question, &issue))
 }
 
 /// Describes where and why the nearest search stopped, and what may help.

@@ -497,5 +497,7 @@ mod tests {
         let lines: Vec<_> = issues.list().iter().map(|issue| (issues.line(issue), issue.path.as_str())).collect();
         assert_eq!(lines, [(Some(3), "distance"), (Some(4), "distance"), (Some(5), "speed")]);
         assert!(issues.list().iter().all(|issue| issue.help.is_some()));
+        let text = |issue: &Issue| issue.span.clone().map(|span| &issues.source().text[span]);
+        assert_eq!(issues.list().iter().map(text).collect::<Vec<_>>(), [Some("1,x,3"), Some("2"), Some("3,4,y")]);
     }
 }

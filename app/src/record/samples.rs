@@ -2,12 +2,12 @@
 
 use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{Record, TestIssue};
-use planar_impact::{InputIssue, InputIssueKind};
 
 use super::ChannelQuantity;
 use crate::batch::{Header, separated_otherwise};
 use crate::case::{Rows, read_cell};
 use crate::quantity::{self, Conversion, Kind, QuantityError};
+use crate::quotes::{QuoteFault, Quotes};
 use crate::source::Source;
 use crate::units::Units;
 
@@ -18,6 +18,8 @@ pub(super) const TIME: &str = "time";
 pub(super) struct Samples {
     pub(super) headers: Vec<Header>,
     rows: Vec<(usize, Vec<String>)>,
+    /// What is wrong with the quotes of the text.
+    quotes: Option<QuoteFault>,
 }
 
 /// Something wrong with a line of the text.
@@ -48,11 +50,15 @@ impl Samples {
     pub(super) fn of(source: &Source) -> Samples {
         let mut rows = Rows::of(&source.text);
         let headers = rows.next().into_iter().flat_map(|(_, cells)| cells).map(|cell| Header::read(&cell)).collect();
-        Samples { headers, rows: rows.collect() }
+        Samples { headers, rows: rows.collect(), quotes: Quotes::fault_of(&source.text) }
     }
 
     /// Returns the place of the column with a name.
     pub(super) fn place(&self, name: &str) -> Result<usize, Fault> {
+        if let Some(fault) = self.quotes {
+            let line = usize::try_from(fault.line()).unwrap_or(usize::MAX);
+            return Err(self.fault(line, "", fault.to_string(), "correct the quotes, or remove them: numbers need none"));
+        }
         let found: Vec<usize> = (0..self.headers.len()).filter(|&i| self.headers[i].name == name).collect();
         match found[..] {
             [place] => Ok(place),
@@ -114,7 +120,9 @@ impl Samples {
             (Ok(time), Ok(scale)) => (time, scale),
             (one, other) => return Err([one.err(), other.err()].into_iter().flatten().collect()),
         };
-        let (mut times, mut values, mut lines, mut faults) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut times, mut values, mut faults) = (Vec::new(), Vec::new(), Vec::new());
+        // Of rows whose value cannot be read too.
+        let mut instants: Vec<(f64, usize)> = Vec::new();
         let mut finest: Option<(i32, f64)> = None;
         for (line, cells) in &self.rows {
             if cells.len() != self.headers.len() {
@@ -138,11 +146,11 @@ impl Samples {
                 }
             };
             let of_time = read(&self.headers[time].name, at, of_time, "correct the time of this row, or remove the row");
+            instants.extend(of_time.map(|at| (at, *line)));
             let of_channel = read(name, value_cell, scale, "correct the cell, or leave it empty where the channel has no sample");
             if let (Some(at), Some(value)) = (of_time, of_channel) {
                 times.push(at);
                 values.push(polarity * value);
-                lines.push(*line);
                 let (decimals, one) = last_decimal(value_cell);
                 if finest.is_none_or(|(most, _)| decimals > most)
                     && let Ok(digit) = scale_cell(&one, scale)
@@ -151,6 +159,12 @@ impl Samples {
                 }
             }
         }
+        let not_later = instants.windows(2).filter(|pair| pair[1].0 <= pair[0].0).map(|pair| {
+            let (message, help) = ("the time is not later than the one before", "list the samples in the order of their times, each once");
+            self.fault(pair[1].1, TIME, message, help)
+        });
+        faults.extend(not_later);
+        faults.sort_by_key(|fault| fault.line);
         if faults.is_empty() {
             let (start, count) = (times.first().copied().unwrap_or(0.0), times.len());
             let step = if count > 1 { (times[count - 1] - start) / (count - 1) as f64 } else { 0.0 };
@@ -159,32 +173,18 @@ impl Samples {
             let record = if is_even { Record::uniform(start, step, values) } else { Record::at_times(times, values) };
             match record {
                 Ok(record) => return Ok(Column { record, digit: finest.map_or(0.0, |(_, digit)| digit) }),
-                Err(issues) => faults.extend(issues.iter().map(|issue| self.record_fault(issue, name, &lines))),
+                Err(issues) => faults.extend(issues.iter().map(|issue| self.record_fault(issue, name, count))),
             }
         }
         Err(faults)
     }
 
-    fn record_fault(&self, issue: &TestIssue, name: &str, lines: &[usize]) -> Fault {
-        use planar_impact::Issue;
-        let TestIssue::Input(InputIssue { at, kind, .. }) = issue else {
-            return self.fault(1, name, Units::Si.sentence(&issue.message()), "correct the column");
-        };
-        match kind {
-            InputIssueKind::OutOfOrder { .. } => {
-                let line = at.index.and_then(|index| lines.get(index)).copied().unwrap_or(1);
-                self.fault(
-                    line,
-                    TIME,
-                    "the time is not later than the one before",
-                    "list the samples in the order of their times, each once",
-                )
-            }
-            _ => {
-                let message = format!("the column has {} of at least two samples", lines.len());
-                self.fault(1, name, message, "a record needs two samples or more")
-            }
+    fn record_fault(&self, issue: &TestIssue, name: &str, samples: usize) -> Fault {
+        if samples < 2 {
+            let message = format!("the column has {samples} of at least two samples");
+            return self.fault(1, name, message, "a record needs two samples or more");
         }
+        self.fault(1, name, Units::Si.sentence(&planar_impact::Issue::message(issue)), "correct the column")
     }
 }
 

@@ -61,6 +61,14 @@ pub(super) struct OwnFit {
     pub is_uncertain: bool,
 }
 
+/// The stiffness of a vehicle that is none of those tested.
+pub(crate) struct FurtherVehicle {
+    /// With its covariance.
+    pub fit: StiffnessFit,
+    /// The part of the covariance that all further vehicles of the class share: that of the line through all tests. By the rest each differs by itself.
+    pub common: StiffnessCovariance,
+}
+
 impl OwnFit {
     fn estimate(&self, of: fn(&StiffnessFit) -> Estimate) -> Estimate {
         let Estimate { value, variance } = of(&self.fit);
@@ -97,18 +105,18 @@ impl Pooled {
     ///
     /// The spread V between vehicles moves the line through all tests, of covariance C, by C Σ I V I C, with the information I of the tests of each vehicle: more
     /// than V/k where they were tested to different depths.
-    pub(crate) fn further_vehicle(&self, mut fit: StiffnessFit) -> StiffnessFit {
-        let count = self.own.len() as f64;
-        let Some([onset, slope]) = self.spread(&fit.covariance) else { return fit };
+    pub(crate) fn further_vehicle(&self, mut fit: StiffnessFit) -> FurtherVehicle {
+        let (all, count) = (fit.covariance, self.own.len() as f64);
+        let Some([onset, slope]) = self.spread(&all) else { return FurtherVehicle { fit, common: all } };
         let informations: Option<Vec<StiffnessCovariance>> = self.own.iter().map(|own| inverse(&own.covariance)).collect();
-        let (spread, all) = (StiffnessCovariance { onset, between: 0.0, slope }, fit.covariance);
-        let moved = match informations.filter(|_| inverse(&all).is_some()) {
-            Some(informations) => informations.iter().map(|each| around(&all, &around(each, &spread))).fold(spread, sum),
+        let spread = StiffnessCovariance { onset, between: 0.0, slope };
+        let common = match informations.filter(|_| inverse(&all).is_some()) {
+            Some(informations) => informations.iter().map(|each| around(&all, &around(each, &spread))).fold(all, sum),
             // Of tests that do not tell the covariance, or with one coefficient held, each vehicle counts as much as the others.
-            None => StiffnessCovariance { onset: onset * (1.0 + 1.0 / count), slope: slope * (1.0 + 1.0 / count), ..spread },
+            None => sum(all, StiffnessCovariance { onset: onset / count, slope: slope / count, ..spread }),
         };
-        fit.covariance = sum(all, moved);
-        fit
+        fit.covariance = sum(common, spread);
+        FurtherVehicle { fit, common }
     }
 
     /// Returns the variances between vehicles of d₀ and d₁, as large as they may be. Each by itself may vanish by chance, since the errors of both are large and

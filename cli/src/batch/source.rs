@@ -18,7 +18,7 @@ use planar_impact_app::{Issues, decode};
 
 use super::format::Format;
 use super::lengths;
-use super::quotes::Quotes;
+use super::quotes::Followed;
 use crate::defect;
 use crate::files::Counted;
 
@@ -76,7 +76,7 @@ const FOREIGN: &[(&[u8], &str)] = &[
     (b"FEA1", "is Feather of version 1; write version 2"),
 ];
 
-type Texts = csv::Reader<Quotes<Box<dyn Read>>>;
+type Texts = csv::Reader<Followed<Box<dyn Read>>>;
 
 impl Source {
     /// Opens a table, to be read a number of rows at a time.
@@ -134,7 +134,7 @@ impl Source {
     }
 
     fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
-        let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Quotes::new(bytes_of));
+        let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Followed::new(bytes_of));
         let headers = reader.headers().map_err(|error| match error.kind() {
             csv::ErrorKind::Utf8 { .. } => decode::unreadable(name, "has a header that is not UTF-8 text; save it as UTF-8"),
             _ => not_a_table(name, &error),
@@ -216,7 +216,7 @@ impl Source {
     }
 }
 
-/// Reads rows as text, an empty cell where a row has too few. `None` without a row. A cell that never ends is an error: it has the rows after it.
+/// Reads rows as text, an empty cell where a row has too few. `None` without a row. Wrong quotes are an error: a cell that never ends has the rows after it.
 fn texts(reader: &mut Texts, schema: &SchemaRef, rows: usize) -> Result<Option<Part>, Box<dyn std::error::Error>> {
     let columns = schema.fields().len();
     let mut builders: Vec<StringBuilder> = (0..columns).map(|_| StringBuilder::with_capacity(rows, 8 * rows)).collect();
@@ -238,8 +238,8 @@ fn texts(reader: &mut Texts, schema: &SchemaRef, rows: usize) -> Result<Option<P
         }
         read += 1;
     }
-    if let Some(line) = reader.get_ref().open_since().filter(|_| read < rows) {
-        return Err(format!("the quote that begins a cell in line {line} is never closed").into());
+    if let Some(fault) = reader.get_ref().fault(read < rows) {
+        return Err(fault.to_string().into());
     }
     if read == 0 {
         return Ok(None);

@@ -412,6 +412,7 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
     fs::write(path("tiny.csv"), "vehicle.1.speed\n1e-400\n").expect("a file");
+    fs::write(path("goes-on.csv"), "vehicle.1.speed,note\n40,a\n41,\"b\"c\n42,d\n").expect("a file");
     // The last row of a part, of another, and of one that the cell after it fills.
     for rows in [1, 8192, 8193, 9000] {
         let sound = "40,\"a \"\"note\"\", sound\"\n".repeat(rows - 1);
@@ -423,10 +424,11 @@ fn a_call_that_fails_writes_no_file() {
     let mut writer =
         ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
     writer.write(&typed).and_then(|()| writer.close()).expect("a table");
-    let calls: [(&[&str], i32, &str); 21] = [
+    let calls: [(&[&str], i32, &str); 22] = [
         (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
         (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
+        (&[&path("goes-on.csv")], 2, "the cell that begins in line 3 goes on after its closing quote"),
         (&[&path("open-8192.csv")], 2, "the quote that begins a cell in line 8193 is never closed"),
         (&[&path("open-8193.csv")], 2, "the quote that begins a cell in line 8194 is never closed"),
         (&[&path("open-9000.csv")], 2, "the quote that begins a cell in line 9001 is never closed"),
@@ -465,7 +467,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 16, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 17, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

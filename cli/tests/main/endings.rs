@@ -33,6 +33,43 @@ fn a_closed_output_is_an_error_and_a_discarded_one_is_not() {
 }
 
 #[test]
+fn an_output_that_is_open_for_reading_alone_is_an_error() {
+    for call in [
+        SOLVE,
+        "check cli/examples/check/collision.json --format json",
+        "batch cli/examples/batch/speeds.csv --case cli/examples/position-a.toml -o -",
+    ] {
+        assert_eq!(in_shell(&format!("{call} 1</dev/null")), Some(74), "{call}");
+    }
+}
+
+/// A limit of the size of files is told like a full disk, and leaves nothing.
+#[test]
+fn a_file_beyond_the_limit_of_sizes_is_an_error() {
+    let folder = Folder::new();
+    let program = env!("CARGO_BIN_EXE_planar-impact");
+    let case = workspace().join("cli/examples/position-a.toml");
+    for call in ["draw \"$1\" -o x.svg", "report \"$1\" -o x.html", "report \"$1\" > out"] {
+        let line = format!("ulimit -f 1; \"$0\" {call}");
+        let run = Command::new("sh").current_dir(folder.path()).args(["-c", &line, program]).arg(&case).output().expect("there is a shell");
+        let err = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(74), "{call}: {err}");
+        assert!(err.contains("File too large") && !err.contains(".planar-impact-"), "{call}: {err}");
+    }
+    let left: Vec<_> = std::fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
+    assert_eq!(left, ["out"]);
+}
+
+/// A program that is started with hangups ignored, as by `nohup`, goes on at one.
+#[test]
+fn an_ignored_hangup_stays_ignored() {
+    let line = "trap '' HUP; \"$0\" slide cli/examples/slide.toml > /dev/null & sleep 0.02; kill -HUP $!; wait $!";
+    let mut shell = Command::new("sh");
+    shell.current_dir(workspace()).args(["-c", line, env!("CARGO_BIN_EXE_planar-impact")]).stderr(Stdio::null());
+    assert_eq!(shell.status().expect("there is a shell").code(), Some(0));
+}
+
+#[test]
 fn an_endless_file_is_refused_soon() {
     let begin = Instant::now();
     for verb in ["check", "solve", "stiffness"] {
@@ -92,8 +129,8 @@ fn an_interrupted_batch_leaves_no_file() {
     let output = folder.path().join("out.csv");
     let path = |path: &std::path::Path| path.to_str().expect("a plain path").to_owned();
     let (input, output) = (path(&input), path(&output));
-    // A supervisor asks for the end in its own way.
-    for signal in ["-INT", "-TERM"] {
+    // A supervisor asks for the end in its own way, and so does a terminal that is closed.
+    for signal in ["-INT", "-TERM", "-HUP"] {
         stopped_by(signal, &["batch", &input, "-o", &output, "--case", "cli/examples/position-a.toml"], false);
     }
     let left = std::fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name());

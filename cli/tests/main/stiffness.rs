@@ -115,6 +115,7 @@ fn each_mistake_is_named_where_it_is() {
     refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"0.1062 ft\"]", &["vehicle.1.test.1.depths", "at least 2"]);
     refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"2 ft\", \"2 ft\"]", &["vehicle.1.test.2.depths", "out of order", "in their order"]);
     refused("speed_sd = \"0.3 ft/s\"", "speed_sd = \"-0.3 ft/s\"", &["vehicle.1.test.1.speed_sd", "below zero"]);
+    refused("speed_sd = \"0.3 ft/s\"", "speed_sd = \"1e200 ft/s\"", &["vehicle.1.test.1.speed_sd"]);
     refused("scatter = \"5 lbf^0.5\"", "scatter = \"5 lbf\"", &["vehicle.1.test.1.scatter"]);
     refused("scatter", "skatter", &["vehicle.1.test.1.skatter: unknown key", "`scatter`"]);
     refused("depth = \"1 ft\"\n", "", &["fit.depth: missing"]);
@@ -480,4 +481,33 @@ fn tests_that_contradict_each_other_have_status_1() {
         (run.status, run.out.contains("the tests contradict each other, fitted on"))
     };
     assert_eq!([of(0.40), of(0.29)], [(1, true), (0, false)]);
+}
+
+/// The error of a recording counts once: two tests that take their restitution from it would have it twice.
+#[test]
+fn two_tests_of_one_recording_are_refused() {
+    let folder = Folder::new();
+    let recording = "schema = 1\n[kinematics]\nbefore = { velocity = [10, 0] }\nafter = { velocity = [\"-3 m/s ± 1 m/s\", 0] }\nbarrier = 0\n\
+                     duration = 0.1\npoint = [2, 0]\n";
+    folder.write("one.toml", recording.as_bytes());
+    folder.write("two.toml", recording.as_bytes());
+    let run_of = |other: &str| {
+        let test = |name: &str, depth: f64| {
+            format!(
+                "[[vehicle.test]]\nmass = 1500\nspeed = 10\nrestitution = {{ record = \"{name}\" }}\nwidth = 1.5\ndepths = [{depth}, {depth}]\n"
+            )
+        };
+        let text = format!("schema = 1\n[[vehicle]]\nname = \"a\"\nnew_cars = true\n{}{}", test("one.toml", 0.3), test(other, 0.4));
+        folder.write("tests.toml", text.as_bytes());
+        run(folder.path(), &["stiffness", "tests.toml"])
+    };
+    // Another test may have measured the same.
+    let sound = run_of("two.toml");
+    assert!(sound.status <= 1 && sound.err.is_empty(), "{}", sound.err);
+    for same in ["one.toml", "./one.toml"] {
+        let refused = run_of(same);
+        assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{same}");
+        let says = "vehicle.1.test.2.restitution.record: vehicle.1.test.1.restitution.record has the same recording";
+        assert!(refused.err.contains(says) && refused.err.contains("a recording is of one test"), "{}", refused.err);
+    }
 }

@@ -245,4 +245,25 @@ mod tests {
             assert!(!is_near || bounds.into_iter().flatten().all(|bound| (-1e-12..=1.0 + 1e-12).contains(&row.share(bound))), "{bounds:?}");
         }
     }
+
+    /// A value without a width has a twentieth on either side, and a bound is shown that is nearer than the length of the interval.
+    #[test]
+    fn scales_reach_to_near_bounds() {
+        let scale = |[low, high]: [f64; 2], min: Option<f64>| {
+            let interval = Interval {
+                level: 0.95,
+                low: Some(low),
+                high: Some(high),
+                method: "profile",
+                low_limited_by: None,
+                high_limited_by: None,
+                narrows: true,
+            };
+            Row { name: "x", measure: Measure::Ratio, value: Some(low), interval: &interval, bounds: [min, None], posterior: None }.scale()
+        };
+        assert_eq!(scale([10.0, 10.0], None), [9.5, 10.5]);
+        assert_eq!(scale([8.0, 12.0], None), [8.0, 12.0]);
+        assert_eq!(scale([8.0, 12.0], Some(5.0)), [5.0, 12.0]);
+        assert_eq!(scale([8.0, 12.0], Some(3.0)), [8.0, 12.0]);
+    }
 }

@@ -389,4 +389,14 @@ mod tests {
         ];
         assert_eq!(drawn(vec![speed(), plane], &[pair])[5..], both);
     }
+
+    #[test]
+    fn names_break_behind_their_parts() {
+        assert_eq!(wrapped("vehicle.1.speed", 20), ["vehicle.1.speed"]);
+        assert_eq!(wrapped("vehicle.1.speed", 15), ["vehicle.1.speed"]);
+        assert_eq!(wrapped("vehicle.1.speed", 14), ["vehicle.1.", "speed"]);
+        assert_eq!(wrapped("contact.impulse_ratio.of_critical", 16), ["contact.impulse_", "ratio.of_", "critical"]);
+        // A part alone is not divided.
+        assert_eq!(wrapped("restitution", 4), ["restitution"]);
+    }
 }

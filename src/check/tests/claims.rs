@@ -394,3 +394,35 @@ fn nothing_is_a_ratio_of_nothing() {
     elastic.set(Key::EquivalentEnergySpeed(Side::One), 2.0);
     assert_eq!(rules(&elastic), ["reported"]);
 }
+
+/// A finding about a ratio gives that of the impulse, and one about sliding says what has ended it.
+#[test]
+fn findings_about_a_ratio_give_that_of_the_impulse() {
+    let told = |record: &Record| {
+        let outcome = check(record, &Options::default());
+        outcome.of(Rule::ImpulseRatio).map(|finding| finding.what.clone()).collect::<Vec<_>>().join("\n")
+    };
+    let mut claims = Record::default();
+    [(Key::NormalImpulse, 8.0), (Key::TangentialImpulse, 2.0), (Key::ImpulseRatio, 0.5)]
+        .into_iter()
+        .for_each(|(key, value)| claims.set(key, value));
+    assert!(
+        told(&claims).contains("the impulse ratio is said to be 0.5, and the impulse that is reported has 0.25: "),
+        "{}",
+        told(&claims)
+    );
+    // A car that slides along a wall, said to stop sliding there.
+    use crate::collision::Collision;
+    use crate::law::ImpulseRatio;
+    use crate::vehicle::{Party, Vehicle};
+    let car = Vehicle::new(1000.0, 2000.0).with_impact_center(2.0, 0.5).with_speed(10.0);
+    let car = Vehicle { motion: crate::vehicle::Motion { velocity: crate::frame::Xy { x: 10.0, y: 4.0 }, yaw_rate: 0.0 }, ..car };
+    let collision = Collision::new(car, Party::Barrier).with_impulse_ratio(ImpulseRatio::Given(0.0));
+    for (law, says) in [(Law::Brach, "so sliding has ended, but "), (Law::KudlichSlibar, "so sliding and its restitution have ended, but ")]
+    {
+        let mut record = Record::of(&collision, &collision.evaluate());
+        record.model.ratio_kind = RatioKind::Critical;
+        record.model.law = law;
+        assert!(told(&record).contains(says), "{law:?}: {}", told(&record));
+    }
+}

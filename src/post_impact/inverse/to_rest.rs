@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::uncertainty::{Uncertain, uncertainty};
-use super::{CLOSE, REACHED, SCALES, motion};
+use super::{CLOSE, REACHED, SAME, SCALES, motion};
 use crate::least_squares::{self, FitError, Minimum, NotConverged, ParameterBounds, Residuals};
 use crate::post_impact::evidence::{Miss, NoSeparation, RestEvidence, Separation, SlideFit};
 use crate::post_impact::issue::NoRest;
@@ -201,20 +201,38 @@ impl<'a> ToRest<'a> {
     }
 
     /// Takes the last steps to a minimum, by Gauss and Newton with fine derivatives, as long as the sum of squares does not grow.
-    pub(super) fn refined(&self, mut found: Found) -> Found {
+    pub(super) fn refined(&self, found: Found) -> Found {
+        self.last_steps(found).0
+    }
+
+    /// Returns the minimum that the last steps from a motion lead to; `None` if they do not lead to one.
+    pub(super) fn near(&self, known: &Motion) -> Option<Motion> {
+        let unknowns = alloc::vec![known.velocity.x, known.velocity.y, known.yaw_rate];
+        let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
+        let (found, left) = self.last_steps(Found { unknowns, sum_of_squares, iterations: 0 });
+        (left <= SAME).then(|| motion(&found.unknowns))
+    }
+
+    /// Takes the last steps, and returns the length of the first that is not taken.
+    fn last_steps(&self, mut found: Found) -> (Found, f64) {
+        let mut left = f64::INFINITY;
         for _ in 0..LAST_STEPS {
             let Ok(residuals) = self.residuals(&found.unknowns) else { break };
             let slopes = self.slopes(&found.unknowns, FINE);
             let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
             let step = least_squares::SingularValues::of(jacobian).map(|found| found.solve(&DVector::from_vec(residuals), 0.0));
-            let Some(step) = step.filter(|step| step.amax() > NO_STEP) else { break };
+            let Some(step) = step else { break };
+            left = step.amax();
+            if left <= NO_STEP {
+                break;
+            }
             let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
             match self.sum_of_squares(&unknowns) {
                 Ok(sum_of_squares) if sum_of_squares <= found.sum_of_squares => found = Found { unknowns, sum_of_squares, ..found },
                 _ => break,
             }
         }
-        found
+        (found, left)
     }
 
     /// Returns the separation that a search ended in.

@@ -11,7 +11,7 @@ use crate::frame::Xy;
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::output::Output;
-use crate::reconstruct::given::{Evidence, ReconstructionProblem, Uncertainty};
+use crate::reconstruct::given::{Dependence, Evidence, ReconstructionProblem, Uncertainty};
 use crate::reconstruct::measurand::Measurand;
 use crate::reconstruct::placed::Placed;
 use crate::reconstruct::scene::Scene;
@@ -26,6 +26,8 @@ pub(super) struct Equations<'a> {
     scene: Scene,
     /// The equation that each error belongs to.
     errors: Vec<usize>,
+    /// How evidence follows unknowns, with the places of both.
+    dependences: Vec<(usize, usize, Dependence)>,
     pub(super) whole: Vec<Interval>,
     /// The least and the greatest value of each unknown that is looked at where nothing else limits it.
     pub(super) assumed: Vec<[Option<f64>; 2]>,
@@ -93,18 +95,23 @@ impl<'a> Equations<'a> {
             errors.push(place);
             whole.push(within(limit));
         }
-        Ok(Equations { problem, scene: Scene::of(problem), errors, whole, assumed })
+        Ok(Equations { problem, scene: Scene::of(problem), errors, dependences: problem.placed_dependences(), whole, assumed })
     }
 
     pub(super) fn unknowns(&self) -> usize {
         self.problem.unknowns.len()
     }
 
-    /// Returns what a piece of evidence says with an error.
+    /// Returns what a piece of evidence says of a value.
     ///
     /// Angles are stated by the sine of their difference and its cosine, and lengths by their squares: these have derivatives everywhere.
-    fn statement<T: Real + Copy + From<f64>>(&self, evidence: &Evidence, error: T, placed: &Placed<T>, impact: &Impact<T>) -> Statement<T> {
-        let sought = T::from(evidence.value) + error;
+    fn statement<T: Real + Copy + From<f64>>(
+        &self,
+        evidence: &Evidence,
+        sought: T,
+        placed: &Placed<T>,
+        impact: &Impact<T>,
+    ) -> Statement<T> {
         let after = |side| match side {
             Side::One => &impact.one,
             Side::Two => &impact.two,
@@ -159,8 +166,18 @@ impl<'a> Equations<'a> {
         impact: &'s Impact<T>,
     ) -> impl Iterator<Item = Statement<T>> + 's {
         let error =
-            |place: usize| self.errors.iter().position(|of| *of == place).map_or(T::int(0), |error| numbers[self.unknowns() + error]);
-        self.problem.evidence.iter().enumerate().map(move |(place, evidence)| self.statement(evidence, error(place), placed, impact))
+            move |place: usize| self.errors.iter().position(|of| *of == place).map_or(T::int(0), |error| numbers[self.unknowns() + error]);
+        let sought = move |place: usize, evidence: &Evidence| {
+            let own = self.dependences.iter().filter(move |(piece, ..)| *piece == place);
+            own.fold(T::from(evidence.value) + error(place), |sought, (_, unknown, Dependence { at, slope, .. })| {
+                sought + (numbers[*unknown] - T::from(*at)) * T::from(*slope)
+            })
+        };
+        self.problem
+            .evidence
+            .iter()
+            .enumerate()
+            .map(move |(place, evidence)| self.statement(evidence, sought(place, evidence), placed, impact))
     }
 
     /// Returns the residuals over a cell.

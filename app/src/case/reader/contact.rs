@@ -115,9 +115,14 @@ impl CaseReader {
                 table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
             }
             let friction = self.input(table.required("friction"), Parameter::Friction);
-            return friction.map(ImpulseRatio::LimitedByFriction);
+            // What is wrong with the other one is told too.
+            let other = self.given_ratio(table.optional("impulse_ratio"));
+            return friction.filter(|_| other.is_some()).map(ImpulseRatio::LimitedByFriction);
         }
-        let field = table.optional("impulse_ratio");
+        self.given_ratio(table.optional("impulse_ratio"))
+    }
+
+    fn given_ratio(&self, field: Field<'_>) -> Option<ImpulseRatio> {
         match field.value() {
             None => Some(ImpulseRatio::Critical),
             Some(Value::Table(entries)) if !is_distribution(entries) => {

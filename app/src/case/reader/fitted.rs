@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use planar_impact::Distribution;
-use planar_impact::barrier::{CovarianceBasis, CrushModel, StiffnessFit};
+use planar_impact::barrier::{CovarianceBasis, CrushModel, StiffnessCovariance, StiffnessFit};
 use planar_impact::crush::CrushStiffness;
 
 use super::CaseReader;
@@ -14,7 +14,7 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::Source;
-use crate::stiffness::{Pooled, TestFile, is_negative, message};
+use crate::stiffness::{FurtherVehicle, Pooled, TestFile, is_negative, message};
 use crate::units::{Measure, Units};
 use crate::wording::{degrees_of_freedom, too_small};
 
@@ -28,6 +28,8 @@ pub(super) struct FittedToTests {
     vehicles: usize,
     /// Their class, whose spread is in the covariance.
     class: Option<Pooled>,
+    /// The part of the covariance that two vehicles of the class share.
+    common: StiffnessCovariance,
     /// d0 and d1 of each crush or zone with this stiffness, and the path of its key.
     of: Vec<([Parameter; 2], String)>,
 }
@@ -125,17 +127,28 @@ impl FittedToTests {
         let fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
         let (vehicles, class) = (file.vehicles.len(), file.class(model));
-        let fit = match &class {
+        let FurtherVehicle { fit, common } = match &class {
             Some(class) => class.further_vehicle(fit),
-            None => fit,
+            None => FurtherVehicle { common: fit.covariance, fit },
         };
         let notices = std::mem::take(&mut file.notices);
-        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, of: Vec::new() }, notices))
+        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, common, of: Vec::new() }, notices))
     }
 
-    /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes is one number.
+    /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes of a vehicle is one number, and two vehicles of a class share the
+    /// error of the line through all tests.
     fn correlations(&self) -> Vec<InputCorrelation> {
-        let between = self.fit.covariance.correlation();
+        let of_one_vehicle = self.fit.covariance;
+        let coefficient = |one: (usize, Parameter), other: (usize, Parameter)| {
+            let shared = if one.1.side() == other.1.side() { of_one_vehicle } else { self.common };
+            let entry = |of: &StiffnessCovariance, one: usize, other: usize| match (one, other) {
+                (0, 0) => of.onset,
+                (1, 1) => of.slope,
+                _ => of.between,
+            };
+            let variance = |of: usize| entry(&of_one_vehicle, of, of);
+            entry(&shared, one.0, other.0) / (variance(one.0) * variance(other.0)).sqrt()
+        };
         let inputs: Vec<(usize, Parameter, &str)> =
             self.of.iter().flat_map(|(of, key)| of.iter().enumerate().map(move |(i, parameter)| (i, *parameter, key.as_str()))).collect();
         // A d0 that is held is certain.
@@ -146,7 +159,7 @@ impl FittedToTests {
             .map(|(one, other)| InputCorrelation {
                 one: one.1,
                 other: other.1,
-                coefficient: if one.0 == other.0 { 1.0 } else { between },
+                coefficient: coefficient((one.0, one.1), (other.0, other.1)),
                 key: other.2.to_owned(),
             })
             .collect()
@@ -213,5 +226,51 @@ pub(crate) fn report(place: &Field<'_>, issues: &Issues) {
         let path = if issue.path.is_empty() { String::new() } else { format!("{}: ", issue.path) };
         let help = issue.help.as_ref().map(|help| Units::Si.sentence(help));
         place.report(format!("{at}{path}{}", Units::Si.sentence(&issue.message)), help);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planar_impact::Side;
+
+    use crate::case::{Case, CrushKey};
+
+    /// A case of two vehicles, and of two zones of the first, whose stiffness is fitted to the tests of `count` vehicles, each of them known exactly.
+    fn case(count: usize) -> Case {
+        let depth = |d0: f64, d1: f64, depth: f64| {
+            let speed = ((d0 + d1 * depth).powi(2) * 1.5 / 1500.0).sqrt();
+            format!(
+                "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0\nwidth = 1.5\ndepths = [{depth}, {depth}]\nscatter = 0.01\n"
+            )
+        };
+        let of_class = |i: usize| {
+            let (d0, d1) = (90.0 + 10.0 * i as f64, 700.0 + 30.0 * ((i * i) % 5) as f64);
+            let tests: String = [0.1, 0.4].map(|at| depth(d0, d1, at)).concat();
+            format!("[[vehicle]]\nname = \"{i}\"\nnew_cars = true\n{tests}")
+        };
+        let tests: String = "schema = 1\n".to_owned() + &(0..count).map(of_class).collect::<String>();
+        let vehicle = |heading: f64| {
+            format!(
+                "[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = {heading}\nspeed = 10\nimpact_center = [2, 0]\n\
+                 crush = {{ width = 1.5, depths = [0.2, 0.3], stiffness = {{ tests = \"tests.toml\" }} }}\n"
+            )
+        };
+        let text = format!("schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0\n", vehicle(0.0), vehicle(3.1));
+        let open = move |name: &str| Ok(Source { name: name.to_owned(), text: tests.clone() });
+        Case::parse_with(Source { name: "case.toml".to_owned(), text }, Box::new(open)).unwrap_or_else(|issues| panic!("{issues}"))
+    }
+
+    /// The mean of k vehicles that are known exactly has 1/k of the variance of one, which a further one has in addition: two further ones share 1/(k + 1).
+    #[test]
+    fn two_vehicles_of_a_class_share_its_mean() {
+        for count in [2, 3, 6] {
+            let case = case(count);
+            for of in [CrushKey::Onset, CrushKey::Slope] {
+                let [one, two] = Side::ALL.map(|side| Parameter::Crush(side, of));
+                let shared = case.uncertain.correlation(one, two);
+                assert!((shared * (count + 1) as f64 - 1.0).abs() < 1e-3, "{count}: {shared}");
+            }
+        }
     }
 }

@@ -1,14 +1,17 @@
 //! Evidence from recordings: `vehicle.N.recorder`, `contact.record`, and the restitution of a barrier test.
 
+use std::path::{Component, Path, PathBuf};
+
 use planar_impact::Side;
 use planar_impact::barrier::Estimate;
-use planar_impact::reconstruct::{Measurand, Variable};
+use planar_impact::reconstruct::{Correlation, Measurand, Variable};
 use planar_impact::{Input, Output};
 
 use super::evidence::Piece;
 use super::fitted::report;
 use super::measured::{Amount, Measured, Spread};
 use super::{CaseReader, one_of};
+use crate::case::correlation_of;
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::Kind;
@@ -116,6 +119,7 @@ impl CaseReader {
             (Measurand::Output(Output::ImpulseRatio), "impulse_ratio", ratio),
             (Measurand::Variable(Variable::Input(Input::Restitution)), "restitution", restitution),
         ];
+        self.correlations.borrow_mut().extend(correlation(&answer));
         let read = pieces.into_iter().filter_map(|(of, key, number)| Some(self.push(field, of, key, number?, found)));
         read.collect::<Vec<_>>().into_iter().collect()
     }
@@ -123,9 +127,11 @@ impl CaseReader {
     /// Reads { record = "file" } in place of a restitution.
     pub(crate) fn recorded_restitution(&self, field: &Field<'_>) -> Option<Recorded> {
         let table = field.clone().table()?;
-        let recording = self.recording_at(table.required("record"));
+        let record = table.required("record");
+        let recording = self.recording_at(record.clone());
         table.finish();
         let recording = recording?;
+        self.is_new(record).then_some(())?;
         let answer = self.analysed(field, &recording)?;
         let Some(Uncertain { value, sd }) = restitution(&answer) else {
             let help = "it needs mass and speed with forces, speed with an acceleration, or a film".to_owned();
@@ -144,6 +150,20 @@ impl CaseReader {
         Some(Recorded { restitution: value, sd, speed: recording.speed(), file: answer.file })
     }
 
+    /// Reports a recording that another test has: a fit would count its error as several that are independent.
+    fn is_new(&self, record: Field<'_>) -> bool {
+        let Some(name) = record.clone().string() else { return false };
+        let path: PathBuf = Path::new(name).components().filter(|part| *part != Component::CurDir).collect();
+        let mut all = self.records_of_tests.borrow_mut();
+        if let Some((_, first)) = all.iter().find(|(known, _)| *known == path) {
+            let help = "a recording is of one test: give this test its own, or restitution and restitution_sd".to_owned();
+            record.report_as("contradiction", format!("{first} has the same recording, which would count twice"), Some(help));
+            return false;
+        }
+        all.push((path, record.path().to_owned()));
+        true
+    }
+
     /// Reads the recording that `file` names, or whose `samples` stand in the case itself.
     fn recording_of(&self, table: &Table<'_>) -> Option<Recording> {
         if one_of(table, "file", "samples")? == "file" {
@@ -158,7 +178,7 @@ impl CaseReader {
         let (place, name) = (field.clone(), field.clone().string().unwrap_or_default().to_owned());
         let source = self.opened(field, "give the values in the file itself")?;
         // A recording may name its samples, which lie beside it.
-        let folder = std::path::Path::new(&name).parent().map(std::path::Path::to_path_buf).unwrap_or_default();
+        let folder = Path::new(&name).parent().map(Path::to_path_buf).unwrap_or_default();
         Recording::parse_by(source, |name| self.open_at(&folder.join(name))).map_err(|issues| report(&place, &issues)).ok()
     }
 
@@ -208,10 +228,67 @@ fn uses(table: &Table<'_>) -> Option<Vec<&'static str>> {
     Some(chosen)
 }
 
+/// Returns the correlation of the impulse ratio of load cells with their restitution: with the normal impulse P, the one is P_t/P and the other P/(m v) − 1, so that an
+/// error of P by σ adds −μ (1 + e) σ²/P² to their covariance.
+fn correlation(answer: &RecordAnswer) -> Option<Correlation> {
+    let barrier = answer.barrier.as_ref()?;
+    let (ratio, of_cells, impulse) = (barrier.impulse_ratio?, barrier.restitution?, barrier.normal_impulse?);
+    let sds = [ratio.sd?, of_cells.sd?];
+    let share = impulse.sd? / impulse.value;
+    let covariance = -ratio.value * (1.0 + of_cells.value) * share * share;
+    let is_used = restitution(answer).is_some_and(|used| used == of_cells);
+    (is_used && covariance != 0.0 && sds.iter().all(|sd| *sd > 0.0)).then(|| Correlation {
+        one: Measurand::Output(Output::ImpulseRatio),
+        other: Measurand::Variable(Variable::Input(Input::Restitution)),
+        coefficient: correlation_of(covariance, sds),
+    })
+}
+
 /// Returns the restitution that a recording has: that of the contact point by kinematics, or else of its load cells, of an acceleration, or of a film.
 fn restitution(answer: &RecordAnswer) -> Option<Uncertain> {
     let of_barrier = answer.barrier.as_ref().and_then(|barrier: &Barrier| barrier.restitution);
     let of_acceleration = || answer.accelerations.iter().find_map(|one| one.restitution);
     let of_kinematics = answer.kinematics.as_ref().map(|kinematics| kinematics.restitution);
     of_kinematics.or(of_barrier).or_else(of_acceleration).or_else(|| answer.films.first().map(|film| film.restitution))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Source;
+
+    /// Load cells of a barrier, with noise of either bank.
+    fn answer(tangential: f64, noise: [f64; 2], mass: &str) -> RecordAnswer {
+        let row = |i: i32| {
+            let force = if (0..100).contains(&i) { 300.0 * (f64::from(i) * std::f64::consts::PI / 100.0).sin() } else { 0.0 };
+            let by = f64::from((i * 7919).rem_euclid(11)) - 5.0;
+            format!("{i},{},{}\n", force + noise[0] * by, tangential * force + noise[1] * by)
+        };
+        let rows: String = (-60..=130).map(row).collect();
+        let samples = format!("time [ms],normal_force.a [kN],tangential_force.b [kN]\n{rows}");
+        let text = format!("schema = 1\nfile = \"a.csv\"\nmass = {mass}\nspeed = 10\n");
+        let open = move |_: &std::path::Path| Ok(Source { name: "a.csv".to_owned(), text: samples.clone() });
+        let recording = Recording::parse_by(Source { name: "a.toml".to_owned(), text }, open).unwrap_or_else(|issues| panic!("{issues}"));
+        recording.analyse().unwrap_or_else(|issues| panic!("{issues}")).0
+    }
+
+    fn coefficient(answer: &RecordAnswer) -> f64 {
+        correlation(answer).map_or(0.0, |correlation| correlation.coefficient)
+    }
+
+    #[test]
+    fn an_error_of_the_normal_impulse_is_one_of_ratio_and_restitution() {
+        for tangential in [0.3, -0.3] {
+            let of_normal = coefficient(&answer(tangential, [3.0, 0.001], "1500"));
+            assert!(of_normal * tangential.signum() < -0.9999, "{tangential}: {of_normal}");
+            let of_tangential = coefficient(&answer(tangential, [0.001, 3.0], "1500"));
+            assert!(of_tangential.abs() < 0.01, "{tangential}: {of_tangential}");
+        }
+        // With half of the variance of the ratio from the tangential bank, and all of that of the restitution from the normal one, it is the root of a half.
+        let half = coefficient(&answer(0.3, [3.0, 0.9], "1500"));
+        assert!((half.abs() - 0.5_f64.sqrt()).abs() < 0.01, "{half}");
+        // An uncertain mass is no error of the ratio.
+        let of_mass = coefficient(&answer(0.3, [0.3, 0.001], "\"1500 kg ± 300 kg\""));
+        assert!(of_mass.abs() < 0.1, "{of_mass}");
+    }
 }

@@ -11,6 +11,7 @@ use crate::case::uncertain::MOST_VALUES;
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, Quantity, QuantityError, nearest};
+use crate::quotes::Quotes;
 use crate::source::Source;
 
 /// Help for an input that does not vary.
@@ -75,6 +76,10 @@ impl CaseReader {
         let name = column.string();
         let source = self.opened(file, "give the values in the case itself: { values = [\u{2026}] }");
         let (name, source) = (name?, source?);
+        if let Some(fault) = Quotes::fault_of(&source.text) {
+            of_file.report(format!("{}:{}: {fault}", source.name, fault.line()), None);
+            return None;
+        }
         let column =
             CsvColumn::of(&source.text, name).map_err(|missing| of_column.report(missing.message(&source), missing.help())).ok()?;
         let unit = column.unit.as_deref();

@@ -71,6 +71,12 @@ pub const BAD: &[Bad] = &[
     // Two keys that exclude each other.
     wrong("speed and velocity", &[("yaw_rate", "velocity = [1, 2]\nyaw_rate")], 10, &["vehicle.1.velocity", "exclude each other"]),
     wrong("inertia and radius", &[("heading", "radius_of_gyration = 1\nheading")], 8, &["radius_of_gyration", "exclude each other"]),
+    wrong(
+        "friction and a wrong impulse ratio",
+        &[("= 0.1\n", "= 0.1\nimpulse_ratio = \"crit\"\nfriction = -1\n")],
+        25,
+        &["exclude each other", "contact.friction: it is -1", "contact.impulse_ratio: expected \"critical\""],
+    ),
     wrong("friction and impulse ratio", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.1\nfriction = 0.4\n")], 25, &["exclude each other"]),
     wrong(
         "friction and critical impulse ratio",

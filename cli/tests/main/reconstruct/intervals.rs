@@ -213,3 +213,56 @@ fn ends_are_at_least_as_far_as_points_that_were_found_by_chance() {
     assert!(of("flat_along_bound.toml", "vehicle.1.pdof", "high") >= 10.395_f64.to_radians());
     assert!(of("flat_edge.toml", "vehicle.1.pdof", "high") >= 10.965_f64.to_radians());
 }
+
+/// Of an elastic impact that sticks nothing is lost, whatever the friction: its prior alone says what it is. Just below e = 1 the answer is the same.
+#[test]
+fn no_loss_of_an_elastic_impact_is_no_limit() {
+    let text = reproducer("elastic_friction.toml");
+    for restitution in ["1", "0.999999"] {
+        let (found, _) = super::answer(&text.replace("restitution = 1\n", &format!("restitution = {restitution}\n")));
+        let [low, high] = ends(&found, "contact.friction");
+        near(low, 0.195 - 1.959964 * 0.06, 1e-5);
+        near(high, 0.195 + 1.959964 * 0.06, 1e-5);
+        assert!(!found.to_string().contains("energy-gain"), "{restitution}");
+    }
+}
+
+/// The slide to rest begins where the impact center says, so that the separation follows it: V = √(2 μ g d), and the variance of the speed has a part by d.
+#[test]
+fn a_separation_follows_what_is_uncertain_of_its_vehicle() {
+    let text = reproducer("rest_of_an_uncertain_center.toml");
+    let speed = |center: &str| {
+        let (found, status) = super::answer(&text.replace("2 m ± 0.5 m", center));
+        let speed = &found["unknown"]["vehicle.1.speed"];
+        let [low, high] = ends(&found, "vehicle.1.speed");
+        assert_eq!(status, 0, "{center}");
+        (number(&speed["value"]), number(&speed["sd"]), (high - low) / 2.0 / 1.959964, found)
+    };
+    let (value, sd, by_interval, found) = speed("2 m ± 0.5 m");
+    let (exact, exact_sd, ..) = speed("2 m");
+    let part = (speed("2.5 m").0 - speed("1.5 m").0) / 2.0;
+    assert!((value - exact).abs() < 1e-6 && part > 3.0 * exact_sd, "{value} {exact} {part}");
+    near(sd, exact_sd.hypot(part), 0.01 * sd);
+    near(by_interval, sd, 0.01 * sd);
+    // The slide says nothing of the center that it begins with.
+    let center = &found["inputs"]["vehicle.1.impact_center.forward"];
+    let center = if center.is_null() { &found["unknown"]["vehicle.1.impact_center.forward"] } else { center };
+    near(number(&center["value"]), 2.0, 1e-6);
+    near(number(&center["sd"]), 0.5, 1e-6);
+    assert!(found.to_string().contains("its separation follows vehicle.1.impact_center.forward, to first order"));
+}
+
+/// Far from where the slopes are those of the slide, the answer says so.
+#[test]
+fn a_separation_that_bends_is_told() {
+    let text = reproducer("rest_of_an_uncertain_center.toml");
+    let far = text.replace("[evidence]\n", "[evidence]\nvehicle.1.speed = \"24 m/s ± 0.05 m/s\"\n").replace("± 0.5 m", "± 5 m");
+    let found: Value = serde_json::from_str(&super::text(&far, &["--format", "json"]).out).expect("JSON");
+    assert!(
+        found.to_string().contains("separation-bends") || found.to_string().contains("another than to first order"),
+        "{}",
+        found["warnings"]
+    );
+    let near: Value = serde_json::from_str(&super::text(&text, &["--format", "json"]).out).expect("JSON");
+    assert!(!near.to_string().contains("another than to first order"));
+}

@@ -283,3 +283,20 @@ fn bad_recordings_are_refused_all_at_once() {
         assert!(refused.err.contains(wanted), "{text}: {}", refused.err);
     }
 }
+
+/// A cell that cannot be read hides no time that is out of order, and what stands behind a closing quote is no part of a number.
+#[test]
+fn faults_of_times_and_quotes_stand_beside_those_of_cells() {
+    let both = record_of("time [ms],normal_force [N]\n0,nan\n1,5\n3,x\n3,1\n2,4\n", None).1;
+    assert_eq!((both.status, both.out.as_str()), (2, ""));
+    for says in ["`nan`", "`x` is not a number", "test.csv:5:1", "test.csv:6:1", "the time is not later than the one before"] {
+        assert!(both.err.contains(says), "{says}: {}", both.err);
+    }
+    for (cells, says) in [
+        ("0,\"1\"5\n1,20\n2,3\n", "the cell that begins in line 2 goes on after its closing quote"),
+        ("0,15\n1,\"20\n2,3\n", "the quote that begins a cell in line 3 is never closed"),
+    ] {
+        let refused = record_of(&format!("time [ms],normal_force [N]\n{cells}"), None).1;
+        assert!(refused.status == 2 && refused.err.contains(says), "{}", refused.err);
+    }
+}

@@ -142,8 +142,8 @@ fn readings_tell_more_of_a_recorder_than_its_settings() {
 /// Times count from the impact: what was stored later is no speed before it.
 #[test]
 fn speeds_after_the_impact_are_not_used() {
-    let (found, run) = record_of("time [s],speed [mph]\n-1,60\n0,50\n1,40\n2,30\n", None);
-    assert!(run.out.contains("2 of 4 speeds are later than the impact, and not used"), "{}", run.out);
+    let (found, run) = record_of("time [s],speed [mph]\n-1,60\n0,50\n1,40\n2,30\n3,20\n", None);
+    assert!(run.out.contains("3 of 5 speeds are later than the impact, and not used"), "{}", run.out);
     assert_eq!(found["recorder"]["pre_crash"].as_array().map(Vec::len), Some(2));
     close(&found["recorder"]["speed_at_impact"]["value"], 50.0 * 0.44704, 1e-12);
     assert!(!record_of("time [s],speed [mph]\n-1,60\n0,50\n", None).1.out.contains("not used"));
