@@ -17,7 +17,9 @@ mod solved;
 mod statement;
 
 use planar_impact::momentum::approach_speeds;
-use planar_impact::reconstruct::{Answer as Found, Estimate, Measurand, Sampling, Search, Solution, Variable, Verdict, by_chi_square};
+use planar_impact::reconstruct::{
+    Answer as Found, Estimate, Measurand, ReconstructionProblem, Sampling, Search, Solution, Variable, Verdict, by_chi_square,
+};
 use planar_impact::{Impact, Input, Output, Side};
 
 use crate::answer::Answer;
@@ -143,12 +145,13 @@ fn by_separations(
     options: &Options,
     control: &dyn Control,
 ) -> Result<Answer<Reconstruction>, Issues> {
-    let question = Question::of(case, separations)?;
+    let mut question = Question::of(case, separations)?;
     let statements = Statement::read_all(&options.probabilities, &question)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
     solve_error::check(&question)?;
-    let answer = question.asked.solve_while(&search, &|done, total| control.goes_on(done, total));
-    let answer = answer.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
+    let solve = |asked: &ReconstructionProblem| asked.solve_while(&search, &|done, total| control.goes_on(done, total));
+    let solved_about = dependences::solved(case, separations, &mut question.asked, &solve);
+    let (answer, bends) = solved_about.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
     let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));
@@ -164,7 +167,7 @@ fn by_separations(
         }
     }
     notices.0.extend(at_a_corner(&question, answer.best()));
-    notices.0.extend(dependences::bent(case, separations, &question.asked, answer.best()));
+    notices.0.extend(bends);
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }

@@ -182,4 +182,13 @@ mod tests {
             assert!(is_half("x") && is_half("y") || is_half("forward") && is_half("left"), "{pair}");
         }
     }
+
+    #[test]
+    fn errors_that_are_the_same_have_almost_the_same_sign_and_size() {
+        assert_eq!(correlation_of(3.0, [2.0, 3.0]), 0.5);
+        for sign in [1.0, -1.0] {
+            let all = correlation_of(sign * 6.0, [2.0, 3.0]);
+            assert!(all * sign < 1.0 && all * sign > 1.0 - 1e-7, "{all}");
+        }
+    }
 }

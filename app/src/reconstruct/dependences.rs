@@ -1,12 +1,11 @@
 //! How separations from rest positions follow what is not certain of the vehicles: a heading, an impact center, a mass, a yaw inertia.
 
-use planar_impact::post_impact::Separation;
-use planar_impact::reconstruct::{Dependence, Measurand, ReconstructionProblem, Solution, Unknown, Variable};
+use planar_impact::reconstruct::{Answer, Dependence, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Variable};
 use planar_impact::{Motion, Output, Side};
 
 use super::from_rest::{Separations, key};
 use super::question::{key_of, name_in};
-use crate::case::{Case, Parameter, RestOfVehicle, vehicle_number};
+use crate::case::{Case, Inputs, Parameter, RestInputs, RestOfVehicle, vehicle_number};
 use crate::issue::Issue;
 use crate::notice::Notice;
 
@@ -21,19 +20,26 @@ pub struct Dependences {
     pub issues: Vec<Issue>,
 }
 
+/// Largest number of times that slopes are taken anew, about the solution that the ones before lead to.
+const MOST: usize = 6;
+
 impl Dependences {
-    /// Finds those of the separations of a case on its unknowns.
+    /// Finds those of the separations of a case on its unknowns, about the values of the case.
     pub fn of(case: &Case, separations: &Separations, unknowns: &[Unknown]) -> Dependences {
         let mut found = Dependences::default();
         for (side, separation) in Side::ALL.into_iter().zip(separations) {
-            let Some(separation) = separation else { continue };
+            let Some((separation, rest)) = separation.as_ref().zip(case.rest.as_ref()) else { continue };
+            let about = About { rest, inputs: &case.inputs, side, motion: separation.motion };
             let mut names = Vec::new();
             for unknown in unknowns {
-                let Some(parameter) = key_of(unknown.of, case) else { continue };
-                let Ok(at) = case.inputs.value(parameter) else { continue };
-                let Some(slopes) = slopes(case, side, separation, parameter, (at, step(unknown, at))) else { continue };
+                let Some((parameter, at)) = key_of(unknown.of, case).and_then(|key| Some((key, case.inputs.value(key).ok()?))) else {
+                    continue;
+                };
+                if !about.depends_on(parameter, step(unknown, at)) {
+                    continue;
+                }
                 let name = name_in(unknown.of, case);
-                let Ok(slopes) = slopes else {
+                let Some(slopes) = about.slopes(parameter, step(unknown, at)) else {
                     let message = format!("vehicle.{}: its separation cannot be followed as {name} changes", vehicle_number(side));
                     let help = format!("give {name} without an uncertainty, or the separation velocity as evidence instead");
                     found.issues.push(Issue::at("no-separation", key(side), message).with_help(help));
@@ -44,7 +50,11 @@ impl Dependences {
                 found.all.extend(outputs(side).into_iter().zip(slopes).map(dependence));
             }
             if !names.is_empty() {
-                let message = format!("vehicle.{}: its separation follows {}, to first order", vehicle_number(side), names.join(" and "));
+                let message = format!(
+                    "vehicle.{}: its separation follows {}, to first order about the solution",
+                    vehicle_number(side),
+                    names.join(" and ")
+                );
                 found.notices.push(Notice::note("separation-follows", key(side), message));
             }
         }
@@ -52,39 +62,98 @@ impl Dependences {
     }
 }
 
-/// Warns of each separation that at the solution is another than its line has, by more than a standard deviation.
-pub fn bent(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution) -> Vec<Notice> {
-    let known: Vec<(Variable, f64)> = best.unknowns.iter().map(|estimate| (estimate.of, estimate.value)).collect();
-    let values: Vec<(Parameter, f64)> = known.iter().filter_map(|(of, value)| Some((key_of(*of, case)?, *value))).collect();
-    let of_solution = case.inputs.set_all(&values).vehicles;
-    let mut notices = Vec::new();
-    for (side, separation) in Side::ALL.into_iter().zip(separations) {
-        let Some((separation, rest)) = separation.as_ref().zip(case.rest.as_ref()) else { continue };
-        let on_line = outputs(side).map(|of| {
-            let own = asked.dependences.iter().filter(|dependence| dependence.of == of);
-            let change =
-                |one: &Dependence| known.iter().find(|(of, _)| *of == one.on).map_or(0.0, |(_, value)| one.slope * (value - one.at));
-            own.map(change).sum::<f64>()
-        });
-        if on_line == [0.0; 3] {
-            continue;
+/// Solves a question, with the slopes of its separations about the solution: those about the values of the case lead there. Returns a warning of each separation that at
+/// the solution is still another than its line has, by more than a hundredth of its standard deviations.
+///
+/// # Errors
+///
+/// Those of the search.
+pub fn solved(
+    case: &Case,
+    separations: &Separations,
+    asked: &mut ReconstructionProblem,
+    solve: &dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError>,
+) -> Result<(Answer, Vec<Notice>), SolveError> {
+    let mut answer = solve(asked)?;
+    for _ in 0..MOST {
+        let bent: Vec<Side> = Side::ALL.into_iter().filter(|side| is_bent(case, separations, asked, answer.best(), *side)).collect();
+        if bent.is_empty() {
+            return Ok((answer, Vec::new()));
         }
-        let there = rest.of(&of_solution).vehicles[side as usize].as_ref().and_then(|rest| motion_near(rest, separation));
-        let changed = there.map(|there| components(&there)).into_iter().flatten().zip(components(&separation.motion));
-        let off = changed
-            .zip(on_line)
-            .zip(separation.covariance.deviations())
-            .any(|(((there, known), line), sd)| (there - known - line).abs() > sd);
-        if off || there.is_none() {
-            let message = format!(
-                "vehicle.{}: at the solution its separation is another than to first order, by more than its standard deviation; give the case the \
-                 values of the solution, and reconstruct it again",
-                vehicle_number(side)
-            );
-            notices.push(Notice::warning("separation-bends", key(side), message));
+        let mut moved = asked.clone();
+        let is_moved = bent.iter().all(|side| take_about(case, separations, &mut moved, answer.best(), *side).is_some());
+        let Some(next) = is_moved.then(|| solve(&moved)).transpose()? else { break };
+        (*asked, answer) = (moved, next);
+    }
+    let warning = |side| {
+        let message = format!(
+            "vehicle.{}: at the solution its separation is another than to first order: give what it follows with a smaller uncertainty, or the separation \
+             velocity as evidence instead",
+            vehicle_number(side)
+        );
+        Notice::warning("separation-bends", key(side), message)
+    };
+    let bent = Side::ALL.into_iter().filter(|side| is_bent(case, separations, asked, answer.best(), *side));
+    let warnings = bent.map(warning).collect();
+    Ok((answer, warnings))
+}
+
+/// Returns `true` if the separation of a vehicle at a solution is not what the evidence has for it.
+fn is_bent(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution, side: Side) -> bool {
+    /// Standard deviations that do not matter.
+    const NEAR: f64 = 0.01;
+    let Some((separation, rest)) = separations[side as usize].as_ref().zip(case.rest.as_ref()) else { return false };
+    let known: Vec<_> = outputs(side).into_iter().filter_map(|of| Some((of, evidence(asked, of, best)?))).collect();
+    if !asked.dependences.iter().any(|dependence| outputs(side).contains(&dependence.of)) {
+        return false;
+    }
+    let inputs = case.inputs.set_all(&values(case, best));
+    let Some(there) = (About { rest, inputs: &inputs, side, motion: separation.motion }).moved() else { return true };
+    let sds = separation.covariance.deviations();
+    let is_near = |(of, on_line): &(Measurand, f64)| {
+        let place = outputs(side).iter().position(|output| output == of).unwrap_or(0);
+        (components(&there)[place] - on_line).abs() <= NEAR * sds[place]
+    };
+    !known.iter().all(is_near)
+}
+
+/// Returns what evidence of a quantity says at a solution, with what it follows.
+fn evidence(asked: &ReconstructionProblem, of: Measurand, best: &Solution) -> Option<f64> {
+    let value = asked.evidence.iter().find(|evidence| evidence.of == of)?.value;
+    let change = |one: &Dependence| {
+        let estimate = best.unknowns.iter().find(|estimate| estimate.of == one.on);
+        estimate.map_or(0.0, |estimate| one.slope * (estimate.value - one.at))
+    };
+    Some(value + asked.dependences.iter().filter(|one| one.of == of).map(change).sum::<f64>())
+}
+
+/// Takes the evidence of a separation, and its slopes, about a solution. `None` if there is no separation, or if it cannot be followed there.
+fn take_about(case: &Case, separations: &Separations, asked: &mut ReconstructionProblem, best: &Solution, side: Side) -> Option<()> {
+    let (separation, rest) = separations[side as usize].as_ref().zip(case.rest.as_ref())?;
+    let inputs = case.inputs.set_all(&values(case, best));
+    let motion = About { rest, inputs: &inputs, side, motion: separation.motion }.moved()?;
+    let about = About { rest, inputs: &inputs, side, motion };
+    for (of, value) in outputs(side).into_iter().zip(components(&motion)) {
+        asked.evidence.iter_mut().filter(|evidence| evidence.of == of).for_each(|evidence| evidence.value = value);
+    }
+    let of_side: Vec<Variable> = asked.dependences.iter().filter(|one| one.of == outputs(side)[0]).map(|one| one.on).collect();
+    for on in of_side {
+        let unknown = asked.unknowns.iter().find(|unknown| unknown.of == on)?;
+        let parameter = key_of(on, case)?;
+        let at = inputs.value(parameter).ok()?;
+        let slopes = about.slopes(parameter, step(unknown, at))?;
+        for dependence in asked.dependences.iter_mut().filter(|one| one.on == on) {
+            if let Some(place) = outputs(side).iter().position(|of| *of == dependence.of) {
+                (dependence.at, dependence.slope) = (at, slopes[place]);
+            }
         }
     }
-    notices
+    Some(())
+}
+
+/// Returns the values of a solution that the case has.
+fn values(case: &Case, best: &Solution) -> Vec<(Parameter, f64)> {
+    best.unknowns.iter().filter_map(|estimate| Some((key_of(estimate.of, case)?, estimate.value))).collect()
 }
 
 fn outputs(side: Side) -> [Measurand; 3] {
@@ -95,34 +164,51 @@ fn components(of: &Motion) -> [f64; 3] {
     [of.velocity.x, of.velocity.y, of.yaw_rate]
 }
 
-/// Returns the motion at the separation of a vehicle, or of a pose, beside a known one.
-fn motion_near(rest: &RestOfVehicle, known: &Separation) -> Option<Motion> {
-    rest.slide.motion_near(rest.evidence.as_ref()?, rest.method, &known.motion)
-}
-
 /// Returns a change of an unknown that matters: its standard deviation, or a hundredth.
 fn step(unknown: &Unknown, at: f64) -> f64 {
     unknown.prior.unwrap_or(0.01 * at.abs().max(1.0))
 }
 
-/// Returns the slopes of a separation by a parameter, by central differences of a step or, where there is no slide so far away, of a part of it. `None` if neither
-/// the vehicle that slides nor its pose at separation depends on the parameter, and an error if there are no slides beside the known one.
-fn slopes(case: &Case, side: Side, known: &Separation, parameter: Parameter, (at, step): (f64, f64)) -> Option<Result<[f64; 3], ()>> {
-    let rest = case.rest.as_ref()?;
-    let with = |value: f64| {
-        let inputs = case.inputs.set_all(&[(parameter, value)]);
-        rest.of(&inputs.vehicles).vehicles[side as usize].clone()
-    };
-    if with(at + step) == with(at) {
-        return None;
+/// The inputs of a case, and a motion at the separation of one vehicle, that they lead to or nearly so.
+struct About<'a> {
+    rest: &'a RestInputs,
+    inputs: &'a Inputs,
+    side: Side,
+    motion: Motion,
+}
+
+impl About<'_> {
+    fn with(&self, values: &[(Parameter, f64)]) -> Option<RestOfVehicle> {
+        self.rest.of(&self.inputs.set_all(values).vehicles).vehicles[self.side as usize].clone()
     }
-    let motion = |value: f64| motion_near(with(value).as_ref()?, known).map(|of| components(&of));
-    let by = |step: f64| {
-        let (more, less) = (motion(at + step)?, motion(at - step)?);
-        let slopes: [f64; 3] = std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step));
-        slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
-    };
-    Some([1.0, 0.1, 0.01].into_iter().find_map(|share| by(share * step)).ok_or(()))
+
+    /// Returns the motion to which values of the inputs lead.
+    fn motion_with(&self, values: &[(Parameter, f64)]) -> Option<Motion> {
+        let RestOfVehicle { slide, evidence, method, .. } = self.with(values)?;
+        slide.motion_near(&evidence?, method, &self.motion)
+    }
+
+    /// Returns the motion to which the inputs lead.
+    fn moved(&self) -> Option<Motion> {
+        self.motion_with(&[])
+    }
+
+    /// Returns `true` if the vehicle that slides, or its pose at separation, changes with a parameter.
+    fn depends_on(&self, parameter: Parameter, step: f64) -> bool {
+        self.inputs.value(parameter).is_ok_and(|at| self.with(&[(parameter, at + step)]) != self.with(&[]))
+    }
+
+    /// Returns the slopes of the separation by a parameter, by central differences of a step or, where there is no slide so far away, of a part of it.
+    fn slopes(&self, parameter: Parameter, step: f64) -> Option<[f64; 3]> {
+        let at = self.inputs.value(parameter).ok()?;
+        let by = |step: f64| {
+            let [more, less] = [at + step, at - step].map(|value| self.motion_with(&[(parameter, value)]).map(|of| components(&of)));
+            let (more, less) = (more?, less?);
+            let slopes: [f64; 3] = std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step));
+            slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
+        };
+        [1.0, 0.1, 0.01].into_iter().find_map(|share| by(share * step))
+    }
 }
 
 #[cfg(test)]
@@ -131,6 +217,7 @@ mod tests {
     use crate::Source;
     use crate::control::Uncontrolled;
     use planar_impact::Input;
+    use planar_impact::post_impact::Separation;
 
     fn case(heading: f64, inertia: f64, forward: f64, rest: &str) -> Case {
         let text = format!(

@@ -236,7 +236,7 @@ mod tests {
 
     use crate::case::{Case, CrushKey};
 
-    /// A case of two vehicles, and of two zones of the first, whose stiffness is fitted to the tests of `count` vehicles, each of them known exactly.
+    /// A case of two vehicles whose stiffness is fitted to the tests of `count` vehicles, each of them known almost exactly.
     fn case(count: usize) -> Case {
         let depth = |d0: f64, d1: f64, depth: f64| {
             let speed = ((d0 + d1 * depth).powi(2) * 1.5 / 1500.0).sqrt();

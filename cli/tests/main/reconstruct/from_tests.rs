@@ -83,6 +83,27 @@ fn assert_alike(one: &Value, other: &Value, at: &str) {
     }
 }
 
+/// Two crushes that are alike have one error, which contradicts nothing: the share of each is a half, however uncertain the energies are.
+#[test]
+fn equal_crushes_of_one_vehicle_have_equal_energies() {
+    let second = "depths = [\"0 ft\", \"0 ft\"]\nstiffness = { d0 = \"0 lbf^0.5\", d1 = \"1e6 lbf^0.5/ft\" }";
+    let both = replaced(
+        &case("stiffness = { tests = \"tests.toml\" }"),
+        &[
+            (second, "depths = [\"0.520335 ft\", \"0.520335 ft\"]\nstiffness = { tests = \"tests.toml\" }"),
+            ("\ncrush_energy = \"from crush\"", "\nvehicle.1.crush_energy = \"from crush\"\nvehicle.2.crush_energy = \"from crush\""),
+        ],
+    );
+    let run = beside(&both, &[("tests.toml", &struble_welsh())], &RECONSTRUCT);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    let found = json(&run);
+    let energy = &found["evidence"]["vehicle.1.crush_energy"];
+    let share = &found["unknown"]["contact.crush_share"];
+    assert!(number(&energy["sd"]) > 0.02 * number(&energy["given"]), "{energy}");
+    let [low, high] = ["low", "high"].map(|end| number(&share["interval"][end]));
+    assert!((low..=high).contains(&0.5) && high - low < 1e-4, "{share}");
+}
+
 /// Of two vehicles with the stiffness of the same tests, the crush energies go up and down together.
 #[test]
 fn one_fit_for_two_vehicles_is_one_number() {

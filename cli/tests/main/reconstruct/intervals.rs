@@ -252,17 +252,24 @@ fn a_separation_follows_what_is_uncertain_of_its_vehicle() {
     assert!(found.to_string().contains("its separation follows vehicle.1.impact_center.forward, to first order"));
 }
 
-/// Far from where the slopes are those of the slide, the answer says so.
+/// Far from the values of the case the slopes are taken about the solution: the separation there is the one of a case with its values.
 #[test]
-fn a_separation_that_bends_is_told() {
+fn slopes_of_a_separation_are_those_at_the_solution() {
     let text = reproducer("rest_of_an_uncertain_center.toml");
-    let far = text.replace("[evidence]\n", "[evidence]\nvehicle.1.speed = \"24 m/s ± 0.05 m/s\"\n").replace("± 0.5 m", "± 5 m");
-    let found: Value = serde_json::from_str(&super::text(&far, &["--format", "json"]).out).expect("JSON");
-    assert!(
-        found.to_string().contains("separation-bends") || found.to_string().contains("another than to first order"),
-        "{}",
-        found["warnings"]
-    );
-    let near: Value = serde_json::from_str(&super::text(&text, &["--format", "json"]).out).expect("JSON");
-    assert!(!near.to_string().contains("another than to first order"));
+    let of = |speed: &str, center: &str| {
+        let evidence = format!("[evidence]\nvehicle.1.speed = \"{speed} ± 0.05 m/s\"\n");
+        super::answer(&text.replace("[evidence]\n", &evidence).replace("2 m ± 0.5 m", center)).0
+    };
+    let far = of("24 m/s", "2 m ± 5 m");
+    let center = number(&far["unknown"]["vehicle.1.impact_center.forward"]["value"]);
+    assert!((center - 2.0).abs() > 3.0, "{center}");
+    let velocity = |found: &Value, key: &str| number(&found["evidence"]["vehicle.1.separation_velocity.x"][key]);
+    let there = of("24 m/s", &format!("{center} m"));
+    near(velocity(&far, "given"), velocity(&there, "given"), 0.05 * velocity(&there, "sd"));
+    // The line about the case has another velocity there, and so would the answer.
+    let of_case = velocity(&of("17 m/s", "2 m"), "given");
+    let slope = (velocity(&of("17 m/s", "2.5 m"), "given") - velocity(&of("17 m/s", "1.5 m"), "given")) / 1.0;
+    let on_line = of_case + slope * (center - 2.0);
+    assert!((on_line - velocity(&there, "given")).abs() > velocity(&there, "sd"), "{on_line}");
+    assert!(!far.to_string().contains("another than to first order"), "{}", far["warnings"]);
 }
