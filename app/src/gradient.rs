@@ -1,6 +1,7 @@
 //! The verb `gradient`: exact derivatives of the outputs with respect to the inputs.
 
-use planar_impact::{Impact, ImpulseRatio, Output, Side};
+use planar_impact::num_dual::Dual64;
+use planar_impact::{Collision, Impact, ImpulseRatio, Output, Side};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -150,16 +151,23 @@ pub(crate) fn ratio_note(case: &Case) -> Option<Notice> {
     }
 }
 
-/// Returns a warning where the friction is that at which sliding just ends: with less of it the derivatives are others.
+/// Returns a warning where the friction is that at which sliding just ends: on either side of it the derivatives are others. Rounding decides which side it is on.
 fn corner(case: &Case, impact: &Impact) -> Option<Notice> {
     /// Difference, as a share of the friction, that is rounding.
     const ROUNDING: f64 = 1e-12;
     let ImpulseRatio::LimitedByFriction(friction) = case.inputs.contact.impulse_ratio else { return None };
     let critical = impact.critical_impulse_ratio().abs();
-    let message = "the friction is the critical impulse ratio, at which sliding just ends: these are the derivatives for more friction, \
-                   and those for less differ; give contact.impulse_ratio as a number for those";
     let is_corner = (friction - critical).abs() <= ROUNDING * friction;
-    is_corner.then(|| Notice::warning("corner", "contact.friction", message))
+    is_corner.then(|| {
+        let impulse_ratio = ImpulseRatio::LimitedByFriction(Dual64::new(friction, 1.0));
+        let slides = Collision { impulse_ratio, ..case.collision.map(Dual64::from) }.evaluate().impulse.t.eps != 0.0;
+        let (these, others) = if slides { ("less", "more") } else { ("more", "less") };
+        let message = format!(
+            "the friction is the critical impulse ratio, at which sliding just ends: these are the derivatives for {these} friction, and those for {others} \
+             differ; give a friction a little off for those"
+        );
+        Notice::warning("corner", "contact.friction", message)
+    })
 }
 
 /// Outputs and inputs selected by name.

@@ -411,5 +411,19 @@ mod tests {
         assert_abs_diff_eq!(line.value.value, level, epsilon = 1e-12);
         assert_abs_diff_eq!(line.value.variance, scatter * (1.0 + 2.0 * w * w) / (1.0 + 2.0 * w).powi(2), epsilon = 1e-9);
         assert_abs_diff_eq!(line.slope.variance, scatter / 2.0, epsilon = 1e-9);
+        // Of five samples with a weight two are in the line.
+        let apart = [-2.0_f64, -1.0, 0.0, 1.0, 2.0];
+        let (values, weights) = ([1.0, 4.0, 1.0, 4.0, 5.0], apart.map(|t| (1.0 - (t.abs() / 3.0).powi(3)).powi(3)));
+        let trust = [true, false, false, false, false, false, true]
+            .map(|is_trusted| if is_trusted { Trust::whole() } else { wide.trust[2].clone() });
+        let line = Smoothed { neighbors: 7, trust: trust.to_vec(), ..wide.clone() }.at(3.0).expect("a line");
+        let sum = |of: &dyn Fn(usize) -> f64| (0..5).map(of).sum::<f64>();
+        let total = sum(&|i| weights[i]);
+        let (level, slope) = (
+            sum(&|i| weights[i] * values[i]) / total,
+            sum(&|i| weights[i] * apart[i] * values[i]) / sum(&|i| weights[i] * apart[i] * apart[i]),
+        );
+        let scatter = sum(&|i| (values[i] - level - slope * apart[i]).powi(2)) / 3.0;
+        assert_abs_diff_eq!(line.value.variance, scatter * sum(&|i| weights[i] * weights[i]) / (total * total), epsilon = 1e-9);
     }
 }

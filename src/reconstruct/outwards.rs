@@ -46,6 +46,8 @@ pub(super) struct Quantity<'a> {
     pub(super) of: Measurand,
     /// Its value at the best solution.
     value: f64,
+    /// The place of an unknown angle that repeats itself within no bounds or one, and its period.
+    turning: Option<(usize, f64)>,
     scale: f64,
     /// The period of an angle that is computed.
     period: Option<f64>,
@@ -94,10 +96,11 @@ impl<'a> Quantity<'a> {
             (Some(period), [false, true]) => [bounds[1] - period, bounds[1]],
             _ => bounds,
         };
+        let turning = variable.zip(of.period()).filter(|_| !bounds.iter().all(|bound| bound.is_finite()));
         let period = of.period().filter(|_| variable.is_none());
         let is_constant = variable.is_none() && is_constant(profile, of, value, period);
         let rounding = rounding(of, value);
-        Some(Quantity { profile, of, value, scale, period, is_constant, rounding, outer, bounds })
+        Some(Quantity { profile, of, value, turning, scale, period, is_constant, rounding, outer, bounds })
     }
 
     /// Returns the ends that enclose those around each solution.
@@ -131,15 +134,24 @@ impl<'a> Quantity<'a> {
 
     /// Returns the value at a point; for an angle the turn next to the best one.
     pub(super) fn unwrapped(&self, point: &[f64]) -> Option<f64> {
-        let value = self.profile.value(self.of, point)?;
+        let value = self.profile.value(self.of, &self.turned(point))?;
         Some(value - turns(value - self.value, self.period))
+    }
+
+    /// Returns a point with the quantity itself, if it is an unknown angle, within the farthest values: a plane is the same after half a turn, and a heading after a whole one.
+    fn turned(&self, point: &[f64]) -> Vec<f64> {
+        let mut turned = point.to_vec();
+        if let Some((place, period)) = self.turning {
+            turned[place] -= turns(turned[place] - (self.outer[0] + period / 2.0), Some(period));
+        }
+        turned
     }
 
     /// Follows the best fit outwards from a point to the value at which χ² reaches its limit, or to what stops it: within one piece of the mechanics after the
     /// other, because no slope leads across their edges.
     pub(super) fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
-        let mut end = End { value, limited_by: None, at: start.to_vec() };
-        let Ok((placed, impact)) = self.profile.model.solve(start) else { return end };
+        let mut end = End { value, limited_by: None, at: self.turned(start) };
+        let Ok((placed, impact)) = self.profile.model.solve(&end.at) else { return end };
         let mut problem = WithinLimits::around(self.profile.model, &placed, &impact);
         let mut pieces = vec![Piece::of(&placed)];
         problem.keep_to(pieces[0]);

@@ -232,8 +232,6 @@ impl CaseReader {
         let vehicles = self.vehicles(root, &implied, is_momentum);
         let contact = contact.and_then(|contact| self.contact(&contact, &implied, is_momentum));
         self.notices.borrow_mut().extend(notices);
-        let correlations =
-            root.has("correlation").then(|| self.correlations(root.optional("correlation"), vehicles.is_some() && contact.is_some()));
         let impact_point = root.has("scene").then(|| self.impact_point(root));
         let rest = root.has("rest").then(|| {
             let vehicles = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.as_ref(), two.as_ref()]);
@@ -243,6 +241,9 @@ impl CaseReader {
             let is_vehicle = vehicles.as_ref().map(|[(_, one), (_, two)]| [one.is_some(), two.is_some()]);
             self.before(root, is_vehicle.unwrap_or([true; 2]))
         });
+        // Of all uncertain inputs, which have been read by now.
+        let is_whole = vehicles.is_some() && contact.is_some() && braking.as_ref().is_none_or(Option::is_some);
+        let correlations = root.has("correlation").then(|| self.correlations(root.optional("correlation"), is_whole));
         let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
         if !spins || gravity == Some(None) {

@@ -136,7 +136,7 @@ impl Question {
         }
         let dependences = Dependences::of(with_rest, separations, &draft.unknowns);
         issues.extend(dependences.issues);
-        draft.notices.0.extend(dependences.notices);
+        draft.notices.0.extend(dependences.notices.into_iter().chain(with_rest.independent_frictions()));
         let holds_radius_of_gyration = [Side::One, Side::Two].map(|side| draft.holds_radius_of_gyration(side));
         let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut issues));
         if !issues.is_empty() {

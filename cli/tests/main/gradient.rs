@@ -398,3 +398,22 @@ fn more_derivatives_than_a_file_deserves_are_refused() {
     assert!(run.err.contains("name the inputs that matter"), "{}", run.err);
     assert_eq!(run_with_input(&["gradient", "-", "--of", "T_L", "--wrt", "e,vehicle.2.crush.depths.777", "--second"], &case).status, 0);
 }
+
+/// At the friction at which sliding just ends, rounding decides which side the derivatives are of: the warning says which.
+#[test]
+fn a_corner_says_whose_derivatives_it_has() {
+    for (friction, these) in [("0.26154548292584767", "less"), ("0.2615454829258477", "more"), ("0.2615454829258476", "less")] {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 3.141592653589793\nspeed = 18\nimpact_center = [1.9, -0.3]\n\
+             [[vehicle]]\nmass = 1900\nyaw_inertia = 3300\nheading = 1.8325957145940461\nspeed = 11\nimpact_center = [1.4, -0.8]\n\
+             [contact]\ncrush_plane = 0.17\nrestitution = 0.1\nfriction = {friction}\n"
+        );
+        let run = run_with_input(&["gradient", "-", "--of", "T_L", "--wrt", "contact.friction", "--format", "json"], &case);
+        let found: Value = serde_json::from_str(&run.out).expect("JSON");
+        let by_friction = found.to_string();
+        assert!(by_friction.contains(&format!("these are the derivatives for {these} friction")), "{friction}: {by_friction}");
+        // With more friction the vehicles stick, and it has no effect.
+        let text = run_with_input(&["gradient", "-", "--of", "T_L", "--wrt", "contact.friction"], &case).out;
+        assert_eq!(text.contains("1256"), these == "less", "{text}");
+    }
+}

@@ -592,3 +592,30 @@ fn a_refused_nominal_has_no_value_in_the_headline() {
     assert_eq!(run.status, 0, "{}", run.err);
     assert!(run.out.contains("delta_v_magnitude: none at the nominal inputs, 95 % from") && !run.out.contains("NaN"), "{}", run.out);
 }
+
+/// A skid in two pieces has the friction of its road once, if the case says so; if not, a note says that the frictions count as independent.
+#[test]
+fn frictions_of_one_road_may_be_correlated() {
+    let sd = |skids: &str, top: &str| {
+        let case = format!(
+            "schema = 1\n{top}[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n\
+             [[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 3.1\nspeed = 0\nimpact_center = [2, 0]\n\
+             [contact]\ncrush_plane = 0\nrestitution = 0.1\n[before.vehicle.1]\nskid = [{skids}]\n"
+        );
+        let run = run_with_input(
+            &["uncertainty", "-", "--of", "before.vehicle.1.braking_speed", "--method", "linear", "--format", "json"],
+            &case,
+        );
+        let found: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let sd = found["of"]["before.vehicle.1.braking_speed"]["linear"]["sd"].as_f64().expect("a deviation");
+        (sd, run.out.contains("the frictions of the skids count as independent"))
+    };
+    let piece = "{ length = \"8.5 m\", friction = \"0.7 ± 0.06\" }";
+    let (whole, is_noted) = sd("{ length = \"17 m\", friction = \"0.7 ± 0.06\" }", "");
+    assert!(!is_noted);
+    let (apart, is_noted) = sd(&format!("{piece}, {piece}"), "");
+    assert!(is_noted && (apart * 2.0_f64.sqrt() / whole - 1.0).abs() < 1e-9, "{apart} {whole}");
+    let pair = "correlation = [[\"before.vehicle.1.skid.1.friction\", \"before.vehicle.1.skid.2.friction\", 0.99]]\n";
+    let (together, is_noted) = sd(&format!("{piece}, {piece}"), pair);
+    assert!(!is_noted && (together / whole / 0.995_f64.sqrt() - 1.0).abs() < 1e-9, "{together} {whole}");
+}

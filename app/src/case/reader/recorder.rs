@@ -15,7 +15,7 @@ use crate::case::correlation_of;
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::Kind;
-use crate::record::{ACCELEROMETER_RANGE, Barrier, RecordAnswer, Recording, Uncertain, samples_of};
+use crate::record::{ACCELEROMETER_RANGE, Barrier, RecordAnswer, Recording, Uncertain, VelocityChange, samples_of};
 
 /// What of a recorder may be evidence.
 const USES: [&str; 5] = ["delta_v_forward", "delta_v_left", "delta_v_magnitude", "pdof", "speed"];
@@ -65,7 +65,7 @@ impl CaseReader {
             field.report("the file has no channel of a recorder", Some(help));
             return None;
         };
-        let at_maximum = |of: fn(&crate::record::VelocityChange) -> Uncertain| recorder.maximum.as_ref().map(of);
+        let at_maximum = |of: fn(&VelocityChange) -> Uncertain| recorder.maximum.as_ref().map(of);
         let forward = at_maximum(|maximum| maximum.forward).or(recorder.delta_v_forward.map(|at| at.number));
         let left = at_maximum(|maximum| maximum.left).or(recorder.delta_v_left.map(|at| at.number));
         let all = [
@@ -99,6 +99,9 @@ impl CaseReader {
                 return None;
             }
             sound &= self.push(field, of, key, number, found).is_some();
+        }
+        if uses.is_some_and(|uses| ["delta_v_magnitude", "pdof"].iter().all(|key| uses.contains(key))) {
+            self.correlations.borrow_mut().extend(recorder.maximum.as_ref().and_then(|maximum| of_magnitude_and_direction(side, maximum)));
         }
         sound.then_some(())
     }
@@ -226,6 +229,21 @@ fn uses(table: &Table<'_>) -> Option<Vec<&'static str>> {
         return None;
     }
     Some(chosen)
+}
+
+/// Returns the correlation of the magnitude m of a velocity change with its direction, which have the errors of the same components f and l forward and to the left: with
+/// m² = f² + l² and the direction atan2(l, −f) the covariance is f l (σ_f² − σ_l²)/m³.
+fn of_magnitude_and_direction(side: Side, maximum: &VelocityChange) -> Option<Correlation> {
+    let VelocityChange { forward, left, magnitude, pdof, .. } = maximum;
+    let sds = [magnitude.sd?, pdof.as_ref()?.sd?];
+    let (of_forward, of_left) = (forward.sd?, left.sd?);
+    let size = magnitude.value;
+    let covariance = forward.value * left.value * (of_forward * of_forward - of_left * of_left) / (size * size * size);
+    (covariance != 0.0 && covariance.is_finite() && sds.iter().all(|sd| *sd > 0.0)).then(|| Correlation {
+        one: Measurand::Output(Output::DeltaVMagnitude(side)),
+        other: Measurand::Output(Output::PrincipalDirectionOfForce(side)),
+        coefficient: correlation_of(covariance, sds),
+    })
 }
 
 /// Returns the correlation of the impulse ratio of load cells with their restitution: with the normal impulse P, the one is P_t/P and the other P/(m v) − 1, so that an

@@ -225,3 +225,33 @@ fn other_verbs_use_nominal_values_and_say_so() {
         assert_eq!(one, other, "{verb:?}");
     }
 }
+
+/// Magnitude and direction of a velocity change have the errors of its components: either pair is the same evidence.
+#[test]
+fn magnitude_and_direction_are_as_certain_as_the_components() {
+    let rows: String = (0..40)
+        .map(|i: i32| {
+            let u = (f64::from(i) / 12.0).min(1.0);
+            let s = u * u * (3.0 - 2.0 * u);
+            format!("{},{:.1},{:.2}\n", f64::from(i) / 100.0, -0.807 * s, -4.827 * s)
+        })
+        .collect();
+    let folder = crate::process::Folder::new();
+    folder.write("edr.csv", format!("time [s],delta_v_forward [m/s],delta_v_right [m/s]\n{rows}").as_bytes());
+    let sds = |uses: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = \"180 deg\"\nimpact_center = [1.9, -0.3]\n\
+             [[vehicle]]\nmass = 1900\nyaw_inertia = 3300\nheading = \"105 deg\"\nspeed = 11\nimpact_center = [1.4, -0.8]\n\
+             [contact]\nrestitution = 0.1\n[evidence]\nvehicle.2.recorder = {{ file = \"edr.csv\", relative = 0.1, use = [{uses}] }}\n\
+             [unknown]\nvehicle.1.speed = {{ start = 18, min = 0 }}\ncontact.crush_plane = {{ start = \"10 deg\", min = \"-17 deg\", max = \"69 deg\" }}\n"
+        );
+        folder.write("case.toml", case.as_bytes());
+        let run = crate::process::run(folder.path(), &["reconstruct", "case.toml", "--format", "json"]);
+        let found: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        ["vehicle.1.speed", "contact.crush_plane"].map(|name| number(&found["unknown"][name]["sd"]))
+    };
+    let (polar, components) = (sds("\"delta_v_magnitude\", \"pdof\""), sds("\"delta_v_forward\", \"delta_v_left\""));
+    for (one, other) in polar.into_iter().zip(components) {
+        assert!((one / other - 1.0).abs() < 1e-6, "{polar:?} {components:?}");
+    }
+}
