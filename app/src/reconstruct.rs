@@ -101,7 +101,7 @@ pub fn reconstruct(case: &Case, options: &Options, control: &dyn Control) -> Res
     }
     case.needs_one_restitution()?;
     if case.rest.is_some() {
-        // Slides may take minutes: what is wrong whatever they say is told before.
+        // A search for slides may take minutes: faults that do not depend on it are reported first.
         let question = Question::of(case, &[None, None])?;
         solve_error::check_with_any_evidence(&question)?;
         Statement::read_all(&options.probabilities, &question)?;

@@ -6,8 +6,6 @@ use planar_impact::Real;
 use planar_impact::skid::{Skid, skid_speed};
 
 use super::domain::Domain;
-use super::{Case, Parameter};
-use crate::notice::Notice;
 use crate::units::Measure;
 
 /// Braking before the impact.
@@ -136,29 +134,5 @@ impl BrakingInputs {
             })
             .collect();
         skid_speed(&skids, T::from(self.gravity))
-    }
-}
-impl Case {
-    /// Returns a note if uncertain frictions that may be of one road count as independent: those of skids without a correlation, and those of skids beside that of `[rest]`,
-    /// which has none.
-    pub fn independent_frictions(&self) -> Option<Notice> {
-        let is_friction = |parameter: &Parameter| matches!(parameter, Parameter::Skid(_, SkidKey { of: SkidNumber::Friction, .. }));
-        let of_skids: Vec<Parameter> = self.uncertain.inputs.iter().map(|input| input.parameter).filter(is_friction).collect();
-        let mut pairs = of_skids.iter().enumerate().flat_map(|(i, one)| of_skids[i + 1..].iter().map(move |other| (*one, *other)));
-        let are_independent = pairs.any(|(one, other)| self.uncertain.correlation(one, other) == 0.0);
-        let mut rests = self.rest.iter().flat_map(|rest| &rest.vehicles).flatten().filter_map(|rest| rest.evidence.as_ref());
-        let has_rest = rests.any(|evidence| evidence.friction_deviation > 0.0) && !of_skids.is_empty();
-        let message = match (are_independent, has_rest) {
-            (false, false) => return None,
-            (true, false) => "the frictions of the skids count as independent; of one road they are the same: give their `correlation`",
-            (false, true) => {
-                "the friction of [rest] and those of the skids count as independent; of one road, speeds before the braking are less certain"
-            }
-            (true, true) => {
-                "the frictions of the skids, and that of [rest], count as independent; of one road, speeds before the braking are less certain: give the \
-                 `correlation` of those of the skids"
-            }
-        };
-        Some(Notice::note("independent-frictions", "before", message))
     }
 }

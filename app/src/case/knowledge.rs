@@ -61,11 +61,13 @@ pub struct LeftOut {
     pub key: String,
 }
 
-/// Returns the coefficient of correlation of two pieces of evidence with a covariance. Where all of their errors are the same, rounding would make their matrix
-/// singular: they differ by a ten-thousandth of their standard deviation.
-pub(crate) fn correlation_of(covariance: f64, [one, other]: [f64; 2]) -> f64 {
+/// Returns the correlation of two pieces of evidence with their covariance and standard deviations; `None` if there is none. Where all of their errors are the same,
+/// rounding would make their matrix singular: they differ by a ten-thousandth of their standard deviation.
+pub(crate) fn correlation_of([one, other]: [Measurand; 2], covariance: f64, sds: [f64; 2]) -> Option<Correlation> {
     const GREATEST: f64 = 1.0 - 1e-8;
-    (covariance / (one * other)).clamp(-GREATEST, GREATEST)
+    let coefficient = || (covariance / (sds[0] * sds[1])).clamp(-GREATEST, GREATEST);
+    let is_correlated = covariance != 0.0 && sds.iter().all(|sd| *sd > 0.0);
+    is_correlated.then(|| Correlation { one, other, coefficient: coefficient() })
 }
 
 impl LeftOut {
@@ -185,9 +187,11 @@ mod tests {
 
     #[test]
     fn errors_that_are_the_same_have_almost_the_same_sign_and_size() {
-        assert_eq!(correlation_of(3.0, [2.0, 3.0]), 0.5);
+        let pair = [Side::One, Side::Two].map(Measurand::CrushEnergyOf);
+        let coefficient = |covariance| correlation_of(pair, covariance, [2.0, 3.0]).map(|of| of.coefficient);
+        assert_eq!((coefficient(3.0), coefficient(0.0), correlation_of(pair, 3.0, [0.0, 3.0])), (Some(0.5), None, None));
         for sign in [1.0, -1.0] {
-            let all = correlation_of(sign * 6.0, [2.0, 3.0]);
+            let all = coefficient(sign * 6.0).expect("a correlation");
             assert!(all * sign < 1.0 && all * sign > 1.0 - 1e-7, "{all}");
         }
     }

@@ -71,7 +71,7 @@ pub(crate) struct CaseReader {
     /// The recordings that give tests their restitution, each with the path of its key.
     records_of_tests: RefCell<Vec<(PathBuf, String)>>,
     /// Correlations of pieces of evidence that come from one recording.
-    correlations: RefCell<Vec<Correlation>>,
+    correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
     us: Cell<usize>,
@@ -269,7 +269,8 @@ impl CaseReader {
         let uncertain = Uncertain { inputs: self.uncertain.take(), correlations };
         let agrees = implied.agree_with(&inputs, &uncertain);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
-        let knowledge = Knowledge { evidence: evidence?, correlations: self.correlations.take(), unknowns, left_out: implied.left_out() };
+        let knowledge =
+            Knowledge { evidence: evidence?, correlations: self.correlations_of_evidence.take(), unknowns, left_out: implied.left_out() };
         let rest = match rest {
             Some(rest) => Some(rest?),
             None => None,

@@ -75,17 +75,18 @@ pub fn solved(
     solve: &dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError>,
 ) -> Result<(Answer, Vec<Notice>), SolveError> {
     let mut answer = solve(asked)?;
+    let mut bent = bent(case, separations, asked, answer.best());
     for _ in 0..MOST {
-        let bent: Vec<Side> = Side::ALL.into_iter().filter(|side| is_bent(case, separations, asked, answer.best(), *side)).collect();
-        if bent.is_empty() {
-            return Ok((answer, Vec::new()));
-        }
         let mut moved = asked.clone();
-        let is_moved = bent.iter().all(|side| take_about(case, separations, &mut moved, answer.best(), *side).is_some());
-        let Some(next) = is_moved.then(|| solve(&moved)).transpose()? else { break };
-        (*asked, answer) = (moved, next);
+        let take = |(side, motion): &(Side, Option<Motion>)| take_about(case, &mut moved, answer.best(), *side, (*motion)?);
+        if bent.is_empty() || !bent.iter().map(take).all(|taken| taken.is_some()) {
+            break;
+        }
+        answer = solve(&moved)?;
+        *asked = moved;
+        bent = self::bent(case, separations, asked, answer.best());
     }
-    let warning = |side| {
+    let warning = |(side, _): (Side, Option<Motion>)| {
         let message = format!(
             "vehicle.{}: at the solution its separation is another than to first order: give what it follows with a smaller uncertainty, or the separation \
              velocity as evidence instead",
@@ -93,28 +94,28 @@ pub fn solved(
         );
         Notice::warning("separation-bends", key(side), message)
     };
-    let bent = Side::ALL.into_iter().filter(|side| is_bent(case, separations, asked, answer.best(), *side));
-    let warnings = bent.map(warning).collect();
-    Ok((answer, warnings))
+    Ok((answer, bent.into_iter().map(warning).collect()))
 }
 
-/// Returns `true` if the separation of a vehicle at a solution is not what the evidence has for it.
-fn is_bent(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution, side: Side) -> bool {
+/// Returns the vehicles whose separation at a solution is not what the evidence has for it, each with the one that it is, if there is one.
+fn bent(case: &Case, separations: &Separations, asked: &ReconstructionProblem, best: &Solution) -> Vec<(Side, Option<Motion>)> {
     /// Standard deviations that do not matter.
     const NEAR: f64 = 0.01;
-    let Some((separation, rest)) = separations[side as usize].as_ref().zip(case.rest.as_ref()) else { return false };
-    let known: Vec<_> = outputs(side).into_iter().filter_map(|of| Some((of, evidence(asked, of, best)?))).collect();
-    if !asked.dependences.iter().any(|dependence| outputs(side).contains(&dependence.of)) {
-        return false;
-    }
     let inputs = case.inputs.set_all(&values(case, best));
-    let Some(there) = (About { rest, inputs: &inputs, side, motion: separation.motion }).moved() else { return true };
-    let sds = separation.covariance.deviations();
-    let is_near = |(of, on_line): &(Measurand, f64)| {
-        let place = outputs(side).iter().position(|output| output == of).unwrap_or(0);
-        (components(&there)[place] - on_line).abs() <= NEAR * sds[place]
+    let of_side = |side: Side| {
+        let (separation, rest) = separations[side as usize].as_ref().zip(case.rest.as_ref())?;
+        if !asked.dependences.iter().any(|dependence| outputs(side).contains(&dependence.of)) {
+            return None;
+        }
+        let motion = About { rest, inputs: &inputs, side, motion: separation.motion }.moved();
+        let is_near = |there: Motion| {
+            let all = outputs(side).into_iter().zip(components(&there)).zip(separation.covariance.deviations());
+            let mut known = all.filter_map(|((of, there), sd)| Some((there, evidence(asked, of, best)?, sd)));
+            known.all(|(there, on_line, sd)| (there - on_line).abs() <= NEAR * sd)
+        };
+        (!motion.is_some_and(is_near)).then_some((side, motion))
     };
-    !known.iter().all(is_near)
+    Side::ALL.into_iter().filter_map(of_side).collect()
 }
 
 /// Returns what evidence of a quantity says at a solution, with what it follows.
@@ -127,12 +128,10 @@ fn evidence(asked: &ReconstructionProblem, of: Measurand, best: &Solution) -> Op
     Some(value + asked.dependences.iter().filter(|one| one.of == of).map(change).sum::<f64>())
 }
 
-/// Takes the evidence of a separation, and its slopes, about a solution. `None` if there is no separation, or if it cannot be followed there.
-fn take_about(case: &Case, separations: &Separations, asked: &mut ReconstructionProblem, best: &Solution, side: Side) -> Option<()> {
-    let (separation, rest) = separations[side as usize].as_ref().zip(case.rest.as_ref())?;
+/// Takes the evidence of a separation, and its slopes, about a solution at which it has a motion. `None` if it cannot be followed there.
+fn take_about(case: &Case, asked: &mut ReconstructionProblem, best: &Solution, side: Side, motion: Motion) -> Option<()> {
     let inputs = case.inputs.set_all(&values(case, best));
-    let motion = About { rest, inputs: &inputs, side, motion: separation.motion }.moved()?;
-    let about = About { rest, inputs: &inputs, side, motion };
+    let about = About { rest: case.rest.as_ref()?, inputs: &inputs, side, motion };
     for (of, value) in outputs(side).into_iter().zip(components(&motion)) {
         asked.evidence.iter_mut().filter(|evidence| evidence.of == of).for_each(|evidence| evidence.value = value);
     }

@@ -66,10 +66,7 @@ impl FromCrush {
             for (k, other) in case.knowledge.evidence.iter().enumerate().skip(i + 1) {
                 let (Some(of_one), Some(of_other)) = (&slopes[i], &slopes[k]) else { continue };
                 let shared = covariance(of_one, of_other);
-                if shared != 0.0 {
-                    let coefficient = correlation_of(shared, [deviations[i], deviations[k]]);
-                    found.correlations.push(Correlation { one: one.of, other: other.of, coefficient });
-                }
+                found.correlations.extend(correlation_of([one.of, other.of], shared, [deviations[i], deviations[k]]));
             }
         }
         found

@@ -43,7 +43,7 @@ fn an_output_that_is_open_for_reading_alone_is_an_error() {
     }
 }
 
-/// A limit of the size of files is told like a full disk, and leaves nothing.
+/// A file that exceeds the size limit is an error, as a full disk is, and leaves no temporary file.
 #[test]
 fn a_file_beyond_the_limit_of_sizes_is_an_error() {
     let folder = Folder::new();

@@ -115,7 +115,7 @@ impl CaseReader {
                 table.optional("friction").report("`friction` and `impulse_ratio` exclude each other", Some(help));
             }
             let friction = self.input(table.required("friction"), Parameter::Friction);
-            // What is wrong with the other one is told too.
+            // Both are read, so that the faults of both are reported.
             let other = self.given_ratio(table.optional("impulse_ratio"));
             return friction.filter(|_| other.is_some()).map(ImpulseRatio::LimitedByFriction);
         }

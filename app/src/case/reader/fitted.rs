@@ -139,7 +139,7 @@ impl FittedToTests {
     /// error of the line through all tests.
     fn correlations(&self) -> Vec<InputCorrelation> {
         let of_one_vehicle = self.fit.covariance;
-        let coefficient = |one: (usize, Parameter), other: (usize, Parameter)| {
+        let coefficient = |one: &(usize, Parameter, &str), other: &(usize, Parameter, &str)| {
             let shared = if one.1.side() == other.1.side() { of_one_vehicle } else { self.common };
             let entry = |of: &StiffnessCovariance, one: usize, other: usize| match (one, other) {
                 (0, 0) => of.onset,
@@ -159,7 +159,7 @@ impl FittedToTests {
             .map(|(one, other)| InputCorrelation {
                 one: one.1,
                 other: other.1,
-                coefficient: coefficient((one.0, one.1), (other.0, other.1)),
+                coefficient: coefficient(one, other),
                 key: other.2.to_owned(),
             })
             .collect()

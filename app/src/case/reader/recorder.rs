@@ -101,7 +101,9 @@ impl CaseReader {
             sound &= self.push(field, of, key, number, found).is_some();
         }
         if uses.is_some_and(|uses| ["delta_v_magnitude", "pdof"].iter().all(|key| uses.contains(key))) {
-            self.correlations.borrow_mut().extend(recorder.maximum.as_ref().and_then(|maximum| of_magnitude_and_direction(side, maximum)));
+            self.correlations_of_evidence
+                .borrow_mut()
+                .extend(recorder.maximum.as_ref().and_then(|maximum| of_magnitude_and_direction(side, maximum)));
         }
         sound.then_some(())
     }
@@ -122,7 +124,7 @@ impl CaseReader {
             (Measurand::Output(Output::ImpulseRatio), "impulse_ratio", ratio),
             (Measurand::Variable(Variable::Input(Input::Restitution)), "restitution", restitution),
         ];
-        self.correlations.borrow_mut().extend(correlation(&answer));
+        self.correlations_of_evidence.borrow_mut().extend(of_ratio_and_restitution(&answer));
         let read = pieces.into_iter().filter_map(|(of, key, number)| Some(self.push(field, of, key, number?, found)));
         read.collect::<Vec<_>>().into_iter().collect()
     }
@@ -134,7 +136,7 @@ impl CaseReader {
         let recording = self.recording_at(record.clone());
         table.finish();
         let recording = recording?;
-        self.is_new(record).then_some(())?;
+        self.counts_once(record).then_some(())?;
         let answer = self.analysed(field, &recording)?;
         let Some(Uncertain { value, sd }) = restitution(&answer) else {
             let help = "it needs mass and speed with forces, speed with an acceleration, or a film".to_owned();
@@ -154,7 +156,7 @@ impl CaseReader {
     }
 
     /// Reports a recording that another test has: a fit would count its error as several that are independent.
-    fn is_new(&self, record: Field<'_>) -> bool {
+    fn counts_once(&self, record: Field<'_>) -> bool {
         let Some(name) = record.clone().string() else { return false };
         let path: PathBuf = Path::new(name).components().filter(|part| *part != Component::CurDir).collect();
         let mut all = self.records_of_tests.borrow_mut();
@@ -239,27 +241,22 @@ fn of_magnitude_and_direction(side: Side, maximum: &VelocityChange) -> Option<Co
     let (of_forward, of_left) = (forward.sd?, left.sd?);
     let size = magnitude.value;
     let covariance = forward.value * left.value * (of_forward * of_forward - of_left * of_left) / (size * size * size);
-    (covariance != 0.0 && covariance.is_finite() && sds.iter().all(|sd| *sd > 0.0)).then(|| Correlation {
-        one: Measurand::Output(Output::DeltaVMagnitude(side)),
-        other: Measurand::Output(Output::PrincipalDirectionOfForce(side)),
-        coefficient: correlation_of(covariance, sds),
-    })
+    let pair = [Output::DeltaVMagnitude(side), Output::PrincipalDirectionOfForce(side)].map(Measurand::Output);
+    // Nothing has no direction.
+    if size > 0.0 { correlation_of(pair, covariance, sds) } else { None }
 }
 
 /// Returns the correlation of the impulse ratio of load cells with their restitution: with the normal impulse P, the one is P_t/P and the other P/(m v) − 1, so that an
 /// error of P by σ adds −μ (1 + e) σ²/P² to their covariance.
-fn correlation(answer: &RecordAnswer) -> Option<Correlation> {
+fn of_ratio_and_restitution(answer: &RecordAnswer) -> Option<Correlation> {
     let barrier = answer.barrier.as_ref()?;
     let (ratio, of_cells, impulse) = (barrier.impulse_ratio?, barrier.restitution?, barrier.normal_impulse?);
     let sds = [ratio.sd?, of_cells.sd?];
     let share = impulse.sd? / impulse.value;
     let covariance = -ratio.value * (1.0 + of_cells.value) * share * share;
     let is_used = restitution(answer).is_some_and(|used| used == of_cells);
-    (is_used && covariance != 0.0 && sds.iter().all(|sd| *sd > 0.0)).then(|| Correlation {
-        one: Measurand::Output(Output::ImpulseRatio),
-        other: Measurand::Variable(Variable::Input(Input::Restitution)),
-        coefficient: correlation_of(covariance, sds),
-    })
+    let pair = [Measurand::Output(Output::ImpulseRatio), Measurand::Variable(Variable::Input(Input::Restitution))];
+    if is_used { correlation_of(pair, covariance, sds) } else { None }
 }
 
 /// Returns the restitution that a recording has: that of the contact point by kinematics, or else of its load cells, of an acceleration, or of a film.
@@ -291,7 +288,7 @@ mod tests {
     }
 
     fn coefficient(answer: &RecordAnswer) -> f64 {
-        correlation(answer).map_or(0.0, |correlation| correlation.coefficient)
+        of_ratio_and_restitution(answer).map_or(0.0, |correlation| correlation.coefficient)
     }
 
     #[test]
