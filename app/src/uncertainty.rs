@@ -185,7 +185,7 @@ impl<'a> Question<'a> {
             return Err(Issues::of_call(issues));
         }
         let uncertain = uncertain(case)?;
-        notices.0.extend(case.independent_frictions());
+        notices.0.extend(case.independent_frictions(false));
         let parameters = case.uncertain.inputs.iter().map(|input| input.parameter).collect();
         Ok(Question { case, options, uncertain, parameters, outputs, thresholds, notices })
     }

@@ -17,6 +17,7 @@ mod uncertainty;
 mod validate;
 
 use std::io::{self, Write};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
@@ -181,6 +182,14 @@ fn level(text: &str) -> Result<f64, String> {
     let value = quantity::finite(text.trim()).map_err(|error| error.to_string())?;
     let is_valid = (0.5..=0.9999).contains(&value);
     if is_valid { Ok(value) } else { Err(format!("{value}; it must be from 0.5 to 0.9999, such as 0.95")) }
+}
+
+/// Returns the parser of a whole number in a range.
+fn whole<T: TryFrom<u64>>(range: RangeInclusive<u64>) -> impl Fn(&str) -> Result<T, String> + Clone {
+    move |text| {
+        let number = text.trim().parse().ok().filter(|number| range.contains(number)).and_then(|number: u64| number.try_into().ok());
+        number.ok_or_else(|| format!("it must be a whole number from {} to {}", range.start(), range.end()))
+    }
 }
 
 /// Arguments of `prove`.

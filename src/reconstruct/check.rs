@@ -176,7 +176,8 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
 
 fn correlations(question: &ReconstructionProblem, found: &mut IssueCollector<ReconstructionIssue>) {
     let before = found.count();
-    let known = |of: Measurand| question.evidence.iter().any(|evidence| evidence.of == of);
+    let evidence = question.all_evidence();
+    let known = |of: Measurand| evidence.iter().any(|evidence| evidence.of == of);
     for correlation in &question.correlations {
         let (one, other) = (correlation.one, correlation.other);
         if one == other || !known(one) || !known(other) {

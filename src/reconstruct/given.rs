@@ -5,6 +5,7 @@ use super::scene::Scene;
 use super::variable::{Axis, Variable};
 use crate::collision::Collision;
 use crate::distribution::Distribution;
+use crate::scalar::Real;
 
 /// Uncertainty of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +46,8 @@ pub struct Unknown {
     pub shape: Option<Distribution>,
 }
 
-/// Two pieces of evidence with correlated errors, such as two velocities of one vehicle from the same rest position.
+/// Two pieces of evidence with correlated errors, such as two velocities of one vehicle from the same rest position. A prior is the evidence of an unknown of which
+/// there is no other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// One piece.
@@ -79,6 +81,21 @@ pub struct Dependence {
     pub at: f64,
     /// The change of the evidence by that of the unknown, in SI.
     pub slope: f64,
+}
+
+/// A dependence, by the places of its evidence and its unknown.
+pub(super) struct PlacedDependence {
+    pub(super) evidence: usize,
+    unknown: usize,
+    at: f64,
+    slope: f64,
+}
+
+impl PlacedDependence {
+    /// Returns the change of the evidence that the unknowns make.
+    pub(super) fn change<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> T {
+        (unknowns[self.unknown] - T::from(self.at)) * T::from(self.slope)
+    }
 }
 
 /// A reconstruction problem: the collision, its unknowns, and the evidence.
@@ -285,10 +302,14 @@ impl ReconstructionProblem {
         self.evidence.iter().copied().chain(self.unknowns.iter().filter_map(Unknown::as_evidence)).collect()
     }
 
-    /// Returns the dependences of evidence that there is on unknowns that there are, each with the places of both.
-    pub(super) fn placed_dependences(&self) -> Vec<(usize, usize, Dependence)> {
-        let place = |of: Measurand| self.evidence.iter().position(|evidence| evidence.of == of);
+    /// Returns the dependences of evidence that there is on unknowns that there are.
+    pub(super) fn placed_dependences(&self) -> Vec<PlacedDependence> {
+        let evidence = |of: Measurand| self.evidence.iter().position(|evidence| evidence.of == of);
         let unknown = |on: Variable| self.unknowns.iter().position(|unknown| unknown.of == on);
-        self.dependences.iter().filter_map(|one| Some((place(one.of)?, unknown(one.on)?, *one))).collect()
+        let placed = |one: &Dependence| {
+            let Dependence { of, on, at, slope } = *one;
+            Some(PlacedDependence { evidence: evidence(of)?, unknown: unknown(on)?, at, slope })
+        };
+        self.dependences.iter().filter_map(placed).collect()
     }
 }

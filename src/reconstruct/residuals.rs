@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual64, HyperDual64};
 
-use super::given::{Dependence, Evidence, ReconstructionProblem};
+use super::given::{Evidence, PlacedDependence, ReconstructionProblem};
 use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
@@ -20,8 +20,7 @@ pub(super) struct Model<'a> {
     /// The evidence, then the priors.
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
-    /// How evidence follows unknowns, with the places of both.
-    dependences: Vec<(usize, usize, Dependence)>,
+    dependences: Vec<PlacedDependence>,
     scene: Scene,
     /// A significant change of each unknown.
     scales: Vec<f64>,
@@ -76,8 +75,8 @@ impl<'a> Model<'a> {
     pub(super) fn measured<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
         let nothing = || T::int(0);
         let mut computed: Vec<T> = self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect();
-        for (piece, unknown, Dependence { at, slope, .. }) in &self.dependences {
-            computed[*piece] = computed[*piece] - (unknowns[*unknown] - T::from(*at)) * T::from(*slope);
+        for dependence in &self.dependences {
+            computed[dependence.evidence] = computed[dependence.evidence] - dependence.change(unknowns);
         }
         computed
     }

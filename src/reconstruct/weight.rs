@@ -69,7 +69,7 @@ fn correlations(question: &ReconstructionProblem, evidence: &[Evidence]) -> DMat
             matrix[(k, i)] = coefficient;
         }
     };
-    let place = |of| question.evidence.iter().position(|evidence| evidence.of == of);
+    let place = |of| evidence.iter().position(|evidence| evidence.of == of);
     for correlation in &question.correlations {
         set(place(correlation.one), place(correlation.other), correlation.coefficient);
     }

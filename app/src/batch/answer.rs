@@ -265,7 +265,7 @@ fn needed(wrt: &[Parameter]) -> Vec<Input> {
             Parameter::Friction | Parameter::RatioOfCritical => add(Input::ImpulseRatio),
             Parameter::MomentOfCritical => add(Input::Moment),
             // Nothing of the impact depends on crush and skids, and no row has a restitution over the closing speed.
-            Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) => (),
+            Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) | Parameter::RestFriction => (),
         }
     }
     all
@@ -403,7 +403,7 @@ impl Rows {
             Parameter::MomentOfCritical => given(form.moment == MomentForm::OfCritical, Input::Moment),
             Parameter::Input(input) => given(true, input),
             Parameter::RestitutionScatter => None,
-            Parameter::Crush(..) | Parameter::Skid(..) => Some(Vec::new()),
+            Parameter::Crush(..) | Parameter::Skid(..) | Parameter::RestFriction => Some(Vec::new()),
         }
     }
 }

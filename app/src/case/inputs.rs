@@ -93,6 +93,7 @@ impl Inputs {
         }
         match parameter {
             Parameter::Input(Input::CrushPlane) => Ok(contact.crush_plane),
+            Parameter::RestFriction => Err("the friction of [rest] is no input of the case".to_owned()),
             Parameter::Input(Input::Restitution) => Ok(match contact.restitution {
                 Restitution::Given(value) => value,
                 Restitution::OfClosingSpeed(_) => self.as_given().collision.restitution,

@@ -125,7 +125,7 @@ pub fn variable_of(parameter: Parameter) -> Option<Variable> {
         Parameter::RadiusOfGyration(side) => Some(Variable::RadiusOfGyration(side)),
         Parameter::Friction | Parameter::RatioOfCritical => Some(Variable::Input(Input::ImpulseRatio)),
         Parameter::MomentOfCritical => Some(Variable::Input(Input::Moment)),
-        Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) => None,
+        Parameter::RestitutionScatter | Parameter::Crush(..) | Parameter::Skid(..) | Parameter::RestFriction => None,
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use planar_impact::{Input, Side};
 
-use super::braking::SkidKey;
+use super::braking::{SkidKey, SkidNumber};
 use super::crush::CrushKey;
 use super::domain::Domain;
 use crate::quantity::Kind;
@@ -25,6 +25,8 @@ pub enum Parameter {
     Crush(Side, CrushKey),
     /// A number of a skid before the impact.
     Skid(Side, SkidKey),
+    /// The friction of `[rest]`, of which a case has correlations alone: it is no input that can be set.
+    RestFriction,
     /// How many standard deviations a restitution over the closing speed is above its mean.
     RestitutionScatter,
     /// The coefficient of friction that limits the impulse ratio.
@@ -111,6 +113,11 @@ impl Parameter {
         }
     }
 
+    /// Returns `true` for the friction of a skid.
+    pub(crate) fn is_friction_of_skid(self) -> bool {
+        matches!(self, Parameter::Skid(_, SkidKey { of: SkidNumber::Friction, .. }))
+    }
+
     /// Returns the kind of quantity that its values are written as.
     pub fn kind(self) -> Kind {
         self.measure().into()
@@ -124,9 +131,11 @@ impl Parameter {
             Parameter::RadiusOfGyration(_) => Measure::Length,
             Parameter::Crush(_, key) => key.measure(),
             Parameter::Skid(_, key) => key.measure(),
-            Parameter::RestitutionScatter | Parameter::Friction | Parameter::RatioOfCritical | Parameter::MomentOfCritical => {
-                Measure::Ratio
-            }
+            Parameter::RestitutionScatter
+            | Parameter::RestFriction
+            | Parameter::Friction
+            | Parameter::RatioOfCritical
+            | Parameter::MomentOfCritical => Measure::Ratio,
         }
     }
 
@@ -166,6 +175,7 @@ impl fmt::Display for Parameter {
             Parameter::Speed(side) => vehicle(f, side, "speed"),
             Parameter::Crush(side, key) => vehicle(f, side, &format!("crush.{key}")),
             Parameter::Skid(side, key) => write!(f, "before.vehicle.{}.skid.{key}", number(*side)),
+            Parameter::RestFriction => f.write_str("rest.friction"),
             Parameter::RestitutionScatter => f.write_str("contact.restitution.scatter"),
             Parameter::Friction => f.write_str("contact.friction"),
             Parameter::RatioOfCritical => f.write_str("contact.impulse_ratio.of_critical"),
@@ -177,7 +187,6 @@ impl fmt::Display for Parameter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::braking::SkidNumber;
     use crate::case::crush::FormKey;
 
     #[test]

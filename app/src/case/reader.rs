@@ -72,6 +72,8 @@ pub(crate) struct CaseReader {
     records_of_tests: RefCell<Vec<(PathBuf, String)>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
+    /// `true` if the friction of `[rest]` is uncertain.
+    has_uncertain_rest: Cell<bool>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
     us: Cell<usize>,
@@ -242,7 +244,9 @@ impl CaseReader {
             self.before(root, is_vehicle.unwrap_or([true; 2]))
         });
         // Of all uncertain inputs, which have been read by now.
-        let is_whole = vehicles.is_some() && contact.is_some() && braking.as_ref().is_none_or(Option::is_some);
+        let is_read =
+            [rest.as_ref().map(Option::is_some), braking.as_ref().map(Option::is_some)].into_iter().flatten().all(|is_read| is_read);
+        let is_whole = vehicles.is_some() && contact.is_some() && is_read;
         let correlations = root.has("correlation").then(|| self.correlations(root.optional("correlation"), is_whole));
         let spins = !is_momentum || self.rests_have_inertia(root);
         schema?;
@@ -315,17 +319,19 @@ impl CaseReader {
         is_momentum: bool,
     ) -> Option<(String, Option<VehicleInputs>)> {
         let name = table.optional("name").name().map_or_else(|| format!("vehicle {number}"), str::to_owned);
-        if table.has("barrier") {
-            // If `barrier` is neither true nor false, the other keys cannot be judged.
-            if table.optional("barrier").boolean()? {
-                table.finish_because("a barrier has nothing but a name");
-                return Some((name, None));
-            }
+        let is_barrier = if table.has("barrier") { table.optional("barrier").boolean() } else { Some(false) };
+        if is_barrier == Some(true) {
+            table.finish_because("a barrier has nothing but a name");
+            return Some((name, None));
+        }
+        // If `barrier` is neither true nor false, what has a mass is judged as a vehicle.
+        if is_barrier.is_none() && !table.has("mass") && !table.has("weight") {
+            return None;
         }
         let side = if number == 2 { Side::Two } else { Side::One };
         let vehicle = self.vehicle(table, side, implied, is_momentum);
         table.finish();
-        vehicle.map(|vehicle| (name, Some(vehicle)))
+        is_barrier.and(vehicle).map(|vehicle| (name, Some(vehicle)))
     }
 
     fn vehicle(&self, table: &Table<'_>, side: Side, implied: &ImpliedValues<'_>, is_momentum: bool) -> Option<VehicleInputs> {

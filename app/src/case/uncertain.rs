@@ -5,7 +5,6 @@ use std::sync::Arc;
 use planar_impact::Distribution;
 
 use super::Case;
-use super::braking::{SkidKey, SkidNumber};
 use super::parameter::Parameter;
 use crate::notice::Notice;
 
@@ -68,7 +67,8 @@ impl Uncertain {
     ///
     /// They are those of a set of inputs none of which can be left out: without any one of them the others have a positive definite matrix.
     pub(super) fn impossible_pairs(&self) -> Vec<&InputCorrelation> {
-        let inputs: Vec<Parameter> = self.inputs.iter().map(|input| input.parameter).collect();
+        let mut inputs: Vec<Parameter> = self.inputs.iter().map(|input| input.parameter).collect();
+        inputs.push(Parameter::RestFriction);
         let Some(last) = self.first_dependent(&inputs) else { return Vec::new() };
         // The leading block that fails, from which every input goes that is not needed for that.
         let mut set = inputs[..=last].to_vec();
@@ -107,27 +107,18 @@ impl Uncertain {
 }
 
 impl Case {
-    /// Returns a note if uncertain frictions that may be of one road count as independent: those of skids without a correlation, and those of skids beside that of `[rest]`,
-    /// which has none.
-    pub fn independent_frictions(&self) -> Option<Notice> {
-        let is_friction = |parameter: &Parameter| matches!(parameter, Parameter::Skid(_, SkidKey { of: SkidNumber::Friction, .. }));
-        let of_skids: Vec<Parameter> = self.uncertain.inputs.iter().map(|input| input.parameter).filter(is_friction).collect();
-        let mut pairs = of_skids.iter().enumerate().flat_map(|(i, one)| of_skids[i + 1..].iter().map(move |other| (*one, *other)));
-        let are_independent = pairs.any(|(one, other)| self.uncertain.correlation(one, other) == 0.0);
+    /// Returns a note if uncertain frictions that may be of one road have no correlation: those of the skids and, in an answer that uses it, that of `[rest]`.
+    pub fn independent_frictions(&self, uses_rest: bool) -> Option<Notice> {
+        let mut all: Vec<Parameter> = self.uncertain.inputs.iter().map(|input| input.parameter).collect();
+        all.retain(|parameter| parameter.is_friction_of_skid());
         let mut rests = self.rest.iter().flat_map(|rest| &rest.vehicles).flatten().filter_map(|rest| rest.evidence.as_ref());
-        let has_rest = rests.any(|evidence| evidence.friction_deviation > 0.0) && !of_skids.is_empty();
-        let message = match (are_independent, has_rest) {
-            (false, false) => return None,
-            (true, false) => "the frictions of the skids count as independent; of one road they are the same: give their `correlation`",
-            (false, true) => {
-                "the friction of [rest] and those of the skids count as independent; of one road, speeds before the braking are less certain"
-            }
-            (true, true) => {
-                "the frictions of the skids, and that of [rest], count as independent; of one road, speeds before the braking are less certain: give the \
-                 `correlation` of those of the skids"
-            }
-        };
-        Some(Notice::note("independent-frictions", "before", message))
+        let has_rest = uses_rest && !all.is_empty() && rests.any(|evidence| evidence.friction_deviation > 0.0);
+        all.extend(has_rest.then_some(Parameter::RestFriction));
+        let mut pairs = all.iter().enumerate().flat_map(|(i, one)| all[i + 1..].iter().map(move |other| (*one, *other)));
+        let whose = if has_rest { "the frictions of the skids and of [rest]" } else { "the frictions of the skids" };
+        let message = format!("{whose} count as independent; of one road they are the same: give their `correlation`");
+        let are_independent = pairs.any(|(one, other)| self.uncertain.correlation(one, other) == 0.0);
+        are_independent.then(|| Notice::note("independent-frictions", "before", message))
     }
 }
 

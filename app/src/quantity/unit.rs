@@ -269,6 +269,12 @@ fn unknown(name: &str, unit: &str) -> QuantityError {
         let tons = "a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`";
         return QuantityError::with_help(message, tons.to_owned());
     }
+    // Other signs of division and multiplication: without them the nearest name would be that of something else.
+    for (signs, ordinary) in [(['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (['\u{d7}', '\u{2219}', '\u{2022}'], "*")] {
+        if let Some(sign) = name.chars().find(|c| signs.contains(c)) {
+            return QuantityError::with_help(message, format!("write `{ordinary}` for `{sign}`"));
+        }
+    }
     // A megagram: the nearest name is that of a milligram.
     if name == "Mg" {
         return QuantityError::with_help(message, "did you mean `tonne`?".to_owned());
@@ -321,6 +327,8 @@ mod tests {
         assert_eq!(message("KN"), "unknown unit `KN` (did you mean `kN`?)"); // a knot or a kilonewton
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
+        assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");
+        assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (write `*` for `\u{d7}`)");
         assert_eq!(message("furlong"), "unknown unit `furlong`");
         assert_eq!(message("Mg"), "unknown unit `Mg` (did you mean `tonne`?)");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");

@@ -1,9 +1,9 @@
 //! How separations from rest positions follow what is not certain of the vehicles: a heading, an impact center, a mass, a yaw inertia.
 
 use planar_impact::reconstruct::{Answer, Dependence, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Variable};
-use planar_impact::{Motion, Output, Side};
+use planar_impact::{Motion, Side};
 
-use super::from_rest::{Separations, key};
+use super::from_rest::{Separations, components, key, outputs};
 use super::question::{key_of, name_in};
 use crate::case::{Case, Inputs, Parameter, RestInputs, RestOfVehicle, vehicle_number};
 use crate::issue::Issue;
@@ -153,14 +153,6 @@ fn take_about(case: &Case, asked: &mut ReconstructionProblem, best: &Solution, s
 /// Returns the values of a solution that the case has.
 fn values(case: &Case, best: &Solution) -> Vec<(Parameter, f64)> {
     best.unknowns.iter().filter_map(|estimate| Some((key_of(estimate.of, case)?, estimate.value))).collect()
-}
-
-fn outputs(side: Side) -> [Measurand; 3] {
-    [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output)
-}
-
-fn components(of: &Motion) -> [f64; 3] {
-    [of.velocity.x, of.velocity.y, of.yaw_rate]
 }
 
 /// Returns a change of an unknown that matters: its standard deviation, or a hundredth.

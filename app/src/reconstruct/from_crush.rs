@@ -35,6 +35,9 @@ impl FromCrush {
             .map(|input| input.parameter)
             .filter(|parameter| matches!(parameter, Parameter::Crush(..)))
             .collect();
+        if !crush.is_empty() {
+            found.notices.extend(leave_out_total(&mut case.knowledge.evidence));
+        }
         let slopes: Vec<Option<Vec<f64>>> = case.knowledge.evidence.iter().map(|known| slopes(case, known, &crush)).collect();
         let is_used = |i: usize| slopes.iter().flatten().any(|slopes| slopes[i] != 0.0);
         found.unused = (0..crush.len()).filter(|&i| !is_used(i)).map(|i| crush[i]).collect();
@@ -73,6 +76,18 @@ impl FromCrush {
     }
 }
 
+/// Leaves out the total crush energy beside those of both vehicles if all three are taken from the crush and have the uncertainty of nothing else: it is their sum, and
+/// would make their covariance singular.
+fn leave_out_total(evidence: &mut Vec<Known>) -> Option<Notice> {
+    let bare =
+        |of: Measurand| evidence.iter().position(|known| known.of == of && known.is_from_crush && known.uncertainty == Uncertainty::Exact);
+    let total = bare(Measurand::CrushEnergy)?;
+    Side::ALL.iter().all(|side| bare(Measurand::CrushEnergyOf(*side)).is_some()).then(|| {
+        let message = "crush_energy is the sum of the crush energies of both vehicles, which are taken from the same crush: it adds nothing, and is left out";
+        Notice::note("total-left-out", evidence.remove(total).key, message)
+    })
+}
+
 /// Returns the derivatives of a crush energy by uncertain numbers, or `None` if the evidence is not taken from the crush.
 fn slopes(case: &Case, known: &Known, crush: &[Parameter]) -> Option<Vec<f64>> {
     if !known.is_from_crush || crush.is_empty() {
@@ -95,9 +110,13 @@ fn slope(case: &Case, side: Side, of: CrushKey) -> f64 {
     crush.map_or(0.0, |crush| crush.on_scalar(by).energy().eps)
 }
 
-/// Returns the covariance of two numbers with the given derivatives by uncertain parameters.
+/// Returns the covariance of two numbers with the given derivatives by uncertain parameters; that by the friction of `[rest]` is the change by one of its standard
+/// deviations.
 pub(super) fn covariance(uncertain: &Uncertain, parameters: &[Parameter], one: &[f64], other: &[f64]) -> f64 {
-    let sd = |parameter: Parameter| uncertain.of(parameter).map_or(0.0, |input| input.distribution.sd());
+    let sd = |parameter: Parameter| match parameter {
+        Parameter::RestFriction => 1.0,
+        _ => uncertain.of(parameter).map_or(0.0, |input| input.distribution.sd()),
+    };
     let mut sum = 0.0;
     // An input that neither depends on may have an infinite standard deviation.
     let counts = |slope: &f64| *slope != 0.0;

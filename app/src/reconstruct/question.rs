@@ -72,7 +72,8 @@ impl Question {
         // Without a question and evidence there is nothing to learn of the inputs.
         let is_asked = !case.knowledge.unknowns.is_empty() || !case.knowledge.evidence.is_empty();
         let of_inputs = if is_asked { InputUnknowns::of(&case) } else { InputUnknowns::default() };
-        let of_skids = FromSkids::of(&case);
+        let of_skids = FromSkids::of(&case, separations);
+        correlations.extend(of_skids.with_separations);
         let case = &case;
         let knowledge = &case.knowledge;
         let mut draft =
@@ -136,7 +137,7 @@ impl Question {
         }
         let dependences = Dependences::of(with_rest, separations, &draft.unknowns);
         issues.extend(dependences.issues);
-        draft.notices.0.extend(dependences.notices.into_iter().chain(with_rest.independent_frictions()));
+        draft.notices.0.extend(dependences.notices.into_iter().chain(with_rest.independent_frictions(true)));
         let holds_radius_of_gyration = [Side::One, Side::Two].map(|side| draft.holds_radius_of_gyration(side));
         let drives_along_heading = [Side::One, Side::Two].map(|side| draft.drives_along_heading(side, &mut issues));
         if !issues.is_empty() {

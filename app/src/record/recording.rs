@@ -1,21 +1,24 @@
 //! The recording: a CSV file, or a file that names one and says what its columns are.
 
+mod document;
+
 use std::path::Path;
 use std::sync::Arc;
 
-use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
 
 use super::kinematics::MeasuredKinematics;
 use super::samples::{Column, Fault, Samples, TIME};
 use super::{ChannelQuantity, RecordAnswer};
-use crate::case::{CaseReader, one_of, report_file};
-use crate::document::{Document, Field, Table, Value};
+use crate::case::CaseReader;
+use crate::document::Document;
 use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
 use crate::notice::{Notice, Notices};
 use crate::quantity::{Kind, excerpt};
 use crate::source::{Open, Source};
-use crate::units::{Measure, Units};
+use crate::units::Units;
+
+pub(crate) use document::samples_of;
 
 /// The key of the greatest acceleration that the sensors of a recorder hold.
 pub(crate) const ACCELEROMETER_RANGE: &str = "accelerometer_range";
@@ -219,242 +222,6 @@ fn of_line(source: &Source, fault: Fault) -> Issue {
     let begin: usize = source.text.split_inclusive('\n').take(fault.line.saturating_sub(1)).map(str::len).sum();
     let length = source.text[begin..].split(['\r', '\n']).next().unwrap_or_default().len();
     Issue { span: Some(begin..begin + length), ..Issue::at("samples", fault.column, fault.message).with_help(fault.help) }
-}
-
-type Read = (String, Settings, Vec<Channel>);
-
-impl CaseReader {
-    fn recording(&self, root: &Table<'_>, open: &dyn Fn(&Path) -> Result<Source, Issues>) -> Option<Read> {
-        let schema = root.required("schema").integer(1..=1);
-        let title = root.optional("title").string().unwrap_or_default().to_owned();
-        let kinematics = root.has("kinematics").then(|| root.optional("kinematics").table().and_then(|table| self.kinematics(&table)));
-        let settings = self.settings(root);
-        let kinematics = match kinematics {
-            Some(kinematics) => Some(kinematics?),
-            None => None,
-        };
-        // Kinematics need no samples.
-        if kinematics.is_some() && !root.has("file") && !root.has("samples") {
-            let sound = needed(root, &[]) && !root.has("channel");
-            if root.has("channel") {
-                root.optional("channel").report_as("missing-partner", "channels need samples", Some("give `file` or `samples`".to_owned()));
-            }
-            let settings = Settings { kinematics, ..settings? };
-            return (schema.is_some() && sound).then_some((title, settings, Vec::new()));
-        }
-        let (place, source) = match one_of(root, "file", "samples")? {
-            "file" => {
-                let field = root.required("file");
-                let place = field.clone();
-                (place.clone(), field.string().and_then(|name| open(Path::new(name)).map_err(|issues| report_file(&place, &issues)).ok()))
-            }
-            _ => {
-                let field = root.required("samples");
-                (field.clone(), samples_of(field))
-            }
-        };
-        let tables = if root.has("channel") { root.optional("channel").array_of_tables().map(Some) } else { Some(None) };
-        let (source, tables) = (source?, tables?);
-        let samples = Samples::of(&source);
-        let report = |place: &crate::document::Field<'_>, faults: Vec<Fault>| {
-            for Fault { line, column, message, help } in distinct(faults) {
-                let column = if column.is_empty() { column } else { column + ": " };
-                place.report_as("samples", format!("{}:{line}: {column}{message}", source.name), Some(help));
-            }
-        };
-        let time = samples.place(TIME).map_err(|fault| report(&place, vec![fault])).ok();
-        let mut channels = Vec::new();
-        let mut sound = true;
-        match &tables {
-            Some(tables) => {
-                for table in tables {
-                    let channel = self.channel(table, &samples, time, &|faults| report(&table.optional("column"), faults));
-                    if let Some(twice) =
-                        channel.as_ref().filter(|channel| channels.iter().any(|other: &Channel| other.name == channel.name))
-                    {
-                        let help = "remove one of the two: forces of several load cells add up, and this one would count twice";
-                        let place = table.optional("column");
-                        place.report_as(
-                            "repeated-column",
-                            format!("the column {} is a channel already", excerpt(&twice.name)),
-                            Some(help.to_owned()),
-                        );
-                        sound = false;
-                    }
-                    sound &= channel.is_some();
-                    channels.extend(channel);
-                }
-                let is_unlisted =
-                    |name: &&str| ChannelQuantity::of_column(name).is_some() && channels.iter().all(|channel| channel.name != *name);
-                let unlisted: Vec<String> =
-                    samples.headers.iter().map(|header| header.name.as_str()).filter(is_unlisted).map(excerpt).collect();
-                if sound && !unlisted.is_empty() {
-                    let message = format!("these columns are not under [[channel]], and are not used: {}", unlisted.join(", "));
-                    self.notices.borrow_mut().push(Notice::warning("unused-columns", "channel", message));
-                }
-            }
-            None => {
-                for (i, header) in samples.headers.iter().enumerate() {
-                    let (Some(time), Some(quantity)) = (time, ChannelQuantity::of_column(&header.name)) else { continue };
-                    match samples.channel(time, i, quantity, (None, 1.0)) {
-                        Ok(column) => channels.push(Channel::of(header.name.clone(), quantity, column)),
-                        Err(faults) => {
-                            report(&place, faults);
-                            sound = false;
-                        }
-                    }
-                }
-                if channels.is_empty() && sound {
-                    let help =
-                        format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names());
-                    place.report("no column has the name of a channel", Some(help));
-                    sound = false;
-                }
-            }
-        }
-        let settings = Settings { kinematics, ..settings? };
-        (schema.is_some() && time.is_some() && sound && needed(root, &channels)).then_some((title, settings, channels))
-    }
-
-    fn channel(&self, table: &Table<'_>, samples: &Samples, time: Option<usize>, report: &dyn Fn(Vec<Fault>)) -> Option<Channel> {
-        let column = table.required("column").string();
-        let by_name = column.and_then(ChannelQuantity::of_column);
-        let quantity = match table.has("quantity") || by_name.is_none() {
-            true => table.required("quantity").choice(&ChannelQuantity::names()).and_then(ChannelQuantity::of_column),
-            false => by_name,
-        };
-        let polarity = if table.has("polarity") { sign(table) } else { Some(1.0) };
-        let of_kind = |key| match (table.has(key), quantity) {
-            (true, Some(ChannelQuantity::Acceleration)) => self.positive_acceleration(table.optional(key)).map(Some),
-            (true, Some(quantity)) => self.positive(table.optional(key), quantity.kind().difference()).map(Some),
-            _ => Some(None),
-        };
-        let (calibration, range) = (of_kind("calibration"), of_kind("range"));
-        table.finish();
-        let (column, quantity, polarity, calibration, range) = (column?, quantity?, polarity?, calibration?, range?);
-        let place = samples.place(column).map_err(|fault| report(vec![fault])).ok()?;
-        let samples = samples.channel(time?, place, quantity, (calibration, polarity)).map_err(report).ok()?;
-        Some(Channel { range, path: table.path().to_owned(), ..Channel::of(column.to_owned(), quantity, samples) })
-    }
-
-    fn settings(&self, root: &Table<'_>) -> Option<Settings> {
-        let filter = if root.has("filter") { filter(root) } else { Some(Filter::Usual) };
-        let window = |key| match root.has(key) {
-            true => self.pair(root.optional(key), Kind::DURATION).map(|[from, to]| Some(Window { from, to })),
-            false => Some(None),
-        };
-        let estimate = |key, measure| match root.has(key) {
-            true => self.positive_estimate(root.optional(key), measure).map(Some),
-            false => Some(None),
-        };
-        let number = |key, kind| match root.has(key) {
-            true => self.quantity(root.optional(key), kind).map(Some),
-            false => Some(None),
-        };
-        let (baseline, contact) = (window("baseline"), window("window"));
-        let (mass, speed) = (estimate("mass", Measure::Mass), estimate("speed", Measure::Speed));
-        let separation = number("separation", Kind::DURATION);
-        let neighbors = if root.has("neighbors") { root.optional("neighbors").integer(4..=1000).map(Some) } else { Some(None) };
-        let resolution = match root.has("resolution") {
-            true => self.positive(root.optional("resolution"), Kind::SPEED).map(Some),
-            false => Some(None),
-        };
-        let relative = if root.has("relative") { self.coefficient(root.optional("relative"), 1.0) } else { Some(0.0) };
-        let accelerometer_range = match root.has(ACCELEROMETER_RANGE) {
-            true => self.positive_acceleration(root.optional(ACCELEROMETER_RANGE)).map(Some),
-            false => Some(None),
-        };
-        Some(Settings {
-            filter: filter?,
-            baseline: baseline?,
-            window: contact?,
-            mass: mass?,
-            speed: speed?,
-            separation: separation?,
-            neighbors: neighbors?.and_then(|count| usize::try_from(count).ok()),
-            resolution: resolution?,
-            relative: relative?,
-            accelerometer_range: accelerometer_range?,
-            kinematics: None,
-        })
-    }
-
-    /// Reads an acceleration above zero, in which g is the standard gravity and not a gram.
-    pub(crate) fn positive_acceleration(&self, field: Field<'_>) -> Option<f64> {
-        let number = match field.value() {
-            Some(Value::String(text)) => text.trim().strip_suffix('g').map(str::trim).and_then(|number| number.parse::<f64>().ok()),
-            _ => None,
-        };
-        match number.filter(|number| number.is_finite() && *number > 0.0) {
-            Some(number) => Some(number * STANDARD_GRAVITY),
-            None => self.positive(field, Kind::ACCELERATION),
-        }
-    }
-}
-
-/// Returns the samples that a file has in itself: a text as of a CSV file.
-pub(crate) fn samples_of(field: Field<'_>) -> Option<Source> {
-    let name = field.path().to_owned();
-    // The line break after the opening quotes of a JSON or a one-line text is part of it.
-    field.string().map(|text| Source { name, text: text.trim_start_matches(['\r', '\n']).to_owned() })
-}
-
-fn sign(table: &Table<'_>) -> Option<f64> {
-    let field = table.optional("polarity");
-    let place = field.clone();
-    match field.integer(-1..=1)? {
-        0 => {
-            place.report("it is 0; expected 1, or -1 for a channel whose sign is reversed", None);
-            None
-        }
-        sign => Some(sign as f64),
-    }
-}
-
-fn filter(root: &Table<'_>) -> Option<Filter> {
-    let field = root.optional("filter");
-    if let Some(Value::Bool(false)) = field.value() {
-        return Some(Filter::Off);
-    }
-    let place = field.clone();
-    let number = field.integer(0..=i64::from(i32::MAX))?;
-    let class = ChannelClass::ALL.into_iter().find(|class| i64::from(class.number()) == number);
-    if class.is_none() {
-        let help = "the classes of SAE J211 are 60, 180, 600 and 1000; `false` is no filter".to_owned();
-        place.report(format!("{number} is no channel frequency class"), Some(help));
-    }
-    class.map(Filter::Class)
-}
-
-/// Reports each key that no channel uses.
-fn needed(root: &Table<'_>, channels: &[Channel]) -> bool {
-    use ChannelQuantity as Q;
-    let (forces, films) = ([Q::NormalForce, Q::TangentialForce, Q::Acceleration], [Q::Distance]);
-    let recorder = [Q::DeltaVForward, Q::DeltaVLeft, Q::DeltaVRight, Q::Speed];
-    let impulses = [Q::NormalForce, Q::Acceleration, Q::Distance];
-    let velocity_changes = [Q::DeltaVForward, Q::DeltaVLeft, Q::DeltaVRight];
-    let partners: [(&'static str, &[Q]); 10] = [
-        ("mass", &forces),
-        ("filter", &forces),
-        ("baseline", &forces),
-        ("window", &[Q::NormalForce, Q::TangentialForce, Q::Acceleration, Q::Distance]),
-        ("speed", &impulses),
-        ("separation", &films),
-        ("neighbors", &films),
-        ("resolution", &recorder),
-        ("relative", &recorder),
-        (ACCELEROMETER_RANGE, &velocity_changes),
-    ];
-    let mut sound = true;
-    for (key, partners) in partners {
-        if root.has(key) && !channels.iter().any(|channel| partners.contains(&channel.quantity)) {
-            let names: Vec<&str> = partners.iter().map(|quantity| quantity.name()).collect();
-            let help = format!("remove it, or add a channel: {}", names.join(", "));
-            root.optional(key).report_as("missing-partner", "no channel of this recording uses it", Some(help));
-            sound = false;
-        }
-    }
-    sound
 }
 
 #[cfg(test)]

@@ -72,7 +72,8 @@ impl CaseMapping {
                 | Parameter::RadiusOfGyration(_)
                 | Parameter::Speed(_)
                 | Parameter::Crush(..)
-                | Parameter::Skid(..) => continue,
+                | Parameter::Skid(..)
+                | Parameter::RestFriction => continue,
             };
             found.push((input, Rule::Same(place)));
         }

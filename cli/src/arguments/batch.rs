@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::whole;
+
 /// Arguments of `batch`.
 #[derive(Debug, Args)]
 pub struct Batch {
@@ -26,7 +28,7 @@ pub struct Batch {
     #[arg(long)]
     pub check: bool,
     /// Number of threads that solve rows. Default: one for each processor. The bits of the answer do not depend on it.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "COUNT", value_parser = whole::<u16>(1..=1024))]
     pub threads: Option<u16>,
     /// Fuse multiplications and additions where the machine can, which is faster: the last bits then differ between machines.
     #[arg(long)]

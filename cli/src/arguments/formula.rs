@@ -7,6 +7,8 @@ use planar_impact::{Output, Side};
 use planar_impact_app::formula::{self, Kind, MomentGiven};
 use planar_impact_app::solve;
 
+use super::whole;
+
 /// Arguments of `formula`.
 #[derive(Debug, Args)]
 pub struct Formula {
@@ -29,7 +31,7 @@ pub struct Formula {
     #[arg(long, value_enum, default_value_t = TangentialLaw::Brach)]
     pub law: TangentialLaw,
     /// The vehicle, 1 or 2, that is a fixed barrier.
-    #[arg(long, value_name = "VEHICLE", value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(long, value_name = "VEHICLE", value_parser = whole::<u8>(1..=2))]
     pub barrier: Option<u8>,
     /// Form in which the moment impulse is given.
     #[arg(long, value_enum, default_value_t = MomentImpulse::None)]

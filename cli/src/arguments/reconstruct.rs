@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{Format, UnitSystem, level};
+use super::{Format, UnitSystem, level, whole};
 
 /// Arguments of `reconstruct`.
 #[derive(Debug, Args)]
@@ -18,10 +18,10 @@ pub struct Reconstruct {
     #[arg(long, value_enum)]
     pub units: Option<UnitSystem>,
     /// Number of starts of the search: the given one, and others drawn within the bounds. A few more searches start close to each solution.
-    #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    #[arg(long, value_name = "COUNT", default_value_t = 64, value_parser = whole::<u64>(1..=10_000))]
     pub starts: u64,
     /// Seed of the random starts and of the draws. The same seed gives the same answer.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
     pub seed: u64,
     /// Level of confidence of the intervals, from 0.5 to 0.9999.
     #[arg(long, default_value_t = 0.95, value_parser = level)]

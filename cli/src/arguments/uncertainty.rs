@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use planar_impact_app::quantity;
 
-use super::{UnitSystem, level};
+use super::{UnitSystem, level, whole};
 
 /// Arguments of `uncertainty`.
 #[derive(Debug, Args)]
@@ -25,7 +25,7 @@ pub struct Uncertainty {
     #[arg(long, value_name = "SHARE", value_parser = share)]
     pub precision: Option<f64>,
     /// Seed of the samples. The same seed gives the same answer, for any number of threads. Default: 1.
-    #[arg(long)]
+    #[arg(long, value_parser = whole::<u64>(0..=u64::MAX))]
     pub seed: Option<u64>,
     /// Where the samples lie. Default: random.
     #[arg(long, value_enum)]

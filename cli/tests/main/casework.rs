@@ -330,6 +330,41 @@ fn a_speed_before_the_skids_gives_that_at_the_impact() {
     close(&answer["unknown"]["vehicle.1.speed"]["sd"], 2.0 / 3.6 * (80.0 / 3.6) / speed, 1e-9);
 }
 
+/// One road has one friction: with its correlation the variance of the speed before the braking is that of the changes which the friction makes by the skid and by the
+/// slide, together. The three numbers of an impact on a barrier are determined by the three of its separation.
+#[test]
+fn the_friction_of_the_skids_may_be_that_of_the_rest_position() {
+    let of = |rest: &str, skid: &str, top: &str| {
+        let case = format!(
+            "schema = 1\n{top}\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0.5]\n[[vehicle]]\nbarrier = true\n\
+             [contact]\ncrush_plane = \"60 deg\"\nimpulse_ratio = {{ of_critical = 0.8 }}\n\
+             [rest]\nfriction = {rest}\n[rest.vehicle.1]\nposition = [\"2.581 m ± 0.02 m\", \"-1.648 m ± 0.02 m\"]\nheading = \"-25.5 deg ± 0.2 deg\"\n\
+             front_axle = 1.2\nrear_axle = 1.4\ntrack = 1.5\n\
+             wheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }}\n\
+             [before.vehicle.1]\nskid = [{{ length = \"17 m\", friction = {skid} }}]\n\
+             [unknown]\nvehicle.1.speed = 15\ncontact.restitution = 0.2\ncontact.impulse_ratio.of_critical = 0.8\n"
+        );
+        let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let speed = &answer["derived"]["before.vehicle.1.braking_speed"];
+        let codes = answer["messages"].to_string();
+        (number(&speed["value"]), number(&speed["sd"]).powi(2), codes.contains("independent-frictions"))
+    };
+    let half = |more: (f64, f64, bool), less: (f64, f64, bool)| (more.0 - less.0) / 2.0;
+    let by_rest = half(of("0.61", "0.7", ""), of("0.59", "0.7", ""));
+    let by_skid = half(of("0.6", "0.71", ""), of("0.6", "0.69", ""));
+    let certain = of("0.6", "0.7", "").1;
+    for coefficient in [-0.9, 0.5, 0.999] {
+        let pair = format!("correlation = [[\"before.vehicle.1.skid.1.friction\", \"rest.friction\", {coefficient}]]");
+        let (_, variance, is_noted) = of("\"0.6 ± 0.01\"", "\"0.7 ± 0.01\"", &pair);
+        let by_hand = certain + by_rest * by_rest + by_skid * by_skid + 2.0 * coefficient * by_rest * by_skid;
+        assert!(!is_noted && (variance / by_hand - 1.0).abs() < 2e-3, "{coefficient}: {variance} {by_hand}");
+    }
+    let (_, variance, is_noted) = of("\"0.6 ± 0.01\"", "\"0.7 ± 0.01\"", "");
+    assert!(is_noted && (variance / (certain + by_rest * by_rest + by_skid * by_skid) - 1.0).abs() < 2e-3);
+    assert!(by_rest * by_skid > 0.1 * certain, "what is shared matters: {by_rest} {by_skid} {certain}");
+}
+
 /// The slide of a braked vehicle without yaw is that of a block: v²/(2 μ g) in v/(μ g).
 #[test]
 fn a_straight_slide_is_that_of_a_block() {

@@ -191,7 +191,7 @@ fn what_is_wrong_is_said() {
         (&["T_L", "--wrt", "vehicle.1.crush.width"], "are in no formula of a collision"),
         (&["W_n", "--wrt", "gamma"], "no input has the name `gamma`; did you mean `Gamma`?"),
         (&["W_n", "--ratio", "given", "--case", "cli/examples/position-a.toml"], "cannot be used with"),
-        (&["W_n", "--barrier", "3"], "3 is not in 1..=2"),
+        (&["W_n", "--barrier", "3"], "it must be a whole number from 1 to 2"),
         (&["W_n", "--case", "nowhere.toml"], "cannot be read"),
     ];
     for (arguments, says) in calls {

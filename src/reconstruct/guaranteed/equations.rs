@@ -11,7 +11,7 @@ use crate::frame::Xy;
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::output::Output;
-use crate::reconstruct::given::{Dependence, Evidence, ReconstructionProblem, Uncertainty};
+use crate::reconstruct::given::{Evidence, PlacedDependence, ReconstructionProblem, Uncertainty};
 use crate::reconstruct::measurand::Measurand;
 use crate::reconstruct::placed::Placed;
 use crate::reconstruct::scene::Scene;
@@ -26,8 +26,7 @@ pub(super) struct Equations<'a> {
     scene: Scene,
     /// The equation that each error belongs to.
     errors: Vec<usize>,
-    /// How evidence follows unknowns, with the places of both.
-    dependences: Vec<(usize, usize, Dependence)>,
+    dependences: Vec<PlacedDependence>,
     pub(super) whole: Vec<Interval>,
     /// The least and the greatest value of each unknown that is looked at where nothing else limits it.
     pub(super) assumed: Vec<[Option<f64>; 2]>,
@@ -168,10 +167,8 @@ impl<'a> Equations<'a> {
         let error =
             move |place: usize| self.errors.iter().position(|of| *of == place).map_or(T::int(0), |error| numbers[self.unknowns() + error]);
         let sought = move |place: usize, evidence: &Evidence| {
-            let own = self.dependences.iter().filter(move |(piece, ..)| *piece == place);
-            own.fold(T::from(evidence.value) + error(place), |sought, (_, unknown, Dependence { at, slope, .. })| {
-                sought + (numbers[*unknown] - T::from(*at)) * T::from(*slope)
-            })
+            let own = self.dependences.iter().filter(move |dependence| dependence.evidence == place);
+            own.fold(T::from(evidence.value) + error(place), |sought, dependence| sought + dependence.change(numbers))
         };
         self.problem
             .evidence

@@ -70,7 +70,7 @@ impl CaseReader {
     }
 
     fn correlation(&self, field: Field<'_>, whole: bool) -> Option<InputCorrelation> {
-        let key = field.path().to_owned();
+        let (key, place_of_pair) = (field.path().to_owned(), field.clone());
         let items = field.items(ENTRY, 3..=3)?;
         let [one, other, coefficient] = <[Field<'_>; 3]>::try_from(items).ok()?;
         let pair = [one, other].map(|name| self.correlated(name, whole));
@@ -87,6 +87,14 @@ impl CaseReader {
             is_possible
         });
         let [one, other] = pair;
+        if let (Some(one), Some(other)) = (one, other)
+            && [one, other].contains(&Parameter::RestFriction)
+            && ![one, other].iter().any(|parameter| parameter.is_friction_of_skid())
+        {
+            place_of_pair
+                .report(format!("the correlation of {one} and {other}: rest.friction has one with the friction of a skid alone"), None);
+            return None;
+        }
         if let (Some(one), Some(other), Some(coefficient)) = (one, other, coefficient) {
             let mut names = [one, other].map(|input| input.to_string());
             names.sort();
@@ -100,16 +108,18 @@ impl CaseReader {
     fn correlated(&self, field: Field<'_>, whole: bool) -> Option<Parameter> {
         let place = field.clone();
         let name = field.string()?;
-        let uncertain = self.uncertain.borrow();
-        let named = Parameter::named(name);
+        let mut uncertain: Vec<Parameter> = self.uncertain.borrow().iter().map(|input| input.parameter).collect();
+        uncertain.extend(self.has_uncertain_rest.get().then_some(Parameter::RestFriction));
+        let is_friction_of_rest = name == Parameter::RestFriction.to_string();
+        let named = if is_friction_of_rest { Some(Parameter::RestFriction) } else { Parameter::named(name) };
         if named.is_some_and(|parameter| self.is_fitted(parameter)) {
             place.report("the tests that it is fitted to give its correlations", None);
             return None;
         }
-        if let Some(parameter) = named.filter(|parameter| !whole || uncertain.iter().any(|input| input.parameter == *parameter)) {
+        if let Some(parameter) = named.filter(|parameter| !whole || uncertain.contains(parameter)) {
             return Some(parameter);
         }
-        let names: Vec<String> = uncertain.iter().map(|input| input.parameter.to_string()).collect();
+        let names: Vec<String> = uncertain.iter().map(Parameter::to_string).collect();
         let known = || match names.is_empty() {
             true => "no input of this case is uncertain: give one as \"1500 kg \u{b1} 50 kg\"".to_owned(),
             false => format!("the uncertain inputs are {}", names.join(", ")),

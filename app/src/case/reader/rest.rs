@@ -82,6 +82,7 @@ impl CaseReader {
         let grade = self.grade(rest);
         let regions = if rest.has("regions") { self.regions(rest.optional("regions"), grade) } else { Some(Vec::new()) };
         let friction = friction?;
+        self.has_uncertain_rest.set(friction.deviation.is_some_and(|deviation| deviation > 0.0));
         let ground = Ground { grade: grade?, regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
         Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })
     }

@@ -7,7 +7,7 @@ use crate::process::{Folder, run};
 fn wrong_calls() {
     let folder = Folder::new();
     folder.write("case.toml", COLLISION.as_bytes());
-    let calls: [(&[&str], &str); 14] = [
+    let calls: [(&[&str], &str); 17] = [
         (&[], "Usage: planar-impact <COMMAND>"),
         (&["solv", "case.toml"], "a similar subcommand exists: 'solve'"),
         (&["frobnicate"], "unrecognized subcommand 'frobnicate'"),
@@ -22,6 +22,12 @@ fn wrong_calls() {
         (&["solve", "case.toml", "--units", "SI"], "invalid value 'SI'"),
         (&["validate", "case.toml"], "unexpected argument 'case.toml'"),
         (&["completions", "tcsh"], "invalid value 'tcsh'"),
+        (
+            &["uncertainty", "case.toml", "--seed", "-1"],
+            "'-1' for '--seed <SEED>': it must be a whole number from 0 to 18446744073709551615",
+        ),
+        (&["batch", "a.csv", "-o", "-", "--threads", "1025"], "it must be a whole number from 1 to 1024"),
+        (&["reconstruct", "case.toml", "--starts", "x"], "it must be a whole number from 1 to 10000"),
     ];
     for (arguments, says) in calls {
         let run = run(folder.path(), arguments);

@@ -5,6 +5,16 @@ use crate::process::{Folder, run};
 
 /// Inputs and expected messages. In the base file `[rest]` is at line 22, its vehicle at line 26.
 pub const BAD: &[Bad] = &[
+    wrong(
+        "a friction of [rest] beside a mass",
+        &[
+            ("schema = 1\n\n", "schema = 1\ncorrelation = [[\"m1\", \"rest.friction\", 0.3]]\n"),
+            ("mass = 1200", "mass = \"1200 kg ± 10 kg\""),
+        ],
+        2,
+        &["correlation.1", "vehicle.1.mass and rest.friction", "with the friction of a skid alone"],
+    )
+    .of(RESTED),
     wrong("a rest without friction", &[("friction = \"0.7 ± 0.05\"\n", "")], 22, &["rest.friction", "missing"]).of(RESTED),
     wrong("a rest on no friction", &[("0.7 ± 0.05", "0")], 23, &["rest.friction", "above 0"]).of(RESTED),
     wrong("a friction in meters", &[("0.7 ± 0.05", "0.7 m ± 0.05")], 23, &["rest.friction", "a pure number is expected"]).of(RESTED),

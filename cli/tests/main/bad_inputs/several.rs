@@ -48,6 +48,20 @@ fn all_at_once_in_file_order() {
     are(&errors("case.toml", &wrong("", edits, 0, &[]).text()), &keys);
 }
 
+/// What has a mass is judged as a vehicle, whatever its `barrier` is.
+#[test]
+fn of_a_vehicle_whose_barrier_is_no_truth() {
+    let of = |barrier: &str| {
+        let wall = wrong("", &[], 0, &[]).of(WALL).text().replace("barrier = true", barrier);
+        errors("case.toml", &wall)
+    };
+    are(&of("barrier = 1\nlength = \"4 kg\""), &["vehicle.2.barrier"]);
+    are(
+        &of("barrier = 1\nmass = \"3 m\"\nyaw_inertia = -1\nheading = 0\nspeed = 0\nimpact_center = [1, 0]\ncolor = 2"),
+        &["vehicle.2.barrier", "vehicle.2.mass", "vehicle.2.yaw_inertia", "vehicle.2.color"],
+    );
+}
+
 #[test]
 fn of_both_vehicles_and_of_crush() {
     let missing = &[("mass = \"2564 lb\"\n", ""), ("41 ft/s", "41 kg")];

@@ -258,6 +258,11 @@ pub(super) const BAD: &[Bad] = &[
     // Correlations.
     loaded("correlations as a table", &[("[]", "{ a = 1 }")], &["correlation", "an array of correlations"]),
     loaded("a correlation of two", &[("[]", "[[\"m1\", \"m2\"]]")], &["correlation.1", "two names and their coefficient"]),
+    loaded(
+        "a friction of [rest] that is not there",
+        &[("[]", "[[\"rest.friction\", \"m1\", 0.3]]")],
+        &["correlation.1.1", "the case gives no uncertainty of rest.friction"],
+    ),
     loaded("a correlation without names", &[("[]", "[[1, 2, 0.3]]")], &["correlation.1.1", "correlation.1.2", "a string"]),
     loaded(
         "a correlation of nothing",

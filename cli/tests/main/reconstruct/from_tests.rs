@@ -104,6 +104,33 @@ fn equal_crushes_of_one_vehicle_have_equal_energies() {
     assert!((low..=high).contains(&0.5) && high - low < 1e-4, "{share}");
 }
 
+/// Beside the crush energies of both vehicles their total is no evidence of its own, unless it has an uncertainty of its own.
+#[test]
+fn the_total_of_both_crush_energies_adds_nothing() {
+    let second = "depths = [\"0 ft\", \"0 ft\"]\nstiffness = { d0 = \"0 lbf^0.5\", d1 = \"1e6 lbf^0.5/ft\" }";
+    let of = |total: &str| {
+        let each = "\nvehicle.1.crush_energy = \"from crush\"\nvehicle.2.crush_energy = \"from crush\"";
+        let both = replaced(
+            &case("stiffness = { tests = \"tests.toml\" }"),
+            &[
+                (second, "depths = [0.3, 0.3]\nstiffness = { tests = \"tests.toml\" }"),
+                ("\ncrush_energy = \"from crush\"", &format!("{each}{total}")),
+            ],
+        );
+        let run = beside(&both, &[("tests.toml", &struble_welsh())], &RECONSTRUCT);
+        assert_eq!((run.status, run.err.as_str()), (0, ""));
+        json(&run)
+    };
+    let (each, all) = (of(""), of("\ncrush_energy = \"from crush\""));
+    let is_noted = |of: &Value| of["messages"].to_string().contains("total-left-out");
+    assert!(is_noted(&all) && !is_noted(&each), "{}", all["notes"]);
+    for key in ["unknown", "evidence", "degrees_of_freedom"] {
+        assert_eq!(all[key], each[key], "{key}");
+    }
+    let own = of("\ncrush_energy = { value = \"from crush\", relative = 0.1 }");
+    assert!(!is_noted(&own) && number(&own["degrees_of_freedom"]) == number(&each["degrees_of_freedom"]) + 1.0);
+}
+
 /// Of two vehicles with the stiffness of the same tests, the crush energies go up and down together.
 #[test]
 fn one_fit_for_two_vehicles_is_one_number() {

@@ -256,6 +256,17 @@ fn bad_recordings_are_refused_all_at_once() {
     for wanted in ["--> a.csv:3", "--> b.toml:2", "none.csv", "--> c.csv:3"] {
         assert!(refused.err.contains(wanted), "{wanted}: {}", refused.err);
     }
+    // Without its file, the keys and the channels of a recording are judged all the same.
+    folder.write(
+        "d.toml",
+        b"schema = 1\nfile = \"none.csv\"\nfilter = 61\ncolor = 1\n[[channel]]\ncolumn = \"F\"\nquantity = \"force\"\n[[channel]]\npolarity = 2\n",
+    );
+    let refused = run(folder.path(), &["record", "d.toml"]);
+    let faults: Vec<&str> = refused.err.lines().filter_map(|line| line.strip_prefix("error: ")).collect();
+    let keys =
+        ["file: ", "filter: ", "color: ", "channel.1.quantity: ", "channel.2.column: ", "channel.2.quantity: ", "channel.2.polarity: "];
+    assert!(refused.status == 2 && faults.len() == keys.len(), "{}", refused.err);
+    assert!(keys.iter().all(|key| faults.iter().any(|fault| fault.starts_with(key))), "{}", refused.err);
     let missing = run(folder.path(), &["record", "a.csv", "none.csv"]);
     assert_eq!((missing.err.matches("-->").count(), missing.err.matches("none.csv").count()), (1, 1), "{}", missing.err);
     for (text, wanted) in [

@@ -1,7 +1,7 @@
 //! The unknowns of the solution.
 
 use planar_impact_app::reconstruct::{Alternative, Derived, Interval, Reconstruction, Unknown};
-use planar_impact_app::units::{Measure, Units};
+use planar_impact_app::units::{Measure, Units, beyond_rounding};
 
 use super::rounding::{digits, probability, rounded, share};
 use crate::block::{Block, Table};
@@ -35,7 +35,8 @@ pub fn derived(answer: &Reconstruction, units: Units) -> Vec<Block> {
     if answer.derived.is_empty() {
         return Vec::new();
     }
-    let rows = answer.derived.iter().map(|(name, derived)| (name, Row::of_derived(derived))).collect();
+    let scale = |measure| answer.solution.as_ref().map_or(0.0, |solution| solution.facts.scale(measure));
+    let rows = answer.derived.iter().map(|(name, derived)| (name, Row::of_derived(derived, scale(derived.measure)))).collect();
     vec![table("what follows", answer, rows, units)]
 }
 
@@ -54,8 +55,10 @@ impl<'a> Row<'a> {
         Row { value, sd, interval: &unknown.interval, is_at_bound: at_bound.is_some(), measure }
     }
 
-    fn of_derived(derived: &'a Derived) -> Self {
-        let Derived { value, sd, measure, .. } = *derived;
+    /// Creates the row of what follows, of which a value that is rounding beside a scale is zero.
+    fn of_derived(derived: &'a Derived, scale: f64) -> Self {
+        let Derived { sd, measure, .. } = *derived;
+        let value = derived.value.map(|value| beyond_rounding(value, scale));
         Row { value, sd, interval: &derived.interval, is_at_bound: false, measure }
     }
 
