@@ -3,9 +3,10 @@
 
 use super::claims::{direction_of_force, norm};
 use super::format::Digits;
-use super::judge::{Judge, Residual};
+use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
 use super::known::{Known, turned};
+use super::momentum::number_of;
 use super::rule::Rule;
 use super::subject::When;
 use super::uncertain::{Uncertain, sharper_known};
@@ -61,9 +62,16 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
 fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
     let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
-    judge.not_above(Rule::Reported, Residual::new(work, available(known)), |size, _| {
+    let beside_all = |work| Residual::new(work, available(known)).beside(ENERGY);
+    judge.not_above(Rule::Reported, beside_all(work), |size, _| {
         format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
     });
+    if known.number(Key::Restitution).is_some_and(|e| (Uncertain::exact(1.0) - e).is_zero()) {
+        judge.not_above(Rule::Reported, beside_all(-work), |size, bound| {
+            let (work, bound) = (Digits(-size), Digits(bound));
+            format!("the work of the normal impulse is said to be {work} J, and at a restitution of 1 it is zero; {bound} may be")
+        });
+    }
     let (impulse, closing) = (known.number(Key::NormalImpulse), known.closing_speed());
     let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
     let (Some(impulse), Some(closing), Some(parting)) = (impulse, closing, parting) else { return };
@@ -77,13 +85,15 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     });
 }
 
-/// Returns the greatest energy that is claimed, or that claimed impulse and speeds make: of a restitution of 1, works and losses are the rounding of these.
-fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
+/// Returns the greatest energy that is claimed, that motions have, or that claimed impulse and speeds make: of a restitution of 1, works and losses are the
+/// rounding of these.
+pub(super) fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
     use Key::{EnergyAfter, EnergyBefore, EnergyLoss, MomentWork, NormalWork, TangentialWork};
     let size = |key| known.number(key).map_or(0.0, |number: Uncertain<N>| number.value.abs());
     let energies = [NormalWork, TangentialWork, MomentWork, EnergyLoss, EnergyBefore, EnergyAfter].map(size);
     let of_speeds = size(Key::NormalImpulse) * size(Key::ClosingSpeed).max(size(Key::SeparationSpeed));
-    energies.into_iter().fold(of_speeds, f64::max)
+    let of_motions = [When::Before, When::After].map(|when| known.least_energy(when).value);
+    energies.into_iter().chain(of_motions).fold(of_speeds, f64::max)
 }
 
 fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
@@ -97,24 +107,48 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(loss), Some(works)) = (loss, works) {
         equal(judge, ("energy loss", loss), ("sum of the works makes it", works), available(known).max(works.size));
     }
-    // A wall that moves does work on the other body, which is no part of the loss.
-    let moves = |side| {
-        let subject = known.subject(side);
-        subject.fixed && subject.before.is_some_and(|v| [v.x, v.y].iter().any(|v| v.value != 0.0 || v.radius() > 0.0))
-    };
+    if let (Some(work), true) = (known.number(Key::MomentWork), known.moment.is_some_and(|moment| moment.is_zero())) {
+        judge.zero(Rule::Reported, Residual::new(work, available(known)).beside(ENERGY), |size, bound| {
+            format!("the moment is said to be 0, and its work {} J, {} may be", Digits(size), Digits(bound))
+        });
+    }
+    for (key, when) in [(Key::EnergyBefore, When::Before), (Key::EnergyAfter, When::After)] {
+        // Where all of it is known, the claim is compared with it.
+        let Some(claimed) = known.number(key).filter(|claimed| claimed.value >= 0.0 && known.kinetic_energy(when).is_none()) else {
+            continue;
+        };
+        let least = known.least_energy(when);
+        judge.not_above(Rule::Reported, Residual::new(least - claimed, least.value.max(claimed.value.abs())), |size, bound| {
+            let (claimed, least, size, bound) = (Digits(claimed.value), Digits(least.value), Digits(size), Digits(bound));
+            format!("{key} is said to be {claimed} J, and the motions that are known have {least} J: {size} more, {bound} may be")
+        });
+    }
     // All motions tell the loss itself.
     let of_motions = || known.kinetic_energy(When::Before).filter(|_| known.energy_loss.is_none());
-    let before = known.number(Key::EnergyBefore).or_else(of_motions);
-    let (Some(before), Some(loss), false) = (before, loss.or(works), Side::ALL.into_iter().any(moves)) else {
-        return;
-    };
+    let claimed = known.number(Key::EnergyBefore);
+    // A wall that moves does work on the other body, which is no part of the loss.
+    let (Some(before), false) = (claimed.or_else(of_motions), known.wall_moves()) else { return };
     let scale = available(known);
-    match known.number(Key::EnergyAfter) {
-        Some(after) => equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), scale),
-        None => judge.not_above(Rule::Reported, Residual::new(loss - before, scale), |size, bound| {
-            let (loss, before, size, bound) = (Digits(loss.value), Digits(before.value), Digits(size), Digits(bound));
-            format!("the energy loss is said to be {loss} J, and the kinetic energy before {before} J: {size} more than there was, {bound} may be")
-        }),
+    match (known.number(Key::EnergyAfter), loss.or(works)) {
+        (Some(after), Some(loss)) => equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), scale),
+        (None, Some(loss)) => {
+            let left = known.least_energy(When::After);
+            judge.not_above(Rule::Reported, Residual::new(loss + left - before, scale), |size, bound| {
+                let (loss, left, before, size, bound) = (Digits(loss.value), Digits(left.value), Digits(before.value), Digits(size), Digits(bound));
+                format!(
+                    "the energy loss is said to be {loss} J, the motions after the impact have at least {left} J, and the kinetic energy before \
+                     {before} J: {size} more than there was, {bound} may be"
+                )
+            });
+        }
+        (None, None) if claimed.is_some_and(|claimed| claimed.value >= 0.0) => {
+            let left = known.least_energy(When::After);
+            judge.not_above(Rule::Reported, Residual::new(left - before, scale), |size, bound| {
+                let (left, before, size, bound) = (Digits(left.value), Digits(before.value), Digits(size), Digits(bound));
+                format!("the motions after the impact have at least {left} J, and the kinetic energy before is said to be {before} J: {size} more, {bound} may be")
+            });
+        }
+        _ => (),
     }
 }
 
@@ -155,8 +189,17 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(a), Some(b)) = (on_one, on_two) {
         equal(judge, "mass times delta-V of body 1 and of body 2", a, b, a.value.abs().max(b.value.abs()));
     }
-    if let (Some(impulse), Some(passed)) = (impulse, sharper_known(on_one, on_two, Uncertain::radius)) {
+    let passed = sharper_known(on_one, on_two, Uncertain::radius);
+    if let (Some(impulse), Some(passed)) = (impulse, passed) {
         equal(judge, "the impulse and mass times delta-V", impulse, passed, impulse.value.abs().max(passed.value.abs()));
+    }
+    let Some(whole) = sharper_known(magnitude, passed, Uncertain::radius).or_else(|| known.impulse.map(norm)) else { return };
+    for key in [Key::NormalImpulse, Key::TangentialImpulse, Key::ImpulseX, Key::ImpulseY] {
+        let Some(part) = number(key) else { continue };
+        judge.not_above(Rule::Reported, Residual::new(part.magnitude() - whole, whole.value.abs().max(part.value.abs())), |size, bound| {
+            let (part, whole, size, bound) = (Digits(part.value), Digits(whole.value), Digits(size), Digits(bound));
+            format!("{key} is said to be {part} N s, and the whole impulse is {whole} N s: {size} more than that, {bound} may be")
+        });
     }
 }
 
@@ -164,7 +207,7 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 fn directions_of_force<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let pair = |x, y| Some((known.number(x)?, known.number(y)?));
     let of_plane = || known.plane.zip(pair(Key::NormalImpulse, Key::TangentialImpulse)).map(|(plane, (n, t))| plane.to_ground(Nt { n, t }));
-    let impulse = pair(Key::ImpulseX, Key::ImpulseY).map(|(x, y)| Xy { x, y }).or_else(of_plane);
+    let impulse = pair(Key::ImpulseX, Key::ImpulseY).map(|(x, y)| Xy { x, y }).or_else(of_plane).or(known.impulse);
     let claimed = |side| known.number(Key::ForceDirection(side)).filter(|_| known.subject(side).delta_v().is_none());
     if let Some(impulse) = impulse {
         for (side, force) in [(Side::One, impulse), (Side::Two, -impulse)] {
@@ -183,6 +226,12 @@ fn directions_of_force<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) 
 /// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss. Where only one
 /// of the two is known, the speeds may be of the other, which is the larger one unless the tangential impulse does work on the bodies: possible, and rare.
 fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    for side in Side::ALL.into_iter().filter(|side| known.subject(*side).fixed) {
+        let Some(speed) = known.number(Key::EquivalentEnergySpeed(side)) else { continue };
+        judge.zero(Rule::Reported, Residual::new(speed, speed.value.abs()).beside(SPEED), |size, _| {
+            format!("body {} is fixed, and its equivalent energy speed is said to be {} m/s", number_of(side), Digits(size))
+        });
+    }
     let energy = |side| {
         let speed = known.number(Key::EquivalentEnergySpeed(side))?;
         Some(known.subject(side).mass? * speed.squared().half())
@@ -221,6 +270,11 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
         (None, Some(loss)) => {
             let how = if is_whole { "and the loss is" } else { of_one };
             warn_above(residual(loss), judge, |size, bound| told(loss.value, how, size, bound));
+        }
+        (None, None) => {
+            let before = known.number(Key::EnergyBefore).or_else(|| known.kinetic_energy(When::Before));
+            let Some(before) = before.filter(|_| !known.wall_moves()) else { return };
+            warn_above(residual(before), judge, |size, bound| told(before.value, "and the kinetic energy before is", size, bound));
         }
         (Some(normal), None) if is_whole => {
             let short = Residual::new(normal - kept, residual(normal).scale);

@@ -57,13 +57,33 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             hold(known, judge, claim(key, meeting.velocity.n.magnitude(), speed));
         }
     }
+    if let Some(p) = known.contact_impulse {
+        let scale = normal::length(&p);
+        hold(known, judge, claim(Key::NormalImpulse, p.n, scale));
+        hold(known, judge, claim(Key::TangentialImpulse, p.t, scale));
+        // Multiplied out to avoid a division; the message has the ratios again.
+        if let Some(said) = known.number(Key::ReportedRatio) {
+            ratio(judge, Key::ReportedRatio, said, [p.n, p.t]);
+        }
+    }
     if let Some(touch) = &known.touch {
         at_contact(known, touch, judge);
     }
 }
 
 fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
-    let Some(delta_v) = known.subject(side).delta_v() else { return };
+    let subject = known.subject(side);
+    let Some(delta_v) = subject.delta_v() else {
+        // By the impulse that the other body tells.
+        let claimed = known.number(Key::DeltaV(side)).zip(subject.mass);
+        if let (Some((said, mass)), Some(impulse)) = (claimed, known.impulse.map(norm)) {
+            let passed = said * mass;
+            let residual = Residual::new(passed - impulse, impulse.value.max(passed.value.abs())).per(mass.value);
+            judge
+                .zero(Rule::Reported, residual, |size, bound| told(Key::DeltaV(side), said.value, impulse.value / mass.value, size, bound));
+        }
+        return;
+    };
     // Of the order of the larger one: that of a heavy body may be almost zero, and that of a fixed body is zero.
     let both = [known.one.delta_v(), known.two.delta_v()].into_iter().flatten();
     let scale = both.fold(0.0, |scale: f64, delta_v| scale.max(norm(delta_v).value));
@@ -75,16 +95,10 @@ fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) 
 
 fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
     let mut claim = |key, implied, scale| hold(known, judge, Claim { key, implied, scale });
-    let (Some(p), Some(work), Some(scale)) = (touch.impulse, touch.work, scale_of(touch)) else { return };
-    claim(Key::NormalImpulse, p.n, normal::length(&p));
-    claim(Key::TangentialImpulse, p.t, normal::length(&p));
+    let Some((work, scale)) = touch.work.zip(scale_of(touch)) else { return };
     claim(Key::NormalWork, work.n, scale);
     claim(Key::TangentialWork, work.t, scale);
     claim(Key::MomentWork, work.m, scale);
-    // Multiplied out to avoid a division; the message has the ratios again.
-    if let Some(said) = known.number(Key::ReportedRatio) {
-        ratio(judge, Key::ReportedRatio, said, [p.n, p.t]);
-    }
     // μ₀ is a property of the contact, whichever law is in force.
     let e = || known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
     if let Some(said) = known.number(Key::CriticalRatio)

@@ -12,6 +12,11 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+/// Sizes of which a record may tell nothing, and beside which its numbers may be rounding: speeds in m/s, impulses in N s and energies in J of vehicles.
+pub(super) const SPEED: f64 = 1e2;
+pub(super) const IMPULSE: f64 = 1e6;
+pub(super) const ENERGY: f64 = 1e7;
+
 /// Collects the findings of one record.
 pub(super) struct Judge {
     profile: Profile,
@@ -47,6 +52,12 @@ pub(super) struct Bound {
 impl<const N: usize> Residual<N> {
     pub(super) fn new(value: Uncertain<N>, scale: f64) -> Self {
         Residual { value, scale, slack: 0.0, leeway: 0.0 }
+    }
+
+    /// Allows for the rounding of a size that the record does not tell: what a number is computed from may be larger than all that is known.
+    pub(super) fn beside(mut self, size: f64) -> Self {
+        self.value.size = self.value.size.max(size);
+        self
     }
 
     /// Accepts a part that the record leaves open, and only warns of a further part that motion during the contact may explain.

@@ -23,6 +23,10 @@ pub(super) struct Known<'a, const N: usize> {
     pub(super) moment: Option<Uncertain<N>>,
     /// The impulse on body 1 in ground axes, from the body that determines it more precisely.
     pub(super) impulse: Option<Xy<Uncertain<N>>>,
+    /// The same in contact axes.
+    pub(super) contact_impulse: Option<Nt<Uncertain<N>>>,
+    /// From center of mass 1 to center of mass 2; a fixed body's reference point is the contact point.
+    pub(super) offset: Option<Nt<Uncertain<N>>>,
     /// Change of the lever arms during the contact.
     pub(super) travel: Travel,
     /// The bodies at the contact point before the impact.
@@ -40,8 +44,6 @@ pub(super) struct Known<'a, const N: usize> {
 pub(super) struct Meeting<const N: usize> {
     /// Relative velocity, of body 2 less body 1.
     pub(super) velocity: Nt<Uncertain<N>>,
-    /// From center of mass 1 to center of mass 2; a fixed body's reference point is the contact point.
-    pub(super) offset: Nt<Uncertain<N>>,
     /// `true` for two point masses, which touch at both centers of mass and have no sides.
     pub(super) is_of_points: bool,
     /// The bodies, without their inertia.
@@ -51,11 +53,9 @@ pub(super) struct Meeting<const N: usize> {
 impl<const N: usize> Meeting<N> {
     fn of(plane: &CrushPlane<Uncertain<N>>, subjects: [&Subject<N>; 2], when: When) -> Option<Self> {
         let bodies = [subjects[0].body(plane, when)?, subjects[1].body(plane, when)?];
-        let is_zero = |x: &Uncertain<N>| x.value == 0.0 && x.radius() == 0.0;
-        let has_no_arm = |body: &Body<Uncertain<N>>| is_zero(&body.arm.n) && is_zero(&body.arm.t);
+        let has_no_arm = |body: &Body<Uncertain<N>>| body.arm.n.is_zero() && body.arm.t.is_zero();
         Some(Meeting {
             velocity: relative_velocity(&bodies[0], &bodies[1]),
-            offset: bodies[0].arm - bodies[1].arm,
             is_of_points: bodies.iter().all(has_no_arm) && !subjects.iter().any(|subject| subject.fixed),
             bodies,
         })
@@ -89,10 +89,12 @@ impl<'a, const N: usize> Known<'a, N> {
         let moment = number(record, Key::Moment);
         let meeting = |when| Meeting::of(plane.as_ref()?, [&one, &two], when);
         let (before, after) = (meeting(When::Before), meeting(When::After));
-        let touch = plane.as_ref().zip(before.zip(after)).map(|(plane, around)| Touch::of(plane, around, [one, two], impulse, moment));
+        let contact_impulse = plane.as_ref().zip(impulse).map(|(plane, impulse)| plane.to_contact(impulse));
+        let offset = plane.as_ref().zip(one.center.zip(two.center)).map(|(plane, (one, two))| plane.to_contact(two - one));
+        let touch = before.zip(after).map(|around| Touch::of(around, [one, two], contact_impulse, moment));
         let energy_loss = EnergyLoss::of(&one, &two);
         let travel = Travel::of(record, &one, &two);
-        Known { record, one, two, plane, moment, impulse, travel, before, after, touch, energy_loss }
+        Known { record, one, two, plane, moment, impulse, contact_impulse, offset, travel, before, after, touch, energy_loss }
     }
 
     /// Returns a number of the record with its resolution.
@@ -105,6 +107,18 @@ impl<'a, const N: usize> Known<'a, N> {
             Side::One => &self.one,
             Side::Two => &self.two,
         }
+    }
+
+    /// Returns the kinetic energy that both bodies have at least: that of the translations and spins that are known.
+    pub(super) fn least_energy(&self, when: When) -> Uncertain<N> {
+        let parts = [&self.one, &self.two].map(|subject| [subject.kinetic_energy(when, Xy::zero(), false), subject.spin_energy(when)]);
+        parts.into_iter().flatten().flatten().fold(Uncertain::exact(0.0), |sum, part| sum + part)
+    }
+
+    /// Returns `true` if a wall moves: it does work on the other body, as seen from the ground.
+    pub(super) fn wall_moves(&self) -> bool {
+        let moves = |wall: &Subject<N>| wall.fixed && wall.before.is_some_and(|v| !v.x.is_zero() || !v.y.is_zero());
+        moves(&self.one) || moves(&self.two)
     }
 
     /// Returns the impulse on body 1 without its resolution, zero if it is unknown.
@@ -144,16 +158,14 @@ impl<'a, const N: usize> Known<'a, N> {
 
 impl<const N: usize> Touch<N> {
     fn of(
-        plane: &CrushPlane<Uncertain<N>>,
         (before, after): (Meeting<N>, Meeting<N>),
         subjects: [Subject<N>; 2],
-        impulse: Option<Xy<Uncertain<N>>>,
+        impulse: Option<Nt<Uncertain<N>>>,
         moment: Option<Uncertain<N>>,
     ) -> Self {
         let (approach, separation) = (before.velocity, after.velocity);
         let relative_yaw_rate = |meeting: &Meeting<N>| meeting.bodies[1].yaw_rate - meeting.bodies[0].yaw_rate;
         let of_moment = moment.map_or(Uncertain::exact(0.0), |m| work(m, relative_yaw_rate(&before), relative_yaw_rate(&after)));
-        let impulse = impulse.map(|impulse| plane.to_contact(impulse));
         Touch {
             approach,
             separation,

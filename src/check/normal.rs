@@ -1,7 +1,7 @@
 //! Rules along the normal: `compressive`, `interpenetration`, `restitution`.
 
 use super::format::Digits;
-use super::judge::{Judge, Residual};
+use super::judge::{IMPULSE, Judge, Residual, SPEED};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::model::RatioKind;
@@ -29,48 +29,35 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 /// direction; of point masses the approach does.
 fn along_the_normal<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let [approach, separation] = [known.before, known.after].map(|meeting| meeting.map(|meeting| meeting.velocity));
-    let Some(meeting) = known.before.or(known.after) else { return };
-    let offset = Residual::new(meeting.offset.n, length(&meeting.offset));
+    let meeting = known.before.or(known.after);
+    let claimed = || known.number(Key::NormalImpulse).map(|claimed| Residual::new(claimed, claimed.value.abs()).beside(IMPULSE));
+    let impulse = known.contact_impulse.map(|impulse| Residual::new(impulse.n, length(&impulse))).or_else(claimed);
+    let (Some(offset), true) = (known.offset, meeting.is_some() || impulse.is_some()) else { return };
+    let offset = Residual::new(offset.n, length(&offset));
     // Point masses may come from either side, and then the other body lies ahead.
-    let side = if meeting.is_of_points {
+    let side = if meeting.is_some_and(|meeting| meeting.is_of_points) {
         let Some(approach) = approach else { return };
         judge.sign(Rule::Compressive, &Residual::new(-approach.n, length(&approach)))
     } else {
         judge.sign(Rule::Compressive, &offset)
     };
     let Some(side) = side else {
-        judge.checks(Rule::Compressive);
-        judge.checks(Rule::Interpenetration);
-        let bound = judge.bound(Rule::Compressive, &offset);
-        let size = offset.value.value.abs();
-        if offset.value.radius() > 0.0 {
-            judge.undecidable(Rule::Compressive, size, bound.total, offset.scale);
-            judge.undecidable(Rule::Interpenetration, size, bound.total, offset.scale);
-        } else if size > 0.0 {
-            // The tolerance of a law is no precision of positions.
-            let what = format!(
-                "the centers of mass are {} m apart along the normal, within the tolerance of {} m, so the compressive direction is unknown",
-                Digits(size),
-                Digits(bound.total)
-            );
-            judge.push(Rule::Compressive, Severity::Undecidable, size, bound.total, what);
-        } else {
-            let what =
-                format!("the centers of mass are abreast: {} m apart along the normal, so no approach along it closes", Digits(size));
-            judge.fail(Rule::Compressive, size, bound.total, what);
+        if meeting.is_some() {
+            no_side(offset, judge);
         }
         return;
     };
+    if let Some(impulse) = impulse {
+        judge.not_above(Rule::Compressive, impulse.per(side), |size, bound| {
+            format!("the normal impulse pulls the bodies together with {} N s, {} may be", Digits(size), Digits(bound))
+        });
+    }
+    let Some(meeting) = meeting else { return };
     let speed = length(&meeting.velocity);
     let apart = |v: Uncertain<N>| Residual::new(v.scaled(side), speed);
     if let Some(approach) = approach {
         judge.not_above(Rule::Compressive, apart(approach.n), |size, bound| {
             format!("before the impact the bodies part along the normal at {} m/s, {} may be", Digits(size), Digits(bound))
-        });
-    }
-    if let Some(impulse) = known.touch.and_then(|touch| touch.impulse) {
-        judge.not_above(Rule::Compressive, Residual::new(impulse.n.scaled(side), length(&impulse)), |size, bound| {
-            format!("the normal impulse pulls the bodies together with {} N s, {} may be", Digits(size), Digits(bound))
         });
     }
     if let Some(separation) = separation {
@@ -81,6 +68,29 @@ fn along_the_normal<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
                 Digits(bound)
             )
         });
+    }
+}
+
+/// Reports that the offset along the normal tells no compressive direction.
+fn no_side<const N: usize>(offset: Residual<N>, judge: &mut Judge) {
+    judge.checks(Rule::Compressive);
+    judge.checks(Rule::Interpenetration);
+    let bound = judge.bound(Rule::Compressive, &offset);
+    let size = offset.value.value.abs();
+    if offset.value.radius() > 0.0 {
+        judge.undecidable(Rule::Compressive, size, bound.total, offset.scale);
+        judge.undecidable(Rule::Interpenetration, size, bound.total, offset.scale);
+    } else if size > 0.0 {
+        // The tolerance of a law is no precision of positions.
+        let what = format!(
+            "the centers of mass are {} m apart along the normal, within the tolerance of {} m, so the compressive direction is unknown",
+            Digits(size),
+            Digits(bound.total)
+        );
+        judge.push(Rule::Compressive, Severity::Undecidable, size, bound.total, what);
+    } else {
+        let what = format!("the centers of mass are abreast: {} m apart along the normal, so no approach along it closes", Digits(size));
+        judge.fail(Rule::Compressive, size, bound.total, what);
     }
 }
 
@@ -158,6 +168,12 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
 /// Checks the restitution of speeds that are reported, or that the motions before or after alone give.
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let e = known.number(Key::Restitution);
+    if let (Some(e), None, Some(parting)) = (e.filter(Uncertain::is_zero), known.closing_speed(), known.separation_speed()) {
+        judge.zero(Rule::Restitution, Residual::new(parting, parting.value.abs()).beside(SPEED), |size, bound| {
+            let (e, size, bound) = (Digits(e.value), Digits(size), Digits(bound));
+            format!("the restitution is said to be {e}, and the separation speed {size} m/s, whatever the closing speed is; {bound} may be")
+        });
+    }
     let (Some(closing), Some(parting)) = (known.closing_speed(), known.separation_speed()) else { return };
     let scale = closing.value.abs();
     let Some(e) = e else {

@@ -1,7 +1,7 @@
 //! Rules along the tangent: `impulse-ratio`, `beyond-critical`.
 
 use super::format::Digits;
-use super::judge::{Judge, Residual};
+use super::judge::{ENERGY, IMPULSE, Judge, Residual};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::model::RatioKind;
@@ -202,6 +202,25 @@ fn warn_of_ratio<const N: usize>(touch: &Touch<N>, impulse: Nt<Uncertain<N>>, ju
     }
 }
 
+/// Returns the impulse on body 1 in contact axes: that of the motions, or the reported one.
+fn impulse_of<const N: usize>(known: &Known<'_, N>) -> Option<Nt<Uncertain<N>>> {
+    let claimed = || Some(Nt { n: known.number(Key::NormalImpulse)?, t: known.number(Key::TangentialImpulse)? });
+    known.contact_impulse.or_else(claimed)
+}
+
+/// Checks that without an impulse ratio there is no tangential impulse, and no work of one. With a normal impulse that is known they are compared themselves.
+fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let of_key =
+        [(Key::TangentialImpulse, "impulse", "N s", IMPULSE), (Key::TangentialWork, "work of the tangential impulse", "J", ENERGY)];
+    for (key, what, unit, rounded) in of_key {
+        let Some(claimed) = known.number(key) else { continue };
+        judge.zero(Rule::ImpulseRatio, Residual::new(claimed, claimed.value.abs()).beside(rounded), |size, bound| {
+            let (size, bound) = (Digits(size), Digits(bound));
+            format!("the impulse ratio is said to be 0, and the {what} along t to be {size} {unit}, {bound} may be")
+        });
+    }
+}
+
 /// Checks the number of the model by itself and by reported ratios if the motions do not determine them.
 fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let model = &known.record.model;
@@ -214,21 +233,24 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let given = claimed.filter(|_| model.ratio_kind == RatioKind::Given).or_else(|| known.number(Key::ReportedRatio));
     let of_model = claimed.filter(|_| matches!(model.ratio_kind, RatioKind::Given | RatioKind::Critical));
     let said = |ratio: Uncertain<N>| -> String { format!("the impulse ratio is said to be {}", Digits(ratio.value)) };
-    if let (Some(ratio), Some(n), Some(t)) = (of_model, known.number(Key::NormalImpulse), known.number(Key::TangentialImpulse)) {
+    if let (Some(ratio), Some(Nt { n, t })) = (of_model, impulse_of(known)) {
         let scale = n.value.abs().max(t.value.abs());
         let residual = Residual::new(t - ratio * n, scale);
         if judge.sign(Rule::ImpulseRatio, &Residual::new(n, scale)).is_some() {
             judge.zero(Rule::ImpulseRatio, residual.per(n.value.abs()), |size, bound| {
                 let has = Digits(t.value / n.value);
-                format!("{}, and the impulse that is reported has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
+                format!("{}, and the impulse has {has}: {} off, {} may be", said(ratio), Digits(size), Digits(bound))
             });
         } else {
             // Without a normal impulse there is no ratio, and friction has nothing to act with.
             judge.zero(Rule::ImpulseRatio, residual, |size, bound| {
                 let has = format!("{} N s along n and {} N s along t", Digits(n.value), Digits(t.value));
-                format!("{}, and the impulse that is reported has {has}: {} N s off, {} may be", said(ratio), Digits(size), Digits(bound))
+                format!("{}, and the impulse has {has}: {} N s off, {} may be", said(ratio), Digits(size), Digits(bound))
             });
         }
+    }
+    if given.is_some_and(|ratio| ratio.is_zero()) && known.contact_impulse.is_none() {
+        no_tangential_impulse(known, judge);
     }
     // The critical ratio that is reported is that of Brach's law; under another one sliding ends at another ratio.
     let is_critical = model.law == Law::Brach;
@@ -240,6 +262,15 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
                 format!("{}, and {key} is {}: {} off, {} may be", said(ratio), Digits(reported.value), Digits(size), Digits(bound))
             });
         }
+    }
+    let both = known.number(Key::ReportedRatio).zip(known.number(Key::CriticalRatio));
+    if let (Some((ratio, critical)), None) = (both, of_model)
+        && critical_ratio.is_some()
+    {
+        judge.zero(Rule::ImpulseRatio, Residual::new(ratio - critical, ratio.value.abs().max(1.0)), |size, bound| {
+            let (ratio, critical, size, bound) = (Digits(ratio.value), Digits(critical.value), Digits(size), Digits(bound));
+            format!("the impulse ratio is said to be critical, {critical}, and is reported as {ratio}: {size} off, {bound} may be")
+        });
     }
     // With a moment the impulse may wedge, and the ratio has no bound.
     if let (Some(ratio), Some(critical), true) = (given, known.number(Key::CriticalRatio), is_critical && known.moment.is_none()) {
@@ -253,18 +284,15 @@ fn friction_of_claims<const N: usize>(known: &Known<'_, N>, friction: Uncertain<
     judge.not_above(rule, Residual::new(-friction, friction.value.abs().max(1.0)), |_, _| {
         format!("the friction is said to be {}, which is below 0", Digits(friction.value))
     });
-    let of_impulse = known.number(Key::NormalImpulse).zip(known.number(Key::TangentialImpulse));
-    let of_impulse = of_impulse
-        .filter(|(n, _)| n.value != 0.0)
-        .map(|(n, t)| (t.magnitude() - friction * n.magnitude(), t.value / n.value, n.value.abs()));
+    let of_impulse = impulse_of(known)
+        .filter(|p| p.n.value != 0.0)
+        .map(|Nt { n, t }| (t.magnitude() - friction * n.magnitude(), t.value / n.value, n.value.abs()));
     let of_ratio = known.number(Key::ReportedRatio).map(|ratio| (ratio.magnitude() - friction, ratio.value, 1.0));
     for (above, ratio, per) in of_ratio.into_iter().chain(of_impulse) {
         let residual = Residual::new(above, per * ratio.abs().max(1.0)).per(per);
         judge.not_above(rule, residual, |size, bound| {
             let (friction, ratio, size, bound) = (Digits(friction.value), Digits(ratio), Digits(size), Digits(bound));
-            format!(
-                "the friction is said to be {friction}, and the impulse ratio that is reported is {ratio}: {size} above it, {bound} may be"
-            )
+            format!("the friction is said to be {friction}, and the impulse ratio is {ratio}: {size} above it, {bound} may be")
         });
     }
 }

@@ -50,6 +50,11 @@ impl<const N: usize> Uncertain<N> {
         self.spread.iter().fold(self.rest, |sum, spread| sum + spread.abs())
     }
 
+    /// Returns `true` for zero itself, without a resolution.
+    pub(super) fn is_zero(&self) -> bool {
+        self.value == 0.0 && self.radius() == 0.0
+    }
+
     /// Returns three standard uncertainties, for resolutions that are standard uncertainties of independent inputs.
     pub(super) fn three_sigma(&self) -> f64 {
         let variance = self.spread.iter().fold(0.0, |sum, spread| sum + spread * spread);

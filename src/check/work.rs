@@ -1,16 +1,15 @@
 //! The energy balance: `energy-gain`, `work-identity`.
 
-use super::claim_consistency::{claimed_moment_work, claimed_works};
+use super::claim_consistency::{available, claimed_moment_work, claimed_works};
 use super::energy_loss::EnergyLoss;
 use super::format::Digits;
-use super::judge::{Judge, Residual};
+use super::judge::{ENERGY, Judge, Residual};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::normal::length;
 use super::rule::Rule;
 use super::uncertain::{Uncertain, sharper};
 use crate::energy::Work;
-use crate::input::Side;
 use alloc::format;
 use alloc::string::String;
 
@@ -59,8 +58,7 @@ fn energy_gain<const N: usize>(fall: &EnergyLoss<N>, judge: &mut Judge) {
 /// Checks that what is reported without motions states no gain. A wall that moves may give energy to what it hits, as seen from the ground; works are the same
 /// for every observer.
 fn gain_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let moves = |side| known.subject(side).fixed && known.subject(side).before.is_some_and(|v| v.x.value != 0.0 || v.y.value != 0.0);
-    let on_ground = ![Side::One, Side::Two].into_iter().any(moves);
+    let on_ground = !known.wall_moves();
     let of_observer = |key| known.number(key).filter(|_| on_ground);
     let energies = of_observer(Key::EnergyAfter).zip(of_observer(Key::EnergyBefore));
     let (gain, words) = if let Some(works) = claimed_works(known) {
@@ -72,9 +70,7 @@ fn gain_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     } else {
         return;
     };
-    // What is lost of a large energy is rounded as that is.
-    let of_energies = known.number(Key::EnergyBefore).map_or(0.0, |before| before.value.abs());
-    judge.not_above(Rule::EnergyGain, Residual::new(gain, gain.size.max(of_energies)), |size, bound| {
+    judge.not_above(Rule::EnergyGain, Residual::new(gain, available(known).max(gain.size)).beside(ENERGY), |size, bound| {
         format!("{words} {} J, {} may be", Digits(size), Digits(bound))
     });
 }
