@@ -61,7 +61,12 @@ pub fn issue(option: &str, word: &str, message: &str, help: Option<String>) -> I
 
 fn unknown(option: &str, name: &str, what: &str, known: impl Iterator<Item = String>) -> Issue {
     let known: Vec<String> = known.collect();
-    let help = nearest(name, known.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
+    // A name without its vehicle is no misspelling.
+    let whole: Vec<String> = known.iter().filter(|known| known.ends_with(&format!(".{name}"))).map(|known| format!("`{known}`")).collect();
+    let help = match whole.is_empty() || name.is_empty() {
+        true => nearest(name, known.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?")),
+        false => Some(format!("did you mean {}?", whole.join(" or "))),
+    };
     let message = if name.is_empty() { format!("the name of an {what} is missing") } else { format!("unknown {what}") };
     issue(option, name, &message, help)
 }

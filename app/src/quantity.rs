@@ -217,7 +217,7 @@ impl Conversion {
         if written.is_empty() {
             return Ok(Conversion::none());
         }
-        let unit = Unit::parse(written)?;
+        let unit = Unit::parse_as(written, Some(kind.dimension))?;
         if unit.dimension() == kind.dimension {
             return Ok(Conversion { size: Some(unit.size()), pound_force: false });
         }

@@ -4,6 +4,7 @@ mod answer;
 mod dependences;
 pub mod diagnostics;
 mod estimated;
+mod followed;
 mod from_crush;
 mod from_rest;
 mod from_skids;
@@ -145,13 +146,13 @@ fn by_separations(
     options: &Options,
     control: &dyn Control,
 ) -> Result<Answer<Reconstruction>, Issues> {
-    let mut question = Question::of(case, separations)?;
-    let statements = Statement::read_all(&options.probabilities, &question)?;
+    let separations = &dependences::widened(case, separations)?;
     let search = Search { starts: options.starts, seed: options.seed, ..Search::default() };
+    let question = Question::of(case, separations)?;
+    let statements = Statement::read_all(&options.probabilities, &question)?;
     solve_error::check(&question)?;
     let solve = |asked: &ReconstructionProblem| asked.solve_while(&search, &|done, total| control.goes_on(done, total));
-    let solved_about = dependences::solved(case, separations, &mut question.asked, &solve);
-    let (answer, bends) = solved_about.map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
+    let (question, answer, there) = dependences::solved(case, separations, question, &solve)?;
     let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));
@@ -167,7 +168,6 @@ fn by_separations(
         }
     }
     notices.0.extend(at_a_corner(&question, answer.best()));
-    notices.0.extend(bends);
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }
@@ -178,6 +178,7 @@ fn by_separations(
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
     let intervals = question.asked.intervals_while(&answer, options.level, &of, &|done, total| control.goes_on(done, total));
     let intervals = intervals.ok_or_else(Issues::interrupted)?;
+    notices.0.extend(dependences::bends(case, &question, answer.best(), &there, &intervals));
     let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
     let guaranteed =
         if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };

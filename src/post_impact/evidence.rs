@@ -4,6 +4,8 @@ use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use core::fmt;
 
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
 use super::check::{check_pose, check_proportions};
 use super::issue::{NoRest, SlideIssues};
 use super::path_point::{NearestPlace, PathPoint};
@@ -214,6 +216,16 @@ impl SeparationEvidence {
     }
 }
 
+impl SlideFit {
+    /// Returns the fit with another sum of squares, such as the least one with numbers of the vehicle that are uncertain, and its probability.
+    #[must_use]
+    pub fn with_chi_square(mut self, chi_square: f64) -> SlideFit {
+        let by_chance = |freedom: usize| ChiSquared::new(freedom as f64).map_or(f64::NAN, |distribution| distribution.sf(chi_square));
+        self.probability = if self.degrees_of_freedom == 0 { 1.0 } else { by_chance(self.degrees_of_freedom) };
+        SlideFit { chi_square, ..self }
+    }
+}
+
 impl MotionCovariance {
     /// Returns the standard deviations of V_x and V_y, in m/s, and of Ω, in rad/s.
     pub fn deviations(&self) -> [f64; 3] {
@@ -271,13 +283,13 @@ impl Slide {
         }
     }
 
-    /// Computes the motion at separation near that of a vehicle, or of a pose at separation, that differs little: the last steps of the search alone, without its
-    /// checks. `None` if they do not lead to the pose at rest.
+    /// Computes the separation near that of a vehicle, or of a pose at separation, that differs little: the last steps of the search alone, without its checks. `None`
+    /// if they do not lead to the pose at rest.
     #[must_use]
-    pub fn motion_near(&self, evidence: &RestEvidence, method: Method, known: &Motion) -> Option<Motion> {
+    pub fn separation_near(&self, evidence: &RestEvidence, method: Method, known: &Motion) -> Option<Separation> {
         match method {
-            Method::ClosedForm => self.separation_in_closed_form(evidence).ok().map(|separation| separation.motion),
-            Method::Slide => self.motion_by_slide_near(evidence, known),
+            Method::ClosedForm => self.separation_in_closed_form(evidence).ok(),
+            Method::Slide => self.separation_by_slide_near(evidence, known),
         }
     }
 

@@ -100,8 +100,9 @@ impl Slide {
         Ok(separation)
     }
 
-    pub(super) fn motion_by_slide_near(&self, evidence: &RestEvidence, known: &Motion) -> Option<Motion> {
-        ToRest::of(self, evidence, &|_, _| true).near(known)
+    pub(super) fn separation_by_slide_near(&self, evidence: &RestEvidence, known: &Motion) -> Option<Separation> {
+        let search = ToRest::of(self, evidence, &|_, _| true);
+        search.separation(&search.near(known)?).ok()
     }
 
     /// Returns the closed form, or a rotation in proportion to the path if the tires would drive the vehicle.

@@ -253,9 +253,13 @@ fn known() -> impl Iterator<Item = Key> {
 /// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`.
 pub(super) fn meant_by(name: &str) -> Vec<Key> {
     let (of_symbol, lower) = (Parameter::named(name).map(Key::Parameter), visible(name).to_ascii_lowercase());
+    let lower = if lower == WEIGHT { "mass".to_owned() } else { lower };
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
     known().filter(|key| of_symbol == Some(*key) || within.contains(&key.to_string())).collect()
 }
+
+/// What a case file may give in place of a mass, and a table may not.
+const WEIGHT: &str = "weight";
 
 fn unknown(name: &str) -> Issue {
     let known: Vec<String> = known().map(|key| key.to_string()).collect();
@@ -265,6 +269,9 @@ fn unknown(name: &str) -> Issue {
         && !unit.is_empty()
     {
         return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));
+    }
+    if let Some(vehicle) = bare.trim().strip_suffix(WEIGHT) {
+        return issue.with_help(format!("a table has no weights: give the mass, as `{vehicle}mass [kg]` or `{vehicle}mass [lb]`"));
     }
     if visible(name) != name {
         return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));

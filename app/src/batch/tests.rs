@@ -523,7 +523,7 @@ fn uncertain_numbers_that_no_column_gives_are_named_once() {
 #[test]
 fn a_column_that_may_be_meant_as_an_input_is_named() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
-    let columns = ["vehicle.1.mass", "e", "Speed [mph]", "velocity.x", "site", "x", "left", "refused"];
+    let columns = ["vehicle.1.mass", "e", "Speed [mph]", "velocity.x", "site", "x", "left", "refused", "weight"];
     let plan = plan(&columns, Some(&case), &Options::default()).expect("a plan");
     let notices = plan.notices(Some(&case));
     let said: Vec<String> =
@@ -535,8 +535,12 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
             "e: the column `e` passes through unread; as an input it is named contact.restitution",
             "Speed: the column `Speed` passes through unread; as an input it is named vehicle.1.speed or vehicle.2.speed",
             "velocity.x: the column `velocity.x` passes through unread; as an input it is named vehicle.1.velocity.x or vehicle.2.velocity.x",
+            "weight: the column `weight` passes through unread; as an input it is named vehicle.1.mass or vehicle.2.mass",
         ]
     );
+    let refused = self::plan(&["vehicle.1.weight [lbf]"], Some(&case), &Options::default());
+    let Err(refused) = refused else { panic!("a weight") };
+    assert!(refused.to_string().contains("give the mass, as `vehicle.1.mass [kg]`"), "{refused}");
 }
 
 #[test]

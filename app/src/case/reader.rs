@@ -29,6 +29,7 @@ use self::implied::ImpliedValues;
 use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;
 pub(crate) use self::recorder::Recorded;
+use self::sample::MeasuredColumn;
 pub(crate) use self::sample::read_cell;
 use super::contents::Contents;
 use super::domain::Domain;
@@ -72,10 +73,14 @@ pub(crate) struct CaseReader {
     records_of_tests: RefCell<Vec<(PathBuf, String)>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
+    /// The columns that inputs are measured in.
+    columns: RefCell<Vec<MeasuredColumn>>,
     /// `true` if the friction of `[rest]` is uncertain.
     has_uncertain_rest: Cell<bool>,
     /// The `gravity` of the case, if the file gives it.
     gravity: Cell<Option<f64>>,
+    /// `true` if something of the case weighs or slides.
+    uses_gravity: Cell<bool>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
@@ -263,22 +268,30 @@ impl CaseReader {
             parties.for_each(|(party, braking)| party.iter_mut().for_each(|vehicle| vehicle.braking.clone_from(&braking)));
         }
         let model = match is_momentum {
-            true => ContactModel::Momentum { angular: self.is_angular(root, [&mut one, &mut two])? },
+            true => ContactModel::Momentum { angular: self.is_angular(root, [&one, &two])? },
             false => ContactModel::ImpulseRatio,
         };
         let evidence = self.settle(&evidence, [&one, &two]);
+        let mut rest = match rest {
+            Some(rest) => Some(rest?),
+            None => None,
+        };
+        if !model.is_angular() {
+            self.make_point_masses(root, [&mut one, &mut two], rest.as_mut())?;
+        }
         let inputs = Inputs { vehicles: [one, two], contact };
         let mut correlations = correlations.unwrap_or(Some(Vec::new()))?;
         correlations.extend(self.correlations_of_tests());
         let uncertain = Uncertain { inputs: self.uncertain.take(), correlations };
+        self.note_independent_columns(&uncertain);
+        if root.has("gravity") && !self.uses_gravity.get() {
+            let message = "gravity has no effect: no vehicle of this case has a weight, skids or slides to rest";
+            self.notices.borrow_mut().push(Notice::note("gravity-not-used", "gravity", message));
+        }
         let agrees = implied.agree_with(&inputs, &uncertain);
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
         let knowledge =
             Knowledge { evidence: evidence?, correlations: self.correlations_of_evidence.take(), unknowns, left_out: implied.left_out() };
-        let rest = match rest {
-            Some(rest) => Some(rest?),
-            None => None,
-        };
         (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, model, bracket, knowledge, scene, rest, uncertain })
     }
 
@@ -397,6 +410,7 @@ impl CaseReader {
 
     /// Returns the acceleration of gravity in m/s²: that of the case, or the standard one.
     fn gravity(&self) -> f64 {
+        self.uses_gravity.set(true);
         self.gravity.get().unwrap_or(planar_impact::STANDARD_GRAVITY)
     }
 

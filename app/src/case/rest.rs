@@ -4,6 +4,8 @@ use planar_impact::post_impact::{Method, NoSeparation, Pose, RestEvidence, Separ
 use planar_impact::{Heading, Xy};
 
 use super::Case;
+use super::parameter::Parameter;
+use super::uncertain::UncertainInput;
 use super::vehicle::VehicleInputs;
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
@@ -37,6 +39,17 @@ pub struct RestOfVehicle {
     pub evidence: Option<RestEvidence>,
     /// Method that computes its separation.
     pub method: Method,
+    /// What the slide has of a vehicle that is a point mass in the collision.
+    pub(super) whole: Option<WholeVehicle>,
+}
+
+/// A vehicle as the file gives it, where the collision takes it as a point mass: its slide has its yaw inertia and its impact center.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WholeVehicle {
+    /// Its numbers, of which inertia and impact center count.
+    pub(super) inputs: VehicleInputs,
+    /// Those of them that are uncertain.
+    pub uncertain: Vec<UncertainInput>,
 }
 
 /// What a file says of the pose at separation.
@@ -72,12 +85,32 @@ impl RestInputs {
 impl RestOfVehicle {
     fn of(&self, inputs: &VehicleInputs) -> RestOfVehicle {
         let mut rest = self.clone();
+        let whole = self.whole.as_ref().map(|WholeVehicle { inputs: own, .. }| VehicleInputs {
+            inertia: own.inertia,
+            impact_center: own.impact_center,
+            ..inputs.clone()
+        });
+        let inputs = whole.as_ref().unwrap_or(inputs);
         (rest.slide.vehicle.mass, rest.slide.vehicle.yaw_inertia) = (inputs.mass, inputs.yaw_inertia());
         rest.separation = self.given.of(Some(inputs));
         if let Some(evidence) = &mut rest.evidence {
             evidence.separation = rest.separation;
         }
         rest
+    }
+
+    /// Returns the uncertain numbers that its slide alone has.
+    pub fn uncertain(&self) -> &[UncertainInput] {
+        self.whole.as_ref().map_or(&[], |whole| &whole.uncertain)
+    }
+
+    /// The same with another value of a number that its slide alone has, and numbers of the vehicle.
+    pub fn with_own(&self, parameter: Parameter, value: f64, inputs: &VehicleInputs) -> RestOfVehicle {
+        let mut rest = self.clone();
+        if let Some(whole) = &mut rest.whole {
+            whole.inputs.set(parameter, value);
+        }
+        rest.of(inputs)
     }
 
     /// Computes its separation from its rest position, or returns the reason why that cannot be determined; `None` without a rest position.

@@ -51,7 +51,9 @@ pub(super) fn of(variants: &[Variant], answers: &[Answered]) -> Vec<ComparedOutp
     let of_output = |(name, measure, value): PrincipalOutput| {
         let plain = name.strip_prefix("result.").unwrap_or(name);
         let interval = |answered: &Answered| Some(answered.reconstruction()?.derived.get(plain)?.interval.clone());
-        let solutions = || answers.iter().map(Answered::solution);
+        // Momentum alone has no contact.
+        let has_it = |variant: &Variant| !plain.starts_with("contact.") || !variant.case.model.is_momentum();
+        let solutions = || variants.iter().zip(answers).map(|(variant, answered)| answered.solution().filter(|_| has_it(variant)));
         ComparedOutput {
             name: name.to_owned(),
             values: solutions().map(|solution| solution.and_then(value).filter(|value| value.is_finite())).collect(),

@@ -185,6 +185,11 @@ impl Unit {
 
     /// Parses a unit; the documentation of this module has the grammar.
     pub(super) fn parse(text: &str) -> Result<Unit, QuantityError> {
+        Unit::parse_as(text, None)
+    }
+
+    /// The same where a dimension is wanted, so that a name which is misspelled is taken for one that has it.
+    pub(super) fn parse_as(text: &str, wanted: Option<Dimension>) -> Result<Unit, QuantityError> {
         let mut factors = Vec::new();
         let mut rest = text.trim();
         // 1/s has an empty numerator.
@@ -194,7 +199,7 @@ impl Unit {
         loop {
             let end = rest.find(ends_name).unwrap_or(rest.len());
             let (name, tail) = rest.split_at(end);
-            let named = find(name).ok_or_else(|| unknown(name, text))?;
+            let named = find(name).ok_or_else(|| unknown(name, text, wanted))?;
             let (halves, tail) = exponent(tail)?;
             factors.push((named, if divided { -halves } else { halves }));
             if factors.len() > MOST_FACTORS {
@@ -255,7 +260,7 @@ fn exponent(text: &str) -> Result<(i16, &str), QuantityError> {
     Ok((halves as i16, rest))
 }
 
-fn unknown(name: &str, unit: &str) -> QuantityError {
+fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if name.is_empty() {
         return QuantityError::new(format!("the name of a unit is missing in {}", excerpt(unit)));
     }
@@ -279,7 +284,13 @@ fn unknown(name: &str, unit: &str) -> QuantityError {
     if name == "Mg" {
         return QuantityError::with_help(message, "did you mean `tonne`?".to_owned());
     }
-    match nearest(name, NAMED.iter().flat_map(|named| named.names).copied()) {
+    // A part of a unit may have any dimension, and a pound be a force.
+    let wanted = wanted.filter(|_| unit.trim() == name);
+    let is_meant = |named: &&'static Named| {
+        let unit = Unit(vec![(*named, 2)]);
+        wanted.is_none_or(|wanted| unit.dimension() == wanted || unit.with_pound_force().dimension() == wanted)
+    };
+    match nearest(name, NAMED.iter().filter(is_meant).flat_map(|named| named.names).copied()) {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),
     }
@@ -330,6 +341,9 @@ mod tests {
         assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");
         assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (write `*` for `\u{d7}`)");
         assert_eq!(message("furlong"), "unknown unit `furlong`");
+        let meant = |text: &str, wanted: &str| Unit::parse_as(text, Some(dimension(wanted))).unwrap_err().to_string();
+        assert_eq!(meant("kt", "m/s"), "unknown unit `kt` (did you mean `kn`?)");
+        assert_eq!(meant("kt/s", "m/s^2"), "unknown unit `kt` (did you mean `kg`?)");
         assert_eq!(message("Mg"), "unknown unit `Mg` (did you mean `tonne`?)");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");
         assert_eq!(message("ft/"), "the name of a unit is missing in `ft/`");

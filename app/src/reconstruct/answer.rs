@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::diagnostics::Diagnostic;
-use super::from_rest::SeparationFromRest;
+use super::from_rest::{BY_CHANCE, SeparationFromRest};
 use super::guaranteed::Guaranteed;
 use super::posterior::{Draws, Posterior};
 use crate::answer::Answer;
@@ -265,8 +265,6 @@ impl Reconstruction {
 
     /// Returns `true` if points along a path contradict the rest position, while the rest of the evidence agrees.
     pub fn is_contradicted_by_path(&self) -> bool {
-        /// Probability below which evidence contradicts itself.
-        const BY_CHANCE: f64 = 0.001;
         self.probability >= BY_CHANCE && self.separations.iter().any(SeparationFromRest::is_contradicted)
     }
 

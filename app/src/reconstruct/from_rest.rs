@@ -19,7 +19,7 @@ use crate::wording::{self, degrees_of_freedom};
 pub type Separations = [Option<Separation>; 2];
 
 /// Probability of a χ² below which pose and points contradict each other.
-const BY_CHANCE: f64 = 0.001;
+pub(super) const BY_CHANCE: f64 = 0.001;
 /// Maximum number of combinations of separations that are reconstructed.
 const MOST_COMBINATIONS: usize = 8;
 

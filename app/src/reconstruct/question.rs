@@ -8,7 +8,7 @@ use super::from_crush::FromCrush;
 use super::from_rest::{FromRest, SeparationFromRest, Separations};
 use super::from_skids::FromSkids;
 use super::inputs::InputUnknowns;
-use crate::case::{Case, Inertia, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
+use crate::case::{Case, Inertia, Inputs, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
@@ -64,6 +64,15 @@ impl Question {
     ///
     /// Returns the contradictions in the case.
     pub fn of(case: &Case, separations: &Separations) -> Result<Self, Issues> {
+        Self::about(case, &case.inputs, separations)
+    }
+
+    /// The same with the separations at other values of the inputs than those of the case, about which they are followed.
+    ///
+    /// # Errors
+    ///
+    /// As [`Question::of`].
+    pub fn about(case: &Case, at: &Inputs, separations: &Separations) -> Result<Self, Issues> {
         let of_rest = SeparationFromRest::of(case, separations);
         let with_rest = case;
         let FromRest { mut case, mut correlations } = FromRest::of(case, separations)?;
@@ -132,10 +141,11 @@ impl Question {
                 None => draft.evidence.push(evidence),
             }
         }
+        draft.warn_of_what_counts_twice();
         if crush_share.is_none() {
             draft.share_the_crush();
         }
-        let dependences = Dependences::of(with_rest, separations, &draft.unknowns);
+        let dependences = Dependences::of(with_rest, at, separations, &draft.unknowns);
         issues.extend(dependences.issues);
         draft.notices.0.extend(dependences.notices.into_iter().chain(with_rest.independent_frictions(true)));
         let holds_radius_of_gyration = [Side::One, Side::Two].map(|side| draft.holds_radius_of_gyration(side));
@@ -205,6 +215,22 @@ fn beyond_momentum(case: &Case, known: &Known) -> Option<Issue> {
     }
 }
 
+/// The crush energies that are one at a barrier.
+const CRUSH_ENERGIES: [Measurand; 3] = [Measurand::CrushEnergy, Measurand::CrushEnergyOf(Side::One), Measurand::CrushEnergyOf(Side::Two)];
+
+/// Returns what may be measured of the change of velocity of a vehicle and of its velocity at separation, which have two numbers each.
+fn vectors(side: Side) -> [(Vec<Measurand>, usize); 2] {
+    use Measurand::{DeltaVForward, DeltaVLeft, SeparationDirection, SeparationSpeed};
+    use Output::{DeltaVMagnitude, DeltaVX, DeltaVY, PrincipalDirectionOfForce, VelocityX, VelocityY};
+    let outputs = |outputs: &[fn(Side) -> Output]| outputs.iter().map(|output| Measurand::Output(output(side))).collect::<Vec<_>>();
+    let change = outputs(&[DeltaVX, DeltaVY, DeltaVMagnitude, PrincipalDirectionOfForce]);
+    let separation = outputs(&[VelocityX, VelocityY]);
+    [
+        (change.into_iter().chain([DeltaVForward(side), DeltaVLeft(side)]).collect(), 2),
+        (separation.into_iter().chain([SeparationSpeed(side), SeparationDirection(side)]).collect(), 2),
+    ]
+}
+
 /// The question under construction.
 struct Draft<'a> {
     case: &'a Case,
@@ -262,6 +288,38 @@ impl Draft<'_> {
         self.unknowns.push(Unknown::free(variable, known.value));
         let message = format!("{} is solved for too: the evidence gives it with an uncertainty", variable.name());
         self.notices.0.push(Notice::note("evidence-is-unknown", known.key.clone(), message));
+    }
+
+    /// Warns of one quantity that counts twice: an input with an uncertainty of its own that is evidence too, and more pieces of evidence than the quantities have
+    /// numbers that they are about. Measured several times, each by itself, it may.
+    fn warn_of_what_counts_twice(&mut self) {
+        let evidence = &self.case.knowledge.evidence;
+        let mut warn = |key: &str, message: String| self.notices.0.push(Notice::warning("counts-twice", key.to_owned(), message));
+        for known in evidence {
+            let is_prior = |unknown: &Unknown| Some(unknown.of) == known.variable() && unknown.prior.is_some();
+            if known.uncertainty != Uncertainty::Exact && self.unknowns.iter().any(is_prior) {
+                let name = known.of.name();
+                warn(
+                    &known.key,
+                    format!(
+                        "{name} has an uncertainty, and is evidence too: both count, as independent; if they are one measurement, give one of them"
+                    ),
+                );
+            }
+        }
+        let barrier = self.case.inputs.vehicles.iter().any(Option::is_none);
+        for (vectors, numbers) in Side::ALL.into_iter().flat_map(vectors).chain(barrier.then(|| (CRUSH_ENERGIES.to_vec(), 1))) {
+            let about: Vec<&Known> = evidence.iter().filter(|known| vectors.contains(&known.of)).collect();
+            if about.len() > numbers {
+                let names: Vec<&str> = about.iter().map(|known| known.of.name()).collect();
+                let what = if numbers == 1 { "one energy" } else { "the two components of one vector" };
+                let message = format!(
+                    "{} are about {what}, and count as independent: if they are one measurement, give {numbers} of them",
+                    names.join(", ")
+                );
+                warn(&about[numbers].key, message);
+            }
+        }
     }
 
     /// Returns `true` for a speed whose components are unknowns, or a component whose speed is an unknown.

@@ -149,7 +149,7 @@ impl Analysis<'_> {
         if outside > MOST * restitution.sd.unwrap_or(0.0) + ROUNDING {
             let message = Message::from(format!("the restitution by {source} is "))
                 .figure(Measure::Ratio, restitution.value)
-                .text(", and not from 0 to 1; check mass, speed, calibration and window");
+                .text(", and not from 0 to 1; check mass, speed, polarity, calibration and window");
             self.notices.push(Notice::warning("implausible-restitution", "speed", message));
         }
     }

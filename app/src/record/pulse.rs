@@ -58,10 +58,12 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
     (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))
 }
 
+/// The longest time in s that is taken for an impact, which lasts a tenth of a second.
+pub(super) const LONGEST: f64 = 5.0;
+
 /// Returns a warning of a pulse that is beyond any impact of vehicles: its times or its readings are in another unit.
 fn of_implausible_size(name: &str, path: &str, quantity: ChannelQuantity, over: &Window, peak: Peak) -> Option<Notice> {
-    /// In s, N and m/s²: impacts last a tenth of a second, with forces to some MN and accelerations to some hundred g.
-    const LONGEST: f64 = 5.0;
+    /// In N and m/s²: forces reach some MN, and accelerations some hundred g.
     const GREATEST_FORCE: f64 = 1e9;
     const GREATEST_ACCELERATION: f64 = 1e5;
     let greatest = if quantity == ChannelQuantity::Acceleration { GREATEST_ACCELERATION } else { GREATEST_FORCE };
@@ -259,6 +261,13 @@ impl Analysis<'_> {
 
     pub(super) fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
         let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, &[channel])?;
+        let has_forces = self.of.channels.iter().any(|other| other.quantity == ChannelQuantity::NormalForce);
+        if has_forces && integral.value < 0.0 {
+            let message = Message::from(format!("{} is a velocity change of ", channel.name)).figure(Measure::Speed, integral.value).text(
+                ", toward the barrier, whose load cells push the vehicle away from it: add or remove `polarity = -1` under its [[channel]]",
+            );
+            self.notices.push(Notice::warning("reversed-polarity", channel.path.clone(), message));
+        }
         let impulse = self.of.settings.mass.map(|mass| {
             let variance = integral.variance * mass.value * mass.value + integral.value * integral.value * mass.variance;
             Uncertain::of(Estimate { value: integral.value * mass.value, variance }, is_known)

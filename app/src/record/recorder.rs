@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::analysis::ROUNDING;
 use super::channel::{greatest, scatter, stretch};
+use super::pulse::LONGEST;
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -209,6 +210,15 @@ impl Recorder {
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
         notices.extend(components().filter_map(Component::of_scatter));
+        for component in components() {
+            let duration = component.times.last().zip(component.times.first()).map_or(0.0, |(last, first)| last - first);
+            if duration > LONGEST {
+                let message = Message::from(format!("{} is recorded over ", component.channel.name))
+                    .figure(Measure::Time, duration)
+                    .text(", which no impact lasts: check the unit of the times");
+                notices.push(Notice::warning("implausible-size", component.channel.path.clone(), message));
+            }
+        }
         let is_dead = |component: &Component<'_>| component.channel.record.resolution().is_none();
         if let Some(first) = components().next().filter(|_| components().all(is_dead)) {
             let message = format!("{} is constant: it has no velocity change of an impact in it", first.channel.name);

@@ -221,6 +221,7 @@ mod tests {
             ("Gamma", "--vary Gamma: expected NAME=FROM:TO:STEP"),
             ("", "--vary: expected NAME=FROM:TO:STEP"),
             ("contact.crush_plan=0:1:0.1", "unknown input did you mean `contact.crush_plane`?"),
+            ("yaw_rate=0:1:1", "unknown input did you mean `vehicle.1.yaw_rate` or `vehicle.2.yaw_rate`?"),
             ("W_n=0:1:0.1", "this is an output, not an input"),
             ("Gamma=0 deg:1 deg", "expected FROM:TO:STEP; found `0 deg:1 deg`"),
             ("Gamma=0 deg:1 deg:1 deg:1 deg", "expected FROM:TO:STEP"),

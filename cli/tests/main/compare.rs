@@ -329,3 +329,13 @@ fn units_are_those_of_the_first_case() {
     let chart = of(&[A, B, "--format", "svg", "--units", "si"]);
     assert!(chart.contains("energy.loss [J]") && chart.contains("role=\"img\"") && chart.trim_end().ends_with("</svg>"));
 }
+
+/// Momentum alone has no contact: no plane is given along which an impulse could be split.
+#[test]
+fn momentum_has_no_outputs_of_a_contact() {
+    let case = "cli/examples/reconstruct/momentum.toml";
+    let found = document(&["compare", case, case]);
+    let names: Vec<&str> = found["outputs"].as_array().expect("rows").iter().filter_map(|row| row["name"].as_str()).collect();
+    assert!(names.contains(&"vehicle.1.delta_v_magnitude") && names.contains(&"energy.loss"), "{names:?}");
+    assert!(!names.iter().any(|name| name.contains("contact.impulse.n") || name.contains("impulse_ratio")), "{names:?}");
+}

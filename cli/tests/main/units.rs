@@ -123,6 +123,11 @@ fn the_gravity_of_a_case_is_that_of_its_slides() {
     let of_rest = text.replacen("[rest]\n", "[rest]\ngravity = 9.0\n", 1);
     assert_eq!(speed(&of_case), speed(&of_rest));
     assert!((speed(&of_case) - speed(&text)).abs() > 0.01);
+    let told = |text: &str| run_with_input(&["solve", "-"], text).out.contains("gravity has no effect");
+    let in_mass = std::fs::read_to_string(workspace().join("cli/examples/position-a.toml")).expect("an example");
+    assert!(
+        told(&in_mass.replacen("schema = 1\n", "schema = 1\ngravity = 9.0\n", 1)) && !told(&in_mass) && !told(&of_case) && !told(&of_rest)
+    );
     let both = of_case.replacen("[rest]\n", "[rest]\ngravity = 9.0\n", 1);
     assert_eq!(speed(&both), speed(&of_rest));
     let other = run_with_input(&["solve", "-"], &both.replacen("gravity = 9.0", "gravity = 9.81", 1));

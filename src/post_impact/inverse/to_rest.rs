@@ -4,7 +4,6 @@ use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
 
 use nalgebra::{DMatrix, DVector};
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::uncertainty::{Uncertain, uncertainty};
 use super::{CLOSE, REACHED, SAME, SCALES, motion};
@@ -206,11 +205,11 @@ impl<'a> ToRest<'a> {
     }
 
     /// Returns the minimum that the last steps from a motion lead to; `None` if they do not lead to one.
-    pub(super) fn near(&self, known: &Motion) -> Option<Motion> {
+    pub(super) fn near(&self, known: &Motion) -> Option<Found> {
         let unknowns = alloc::vec![known.velocity.x, known.velocity.y, known.yaw_rate];
         let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
         let (found, left) = self.last_steps(Found { unknowns, sum_of_squares, iterations: 0 });
-        (left <= SAME).then(|| motion(&found.unknowns))
+        (left <= SAME).then_some(found)
     }
 
     /// Takes the last steps, and returns the length of the first that is not taken.
@@ -241,12 +240,10 @@ impl<'a> ToRest<'a> {
         let (miss, passages) = self.missed(unknowns).map_err(NoSeparation::NoRest)?;
         let Uncertain { covariance, by_friction } = uncertainty(&self.slopes(unknowns, FINE), self.evidence)?;
         let points: Vec<NearestPlace> = passages.iter().map(Passage::nearest_place).collect();
-        let (chi_square, degrees_of_freedom) = (found.sum_of_squares, points.len());
-        let by_chance = |_| ChiSquared::new(degrees_of_freedom as f64).map_or(f64::NAN, |distribution| distribution.sf(chi_square));
-        let probability = points.first().map_or(1.0, by_chance);
-        let others = Vec::new();
-        let iterations = found.iterations;
-        let fit = SlideFit { iterations, starts: 0, converged: 0, miss, points, chi_square, degrees_of_freedom, probability, others };
+        let (degrees_of_freedom, others, iterations) = (points.len(), Vec::new(), found.iterations);
+        let fit =
+            SlideFit { iterations, starts: 0, converged: 0, miss, points, chi_square: 0.0, degrees_of_freedom, probability: 1.0, others };
+        let fit = fit.with_chi_square(found.sum_of_squares);
         Ok(Separation { motion: motion(unknowns), covariance, by_friction, fit: Some(fit) })
     }
 }

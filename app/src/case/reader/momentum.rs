@@ -1,9 +1,11 @@
 //! Vehicles of a case that momentum alone determines.
 
-use planar_impact::{ForwardLeft, Input};
+use planar_impact::{ForwardLeft, Input, Side};
 
 use super::{CaseReader, has_inertia};
 use crate::case::parameter::Parameter;
+use crate::case::rest::{RestInputs, WholeVehicle};
+use crate::case::uncertain::UncertainInput;
 use crate::case::vehicle::{Inertia, VehicleInputs};
 use crate::document::Table;
 use crate::notice::Notice;
@@ -28,25 +30,32 @@ impl CaseReader {
         all
     }
 
-    /// Returns `true` if both vehicles have a yaw inertia and an impact center, so that the impulse also changes their yaw rates. Otherwise it makes both point
-    /// masses. Reports a barrier, which takes any momentum.
-    pub(super) fn is_angular(&self, root: &Table<'_>, vehicles: [&mut Option<VehicleInputs>; 2]) -> Option<bool> {
+    /// Returns `true` if both vehicles have a yaw inertia and an impact center, so that the impulse also changes their yaw rates. Reports a barrier, which takes any
+    /// momentum.
+    pub(super) fn is_angular(&self, root: &Table<'_>, vehicles: [&Option<VehicleInputs>; 2]) -> Option<bool> {
         let tables = root.optional("vehicle").array_of_tables()?;
         if vehicles.iter().any(|vehicle| vehicle.is_none()) {
             let help = "give the barrier a contact: `crush_plane` and `restitution`, without `model`".to_owned();
             root.optional("vehicle").report("momentum alone needs two vehicles: a barrier takes any momentum", Some(help));
             return None;
         }
-        if tables.iter().all(|table| table.has("impact_center") && has_inertia(table)) {
-            return Some(true);
-        }
+        Some(tables.iter().all(|table| table.has("impact_center") && has_inertia(table)))
+    }
+
+    /// Makes both vehicles point masses in the collision; the slides to rest keep what the file gives of them.
+    pub(super) fn make_point_masses(
+        &self,
+        root: &Table<'_>,
+        vehicles: [&mut Option<VehicleInputs>; 2],
+        rest: Option<&mut RestInputs>,
+    ) -> Option<()> {
+        let tables = root.optional("vehicle").array_of_tables()?;
         if tables.iter().any(|table| table.has("impact_center") || has_inertia(table)) {
-            let message = "yaw inertia and impact center take part only if both vehicles give both: the vehicles are point masses here";
+            let slides = if rest.is_some() { ", except in slides to rest" } else { "" };
+            let message = format!(
+                "yaw inertia and impact center take part only if both vehicles give both: the vehicles are point masses here{slides}"
+            );
             self.notices.borrow_mut().push(Notice::note("point-masses", "vehicle", message));
-        }
-        for (table, vehicle) in tables.iter().zip(vehicles.into_iter().flatten()) {
-            self.record_unused(table, vehicle);
-            (vehicle.inertia, vehicle.impact_center) = (ANY_INERTIA, ForwardLeft { forward: 0.0, left: 0.0 });
         }
         let takes_part = |parameter: Parameter| {
             use Input::{ImpactCenterForward, ImpactCenterLeft, YawInertia};
@@ -55,8 +64,19 @@ impl CaseReader {
                 Parameter::RadiusOfGyration(_) | Parameter::Input(ImpactCenterForward(_) | ImpactCenterLeft(_) | YawInertia(_))
             )
         };
-        self.uncertain.borrow_mut().retain(|input| takes_part(input.parameter));
-        Some(false)
+        let (take_part, others) = self.uncertain.take().into_iter().partition(|input| takes_part(input.parameter));
+        let others: Vec<UncertainInput> = others;
+        self.uncertain.replace(take_part);
+        let mut rests = rest.map_or([None, None], |rest| rest.vehicles.each_mut().map(Option::as_mut)).into_iter();
+        for ((table, vehicle), side) in tables.iter().zip(vehicles.into_iter().flatten()).zip(Side::ALL) {
+            self.record_unused(table, vehicle);
+            if let Some(rest) = rests.next().flatten() {
+                let uncertain = others.iter().filter(|input| input.parameter.side() == Some(side)).cloned().collect();
+                rest.whole = Some(WholeVehicle { inputs: vehicle.clone(), uncertain });
+            }
+            (vehicle.inertia, vehicle.impact_center) = (ANY_INERTIA, ForwardLeft { forward: 0.0, left: 0.0 });
+        }
+        Some(())
     }
 
     /// Records what the file gives of a vehicle that becomes a point mass, so that a comparison of files shows it.

@@ -90,6 +90,7 @@ impl CaseReader {
     /// Reads the gravity of `[rest]`, which must not contradict that of the case.
     fn gravity_of_rest(&self, field: Field<'_>) -> Option<f64> {
         let place = field.clone();
+        self.uses_gravity.set(true);
         let gravity = self.positive(field, Kind::ACCELERATION)?;
         match self.gravity.get() {
             Some(other) if (gravity - other).abs() > 1e-9 * other => {
@@ -227,7 +228,7 @@ impl CaseReader {
             }
             None => None,
         };
-        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, separation, given, evidence, method })
+        Some(RestOfVehicle { slide: Slide { vehicle: vehicle?, ground: ground.clone() }, separation, given, evidence, method, whole: None })
     }
 
     /// Reads what the file says of the separation pose.

@@ -7,7 +7,7 @@ use planar_impact::Distribution;
 use super::CaseReader;
 use super::csv_column::CsvColumn;
 use crate::case::domain::Domain;
-use crate::case::uncertain::MOST_VALUES;
+use crate::case::uncertain::{MOST_VALUES, Uncertain};
 use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, Quantity, QuantityError, nearest};
@@ -92,8 +92,8 @@ impl CaseReader {
                 return None;
             }
         };
-        let mut values = Vec::new();
-        let mut sound = true;
+        let (mut values, mut lines) = (Vec::new(), Vec::new());
+        let (mut sound, mut is_noted) = (true, false);
         for (line, cell) in column.cells {
             let read = cell.map_err(QuantityError::from).and_then(|cell| read_cell(&cell, unit.zip(conversion), kind));
             let read = read.and_then(|read| match domain.wanted(read.si) {
@@ -102,10 +102,18 @@ impl CaseReader {
             });
             match read {
                 Ok(read) => {
+                    if read.bare && !read.unit.is_empty() && !is_noted {
+                        let what = if values.is_empty() { String::new() } else { format!("line {line} in ") };
+                        let message =
+                            format!("{}: {what}the column {name} of {} has no unit: {} assumed", of_column.path(), source.name, read.unit);
+                        self.notices.borrow_mut().push(Notice::note("unit-assumed", of_column.path(), message));
+                        is_noted = true;
+                    }
                     if values.is_empty() {
-                        self.take_column(of_column.path(), &source, name, &read, kind);
+                        self.take(of_column.path(), Quantity { bare: false, ..read.clone() }, kind);
                     }
                     values.push(read.si);
+                    lines.push(line);
                 }
                 Err(QuantityError { message, help }) => {
                     let help = help.or_else(|| Some("correct the cell, or remove its row".to_owned()));
@@ -122,17 +130,51 @@ impl CaseReader {
             return None;
         }
         enough(&values, kind).map_err(|(message, help)| of_file.report(format!("{}: {name}: {message}", source.name), Some(help))).ok()?;
+        self.columns.borrow_mut().push(MeasuredColumn { file: source.name, of: table.path().to_owned(), lines, values: values.clone() });
         Some(values)
     }
 
-    /// Records the unit of a column, which is that of its first cell.
-    fn take_column(&self, path: &str, source: &Source, name: &str, first: &Quantity, kind: Kind) {
-        if first.bare && !first.unit.is_empty() {
-            let message = format!("{path}: the column {name} of {} has no unit: {} assumed", source.name, first.unit);
-            self.notices.borrow_mut().push(Notice::note("unit-assumed", path, message));
+    /// Notes the uncertain inputs that are columns of one file, whose rows go together, and that have no correlation.
+    pub(super) fn note_independent_columns(&self, uncertain: &Uncertain) {
+        let columns = self.columns.borrow();
+        let input = |column: &MeasuredColumn| uncertain.inputs.iter().find(|input| input.key == column.of).map(|input| input.parameter);
+        for (i, one) in columns.iter().enumerate() {
+            for other in columns[i + 1..].iter().filter(|other| other.file == one.file && other.lines == one.lines) {
+                let Some((a, b)) = input(one).zip(input(other)).filter(|(a, b)| uncertain.correlation(*a, *b) == 0.0) else { continue };
+                let coefficient = correlation(&one.values, &other.values);
+                // What three standard deviations of chance do not make.
+                let square = coefficient * coefficient;
+                if square * (one.values.len() as f64 - 2.0) > 9.0 * (1.0 - square) {
+                    let message = format!(
+                        "{a} and {b} are columns of {}, whose rows have a correlation of {coefficient:.2}, and count as independent: if each row is one \
+                         measurement, give it as their `correlation`",
+                        one.file
+                    );
+                    self.notices.borrow_mut().push(Notice::warning("independent-columns", other.of.clone(), message));
+                }
+            }
         }
-        self.take(path, Quantity { bare: false, ..first.clone() }, kind);
     }
+}
+
+/// A column of measured values, and the lines of its file that have them.
+pub(super) struct MeasuredColumn {
+    file: String,
+    /// The path of the input.
+    of: String,
+    lines: Vec<usize>,
+    values: Vec<f64>,
+}
+
+/// Returns the coefficient of correlation of as many values.
+fn correlation(one: &[f64], other: &[f64]) -> f64 {
+    let centered = |values: &[f64]| {
+        let mean = normal_of(values).0;
+        values.iter().map(|value| value - mean).collect::<Vec<f64>>()
+    };
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (one, other) = (centered(one), centered(other));
+    product(&one, &other) / (product(&one, &one) * product(&other, &other)).sqrt()
 }
 
 /// Help for too many values.

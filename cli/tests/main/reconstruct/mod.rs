@@ -1,6 +1,7 @@
 //! The verb `reconstruct`: the paper's barrier tests in both directions, and every verdict with its numbers.
 
 mod forms;
+mod from_rest;
 mod from_tests;
 mod guaranteed;
 mod intervals;

@@ -483,3 +483,17 @@ fn a_pulse_of_few_samples_is_noted() {
     let quiet = record_of(&csv("normal_force [kN],tangential_force [kN]", &[&|ms| 100.0 * pulse(ms), &|_| 0.0]), None).1.out;
     assert!(!quiet.contains("coarse-sampling"), "{quiet}");
 }
+
+/// An accelerometer that says that the vehicle goes into the barrier, whose load cells push it away, has the other polarity.
+#[test]
+fn a_reversed_accelerometer_is_told() {
+    let samples = "time [ms],F [kN],a [g]\n-20,0,0\n-10,0,0\n0,0,0\n10,100,-6.8\n20,250,-17\n30,300,-20.4\n40,250,-17\n50,150,-10.2\n60,80,-5.4\n70,30,-2\n80,0,0\n90,0,0\n100,0,0\n";
+    let settings = |polarity: &str| {
+        format!(
+            "speed = \"11 m/s\"\nmass = \"1500 kg\"\n[[channel]]\ncolumn = \"F\"\nquantity = \"normal_force\"\n\
+             [[channel]]\ncolumn = \"a\"\nquantity = \"acceleration\"\n{polarity}"
+        )
+    };
+    let told = |polarity: &str| record_of(samples, Some(&settings(polarity))).1.out.contains("reversed-polarity");
+    assert_eq!(["", "polarity = -1\n"].map(told), [true, false]);
+}

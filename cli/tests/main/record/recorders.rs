@@ -391,3 +391,13 @@ fn the_last_digit_of_a_reading_is_its_least_step() {
     let refused = case(&late.join("\n"));
     assert!(refused.status == 2 && refused.err.contains("begin the samples before the contact"), "{}", refused.err);
 }
+
+/// A change of velocity over more than seconds has its times in another unit.
+#[test]
+fn a_velocity_change_that_takes_minutes_is_told() {
+    let told = |unit: &str| {
+        let samples = format!("time{unit},delta_v_forward [km/h]\n0,0\n20,-5\n40,-10\n60,-20\n80,-30\n100,-32\n120,-32\n140,-32\n");
+        record_of(&samples, None).1.out.contains("is recorded over")
+    };
+    assert_eq!(["", " [ms]"].map(told), [true, false]);
+}

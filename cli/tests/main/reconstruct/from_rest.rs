@@ -1,0 +1,181 @@
+//! Separations from rest positions that follow what is uncertain of the vehicles.
+
+use serde_json::Value;
+
+use crate::process::{Folder, run, run_with_input};
+
+/// Two cars that slid to rest, of which the second may be known by its separation velocity alone.
+struct Scene {
+    mass: &'static str,
+    impact_center: &'static str,
+    heading: &'static str,
+    unknown_heading: &'static str,
+    is_whole: bool,
+}
+
+const SCENE: Scene = Scene { mass: "1450", impact_center: "[\"1.85 m\", \"-0.4 m\"]", heading: "10", unknown_heading: "", is_whole: false };
+
+impl Scene {
+    fn text(&self) -> String {
+        let Scene { mass, impact_center, heading, unknown_heading, is_whole } = self;
+        let whole = if *is_whole { "yaw_inertia = 1900\nimpact_center = [1.6, 0.5]\n" } else { "" };
+        let yaw_rate = if *is_whole { "vehicle.2.separation_yaw_rate = \"-3.7 rad/s ± 0.1 rad/s\"\n" } else { "" };
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2600\nheading = \"{heading} deg\"\nimpact_center = {impact_center}\n\
+             [[vehicle]]\nmass = 1180\nheading = \"120 deg\"\n{whole}[contact]\nmodel = \"momentum\"\n[scene]\nimpact_point = [10, 20]\n\
+             [rest]\nfriction = 0.7\n[rest.vehicle.1]\nposition = [\"11.5 m ± 0.2 m\", \"22.5 m ± 0.2 m\"]\nheading = \"118 deg ± 3 deg\"\n\
+             front_axle = 1.15\nrear_axle = 1.5\ntrack = 1.5\n\
+             wheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = {{ braking = 0.4 }}, rear_right = {{ braking = 0.4 }} }}\n\
+             [evidence]\nvehicle.2.separation_velocity = [\"2.3 m/s ± 0.1 m/s\", \"7.3 m/s ± 0.1 m/s\"]\n{yaw_rate}\
+             [unknown]\nvehicle.1.speed = {{ start = 14, min = 0 }}\nvehicle.2.speed = {{ start = 14, min = 0 }}\n{unknown_heading}"
+        )
+    }
+
+    /// Returns the first speed and its standard deviation.
+    fn speed(&self) -> [f64; 2] {
+        let answer = answer(&self.text());
+        ["value", "sd"]
+            .map(|key| answer["unknown"]["vehicle.1.speed"][key].as_f64().unwrap_or_else(|| panic!("{key}: {}", answer["unknown"])))
+    }
+}
+
+fn answer(case: &str) -> Value {
+    let run = run_with_input(&["reconstruct", "-", "--format", "json"], case);
+    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err))
+}
+
+/// Returns a case with other texts, each of which it must have.
+fn edited(case: String, edits: &[(&str, &str)]) -> String {
+    edits.iter().fold(case, |case, (from, to)| {
+        assert!(case.contains(from), "{from}");
+        case.replacen(from, to, 1)
+    })
+}
+
+/// Where the collision takes both as point masses, the slide has the inertia and the impact center of the file: what a kilogram of doubt does is a change of a kilogram.
+#[test]
+fn a_point_mass_slides_as_what_it_is() {
+    let [certain, sd] = SCENE.speed();
+    let [doubtful, its_sd] = Scene { mass: "\"1450 kg ± 1 kg\"", ..SCENE }.speed();
+    assert!((certain - doubtful).abs() < 1e-9 && (its_sd / sd - 1.0).abs() < 1e-4, "{certain} ± {sd}, {doubtful} ± {its_sd}");
+    // The impact center moves the speed through the slide alone.
+    let [more, less] = ["[2.0, -0.4]", "[1.7, -0.4]"].map(|impact_center| Scene { impact_center, ..SCENE }.speed()[0]);
+    let [value, wide] = Scene { impact_center: "[\"1.85 m ± 0.15 m\", \"-0.4 m\"]", ..SCENE }.speed();
+    let by_hand = sd.hypot(0.5 * (more - less));
+    assert!((value - certain).abs() < 1e-9 && (wide / by_hand - 1.0).abs() < 1e-3, "{wide}, and {by_hand} by hand");
+    assert!(wide > 1.1 * sd, "the impact center matters: {wide} {sd}");
+}
+
+/// The separation and its covariance are those of the solution, wherever the case has a heading that is unknown.
+#[test]
+fn a_heading_that_is_unknown_has_no_effect() {
+    let of = |heading: &'static str| {
+        let unknown_heading =
+            "vehicle.1.heading = { start = \"8 deg\", min = \"-20 deg\", max = \"40 deg\" }\nvehicle.2.impact_center.left = 0.5\n";
+        let rest = ("[\"11.5 m ± 0.2 m\", \"22.5 m ± 0.2 m\"]", "[\"14.7 m ± 0.1 m\", \"24.5 m ± 0.1 m\"]");
+        let separation = ("[\"2.3 m/s ± 0.1 m/s\", \"7.3 m/s ± 0.1 m/s\"]", "[\"2.41 m/s ± 0.1 m/s\", \"7.36 m/s ± 0.1 m/s\"]");
+        let text = Scene { heading, unknown_heading, is_whole: true, ..SCENE }.text();
+        answer(&edited(text, &[rest, separation, ("\"-3.7 rad/s ± 0.1 rad/s\"", "\"-3.71 rad/s ± 0.05 rad/s\"")]))
+    };
+    let [one, other] = ["30", "2"].map(of);
+    assert_eq!((one["verdict"].as_str(), other["verdict"].as_str()), (Some("agrees"), Some("agrees")), "{}", one["messages"]);
+    for name in ["vehicle.1.speed", "vehicle.1.heading", "vehicle.2.speed"] {
+        let [one, other] = [&one, &other].map(|answer| &answer["unknown"][name]);
+        let number = |of: &Value, key: &str| of[key].as_f64().unwrap_or_else(|| panic!("{key} {of}"));
+        let [sd, its] = [one, other].map(|of| number(of, "sd"));
+        assert!((sd / its - 1.0).abs() < 0.02, "{name}: {sd} {its}");
+        assert!((number(one, "value") - number(other, "value")).abs() < 0.02 * sd, "{name}: {one} {other}");
+    }
+}
+
+/// Two names of one measurement are told.
+#[test]
+fn what_counts_twice_is_told() {
+    let case = |evidence: &str, mass: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
+             [contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\n{evidence}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\n"
+        )
+    };
+    let told = |evidence: &str, mass: &str| {
+        let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case(evidence, mass));
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let all = answer["messages"].as_array().expect("messages");
+        all.iter().filter(|message| message["code"] == "counts-twice").map(|message| message["path"].to_string()).collect::<Vec<_>>()
+    };
+    let [forward, magnitude] = ["vehicle.1.delta_v_forward = \"-11 m/s ± 0.5 m/s\"", "vehicle.1.delta_v_magnitude = \"11 m/s ± 0.5 m/s\""];
+    let both = "vehicle.1.delta_v = [\"-11 m/s ± 0.5 m/s\", \"0 m/s ± 0.5 m/s\"]";
+    assert!(
+        told(forward, "1500").is_empty() && told(&format!("{forward}\n{magnitude}"), "1500").is_empty() && told(both, "1500").is_empty()
+    );
+    assert_eq!(told(&format!("{both}\n{magnitude}"), "1500").len(), 1);
+    let separation = "vehicle.1.separation_velocity = [\"-1 m/s ± 0.5 m/s\", \"0 m/s ± 0.5 m/s\"]";
+    assert_eq!(told(&format!("{separation}\nvehicle.1.separation_speed = \"1 m/s ± 0.5 m/s\""), "1500").len(), 1);
+    let mass = "vehicle.1.mass = \"1510 kg ± 20 kg\"";
+    assert!(told(&format!("{forward}\n{mass}"), "1500").is_empty());
+    assert_eq!(told(&format!("{forward}\n{mass}"), "\"1500 kg ± 20 kg\""), ["\"evidence.vehicle.1.mass\""]);
+    let energies = "crush_energy = \"80 kJ ± 8 kJ\"";
+    assert!(told(energies, "1500").is_empty());
+    assert_eq!(told(&format!("{energies}\nvehicle.1.crush_energy = \"80 kJ ± 8 kJ\""), "1500").len(), 1);
+}
+
+/// Rows of one table are told where their columns go together.
+#[test]
+fn columns_of_one_file_that_go_together_are_told() {
+    let folder = Folder::new();
+    let case = |column: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = {{ file = \"pair.csv\", column = \"m1\" }}\nyaw_inertia = 2500\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n\
+             [[vehicle]]\nmass = {{ file = \"pair.csv\", column = \"{column}\" }}\nyaw_inertia = 2200\nheading = 3.1\nspeed = 5\nimpact_center = [2, 0]\n\
+             [contact]\ncrush_plane = 0\nrestitution = 0.1\n"
+        )
+    };
+    folder.write(
+        "pair.csv",
+        b"m1 [kg],m2 [kg],m3 [kg],m4\n1260,1600,1500,1500 kg\n1320,1550,1450,1550\n1380,1500,1600,1600 kg\n1440,1450,1550,1450 kg\n",
+    );
+    let messages = |case: String| {
+        folder.write("case.toml", case.as_bytes());
+        let run = run(folder.path(), &["uncertainty", "case.toml", "--of", "dV1", "--method", "linear", "--format", "json"]);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        answer["messages"].to_string()
+    };
+    let told = messages(case("m2"));
+    assert!(told.contains("independent-columns") && told.contains("a correlation of -1.00"), "{told}");
+    assert!(!messages(case("m3")).contains("independent-columns"));
+    let correlated = case("m2").replace("schema = 1\n", "schema = 1\ncorrelation = [[\"m1\", \"m2\", -0.9]]\n");
+    assert!(!messages(correlated).contains("independent-columns"));
+    // A cell without a unit among others that have one.
+    let bare = messages(case("m4"));
+    assert!(bare.contains("line 3 in the column m4 of pair.csv has no unit: kg assumed"), "{bare}");
+}
+
+/// Points that a slide from an impact center of −0.4 m comes past: beside one of 0.2 m with a standard deviation of 0.3 m they contradict nothing, with one of 0.02 m they
+/// do. They are judged with what is uncertain.
+#[test]
+fn points_are_judged_with_what_is_uncertain() {
+    let of = |left: &str| {
+        let case = Scene { heading: "10", is_whole: true, ..SCENE }.text();
+        let center = format!("[1.85, {left}]");
+        let points = "heading = \"114.891 deg ± 3 deg\"\npoints = [{ position = [\"8.6663 m ± 0.1 m\", \"20.4052 m ± 0.1 m\"] }, \
+                      { position = [\"11.1592 m ± 0.1 m\", \"22.0102 m ± 0.1 m\"] }, { position = [\"14.1123 m ± 0.1 m\", \"24.1629 m ± 0.1 m\"] }]\n";
+        let edits = [
+            ("[\"1.85 m\", \"-0.4 m\"]", center.as_str()),
+            ("friction = 0.7\n", "friction = \"0.7 ± 0.05\"\n"),
+            ("[\"11.5 m ± 0.2 m\", \"22.5 m ± 0.2 m\"]", "[\"14.6436 m ± 0.1 m\", \"24.5527 m ± 0.1 m\"]"),
+            ("heading = \"118 deg ± 3 deg\"\n", points),
+            ("vehicle.1.speed = { start = 14, min = 0 }", "vehicle.1.velocity.x = { start = 15 }\nvehicle.1.velocity.y = { start = 2 }"),
+            ("vehicle.2.speed = { start = 14, min = 0 }", "vehicle.2.velocity.x = { start = -5 }\nvehicle.2.velocity.y = { start = 10 }"),
+        ];
+        let answer = answer(&edited(case, &edits));
+        let codes = answer["messages"].to_string();
+        (
+            answer["verdict"].as_str().expect("a verdict").to_owned(),
+            codes.contains("points-move-inputs"),
+            codes.contains("points-contradict-rest"),
+        )
+    };
+    assert_eq!(of("\"-0.4 m ± 0.3 m\""), ("agrees".to_owned(), false, false));
+    assert_eq!(of("\"0.2 m ± 0.3 m\""), ("agrees".to_owned(), true, false));
+    assert_eq!(of("\"0.2 m ± 0.02 m\""), ("contradicted".to_owned(), false, true));
+}
