@@ -194,7 +194,9 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         equal(judge, "the impulse and mass times delta-V", impulse, passed, impulse.value.abs().max(passed.value.abs()));
     }
     let Some(whole) = sharper_known(magnitude, passed, Uncertain::radius).or_else(|| known.impulse.map(norm)) else { return };
-    for key in [Key::NormalImpulse, Key::TangentialImpulse, Key::ImpulseX, Key::ImpulseY] {
+    // Those that the motions imply are held against them.
+    let of_contact = [Key::NormalImpulse, Key::TangentialImpulse].into_iter().filter(|_| known.contact_impulse.is_none());
+    for key in of_contact.chain([Key::ImpulseX, Key::ImpulseY].into_iter().filter(|_| known.impulse.is_none())) {
         let Some(part) = number(key) else { continue };
         judge.not_above(Rule::Reported, Residual::new(part.magnitude() - whole, whole.value.abs().max(part.value.abs())), |size, bound| {
             let (part, whole, size, bound) = (Digits(part.value), Digits(whole.value), Digits(size), Digits(bound));

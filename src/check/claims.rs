@@ -1,7 +1,7 @@
 //! Consistency of reported results with what the motions imply: the first half of `reported`.
 
 use super::format::Digits;
-use super::judge::{Judge, Residual};
+use super::judge::{Judge, Residual, SPEED};
 use super::key::Key;
 use super::known::{Known, Touch};
 use super::momentum::number_of;
@@ -52,9 +52,11 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         }
     }
     let speed = known.before.or(known.after).map_or(0.0, |meeting| normal::length(&meeting.velocity));
+    // Without the motions before, speeds after the impact may be the rounding of those.
+    let rounded = if known.before.is_none() { SPEED } else { 0.0 };
     for (key, meeting) in [(Key::ClosingSpeed, known.before), (Key::SeparationSpeed, known.after)] {
         if let Some(meeting) = meeting {
-            hold(known, judge, claim(key, meeting.velocity.n.magnitude(), speed));
+            hold_beside(known, judge, claim(key, meeting.velocity.n.magnitude(), speed), rounded);
         }
     }
     if let Some(p) = known.contact_impulse {
@@ -123,8 +125,13 @@ fn told(key: Key, said: f64, implied: f64, size: f64, bound: f64) -> String {
 }
 
 fn hold<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>) {
+    hold_beside(known, judge, claim, 0.0);
+}
+
+/// Compares a claim with what the motions imply, beside a size whose rounding it may be.
+fn hold_beside<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>, rounded: f64) {
     let Some(said) = known.number(claim.key) else { return };
-    judge.zero(Rule::Reported, Residual::new(said - claim.implied, claim.scale), |size, bound| {
+    judge.zero(Rule::Reported, Residual::new(said - claim.implied, claim.scale).beside(rounded), |size, bound| {
         told(claim.key, said.value, claim.implied.value, size, bound)
     });
 }

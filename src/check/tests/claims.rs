@@ -551,6 +551,21 @@ fn claims_of_nothing_are_held() {
     assert_eq!([9.0, 30.0].map(warned), [Verdict::Pass, Verdict::Warn]);
 }
 
+/// Bodies that stand after an impact without restitution have speeds that are the rounding of what they had before, which a record may leave out.
+#[test]
+fn what_stands_after_the_impact_is_rounding() {
+    use Key::{AfterX, AfterY, AfterYawRate, CenterX, CenterY, Mass, NormalAngle, PointX, PointY, SeparationSpeed};
+    let of_body = |side: Side, x: f64, v: f64| {
+        [(Mass(side), 1e3), (CenterX(side), x), (CenterY(side), 0.0), (AfterX(side), v), (AfterY(side), 0.0), (AfterYawRate(side), 0.0)]
+    };
+    let said = |v: f64, speed: f64| {
+        let contact = [(PointX, 0.0), (PointY, 0.0), (NormalAngle, 0.0), (SeparationSpeed, speed)];
+        rules(&with(Record::default(), &[&of_body(Side::One, -2.0, 0.0)[..], &of_body(Side::Two, 2.0, v), &contact].concat()))
+    };
+    assert!(said(-1e-15, 2e-15).is_empty() && said(1.0, 1.0).is_empty());
+    assert_eq!((said(-1.0, 1.0), said(1.0, 2.0)), (vec!["interpenetration"], vec!["reported"]));
+}
+
 /// Works and losses of an elastic impact are rounding, beside whatever shows its size.
 #[test]
 fn what_an_elastic_impact_loses_is_rounding() {
