@@ -497,6 +497,9 @@ fn half_of_the_motions_refutes_claims() {
     // 50 kJ of translation before, and 2 kJ after.
     let before = |energy: f64| said(&[(EnergyBefore, energy)]);
     assert_eq!([60e3, 50e3, 49e3].map(before), [vec![], vec![], vec!["reported"]]);
+    // With 8 kJ of the spin of body 2.
+    let with_spin = |energy: f64| said(&[(Key::YawInertia(Two), 1000.0), (Key::BeforeYawRate(Two), 4.0), (EnergyBefore, energy)]);
+    assert_eq!([58e3, 57e3].map(with_spin), [vec![], vec!["reported"]]);
     let after = |energy: f64| said(&[(EnergyAfter, energy)]);
     assert_eq!([3e3, 2e3, 1.9e3].map(after), [vec![], vec![], vec!["reported"]]);
     let lost = |loss: f64| said(&[(EnergyBefore, 60e3), (EnergyLoss, loss)]);
