@@ -74,7 +74,7 @@ fn along_the_normal<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
-/// Reports that the offset along the normal tells no compressive direction.
+/// Reports that the offset along the normal does not determine the compressive direction.
 fn no_side<const N: usize>(offset: Residual<N>, judge: &mut Judge) {
     judge.checks(Rule::Compressive);
     judge.checks(Rule::Interpenetration);

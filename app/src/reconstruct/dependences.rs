@@ -106,8 +106,8 @@ pub fn solved(
         let is_in_reach = |solution: &Solution| solution.unknowns.iter().all(|estimate| is_inside(estimate, &asked, &question.asked));
         let is_about = |side: Side| {
             let [about, there] = [&about, &there].map(|separations| separations[side as usize].as_ref());
-            let followed = question.asked.dependences.iter().any(|dependence| outputs(side).contains(&dependence.of));
-            !followed || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
+            !is_followed(&question.asked, side)
+                || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
         };
         if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) {
             let answer = without(answer, |solution| !is_in_reach(solution));
@@ -116,21 +116,20 @@ pub fn solved(
         question = Question::about(case, &inputs, &there)?;
         about = there;
     }
-    let names: Vec<String> = question.asked.dependences.iter().map(|one| name_in(one.on, case)).collect();
-    let mut issues: Vec<Issue> = Vec::new();
-    for side in Side::ALL {
-        if question.asked.dependences.iter().any(|one| outputs(side).contains(&one.of)) {
-            let message = format!("vehicle.{}: its separation cannot be followed to a solution", vehicle_number(side));
-            let mut named = names.clone();
-            named.dedup();
-            let help = format!(
-                "give {} between bounds or with a smaller uncertainty, or the separation velocity as evidence instead",
-                named.join(" and ")
-            );
-            issues.push(Issue::at("no-separation", key(side), message).with_help(help));
-        }
-    }
-    Err(case.unfit(issues))
+    let mut names: Vec<String> = question.asked.dependences.iter().map(|one| name_in(one.on, case)).collect();
+    names.dedup();
+    let names = names.join(" and ");
+    let help = format!("give {names} between bounds or with a smaller uncertainty, or the separation velocity as evidence instead");
+    let issue = |side| {
+        let message = format!("vehicle.{}: its separation cannot be followed to a solution", vehicle_number(side));
+        Issue::at("no-separation", key(side), message).with_help(help.clone())
+    };
+    Err(case.unfit(Side::ALL.into_iter().filter(|side| is_followed(&question.asked, *side)).map(issue)))
+}
+
+/// Returns `true` if the separation of a vehicle follows an unknown.
+fn is_followed(asked: &ReconstructionProblem, side: Side) -> bool {
+    asked.dependences.iter().any(|one| outputs(side).contains(&one.of))
 }
 
 /// Removes the solutions, other than the best, that lie where separations are followed no further: they are none.
@@ -278,7 +277,7 @@ fn near(value: f64, bound: f64) -> bool {
 fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &ReconstructionProblem) -> Option<Separations> {
     let mut there = separations.clone();
     for about in Followed::all(case, inputs, separations) {
-        if asked.dependences.iter().any(|one| outputs(about.side).contains(&one.of)) {
+        if is_followed(asked, about.side) {
             let separation = &about.near(&about.with(&[])?)?;
             there[about.side as usize] = Some(Followed { separation, ..about }.widened().ok()?);
         }

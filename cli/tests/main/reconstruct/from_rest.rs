@@ -88,7 +88,7 @@ fn a_heading_that_is_unknown_has_no_effect() {
     }
 }
 
-/// Two names of one measurement are told.
+/// Evidence that may count one measurement twice gives a warning.
 #[test]
 fn what_counts_twice_is_told() {
     let case = |evidence: &str, mass: &str| {
@@ -119,7 +119,7 @@ fn what_counts_twice_is_told() {
     assert_eq!(told(&format!("{energies}\nvehicle.1.crush_energy = \"80 kJ ± 8 kJ\""), "1500").len(), 1);
 }
 
-/// Rows of one table are told where their columns go together.
+/// Columns of one file whose rows are correlated give a warning if the case gives no correlation.
 #[test]
 fn columns_of_one_file_that_go_together_are_told() {
     let folder = Folder::new();
