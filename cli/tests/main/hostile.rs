@@ -70,7 +70,10 @@ fn texts_of_a_case_file_are_cleaned() {
     let folder = Folder::new();
     // A TOML string that escapes every character.
     let escaped: String = ACTIVE.chars().map(|c| format!("\\U{:08x}", u32::from(c))).collect();
-    let case = example("to-rest.toml").replace("sedan", &escaped).replace("Oblique", &escaped);
+    let to_rest = example("to-rest.toml");
+    // Slides take seconds, and have no texts.
+    let (impact, _) = to_rest.split_once("[rest]").expect("rest positions");
+    let case = impact.replace("sedan", &escaped).replace("Oblique", &escaped);
     folder.write("case.toml", case.as_bytes());
     for verb in ["solve", "gradient", "crush", "crash3"] {
         for (run, format) in clean_runs(&folder, verb, &["case.toml"]).iter().zip(formats(verb)) {

@@ -164,8 +164,14 @@ fn every_case_of_the_independent_computation() {
 
 #[test]
 fn any_number_of_threads_prints_the_same() {
-    for arguments in [&["--format", "json"][..], &["--format", "json", "--points", "sobol"], &["--precision", "0.5%"], &["--format", "csv"]]
-    {
+    // What neither draws samples nor is the work of several threads, such as bounds, is computed once.
+    let drawn = ["--method", "linear,monte-carlo"];
+    for arguments in [
+        &["--format", "json"][..],
+        &[&drawn[..], &["--format", "json", "--points", "sobol"]].concat(),
+        &[&drawn[..], &["--precision", "0.5%"]].concat(),
+        &[&drawn[..], &["--format", "csv"]].concat(),
+    ] {
         let printed = ["1", "2", "3"].map(|threads| {
             let call = ["uncertainty", EXAMPLE, "--samples", "20011", "--of", "dV1,T_L"];
             let output = planar_impact(&workspace()).args(call).args(arguments).env("RAYON_NUM_THREADS", threads).output();
