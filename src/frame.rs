@@ -157,7 +157,13 @@ macro_rules! direction {
             #[cfg_attr(not(debug_assertions), inline(always))]
             #[must_use]
             pub fn turned(self, by: T) -> Self {
-                let $name { cos, sin } = self.shifted(by);
+                self.turned_like(&$name::from_angle(by))
+            }
+
+            /// Returns the direction rotated by the angle of another.
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            pub(crate) fn turned_like(self, by: &Self) -> Self {
+                let (cos, sin) = turn(&self.cos, &self.sin, by.cos.clone(), by.sin.clone());
                 // One step of Newton's method for the inverse square root of the length squared, from 1.
                 let scale = (T::int(3) - cos.clone().squared() - sin.clone().squared()).half();
                 $name { cos: cos * scale.clone(), sin: sin * scale }

@@ -128,6 +128,11 @@ catalogue! {
 }
 
 impl Output {
+    /// Returns the outputs that are the motion of a vehicle after the impact, in the order of [`Motion::components`].
+    pub fn motion_after(side: Side) -> [Output; 3] {
+        [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)]
+    }
+
     /// Returns this output of a collision and its impact.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of<T: Real>(self, collision: &Collision<T>, impact: &Impact<T>) -> T {

@@ -13,6 +13,13 @@ pub struct Motion<T = f64> {
     pub yaw_rate: T,
 }
 
+impl<T> Motion<T> {
+    /// Returns V_x, V_y and the yaw rate.
+    pub fn components(self) -> [T; 3] {
+        [self.velocity.x, self.velocity.y, self.yaw_rate]
+    }
+}
+
 /// A vehicle at the moment of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -1,8 +1,10 @@
 //! The verb `reconstruct`: determines the collision from evidence, with the uncertainty of the answer.
 
+mod about_solution;
 mod answer;
 mod dependences;
 pub mod diagnostics;
+mod doubts;
 mod estimated;
 mod followed;
 mod from_crush;
@@ -19,7 +21,7 @@ mod statement;
 
 use planar_impact::momentum::approach_speeds;
 use planar_impact::reconstruct::{
-    Answer as Found, Estimate, Measurand, ReconstructionProblem, Sampling, Search, Solution, Variable, Verdict, by_chi_square,
+    Answer as Found, Measurand, ReconstructionProblem, Sampling, Search, Solution, Variable, Verdict, by_chi_square,
 };
 use planar_impact::{Impact, Input, Output, Side};
 
@@ -35,7 +37,7 @@ use crate::uncertainty::wrong_bounds_sd;
 use crate::units::Measure;
 use from_rest::Separations;
 use posterior::Drawn;
-use question::{Question, key_of};
+use question::{Question, values_of};
 use solved::{Height, Solved};
 use statement::Statement;
 
@@ -152,7 +154,7 @@ fn by_separations(
     let statements = Statement::read_all(&options.probabilities, &question)?;
     solve_error::check(&question)?;
     let solve = |asked: &ReconstructionProblem| asked.solve_while(&search, &|done, total| control.goes_on(done, total));
-    let (question, answer, there) = dependences::solved(case, separations, question, &solve)?;
+    let (question, answer, there) = about_solution::solved(case, separations, question, &solve)?;
     let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));
@@ -225,8 +227,7 @@ fn heights(question: &Question, answer: &Found, of: &[Measurand], control: &dyn 
 
 /// Returns the case with the values of a solution, and its impact. Momentum alone has no crush plane: the normal is along the impulse.
 fn solved(case: &Case, solution: &Solution) -> (Case, Impact) {
-    let value = |estimate: &Estimate| Some((key_of(estimate.of, case)?, estimate.value));
-    let mut values: Vec<(Parameter, f64)> = solution.unknowns.iter().filter_map(value).collect();
+    let mut values = values_of(case, solution);
     if !case.model.is_momentum() {
         return (case.with_collision(&values, solution.collision), solution.impact);
     }

@@ -153,7 +153,7 @@ pub fn slide(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Slides
 
 /// Returns a note if the evidence gives a part of the motion at separation, which is not used.
 fn incomplete_motion(case: &Case, side: Side) -> Option<Notice> {
-    let parts = [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output);
+    let parts = Output::motion_after(side).map(Measurand::Output);
     let first = parts.into_iter().find_map(|part| case.knowledge.of(part))?;
     let message = format!(
         "vehicle {}: the evidence gives a part of the motion at separation, which is not used: give `separation_velocity` and `separation_yaw_rate`",

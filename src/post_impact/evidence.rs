@@ -167,9 +167,8 @@ impl Separation {
 
     /// Returns the correlation of V_x, V_y or Ω of one vehicle with one of them of another that slid on the same ground, which is due to the friction.
     pub fn correlation_by_friction(&self, i: usize, other: &Separation, k: usize) -> f64 {
-        let part = |of: &Separation| [of.by_friction.velocity.x, of.by_friction.velocity.y, of.by_friction.yaw_rate];
         let scale = self.covariance.deviations()[i] * other.covariance.deviations()[k];
-        if scale > 0.0 { part(self)[i] * part(other)[k] / scale } else { 0.0 }
+        if scale > 0.0 { self.by_friction.components()[i] * other.by_friction.components()[k] / scale } else { 0.0 }
     }
 }
 
@@ -185,7 +184,7 @@ pub struct SeparationEvidence {
 impl SeparationEvidence {
     /// Converts the separations of vehicle 1 and of vehicle 2, as far as they are known.
     pub fn of(separations: [Option<&Separation>; 2]) -> Self {
-        let outputs = |side| [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output);
+        let outputs = |side| Output::motion_after(side).map(Measurand::Output);
         let mut all = SeparationEvidence::default();
         let mut correlate = |one, other, coefficient: f64| {
             // NaN is kept, because the reconstruction refuses it.
@@ -196,8 +195,7 @@ impl SeparationEvidence {
         for (side, separation) in [Side::One, Side::Two].into_iter().zip(separations) {
             let Some(Separation { motion, covariance, .. }) = separation else { continue };
             let of = outputs(side);
-            let values = [motion.velocity.x, motion.velocity.y, motion.yaw_rate];
-            for ((of, value), sd) in of.into_iter().zip(values).zip(covariance.deviations()) {
+            for ((of, value), sd) in of.into_iter().zip(motion.components()).zip(covariance.deviations()) {
                 all.evidence.push(Evidence { of, value, uncertainty: Uncertainty::StandardDeviation(sd) });
             }
             for (i, k) in [(0, 1), (0, 2), (1, 2)] {

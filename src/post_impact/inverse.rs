@@ -220,7 +220,7 @@ mod tests {
             };
             let of = |slide: &Slide, rest: Pose| {
                 let motion = slide.separation(&RestEvidence { rest, ..given.clone() }, method).expect("a solution").motion;
-                [motion.velocity.x, motion.velocity.y, motion.yaw_rate]
+                motion.components()
             };
             let moved = |by: [f64; 4]| {
                 let mut slide = slide.clone();
@@ -242,7 +242,7 @@ mod tests {
             }
             let found = slide.separation(&given, method).expect("a solution");
             // The last input is the friction.
-            let by_friction = [found.by_friction.velocity.x, found.by_friction.velocity.y, found.by_friction.yaw_rate];
+            let by_friction = found.by_friction.components();
             for i in 0..3 {
                 assert!((by_friction[i] - change[i]).abs() < 1e-3 * sum[i][i].sqrt(), "{method:?} {i}: {by_friction:?} {change:?}");
                 for k in 0..3 {

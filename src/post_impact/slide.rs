@@ -1,7 +1,7 @@
 //! Forces of the ground on a moving vehicle: its equations of motion.
 
 use super::ground::{Ground, Surface};
-use super::vehicle::{Pose, SlidingVehicle};
+use super::vehicle::{Pose, SlidingVehicle, Standing};
 use crate::frame::{Heading, Xy};
 use crate::scalar::Real;
 use crate::vehicle::Motion;
@@ -39,16 +39,25 @@ impl<T: Real<Mask = bool>> Slide<T> {
     /// Computes the forces of the ground on the vehicle: at each wheel the force of [`Tires::force`](super::Tires::force) with the velocity v + ω × r of its
     /// contact, and its load times the grade, downhill.
     pub fn drag(&self, pose: &Pose<T>, motion: &Motion<T>) -> Drag<T> {
+        self.drag_of(&self.standing(), pose, motion)
+    }
+
+    /// Returns its wheels, which are the same along all of its way.
+    pub(super) fn standing(&self) -> [Standing<T>; 4] {
+        self.vehicle.standing(self.ground.gravity.clone())
+    }
+
+    pub(super) fn drag_of(&self, wheels: &[Standing<T>; 4], pose: &Pose<T>, motion: &Motion<T>) -> Drag<T> {
         let heading = Heading::from_angle(pose.heading.clone());
         let mut drag = Drag { force: Xy::zero(), moment: T::int(0), dissipation: T::int(0), climb: T::int(0) };
-        for standing in self.vehicle.standing(self.ground.gravity.clone()) {
-            let arm = heading.to_ground(standing.place);
+        for Standing { restraint, rolls_along, place, load } in wheels {
+            let arm = heading.to_ground(place.clone());
             let velocity = motion.velocity.clone() + arm.clone().quarter_turn() * motion.yaw_rate.clone();
-            let rolls_along = heading.clone().turned(standing.wheel.steer);
+            let rolls_along = heading.clone().turned_like(rolls_along);
             let Surface { friction, grade } = self.ground.surface_at(&(pose.position.clone() + arm.clone()));
-            let uphill = grade * standing.load.clone();
+            let uphill = grade * load.clone();
             let slip = rolls_along.to_vehicle(velocity.clone());
-            let force = rolls_along.to_ground(self.vehicle.tires.force(&standing.wheel.restraint, friction, standing.load, slip));
+            let force = rolls_along.to_ground(self.vehicle.tires.force(restraint, friction, load.clone(), slip));
             drag.dissipation = drag.dissipation - force.clone().dot(velocity.clone());
             drag.climb = drag.climb + uphill.clone().dot(velocity);
             let force = force - uphill;

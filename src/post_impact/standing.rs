@@ -33,8 +33,8 @@ impl Slide {
         let farthest = |along: &Vector3<f64>| -> Vector3<f64> {
             let of_wheel = |(wheel, arm, surface): &(super::vehicle::Standing<f64>, Xy, super::Surface)| {
                 let slip = Xy { x: along.x, y: along.y } + arm.quarter_turn() * (along.z / radius);
-                let rolls_along = heading.turned(wheel.wheel.steer);
-                let limits = self.vehicle.tires.limits(&wheel.wheel.restraint, surface.friction, wheel.load);
+                let rolls_along = heading.turned_like(&wheel.rolls_along);
+                let limits = self.vehicle.tires.limits(&wheel.restraint, surface.friction, wheel.load);
                 generalized(*arm, rolls_along.to_ground(limits.farthest(rolls_along.to_vehicle(slip))))
             };
             push + wheels.iter().map(of_wheel).sum::<Vector3<f64>>()

@@ -15,7 +15,7 @@ use super::check::check_pose;
 use super::issue::{NoRest, SlideIssues};
 use super::slide::Slide;
 use super::trajectory_state::{TIME_LIMIT, TrajectoryState};
-use super::vehicle::{Pose, Wheels};
+use super::vehicle::{Pose, Standing, Wheels};
 use crate::frame::Xy;
 use crate::issue::Place;
 use crate::measure::Measure;
@@ -78,13 +78,16 @@ pub(super) trait Moving: State<f64> {
 impl<const N: usize> Moving for [f64; N] {}
 
 /// The equations of motion in the form that the integrator needs.
-struct Equations<'a>(&'a Slide);
+struct Equations<'a> {
+    slide: &'a Slide,
+    wheels: [Standing<f64>; 4],
+}
 
 impl ODE<f64, [f64; 7]> for Equations<'_> {
     fn diff(&self, _: f64, y: &[f64; 7], change: &mut [f64; 7]) {
         let TrajectoryState { pose, motion, .. } = y.passing(0.0);
-        let drag = self.0.drag(&pose, &motion);
-        let acceleration = self.0.acceleration_by(&drag);
+        let drag = self.slide.drag_of(&self.wheels, &pose, &motion);
+        let acceleration = self.slide.acceleration_by(&drag);
         *change = [
             motion.velocity.x,
             motion.velocity.y,
@@ -139,7 +142,7 @@ impl Slide {
     pub(super) fn to_rest_within(&self, from: &Pose, motion: &Motion, effort: &mut Effort) -> Result<Rest, NoRest> {
         self.check_start(from, motion).map_err(NoRest::Refused)?;
         let start = [from.position.x, from.position.y, from.heading, motion.velocity.x, motion.velocity.y, motion.yaw_rate, 0.0];
-        let end = follow(self, &Equations(self), start, TOLERANCE, effort)?;
+        let end = follow(self, &Equations { slide: self, wheels: self.standing() }, start, TOLERANCE, effort)?;
         let last = end.state.passing(end.time);
         let rest = self.stand_still(&last)?;
         let left = self.time_left(&last).unwrap_or(0.0);
@@ -271,7 +274,7 @@ struct Section {
 }
 
 impl Slide {
-    fn rest_speed(&self) -> f64 {
+    pub(super) fn rest_speed(&self) -> f64 {
         REST_SPEED * self.vehicle.tires.regularization
     }
 

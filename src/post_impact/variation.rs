@@ -11,9 +11,9 @@ use num_dual::Dual64;
 use super::issue::NoRest;
 use super::path_point::{On, PathPoint};
 use super::slide::Slide;
-use super::trajectory::{Effort, Moving, REST_SPEED, follow};
+use super::trajectory::{Effort, Moving, follow};
 use super::trajectory_state::TrajectoryState;
-use super::vehicle::Pose;
+use super::vehicle::{Pose, Standing};
 use crate::frame::{Heading, Xy};
 use crate::vehicle::Motion;
 
@@ -42,6 +42,7 @@ pub(super) struct VariedRest {
 struct VariationalEquations {
     fixed: Slide<Dual64>,
     more_friction: Slide<Dual64>,
+    wheels: [Standing<Dual64>; 4],
 }
 
 impl VariationalEquations {
@@ -49,12 +50,32 @@ impl VariationalEquations {
         let fixed = slide.clone().map(Dual64::from);
         let mut more_friction = fixed.clone();
         more_friction.ground = more_friction.ground.times(Dual64::new(1.0, 1.0));
-        VariationalEquations { fixed, more_friction }
+        let wheels = fixed.standing();
+        VariationalEquations { fixed, more_friction, wheels }
     }
 
     /// Returns the slide for the derivative by a varied quantity.
     fn slide(&self, varied: usize) -> &Slide<Dual64> {
         if varied == VARIED - 1 { &self.more_friction } else { &self.fixed }
+    }
+
+    /// Evaluates the equations of motion with the derivative by a varied quantity.
+    fn flow(&self, varied: usize, state: [Dual64; 6]) -> [Dual64; 6] {
+        let slide = self.slide(varied);
+        let (pose, motion) = on_duals(state);
+        let rate = slide.acceleration_by(&slide.drag_of(&self.wheels, &pose, &motion)).components();
+        let [vx, vy, yaw_rate] = motion.components();
+        let [ax, ay, yaw_acceleration] = rate;
+        [vx, vy, yaw_rate, ax, ay, yaw_acceleration]
+    }
+
+    /// Returns the state at the event, whose time depends on the varied quantity: the instant changes by −(∂g/∂y · S)/(∂g/∂y · f).
+    fn at_the_event(&self, varied: usize, state: [Dual64; 6], rest_speed: f64) -> [Dual64; 6] {
+        let event = |state| self.slide(varied).above_rest(&on_duals(state).1, Dual64::from(rest_speed)).eps;
+        let rate = self.flow(varied, state).map(|rate| rate.re);
+        let falls = event(core::array::from_fn(|i| Dual64::new(state[i].re, rate[i])));
+        let later = -event(state) / falls;
+        core::array::from_fn(|i| Dual64::new(state[i].re, state[i].eps + rate[i] * later))
     }
 }
 
@@ -68,17 +89,10 @@ fn on_duals(state: [Dual64; 6]) -> (Pose<Dual64>, Motion<Dual64>) {
     (Pose { position: Xy { x, y }, heading }, Motion { velocity: Xy { x: vx, y: vy }, yaw_rate })
 }
 
-/// Evaluates the equations of motion.
-fn flow(slide: &Slide<Dual64>, state: [Dual64; 6]) -> [Dual64; 6] {
-    let (pose, motion) = on_duals(state);
-    let acceleration = slide.acceleration(&pose, &motion);
-    [motion.velocity.x, motion.velocity.y, motion.yaw_rate, acceleration.velocity.x, acceleration.velocity.y, acceleration.yaw_rate]
-}
-
 impl ODE<f64, [f64; SIZE]> for VariationalEquations {
     fn diff(&self, _: f64, state: &[f64; SIZE], change: &mut [f64; SIZE]) {
         for varied in 0..VARIED {
-            let by = flow(self.slide(varied), along(state, varied));
+            let by = self.flow(varied, along(state, varied));
             for (i, rate) in by.into_iter().enumerate() {
                 change[i] = rate.re;
                 change[6 * (1 + varied) + i] = rate.eps;
@@ -117,9 +131,10 @@ impl Slide {
         let mut by = [[0.0; VARIED]; 3];
         if last.motion != Motion::rest() {
             for varied in 0..VARIED {
-                let (slide, state) = (equations.slide(varied), along(&end.state, varied));
-                let (at, motion) = on_duals(if end.time > 0.0 { at_the_event(slide, state, self) } else { state });
-                let rest = slide.after_remainder(&at, &motion);
+                let state = along(&end.state, varied);
+                let state = if end.time > 0.0 { equations.at_the_event(varied, state, self.rest_speed()) } else { state };
+                let (at, motion) = on_duals(state);
+                let rest = equations.slide(varied).after_remainder(&at, &motion);
                 for (row, value) in by.iter_mut().zip([rest.position.x, rest.position.y, rest.heading]) {
                     row[varied] = value.eps;
                 }
@@ -161,16 +176,6 @@ fn between(from: &[f64; SIZE], to: &[f64; SIZE], of: usize, share: f64, duration
     let left = 1.0 - share;
     let value = left * left * ((1.0 + 2.0 * share) * start + share * leaving);
     value + share * share * ((1.0 + 2.0 * left) * end - left * arriving)
-}
-
-/// Returns the state at the event, whose time depends on the varied quantities: the instant changes by −(∂g/∂y · S)/(∂g/∂y · f).
-fn at_the_event(slide: &Slide<Dual64>, state: [Dual64; 6], plain: &Slide) -> [Dual64; 6] {
-    let rest_speed = Dual64::from(REST_SPEED * plain.vehicle.tires.regularization);
-    let event = |state| slide.above_rest(&on_duals(state).1, rest_speed).eps;
-    let rate = flow(slide, state).map(|rate| rate.re);
-    let falls = event(core::array::from_fn(|i| Dual64::new(state[i].re, rate[i])));
-    let later = -event(state) / falls;
-    core::array::from_fn(|i| Dual64::new(state[i].re, state[i].eps + rate[i] * later))
 }
 
 #[cfg(test)]

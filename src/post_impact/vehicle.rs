@@ -2,7 +2,7 @@
 
 use super::tire::{Restraint, Tires};
 use crate::frame::{ForwardLeft, Heading, Xy};
-use crate::scalar::{Field, Real};
+use crate::scalar::Real;
 
 /// Position and heading of a vehicle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -152,9 +152,10 @@ impl<T> SlidingVehicle<T> {
     }
 }
 
-/// A wheel, its position relative to the center of mass and its load.
+/// A wheel on its vehicle: what restrains it, the direction in which it rolls, its position relative to the center of mass, and its load.
 pub(super) struct Standing<T> {
-    pub wheel: Wheel<T>,
+    pub restraint: Restraint<T>,
+    pub rolls_along: Heading<T>,
     pub place: ForwardLeft<T>,
     pub load: T,
 }
@@ -165,9 +166,7 @@ impl<T: Real> SlidingVehicle<T> {
         let heading = Heading::from_angle(pose.heading.clone());
         self.places().map(|place| pose.position.clone() + heading.to_ground(place))
     }
-}
 
-impl<T: Field> SlidingVehicle<T> {
     /// Returns where its wheels are relative to the center of mass.
     pub(super) fn places(&self) -> Wheels<ForwardLeft<T>> {
         let [front_left, front_right, rear_left, rear_right] = self.standing(T::int(0)).map(|standing| standing.place);
@@ -182,7 +181,8 @@ impl<T: Field> SlidingVehicle<T> {
         let rear = (-self.rear_axle.clone(), per_wheel * self.front_axle.clone());
         let half_track = self.track.clone().half();
         let standing = |wheel: &Wheel<T>, (forward, load): (T, T), left: T| Standing {
-            wheel: wheel.clone(),
+            restraint: wheel.restraint.clone(),
+            rolls_along: Heading::from_angle(wheel.steer.clone()),
             place: ForwardLeft { forward, left },
             load,
         };

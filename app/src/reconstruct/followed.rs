@@ -3,7 +3,7 @@
 use planar_impact::Side;
 use planar_impact::post_impact::Separation;
 
-use super::from_rest::{Separations, components};
+use super::from_rest::Separations;
 use super::inputs::without_deviation;
 use crate::case::{Case, Inputs, Parameter, RestInputs, RestOfVehicle, vehicle_number};
 use crate::issue::Issue;
@@ -72,59 +72,12 @@ impl<'a> Followed<'a> {
 
     /// Returns the slopes of the separation by a number, by central differences of a step or, where there is no slide so far away, of a part of it.
     pub fn slopes(&self, at: f64, step: f64, with: impl Fn(f64) -> Option<RestOfVehicle>) -> Option<[f64; 3]> {
-        let motion = |value: f64| self.near(&with(value)?).map(|separation| components(&separation.motion));
+        let motion = |value: f64| self.near(&with(value)?).map(|separation| separation.motion.components());
         let by = |step: f64| {
             let (more, less) = (motion(at + step)?, motion(at - step)?);
             let slopes: [f64; 3] = std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step));
             slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
         };
         [1.0, 0.1, 0.01].into_iter().find_map(|share| by(share * step))
-    }
-}
-
-/// What is uncertain of a vehicle.
-pub struct Doubt {
-    /// The number.
-    pub parameter: Parameter,
-    /// Its value.
-    pub value: f64,
-    /// Its standard deviation; infinite if it has none.
-    pub sd: f64,
-    /// The least and the greatest value that it may have.
-    pub span: [f64; 2],
-}
-
-impl Followed<'_> {
-    /// Returns the least χ² of pose and points with what is uncertain of the vehicle, and the values at which it is: a slide that comes past none of the points from one
-    /// impact center may come past all of them from another that is as probable. It is found by parabolas along each number in turn.
-    pub fn reconciled(&self, doubts: &[Doubt]) -> (f64, Vec<f64>) {
-        const SWEEPS: usize = 3;
-        let mut at: Vec<f64> = doubts.iter().map(|doubt| doubt.value).collect();
-        let chi_square = |at: &[f64]| {
-            let values: Vec<(Parameter, f64)> = doubts.iter().zip(at).map(|(doubt, value)| (doubt.parameter, *value)).collect();
-            let fit = self.near(&self.with(&values)?)?.fit?;
-            let off = doubts.iter().zip(at).map(|(doubt, value)| (value - doubt.value) / doubt.sd);
-            Some(fit.chi_square + off.map(|off| off * off).sum::<f64>())
-        };
-        let mut least = chi_square(&at).unwrap_or(f64::INFINITY);
-        for _ in 0..SWEEPS {
-            for i in 0..doubts.len() {
-                let step = 0.3 * if doubts[i].sd.is_finite() { doubts[i].sd } else { 0.1 * at[i].abs().max(1.0) };
-                let moved = |by: f64| {
-                    let mut moved = at.clone();
-                    moved[i] = (moved[i] + by).clamp(doubts[i].span[0], doubts[i].span[1]);
-                    chi_square(&moved).map(|sum| (moved, sum))
-                };
-                let (Some((_, more)), Some((_, less))) = (moved(step), moved(-step)) else { continue };
-                let curvature = more - 2.0 * least + less;
-                if curvature > 0.0
-                    && let Some((there, sum)) = moved((0.5 * (less - more) / curvature).clamp(-10.0, 10.0) * step)
-                    && sum < least
-                {
-                    (at, least) = (there, sum);
-                }
-            }
-        }
-        (least, at)
     }
 }

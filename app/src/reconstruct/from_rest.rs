@@ -188,12 +188,7 @@ impl SeparationFromRest {
 
 /// Returns the components of a separation, as evidence.
 pub(super) fn outputs(side: Side) -> [Measurand; 3] {
-    [Output::VelocityX(side), Output::VelocityY(side), Output::YawRate(side)].map(Measurand::Output)
-}
-
-/// Returns the numbers of a motion, in the order of [`outputs`].
-pub(super) fn components(of: &Motion) -> [f64; 3] {
-    [of.velocity.x, of.velocity.y, of.yaw_rate]
+    Output::motion_after(side).map(Measurand::Output)
 }
 
 pub(super) fn key(side: Side) -> String {

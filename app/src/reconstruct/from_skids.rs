@@ -5,7 +5,7 @@ use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, PriorCorrelation, Unknown, Variable};
 
 use super::from_crush::covariance;
-use super::from_rest::{Separations, components, outputs};
+use super::from_rest::{Separations, outputs};
 use super::inputs::without_deviation;
 use crate::case::{Case, Parameter, SkidKey, correlation_of, vehicle_number};
 use crate::issue::Issue;
@@ -63,7 +63,7 @@ impl FromSkids {
         for (skid, sd, by) in &uncertain {
             for (side, separation) in Side::ALL.into_iter().zip(separations) {
                 let Some(separation) = separation else { continue };
-                let parts = components(&separation.by_friction).into_iter().zip(separation.covariance.deviations());
+                let parts = separation.by_friction.components().into_iter().zip(separation.covariance.deviations());
                 for (of, (by_friction, deviation)) in outputs(side).into_iter().zip(parts) {
                     let slope = |parameter: &Parameter| if *parameter == Parameter::RestFriction { by_friction } else { 0.0 };
                     let slopes: Vec<f64> = parameters.iter().map(slope).collect();

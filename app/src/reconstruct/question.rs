@@ -1,6 +1,6 @@
 //! Converts a case into the problem that the library solves.
 
-use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Uncertainty, Unknown, Variable, crush_share};
+use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Solution, Uncertainty, Unknown, Variable, crush_share};
 use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
 use super::dependences::Dependences;
@@ -401,6 +401,11 @@ pub fn key_of(variable: Variable, case: &Case) -> Option<Parameter> {
         (Variable::Input(Input::Moment), _, Moment::OfCritical(_)) => Some(Parameter::MomentOfCritical),
         _ => parameter_of(variable),
     }
+}
+
+/// Returns the values of a solution that a case has.
+pub fn values_of(case: &Case, solution: &Solution) -> Vec<(Parameter, f64)> {
+    solution.unknowns.iter().filter_map(|estimate| Some((key_of(estimate.of, case)?, estimate.value))).collect()
 }
 
 /// Returns the name of an unknown in a case: that of the form in which the contact gives it, such as `contact.impulse_ratio.of_critical`.

@@ -206,7 +206,7 @@ impl<'a> ToRest<'a> {
 
     /// Returns the minimum that the last steps from a motion lead to; `None` if they do not lead to one.
     pub(super) fn near(&self, known: &Motion) -> Option<Found> {
-        let unknowns = alloc::vec![known.velocity.x, known.velocity.y, known.yaw_rate];
+        let unknowns = known.components().to_vec();
         let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
         let (found, left) = self.last_steps(Found { unknowns, sum_of_squares, iterations: 0 });
         (left <= SAME).then_some(found)

@@ -1,0 +1,153 @@
+//! The search for the solution about which separations from rest positions are followed.
+
+use planar_impact::Side;
+use planar_impact::post_impact::Separation;
+use planar_impact::reconstruct::{Answer, Dependence, Estimate, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Verdict};
+
+use super::dependences::is_followed;
+use super::doubts::reconciled;
+use super::followed::Followed;
+use super::from_rest::{Separations, key, outputs};
+use super::question::{Question, name_in, values_of};
+use super::solve_error;
+use crate::case::{Case, Inputs, vehicle_number};
+use crate::issue::{Issue, Issues};
+use crate::units::Measure;
+
+/// Largest number of times that separations are followed anew, about the solution that the ones before lead to.
+const MOST: usize = 12;
+
+/// Solves the question of a case whose vehicles separated in a certain way. What separations follow is taken about the solution: that about the values of the case leads
+/// there, within the reach of first order, and from there again. Returns the question about the solution, its answer, and the separations there.
+///
+/// # Errors
+///
+/// Those of the question and of the search, and a separation that cannot be followed to a solution.
+pub fn solved(
+    case: &Case,
+    separations: &Separations,
+    mut question: Question,
+    solve: &dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError>,
+) -> Result<(Question, Answer, Separations), Issues> {
+    let mut about = separations.clone();
+    for _ in 0..MOST {
+        let asked = within_reach(&question.asked);
+        let answer = solve(&asked).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
+        let inputs = case.inputs.set_all(&values_of(case, answer.best()));
+        let Some(there) = moved(case, &inputs, &about, &question.asked) else { break };
+        let is_in_reach = |solution: &Solution| solution.unknowns.iter().all(|estimate| is_inside(estimate, &asked, &question.asked));
+        let is_about = |side: Side| {
+            let [about, there] = [&about, &there].map(|separations| separations[side as usize].as_ref());
+            !is_followed(&question.asked, side)
+                || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
+        };
+        if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) {
+            let answer = without(answer, |solution| !is_in_reach(solution));
+            return reconciled(case, &inputs, question, answer, about);
+        }
+        question = Question::about(case, &inputs, &there)?;
+        about = there;
+    }
+    let mut names: Vec<String> = question.asked.dependences.iter().map(|one| name_in(one.on, case)).collect();
+    names.dedup();
+    let names = names.join(" and ");
+    let help = format!("give {names} between bounds or with a smaller uncertainty, or the separation velocity as evidence instead");
+    let issue = |side| {
+        let message = format!("vehicle.{}: its separation cannot be followed to a solution", vehicle_number(side));
+        Issue::at("no-separation", key(side), message).with_help(help.clone())
+    };
+    Err(case.unfit(Side::ALL.into_iter().filter(|side| is_followed(&question.asked, *side)).map(issue)))
+}
+
+/// Returns the separations at values of the inputs, near those at others; `None` if a slide does not lead there. Those that follow nothing stay as they are.
+fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &ReconstructionProblem) -> Option<Separations> {
+    let mut there = separations.clone();
+    for about in Followed::all(case, inputs, separations) {
+        if is_followed(asked, about.side) {
+            let separation = &about.near(&about.with(&[])?)?;
+            there[about.side as usize] = Some(Followed { separation, ..about }.widened().ok()?);
+        }
+    }
+    Some(there)
+}
+
+/// Returns `true` if a separation at a solution is that of the evidence there, with its covariance.
+fn is_alike(asked: &ReconstructionProblem, best: &Solution, side: Side, about: &Separation, there: &Separation) -> bool {
+    /// Standard deviations, and shares of a covariance, that do not matter.
+    const NEAR: f64 = 0.01;
+    let sds = there.covariance.deviations();
+    let mut motion = outputs(side).into_iter().zip(about.motion.components()).zip(there.motion.components()).zip(sds);
+    let on_line = |of: Measurand| -> f64 {
+        let change = |one: &Dependence| {
+            let estimate = best.unknowns.iter().find(|estimate| estimate.of == one.on);
+            estimate.map_or(0.0, |estimate| one.slope * (estimate.value - one.at))
+        };
+        asked.dependences.iter().filter(|one| one.of == of).map(change).sum()
+    };
+    let is_near = motion.all(|(((of, about), there), sd)| (about + on_line(of) - there).abs() <= NEAR * sd);
+    let (one, other) = (&about.covariance.0, &there.covariance.0);
+    is_near && (0..3).all(|i| (0..3).all(|k| (one[i][k] - other[i][k]).abs() <= 2.0 * NEAR * sds[i] * sds[k]))
+}
+
+/// Returns `true` for a value that lies on no bound of reach; on a bound of the file it may.
+fn is_inside(estimate: &Estimate, within: &ReconstructionProblem, given: &ReconstructionProblem) -> bool {
+    let [within, given] = [within, given].map(|asked| asked.unknowns.iter().find(|unknown| unknown.of == estimate.of));
+    let is_beyond = |value: f64, [min, max]: [Option<f64>; 2]| {
+        min.is_some_and(|min| value <= min || near(value, min)) || max.is_some_and(|max| value >= max || near(value, max))
+    };
+    within.zip(given).is_none_or(|(within, given)| {
+        let of_reach = |bound: Option<f64>, given: Option<f64>| bound.filter(|_| bound != given);
+        !is_beyond(estimate.value, [of_reach(within.min, given.min), of_reach(within.max, given.max)])
+    })
+}
+
+/// Removes the solutions, other than the best, that lie where separations are followed no further: they are none.
+fn without(mut answer: Answer, is_beyond: impl Fn(&Solution) -> bool) -> Answer {
+    answer.solutions.retain(|solution| !is_beyond(solution));
+    answer.worse.retain(|solution| !is_beyond(solution));
+    if answer.without_bounds.as_deref().is_some_and(&is_beyond) {
+        answer.without_bounds = None;
+    }
+    answer.verdict = match answer.verdict {
+        Verdict::SeveralSolutions if answer.solutions.len() == 1 => Verdict::Agrees,
+        Verdict::BoundsExclude if answer.without_bounds.is_none() => Verdict::Contradicted,
+        verdict => verdict,
+    };
+    answer
+}
+
+/// Returns the problem with what separations follow in reach of where they are followed: beyond, a line has solutions that no slide has.
+fn within_reach(asked: &ReconstructionProblem) -> ReconstructionProblem {
+    let mut within = asked.clone();
+    for unknown in &mut within.unknowns {
+        let Some(at) = asked.dependences.iter().find(|one| one.on == unknown.of).map(|one| one.at) else { continue };
+        let reach = reach(unknown, at);
+        let [mut min, mut max] = [at - reach, at + reach];
+        // The middle of a prior is its evidence, and remains.
+        if unknown.prior.is_some() {
+            (min, max) = (min.min(unknown.start), max.max(unknown.start));
+        }
+        let [min, max] = [unknown.min.map_or(min, |bound| bound.max(min)), unknown.max.map_or(max, |bound| bound.min(max))];
+        if min < max {
+            (unknown.min, unknown.max) = (Some(min), Some(max));
+            unknown.start = unknown.start.clamp(min, max);
+        }
+    }
+    within
+}
+
+/// Returns how far a separation is followed to first order in one step.
+fn reach(unknown: &Unknown, at: f64) -> f64 {
+    /// Of angles in rad, of lengths in m, and of other numbers as a share.
+    const REACH: f64 = 0.3;
+    let usual = match unknown.of.measure() {
+        Measure::Angle | Measure::Length => REACH,
+        _ => REACH * at.abs(),
+    };
+    usual.max(5.0 * unknown.prior.unwrap_or(0.0))
+}
+
+/// Returns `true` for a value on a bound.
+fn near(value: f64, bound: f64) -> bool {
+    (value - bound).abs() <= 1e-6 * bound.abs().max(1.0)
+}
