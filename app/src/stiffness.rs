@@ -242,6 +242,10 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     if !problems.is_empty() {
         return Err(problems);
     }
+    if file.prediction.is_some() && fits.is_empty() {
+        let message = "`depth` and `width` have no effect: there is no fit to predict their crush energy; b0 in place of onset makes one of a single test";
+        notices.0.push(Notice::note("prediction-not-used", "fit", message));
+    }
     notices.0.extend(not_on_profile.map(|why| {
         let message = Message::from("no stiffness fitted on profile: ").join(why.message());
         Notice::warning(why.code(), "vehicle", message)

@@ -81,9 +81,9 @@ pub fn too_small(freedom: usize) -> Option<String> {
     (factor >= MATTERS).then(|| format!("{factor:.1} times too small"))
 }
 
-/// Returns a hint for a coefficient above 1: a percentage may be meant.
+/// Returns a hint for a coefficient far above 1: a percentage may be meant.
 pub fn percent_meant(value: f64) -> Option<String> {
-    (2.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))
+    (5.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))
 }
 
 #[cfg(test)]

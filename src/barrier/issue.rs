@@ -44,7 +44,7 @@ pub enum TestIssue<T = f64> {
     },
     /// Where the fit is best, d₀ and d₁ change E* of all tests alike: the profiles do not tell the two apart.
     Undetermined,
-    /// The speed that is assumed to leave no crush is above the speed that remains of the test after restitution.
+    /// The speed that is assumed to leave no crush is not below the speed that remains of the test after restitution.
     OnsetTooFast {
         /// The assumed onset speed b₀, in m/s.
         onset: T,

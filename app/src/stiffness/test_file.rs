@@ -55,11 +55,12 @@ pub struct Prediction {
     pub width: f64,
 }
 
-/// The tests of a file with and without standard deviations; either all or none must have them.
+/// The tests of a file with and without standard deviations, of which either all or none must have them, and those that leave crush.
 #[derive(Default)]
-struct Deviations<'a> {
+struct Seen<'a> {
     bare: Vec<Table<'a>>,
     is_any: bool,
+    crushed: Vec<(BarrierTest, String)>,
 }
 
 /// A test and the scatter that the file gives for it.
@@ -135,11 +136,11 @@ impl CaseReader {
         let schema = root.required("schema").integer(1..=1);
         let title = root.optional("title").string().unwrap_or_default().to_owned();
         let vehicles = root.required("vehicle").array_of_tables();
-        let mut deviations = Deviations::default();
-        let vehicles = vehicles
-            .map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1, &mut deviations)).collect::<Vec<_>>());
+        let mut seen = Seen::default();
+        let vehicles =
+            vehicles.map(|tables| tables.iter().enumerate().map(|(i, table)| self.tested(table, i + 1, &mut seen)).collect::<Vec<_>>());
         let fit = root.has("fit").then(|| root.optional("fit").table().and_then(|table| self.fit(&table)));
-        let has_deviations = deviations.finish();
+        let has_deviations = seen.finish();
         schema?;
         let fit = match fit {
             Some(fit) => fit?,
@@ -165,7 +166,7 @@ impl CaseReader {
         Some(ReadFile { title, vehicles: vehicles.into_iter().map(tested).collect(), fit, has_deviations })
     }
 
-    fn tested<'a>(&self, table: &Table<'a>, number: usize, deviations: &mut Deviations<'a>) -> Option<(String, Option<bool>, Vec<Read>)> {
+    fn tested<'a>(&self, table: &Table<'a>, number: usize, seen: &mut Seen<'a>) -> Option<(String, Option<bool>, Vec<Read>)> {
         let name = table.optional("name").name().map_or_else(|| format!("vehicle {number}"), str::to_owned);
         let new_cars = table.has("new_cars").then(|| table.optional("new_cars").boolean());
         let field = table.required("test");
@@ -178,7 +179,7 @@ impl CaseReader {
             return None;
         }
         let read: Vec<_> = tests.iter().map(|test| self.test(test)).collect();
-        tests.into_iter().for_each(|test| deviations.add(test));
+        tests.into_iter().zip(&read).for_each(|(table, read)| seen.add(table, read.as_ref()));
         let new_cars = match new_cars {
             Some(new_cars) => Some(new_cars?),
             None => None,
@@ -286,8 +287,18 @@ fn is_recorded(test: &Table<'_>) -> bool {
     matches!(test.optional("restitution").value(), Some(Value::Table(_)))
 }
 
-impl<'a> Deviations<'a> {
-    fn add(&mut self, test: Table<'a>) {
+impl<'a> Seen<'a> {
+    fn add(&mut self, test: Table<'a>, read: Option<&Read>) {
+        if let Some(Read { test: read, .. }) = read.filter(|read| read.test.crush.mean_depth() > 0.0) {
+            // No two cars are crushed to the same numbers: a fit would count one test as two.
+            match self.crushed.iter().find(|(other, _)| other == read) {
+                Some((_, first)) => {
+                    let help = "leave one of them out: a test is of one vehicle, and counts once".to_owned();
+                    test.issue(format!("it has the numbers of {first}, which would count twice"), Some(help));
+                }
+                None => self.crushed.push((read.clone(), test.path().to_owned())),
+            }
+        }
         if is_recorded(&test) || ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
             self.is_any = true;
         } else {

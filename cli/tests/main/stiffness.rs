@@ -135,7 +135,8 @@ fn each_mistake_is_named_where_it_is() {
     at_second("speed = 15\n", "speed = 1\n", &["fit.onset", "assumed to be 6.56 ft/s"]);
     at_second("scatter = 10\n", "", &["vehicle.2.test.1: no standard deviation here, though other tests have one", "scatter"]);
     let of_many = |count: usize| {
-        let tests = "[[vehicle.test]]\nmass = 1\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n".repeat(count);
+        let test = |mass: usize| format!("[[vehicle.test]]\nmass = {mass}\nspeed = 1\nrestitution = 0\nwidth = 1\ndepths = [0.1, 0.1]\n");
+        let tests: String = (1..=count).map(test).collect();
         run_with_input(&["stiffness", "-"], &format!("schema = 1\n[[vehicle]]\n{tests}"))
     };
     let (most, many) = (of_many(500), of_many(501));
@@ -337,7 +338,7 @@ fn profiles_that_do_not_tell_the_coefficients_apart_are_told() {
         // A class of such a vehicle and two others has the spread between those.
         let other = |name: &str, depth: f64| {
             let flat = |depth: f64| format!("[{depth}, {depth}]");
-            format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{}{}", test(8.0, &flat(0.18)), test(15.0, &flat(depth)))
+            format!("[[vehicle]]\nname = \"{name}\"\nnew_cars = true\n{}{}", test(8.0, &flat(depth - 0.3)), test(15.0, &flat(depth)))
         };
         let class = json(&format!("{tests}{}{}", other("b", 0.47), other("c", 0.5)));
         let vehicles: Vec<_> =
@@ -510,4 +511,43 @@ fn two_tests_of_one_recording_are_refused() {
         let says = "vehicle.1.test.2.restitution.record: vehicle.1.test.1.restitution.record has the same recording";
         assert!(refused.err.contains(says) && refused.err.contains("a recording is of one test"), "{}", refused.err);
     }
+}
+
+/// No two cars are crushed to the same millimeters: a vehicle that is listed twice would count as two of a class.
+#[test]
+fn one_test_with_two_names_is_refused() {
+    let text = example("malibu.toml");
+    let (begin, end) = (text.find("[[vehicle]]").expect("a vehicle"), text.find("[fit]").expect("a fit"));
+    let with_other = |other: &str| format!("{}{other}{}", &text[..end], &text[end..]);
+    let vehicle = &text[begin..end];
+    let refused = run_with_input(&["stiffness", "-"], &with_other(&vehicle.replace("Malibu", "Other")));
+    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
+    assert!(refused.err.contains("vehicle.2.test.1: it has the numbers of vehicle.1.test.1, which would count twice"), "{}", refused.err);
+    // One that differs is another, and so are two that leave no crush.
+    let differs = with_other(&vehicle.replace("0.265", "0.266"));
+    assert_eq!(run_with_input(&["stiffness", "-"], &differs).status, 0);
+    let uncrushed = "[[vehicle.test]]\nmass = 1779\nspeed = 2\nrestitution = 0.3\nwidth = 1.478\ndepths = [0, 0]\n";
+    let both = text.replace("[fit]", &format!("{uncrushed}{uncrushed}[fit]"));
+    assert!(!run_with_input(&["stiffness", "-"], &both).err.contains("count twice"));
+}
+
+/// The test left crush at its speed, so this speed is none that leaves none.
+#[test]
+fn an_onset_is_below_the_speed_of_the_test() {
+    let with = |onset: &str| run_with_input(&["stiffness", "-"], &example("malibu.toml").replace("\"2.2 m/s\"", onset));
+    let refused = with("15.6");
+    let says = "fit.onset: the onset speed is assumed to be 15.60 m/s, but the test left crush at 15.60 m/s";
+    assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains(says), "{}", refused.err);
+    assert_eq!(with("15.59").status, 0);
+}
+
+#[test]
+fn a_prediction_without_a_fit_is_noted() {
+    let text = example("malibu.toml").replace("[fit]\n", "[fit]\ndepth = 0.3\nwidth = 1.5\n");
+    let notes = |text: &str| {
+        let messages = json(text)["messages"].clone();
+        messages.as_array().into_iter().flatten().filter(|message| message["code"] == "prediction-not-used").count()
+    };
+    // A speed that is held makes a fit of one test.
+    assert_eq!([notes(&text), notes(&example("malibu.toml")), notes(&text.replace("onset", "b0"))], [1, 0, 0]);
 }

@@ -85,7 +85,10 @@ impl CaseReader {
         let field = table.optional("sd");
         match field.value() {
             None => Some(Sd::Same(0.0)),
-            Some(Value::Array(_)) => self.points(field, Kind::PURE, Domain::Fraction).map(Sd::OfEach),
+            Some(Value::Array(_)) => {
+                let items = field.items(&format!("an array of values, each {}", Kind::PURE.wanted()), 0..=MOST_POINTS)?;
+                self.each(items, Kind::PURE, Domain::Fraction).map(Sd::OfEach)
+            }
             Some(_) => self.certain(field, Kind::PURE, Domain::Fraction).map(Sd::Same),
         }
     }
