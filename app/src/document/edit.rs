@@ -45,7 +45,8 @@ impl Document {
     pub fn write_text(&self, path: &str, text: &str) -> Result<Edit, Issues> {
         let (key, text) = (key_of(path), text.trim());
         let is_table = text.starts_with('{') && text.ends_with('}');
-        let is_number = text.parse::<f64>().is_ok_and(f64::is_finite) && text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        // What is a number in JSON is one in TOML, and `007`, `5.` and `+1` are in neither.
+        let is_number = serde_json::from_str::<f64>(text).is_ok();
         match self.find(&key) {
             Some(node) if self.has_header(node) => Err(self.refuse_edit(&key, node.span.clone(), "is a table; write one of its keys")),
             Some(node) => {
@@ -319,6 +320,20 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
         assert_eq!(line("vehicle.1.speed", "12"), "speed = \"12\" # a comment"); // refused with a message when it is read
         assert_eq!(line("vehicle.1.name", "a\"\\\u{7}"), "name = \"a\\\"\\\\\\u0007\"");
         assert_eq!(line("contact.restitution", "{ min = 0, max = 1 }"), "restitution = { min = 0, max = 1 }");
+        // What only looks like a number would break the file without quotes.
+        for (typed, is_bare) in
+            [("1.6e3", true), ("-0", true), ("000", false), ("007", false), ("5.", false), (".5", false), ("+1", false), ("1e999", false)]
+        {
+            for (name, text) in [("case.toml", "[[vehicle]]\nmass = 1500\n"), ("case.json", "{\"vehicle\": [{\"mass\": 1500}]}")] {
+                let read = |text: String| {
+                    Document::parse(Source { name: name.to_owned(), text }).unwrap_or_else(|issues| panic!("{typed}: {issues}"))
+                };
+                let edit = read(text.to_owned()).write_text("vehicle.1.mass", typed).unwrap();
+                assert_eq!(edit.text.starts_with('"'), !is_bare, "{typed}");
+                let again = read(apply(text, vec![edit]));
+                assert_eq!(again.written("vehicle.1.mass").map(|written| written.text).as_deref(), Some(typed), "{name}");
+            }
+        }
         let written = |name: &str| document(TEXT).written(name).map(|written| written.text);
         assert_eq!(written("contact.crush_plane").as_deref(), Some("-10 deg"));
         assert_eq!(written("vehicle.2.speed").as_deref(), Some("{ min = \"36 km/h\", max = \"46 km/h\" }"));

@@ -296,7 +296,7 @@ impl<'a> Seen<'a> {
                     let help = "leave one of them out: a test is of one vehicle, and counts once".to_owned();
                     test.issue(format!("it has the numbers of {first}, which would count twice"), Some(help));
                 }
-                None => self.crushed.push((read.clone(), test.path().to_owned())),
+                None => self.crushed.push((*read, test.path().to_owned())),
             }
         }
         if is_recorded(&test) || ["speed_sd", "restitution_sd", "scatter"].iter().any(|key| test.has(key)) {
