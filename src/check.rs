@@ -51,6 +51,7 @@
 //! | a single corruption beyond the bound is found, under the name of its rule | `each_corruption_is_found_by_name` |
 
 mod claim_consistency;
+mod claimed_energies;
 mod claims;
 mod common;
 mod coverage;

@@ -1,6 +1,6 @@
 //! The quantities that the records of a group must share.
 
-use super::claim_consistency::claimed_loss;
+use super::claimed_energies::claimed_loss;
 use super::claims::norm;
 use super::judge::{Judge, Residual};
 use super::key::Key;

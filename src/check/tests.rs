@@ -4,6 +4,7 @@ mod assertion;
 mod balance;
 mod claims;
 mod lasting;
+mod refuted;
 
 use super::*;
 use crate::frame::Xy;

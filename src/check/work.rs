@@ -1,6 +1,6 @@
 //! The energy balance: `energy-gain`, `work-identity`.
 
-use super::claim_consistency::{available, claimed_moment_work, claimed_works};
+use super::claimed_energies::{available, claimed_moment_work, claimed_works};
 use super::energy_loss::EnergyLoss;
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual};

@@ -1,0 +1,220 @@
+//! Consistency of reported works, losses and energies with each other.
+
+use super::format::Digits;
+use super::judge::{ENERGY, Judge, Residual, SPEED};
+use super::key::Key;
+use super::known::Known;
+use super::momentum::number_of;
+use super::rule::Rule;
+use super::subject::When;
+use super::uncertain::{Uncertain, sharper_known};
+use crate::input::Side;
+use crate::scalar::Field;
+use alloc::format;
+use alloc::string::String;
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    normal_work(known, judge);
+    energies(known, judge);
+    equivalent_energy_speeds(known, judge);
+}
+
+/// Returns the reported loss, or the loss that follows from the reported works.
+pub(super) fn claimed_loss<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    known.number(Key::EnergyLoss).or_else(|| claimed_works(known))
+}
+
+/// Returns −(W_n + W_t + W_m).
+pub(super) fn claimed_works<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    Some(-(known.number(Key::NormalWork)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?))
+}
+
+/// Returns the reported work of the moment impulse, or the work that follows from the motions; zero without a moment.
+pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    let implied = || match known.moment {
+        None => Some(Uncertain::exact(0.0)),
+        Some(_) => Some(known.touch?.work?.m),
+    };
+    known.number(Key::MomentWork).or_else(implied)
+}
+
+/// Checks that the normal impulse does no work on the bodies, which takes a restitution above 1, and that its work is that of the reported speeds:
+/// W_n = −½ |P_n| (closing − separation speed). If the motions determine it, the claim is compared with them.
+fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
+    let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
+    let beside_all = |work| Residual::new(work, available(known)).beside(ENERGY);
+    judge.not_above(Rule::Reported, beside_all(work), |size, _| {
+        format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
+    });
+    if known.number(Key::Restitution).is_some_and(|e| (Uncertain::exact(1.0) - e).is_zero()) {
+        judge.not_above(Rule::Reported, beside_all(-work), |size, bound| {
+            let (work, bound) = (Digits(-size), Digits(bound));
+            format!("the work of the normal impulse is said to be {work} J, and at a restitution of 1 it is zero; {bound} may be")
+        });
+    }
+    let (impulse, closing) = (known.number(Key::NormalImpulse), known.closing_speed());
+    let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
+    let (Some(impulse), Some(closing), Some(parting)) = (impulse, closing, parting) else { return };
+    let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
+    let scale = work.value.abs().max(of_speeds.size);
+    judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale), |size, bound| {
+        let (work, of_speeds, size, bound) = (Digits(work.value), Digits(of_speeds.value), Digits(size), Digits(bound));
+        format!(
+            "the work of the normal impulse is said to be {work} J, and the impulse and both speeds make it {of_speeds} J: {size} off, {bound} may be"
+        )
+    });
+}
+
+/// Returns the greatest energy that is claimed, that motions have, or that claimed impulse and speeds make: of a restitution of 1, works and losses are the
+/// rounding of these.
+pub(super) fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
+    use Key::{EnergyAfter, EnergyBefore, EnergyLoss, MomentWork, NormalWork, TangentialWork};
+    let size = |key| known.number(key).map_or(0.0, |number: Uncertain<N>| number.value.abs());
+    let energies = [NormalWork, TangentialWork, MomentWork, EnergyLoss, EnergyBefore, EnergyAfter].map(size);
+    let of_speeds = size(Key::NormalImpulse) * size(Key::ClosingSpeed).max(size(Key::SeparationSpeed));
+    let of_motions = [When::Before, When::After].map(|when| known.least_energy(when).value);
+    energies.into_iter().chain(of_motions).fold(of_speeds, f64::max)
+}
+
+/// Checks the reported energies: the loss is that of the works, and what there was less what there is.
+fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    if let (Some(loss), Some(works)) = (known.number(Key::EnergyLoss), claimed_works(known)) {
+        equal(judge, ("energy loss", loss), ("sum of the works makes it", works), available(known).max(works.size));
+    }
+    work_of_no_moment(known, judge);
+    least_energies(known, judge);
+    fall_of_the_energy(known, judge);
+}
+
+/// Checks that two energies that are claimed are the same.
+fn equal<const N: usize>(judge: &mut Judge, (words, a): (&str, Uncertain<N>), (other, b): (&str, Uncertain<N>), scale: f64) {
+    judge.zero(Rule::Reported, Residual::new(a - b, scale), |size, bound| {
+        let (a, b, size, bound) = (Digits(a.value), Digits(b.value), Digits(size), Digits(bound));
+        format!("the {words} is said to be {a} J, and the {other} {b} J: {size} off, {bound} may be")
+    });
+}
+
+fn work_of_no_moment<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    if let (Some(work), true) = (known.number(Key::MomentWork), known.moment.is_some_and(|moment| moment.is_zero())) {
+        judge.zero(Rule::Reported, Residual::new(work, available(known)).beside(ENERGY), |size, bound| {
+            format!("the moment is said to be 0, and its work {} J, {} may be", Digits(size), Digits(bound))
+        });
+    }
+}
+
+/// Checks that no kinetic energy is below that of the motions which are known.
+fn least_energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    for (key, when) in [(Key::EnergyBefore, When::Before), (Key::EnergyAfter, When::After)] {
+        // Where all of it is known, the claim is compared with it.
+        let Some(claimed) = known.number(key).filter(|claimed| claimed.value >= 0.0 && known.kinetic_energy(when).is_none()) else {
+            continue;
+        };
+        let least = known.least_energy(when);
+        judge.not_above(Rule::Reported, Residual::new(least - claimed, least.value.max(claimed.value.abs())), |size, bound| {
+            let (claimed, least, size, bound) = (Digits(claimed.value), Digits(least.value), Digits(size), Digits(bound));
+            format!("{key} is said to be {claimed} J, and the motions that are known have {least} J: {size} more, {bound} may be")
+        });
+    }
+}
+
+/// Checks the loss by the kinetic energies, and that no more is lost or left than there was.
+fn fall_of_the_energy<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    // All motions tell the loss itself.
+    let of_motions = || known.kinetic_energy(When::Before).filter(|_| known.energy_loss.is_none());
+    let claimed = known.number(Key::EnergyBefore);
+    // A wall that moves does work on the other body, which is no part of the loss.
+    let (Some(before), false) = (claimed.or_else(of_motions), known.wall_moves()) else { return };
+    let scale = available(known);
+    match (known.number(Key::EnergyAfter), claimed_loss(known)) {
+        (Some(after), Some(loss)) => equal(judge, ("energy loss", loss), ("fall of the kinetic energy", before - after), scale),
+        (None, Some(loss)) => {
+            let left = known.least_energy(When::After);
+            judge.not_above(Rule::Reported, Residual::new(loss + left - before, scale), |size, bound| {
+                let (loss, left, before, size, bound) = (Digits(loss.value), Digits(left.value), Digits(before.value), Digits(size), Digits(bound));
+                format!(
+                    "the energy loss is said to be {loss} J, the motions after the impact have at least {left} J, and the kinetic energy before \
+                     {before} J: {size} more than there was, {bound} may be"
+                )
+            });
+        }
+        (None, None) if claimed.is_some_and(|claimed| claimed.value >= 0.0) => {
+            let left = known.least_energy(When::After);
+            judge.not_above(Rule::Reported, Residual::new(left - before, scale), |size, bound| {
+                let (left, before, size, bound) = (Digits(left.value), Digits(before.value), Digits(size), Digits(bound));
+                format!("the motions after the impact have at least {left} J, and the kinetic energy before is said to be {before} J: {size} more, {bound} may be")
+            });
+        }
+        _ => (),
+    }
+}
+
+/// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss. Where only one
+/// of the two is known, the speeds may be of the other, which is the larger one unless the tangential impulse does work on the bodies: possible, and rare.
+fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    for side in Side::ALL.into_iter().filter(|side| known.subject(*side).fixed) {
+        let Some(speed) = known.number(Key::EquivalentEnergySpeed(side)) else { continue };
+        judge.zero(Rule::Reported, Residual::new(speed, speed.value.abs()).beside(SPEED), |size, _| {
+            format!("body {} is fixed, and its equivalent energy speed is said to be {} m/s", number_of(side), Digits(size))
+        });
+    }
+    let energy = |side| {
+        let speed = known.number(Key::EquivalentEnergySpeed(side))?;
+        Some(known.subject(side).mass? * speed.squared().half())
+    };
+    let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
+    let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
+    let of_works = || Some(known.number(Key::EnergyLoss)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?);
+    let claimed = known.number(Key::NormalWork).map(|work| -work).or_else(of_works);
+    let normal = sharper_known(claimed, of_motion, Uncertain::radius);
+    let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));
+    let is_claimed = known.record.reported.ees != [None, None];
+    let (kept, is_whole) = match (all(Side::One), all(Side::Two)) {
+        (Some(a), Some(b)) if is_claimed => (a + b, true),
+        _ => match energy(Side::One).or_else(|| energy(Side::Two)) {
+            Some(kept) => (kept, false),
+            None => return,
+        },
+    };
+    let residual = |lost: Uncertain<N>| Residual::new(kept - lost, kept.value.abs().max(lost.value.abs()));
+    let told = |lost: f64, how: &str, size: f64, bound: f64| {
+        let (kept, lost, size, bound) = (Digits(kept.value), Digits(lost), Digits(size), Digits(bound));
+        format!("the equivalent energy speeds give {kept} J, {how} {lost} J: {size} off, {bound} may be")
+    };
+    let of_one = "for one body alone, and of both no more is lost than";
+    match (normal, loss) {
+        (Some(normal), Some(loss)) if is_whole => {
+            let [of_normal, of_loss] = [normal, loss].map(|lost| judge.excess(Rule::Reported, &residual(lost)));
+            let lost = if of_normal <= of_loss { normal } else { loss };
+            let how = "and neither the work of the normal impulse nor the loss is that, but";
+            judge.zero(Rule::Reported, residual(lost), |size, bound| told(lost.value, how, size, bound));
+        }
+        (Some(normal), Some(loss)) => {
+            let most = if normal.value > loss.value { normal } else { loss };
+            judge.not_above(Rule::Reported, residual(most), |size, bound| told(most.value, of_one, size, bound));
+        }
+        (None, Some(loss)) => {
+            let how = if is_whole { "and the loss is" } else { of_one };
+            warn_above(residual(loss), judge, |size, bound| told(loss.value, how, size, bound));
+        }
+        (None, None) => {
+            let before = known.number(Key::EnergyBefore).or_else(|| known.kinetic_energy(When::Before));
+            let Some(before) = before.filter(|_| !known.wall_moves()) else { return };
+            warn_above(residual(before), judge, |size, bound| told(before.value, "and the kinetic energy before is", size, bound));
+        }
+        (Some(normal), None) if is_whole => {
+            let short = Residual::new(normal - kept, residual(normal).scale);
+            warn_above(short, judge, |size, bound| told(normal.value, "and the work of the normal impulse is", size, bound));
+        }
+        _ => (),
+    }
+}
+
+/// Warns of a quantity above zero.
+fn warn_above<const N: usize>(residual: Residual<N>, judge: &mut Judge, what: impl FnOnce(f64, f64) -> String) {
+    judge.checks(Rule::Reported);
+    if judge.sign(Rule::Reported, &residual) == Some(1.0) {
+        let (size, bound) = (residual.value.value, judge.bound(Rule::Reported, &residual).total);
+        judge.warn(Rule::Reported, size, bound, what(size, bound));
+    }
+}

@@ -1,0 +1,174 @@
+//! Claims of a program, each compared with the masses and motions that are known.
+
+use super::*;
+use crate::law::Law;
+use alloc::vec;
+
+/// Sets numbers of a record.
+fn with(mut record: Record, numbers: &[(Key, f64)]) -> Record {
+    numbers.iter().for_each(|&(key, value)| record.set(key, value));
+    record
+}
+
+/// Body 1 of 1000 kg goes from −10 to −2 m/s along n and to 1 m/s across it; body 2 of 2000 kg, ahead of it, from 3 to −1 and −0.5 m/s.
+fn without_spins() -> Record {
+    use Key::{AfterX, AfterY, BeforeX, BeforeY, Mass, NormalAngle};
+    use Side::{One, Two};
+    let one = [(Mass(One), 1000.0), (BeforeX(One), -10.0), (BeforeY(One), 0.0), (AfterX(One), -2.0), (AfterY(One), 1.0)];
+    let two = [(Mass(Two), 2000.0), (BeforeX(Two), 3.0), (BeforeY(Two), 0.0), (AfterX(Two), -1.0), (AfterY(Two), -0.5)];
+    with(with(with(Record::default(), &one), &two), &[(NormalAngle, 0.0)])
+}
+
+/// Masses, velocities and the normal tell the impulse; neither spins nor places are needed.
+#[test]
+fn the_impulse_of_masses_and_velocities_refutes_claims() {
+    let said = |claims: &[(Key, f64)]| rules(&with(without_spins(), claims));
+    assert!(said(&[(Key::NormalImpulse, 8000.0), (Key::TangentialImpulse, 1000.0), (Key::ReportedRatio, 0.125)]).is_empty());
+    assert_eq!(said(&[(Key::NormalImpulse, -8000.0)]), ["reported"]);
+    assert_eq!(said(&[(Key::TangentialImpulse, 1001.0)]), ["reported"]);
+    assert_eq!(said(&[(Key::ReportedRatio, 0.5)]), ["reported"]);
+    let of_kind = |ratio_kind, claims: &[(Key, f64)]| {
+        rules(&with(Record { model: Model { ratio_kind, ..Model::default() }, ..without_spins() }, claims))
+    };
+    assert!(of_kind(RatioKind::Given, &[(Key::ImpulseRatio, 0.125)]).is_empty());
+    assert_eq!(of_kind(RatioKind::Given, &[(Key::ImpulseRatio, 0.5)]), ["impulse-ratio"]);
+    assert!(of_kind(RatioKind::Friction, &[(Key::ImpulseRatio, 0.2)]).is_empty());
+    assert_eq!(of_kind(RatioKind::Friction, &[(Key::ImpulseRatio, 0.1)]), ["impulse-ratio"]);
+    // The impulse on body 1 is along n, so that body 2 lies behind it.
+    let centers = |n: f64| {
+        said(&[
+            (Key::CenterX(Side::One), 0.0),
+            (Key::CenterY(Side::One), 0.0),
+            (Key::CenterX(Side::Two), n),
+            (Key::CenterY(Side::Two), 1.0),
+        ])
+    };
+    assert_eq!((centers(-2.0), centers(2.0)), (vec![], vec!["compressive"]));
+    let claimed = |impulse: f64| {
+        let places = [
+            (Key::CenterX(Side::One), 0.0),
+            (Key::CenterY(Side::One), 0.0),
+            (Key::CenterX(Side::Two), 2.0),
+            (Key::CenterY(Side::Two), 0.0),
+        ];
+        rules(&with(Record::default(), &[&places[..], &[(Key::NormalAngle, 0.0), (Key::NormalImpulse, impulse)]].concat()))
+    };
+    assert_eq!([-5000.0, 1e-10, 5000.0].map(claimed), [vec![], vec![], vec!["compressive"]]);
+}
+
+/// What one body tells of the impulse holds for the other.
+#[test]
+fn half_of_the_motions_refutes_claims() {
+    use Key::{AfterX, AfterY, BeforeX, BeforeY, DeltaV, EnergyAfter, EnergyBefore, EnergyLoss, ForceDirection, Heading, Mass};
+    use Side::{One, Two};
+    let one = [(Mass(One), 1000.0), (BeforeX(One), -10.0), (BeforeY(One), 0.0), (AfterX(One), 2.0), (AfterY(One), 0.0)];
+    let said = |claims: &[(Key, f64)]| rules(&with(with(Record::default(), &one), claims));
+    let of_two = |delta_v: f64| said(&[(Mass(Two), 2000.0), (DeltaV(Two), delta_v)]);
+    assert_eq!([6.0, 5.9, 7.0].map(of_two), [vec![], vec!["reported"], vec!["reported"]]);
+    // The force on body 2, which heads along x, comes from ahead.
+    let from = |direction: f64| said(&[(Heading(Two), 0.0), (ForceDirection(Two), direction)]);
+    assert_eq!([0.0, 1.0].map(from), [vec![], vec!["reported"]]);
+    let part = |impulse: f64| said(&[(Key::NormalImpulse, impulse)]);
+    assert_eq!([-12000.0, 11000.0, 13000.0].map(part), [vec![], vec![], vec!["reported"]]);
+    let of_changes = |impulse: f64| {
+        let claims = [(Mass(One), 1000.0), (DeltaV(One), 10.0), (Mass(Two), 2000.0), (DeltaV(Two), 5.0), (Key::TangentialImpulse, impulse)];
+        rules(&with(Record::default(), &claims))
+    };
+    assert_eq!([-10_000.0, 9000.0, -10_001.0].map(of_changes), [vec![], vec![], vec!["reported"]]);
+    // 50 kJ of translation before, and 2 kJ after.
+    let before = |energy: f64| said(&[(EnergyBefore, energy)]);
+    assert_eq!([60e3, 50e3, 49e3].map(before), [vec![], vec![], vec!["reported"]]);
+    // With 8 kJ of the spin of body 2.
+    let with_spin = |energy: f64| said(&[(Key::YawInertia(Two), 1000.0), (Key::BeforeYawRate(Two), 4.0), (EnergyBefore, energy)]);
+    assert_eq!([58e3, 57e3].map(with_spin), [vec![], vec!["reported"]]);
+    let after = |energy: f64| said(&[(EnergyAfter, energy)]);
+    assert_eq!([3e3, 2e3, 1.9e3].map(after), [vec![], vec![], vec!["reported"]]);
+    let lost = |loss: f64| said(&[(EnergyBefore, 60e3), (EnergyLoss, loss)]);
+    assert_eq!([0.0, 58e3, 58.1e3].map(lost), [vec![], vec![], vec!["reported"]]);
+    // What moves after the impact moved before it.
+    let of_after = |energy: f64| {
+        rules(&with(Record::default(), &[(Mass(One), 1000.0), (AfterX(One), 6.0), (AfterY(One), 8.0), (EnergyBefore, energy)]))
+    };
+    assert_eq!([50e3, 49e3].map(of_after), [vec![], vec!["reported"]]);
+    let wall = Subject { fixed: true, before: State { velocity: Some(Xy { x: 3.0, y: 0.0 }), yaw_rate: None }, ..Subject::default() };
+    let beside_wall = Record { two: wall, ..Record::default() };
+    let claims = [(Mass(One), 1000.0), (AfterX(One), 6.0), (AfterY(One), 8.0), (EnergyBefore, 1e3)];
+    assert!(rules(&with(beside_wall, &claims)).is_empty(), "a wall that moves gives energy to what it hits");
+}
+
+/// A zero is one, and an elastic impact loses nothing, whatever else is known.
+#[test]
+fn claims_of_nothing_are_held() {
+    let said = |claims: &[(Key, f64)]| rules(&with(Record::default(), claims));
+    let parting = |e: f64, speed: f64| said(&[(Key::Restitution, e), (Key::SeparationSpeed, speed)]);
+    assert_eq!(
+        (parting(0.0, 0.0), parting(0.0, 1e-14), parting(0.1, 1.0), parting(0.0, 1.0)),
+        (vec![], vec![], vec![], vec!["restitution"])
+    );
+    let work = |e: f64, work: f64| said(&[(Key::Restitution, e), (Key::NormalWork, work)]);
+    assert_eq!((work(1.0, -1e-9), work(1.0, 1e-9), work(0.9, -1000.0), work(1.0, -1000.0)), (vec![], vec![], vec![], vec!["reported"]));
+    let moment = |moment: f64, work: f64| said(&[(Key::Moment, moment), (Key::MomentWork, work)]);
+    assert_eq!((moment(0.0, 0.0), moment(10.0, -500.0), moment(0.0, -500.0)), (vec![], vec![], vec!["reported"]));
+    let ratio = |ratio: f64, key: Key, value: f64| said(&[(Key::ReportedRatio, ratio), (key, value)]);
+    for (key, rounding) in [(Key::TangentialImpulse, 1e-9), (Key::TangentialWork, -1e-9)] {
+        assert_eq!((ratio(0.0, key, rounding), ratio(0.3, key, -5.0), ratio(0.0, key, -5.0)), (vec![], vec![], vec!["impulse-ratio"]));
+    }
+    let critical = |law, claims: &[(Key, f64)]| {
+        rules(&with(Record { model: Model { ratio_kind: RatioKind::Critical, law, ..Model::default() }, ..Record::default() }, claims))
+    };
+    let both = |ratio: f64| [(Key::CriticalRatio, 0.6), (Key::ReportedRatio, ratio)];
+    assert_eq!((critical(Law::Brach, &both(0.6)), critical(Law::Brach, &both(0.2))), (vec![], vec!["impulse-ratio"]));
+    assert!(critical(Law::KudlichSlibar, &both(0.2)).is_empty(), "the ratio that is reported is that of Brach's law");
+    let fixed = |speed: f64| {
+        let wall = Subject { fixed: true, ..Subject::default() };
+        rules(&with(Record { two: wall, ..Record::default() }, &[(Key::EquivalentEnergySpeed(Side::Two), speed)]))
+    };
+    assert_eq!([0.0, 3.0].map(fixed), [vec![], vec!["reported"]]);
+    // More energy than there was may be the rounding of no claim, but is no proof: the tangential impulse may do work.
+    let warned = |speed: f64| {
+        let record = with(
+            Record::default(),
+            &[(Key::Mass(Side::One), 1000.0), (Key::EquivalentEnergySpeed(Side::One), speed), (Key::EnergyBefore, 50e3)],
+        );
+        check(&record, &Options::default()).verdict()
+    };
+    assert_eq!([9.0, 30.0].map(warned), [Verdict::Pass, Verdict::Warn]);
+}
+
+/// Bodies that stand after an impact without restitution have speeds that are the rounding of what they had before, which a record may leave out.
+#[test]
+fn what_stands_after_the_impact_is_rounding() {
+    use Key::{AfterX, AfterY, AfterYawRate, CenterX, CenterY, Mass, NormalAngle, PointX, PointY, SeparationSpeed};
+    let of_body = |side: Side, x: f64, v: f64| {
+        [(Mass(side), 1e3), (CenterX(side), x), (CenterY(side), 0.0), (AfterX(side), v), (AfterY(side), 0.0), (AfterYawRate(side), 0.0)]
+    };
+    let said = |v: f64, speed: f64| {
+        let contact = [(PointX, 0.0), (PointY, 0.0), (NormalAngle, 0.0), (SeparationSpeed, speed)];
+        rules(&with(Record::default(), &[&of_body(Side::One, -2.0, 0.0)[..], &of_body(Side::Two, 2.0, v), &contact].concat()))
+    };
+    assert!(said(-1e-15, 2e-15).is_empty() && said(1.0, 1.0).is_empty());
+    assert_eq!((said(-1.0, 1.0), said(1.0, 2.0)), (vec!["interpenetration"], vec!["reported"]));
+}
+
+/// Works and losses of an elastic impact are rounding, beside whatever shows its size.
+#[test]
+fn what_an_elastic_impact_loses_is_rounding() {
+    let thrown_back = with(
+        Record { two: Subject { fixed: true, ..Subject::default() }, ..Record::default() },
+        &[
+            (Key::Mass(Side::One), 2000.0),
+            (Key::BeforeX(Side::One), 30.0),
+            (Key::BeforeY(Side::One), 0.0),
+            (Key::AfterX(Side::One), -30.0),
+            (Key::AfterY(Side::One), 0.0),
+        ],
+    );
+    let said = |claims: &[(Key, f64)]| rules(&with(Record::default(), claims));
+    for rounding in [3.5e-10, -3.5e-10] {
+        assert!(rules(&with(thrown_back.clone(), &[(Key::NormalWork, rounding)])).is_empty());
+        assert!(said(&[(Key::EnergyLoss, rounding), (Key::EnergyAfter, 1.41e6)]).is_empty());
+        assert!(said(&[(Key::EnergyLoss, rounding)]).is_empty() && said(&[(Key::NormalWork, rounding)]).is_empty());
+    }
+    assert!(!rules(&with(thrown_back, &[(Key::NormalWork, 1e3)])).is_empty());
+    assert!(!said(&[(Key::EnergyLoss, -1e3), (Key::EnergyAfter, 1.41e6)]).is_empty() && !said(&[(Key::EnergyLoss, -1.0)]).is_empty());
+}
