@@ -11,7 +11,7 @@ mod row;
 use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
-pub use column::{Cell, Column, InputColumn, Key, Table};
+pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub use header::{Header, separated_otherwise};
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};

@@ -81,6 +81,13 @@ pub fn too_small(freedom: usize) -> Option<String> {
     (factor >= MATTERS).then(|| format!("{factor:.1} times too small"))
 }
 
+/// Returns the message of a row of a table that has more cells or fewer than there are columns.
+pub fn ragged(cells: usize, columns: usize) -> String {
+    let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let comma = if cells > columns { "; a decimal comma?" } else { "" };
+    format!("the row has {}, and the table has {}{comma}", counted(cells, "cell"), counted(columns, "column"))
+}
+
 /// Returns a hint for a coefficient far above 1: a percentage may be meant.
 pub fn percent_meant(value: f64) -> Option<String> {
     (5.0..=100.0).contains(&value).then(|| format!("did you mean \"{value} %\"?"))

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use planar_impact_app::batch::{self, Header, InputColumn, Options, Refused, Table};
+use planar_impact_app::batch::{self, Header, InputColumn, NotARow, Options, Refused, Table};
 use planar_impact_app::quantity::Kind;
 use planar_impact_app::{Case, Issue, Issues, Notice};
 
@@ -88,7 +88,7 @@ impl Plan {
     /// # Errors
     ///
     /// [`ArrowError::SchemaError`] if the record batch has another schema than that of the plan.
-    pub fn solve_with(&self, batch: &RecordBatch, unreadable: Vec<usize>) -> Result<Solved, ArrowError> {
+    pub fn solve_with(&self, batch: &RecordBatch, unreadable: Vec<(usize, NotARow)>) -> Result<Solved, ArrowError> {
         if batch.schema_ref().fields() != self.input.fields() {
             return Err(ArrowError::SchemaError(format!("a record batch of {} for a plan of {}", batch.schema_ref(), self.input)));
         }

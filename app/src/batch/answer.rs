@@ -58,8 +58,8 @@ impl Plan {
             read.clear();
             for row in first..end {
                 let mut cells = Row { keys: &self.inputs, columns, row, faults: Vec::new() };
-                if unreadable.next_if_eq(&&row).is_some() {
-                    cells.faults.push(Fault::NotARow);
+                if let Some((_, why)) = unreadable.next_if(|(unreadable, _)| *unreadable == row) {
+                    cells.faults.push(Fault::NotARow(*why));
                 }
                 let vehicles = [0, 1].map(|i| cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i]));
                 let contact = cells.contact(&self.contact, &self.defaults);

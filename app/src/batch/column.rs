@@ -51,8 +51,22 @@ pub struct Table<'a> {
     pub rows: usize,
     /// The cells of each [input](super::Plan::inputs).
     pub columns: Vec<Column<'a>>,
-    /// The rows, counted from 0, that are no rows of the table, such as one with too few cells.
-    pub unreadable: Vec<usize>,
+    /// The rows, counted from 0, that are no rows of the table.
+    pub unreadable: Vec<(usize, NotARow)>,
+}
+
+/// Why a line is no row of its table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotARow {
+    /// It has more cells or fewer than the table has columns.
+    Ragged {
+        /// The number of its cells.
+        cells: usize,
+        /// The number of columns.
+        columns: usize,
+    },
+    /// A cell is not UTF-8 text.
+    NotText,
 }
 
 /// An input column of a table.

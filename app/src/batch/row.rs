@@ -2,11 +2,11 @@
 
 use planar_impact::{ForwardLeft, Heading, ImpulseRatio, Input, Law, Moment, Side, Xy};
 
-use super::column::{Cell, Column, InputColumn, Key, law_of};
+use super::column::{Cell, Column, InputColumn, Key, NotARow, law_of};
 use crate::case::{ContactInputs, CrushInputs, CrushKey, Domain, Inertia, Parameter, Restitution, Size, VehicleInputs, Velocity};
 use crate::message::Message;
 use crate::quantity::{self, excerpt};
-use crate::wording::joined;
+use crate::wording::{joined, ragged};
 
 /// What rows have where their cells are empty; `None` where nothing gives it.
 #[derive(Clone, Debug, Default)]
@@ -99,7 +99,7 @@ impl RowVehicle {
 #[derive(Clone, Debug)]
 pub(super) enum Fault {
     /// The row is not one of the table.
-    NotARow,
+    NotARow(NotARow),
     /// A cell is not what its column needs, with what it is.
     Unreadable(Key, Box<str>),
     /// A number that a case file would not have.
@@ -115,7 +115,7 @@ pub(super) enum Fault {
 impl Fault {
     fn code(&self) -> &'static str {
         match self {
-            Fault::NotARow | Fault::Unreadable(..) => "unreadable",
+            Fault::NotARow(_) | Fault::Unreadable(..) => "unreadable",
             Fault::Outside(_, number) if !number.is_finite() => "not-finite",
             Fault::Outside(parameter, _) if parameter.domain() == Domain::Positive => "not-positive",
             Fault::Outside(..) | Fault::Implausible { .. } => "out-of-range",
@@ -126,7 +126,8 @@ impl Fault {
 
     fn reason(&self) -> Message {
         match self {
-            Fault::NotARow => "the row cannot be read; it needs a cell for each column, in UTF-8".into(),
+            Fault::NotARow(NotARow::Ragged { cells, columns }) => ragged(*cells, *columns).into(),
+            Fault::NotARow(NotARow::NotText) => "a cell of the row is not UTF-8 text".into(),
             Fault::Unreadable(key, found) => {
                 let wanted = match key {
                     Key::Parameter(Parameter::Input(Input::ImpulseRatio)) => "a number or `critical`",

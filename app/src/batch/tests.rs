@@ -390,7 +390,11 @@ fn what_is_wrong_with_a_row_it_says() {
         good.clone(),
     ];
     let plan = plan(&NAMES, None, &Options::default()).expect("a plan");
-    let answer = plan.solve(&Table { rows: rows.len(), columns: cells(&plan, &NAMES, rows.iter()), unreadable: vec![13] });
+    let answer = plan.solve(&Table {
+        rows: rows.len(),
+        columns: cells(&plan, &NAMES, rows.iter()),
+        unreadable: vec![(13, NotARow::Ragged { cells: 4, columns: 3 })],
+    });
     let said: Vec<(&str, String)> =
         answer.refused.iter().map(|refused| (refused.codes.as_str(), crate::units::Units::Si.sentence(&refused.reason))).collect();
     let expected = [
@@ -407,7 +411,7 @@ fn what_is_wrong_with_a_row_it_says() {
         ("not-finite", "vehicle.1.mass is not finite: NaN"),
         ("not-finite", "vehicle.1.mass is not finite: inf"),
         ("out-of-range", "contact.restitution is 1.5; it must be from 0 to 1"),
-        ("unreadable", "the row cannot be read"),
+        ("unreadable", "the row has 4 cells, and the table has 3 columns; a decimal comma?"),
     ];
     for (i, ((codes, reason), (code, sentence))) in said.iter().zip(expected).enumerate() {
         assert!(codes.split(';').any(|found| found == code) && reason.contains(sentence), "row {i}: {codes}: {reason}");

@@ -12,7 +12,7 @@ use arrow_array::{ArrayRef, RecordBatch, RecordBatchOptions, RecordBatchReader};
 use arrow_ipc::reader::{FileReader, StreamReader};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
-use planar_impact_app::batch::separated_otherwise;
+use planar_impact_app::batch::{NotARow, separated_otherwise};
 use planar_impact_app::check::reason;
 use planar_impact_app::{Issues, decode};
 
@@ -29,13 +29,13 @@ pub struct Part {
     /// The rows.
     pub batch: RecordBatch,
     /// Those that are no rows of the table, counted from 0.
-    pub unreadable: Vec<usize>,
+    pub unreadable: Vec<(usize, NotARow)>,
 }
 
 impl Part {
     /// Returns those of some rows that are no rows of the table, counted from the first of them.
-    pub fn unreadable_in(&self, rows: Range<usize>) -> Vec<usize> {
-        self.unreadable.iter().filter(|row| rows.contains(row)).map(|row| row - rows.start).collect()
+    pub fn unreadable_in(&self, rows: Range<usize>) -> Vec<(usize, NotARow)> {
+        self.unreadable.iter().filter(|(row, _)| rows.contains(row)).map(|(row, why)| (row - rows.start, *why)).collect()
     }
 }
 
@@ -222,20 +222,18 @@ fn texts(reader: &mut Texts, schema: &SchemaRef, rows: usize) -> Result<Option<P
     let mut builders: Vec<StringBuilder> = (0..columns).map(|_| StringBuilder::with_capacity(rows, 8 * rows)).collect();
     let (mut record, mut read, mut unreadable) = (csv::ByteRecord::new(), 0, Vec::new());
     while read < rows && reader.read_byte_record(&mut record)? {
-        let mut is_row = record.len() == columns;
+        let mut why = (record.len() != columns).then_some(NotARow::Ragged { cells: record.len(), columns });
         for (i, builder) in builders.iter_mut().enumerate() {
             let cell = record.get(i).unwrap_or_default();
             match std::str::from_utf8(cell) {
                 Ok(cell) => builder.append_value(cell),
                 Err(_) => {
-                    is_row = false;
+                    why.get_or_insert(NotARow::NotText);
                     builder.append_value(String::from_utf8_lossy(cell));
                 }
             }
         }
-        if !is_row {
-            unreadable.push(read);
-        }
+        unreadable.extend(why.map(|why| (read, why)));
         read += 1;
     }
     if let Some(fault) = reader.get_ref().fault(read < rows) {

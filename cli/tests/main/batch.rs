@@ -377,6 +377,15 @@ fn tables_of_one_call_follow_each_other() {
     let done = batch(&[&ragged, "-o", "-", "--case", POSITION_A, "--of", "e"]);
     assert_eq!(done.status, 1);
     assert_eq!(done.out.lines().skip(1).collect::<Vec<_>>(), ["0.1,,,unreadable", "0.1,a,,unreadable", "0.1,c,0.1,"]);
+    let said: Vec<&str> = done.err.lines().take(2).collect();
+    let [short, long] = [
+        "row 1: unreadable: the row has 1 cell, and the table has 2 columns",
+        "row 2: unreadable: the row has 3 cells, and the table has 2 columns; a decimal comma?",
+    ];
+    assert_eq!(said, [short, long]);
+    fs::write(folder.path().join("5.csv"), b"contact.restitution,id\n0.1,a\n0.1,\xff\n").expect("a table");
+    let done = batch(&[folder.path().join("5.csv").to_str().expect("a plain path"), "-o", "-", "--case", POSITION_A, "--of", "e"]);
+    assert!(done.status == 1 && done.err.starts_with("row 2: unreadable: a cell of the row is not UTF-8 text\n"), "{}", done.err);
 }
 
 /// What is wrong with the case is said at its place in its file, beside what is wrong with the columns; what is wrong with the folder of temporary files, with its name.

@@ -4,6 +4,7 @@ use csv_core::{ReadRecordResult, Reader};
 
 use crate::batch::Header;
 use crate::quantity::QuantityError;
+use crate::wording::ragged;
 
 /// A column of a table.
 #[derive(Debug, PartialEq)]
@@ -68,11 +69,7 @@ impl From<NoCell> for QuantityError {
     fn from(cell: NoCell) -> QuantityError {
         let message = match cell {
             NoCell::Empty => "the cell is empty; expected a number".to_owned(),
-            NoCell::Ragged { cells, columns } => {
-                let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-                let comma = if cells > columns { "; a decimal comma?" } else { "" };
-                format!("the row has {}, and the table has {}{comma}", counted(cells, "cell"), counted(columns, "column"))
-            }
+            NoCell::Ragged { cells, columns } => ragged(cells, columns),
         };
         QuantityError { message, help: None }
     }
