@@ -23,7 +23,7 @@ use crate::wording::degrees_of_freedom;
 
 use series::Unfitted;
 
-pub(crate) use pooled::FurtherVehicle;
+pub(crate) use pooled::{FurtherVehicle, wider_than_normal};
 pub use pooled::{OfVehicle, Pooled, PooledNumber};
 pub use test_file::{Prediction, TestFile, Tested};
 

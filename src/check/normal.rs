@@ -16,6 +16,11 @@ pub(super) fn length<const N: usize>(v: &Nt<Uncertain<N>>) -> f64 {
     Nt { n: v.n.value, t: v.t.value }.length()
 }
 
+/// Returns the length of what makes up the components of a vector, some of which may cancel.
+fn length_of_terms<const N: usize>(v: &Nt<Uncertain<N>>) -> f64 {
+    Nt { n: v.n.size, t: v.t.size }.length()
+}
+
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     restitution_in_range(known, judge);
     along_the_normal(known, judge);
@@ -53,7 +58,8 @@ fn along_the_normal<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         });
     }
     let Some(meeting) = meeting else { return };
-    let speed = length(&meeting.velocity);
+    // Bodies that stick have no velocity after the impact by which to judge that it is none.
+    let speed = if approach.is_some() { length(&meeting.velocity) } else { length_of_terms(&meeting.velocity) };
     let apart = |v: Uncertain<N>| Residual::new(v.scaled(side), speed);
     if let Some(approach) = approach {
         judge.not_above(Rule::Compressive, apart(approach.n), |size, bound| {
@@ -172,7 +178,7 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let e = known.number(Key::Restitution);
     if let (Some(e), None, Some(parting)) = (e.filter(Uncertain::is_zero), known.closing_speed(), known.separation_speed()) {
-        judge.zero(Rule::Restitution, Residual::new(parting, parting.value.abs()).beside(SPEED), |size, bound| {
+        judge.zero(Rule::Restitution, Residual::new(parting, parting.size).beside(SPEED), |size, bound| {
             let (e, size, bound) = (Digits(e.value), Digits(size), Digits(bound));
             format!("the restitution is said to be {e}, and the separation speed {size} m/s, whatever the closing speed is; {bound} may be")
         });

@@ -190,6 +190,11 @@ pub(super) fn sharper_known<T>(a: Option<T>, b: Option<T>, radius: impl Fn(&T) -
     }
 }
 
+/// Returns the more precise of two measurements of one number, or the mean of two that are equally precise, so that neither comes first.
+pub(super) fn best_of<const N: usize>(a: Uncertain<N>, b: Uncertain<N>) -> Uncertain<N> {
+    if a.radius() == b.radius() { (a + b).scaled(0.5) } else { sharper(a, b, Uncertain::radius) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -307,6 +312,10 @@ mod tests {
         assert_eq!(sharper_known(None, Some(fine), Two::radius).map(|x| x.value), Some(1.0));
         assert_eq!(sharper_known(Some(coarse), Some(fine), Two::radius).map(|x| x.value), Some(1.0));
         assert!(sharper_known(None, None, Two::radius).is_none());
+        assert_eq!(
+            [best_of(coarse, fine), best_of(fine, coarse), best_of(Two::exact(1.0), Two::exact(4.0))].map(|x| x.value),
+            [1.0, 1.0, 2.5]
+        );
     }
 
     #[test]

@@ -82,7 +82,9 @@ fn work_identity<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let claimed = || {
         let (n, t) = (known.number(Key::NormalWork)?, known.number(Key::TangentialWork)?);
         let work = Work { n, t, m: claimed_moment_work(known)? };
-        Some((work, n.value.abs() + t.value.abs() + work.m.value.abs(), "the impulse is said to do"))
+        // Of works that cancel, the energies of the motions are what the errors are a share of.
+        let scale = (n.value.abs() + t.value.abs() + work.m.value.abs()).max(fall.available);
+        Some((work, scale, "the impulse is said to do"))
     };
     let Some((work, scale, words)) = implied.or_else(claimed) else { return };
     let impulse = known.impulse_value();

@@ -1,14 +1,15 @@
 //! Skid speeds before the impact, with their uncertainty to first order.
 
-use planar_impact::Side;
 use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, PriorCorrelation, Unknown, Variable};
+use planar_impact::{Distribution, Side};
 
 use super::from_crush::covariance;
 use super::from_rest::{Separations, outputs};
-use super::inputs::without_deviation;
-use crate::case::{Case, Parameter, SkidKey, correlation_of, vehicle_number};
+use super::inputs::{approximated, shape_approximated, without_deviation};
+use crate::case::{BrakingInputs, Case, Parameter, SkidKey, UncertainInput, correlation_of, vehicle_number};
 use crate::issue::Issue;
+use crate::notice::Notice;
 
 /// Skid speeds of the vehicles that braked before the impact.
 #[derive(Default)]
@@ -21,6 +22,8 @@ pub struct FromSkids {
     pub correlation: Option<PriorCorrelation>,
     /// Those with separations from rest positions, if the frictions of skids have one with that of `[rest]`.
     pub with_separations: Vec<Correlation>,
+    /// Numbers of skids for whose distribution a normal one is taken.
+    pub notices: Vec<Notice>,
     /// Numbers of skids that have no standard deviation.
     pub issues: Vec<Issue>,
 }
@@ -32,7 +35,7 @@ impl FromSkids {
         let of_skids = case.uncertain.inputs.iter().filter(|input| matches!(input.parameter, Parameter::Skid(..)));
         let of_rest = std::iter::once(Parameter::RestFriction);
         let parameters: Vec<Parameter> = of_skids.clone().map(|input| input.parameter).chain(of_rest).collect();
-        found.issues = of_skids.filter_map(without_deviation).collect();
+        found.issues = of_skids.clone().filter_map(without_deviation).collect();
         if !found.issues.is_empty() {
             return found;
         }
@@ -50,7 +53,14 @@ impl FromSkids {
             if sd > 0.0 {
                 let of = Variable::SkidSpeed(side);
                 let path = format!("before.vehicle.{}", vehicle_number(side));
-                found.unknowns.push((Unknown { prior: Some(sd), ..Unknown::free(of, speed) }, path));
+                let inputs: Vec<&UncertainInput> = of_skids.clone().filter(|input| input.parameter.side() == Some(side)).collect();
+                let [min, max] = limits(&inputs, braking);
+                let shape = |input: &UncertainInput| match input.distribution {
+                    Distribution::Uniform { .. } => Some("uniform"),
+                    _ => approximated(input),
+                };
+                found.notices.extend(inputs.iter().filter_map(|input| Some(shape_approximated(input, shape(input)?))));
+                found.unknowns.push((Unknown { prior: Some(sd), min, max, ..Unknown::free(of, speed) }, path));
                 uncertain.push((of, sd, slopes));
             } else {
                 found.known[side as usize] = Some(speed);
@@ -77,4 +87,25 @@ impl FromSkids {
         }
         found
     }
+}
+
+/// Returns the least and the greatest skid speed, if each number that is uncertain has both: the speed grows with every one of them.
+fn limits(inputs: &[&UncertainInput], braking: &BrakingInputs) -> [Option<f64>; 2] {
+    let ends: Option<Vec<(Parameter, [f64; 2])>> = inputs
+        .iter()
+        .map(|input| {
+            let (min, max) = input.distribution.support();
+            (input.values.is_none() && min.is_finite() && max.is_finite())
+                .then_some((input.parameter, [min - input.nominal, max - input.nominal]))
+        })
+        .collect();
+    let Some(ends) = ends else { return [None; 2] };
+    let at = |end: usize| {
+        let offset = |key: SkidKey| {
+            let of_key = ends.iter().find(|(parameter, _)| matches!(parameter, Parameter::Skid(_, of) if *of == key));
+            of_key.map_or(0.0, |(_, offsets)| offsets[end])
+        };
+        Some(braking.skid_speed(offset)).filter(|speed: &f64| speed.is_finite())
+    };
+    [at(0), at(1)]
 }

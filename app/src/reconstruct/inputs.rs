@@ -31,12 +31,7 @@ impl InputUnknowns {
                 continue;
             }
             let unknown = unknown(variable, input);
-            if let Some(shape) = approximated(input) {
-                let name = input.parameter;
-                let message =
-                    format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
-                found.notices.push(Notice::note("shape-approximated", input.key.clone(), message));
-            }
+            found.notices.extend(approximated(input).map(|shape| shape_approximated(input, shape)));
             found.unknowns.push((unknown, input.key.clone()));
         }
         for pair in &case.uncertain.correlations {
@@ -94,8 +89,15 @@ pub(super) fn without_deviation(input: &UncertainInput) -> Option<Issue> {
     })
 }
 
+/// Notes that a normal prior replaces a shape.
+pub(super) fn shape_approximated(input: &UncertainInput, shape: &str) -> Notice {
+    let name = input.parameter;
+    let message = format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
+    Notice::note("shape-approximated", input.key.clone(), message)
+}
+
 /// Returns the name of a shape that a normal prior replaces.
-fn approximated(input: &UncertainInput) -> Option<&'static str> {
+pub(super) fn approximated(input: &UncertainInput) -> Option<&'static str> {
     match input.distribution {
         _ if input.values.is_some() => Some("given by measured values"),
         Distribution::Normal { .. } | Distribution::TruncatedNormal { .. } | Distribution::Uniform { .. } => None,

@@ -90,6 +90,7 @@ impl Question {
         let (mut set, mut certain, mut crush_share) = (Vec::new(), Vec::new(), None);
         let mut issues: Vec<Issue> = knowledge.unknowns.iter().filter_map(|requested| misnamed(case, requested)).collect();
         issues.extend(of_crush.issues.into_iter().chain(of_inputs.issues).chain(of_skids.issues));
+        draft.notices.0.extend(of_skids.notices);
         issues.extend(knowledge.evidence.iter().filter_map(|known| beyond_momentum(case, known)));
         for requested in &knowledge.unknowns {
             if case.model.is_momentum() && Measurand::Variable(requested.of).is_of_contact() {

@@ -179,11 +179,15 @@ impl PooledNumber {
 /// estimate of τ² would be too small: for half of the classes of two it is 0 by chance.
 fn spread_at_most(vehicles: &[Estimate]) -> Option<RandomEffects> {
     let count = u32::try_from(vehicles.len()).ok()?;
+    let narrower = 1.0 / wider_than_normal(count);
+    RandomEffects::at(vehicles, f64::from(count - 1) * narrower * narrower)
+}
+
+/// Returns t/z, the 95 % interval of Student's distribution of `count` − 1 degrees of freedom in those of the normal one.
+pub(crate) fn wider_than_normal(count: u32) -> f64 {
     let upper = |distribution: Distribution| distribution.quantile(0.975);
     let z = upper(Distribution::Normal { mean: 0.0, sd: 1.0 });
-    let t = upper(Distribution::StudentT { mean: 0.0, sd: f64::from(count).sqrt(), n: count });
-    let narrower = z / t;
-    RandomEffects::at(vehicles, f64::from(count - 1) * narrower * narrower)
+    upper(Distribution::StudentT { mean: 0.0, sd: f64::from(count).sqrt(), n: count }) / z
 }
 
 #[cfg(test)]

@@ -316,6 +316,31 @@ fn skids_give_the_speed_before_them() {
     close(&uncertain["of"]["before.vehicle.1.braking_speed"]["linear"]["sd"], 0.05 * GRAVITY * 14.0 / start, 1e-12);
 }
 
+/// v = √(2 μ g L) is from that of the least friction to that of the greatest, and its distribution is not normal.
+#[test]
+fn a_uniform_friction_of_skids_has_limits() {
+    let case = |friction: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = \"1500 kg\"\nheading = \"0 deg\"\n[[vehicle]]\nmass = \"1200 kg\"\nheading = \"90 deg\"\n[contact]\nmodel = \"momentum\"\n\
+             [before.vehicle.1]\nskid = [{{ length = \"20 m\", friction = {friction} }}]\n[evidence]\n\
+             vehicle.1.separation_velocity = [\"6 m/s ± 0.5 m/s\", \"7 m/s ± 0.5 m/s\"]\nvehicle.2.separation_velocity = [\"5 m/s ± 0.5 m/s\", \"8 m/s ± 0.5 m/s\"]\n\
+             [unknown]\nvehicle.1.speed = {{ start = \"30 mph\", min = \"0 mph\" }}\nvehicle.2.speed = {{ start = \"30 mph\", min = \"0 mph\" }}\n"
+        )
+    };
+    let [low, high] = [0.3, 0.9].map(|friction: f64| (2.0 * friction * GRAVITY * 20.0).sqrt());
+    let skid = |answer: &Value| answer["unknown"]["before.vehicle.1.skid_speed"]["interval"].clone();
+    let notes = |answer: &Value| answer["messages"].to_string().matches("shape-approximated").count();
+    // A normal prior is taken within the limits, and a note says so.
+    let uniform = json_of(&["reconstruct", "--level", "0.9999"], &case("{ min = 0.3, max = 0.9 }"));
+    close(&skid(&uniform)["low"], low, 1e-6);
+    close(&skid(&uniform)["high"], high, 1e-6);
+    let triangular = json_of(&["reconstruct", "--level", "0.9999"], &case("{ min = 0.3, mode = 0.6, max = 0.9 }"));
+    assert!(number(&skid(&triangular)["low"]) > low - 1e-6 && number(&skid(&triangular)["high"]) < high + 1e-6, "{triangular}");
+    let normal = json_of(&["reconstruct", "--level", "0.9999"], &case("\"0.6 ± 0.17\""));
+    assert!(number(&skid(&normal)["low"]) < low && number(&skid(&normal)["high"]) > high, "{normal}");
+    assert_eq!([notes(&uniform), notes(&triangular), notes(&normal)], [1, 1, 0]);
+}
+
 /// A known speed at the start of the skids is evidence of that at the impact.
 #[test]
 fn a_speed_before_the_skids_gives_that_at_the_impact() {

@@ -551,3 +551,37 @@ fn a_prediction_without_a_fit_is_noted() {
     // A speed that is held makes a fit of one test.
     assert_eq!([notes(&text), notes(&example("malibu.toml")), notes(&text.replace("onset", "b0"))], [1, 0, 0]);
 }
+
+/// Three tests have one degree of freedom: the 95 % quantile of Student's distribution is 12.706 (Abramowitz and Stegun, table 26.10), that of the normal one 1.960.
+#[test]
+fn few_residuals_have_the_intervals_of_student() {
+    let folder = Folder::new();
+    let test = |speed: f64, depth: f64, scatter: &str| {
+        format!("[[vehicle.test]]\nmass = 1500\nspeed = {speed}\nrestitution = 0\nwidth = 1.5\ndepths = [{depth}, {depth}]\n{scatter}")
+    };
+    let tests = |scatter: &str| {
+        let all = [(6.0, 0.10), (11.0, 0.31), (15.0, 0.45)].map(|(speed, depth)| test(speed, depth, scatter)).concat();
+        format!("schema = 1\n[[vehicle]]\nname = \"a\"\nnew_cars = true\n{all}")
+    };
+    let example = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/from-tests.toml")).expect("the example");
+    for (scatter, factor) in [("", 12.706 / 1.960), ("scatter = 10\n", 1.0)] {
+        folder.write("tests.toml", tests(scatter).as_bytes());
+        let fits = json(&tests(scatter))["fits"].clone();
+        let fit = fits.as_array().into_iter().flatten().find(|fit| fit["model"] == "profile").expect("a fit").clone();
+        folder.write("case.toml", example.replace("../tests/struble-welsh.toml", "tests.toml").as_bytes());
+        let run = run(folder.path(), &["reconstruct", "case.toml", "--format", "json"]);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error} {}", run.err));
+        let message = answer["messages"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .find(|message| message["code"] == "stiffness-from-tests")
+            .expect("a note")
+            .clone();
+        let figures: Vec<f64> = message["figures"].as_array().into_iter().flatten().map(|figure| number(&figure["value"])).collect();
+        for (printed, of_fit) in [(figures[1], "d0_sd"), (figures[3], "d1_sd")] {
+            assert!((printed / number(&fit["covariance"][of_fit]) / factor - 1.0).abs() < 1e-3, "{scatter}: {printed} {fit}");
+        }
+        assert_eq!(message["text"].to_string().contains("6.5 times those of the fit"), factor > 1.0, "{message}");
+    }
+}

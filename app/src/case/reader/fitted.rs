@@ -14,9 +14,9 @@ use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::Source;
-use crate::stiffness::{FurtherVehicle, Pooled, TestFile, is_negative, message};
+use crate::stiffness::{FurtherVehicle, Pooled, TestFile, is_negative, message, wider_than_normal};
 use crate::units::{Measure, Units};
-use crate::wording::{degrees_of_freedom, too_small};
+use crate::wording::degrees_of_freedom;
 
 /// A stiffness fitted to the tests of a file, and what has it.
 pub(super) struct FittedToTests {
@@ -28,6 +28,8 @@ pub(super) struct FittedToTests {
     vehicles: usize,
     /// Their class, whose spread is in the covariance.
     class: Option<Pooled>,
+    /// By how much the standard deviations that residuals give are enlarged, because few of them tell little.
+    enlarged: Option<f64>,
     /// The part of the covariance that two vehicles of the class share.
     common: StiffnessCovariance,
     /// d0 and d1 of each crush or zone with this stiffness, and the path of its key.
@@ -124,15 +126,23 @@ impl FittedToTests {
     /// Fits a stiffness to the tests of a file. What the recordings that it names are to be known for comes with it.
     fn of(tests: Source, model: CrushModel, reader: CaseReader) -> Result<(Self, Notices), Issues> {
         let mut file = TestFile::read(tests.clone(), reader)?;
-        let fit = file.fit(model)?;
+        let mut fit = file.fit(model)?;
         let is_uncertain = file.is_uncertain(&fit);
         let (vehicles, class) = (file.vehicles.len(), file.class(model));
+        let freedom = u32::try_from(fit.degrees_of_freedom).unwrap_or(u32::MAX - 1);
+        let is_of_residuals = is_uncertain && class.is_none() && fit.basis == CovarianceBasis::Residuals && freedom > 0;
+        let enlarged = is_of_residuals.then(|| wider_than_normal(freedom + 1));
         let FurtherVehicle { fit, common } = match &class {
             Some(class) => class.further_vehicle(fit),
-            None => FurtherVehicle { common: fit.covariance, fit },
+            None => {
+                let factor = enlarged.map_or(1.0, |factor| factor * factor);
+                let StiffnessCovariance { onset, between, slope } = fit.covariance;
+                fit.covariance = StiffnessCovariance { onset: onset * factor, between: between * factor, slope: slope * factor };
+                FurtherVehicle { common: fit.covariance, fit }
+            }
         };
         let notices = std::mem::take(&mut file.notices);
-        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, common, of: Vec::new() }, notices))
+        Ok((FittedToTests { tests, model, fit, is_uncertain, vehicles, class, enlarged, common, of: Vec::new() }, notices))
     }
 
     /// Pairs d0 and d1 of everything that has this stiffness: the same number of two crushes of a vehicle is one number, and two vehicles of a class share the
@@ -163,11 +173,6 @@ impl FittedToTests {
                 key: other.2.to_owned(),
             })
             .collect()
-    }
-
-    /// Returns by how much the standard deviations may be too small because few residuals give them.
-    fn scatter_is_too_small(&self) -> Option<String> {
-        if self.fit.basis == CovarianceBasis::Residuals { too_small(self.fit.degrees_of_freedom) } else { None }
     }
 
     fn notice(&self, key: &str) -> Notice {
@@ -205,9 +210,10 @@ impl FittedToTests {
         } else if !self.is_uncertain {
             let message = message.text(", fitted to two tests, which do not tell how far off they are: it counts as certain");
             Notice::warning("stiffness-from-tests", key, message)
-        } else if let Some(too_small) = self.scatter_is_too_small() {
+        } else if let Some(factor) = self.enlarged {
             let message = message.text(format!(
-                ", fitted to {count} tests, whose residuals hardly tell how far off they are: the standard deviations may be {too_small}; give those of the tests"
+                ", fitted to {count} tests, of which the residuals alone tell how far off they are: the standard deviations are {factor:.1} times those of the fit, \
+                 so that 95 % intervals are those of Student's distribution; give those of the tests"
             ));
             Notice::note("stiffness-from-tests", key, message)
         } else {

@@ -219,3 +219,66 @@ fn a_record_without_a_law_is_said_to_be_unchecked() {
     };
     assert!(!record(&format!("[{}, {}]", body(1000, 10, 5), body(1000, 0, 5))).contains("unchecked"));
 }
+
+/// Returns the verdict on a record without resolutions, within the tolerance of measurements.
+fn measured(record: &str) -> Value {
+    let text = format!(
+        r#"{{"schema":"planar-impact-record/1","units":{{"length":"m","mass":"kg","time":"s","angle":"rad"}},"records":[{{"id":"a","profile":"measured",{record}}}]}}"#
+    );
+    let run = run_with_input(&["check", "-", "--format", "json"], &text);
+    let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error} {}", run.err));
+    answer["records"][0].clone()
+}
+
+/// A number that is left out has no rule fail: what cancels in a velocity is what its error is a share of, and works that cancel have the energies.
+#[test]
+fn what_is_left_out_fails_nothing() {
+    let verdict = |record: &str| measured(record)["verdict"].as_str().map(str::to_owned);
+    let at_wall = |before: &str, after: &str, rest: &str| {
+        format!(
+            r#""bodies":[{{"mass":1500,"yaw_inertia":2400,"cg":[0,0],"before":{{{before}}},"after":{{{after}}}}},{{"fixed":true}}],
+            "contact":{{"point":[-2,0.3],"normal_angle":0}}{rest}"#
+        )
+    };
+    let plastic = r#","model":{"restitution":0}"#;
+    for (before, fails) in [(r#""v":[-10,0]"#, "fail"), (r#""v":[-10,0],"yaw_rate":0"#, "pass")] {
+        // 1 µm/s of 0.6 m/s of translation and of rotation each; without the spin half a meter a second fails, of a tolerance of 5 %.
+        assert_eq!(verdict(&at_wall(before, r#""v":[-0.599999,0],"yaw_rate":-2"#, plastic)).as_deref(), Some("pass"));
+        assert_eq!(verdict(&at_wall(before, r#""v":[-0.1,0],"yaw_rate":-2"#, plastic)).as_deref(), Some(fails));
+    }
+    for speed in ["-0.600001", "-0.599999"] {
+        let after = format!(r#""v":[{speed},-4],"yaw_rate":-2"#);
+        assert_eq!(verdict(&at_wall(r#""v":[-10,-8]"#, &after, "")).as_deref(), Some("pass"), "{speed}");
+    }
+    assert_eq!(verdict(&at_wall(r#""v":[-10,-8]"#, r#""v":[-2,-4],"yaw_rate":-2"#, "")).as_deref(), Some("fail"));
+    let elastic = |work: f64| {
+        format!(
+            r#""bodies":[{{"mass":1500,"yaw_inertia":2400,"cg":[-2,0],"before":{{"v":[15,5],"yaw_rate":0}},"after":{{"v":[-15.015,4.862],"yaw_rate":-0.1788}}}},{{"fixed":true}}],
+            "contact":{{"normal_angle":0}},"reported":{{"work_normal":0,"work_tangential":{work}}}"#
+        )
+    };
+    assert_eq!([-1017.9, -30_000.0].map(|work| verdict(&elastic(work))), ["pass", "fail"].map(|verdict| Some(verdict.to_owned())));
+}
+
+/// Of two bodies that pass almost the same impulse, within a tolerance, neither comes first.
+#[test]
+fn a_verdict_knows_no_first_body() {
+    let one = r#"{"mass":1891,"yaw_inertia":4933,"cg":[1.2231,-1.7599],"before":{"v":[2.8313,-11.0514],"yaw_rate":-2.5095},"after":{"v":[5.1484,-17.2236],"yaw_rate":-1.2785}}"#;
+    let two = r#"{"mass":1968,"yaw_inertia":3303,"cg":[-0.1295,1.8699],"before":{"v":[15.8704,-15.6908],"yaw_rate":-2.7255},"after":{"v":[13.6343,-9.8794],"yaw_rate":-4.7542}}"#;
+    let record = |bodies: [&str; 2], [one, two]: [f64; 2], sign: f64| {
+        format!(
+            r#""bodies":[{},{}],"contact":{{"point":[0,0],"normal_angle":2.0641}},"model":{{"restitution":0.6137,"impulse_ratio":-0.1245}},
+            "reported":{{"energy_loss":20840,"work_normal":-20430,"work_tangential":-513.1404,"delta_v":[{one},{two}],"impulse":{{"normal":{},"tangential":{}}}}}"#,
+            bodies[0],
+            bodies[1],
+            sign * -11730.0,
+            sign * 1486.0
+        )
+    };
+    let [given, exchanged] =
+        [record([one, two], [6.3885, 6.1033], 1.0), record([two, one], [6.1033, 6.3885], -1.0)].map(|record| measured(&record));
+    let rules =
+        |found: &Value| found["findings"].as_array().map(|all| all.iter().map(|finding| finding["rule"].clone()).collect::<Vec<_>>());
+    assert!(rules(&given).is_some_and(|rules| rules.iter().all(|rule| rule != "malformed")), "{given}");
+    assert_eq!((&given["verdict"], rules(&given)), (&exchanged["verdict"], rules(&exchanged)), "{given} {exchanged}");
+}
