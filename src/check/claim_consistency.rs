@@ -8,7 +8,7 @@ use super::judge::{Judge, Residual};
 use super::key::Key;
 use super::known::{Known, turned};
 use super::rule::Rule;
-use super::uncertain::{Uncertain, best_of, sharper_known};
+use super::uncertain::{Uncertain, best_known, sharper_known};
 use crate::frame::{Nt, Xy};
 use crate::input::Side;
 use alloc::format;
@@ -70,10 +70,7 @@ fn impulses<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(a), Some(b)) = (on_one, on_two) {
         equal(judge, "mass times delta-V of body 1 and of body 2", a, b, a.value.abs().max(b.value.abs()));
     }
-    let passed = match (on_one, on_two) {
-        (Some(one), Some(two)) => Some(best_of(one, two)),
-        (one, two) => one.or(two),
-    };
+    let passed = best_known(on_one, on_two, Uncertain::radius, Uncertain::mean);
     if let (Some(impulse), Some(passed)) = (impulse, passed) {
         equal(judge, "the impulse and mass times delta-V", impulse, passed, impulse.value.abs().max(passed.value.abs()));
     }

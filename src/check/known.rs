@@ -5,7 +5,7 @@ use super::key::Key;
 use super::record::Record;
 use super::subject::{Subject, When, number, pair};
 use super::travel::Travel;
-use super::uncertain::{Uncertain, best_of, sharper_known};
+use super::uncertain::{Uncertain, best_known, sharper_known};
 use crate::body::Body;
 use crate::contact::{Contact, relative_velocity};
 use crate::energy::{Work, work};
@@ -85,10 +85,9 @@ impl<'a, const N: usize> Known<'a, N> {
         let (one, two) = (Subject::of(record, Side::One, point), Subject::of(record, Side::Two, point));
         let plane = number(record, Key::NormalAngle).map(turned);
         let on_two = two.momentum_gained().map(|gained| -gained);
-        let impulse = match (one.momentum_gained(), on_two) {
-            (Some(one), Some(two)) => Some(better(one, two)),
-            (one, two) => one.or(two),
-        };
+        let radius = |p: &Xy<Uncertain<N>>| p.x.radius() + p.y.radius();
+        let mean = |one: Xy<Uncertain<N>>, two: Xy<Uncertain<N>>| Xy { x: one.x.mean(two.x), y: one.y.mean(two.y) };
+        let impulse = best_known(one.momentum_gained(), on_two, radius, mean);
         let moment = number(record, Key::Moment);
         let meeting = |when| Meeting::of(plane.as_ref()?, [&one, &two], when);
         let (before, after) = (meeting(When::Before), meeting(When::After));
@@ -202,18 +201,6 @@ impl<const N: usize> Touch<N> {
             Some(Body { inverse_mass, inverse_yaw_inertia, ..body })
         };
         Some(Contact::between(values(0)?, values(1)?))
-    }
-}
-
-/// Returns the more precise of two impulses, or the mean of two that are equally precise, so that neither body comes first.
-fn better<const N: usize>(one: Xy<Uncertain<N>>, two: Xy<Uncertain<N>>) -> Xy<Uncertain<N>> {
-    let [of_one, of_two] = [&one, &two].map(|p| p.x.radius() + p.y.radius());
-    if of_one == of_two {
-        Xy { x: best_of(one.x, two.x), y: best_of(one.y, two.y) }
-    } else if of_two < of_one {
-        two
-    } else {
-        one
     }
 }
 

@@ -31,6 +31,11 @@ pub(super) struct Uncertain<const N: usize> {
 }
 
 impl<const N: usize> Uncertain<N> {
+    /// Returns the mean of two.
+    pub(super) fn mean(self, other: Self) -> Self {
+        (self + other).scaled(0.5)
+    }
+
     /// Creates an exact number.
     pub(super) fn exact(value: f64) -> Self {
         Uncertain { value, size: value.abs(), spread: [0.0; N], rest: 0.0 }
@@ -190,9 +195,13 @@ pub(super) fn sharper_known<T>(a: Option<T>, b: Option<T>, radius: impl Fn(&T) -
     }
 }
 
-/// Returns the more precise of two measurements of one number, or the mean of two that are equally precise, so that neither comes first.
-pub(super) fn best_of<const N: usize>(a: Uncertain<N>, b: Uncertain<N>) -> Uncertain<N> {
-    if a.radius() == b.radius() { (a + b).scaled(0.5) } else { sharper(a, b, Uncertain::radius) }
+/// Returns the more precise of two measurements of one thing, either of which may be missing, or the mean of two that are equally precise, so that neither comes
+/// first.
+pub(super) fn best_known<T>(a: Option<T>, b: Option<T>, radius: impl Fn(&T) -> f64, mean: impl FnOnce(T, T) -> T) -> Option<T> {
+    match (a, b) {
+        (Some(a), Some(b)) if radius(&a) == radius(&b) => Some(mean(a, b)),
+        (a, b) => sharper_known(a, b, radius),
+    }
 }
 
 #[cfg(test)]
@@ -312,10 +321,8 @@ mod tests {
         assert_eq!(sharper_known(None, Some(fine), Two::radius).map(|x| x.value), Some(1.0));
         assert_eq!(sharper_known(Some(coarse), Some(fine), Two::radius).map(|x| x.value), Some(1.0));
         assert!(sharper_known(None, None, Two::radius).is_none());
-        assert_eq!(
-            [best_of(coarse, fine), best_of(fine, coarse), best_of(Two::exact(1.0), Two::exact(4.0))].map(|x| x.value),
-            [1.0, 1.0, 2.5]
-        );
+        let best = |a, b| best_known(Some(a), Some(b), Two::radius, Two::mean).map(|x| x.value);
+        assert_eq!([best(coarse, fine), best(fine, coarse), best(Two::exact(1.0), Two::exact(4.0))], [1.0, 1.0, 2.5].map(Some));
     }
 
     #[test]

@@ -135,9 +135,10 @@ impl FittedToTests {
         let FurtherVehicle { fit, common } = match &class {
             Some(class) => class.further_vehicle(fit),
             None => {
-                let factor = enlarged.map_or(1.0, |factor| factor * factor);
-                let StiffnessCovariance { onset, between, slope } = fit.covariance;
-                fit.covariance = StiffnessCovariance { onset: onset * factor, between: between * factor, slope: slope * factor };
+                if let Some(factor) = enlarged {
+                    let StiffnessCovariance { onset, between, slope } = &mut fit.covariance;
+                    [onset, between, slope].into_iter().for_each(|entry| *entry *= factor * factor);
+                }
                 FurtherVehicle { common: fit.covariance, fit }
             }
         };
