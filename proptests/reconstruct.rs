@@ -9,6 +9,7 @@ mod diagnosis;
 mod guaranteed;
 mod intervals;
 mod posterior;
+mod ratio;
 mod scene;
 mod table;
 mod verdicts;

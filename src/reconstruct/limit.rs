@@ -62,6 +62,8 @@ pub(super) struct Margins {
     piece: Piece,
     /// The side of vehicle 2 along n, 1 or −1.
     side: f64,
+    /// The sign of a given impulse ratio; zero without one, and of one that is zero.
+    sliding: f64,
     /// A significant relative velocity, impulse, energy and distance.
     velocity: f64,
     impulse: f64,
@@ -77,7 +79,7 @@ impl Margins {
         let sizes = |approach: f64, impulse: f64, limits, side, distance| {
             let velocity = approach.max(1.0);
             let impulse = impulse.max(velocity / contact.compliance.nn);
-            Margins { limits, piece: Piece::Whole, side, velocity, impulse, energy: impulse * velocity, distance }
+            Margins { limits, piece: Piece::Whole, side, sliding: 0.0, velocity, impulse, energy: impulse * velocity, distance }
         };
         if placed.impulse.is_some() {
             return sizes(impact.approach.length(), impact.impulse.length(), vec![Limit::Energy], 1.0, None);
@@ -90,12 +92,20 @@ impl Margins {
         if !is_elastic(impact) {
             limits.push(Limit::Energy);
         }
+        let sliding = match (Piece::of(placed), placed.collision.impulse_ratio) {
+            (Piece::OfRatio(side), _) => f64::from(side),
+            (_, ImpulseRatio::Given(ratio)) if ratio != 0.0 => 1_f64.copysign(ratio),
+            _ => 0.0,
+        };
         match placed.collision.impulse_ratio {
-            ImpulseRatio::Given(_) => limits.extend([Limit::Sliding; 2]),
+            ImpulseRatio::Given(_) if placed.ratio_is_unknown => limits.extend([Limit::Sliding; 2]),
+            // Without a tangential impulse nothing ends the sliding.
+            ImpulseRatio::Given(_) => limits.extend((sliding != 0.0).then_some(Limit::Sliding)),
             ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
-        sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, -1_f64.copysign(impact.approach.n), distance)
+        let side = -1_f64.copysign(impact.approach.n);
+        Margins { sliding, ..sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, side, distance) }
     }
 
     /// Lets the vehicles lie the other way round along the normal.
@@ -106,6 +116,9 @@ impl Margins {
     /// Adds the edges of a piece of the mechanics.
     pub(super) fn within(&mut self, piece: Piece) {
         self.piece = piece;
+        if let Piece::OfRatio(side) = piece {
+            self.sliding = side.into();
+        }
     }
 
     /// Returns the piece of the mechanics to whose edges the margins keep.
@@ -122,8 +135,13 @@ impl Margins {
     pub(super) fn beyond(&self, margins: &[f64]) -> impl Iterator<Item = Piece> {
         /// Distance from an edge that is none.
         const ON: f64 = 1e-3;
-        let edges = self.piece.beyond().iter().zip(&margins[self.limits.len()..]);
-        edges.filter(|(_, margin)| margin.abs() < ON).map(|(beyond, _)| *beyond)
+        let is_on = |margin: &f64| margin.abs() < ON;
+        let (limits, edges) = margins.split_at(self.limits.len());
+        // Ratios of either sign meet where neither they nor sticking have a tangential impulse.
+        let mut sliding = self.limits.iter().zip(limits).filter(|(limit, _)| **limit == Limit::Sliding);
+        let meets = matches!(self.piece, Piece::OfRatio(_)) && sliding.all(|(_, margin)| is_on(margin));
+        let is_beyond = move |k: usize| edges.get(k).map_or(meets, is_on);
+        self.piece.beyond().iter().enumerate().filter(move |(k, _)| is_beyond(*k)).map(|(_, beyond)| *beyond)
     }
 
     /// Returns the margins of a collision with its contact and its impact, in the order of [`Margins::limit`].
@@ -146,14 +164,15 @@ impl Margins {
             margins.push(over(impact.loss() - T::from(ROUNDING) * work(impact), self.energy, 0.0));
         }
         match collision.impulse_ratio {
-            ImpulseRatio::Given(_) => {
-                let along = impact.impulse.t.clone() * sticking.t.clone();
-                let unit = self.impulse * self.impulse;
-                margins.push(over(along.clone(), unit, ROUNDING));
-                margins.push(over(sticking.t.squared() - along, unit, ROUNDING));
+            // A normal impulse that pushes has the sign of the approach, and the tangential impulse that of the ratio beside it.
+            ImpulseRatio::Given(_) if self.sliding != 0.0 => {
+                let unit = -self.side * self.sliding * self.impulse;
+                let along = over(impact.impulse.t.clone(), unit, 0.0);
+                let rest = over(sticking.t - impact.impulse.t.clone(), unit, ROUNDING);
+                margins.extend(self.limits.iter().filter(|limit| **limit == Limit::Sliding).zip([rest, along]).map(|(_, margin)| margin));
             }
             ImpulseRatio::OfCritical(_) => margins.push(over(sticking.n, -self.side * self.impulse, ROUNDING)),
-            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
+            ImpulseRatio::Given(_) | ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
         margins.extend(self.piece.margins(collision, contact, -self.side * self.impulse));
         margins

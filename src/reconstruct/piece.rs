@@ -19,20 +19,31 @@ pub(super) enum Piece {
     Sticks,
     /// The vehicles slide throughout, at a ratio of this sign: 1 or −1.
     Slides(i8),
+    /// They do so at an unknown ratio, of this sign.
+    OfRatio(i8),
 }
 
 impl Piece {
     /// Returns the piece that a collision lies in.
     pub(super) fn of(placed: &Placed<f64>) -> Self {
         let collision = &placed.collision;
-        let ImpulseRatio::LimitedByFriction(friction) = collision.impulse_ratio else { return Piece::Whole };
-        if placed.impulse.is_some() {
-            return Piece::Whole;
+        let sign = |x: f64| if x < 0.0 { -1 } else { 1 };
+        match collision.impulse_ratio {
+            _ if placed.impulse.is_some() => Piece::Whole,
+            ImpulseRatio::LimitedByFriction(friction) => {
+                let contact = collision.contact();
+                let change = collision.sticking_change(&contact, collision.moment_impulse(&contact).as_ref());
+                let cone = FrictionCone::around(&contact.compliance.impulse_for(change), &change, &friction);
+                if cone.slides { Piece::Slides(sign(cone.side)) } else { Piece::Sticks }
+            }
+            // A ratio of zero has the sign of those that are possible beside it.
+            ImpulseRatio::Given(0.0) if placed.ratio_is_unknown => {
+                let contact = collision.contact();
+                Piece::OfRatio(sign(collision.sticking_impulse(&contact).t * contact.approach.n))
+            }
+            ImpulseRatio::Given(ratio) if placed.ratio_is_unknown => Piece::OfRatio(sign(ratio)),
+            _ => Piece::Whole,
         }
-        let contact = collision.contact();
-        let change = collision.sticking_change(&contact, collision.moment_impulse(&contact).as_ref());
-        let cone = FrictionCone::around(&contact.compliance.impulse_for(change), &change, &friction);
-        if cone.slides { Piece::Slides(if cone.side < 0.0 { -1 } else { 1 }) } else { Piece::Sticks }
     }
 
     /// Returns every piece of the same mechanics.
@@ -40,6 +51,7 @@ impl Piece {
         match self {
             Piece::Whole => &[Piece::Whole],
             Piece::Sticks | Piece::Slides(_) => &[Piece::Sticks, Piece::Slides(1), Piece::Slides(-1)],
+            Piece::OfRatio(_) => &[Piece::OfRatio(1), Piece::OfRatio(-1)],
         }
     }
 
@@ -54,13 +66,13 @@ impl Piece {
     }
 
     /// Returns functions that are negative beyond the edges of this piece, in units of an impulse that has the sign of compression; [`Piece::beyond`] has what lies
-    /// there.
+    /// there. Those of an unknown ratio are limits of the physics.
     pub(super) fn margins<T: Real + From<f64>>(self, collision: &Collision<T>, contact: &Contact<T>, unit: f64) -> Vec<T> {
         let ImpulseRatio::LimitedByFriction(friction) = &collision.impulse_ratio else { return Vec::new() };
         let sticking = collision.sticking_impulse(contact) * T::from(unit.recip());
         let most = friction.clone() * sticking.n;
         match self {
-            Piece::Whole => Vec::new(),
+            Piece::Whole | Piece::OfRatio(_) => Vec::new(),
             Piece::Sticks => vec![most.clone() - sticking.t.clone(), most + sticking.t],
             Piece::Slides(side) => vec![T::int(side.into()) * sticking.t - most],
         }
@@ -72,6 +84,8 @@ impl Piece {
             Piece::Whole => &[],
             Piece::Sticks => &[Piece::Slides(1), Piece::Slides(-1)],
             Piece::Slides(_) => &[Piece::Sticks],
+            Piece::OfRatio(1) => &[Piece::OfRatio(-1)],
+            Piece::OfRatio(_) => &[Piece::OfRatio(1)],
         }
     }
 }
@@ -102,7 +116,7 @@ mod tests {
             let plane = CrushPlane::from_angle([0.0, 3.0 * mirror][k % 2]);
             let collision = collision(mirror, angle, friction, law, moment).with_crush_plane(plane);
             let Ok(impact) = collision.solve() else { continue };
-            let placed = Placed { collision, crush_share: 0.5, impulse: None, skids: [None; 2] };
+            let placed = Placed { collision, crush_share: 0.5, impulse: None, skids: [None; 2], ratio_is_unknown: false };
             let (own, contact) = (Piece::of(&placed), collision.contact());
             assert_eq!(own.impact_of(&placed, &contact).impulse, impact.impulse, "{k}");
             assert_eq!(Piece::Whole.impact_of(&placed, &contact).impulse, impact.impulse, "{k}");
@@ -127,7 +141,7 @@ mod tests {
     #[test]
     fn without_friction_there_is_one_piece() {
         let limited = collision(1.0, 2.5, 0.4, Law::Brach, Moment::None);
-        let placed = |collision, impulse| Placed { collision, crush_share: 0.5, impulse, skids: [None; 2] };
+        let placed = |collision, impulse| Placed { collision, crush_share: 0.5, impulse, skids: [None; 2], ratio_is_unknown: false };
         let critical = placed(limited.with_impulse_ratio(ImpulseRatio::Critical), None);
         for placed in [critical, placed(limited, Some(crate::frame::Xy { x: -9e3, y: 0.0 }))] {
             assert_eq!((Piece::of(&placed), Piece::of(&placed).all()), (Piece::Whole, &[Piece::Whole][..]));

@@ -17,6 +17,8 @@ pub(super) struct Placed<T> {
     pub(super) impulse: Option<Xy<T>>,
     /// The speed that each vehicle would have lost in braking before the impact, had it come to rest.
     pub(super) skids: [Option<T>; 2],
+    /// Whether the impulse ratio is one of the unknowns.
+    pub(super) ratio_is_unknown: bool,
 }
 
 impl<T: Real> Placed<T> {

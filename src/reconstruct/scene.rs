@@ -50,6 +50,7 @@ impl Scene {
             crush_share: T::from(self.crush_share),
             impulse: None,
             skids: self.skids.map(|speed| speed.map(T::from)),
+            ratio_is_unknown: self.variables.contains(&Variable::Input(Input::ImpulseRatio)),
         };
         let mut speeds = self.speeds.map(|speed| speed.map(T::from));
         let mut gyrations = self.gyrations.map(|square| square.map(T::from));

@@ -146,6 +146,34 @@ mod tests {
     use crate::reconstruct::{ReconstructionProblem, Uncertainty, Variable};
     use crate::{Collision, Heading, ImpulseRatio, Vehicle};
 
+    /// A car meets a wall at an angle to its normal, with an unknown ratio. Where it has neither an angle nor a ratio, both signs are possible beside it.
+    #[test]
+    fn ratios_of_either_sign_meet_where_nothing_slides() {
+        let car = Vehicle::new(1400.0, 2500.0).with_impact_center(2.0, 0.0).with_speed(15.0);
+        let collision = Collision::new(car, crate::Party::Barrier).with_impulse_ratio(ImpulseRatio::Given(0.0));
+        let problem = ReconstructionProblem::of(collision)
+            .unknown(Variable::Input(Input::CrushPlane), 0.0)
+            .unknown(Variable::Input(Input::ImpulseRatio), 0.0);
+        let model = Model::of(&problem);
+        for (plane, ratio, piece, beyond) in [
+            (0.1, -0.01, -1, None),
+            (-0.1, 0.01, 1, None),
+            (0.1, 0.0, -1, None),
+            (-0.1, 0.0, 1, None),
+            (0.0, 0.0, 1, Some(-1)),
+            (1e-5, -1e-6, -1, Some(1)),
+            (-1e-5, 1e-6, 1, Some(-1)),
+        ] {
+            let (placed, impact) = model.solve(&[plane, ratio]).expect("possible");
+            let own = Piece::of(&placed);
+            assert_eq!((own, own.all()), (Piece::OfRatio(piece), &[Piece::OfRatio(1), Piece::OfRatio(-1)][..]), "{plane} {ratio}");
+            let mut limited = WithinLimits::around(&model, &placed, &impact);
+            assert!(limited.at(&[plane, ratio]).expect("possible").margins.iter().all(|margin| *margin >= -1e-7), "{plane} {ratio}");
+            limited.keep_to(own);
+            assert_eq!(limited.beyond(&[plane, ratio]), Vec::from_iter(beyond.map(Piece::OfRatio)), "{plane} {ratio}");
+        }
+    }
+
     /// The gradient of ½χ² less the margins and the fixed quantity, each times its multiplier, changes by the curvature of Gauss and Newton and the bend.
     #[test]
     fn the_bend_is_what_gauss_and_newton_leave_out() {

@@ -1,0 +1,161 @@
+//! A given impulse ratio beside the limit at which the tangential impulse would speed the sliding up, or more than end it.
+
+use planar_impact::reconstruct::*;
+use planar_impact::*;
+
+use super::scene::{Source, with};
+
+const SPEED_1: Variable = Variable::Speed(Side::One);
+const SPEED_2: Variable = Variable::Speed(Side::Two);
+const RESTITUTION: Variable = Variable::Input(Input::Restitution);
+const PLANE: Variable = Variable::Input(Input::CrushPlane);
+const RATIO: Variable = Variable::Input(Input::ImpulseRatio);
+
+/// The quantile of 95 % of χ² with one degree of freedom (Abramowitz and Stegun, table 26.8).
+const QUANTILE: f64 = 3.841_459;
+
+/// Evidence of outputs with standard deviations.
+type Measured = Vec<(Output, f64, f64)>;
+
+fn asking(collision: Collision, unknowns: &[(Variable, f64, f64, f64)], measured: &Measured) -> ReconstructionProblem {
+    let problem = ReconstructionProblem::of(collision);
+    let problem = unknowns.iter().fold(problem, |problem, (of, start, min, max)| problem.between(*of, *start, *min, *max));
+    let add = |problem: ReconstructionProblem, (of, value, sd): &(Output, f64, f64)| {
+        problem.evidence(Measurand::Output(*of), *value, Uncertainty::StandardDeviation(*sd))
+    };
+    measured.iter().fold(problem, add)
+}
+
+/// Draws points between the bounds of the unknowns; returns those that the mechanics accepts, with their impacts and χ².
+fn lawful(
+    collision: Collision,
+    unknowns: &[(Variable, f64, f64, f64)],
+    measured: &Measured,
+    draws: usize,
+) -> Vec<(Collision, Impact, f64)> {
+    let mut source = Source::of(7);
+    let draw = |_| {
+        let at = unknowns.iter().fold(collision, |collision, (of, _, min, max)| with(&collision, *of, source.between(*min, *max)));
+        let impact = at.solve().ok()?;
+        let chi_square = measured.iter().map(|(of, given, sd)| ((of.of(&at, &impact) - given) / sd).powi(2)).sum();
+        Some((at, impact, chi_square))
+    };
+    (0..draws).filter_map(draw).collect()
+}
+
+/// Two cars of which the ratio has the sign that their motion hardly favors: the best fit lies where they do not slide at all.
+fn turning_cars(ratio: f64) -> (Collision, [(Variable, f64, f64, f64); 3], Measured) {
+    let car = |mass: f64, yaw_inertia: f64, heading: f64, yaw_rate: f64, [forward, left]: [f64; 2], speed: f64| {
+        Vehicle::new(mass, yaw_inertia)
+            .with_heading(Heading::from_angle(heading))
+            .with_impact_center(forward, left)
+            .with_speed(speed)
+            .with_yaw_rate(yaw_rate)
+    };
+    let one = car(3306.0, 3654.0, -0.792, -4.2, [0.815, 0.0356], 5.8);
+    let two = car(1466.0, 2667.0, 2.444, -3.367, [1.286, -1.282], 4.0);
+    let collision = Collision::new(one, two)
+        .with_crush_plane(CrushPlane::from_angle(std::f64::consts::FRAC_PI_2))
+        .with_restitution(0.1)
+        .with_impulse_ratio(ImpulseRatio::Given(ratio));
+    let velocity = [(Output::VelocityX(Side::One), 3.98, 0.5), (Output::VelocityY(Side::One), -1.28, 0.5)];
+    let measured = velocity.into_iter().chain([(Output::NormalWork, -45_940.0, 4620.0)]).collect();
+    (collision, [(SPEED_1, 5.8, 0.0, 6.8), (SPEED_2, 4.0, 0.0, 60.0), (RESTITUTION, 0.1, 0.0, 0.5)], measured)
+}
+
+#[test]
+fn a_small_ratio_of_the_other_sign_is_fitted_along_its_limit() {
+    let mut before = f64::INFINITY;
+    for ratio in [-1e-2, -1e-3, -1e-4, -1e-5, -1e-6, -1e-7, -1e-9, -1e-12] {
+        let (collision, unknowns, measured) = turning_cars(ratio);
+        let answer = asking(collision, &unknowns, &measured).solve(&Search::default()).expect("it has an answer");
+        let best = answer.best();
+        assert_eq!((answer.verdict, answer.solutions.len(), &best.limits[..]), (Verdict::Agrees, 1, &[Limit::Sliding][..]), "{ratio}");
+        // The less tangential impulse it needs, the closer it comes to the evidence.
+        assert!(best.chi_square <= before, "{ratio}: {} after {before}", best.chi_square);
+        before = best.chi_square;
+        let about = best.unknowns.iter().zip(&unknowns).map(|(estimate, (of, start, min, max))| {
+            let value = estimate.value;
+            (*of, *start, (value - 0.3).max(*min), (value + 0.3).min(*max))
+        });
+        let near = lawful(collision, &about.collect::<Vec<_>>(), &measured, 20_000);
+        let least = near.iter().map(|(.., chi_square)| *chi_square).fold(f64::INFINITY, f64::min);
+        assert!(near.len() > 2000, "{ratio}: {}", near.len());
+        assert!((best.chi_square..best.chi_square + 0.5).contains(&least), "{ratio}: {least} is less than {}", best.chi_square);
+    }
+    assert!(before < 1.6465, "{before}");
+}
+
+#[test]
+fn a_ratio_of_zero_is_none_of_the_critical_one() {
+    let car = Vehicle::new(801.0, 3670.0).with_heading(Heading::from_angle(1.82)).with_impact_center(0.323, 2.6).with_speed(20.1);
+    let collision = Collision::new(Party::Barrier, car).with_restitution(0.31);
+    let deviation = Uncertainty::StandardDeviation;
+    let intervals = |ratio| {
+        let problem = ReconstructionProblem::of(collision.with_impulse_ratio(ratio))
+            .unknown(SPEED_2, 20.1)
+            .between(PLANE, 0.0151, -0.5, 0.4)
+            .prior(Variable::Input(Input::Mass(Side::Two)), 801.0, 24.0)
+            .prior(RESTITUTION, 0.31, 0.05)
+            .evidence(Measurand::DeltaVForward(Side::Two), -1.66, deviation(0.5))
+            .evidence(Measurand::DeltaVLeft(Side::Two), -4.58, deviation(0.5))
+            .evidence(Measurand::Output(Output::NormalWork), -7330.0, deviation(715.0));
+        let answer = problem.solve(&Search::default()).expect("it has an answer");
+        let of = [Measurand::Variable(SPEED_2), Measurand::Variable(PLANE), Measurand::Output(Output::DeltaVMagnitude(Side::Two))];
+        problem.intervals(&answer, 0.95, &of)
+    };
+    let [given, none, smooth] =
+        [ImpulseRatio::Given(0.0), ImpulseRatio::OfCritical(0.0), ImpulseRatio::LimitedByFriction(0.0)].map(intervals);
+    for other in [none, smooth] {
+        for (one, other) in given.iter().zip(other) {
+            let near = |x: f64, y: f64| (x - y).abs() < 1e-3 * (one.high - one.low);
+            assert!(near(one.low, other.low) && near(one.high, other.high), "{one:?} {other:?}");
+        }
+    }
+    let [.., delta_v] = &given[..] else { panic!("three intervals") };
+    // The sliding of the first ends and turns round on the way there, which without a tangential impulse is no limit.
+    assert!((delta_v.low - 4.6816).abs() < 1e-3 && delta_v.low_limited_by.is_none(), "{delta_v:?}");
+}
+
+/// A car meets a wall nearly along its normal: on either side of that the ratio has another sign, and both meet where it has none.
+#[test]
+fn an_unknown_ratio_goes_on_with_the_other_sign() {
+    let car = Vehicle::new(1400.0, 2500.0).with_impact_center(2.0, 0.0).with_speed(15.0);
+    for plane in [-0.03, 0.02] {
+        let collision = Collision::new(car, Party::Barrier)
+            .with_restitution(0.1)
+            .with_crush_plane(CrushPlane::from_angle(plane))
+            .with_impulse_ratio(ImpulseRatio::Given(0.2 * plane));
+        let unknowns = [(SPEED_1, 15.0, 5.0, 25.0), (PLANE, plane, -0.6, 0.6), (RATIO, 0.2 * plane, -0.4, 0.4)];
+        let measured = vec![
+            (Output::VelocityX(Side::One), -1.5, 0.3),
+            (Output::VelocityY(Side::One), 0.2 * plane, 0.4),
+            (Output::YawRate(Side::One), 0.0, 0.6),
+            (Output::Loss, 157_000.0, 9e3),
+        ];
+        let problem = asking(collision, &unknowns, &measured);
+        // A search from elsewhere would find the other sign by itself.
+        let answer = problem.solve(&Search { starts: 1, ..Search::default() }).expect("it has an answer");
+        assert!(answer.solutions.len() == 1 && answer.worse.is_empty());
+        let outputs = [Output::DeltaVMagnitude(Side::One), Output::PrincipalDirectionOfForce(Side::One), Output::NormalWork];
+        let of = unknowns.iter().map(|(of, ..)| Measurand::Variable(*of)).chain(outputs.map(Measurand::Output));
+        let intervals = problem.intervals(&answer, 0.95, &of.collect::<Vec<_>>());
+        let mut seen = [0; 2];
+        for (at, impact, chi_square) in lawful(collision, &unknowns, &measured, 400_000) {
+            if chi_square > answer.best().chi_square + QUANTILE {
+                continue;
+            }
+            seen[usize::from(impact.impulse_ratio() > 0.0)] += 1;
+            let Party::Vehicle(car) = at.one else { panic!("a car") };
+            let ImpulseRatio::Given(ratio) = at.impulse_ratio else { panic!("a ratio") };
+            let values = [car.motion.velocity.x, at.crush_plane.sin.atan2(at.crush_plane.cos), ratio];
+            for (interval, value) in intervals.iter().zip(values.into_iter().chain(outputs.map(|of| of.of(&at, &impact)))) {
+                let slack = 2e-3 * (interval.high - interval.low);
+                assert!((interval.low - slack..=interval.high + slack).contains(&value), "{value} with {values:?}: {interval:?}");
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 200), "{seen:?}");
+        let [_, plane, ratio, ..] = &intervals[..] else { panic!("six intervals") };
+        assert!(plane.low < 0.0 && plane.high > 0.0 && ratio.low < 0.0 && ratio.high > 0.0, "{intervals:?}");
+    }
+}
