@@ -86,35 +86,67 @@ fn a_small_ratio_of_the_other_sign_is_fitted_along_its_limit() {
     assert!(before < 1.6465, "{before}");
 }
 
-#[test]
-fn a_ratio_of_zero_is_none_of_the_critical_one() {
+/// A car beside a wall: on the way to the ends of its intervals the sliding turns round.
+fn into_a_wall(ratio: ImpulseRatio) -> ReconstructionProblem {
     let car = Vehicle::new(801.0, 3670.0).with_heading(Heading::from_angle(1.82)).with_impact_center(0.323, 2.6).with_speed(20.1);
-    let collision = Collision::new(Party::Barrier, car).with_restitution(0.31);
     let deviation = Uncertainty::StandardDeviation;
-    let intervals = |ratio| {
-        let problem = ReconstructionProblem::of(collision.with_impulse_ratio(ratio))
-            .unknown(SPEED_2, 20.1)
-            .between(PLANE, 0.0151, -0.5, 0.4)
-            .prior(Variable::Input(Input::Mass(Side::Two)), 801.0, 24.0)
-            .prior(RESTITUTION, 0.31, 0.05)
-            .evidence(Measurand::DeltaVForward(Side::Two), -1.66, deviation(0.5))
-            .evidence(Measurand::DeltaVLeft(Side::Two), -4.58, deviation(0.5))
-            .evidence(Measurand::Output(Output::NormalWork), -7330.0, deviation(715.0));
-        let answer = problem.solve(&Search::default()).expect("it has an answer");
-        let of = [Measurand::Variable(SPEED_2), Measurand::Variable(PLANE), Measurand::Output(Output::DeltaVMagnitude(Side::Two))];
-        problem.intervals(&answer, 0.95, &of)
+    ReconstructionProblem::of(Collision::new(Party::Barrier, car).with_restitution(0.31).with_impulse_ratio(ratio))
+        .unknown(SPEED_2, 20.1)
+        .between(PLANE, 0.0151, -0.5, 0.4)
+        .prior(Variable::Input(Input::Mass(Side::Two)), 801.0, 24.0)
+        .prior(RESTITUTION, 0.31, 0.05)
+        .evidence(Measurand::DeltaVForward(Side::Two), -1.66, deviation(0.5))
+        .evidence(Measurand::DeltaVLeft(Side::Two), -4.58, deviation(0.5))
+        .evidence(Measurand::Output(Output::NormalWork), -7330.0, deviation(715.0))
+}
+
+/// Two cars that would have to pull to stick.
+fn without_sticking(ratio: ImpulseRatio) -> ReconstructionProblem {
+    let one = Vehicle::new(2084.7, 3176.8).with_heading(Heading::from_angle(-2.9914)).with_impact_center(-1.5887, -2.01);
+    let two = Vehicle::new(2451.7, 12_276.6).with_heading(Heading::from_angle(-1.073)).with_impact_center(1.4468, 0.0466);
+    let collision = Collision::new(one.with_speed(39.7).with_yaw_rate(2.2403), two.with_speed(26.4)).with_impulse_ratio(ratio);
+    let evidence = |problem: ReconstructionProblem, (of, value, sd): (Output, f64, f64)| {
+        problem.evidence(Measurand::Output(of), value, Uncertainty::StandardDeviation(sd))
     };
-    let [given, none, smooth] =
-        [ImpulseRatio::Given(0.0), ImpulseRatio::OfCritical(0.0), ImpulseRatio::LimitedByFriction(0.0)].map(intervals);
-    for other in [none, smooth] {
-        for (one, other) in given.iter().zip(other) {
-            let near = |x: f64, y: f64| (x - y).abs() < 1e-3 * (one.high - one.low);
-            assert!(near(one.low, other.low) && near(one.high, other.high), "{one:?} {other:?}");
+    let problem = ReconstructionProblem::of(collision)
+        .prior(Variable::Input(Input::YawInertia(Side::One)), 3176.8, 158.8)
+        .prior(SPEED_1, 39.731, 1.0)
+        .between(SPEED_2, 26.4, 0.0, 43.66)
+        .between(RESTITUTION, 0.1, 0.0, 1.0)
+        .between(PLANE, 1.5385, 1.0708, 1.9708);
+    [
+        (Output::YawRate(Side::One), -2.6927, 0.2),
+        (Output::YawRate(Side::Two), 0.7388, 0.2),
+        (Output::DeltaVMagnitude(Side::One), 5.4649, 0.5),
+        (Output::VelocityX(Side::Two), 11.8222, 0.8),
+        (Output::VelocityY(Side::Two), -15.9824, 0.8),
+        (Output::NormalWork, -126_424.7, 10_961.9),
+    ]
+    .into_iter()
+    .fold(problem, evidence)
+}
+
+/// Neither has a limit: without a tangential impulse, nothing ends the sliding or speeds it up, and what sticking would need does not matter.
+#[test]
+fn a_ratio_of_zero_is_none_of_the_critical_one_and_no_friction() {
+    for (problem, side, low) in [(into_a_wall as fn(ImpulseRatio) -> _, Side::Two, 4.6816), (without_sticking, Side::One, 5.6735)] {
+        let of = [Measurand::Variable(SPEED_2), Measurand::Variable(PLANE), Measurand::Output(Output::DeltaVMagnitude(side))];
+        let intervals = |ratio| {
+            let problem = problem(ratio);
+            problem.intervals(&problem.solve(&Search::default()).expect("it has an answer"), 0.95, &of)
+        };
+        let [given, none, smooth] =
+            [ImpulseRatio::Given(0.0), ImpulseRatio::OfCritical(0.0), ImpulseRatio::LimitedByFriction(0.0)].map(intervals);
+        for other in [none, smooth] {
+            for (one, other) in given.iter().zip(other) {
+                let near = |x: f64, y: f64| (x - y).abs() < 1e-3 * (one.high - one.low);
+                assert!(near(one.low, other.low) && near(one.high, other.high), "{one:?} {other:?}");
+            }
         }
+        let [.., delta_v] = &given[..] else { panic!("three intervals") };
+        let is_physics = matches!(delta_v.low_limited_by, Some(Limit::Sliding | Limit::Tension));
+        assert!((delta_v.low - low).abs() < 1e-3 && !is_physics, "{delta_v:?}");
     }
-    let [.., delta_v] = &given[..] else { panic!("three intervals") };
-    // The sliding of the first ends and turns round on the way there, which without a tangential impulse is no limit.
-    assert!((delta_v.low - 4.6816).abs() < 1e-3 && delta_v.low_limited_by.is_none(), "{delta_v:?}");
 }
 
 /// A car meets a wall nearly along its normal: on either side of that the ratio has another sign, and both meet where it has none.

@@ -1,5 +1,7 @@
 //! Limits of the physics: where a search along the evidence ends, or an interval.
 
+use core::iter;
+
 use super::piece::Piece;
 use super::placed::Placed;
 use super::variable::Variable;
@@ -62,7 +64,7 @@ pub(super) struct Margins {
     piece: Piece,
     /// The side of vehicle 2 along n, 1 or −1.
     side: f64,
-    /// The sign of a given impulse ratio; zero without one, and of one that is zero.
+    /// The sign of a given impulse ratio, and 1 of a given share of the critical one; zero where neither limits anything.
     sliding: f64,
     /// A significant relative velocity, impulse, energy and distance.
     velocity: f64,
@@ -92,15 +94,16 @@ impl Margins {
         if !is_elastic(impact) {
             limits.push(Limit::Energy);
         }
+        // A fixed ratio, or share, of zero has no tangential impulse, which nothing limits.
         let sliding = match (Piece::of(placed), placed.collision.impulse_ratio) {
             (Piece::OfRatio(side), _) => f64::from(side),
             (_, ImpulseRatio::Given(ratio)) if ratio != 0.0 => 1_f64.copysign(ratio),
+            (_, ImpulseRatio::OfCritical(share)) if share != 0.0 || placed.ratio_is_unknown => 1.0,
             _ => 0.0,
         };
         match placed.collision.impulse_ratio {
-            ImpulseRatio::Given(_) if placed.ratio_is_unknown => limits.extend([Limit::Sliding; 2]),
-            // Without a tangential impulse nothing ends the sliding.
-            ImpulseRatio::Given(_) => limits.extend((sliding != 0.0).then_some(Limit::Sliding)),
+            _ if sliding == 0.0 => (),
+            ImpulseRatio::Given(_) => limits.extend(iter::repeat_n(Limit::Sliding, if placed.ratio_is_unknown { 2 } else { 1 })),
             ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
@@ -164,15 +167,16 @@ impl Margins {
             margins.push(over(impact.loss() - T::from(ROUNDING) * work(impact), self.energy, 0.0));
         }
         match collision.impulse_ratio {
+            _ if self.sliding == 0.0 => (),
             // A normal impulse that pushes has the sign of the approach, and the tangential impulse that of the ratio beside it.
-            ImpulseRatio::Given(_) if self.sliding != 0.0 => {
+            ImpulseRatio::Given(_) => {
                 let unit = -self.side * self.sliding * self.impulse;
                 let along = over(impact.impulse.t.clone(), unit, 0.0);
                 let rest = over(sticking.t - impact.impulse.t.clone(), unit, ROUNDING);
                 margins.extend(self.limits.iter().filter(|limit| **limit == Limit::Sliding).zip([rest, along]).map(|(_, margin)| margin));
             }
             ImpulseRatio::OfCritical(_) => margins.push(over(sticking.n, -self.side * self.impulse, ROUNDING)),
-            ImpulseRatio::Given(_) | ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
+            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
         margins.extend(self.piece.margins(collision, contact, -self.side * self.impulse));
         margins
