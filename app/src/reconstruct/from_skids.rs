@@ -9,7 +9,9 @@ use super::from_rest::{Separations, outputs};
 use super::inputs::{approximated, shape_approximated, without_deviation};
 use crate::case::{BrakingInputs, Case, Parameter, SkidKey, UncertainInput, correlation_of, vehicle_number};
 use crate::issue::Issue;
+use crate::message::Message;
 use crate::notice::Notice;
+use crate::units::Measure;
 
 /// Skid speeds of the vehicles that braked before the impact.
 #[derive(Default)]
@@ -60,6 +62,7 @@ impl FromSkids {
                     _ => approximated(input),
                 };
                 found.notices.extend(inputs.iter().filter_map(|input| Some(shape_approximated(input, shape(input)?))));
+                found.notices.extend(bends(&path, speed, sd));
                 found.unknowns.push((Unknown { prior: Some(sd), min, max, ..Unknown::free(of, speed) }, path));
                 uncertain.push((of, sd, slopes));
             } else {
@@ -87,6 +90,18 @@ impl FromSkids {
         }
         found
     }
+}
+
+/// Returns a warning of a skid speed that is too uncertain for its first order: it is a root of friction and length.
+fn bends(path: &str, speed: f64, sd: f64) -> Option<Notice> {
+    /// Share of the speed up to which an interval of 95 % contains the truth in 94 %.
+    const STRAIGHT: f64 = 0.15;
+    let message = Message::from(format!("{path}: its skid speed, "))
+        .figure(Measure::RoadSpeed, speed)
+        .text(" ± ")
+        .figure(Measure::RoadSpeed, sd)
+        .text(", is taken to first order, and grows with the root of what it depends on: of so large an uncertainty the lower ends of intervals may be too high");
+    (sd > STRAIGHT * speed).then(|| Notice::warning("skid-bends", path, message))
 }
 
 /// Returns the least and the greatest skid speed, if each number that is uncertain has both: the speed grows with every one of them.

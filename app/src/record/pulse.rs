@@ -61,6 +61,15 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
 /// The longest time in s that is taken for an impact, which lasts a tenth of a second.
 pub(super) const LONGEST: f64 = 5.0;
 
+/// Returns a warning of a channel, or a sum of several, that never leaves one value: its integral is zero, and as certain as the readings are fine.
+fn of_constant(name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Notice> {
+    let first = *record.values().first()?;
+    let message = Message::from(format!("{name} is ")).figure(quantity.measure(), first).text(
+        " at every sample, so that nothing was measured: leave it out, or its integral of zero counts as evidence that is almost exact",
+    );
+    record.values().iter().all(|value| *value == first).then(|| Notice::warning("no-event", path, message))
+}
+
 /// Returns a warning of a pulse that is beyond any impact of vehicles: its times or its readings are in another unit.
 fn of_implausible_size(name: &str, path: &str, quantity: ChannelQuantity, over: &Window, peak: Peak) -> Option<Notice> {
     /// In N and m/s²: forces reach some MN, and accelerations some hundred g.
@@ -150,6 +159,7 @@ impl Analysis<'_> {
         if before.is_some() {
             self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
         }
+        self.notices.extend(of_constant(name, path, quantity, record));
         self.notices.extend(of_implausible_size(name, path, quantity, &over, peak));
         self.traces.push(Trace { name: name.to_owned(), quantity, filter: class.map(ChannelClass::number), times, values, unfiltered });
         Some(Pulse { integral, is_known: before.is_some(), peak })

@@ -339,6 +339,9 @@ fn a_uniform_friction_of_skids_has_limits() {
     let normal = json_of(&["reconstruct", "--level", "0.9999"], &case("\"0.6 ± 0.17\""));
     assert!(number(&skid(&normal)["low"]) < low && number(&skid(&normal)["high"]) > high, "{normal}");
     assert_eq!([notes(&uniform), notes(&triangular), notes(&normal)], [1, 1, 0]);
+    // Of ± 31 % of a friction the speed has half.
+    let bends = |friction: &str| json_of(&["reconstruct"], &case(friction))["messages"].to_string().matches("skid-bends").count();
+    assert_eq!(["\"0.6 ± 0.17\"", "\"0.6 ± 0.186\"", "0.6"].map(bends), [0, 1, 0]);
 }
 
 /// A known speed at the start of the skids is evidence of that at the impact.

@@ -17,6 +17,9 @@ const DEEP: f64 = 2.0;
 /// A greater width deserves a warning: the side of a bus is twelve meters long.
 const WIDE: f64 = 15.0;
 const NARROW: f64 = 0.01;
+/// A crush stiffness B outside of these deserves a warning, in N/m²: those of cars are 0.2 to 2 MPa.
+const SOFT: f64 = 1e4;
+const STIFF: f64 = 1e8;
 /// Maximum number of zones: measured stiffnesses have few zones, and each zone is evaluated for every depth.
 const MOST_ZONES: usize = 32;
 
@@ -105,7 +108,8 @@ impl CaseReader {
     }
 
     fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
-        let profile = inputs.on_scalar(|_| 0.0).profile;
+        let crush = inputs.on_scalar(|_| 0.0);
+        let (profile, zones) = (&crush.profile, crush.zones.zones());
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
@@ -123,6 +127,14 @@ impl CaseReader {
             if deepest == 0.0 {
                 warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
             }
+        }
+        // One without depth may stand for a rigid body.
+        let is_crushed = profile.depths().iter().any(|depth| *depth > 0.0);
+        let mut slopes = zones.iter().map(|zone| ForceLine::from(*zone).slope).filter(|_| is_crushed);
+        if let Some(slope) = slopes.find(|slope| *slope > 0.0 && !(SOFT..=STIFF).contains(slope)) {
+            let at = format!("{path}.stiffness");
+            let message = format!("{at}: B = {slope:.3e} N/m^2 is not the stiffness of a vehicle; check the unit");
+            warn("unusual-stiffness", at, message);
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {

@@ -230,6 +230,28 @@ fn a_constant_channel_is_no_impact() {
     }
 }
 
+/// A force that was not connected would be a ratio of zero that is known almost exactly. One silent cell of several is none.
+#[test]
+fn a_force_that_never_changes_is_named() {
+    let normal = |ms: f64| 250.0 * pulse(ms);
+    let cases: [(&str, fn(f64) -> f64, bool); 5] = [
+        ("normal_force [kN],tangential_force [kN]", |_| 0.0, true),
+        ("normal_force [kN],tangential_force [kN]", |_| -1.5, true),
+        ("normal_force [kN],tangential_force [kN]", |ms| 60.0 * pulse(ms), false),
+        ("normal_force.a [kN],normal_force.b [kN]", |_| 0.0, false),
+        ("normal_force [kN],acceleration [m/s^2]", |_| 0.0, true),
+    ];
+    for (columns, other, is_named) in cases {
+        let (_, run) = record_of(&csv(columns, &[&normal, &other]), Some(CAR));
+        let json: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{columns}: {}", run.err));
+        let all = json["messages"].as_array().map_or(&[][..], Vec::as_slice);
+        let named: Vec<&str> =
+            all.iter().filter(|message| message["code"] == "no-event").filter_map(|message| message["text"].as_str()).collect();
+        assert_eq!(named.len(), usize::from(is_named), "{columns}: {named:?}");
+        assert!(named.iter().all(|text| text.contains("at every sample, so that nothing was measured: leave it out")), "{named:?}");
+    }
+}
+
 #[test]
 fn a_barrier_record_is_evidence_and_a_test() {
     let folder = Folder::new();
