@@ -174,6 +174,23 @@ mod tests {
         }
     }
 
+    /// Zero of the sticking impulse is none, whether or not sticking would pull; an unknown share may be more.
+    #[test]
+    fn a_fixed_share_of_zero_asks_for_no_sticking_impulse() {
+        let car = Vehicle::new(1400.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+        let pushes = |share: f64, unknown: Variable, at: f64| {
+            let collision = Collision::new(car, crate::Party::Barrier).with_impulse_ratio(ImpulseRatio::OfCritical(share));
+            let problem = ReconstructionProblem::of(collision).unknown(unknown, at);
+            let model = Model::of(&problem);
+            let (placed, impact) = model.solve(&[at]).expect("possible");
+            let limited = WithinLimits::around(&model, &placed, &impact);
+            let margins = limited.at(&[at]).expect("possible").margins.len();
+            (0..margins).filter(|margin| limited.limit(*margin) == Some(Limit::Tension)).count()
+        };
+        let (speed, share) = (Variable::Speed(Side::One), Variable::Input(Input::ImpulseRatio));
+        assert_eq!([pushes(0.0, speed, 15.0), pushes(0.5, speed, 15.0), pushes(0.5, share, 0.0), pushes(0.5, share, 0.4)], [1, 2, 2, 2]);
+    }
+
     /// The gradient of ½χ² less the margins and the fixed quantity, each times its multiplier, changes by the curvature of Gauss and Newton and the bend.
     #[test]
     fn the_bend_is_what_gauss_and_newton_leave_out() {
