@@ -14,10 +14,13 @@ const RATIO: Variable = Variable::Input(Input::ImpulseRatio);
 /// The quantile of 95 % of χ² with one degree of freedom (Abramowitz and Stegun, table 26.8).
 const QUANTILE: f64 = 3.841_459;
 
+/// An unknown with its start and its bounds.
+type Between = (Variable, f64, f64, f64);
+
 /// Evidence of outputs with standard deviations.
 type Measured = Vec<(Output, f64, f64)>;
 
-fn asking(collision: Collision, unknowns: &[(Variable, f64, f64, f64)], measured: &Measured) -> ReconstructionProblem {
+fn asking(collision: Collision, unknowns: &[Between], measured: &Measured) -> ReconstructionProblem {
     let problem = ReconstructionProblem::of(collision);
     let problem = unknowns.iter().fold(problem, |problem, (of, start, min, max)| problem.between(*of, *start, *min, *max));
     let add = |problem: ReconstructionProblem, (of, value, sd): &(Output, f64, f64)| {
@@ -27,12 +30,7 @@ fn asking(collision: Collision, unknowns: &[(Variable, f64, f64, f64)], measured
 }
 
 /// Draws points between the bounds of the unknowns; returns those that the mechanics accepts, with their impacts and χ².
-fn lawful(
-    collision: Collision,
-    unknowns: &[(Variable, f64, f64, f64)],
-    measured: &Measured,
-    draws: usize,
-) -> Vec<(Collision, Impact, f64)> {
+fn lawful(collision: Collision, unknowns: &[Between], measured: &Measured, draws: usize) -> Vec<(Collision, Impact, f64)> {
     let mut source = Source::of(7);
     let draw = |_| {
         let at = unknowns.iter().fold(collision, |collision, (of, _, min, max)| with(&collision, *of, source.between(*min, *max)));
@@ -44,7 +42,7 @@ fn lawful(
 }
 
 /// Two cars of which the ratio has the sign that their motion hardly favors: the best fit lies where they do not slide at all.
-fn turning_cars(ratio: f64) -> (Collision, [(Variable, f64, f64, f64); 3], Measured) {
+fn turning_cars(ratio: f64) -> (Collision, [Between; 3], Measured) {
     let car = |mass: f64, yaw_inertia: f64, heading: f64, yaw_rate: f64, [forward, left]: [f64; 2], speed: f64| {
         Vehicle::new(mass, yaw_inertia)
             .with_heading(Heading::from_angle(heading))

@@ -233,8 +233,9 @@ fn a_constant_channel_is_no_impact() {
 /// A force that was not connected would be a ratio of zero that is known almost exactly. One silent cell of several is none.
 #[test]
 fn a_force_that_never_changes_is_named() {
+    type Force = fn(f64) -> f64;
     let normal = |ms: f64| 250.0 * pulse(ms);
-    let cases: [(&str, fn(f64) -> f64, bool); 5] = [
+    let cases: [(&str, Force, bool); 5] = [
         ("normal_force [kN],tangential_force [kN]", |_| 0.0, true),
         ("normal_force [kN],tangential_force [kN]", |_| -1.5, true),
         ("normal_force [kN],tangential_force [kN]", |ms| 60.0 * pulse(ms), false),
