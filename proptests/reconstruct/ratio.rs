@@ -189,3 +189,38 @@ fn an_unknown_ratio_goes_on_with_the_other_sign() {
         assert!(plane.low < 0.0 && plane.high > 0.0 && ratio.low < 0.0 && ratio.high > 0.0, "{intervals:?}");
     }
 }
+
+/// The best fits of a ratio of zero and of one that is hardly more lie at other crush planes: it goes on from one to the other along zero.
+#[test]
+fn an_interval_of_a_ratio_goes_on_beyond_zero() {
+    let one = Vehicle::new(2606.0, 3983.0).with_heading(Heading::from_angle(0.451)).with_impact_center(-2.02, -0.9).with_speed(11.75);
+    let two = Vehicle::new(2461.0, 4938.0).with_heading(Heading::from_angle(1.131)).with_impact_center(0.94, 0.76).with_speed(9.89);
+    let sd = Uncertainty::StandardDeviation;
+    for mirror in [1.0, -1.0] {
+        let image = |car: Vehicle| {
+            let arm = car.impact_center;
+            let heading = Heading { sin: mirror * car.heading.sin, ..car.heading };
+            let speed = car.motion.velocity.length();
+            car.with_heading(heading).with_impact_center(arm.forward, mirror * arm.left).with_speed(speed)
+        };
+        let collision =
+            Collision::new(image(one), image(two)).with_restitution(0.259).with_impulse_ratio(ImpulseRatio::Given(-0.2 * mirror));
+        let problem = ReconstructionProblem::of(collision.with_crush_plane(CrushPlane::from_angle(-0.364 * mirror)))
+            .between(SPEED_1, 11.75, 0.0, 45.0)
+            .between(SPEED_2, 9.89, 0.0, 45.0)
+            .between(PLANE, -0.364 * mirror, if mirror > 0.0 { -0.702 } else { 0.102 }, if mirror > 0.0 { -0.102 } else { 0.702 })
+            .between(RATIO, -0.2055 * mirror, -1.2, 1.2)
+            .evidence(Measurand::CrushEnergy, 12_064.169, sd(1370.153))
+            .evidence(Measurand::Output(Output::YawRate(Side::Two)), -0.429 * mirror, sd(0.25))
+            .evidence(Measurand::Output(Output::VelocityX(Side::Two)), 6.395, sd(0.5))
+            .evidence(Measurand::Output(Output::VelocityY(Side::Two)), 9.086 * mirror, sd(0.5))
+            .evidence(Measurand::Output(Output::YawRate(Side::One)), -2.667 * mirror, sd(0.25))
+            .evidence(Measurand::DeltaVForward(Side::Two), -0.887, sd(0.5))
+            .evidence(Measurand::Output(Output::DeltaVMagnitude(Side::One)), 2.345, sd(0.5));
+        let answer = problem.solve(&Search::default()).expect("it has an answer");
+        let [ratio] = problem.intervals(&answer, 0.95, &[Measurand::Variable(RATIO)])[..] else { panic!("one") };
+        // A fixed ratio of 0.0097 has χ² 5.0819, and one of 0.0099 has 5.0850: 3.8415 more than the least is 5.0825.
+        let end = if mirror > 0.0 { ratio.high } else { -ratio.low };
+        assert!((0.0097..0.0099).contains(&end), "{mirror}: {ratio:?}");
+    }
+}

@@ -140,9 +140,9 @@ impl Margins {
         const ON: f64 = 1e-3;
         let is_on = |margin: &f64| margin.abs() < ON;
         let (limits, edges) = margins.split_at(self.limits.len());
-        // Ratios of either sign meet where neither they nor sticking have a tangential impulse.
+        // Ratios of either sign meet where they have no tangential impulse, whatever that of sticking.
         let mut sliding = self.limits.iter().zip(limits).filter(|(limit, _)| **limit == Limit::Sliding);
-        let meets = matches!(self.piece, Piece::OfRatio(_)) && sliding.all(|(_, margin)| is_on(margin));
+        let meets = matches!(self.piece, Piece::OfRatio(_)) && sliding.nth(1).is_some_and(|(_, margin)| is_on(margin));
         let is_beyond = move |k: usize| edges.get(k).map_or(meets, is_on);
         self.piece.beyond().iter().enumerate().filter(move |(k, _)| is_beyond(*k)).map(|(_, beyond)| *beyond)
     }

@@ -146,9 +146,9 @@ mod tests {
     use crate::reconstruct::{ReconstructionProblem, Uncertainty, Variable};
     use crate::{Collision, Heading, ImpulseRatio, Vehicle};
 
-    /// A car meets a wall at an angle to its normal, with an unknown ratio. Where it has neither an angle nor a ratio, both signs are possible beside it.
+    /// A car meets a wall at an angle to its normal, with an unknown ratio. One of zero is possible at any angle, so that either sign begins there.
     #[test]
-    fn ratios_of_either_sign_meet_where_nothing_slides() {
+    fn ratios_of_either_sign_meet_at_zero() {
         let car = Vehicle::new(1400.0, 2500.0).with_impact_center(2.0, 0.0).with_speed(15.0);
         let collision = Collision::new(car, crate::Party::Barrier).with_impulse_ratio(ImpulseRatio::Given(0.0));
         let problem = ReconstructionProblem::of(collision)
@@ -158,8 +158,8 @@ mod tests {
         for (plane, ratio, piece, beyond) in [
             (0.1, -0.01, -1, None),
             (-0.1, 0.01, 1, None),
-            (0.1, 0.0, -1, None),
-            (-0.1, 0.0, 1, None),
+            (0.1, 0.0, -1, Some(1)),
+            (-0.1, 0.0, 1, Some(-1)),
             (0.0, 0.0, 1, Some(-1)),
             (1e-5, -1e-6, -1, Some(1)),
             (-1e-5, 1e-6, 1, Some(-1)),
