@@ -20,9 +20,12 @@ type Between = (Variable, f64, f64, f64);
 /// Evidence of outputs with standard deviations.
 type Measured = Vec<(Output, f64, f64)>;
 
-fn asking(collision: Collision, unknowns: &[Between], measured: &Measured) -> ReconstructionProblem {
+fn asking(collision: Collision, unknowns: &[Between], measured: &[(Output, f64, f64)]) -> ReconstructionProblem {
     let problem = ReconstructionProblem::of(collision);
-    let problem = unknowns.iter().fold(problem, |problem, (of, start, min, max)| problem.between(*of, *start, *min, *max));
+    measuring(unknowns.iter().fold(problem, |problem, (of, start, min, max)| problem.between(*of, *start, *min, *max)), measured)
+}
+
+fn measuring(problem: ReconstructionProblem, measured: &[(Output, f64, f64)]) -> ReconstructionProblem {
     let add = |problem: ReconstructionProblem, (of, value, sd): &(Output, f64, f64)| {
         problem.evidence(Measurand::Output(*of), *value, Uncertainty::StandardDeviation(*sd))
     };
@@ -98,30 +101,26 @@ fn into_a_wall(ratio: ImpulseRatio) -> ReconstructionProblem {
         .evidence(Measurand::Output(Output::NormalWork), -7330.0, deviation(715.0))
 }
 
-/// Two cars that would have to pull to stick.
+/// Two cars that would stick only if the impulse could pull.
 fn without_sticking(ratio: ImpulseRatio) -> ReconstructionProblem {
     let one = Vehicle::new(2084.7, 3176.8).with_heading(Heading::from_angle(-2.9914)).with_impact_center(-1.5887, -2.01);
     let two = Vehicle::new(2451.7, 12_276.6).with_heading(Heading::from_angle(-1.073)).with_impact_center(1.4468, 0.0466);
     let collision = Collision::new(one.with_speed(39.7).with_yaw_rate(2.2403), two.with_speed(26.4)).with_impulse_ratio(ratio);
-    let evidence = |problem: ReconstructionProblem, (of, value, sd): (Output, f64, f64)| {
-        problem.evidence(Measurand::Output(of), value, Uncertainty::StandardDeviation(sd))
-    };
     let problem = ReconstructionProblem::of(collision)
         .prior(Variable::Input(Input::YawInertia(Side::One)), 3176.8, 158.8)
         .prior(SPEED_1, 39.731, 1.0)
         .between(SPEED_2, 26.4, 0.0, 43.66)
         .between(RESTITUTION, 0.1, 0.0, 1.0)
         .between(PLANE, 1.5385, 1.0708, 1.9708);
-    [
+    let measured = [
         (Output::YawRate(Side::One), -2.6927, 0.2),
         (Output::YawRate(Side::Two), 0.7388, 0.2),
         (Output::DeltaVMagnitude(Side::One), 5.4649, 0.5),
         (Output::VelocityX(Side::Two), 11.8222, 0.8),
         (Output::VelocityY(Side::Two), -15.9824, 0.8),
         (Output::NormalWork, -126_424.7, 10_961.9),
-    ]
-    .into_iter()
-    .fold(problem, evidence)
+    ];
+    measuring(problem, &measured)
 }
 
 /// Neither has a limit: without a tangential impulse, nothing ends the sliding or speeds it up, and what sticking would need does not matter.

@@ -109,7 +109,8 @@ impl CaseReader {
 
     fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
         let crush = inputs.on_scalar(|_| 0.0);
-        let (profile, zones) = (&crush.profile, crush.zones.zones());
+        let profile = &crush.profile;
+        let mut slopes = crush.zones.zones().iter().map(|zone| ForceLine::from(*zone).slope);
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
@@ -126,15 +127,11 @@ impl CaseReader {
             }
             if deepest == 0.0 {
                 warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
+            } else if let Some(slope) = slopes.find(|slope| *slope > 0.0 && !(SOFT..=STIFF).contains(slope)) {
+                let at = format!("{path}.stiffness");
+                let message = format!("{at}: B = {slope:.3e} N/m^2 is not the stiffness of a vehicle; check the unit");
+                warn("unusual-stiffness", at, message);
             }
-        }
-        // One without depth may stand for a rigid body.
-        let is_crushed = profile.depths().iter().any(|depth| *depth > 0.0);
-        let mut slopes = zones.iter().map(|zone| ForceLine::from(*zone).slope).filter(|_| is_crushed);
-        if let Some(slope) = slopes.find(|slope| *slope > 0.0 && !(SOFT..=STIFF).contains(slope)) {
-            let at = format!("{path}.stiffness");
-            let message = format!("{at}: B = {slope:.3e} N/m^2 is not the stiffness of a vehicle; check the unit");
-            warn("unusual-stiffness", at, message);
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {
