@@ -228,7 +228,10 @@ impl Conversion {
         }
         let found = Kind::ALL.iter().find(|other| other.dimension == unit.dimension());
         let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
-        Err(QuantityError::new(format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example)))
+        let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
+        let is_gravity = kind.dimension == Kind::ACCELERATION.dimension && unit::symbol(written) == Some("g");
+        let help = is_gravity.then(|| "`g` is the gram; write `g0` for the standard acceleration of gravity".to_owned());
+        Err(QuantityError { message, help })
     }
 
     /// Creates the conversion of a number without a unit.

@@ -53,7 +53,7 @@ impl Units {
     /// Returns the system that a unit belongs to, if only one uses it.
     pub fn of(unit: &str) -> Option<Units> {
         const US: [&str; 11] = ["ft", "in", "yd", "mi", "lb", "lbf", "slug", "mph", "fps", "psi", "kip"];
-        const SI: [&str; 16] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph"];
+        const SI: [&str; 17] = ["m", "mm", "cm", "km", "kg", "g", "t", "N", "kN", "MN", "J", "kJ", "MJ", "Pa", "kPa", "MPa", "kph"];
         let names = unit.split(|c: char| !c.is_alphabetic()).filter(|name| !name.is_empty());
         names.filter_map(symbol).find_map(|symbol| match symbol {
             us if US.contains(&us) => Some(Units::Us),

@@ -25,6 +25,7 @@ const EXACT: [(&str, i64, i64, Kind); 24] = [
     ("ms", 1, 1000, Kind::DURATION),
     ("N", 1, 1, Kind::FORCE),
     ("kN", 1000, 1, Kind::FORCE),
+    ("MN", 1_000_000, 1, Kind::FORCE),
     ("lbf", 44_482_216_152_605, 10_000_000_000_000, Kind::FORCE),
     ("J", 1, 1, Kind::ENERGY),
     ("kJ", 1000, 1, Kind::ENERGY),

@@ -52,6 +52,9 @@ impl Fields {
     }
 }
 
+/// What follows a carriage return would be another line, and be lost.
+const LONE_RETURN: &str = "a carriage return stands within the line; end each line with a line feed";
+
 /// Returns the number of fields in a line.
 fn read_line(reader: &mut Reader, line: &str, text: &mut [u8], ends: &mut [usize]) -> Result<usize, String> {
     let (result, used, written, fields) = reader.read_record(line.as_bytes(), text, ends);
@@ -61,8 +64,11 @@ fn read_line(reader: &mut Reader, line: &str, text: &mut [u8], ends: &mut [usize
         other => (other, 0, 0, 0),
     };
     match result {
+        ReadRecordResult::Record if used < line.len() => Err(LONE_RETURN.to_owned()),
         ReadRecordResult::Record => Ok(fields + more),
-        ReadRecordResult::InputEmpty => Err("a quotation mark has no partner in this line".to_owned()),
+        ReadRecordResult::InputEmpty => {
+            Err("a quotation mark has no partner in this line; a record stands in one line, and no cell has a line break".to_owned())
+        }
         _ => Err(format!("there are more than {MOST_COLUMNS} fields")),
     }
 }
@@ -172,6 +178,9 @@ fn read_head<R: BufRead>(lines: &mut Lines<R>, fields: &mut Fields) -> io::Resul
         };
         let at = lines.number();
         if let Some(comment) = text.strip_prefix('#') {
+            if comment.contains('\r') {
+                return problem(at, LONE_RETURN);
+            }
             if let Some(schema) = comment.split_whitespace().find(|word| word.starts_with("planar-impact-record"))
                 && let Err(message) = check_schema(schema)
             {

@@ -58,8 +58,11 @@ fn number(value: &Value) -> Result<Option<f64>, String> {
             if value != 0.0 { Ok(Some(value)) } else { quantity::finite(&number.text).map(Some).map_err(|error| error.to_string()) }
         }
         Value::String(text) => {
-            let unit = text.trim().contains(|c: char| c.is_alphabetic());
-            let hint = if unit { "write the number alone; units are those of the header" } else { "write it without quotes" };
+            let hint = match text.trim() {
+                share if share.ends_with('%') => "write an amount, not a percentage",
+                unit if unit.contains(char::is_alphabetic) => "write the number alone; units are those of the header",
+                _ => "write it without quotes",
+            };
             Err(format!("expected a number, found the string {}; {hint}", excerpt(text)))
         }
         other => Err(format!("expected a number, found {}", other.describe())),
@@ -86,6 +89,9 @@ impl Reader<'_> {
     fn group(&mut self, node: &Node) {
         if let Value::String(_) = node.value {
             return self.text("group", node);
+        }
+        if matches!(&node.value, Value::Table(entries) if entries.is_empty()) {
+            self.draft.complaints.push("group", "`name` is missing");
         }
         for Entry { key, node, .. } in self.object("group", node) {
             match key.as_str() {

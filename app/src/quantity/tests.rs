@@ -50,6 +50,7 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::ANGLE, "40°", 0.6981317007977318),
     (Kind::ANGLE, "40 degrees", 0.6981317007977318),
     (Kind::ANGLE, "1.5 rad", 1.5),
+    (Kind::ANGLE, "100 gon", std::f64::consts::FRAC_PI_2),
     (Kind::ANGLE, "0.3 rev", 1.8849555921538759),
     (Kind::YAW_RATE, "33.3 deg/s", 0.5811946409141118),
     (Kind::YAW_RATE, "1.1 rad/s", 1.1),
@@ -60,6 +61,7 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::ACCELERATION, "32.2 ft/s^2", 9.81456),
     (Kind::FORCE, "3.3 N", 3.3),
     (Kind::FORCE, "3.3 kN", 3300.0),
+    (Kind::FORCE, "3.3 MN", 3_300_000.0),
     (Kind::FORCE, "3.3 lbf", 14.67913133035965),
     (Kind::FORCE, "3.3 lb", 14.67913133035965),
     (Kind::FORCE, "3.3 kip", 14679.13133035965),
@@ -158,6 +160,12 @@ fn another_dimension_is_refused() {
     assert_eq!(
         error("54321 ft lb", Kind::YAW_INERTIA), // a mass times a length
         "`54321 ft lb` is in kg m; a yaw inertia is expected, such as \"2000 kg m^2\""
+    );
+    let gravity = error("1 g", Kind::ACCELERATION);
+    assert!(
+        gravity.starts_with("`1 g` is a mass; an acceleration is expected")
+            && gravity.ends_with("(`g` is the gram; write `g0` for the standard acceleration of gravity)"),
+        "{gravity}"
     );
     assert_eq!(error("3 kg", Kind::PURE), "`3 kg` is a mass; a pure number is expected, such as \"0.3\"");
     assert!(error("5 kn", Kind::FORCE).contains("is a speed")); // a knot, not a kilonewton

@@ -97,7 +97,7 @@ const PRESSURE: Dimension = Dimension::new(1, -1, -2, 0);
 const POUND_FORCE: f64 = 45_359_237.0 * 980_665.0;
 
 /// All units. The factors of the international yard and pound (1959), the standard gravity (1901) and the international
-/// knot are exact by definition. `ton` is absent because it is three units.
+/// knot are exact by definition. `ton` and `grad` are absent because they are several units.
 #[rustfmt::skip]
 const NAMED: &[Named] = &[
     named(MASS, &["kg", "kgs", "kilogram", "kilograms"], 1.0, 1.0),
@@ -124,11 +124,13 @@ const NAMED: &[Named] = &[
     named(SPEED, &["kn", "knot", "knots"], 1852.0, 3600.0),
     named(ANGLE, &["rad", "radian", "radians"], 1.0, 1.0),
     of_pi(ANGLE, &["deg", "degs", "degree", "degrees", "°"], 1.0, 180.0),
+    of_pi(ANGLE, &["gon", "gons"], 1.0, 200.0),
     of_pi(ANGLE, &["rev", "revs", "revolution", "revolutions"], 2.0, 1.0),
     of_pi(YAW_RATE, &["rpm"], 2.0, 60.0),
     named(ACCELERATION, &["g0"], 980_665.0, 1e5),
     named(FORCE, &["N", "newton", "newtons"], 1.0, 1.0),
     named(FORCE, &["kN", "kilonewton", "kilonewtons"], 1e3, 1.0),
+    named(FORCE, &["MN", "meganewton", "meganewtons"], 1e6, 1.0),
     named(FORCE, &["lbf"], POUND_FORCE, 1e13),
     named(FORCE, &["kip", "kips"], POUND_FORCE, 1e10),
     named(ENERGY, &["J", "joule", "joules"], 1.0, 1.0),
@@ -142,7 +144,7 @@ const NAMED: &[Named] = &[
 ];
 
 /// Symbols whose capitals count: m is a thousandth and M a million, kn a knot and kN a force.
-const CAPITALS_COUNT: [&str; 7] = ["mg", "mm", "ms", "MJ", "MPa", "kn", "kN"];
+const CAPITALS_COUNT: [&str; 8] = ["mg", "mm", "ms", "MJ", "MN", "MPa", "kn", "kN"];
 
 /// Finds a unit by one of its names. Capitals count only in names of one letter and in [`CAPITALS_COUNT`].
 fn find(name: &str) -> Option<&'static Named> {
@@ -270,9 +272,13 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         let meant = format!("did you mean `{}^{}`?", named.symbol(), &name[stem.len()..]);
         return QuantityError::with_help(message, meant);
     }
-    if ["ton", "tons"].contains(&name.to_lowercase().as_str()) {
-        let tons = "a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`";
-        return QuantityError::with_help(message, tons.to_owned());
+    let several = match name.to_lowercase().as_str() {
+        "ton" | "tons" => Some("a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`"),
+        "grad" | "grads" => Some("it is a 400th of a turn to surveyors and a 360th in German: write `gon` or `deg`"),
+        _ => None,
+    };
+    if let Some(several) = several {
+        return QuantityError::with_help(message, several.to_owned());
     }
     // Other signs of division and multiplication: without them the nearest name would be that of something else.
     for (signs, ordinary) in [(['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (['\u{d7}', '\u{2219}', '\u{2022}'], "*")] {
@@ -337,6 +343,7 @@ mod tests {
         assert_eq!(message("mhp"), "unknown unit `mhp` (did you mean `mph`?)");
         assert_eq!(message("KN"), "unknown unit `KN` (did you mean `kN`?)"); // a knot or a kilonewton
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
+        assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
         assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");
         assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (write `*` for `\u{d7}`)");
@@ -380,7 +387,7 @@ mod tests {
                 }
             }
         }
-        for refused in ["M", "S", "T", "G", "n", "Mg", "MS", "MM", "mPa", "mpa", "mJ", "Kn", "KN"] {
+        for refused in ["M", "S", "T", "G", "n", "Mg", "MS", "MM", "mPa", "mpa", "mJ", "mN", "mn", "Mn", "Kn", "KN"] {
             assert!(find(refused).is_none(), "{refused}");
         }
         for (written, is) in [("MPH", "mph"), ("Lbs", "lb"), ("KG", "kg"), ("Km", "km"), ("IN", "in"), ("Feet", "ft"), ("LBF", "lbf")] {

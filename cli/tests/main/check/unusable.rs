@@ -146,6 +146,7 @@ fn records_of_json() {
     bad("\"mass\": 1000", "\"Mass\": 1000", &["b1: unknown key `Mass`; did you mean `mass`?"]);
     bad("\"mass\": 1000", "\"mass\": \"1000\"", &["b1.mass", "write it without quotes"]);
     bad("\"mass\": 1000", "\"mass\": \"1000 kg\"", &["b1.mass", "units are those of the header"]);
+    bad("\"bodies\"", "\"resolution\": {\"v\": \"1%\"}, \"bodies\"", &["resolution.v", "an amount, not a percentage"]);
     bad("\"mass\": 1000", "\"mass\": \"1,5\"", &["b1.mass: expected a number, found the string `1,5`"]);
     bad("\"mass\": 1000", "\"mass\": true", &["b1.mass: expected a number, found a boolean"]);
     bad("\"mass\": 1000", "\"mass\": 1e-400", &["b1.mass", "would make it zero"]);
@@ -167,6 +168,7 @@ fn records_of_json() {
     bad("\"bodies\"", "\"resolution\": {\"speed\": 3}, \"bodies\"", &["resolution: unknown key `speed`"]);
     bad("\"bodies\"", "\"resolution\": {\"b1.after.vz\": 3}, \"bodies\"", &["did you mean `b1.after.v"]);
     bad("\"bodies\"", "\"group\": {\"agreement\": \"loss\"}, \"bodies\"", &["there is no group"]);
+    bad("\"bodies\"", "\"group\": {}, \"bodies\"", &["group: `name` is missing"]);
     bad("\"bodies\"", "\"group\": {\"name\": \"g\", \"agreement\": \"all\"}, \"bodies\"", &["group.agreement: expected one of"]);
     // One body, and three.
     bad("{\"mass\": 2000, \"before\": {\"v\": [-1, 0]}, \"after\": {\"v\": [1, 0]}}]", "{}, {}]", &["a collision has two bodies; found 3"]);
@@ -223,12 +225,15 @@ fn rows_that_are_no_records() {
         ("b,0x10,0", "`0x10` is not a number"),
         (",1000,0", "`id` is missing"),
         ("b,\"1000,0", "quotation mark has no partner"),
+        ("b,1000,0\rd,-1,0", "a carriage return stands within the line"),
         ("b,1000,zero", "`zero` is not a number"),
     ] {
         malformed(&format!("id,b1.mass,b1.before.yaw_rate\n,kg,deg/s\na,1000,0\n{row}\nc, 1000 , 0\n"), 4, &[words]);
     }
     malformed("id,b1.cgx,b1.cgy\n,m,m\na,1,1\nb,1,\n", 4, &["b1.cgy: missing, and the other component is there"]);
     malformed("id,b1.fixed,b1.mass\n,,kg\na,true,\nb,yes,\n", 4, &["b1.fixed: expected true or false, found `yes`"]);
+    let run = check_file("a.csv", b"# planar-impact-record/1\rid,b1.mass\r,kg\ra,1000\r", &[]);
+    assert!(run.status == 2 && run.err.contains("line 1: a carriage return stands within the line"), "{}", run.err);
     malformed("id,profile\n,-\na,printed\nb,print\n", 4, &["did you mean \"printed\"?"]);
 }
 
