@@ -27,6 +27,12 @@ use crate::vehicle::{Motion, Party};
 /// Largest distance, in scales, of two results of a search that are the same.
 const SAME: f64 = 1e-5;
 
+/// Distance of twins, in scales: two solutions that are nearer to each other are not looked for.
+const TWINS: f64 = 1e-3;
+
+/// Largest difference of χ² along a flat valley, as a share of 1 + χ². Searches end anywhere in it.
+const LEVEL: f64 = 1e-6;
+
 /// Largest excess of χ² over the best at which a solution counts as an alternative: by chance it is exceeded in one case of a thousand.
 const NEARLY_AS_GOOD: f64 = 10.83;
 
@@ -228,7 +234,7 @@ impl Found {
         /// Number of minima for which this is done.
         const MINIMA: usize = 4;
         /// Distances from the minimum, in scales.
-        const DISTANCES: [f64; 4] = [1e-3, -1e-3, 3e-2, -3e-2];
+        const DISTANCES: [f64; 4] = [TWINS, -TWINS, 3e-2, -3e-2];
         let mut starts = Vec::new();
         for (minimum, _) in self.minima.iter().take(MINIMA) {
             let jacobian = least_squares::scaled(model.jacobian(&minimum.unknowns), spans);
@@ -246,12 +252,13 @@ impl Found {
             *x = nearest_turn(*x, unknown, span);
         }
         let is_same = |other: &Minimum| {
-            let far = |i: usize| {
+            let distance = |i: usize| {
                 let between = minimum.unknowns[i] - other.unknowns[i];
                 let period = model.question.unknowns[i].of.period();
-                (between - turns(between, period)).abs() > SAME * spans[i].scale
+                (between - turns(between, period)).abs() / spans[i].scale
             };
-            !(0..spans.len()).any(far)
+            let same = if are_level(minimum.sum_of_squares, other.sum_of_squares) { TWINS } else { SAME };
+            (0..spans.len()).all(|i| distance(i) <= same)
         };
         match self.minima.iter_mut().find(|(other, _)| is_same(other)) {
             Some((other, searches)) => {
@@ -324,14 +331,17 @@ impl Found {
     }
 }
 
+/// Returns `true` if two sums of squares are those of one flat valley.
+fn are_level(one: f64, other: f64) -> bool {
+    (one - other).abs() <= LEVEL * (1.0 + other)
+}
+
 /// Leaves one of the minima that lie in the same flat valley, where every search ends in a different place.
 fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item = Seen> {
-    /// Largest difference of χ² along a valley.
-    const LEVEL: f64 = 1e-6;
     let mut valleys: Vec<f64> = Vec::new();
     minima.filter(move |seen| {
         let chi_square = seen.solution.chi_square;
-        let is_new = seen.blind.is_empty() || valleys.iter().all(|other| (chi_square - other).abs() > LEVEL * (1.0 + other));
+        let is_new = seen.blind.is_empty() || !valleys.iter().any(|other| are_level(chi_square, *other));
         if is_new && !seen.blind.is_empty() {
             valleys.push(chi_square);
         }

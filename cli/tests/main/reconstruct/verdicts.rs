@@ -26,6 +26,14 @@ fn a_best_fit_where_friction_begins_to_hold_is_one() {
     }
 }
 
+/// Along the critical ratio the evidence hardly constrains anything, and searches end a few millionths of a radian apart: at one solution, as in its mirror image.
+#[test]
+fn ends_of_searches_in_a_flat_valley_are_one_solution() {
+    let path = crate::process::workspace().join("cli/tests/reproducers/flat_valley.toml");
+    let (found, _) = answer(&std::fs::read_to_string(path).expect("a reproducer"));
+    assert_eq!((&found["verdict"], found["solutions"].as_array().map(Vec::len)), (&Value::from("agrees"), Some(1)));
+}
+
 #[test]
 fn several_solutions_are_all_reported_and_none_is_the_answer() {
     let (found, status) = answer(WALL);
