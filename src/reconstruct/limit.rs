@@ -1,7 +1,5 @@
 //! Limits of the physics: where a search along the evidence ends, or an interval.
 
-use core::iter;
-
 use super::piece::Piece;
 use super::placed::Placed;
 use super::variable::Variable;
@@ -59,6 +57,7 @@ fn is_elastic(impact: &Impact) -> bool {
 /// The margins of a collision: smooth functions of order 1 that are negative where the mechanics refuses it.
 #[derive(Clone)]
 pub(super) struct Margins {
+    /// Those of the physics, in their order.
     limits: Vec<Limit>,
     /// The piece of the mechanics to stay within.
     piece: Piece,
@@ -66,6 +65,8 @@ pub(super) struct Margins {
     side: f64,
     /// The sign of a given impulse ratio, and 1 of a given share of the critical one; zero where neither limits anything.
     sliding: f64,
+    /// `true` if a gain of energy is a limit.
+    may_gain: bool,
     /// A significant relative velocity, impulse, energy and distance.
     velocity: f64,
     impulse: f64,
@@ -77,38 +78,34 @@ pub(super) struct Margins {
 impl Margins {
     /// Creates the margins on the side of a collision that the mechanics accepts, in its sizes.
     pub(super) fn around(placed: &Placed<f64>, impact: &Impact) -> Self {
-        let contact = placed.collision.contact();
-        let sizes = |approach: f64, impulse: f64, limits, side, distance| {
-            let velocity = approach.max(1.0);
-            let impulse = impulse.max(velocity / contact.compliance.nn);
-            Margins { limits, piece: Piece::Whole, side, sliding: 0.0, velocity, impulse, energy: impulse * velocity, distance }
+        let (collision, contact) = (&placed.collision, placed.collision.contact());
+        let (approach, impulse) = match placed.impulse {
+            Some(_) => (impact.approach.length(), impact.impulse.length()),
+            None => (impact.approach.n.abs(), impact.impulse.n.abs()),
         };
-        if placed.impulse.is_some() {
-            return sizes(impact.approach.length(), impact.impulse.length(), vec![Limit::Energy], 1.0, None);
-        }
+        let velocity = approach.max(1.0);
+        let impulse = impulse.max(velocity / contact.compliance.nn);
         // Point masses have no side on which they lie.
-        let distance = (!placed.collision.is_of_points(&contact)).then(|| contact.offset().n.abs().max(0.1));
-        let mut limits = vec![Limit::Closing];
-        limits.extend(distance.map(|_| Limit::Closing));
-        limits.push(Limit::Tension);
-        if !is_elastic(impact) {
-            limits.push(Limit::Energy);
-        }
-        // A fixed ratio, or share, of zero has no tangential impulse, which nothing limits.
-        let sliding = match (Piece::of(placed), placed.collision.impulse_ratio) {
-            (Piece::OfRatio(side), _) => f64::from(side),
-            (_, ImpulseRatio::Given(ratio)) if ratio != 0.0 => 1_f64.copysign(ratio),
-            (_, ImpulseRatio::OfCritical(share)) if share != 0.0 || placed.ratio_is_unknown => 1.0,
-            _ => 0.0,
+        let has_sides = placed.impulse.is_none() && !collision.is_of_points(&contact);
+        let mut margins = Margins {
+            limits: Vec::new(),
+            piece: Piece::Whole,
+            side: -1_f64.copysign(impact.approach.n),
+            // A fixed ratio, or share, of zero has no tangential impulse, which nothing limits.
+            sliding: match (Piece::of(placed), collision.impulse_ratio) {
+                (Piece::OfRatio(side), _) => f64::from(side),
+                (_, ImpulseRatio::Given(ratio)) if ratio != 0.0 => 1_f64.copysign(ratio),
+                (_, ImpulseRatio::OfCritical(share)) if share != 0.0 || placed.ratio_is_unknown => 1.0,
+                _ => 0.0,
+            },
+            may_gain: placed.impulse.is_some() || !is_elastic(impact),
+            velocity,
+            impulse,
+            energy: impulse * velocity,
+            distance: has_sides.then(|| contact.offset().n.abs().max(0.1)),
         };
-        match placed.collision.impulse_ratio {
-            _ if sliding == 0.0 => (),
-            ImpulseRatio::Given(_) => limits.extend(iter::repeat_n(Limit::Sliding, if placed.ratio_is_unknown { 2 } else { 1 })),
-            ImpulseRatio::OfCritical(_) => limits.push(Limit::Tension),
-            ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
-        }
-        let side = -1_f64.copysign(impact.approach.n);
-        Margins { sliding, ..sizes(impact.approach.n.abs(), impact.impulse.n.abs(), limits, side, distance) }
+        margins.limits = margins.of_physics(placed, &contact, impact).into_iter().map(|(limit, _)| limit).collect();
+        margins
     }
 
     /// Lets the vehicles lie the other way round along the normal.
@@ -149,36 +146,41 @@ impl Margins {
 
     /// Returns the margins of a collision with its contact and its impact, in the order of [`Margins::limit`].
     pub(super) fn of<T: Real + From<f64>>(&self, placed: &Placed<T>, contact: &Contact<T>, impact: &Impact<T>) -> Vec<T> {
+        let mut margins: Vec<T> = self.of_physics(placed, contact, impact).into_iter().map(|(_, margin)| margin).collect();
+        margins.extend(self.piece.margins(&placed.collision, contact, -self.side * self.impulse));
+        margins
+    }
+
+    fn of_physics<T: Real + From<f64>>(&self, placed: &Placed<T>, contact: &Contact<T>, impact: &Impact<T>) -> Vec<(Limit, T)> {
         /// Least approach velocity and offset, as a share: at zero there is no collision, and close to it nothing but rounding.
         const LEAST: f64 = 1e-4;
         /// Least of the rest, beyond rounding.
         const ROUNDING: f64 = 1e-7;
         let over = |value: T, unit: f64, least: f64| value * T::from(unit.recip()) - T::from(least);
         if placed.impulse.is_some() {
-            return vec![over(impact.loss(), self.energy, ROUNDING)];
+            return vec![(Limit::Energy, over(impact.loss(), self.energy, ROUNDING))];
         }
-        let collision = &placed.collision;
-        let sticking = collision.sticking_impulse(contact);
-        let mut margins = vec![over(impact.approach.n.clone(), -self.side * self.velocity, LEAST)];
-        margins.extend(self.distance.map(|distance| over(contact.offset().n, self.side * distance, LEAST)));
-        margins.push(over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING));
-        if self.limits.contains(&Limit::Energy) {
+        let sticking = placed.collision.sticking_impulse(contact);
+        let mut margins = vec![(Limit::Closing, over(impact.approach.n.clone(), -self.side * self.velocity, LEAST))];
+        margins.extend(self.distance.map(|distance| (Limit::Closing, over(contact.offset().n, self.side * distance, LEAST))));
+        margins.push((Limit::Tension, over(impact.impulse.n.clone(), -self.side * self.impulse, ROUNDING)));
+        if self.may_gain {
             // Of the work that the impulse can do: the loss ends with the square of the approach, and a share of a constant would end it earlier.
-            margins.push(over(impact.loss() - T::from(ROUNDING) * work(impact), self.energy, 0.0));
+            margins.push((Limit::Energy, over(impact.loss() - T::from(ROUNDING) * work(impact), self.energy, 0.0)));
         }
-        match collision.impulse_ratio {
+        match placed.collision.impulse_ratio {
             _ if self.sliding == 0.0 => (),
             // A normal impulse that pushes has the sign of the approach, and the tangential impulse that of the ratio beside it.
             ImpulseRatio::Given(_) => {
                 let unit = -self.side * self.sliding * self.impulse;
-                let along = over(impact.impulse.t.clone(), unit, 0.0);
-                let rest = over(sticking.t - impact.impulse.t.clone(), unit, ROUNDING);
-                margins.extend(self.limits.iter().filter(|limit| **limit == Limit::Sliding).zip([rest, along]).map(|(_, margin)| margin));
+                margins.push((Limit::Sliding, over(sticking.t - impact.impulse.t.clone(), unit, ROUNDING)));
+                if placed.ratio_is_unknown {
+                    margins.push((Limit::Sliding, over(impact.impulse.t.clone(), unit, 0.0)));
+                }
             }
-            ImpulseRatio::OfCritical(_) => margins.push(over(sticking.n, -self.side * self.impulse, ROUNDING)),
+            ImpulseRatio::OfCritical(_) => margins.push((Limit::Tension, over(sticking.n, -self.side * self.impulse, ROUNDING))),
             ImpulseRatio::Critical | ImpulseRatio::LimitedByFriction(_) => (),
         }
-        margins.extend(self.piece.margins(collision, contact, -self.side * self.impulse));
         margins
     }
 }
