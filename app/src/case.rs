@@ -18,8 +18,9 @@ mod vehicle;
 
 use std::sync::{Arc, Mutex};
 
+use planar_impact::post_impact::MOST_FRICTION;
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Refusal, Refusals, Side, Xy, check};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Refusal, Refusals, Side, Vehicle, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -50,6 +51,7 @@ use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
+use crate::unusual;
 
 /// A case file, read and checked.
 #[derive(Clone)]
@@ -276,19 +278,18 @@ impl Case {
 
     /// Warnings about motions before the impact that no road vehicle has.
     pub fn unusual_motions(&self) -> impl Iterator<Item = Notice> {
-        /// In m/s, and in rad/s: three turns a second.
-        const FASTEST: [(&str, Measure, f64); 2] = [("speed", Measure::Speed, 100.0), ("yaw rate", Measure::YawRate, 20.0)];
-        self.collision.parties().into_iter().enumerate().flat_map(|(i, party)| {
-            let motion = party.vehicle().map(|vehicle| vehicle.motion);
-            let sizes = motion.map(|motion| [motion.velocity.length(), motion.yaw_rate.abs()]).unwrap_or_default();
-            FASTEST.into_iter().zip(sizes).filter(|((_, _, most), size)| size > most).map(move |((name, measure, _), size)| {
-                let path = format!("vehicle.{}", i + 1);
-                let message = Message::from(format!("{path}: no road vehicle has a {name} of "))
-                    .figure(measure, size)
-                    .text("; check its unit, or limit it if it is unknown");
-                Notice::warning(if measure == Measure::Speed { "unusual-speed" } else { "unusual-yaw-rate" }, path, message)
-            })
+        self.vehicles().flat_map(|(path, vehicle)| {
+            let motion = vehicle.motion;
+            let unusual = [unusual::speed(&path, motion.velocity.length()), unusual::yaw_rate(&path, motion.yaw_rate)];
+            let or_limit = |notice: Notice| Notice { message: notice.message.text(", or limit it if it is unknown"), ..notice };
+            unusual.into_iter().flatten().map(or_limit)
         })
+    }
+
+    /// Returns each party that is a vehicle, with its path.
+    fn vehicles(&self) -> impl Iterator<Item = (String, Vehicle)> {
+        let parties = self.collision.parties().into_iter().zip(["vehicle.1", "vehicle.2"]);
+        parties.filter_map(|(party, path)| Some((path.to_owned(), *party.vehicle()?)))
     }
 
     /// Warnings about a result that is possible and deserves a second look.
@@ -296,18 +297,18 @@ impl Case {
         /// Share of its parts below which K_nn + μ K_nt takes more than five digits of the impulse.
         const NEARLY_WEDGED: f64 = 1e-5;
         let mut warnings = Vec::new();
-        for (i, party) in self.collision.parties().into_iter().enumerate() {
-            if let Some(vehicle) = party.vehicle() {
-                let radius = vehicle.radius_of_gyration();
-                // Cars to trucks have 0.9 to 2.5 m.
-                if !(0.5..=5.0).contains(&radius) {
-                    let path = format!("vehicle.{}", i + 1);
-                    let message = Message::from(format!("{path}: a radius of gyration of "))
-                        .figure(Measure::Length, radius)
-                        .text(" is unusual; check mass and yaw inertia");
-                    warnings.push(Notice::warning("unusual-radius-of-gyration", path, message));
-                }
-            }
+        for (path, vehicle) in self.vehicles() {
+            warnings.extend(unusual::mass(&path, vehicle.mass));
+            warnings.extend(unusual::radius_of_gyration(&path, vehicle.radius_of_gyration()));
+            warnings.extend(unusual::arm(&path, vehicle.impact_center.length()));
+        }
+        if let ImpulseRatio::LimitedByFriction(friction) = self.collision.impulse_ratio
+            && friction > MOST_FRICTION
+        {
+            let message = Message::from("a friction of ")
+                .figure(Measure::Ratio, friction)
+                .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign");
+            warnings.push(Notice::warning("unusual-friction", "contact.friction", message));
         }
         if let Some(admissible) = self.collision.admissible()
             && self.collision.restitution > admissible.restitution_for_any_approach

@@ -44,6 +44,7 @@ pub mod sweep;
 pub mod template;
 pub mod uncertainty;
 pub mod units;
+mod unusual;
 pub mod validate;
 pub mod wording;
 

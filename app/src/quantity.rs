@@ -146,9 +146,13 @@ pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityErro
     } else {
         format!("{taken} is not a plausible {}", noun(kind.name))
     };
-    let help = match kind.likely {
-        Some(unit) => format!("did you mean \"{digits} {unit}\"? If not, write \"{digits} {}\"", kind.si),
+    let is_accepted = |meant: &String| parse(meant, kind).is_ok();
+    let as_it_is = format!("{digits} {}", kind.si);
+    let help = match kind.likely.map(|unit| format!("{digits} {unit}")) {
         None => format!("write the unit, as in \"{}\"", kind.example),
+        Some(meant) if !is_accepted(&meant) => return Err(beyond(&digits, value, kind)),
+        Some(meant) if !is_accepted(&as_it_is) => format!("did you mean \"{meant}\"?"),
+        Some(meant) => format!("did you mean \"{meant}\"? If not, write \"{as_it_is}\""),
     };
     Err(QuantityError::with_help(message, help))
 }

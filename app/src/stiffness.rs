@@ -19,6 +19,7 @@ use crate::message::{Message, Sentence};
 use crate::named::positive_zero;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::unusual;
 use crate::wording::degrees_of_freedom;
 
 use series::Unfitted;
@@ -250,8 +251,10 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         let message = Message::from("no stiffness fitted on profile: ").join(why.message());
         Notice::warning(why.code(), "vehicle", message)
     }));
+    notices.0.extend(fits.iter().find_map(|fit| unusual::stiffness("vehicle", ForceLine::from(fit.stiffness).slope)));
     let pooled = file.pooled();
     notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, &pooled, fit)));
+    notices.0.extend(fits.iter().find_map(|fit| of_contradicted_line(file, &pooled, fit)));
     if let (count @ 2.., true, false) = (file.vehicles.len(), pooled.is_empty(), fits.is_empty()) {
         let message = format!(
             "the tests of {count} vehicles are fitted as those of one: how much vehicles differ is not known, which takes two with tests to different depths or an \
@@ -294,6 +297,15 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
         .join(message(finding))
         .text("; A = d0 d1 is ")
         .figure(Measure::ForcePerWidth, ForceLine::from(fit.stiffness).onset)
+}
+
+/// Returns a warning of a line through all tests that the vehicles, each by itself, contradict.
+fn of_contradicted_line(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) -> Option<Notice> {
+    let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
+    let is_stiffness = !fit.findings().iter().any(is_negative);
+    let is_far = is_stiffness && file.is_uncertain(fit) && class.is_far_from(&class.further_vehicle(fit.clone()).fit);
+    let message = || Message::from(format!("the line through all tests, fitted on {}, is ", class.model)).join(class.contradiction());
+    is_far.then(|| Notice::warning("line-off-class", "vehicle", message()))
 }
 
 /// Returns a note of the standard deviations of a further vehicle of a class, where those of the line through all tests are smaller.

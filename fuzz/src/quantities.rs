@@ -6,7 +6,7 @@ use planar_impact_app::quantity::{self, Conversion, Kind};
 use crate::bytes::Bytes;
 
 /// Factors by their definitions: mass, length, time in SI as numerator and denominator, and the kind of a simple unit.
-const EXACT: [(&str, i64, i64, Kind); 24] = [
+const EXACT: [(&str, i64, i64, Kind); 25] = [
     ("kg", 1, 1, Kind::MASS),
     ("g", 1, 1000, Kind::MASS),
     ("t", 1000, 1, Kind::MASS),

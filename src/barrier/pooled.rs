@@ -2,6 +2,7 @@
 
 use super::estimate::Estimate;
 use crate::scalar::Real;
+use alloc::vec::Vec;
 
 /// The random-effects model of a class: the number of each vehicle is drawn from a distribution with a mean and a standard deviation, and is known with an
 /// error of its own.
@@ -29,46 +30,113 @@ impl RandomEffects {
     /// assert!((class.mean.value - 100.0).abs() < 1e-9 && (class.between - 400.0).abs() < 1e-9);
     /// ```
     pub fn of(vehicles: &[Estimate]) -> Option<RandomEffects> {
-        RandomEffects::at(vehicles, vehicles.len() as f64 - 1.0)
-    }
-
-    /// Pools the numbers of two or more vehicles with the variance between them at which the weighted sum of squares Σ (xᵢ − x̄)²/(vᵢ + τ²) is this, above zero; with
-    /// none if the sum is less without it. `None` as [`Self::of`].
-    ///
-    /// Of vehicles that are known exactly, the sum is that of chi-square with k − 1 degrees of freedom: its quantile gives a limit of the variance.
-    ///
-    /// ```
-    /// use planar_impact::barrier::{Estimate, RandomEffects};
-    /// let exact = [80.0, 100.0, 120.0].map(|value| Estimate { value, variance: 0.0 });
-    /// let at_most = RandomEffects::at(&exact, 0.5).expect("three vehicles");
-    /// assert!((at_most.between - 1600.0).abs() < 1e-9 && (at_most.mean.variance - 1600.0 / 3.0).abs() < 1e-9);
-    /// ```
-    pub fn at(vehicles: &[Estimate], sum_of_squares: f64) -> Option<RandomEffects> {
         let has_variance = |estimate: &Estimate| estimate.variance >= 0.0 && estimate.variance.is_finite();
-        if vehicles.len() < 2 || !vehicles.iter().all(has_variance) || !(sum_of_squares > 0.0 && sum_of_squares.is_finite()) {
+        if vehicles.len() < 2 || !vehicles.iter().all(has_variance) {
             return None;
         }
-        let count = vehicles.len() as f64;
+        let (count, freedom) = (vehicles.len() as f64, vehicles.len() as f64 - 1.0);
         let simple = vehicles.iter().map(|estimate| estimate.value).sum::<f64>() / count;
         let squares: f64 = vehicles.iter().map(|estimate| (estimate.value - simple) * (estimate.value - simple)).sum();
         // The weighted sum of squares falls with τ², and is at most that without weights over τ².
-        let exceeds = |between| weighted(vehicles, between).1 > sum_of_squares;
-        let (mut low, mut between) = (0.0, if exceeds(0.0) { squares / sum_of_squares } else { 0.0 });
-        loop {
-            let middle = 0.5 * (low + between);
-            if middle <= low || middle >= between {
-                break;
-            }
-            if exceeds(middle) { low = middle } else { between = middle }
-        }
+        let exceeds = |between: f64| weighted(vehicles, between).1 > freedom;
+        let between = if exceeds(0.0) { last_with(0.0, squares / freedom, exceeds) } else { 0.0 };
         let mean = weighted(vehicles, between).0;
         // A value may be none, and squares of the largest overflow.
         [mean.value, mean.variance, between, squares].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
     }
 
+    /// Pools them with the variance between vehicles with which a normal distribution has the 95 % interval of a further one. `None` as [`Self::of`].
+    ///
+    /// An estimate of τ² tells nothing of its own error, and is 0 by chance where few vehicles are known well. By the prior density τ/(τ² + v̄) of τ, with the mean v̄
+    /// of their own variances (Box and Tiao 1973, Bayesian Inference in Statistical Analysis, 5.2, for equal variances), the further vehicle is drawn from normal
+    /// distributions of variance τ² + var x̄ about x̄, each weighted by the density of τ that the vehicles leave. Of vehicles that are known exactly it has Student's
+    /// distribution with k − 1 degrees of freedom.
+    ///
+    /// ```
+    /// use planar_impact::barrier::{Estimate, RandomEffects};
+    /// let of = |variance| [80.0, 100.0, 120.0].map(|value| Estimate { value, variance });
+    /// let further = RandomEffects::of_further(&of(0.0)).expect("three vehicles");
+    /// let half_width = 1.959_964 * (further.between + further.mean.variance).sqrt();
+    /// // Student's quantile is 4.3027, and the standard deviation of the vehicles 20.
+    /// assert!((half_width / (4.302_653 * 20.0 * (4.0_f64 / 3.0).sqrt()) - 1.0).abs() < 1e-6);
+    /// // Errors that explain all differences do not exclude that the vehicles differ.
+    /// let errors = of(900.0);
+    /// assert!(RandomEffects::of(&errors).expect("three vehicles").between == 0.0);
+    /// assert!(RandomEffects::of_further(&errors).expect("three vehicles").between > 900.0);
+    /// ```
+    pub fn of_further(vehicles: &[Estimate]) -> Option<RandomEffects> {
+        let center = RandomEffects::of(vehicles)?.mean.value;
+        let further = Further::of(vehicles, center);
+        let Some(half_width) = further.half_width() else { return RandomEffects::of(vehicles) };
+        let wanted = (half_width / NORMAL) * (half_width / NORMAL);
+        // Both variances grow with τ².
+        let falls_short = |between: f64| between + weighted(vehicles, between).0.variance < wanted;
+        let between = last_with(0.0, wanted, falls_short);
+        let mean = weighted(vehicles, between).0;
+        [mean.value, mean.variance, between].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
+    }
+
     /// Returns the standard deviation between the vehicles of the class.
     pub fn deviation_between(&self) -> f64 {
         self.between.square_root()
+    }
+}
+
+/// The quantile of the normal distribution at 0.975.
+const NORMAL: f64 = 1.959_963_984_540_054;
+
+/// The distribution of a further vehicle, about a center: normal ones of which each has a weight, a standard deviation, and the place of its mean.
+struct Further(Vec<[f64; 3]>);
+
+impl Further {
+    /// Steps of the logarithm of τ² over which the density is summed, which is as good as its integral, and their number to either side of its scale.
+    const STEP: f64 = 0.1;
+    const STEPS: i32 = 800;
+
+    fn of(vehicles: &[Estimate], center: f64) -> Further {
+        let count = vehicles.len() as f64;
+        let own = vehicles.iter().map(|estimate| estimate.variance).sum::<f64>() / count;
+        let squares = vehicles.iter().map(|estimate| (estimate.value - center) * (estimate.value - center)).sum::<f64>() / count;
+        let scale = squares.max(own);
+        let at = |step: i32| {
+            let between = scale * libm::exp(f64::from(step) * Self::STEP);
+            let (mean, squares) = weighted(vehicles, between);
+            // Shares of the scale, so that products of many stay within the floats.
+            let spreads: f64 = vehicles.iter().map(|estimate| libm::log((estimate.variance + between) / scale)).sum();
+            // The density of ln τ² is that of τ times τ/2.
+            let density = libm::log(between / (between + own)) + 0.5 * (libm::log(mean.variance / scale) - spreads - squares);
+            [density, (between + mean.variance).square_root(), mean.value - center]
+        };
+        let mut all: Vec<[f64; 3]> =
+            (-Self::STEPS..=Self::STEPS).map(at).filter(|one| one.iter().all(|number| number.is_finite())).collect();
+        let greatest = all.iter().map(|one| one[0]).fold(f64::NEG_INFINITY, f64::max);
+        all.iter_mut().for_each(|one| one[0] = libm::exp(one[0] - greatest));
+        all.retain(|one| one[0] > f64::EPSILON * f64::EPSILON);
+        let total: f64 = all.iter().map(|one| one[0]).sum();
+        all.iter_mut().for_each(|one| one[0] /= total);
+        Further(all)
+    }
+
+    /// Returns the distance from the center within which it lies with a probability of 95 %; `None` if nothing differs.
+    fn half_width(&self) -> Option<f64> {
+        let widest = self.0.iter().map(|one| one[1] + one[2].abs()).fold(0.0, f64::max);
+        let below = |x: f64| 0.5 * libm::erfc(-x * core::f64::consts::FRAC_1_SQRT_2);
+        let falls_short = |half_width: f64| {
+            let within = |[weight, sd, place]: &[f64; 3]| weight * (below((half_width - place) / sd) - below((-half_width - place) / sd));
+            self.0.iter().map(within).sum::<f64>() < 0.95
+        };
+        (widest > 0.0).then(|| last_with(0.0, 10.0 * widest, falls_short))
+    }
+}
+
+/// Returns where a condition that holds from `low` on ends, before `high`, by bisection to the last bit.
+fn last_with(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if holds(middle) { low = middle } else { high = middle }
     }
 }
 
@@ -129,9 +197,6 @@ mod tests {
         let same = class(&[(5.0, 0.0), (5.0, 0.0)]);
         assert_eq!((same.mean.value, same.between), (5.0, 0.0));
         let two = [Estimate::with_deviation(1.0, 1.0), Estimate::with_deviation(2.0, 1.0)];
-        for sum in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(RandomEffects::at(&two, sum), None);
-        }
         for variance in [-1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(RandomEffects::of(&[two[0], Estimate { value: 1.0, variance }]), None);
         }
@@ -139,18 +204,39 @@ mod tests {
     }
 
     #[test]
-    fn the_variance_at_a_sum_of_squares_has_that_sum() {
-        let vehicles = [(100.0, 30.0), (160.0, 10.0), (230.0, 25.0)].map(|(value, sd)| Estimate::with_deviation(value, sd));
-        let mut last = 0.0;
-        for sum in [30.0, 8.0, 2.0, 0.1] {
-            let between = RandomEffects::at(&vehicles, sum).expect("three vehicles").between;
-            // Without a variance between them the sum is less than 30.
-            assert!(if sum == 30.0 { between == 0.0 } else { between > last }, "{sum}: {between} {last}");
-            if sum < 30.0 {
-                assert_relative_eq!(weighted(&vehicles, between).1, sum, max_relative = 1e-12);
-            }
-            last = between;
+    fn a_further_vehicle_of_exact_ones_has_the_distribution_of_student() {
+        // Quantiles at 0.975 of 1, 2, 4 and 9 degrees of freedom.
+        for (count, quantile) in
+            [(2, 12.706_204_736_174_71), (3, 4.302_652_729_749_464), (5, 2.776_445_105_197_793), (10, 2.262_157_162_740_99)]
+        {
+            let values: Vec<f64> = (0..count).map(|i| 1e3 + f64::from(i * i)).collect();
+            let mean = values.iter().sum::<f64>() / f64::from(count);
+            let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / f64::from(count - 1);
+            let vehicles: Vec<Estimate> = values.iter().map(|&value| Estimate { value, variance: 0.0 }).collect();
+            let found = RandomEffects::of_further(&vehicles).expect("two or more");
+            let wanted = quantile * (variance * (1.0 + f64::from(count).recip())).sqrt();
+            assert_relative_eq!(NORMAL * (found.between + found.mean.variance).sqrt(), wanted, max_relative = 1e-10);
         }
-        assert_eq!(RandomEffects::at(&vehicles, 2.0), RandomEffects::of(&vehicles));
+    }
+
+    /// Nothing tells the spread where one vehicle alone is known well: it is that which the others leave open, and never less than an estimate.
+    #[test]
+    fn a_further_vehicle_is_as_uncertain_as_the_spread() {
+        let further = |numbers: &[(f64, f64)]| {
+            let vehicles: Vec<Estimate> = numbers.iter().map(|&(value, sd)| Estimate::with_deviation(value, sd)).collect();
+            let found = RandomEffects::of_further(&vehicles).expect("two or more");
+            assert!(found.between >= class(numbers).between, "{numbers:?}");
+            found.between.sqrt()
+        };
+        let alike = further(&[(636.0, 6.0), (600.0, 97.0), (604.0, 99.0)]);
+        assert!((40.0..400.0).contains(&alike), "{alike}");
+        // The more vehicles, the less, and in any unit the same.
+        let many: Vec<(f64, f64)> = [(654.0, 30.0); 10].into();
+        assert!(further(&many) < 0.5 * further(&many[..4]) && further(&many) > 10.0);
+        let small: Vec<(f64, f64)> = many.iter().map(|(value, sd)| (value * 1e-140, sd * 1e-140)).collect();
+        assert_relative_eq!(further(&small), further(&many) * 1e-140, max_relative = 1e-9);
+        assert_eq!(further(&[(5.0, 0.0), (5.0, 0.0)]), 0.0);
+        // One that is exact beside others that are not.
+        assert!(further(&[(5.0, 0.0), (6.0, 1.0), (7.0, 1.0)]) > 0.5);
     }
 }

@@ -57,7 +57,9 @@ pub(super) fn plausible(record: &Record, judge: &mut Judge) {
     judge.checks(Rule::PlausibleUnits);
     for key in Key::ALL.into_iter().filter(|key| key.measure() == Measure::Angle) {
         let turn = TAU * (1.0 + 1e-9);
-        above(judge, record.get(key).map(f64::abs), turn, |angle| format!("{key} is {angle} rad, more than a turn: degrees?"));
+        above(judge, record.get(key).map(f64::abs), turn, |angle| {
+            format!("{key} is {angle} rad, more than a turn; check the unit of angles")
+        });
     }
     if matches!(record.profile, Profile::Stepper | Profile::StepperF32) {
         return;

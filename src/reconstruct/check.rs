@@ -161,8 +161,9 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
         }
         let mut numbers = IssueCollector::<InputIssue>::new();
         let at = Place::of(of.name(), of.measure());
-        let least = if of.is_magnitude() { 0.0 } else { -GREATEST };
-        numbers.within(at, &evidence.value, least, Some(GREATEST));
+        if !of.is_magnitude() || numbers.not_negative(at, &evidence.value) {
+            numbers.within(at, &evidence.value, -GREATEST, Some(GREATEST));
+        }
         match evidence.uncertainty {
             Uncertainty::StandardDeviation(sd) => deviation(&mut numbers, at.part("standard deviation"), sd),
             Uncertainty::Resolution(step) => deviation(&mut numbers, at.part("resolution"), step),

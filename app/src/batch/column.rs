@@ -204,8 +204,9 @@ impl InputColumn {
             return Cell::Empty;
         }
         match (self.key, text) {
-            (Key::Barrier(_), "true") => Cell::Number(1.0),
-            (Key::Barrier(_), "false") => Cell::Number(0.0),
+            // Spreadsheets write them in capitals.
+            (Key::Barrier(_), word) if word.eq_ignore_ascii_case("true") => Cell::Number(1.0),
+            (Key::Barrier(_), word) if word.eq_ignore_ascii_case("false") => Cell::Number(0.0),
             (Key::Law, "brach") => Cell::Number(0.0),
             (Key::Law, "kudlich-slibar") => Cell::Number(1.0),
             (Key::Barrier(_) | Key::Law, _) => Cell::Unreadable(text.into()),

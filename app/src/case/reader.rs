@@ -69,8 +69,8 @@ pub(crate) struct CaseReader {
     uncertain: RefCell<Vec<UncertainInput>>,
     open: Option<SharedOpen>,
     fitted: RefCell<Vec<FittedToTests>>,
-    /// The recordings that give tests their restitution, each with the path of its key.
-    records_of_tests: RefCell<Vec<(PathBuf, String)>>,
+    /// The recordings that are of one test or one vehicle, by their file or samples, each with the path of its key.
+    records: RefCell<Vec<(PathBuf, String)>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The columns that inputs are measured in.

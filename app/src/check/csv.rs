@@ -181,7 +181,9 @@ fn read_head<R: BufRead>(lines: &mut Lines<R>, fields: &mut Fields) -> io::Resul
             if comment.contains('\r') {
                 return problem(at, LONE_RETURN);
             }
-            if let Some(schema) = comment.split_whitespace().find(|word| word.starts_with("planar-impact-record"))
+            // A spreadsheet ends each line with a comma for each column.
+            if let Some(schema) =
+                comment.split_whitespace().map(|word| word.trim_end_matches(',')).find(|word| word.starts_with("planar-impact-record"))
                 && let Err(message) = check_schema(schema)
             {
                 return problem(at, &message);
@@ -265,9 +267,6 @@ fn number(field: &str) -> Result<f64, String> {
         && value != 0.0
     {
         return Ok(value);
-    }
-    if value.is_err() && field.contains(',') {
-        return Err(format!("{} is not a number; write it with a decimal point", excerpt(field)));
     }
     if value.is_err() && field.starts_with(|c: char| c.is_ascii_digit() || c == '-') && field.ends_with(char::is_alphabetic) {
         return Err(format!("{} is not a number; its unit belongs in the line of units", excerpt(field)));

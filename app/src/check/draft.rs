@@ -80,10 +80,11 @@ impl Draft {
             }
             "b1.id" => self.body_names[0] = Some(text.to_owned()),
             "b2.id" => self.body_names[1] = Some(text.to_owned()),
-            "b1.fixed" | "b2.fixed" => match text {
+            // Spreadsheets write them in capitals.
+            "b1.fixed" | "b2.fixed" => match text.to_ascii_lowercase().as_str() {
                 "true" => self.fix(if name == "b1.fixed" { Side::One } else { Side::Two }),
                 "false" => (),
-                other => self.complaints.push(name, format!("expected true or false, found {}", excerpt(other))),
+                _ => self.complaints.push(name, format!("expected true or false, found {}", excerpt(text))),
             },
             "model.ratio_kind" if text == "fraction" => self.text(name, RatioKind::OfCritical.name()),
             "model.ratio_kind" => self.choice(name, text, RatioKind::ALL, RatioKind::name, |record, kind| record.model.ratio_kind = kind),

@@ -162,8 +162,11 @@ impl<'a> Field<'a> {
 
     /// Reads an array of tables; item 1 of `vehicle` has the path `vehicle.1`.
     pub fn array_of_tables(self) -> Option<Vec<Table<'a>>> {
-        let key = self.path.rsplit('.').next().unwrap_or_default();
-        let help = Some(format!("begin each table with [[{key}]] in TOML, or list them in [ ] in JSON"));
+        // What stands before a key in TOML may be a table or one of an array, which its path does not tell.
+        let help = Some(match self.path.rsplit_once('.') {
+            None => format!("begin each table with [[{}]] in TOML, or list them in [ ] in JSON", self.path),
+            Some((_, key)) => format!("list them in [ ]: {key} = [{{ ... }}]"),
+        });
         let node = self.present("an array of tables")?;
         match &node.value {
             Value::Array(items) => all(self.fields(items).map(Field::table)),

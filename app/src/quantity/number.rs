@@ -9,7 +9,9 @@ use super::{QuantityError, excerpt};
 /// Returns an error if `text` is not a number, is not finite or too large, or is so small that it would become zero.
 pub fn finite(text: &str) -> Result<f64, QuantityError> {
     let Ok(value) = text.parse::<f64>() else {
-        return Err(QuantityError::new(format!("{} is not a number", excerpt(text))));
+        let (digits, rest) = text.split_at(number_length(text));
+        let is_separated = separated(digits, rest).filter(|_| digits.contains(|c: char| c.is_ascii_digit()));
+        return Err(is_separated.unwrap_or_else(|| QuantityError::new(format!("{} is not a number", excerpt(text)))));
     };
     let problem = if value.is_finite() {
         let mantissa = text.split(['e', 'E']).next().unwrap_or(text);

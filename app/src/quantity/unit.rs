@@ -296,6 +296,9 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         let unit = Unit(vec![(*named, 2)]);
         wanted.is_none_or(|wanted| unit.dimension() == wanted || unit.with_pound_force().dimension() == wanted)
     };
+    if !name.contains(char::is_alphabetic) {
+        return QuantityError::new(message);
+    }
     match nearest(name, NAMED.iter().filter(is_meant).flat_map(|named| named.names).copied()) {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),

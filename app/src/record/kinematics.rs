@@ -13,6 +13,7 @@ use crate::document::Table;
 use crate::named::positive_zero;
 use crate::quantity::Kind;
 use crate::units::Measure;
+use crate::unusual;
 
 /// The restitution of a point from measured kinematics, in SI.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -57,6 +58,9 @@ impl CaseReader {
             false => Some(None),
         };
         let duration = self.measured_estimate(table.required("duration"), Measure::Time);
+        let path = format!("{}.duration", table.path());
+        let unusual = duration.and_then(|duration| unusual::duration(&path, "the contact lasts".to_owned(), duration.value));
+        self.notices.borrow_mut().extend(unusual);
         table.finish();
         let (([vx, vy], w), ([wx, wy], after_w), [forward, left]) = (before?, after?, point?);
         let mut numbers = vec![vx, vy, w, wx, wy, after_w, duration?, forward, left];

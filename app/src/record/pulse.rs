@@ -11,6 +11,7 @@ use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::unusual;
 use crate::wording::too_small;
 
 /// A pulse, integrated over the contact.
@@ -58,9 +59,6 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
     (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))
 }
 
-/// The longest time in s that is taken for an impact, which lasts a tenth of a second.
-pub(super) const LONGEST: f64 = 5.0;
-
 /// Returns a warning of a channel, or a sum of several, that never leaves one value: its integral is zero, and as certain as the readings are fine.
 fn of_constant(name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Notice> {
     let first = *record.values().first()?;
@@ -76,14 +74,12 @@ fn of_implausible_size(name: &str, path: &str, quantity: ChannelQuantity, over: 
     const GREATEST_FORCE: f64 = 1e9;
     const GREATEST_ACCELERATION: f64 = 1e5;
     let greatest = if quantity == ChannelQuantity::Acceleration { GREATEST_ACCELERATION } else { GREATEST_FORCE };
-    let duration = over.to - over.from;
-    let (measure, found, what) = match (duration > LONGEST, peak.value.abs() > greatest) {
-        (true, _) => (Measure::Time, duration, "is integrated over"),
-        (false, true) => (quantity.measure(), peak.value, "reaches"),
-        (false, false) => return None,
+    let too_great = || {
+        let message =
+            Message::from(format!("{name} reaches ")).figure(quantity.measure(), peak.value).text(", which no impact does: check the unit");
+        (peak.value.abs() > greatest).then(|| Notice::warning("implausible-size", path, message))
     };
-    let message = Message::from(format!("{name} {what} ")).figure(measure, found).text(", which no impact does: check the unit");
-    Some(Notice::warning("implausible-size", path, message))
+    unusual::duration(path, format!("{name} is integrated over"), over.to - over.from).or_else(too_great)
 }
 
 /// Returns a warning of a channel that does not return to its baseline after the window.
@@ -271,11 +267,10 @@ impl Analysis<'_> {
 
     pub(super) fn acceleration(&mut self, channel: &Channel) -> Option<Accelerated> {
         let Pulse { integral, is_known, peak } = self.pulse(&channel.name, &channel.path, channel.quantity, &channel.record, &[channel])?;
-        let has_forces = self.of.channels.iter().any(|other| other.quantity == ChannelQuantity::NormalForce);
-        if has_forces && integral.value < 0.0 {
-            let message = Message::from(format!("{} is a velocity change of ", channel.name)).figure(Measure::Speed, integral.value).text(
-                ", toward the barrier, whose load cells push the vehicle away from it: add or remove `polarity = -1` under its [[channel]]",
-            );
+        if integral.value < 0.0 {
+            let message = Message::from(format!("{} is a velocity change of ", channel.name))
+                .figure(Measure::Speed, integral.value)
+                .text(", toward the barrier, which pushes the vehicle away from it: add or remove `polarity = -1` under its [[channel]]");
             self.notices.push(Notice::warning("reversed-polarity", channel.path.clone(), message));
         }
         let impulse = self.of.settings.mass.map(|mass| {

@@ -7,13 +7,13 @@ use serde::Serialize;
 
 use super::analysis::ROUNDING;
 use super::channel::{greatest, scatter, stretch};
-use super::pulse::LONGEST;
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::unusual;
 
 /// What an event data recorder kept, in SI and radians.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -211,13 +211,10 @@ impl Recorder {
         let components = || forward.iter().chain(&left);
         notices.extend(components().filter_map(Component::of_scatter));
         for component in components() {
+            let path = &component.channel.path;
             let duration = component.times.last().zip(component.times.first()).map_or(0.0, |(last, first)| last - first);
-            if duration > LONGEST {
-                let message = Message::from(format!("{} is recorded over ", component.channel.name))
-                    .figure(Measure::Time, duration)
-                    .text(", which no impact lasts: check the unit of the times");
-                notices.push(Notice::warning("implausible-size", component.channel.path.clone(), message));
-            }
+            notices.extend(unusual::duration(path, format!("{} is recorded over", component.channel.name), duration));
+            notices.extend(unusual::speed(path, component.extreme().number.value));
         }
         let is_dead = |component: &Component<'_>| component.channel.record.resolution().is_none();
         if let Some(first) = components().next().filter(|_| components().all(is_dead)) {

@@ -14,7 +14,7 @@ use crate::case::CaseReader;
 use crate::document::Document;
 use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
 use crate::notice::{Notice, Notices};
-use crate::quantity::{Kind, excerpt};
+use crate::quantity::excerpt;
 use crate::source::{Open, Source};
 use crate::units::Units;
 
@@ -133,13 +133,7 @@ impl Recording {
             let message = format!("these columns are no channels, and are not used: {}", unused.join(", "));
             notices.push(Notice::note("unused-columns", "", message));
         }
-        for (i, header) in samples.headers.iter().enumerate().filter(|(_, header)| header.unit.is_none()) {
-            let kind =
-                if Some(i) == time { Some(Kind::DURATION) } else { ChannelQuantity::of_column(&header.name).map(ChannelQuantity::kind) };
-            let Some(kind) = kind else { continue };
-            let message = format!("the column {} has no unit: {} assumed", header.name, kind.si);
-            notices.push(Notice::note("unit-assumed", header.name.clone(), message));
-        }
+        notices.extend(samples.units_assumed(time, ChannelQuantity::of_column));
         let us = systems.iter().filter(|units| **units == Units::Us).count();
         let units = if 2 * us > systems.len() { Units::Us } else { Units::Si };
         let issues = distinct(faults).into_iter().map(|fault| of_line(&source, fault)).collect::<Vec<_>>();

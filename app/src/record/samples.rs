@@ -6,6 +6,7 @@ use planar_impact::barrier::{Record, TestIssue};
 use super::ChannelQuantity;
 use crate::batch::{Header, separated_otherwise};
 use crate::case::{Rows, read_cell};
+use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, QuantityError};
 use crate::quotes::{QuoteFault, Quotes};
 use crate::source::Source;
@@ -74,6 +75,19 @@ impl Samples {
             }),
             _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),
         }
+    }
+
+    /// Notes in which unit the columns without one are read: that of the times, and those of the channels that have a quantity.
+    pub(super) fn units_assumed(&self, time: Option<usize>, of: impl Fn(&str) -> Option<ChannelQuantity>) -> Vec<Notice> {
+        let kind = |(i, header): (usize, &Header)| match Some(i) == time {
+            true => Some(Kind::DURATION),
+            false => of(&header.name).map(ChannelQuantity::kind),
+        };
+        let note = |(i, header): (usize, &Header)| {
+            let message = format!("the column {} has no unit: {} assumed", header.name, kind((i, header))?.si);
+            Some(Notice::note("unit-assumed", header.name.clone(), message))
+        };
+        self.headers.iter().enumerate().filter(|(_, header)| header.unit.is_none()).filter_map(note).collect()
     }
 
     /// Lists the names of the columns.

@@ -117,7 +117,12 @@ fn input(kind: &Kind, name: &str) -> Value {
         "properties": {
             "value": of_kind("The value, or the mean."),
             "sd": size("Its standard deviation; with `min` and `max` that before truncation, with `n` that of the measurements."),
-            "relative": pure("Its standard deviation as a share of the value; instead of `sd`."),
+            "relative": {
+                "$ref": "#/$defs/pure_number",
+                "description": "Its standard deviation as a share of the value; instead of `sd`.",
+                "minimum": 0,
+                "maximum": 1,
+            },
             "resolution": size("The step of the record that it was read from: anything within half a step is equally likely."),
             "min": of_kind("Lower limit; anything up to `max` is equally likely, unless there is a `mode` or a `value`."),
             "mode": of_kind("Most likely value between `min` and `max`, of a triangular distribution."),

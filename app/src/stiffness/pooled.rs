@@ -6,7 +6,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::model_name;
+use crate::message::Message;
 use crate::named::positive_zero;
+use crate::units::Measure;
 
 /// The stiffness of a class: its mean over the vehicles, and how much they differ.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -101,6 +103,24 @@ impl Pooled {
         Some(Pooled { model: model_name(model), vehicles, d0: PooledNumber::of(&d0)?, d1: PooledNumber::of(&d1)?, own })
     }
 
+    /// Returns `true` if a further vehicle by the line through all tests is none of the class by its mean, beyond three standard deviations: an onset that is assumed
+    /// is not that of the line, or no line holds for these vehicles.
+    pub(crate) fn is_far_from(&self, further: &StiffnessFit) -> bool {
+        [(further.onset(), &self.d0), (further.slope(), &self.d1)].into_iter().any(|(of_line, of_class)| {
+            let variance = of_line.variance + of_class.further_sd * of_class.further_sd;
+            (of_line.value - of_class.mean).abs() > 3.0 * variance.sqrt()
+        })
+    }
+
+    /// Says that the class is far from the line.
+    pub(crate) fn contradiction(&self) -> Message {
+        Message::from("far from the mean of the vehicles, each by itself, d0 = ")
+            .figure(Measure::RootForce, self.d0.mean)
+            .text(" and d1 = ")
+            .figure(Measure::RootForcePerLength, self.d1.mean)
+            .text(": the assumed onset is not that of the line, or no one line holds for all; give the stiffness of each, or that of the class")
+    }
+
     /// Returns a fit to all tests as the stiffness of a further vehicle of the class, which differs from it as the tested ones do from each other.
     ///
     /// The spread V between vehicles moves the line through all tests, of covariance C, by C Σ I V I C, with the information I of the tests of each vehicle: more
@@ -123,7 +143,7 @@ impl Pooled {
     /// opposite: at the depth where the line through all tests is known best, E* spreads at least as the E* of each vehicle there.
     fn spread(&self, all: &StiffnessCovariance) -> Option<[f64; 2]> {
         let between = |of: &dyn Fn(&StiffnessFit) -> Estimate| {
-            spread_at_most(&self.own.iter().map(of).collect::<Vec<_>>()).map(|class| class.between)
+            RandomEffects::of_further(&self.own.iter().map(of).collect::<Vec<_>>()).map(|class| class.between)
         };
         let [onset, slope] = [between(&StiffnessFit::onset)?, between(&StiffnessFit::slope)?];
         let depth = -all.between / all.slope;
@@ -162,25 +182,14 @@ fn sum(one: StiffnessCovariance, other: StiffnessCovariance) -> StiffnessCovaria
 
 impl PooledNumber {
     fn of(vehicles: &[Estimate]) -> Option<PooledNumber> {
-        let (class, at_most) = (RandomEffects::of(vehicles)?, spread_at_most(vehicles)?);
+        let (class, further) = (RandomEffects::of(vehicles)?, RandomEffects::of_further(vehicles)?);
         Some(PooledNumber {
             mean: positive_zero(class.mean.value),
             mean_sd: class.mean.deviation(),
             between_sd: class.deviation_between(),
-            further_sd: (at_most.between + at_most.mean.variance).sqrt(),
+            further_sd: (further.between + further.mean.variance).sqrt(),
         })
     }
-}
-
-/// Returns the class with the variance τ² between vehicles with which a normal distribution has the 95 % interval of a further one.
-///
-/// With k vehicles that are known exactly the interval is x̄ ± t s √(1 + 1/k), with the quantile t of Student's distribution of k − 1 degrees of freedom. With
-/// the variance τ² at which the sum of squares is (k − 1) (z/t)² it is x̄ ± z τ √(1 + 1/k). The same sum is used for vehicles with an error of their own. An
-/// estimate of τ² would be too small: for half of the classes of two it is 0 by chance.
-fn spread_at_most(vehicles: &[Estimate]) -> Option<RandomEffects> {
-    let count = u32::try_from(vehicles.len()).ok()?;
-    let narrower = 1.0 / wider_than_normal(count);
-    RandomEffects::at(vehicles, f64::from(count - 1) * narrower * narrower)
 }
 
 /// Returns t/z, the 95 % interval of Student's distribution of `count` − 1 degrees of freedom in those of the normal one.

@@ -67,7 +67,7 @@ impl Series<'_> {
             }
             TestIssue::Undetermined => Some("add a test with another depth, or fit on mean depth: model = \"mean depth\""),
             TestIssue::OneDepth { .. } | TestIssue::Input(InputIssue { kind: InputIssueKind::TooFew { .. }, .. }) => {
-                Some("or assume an onset: onset = \"2 m/s\" under [fit]")
+                Some("or hold the speed that leaves no crush: b0 = \"2 m/s\" under [fit]")
             }
             TestIssue::Input(InputIssue { at, .. }) if ["variance", "pivot of the covariance"].contains(&at.name) => {
                 Some("the standard deviations leave no doubt of E*: give a scatter above zero")

@@ -10,6 +10,7 @@ use crate::notice::{Notice, Notices};
 use crate::quantity::Kind;
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
+use crate::unusual;
 
 /// Maximum number of tests: inverting their covariance takes about a second for this number.
 const MOST_TESTS: usize = 500;
@@ -207,8 +208,20 @@ impl CaseReader {
         };
         let scatter = deviation("scatter", Kind::ROOT_FORCE);
         table.finish();
-        let crush = profile?.on_scalar(|_| 0.0).moments();
+        let profile = profile?.on_scalar(|_| 0.0);
+        let deepest = profile.depths().iter().copied().fold(0.0, f64::max);
+        let crush = profile.moments();
         let test = BarrierTest { mass: mass?, speed: speed?, restitution: restitution?, crush };
+        let at = |key: &str| format!("{}.{key}", table.path());
+        let unusual = [
+            unusual::mass(&at("mass"), test.mass),
+            unusual::speed(&at("speed"), test.speed),
+            unusual::depth(&at("depths"), deepest),
+            unusual::width(&at("width"), profile.width()),
+        ];
+        let message = || "a test that leaves no crush says only that d0 is at least its E*, and a fit takes it as equal: leave it out, or hold the speed that leaves no crush, b0";
+        let crushless = (deepest == 0.0).then(|| Notice::warning("no-crush", at("depths"), format!("{}: {}", at("depths"), message())));
+        self.notices.borrow_mut().extend(unusual.into_iter().flatten().chain(crushless));
         let known = |deviation: Option<Option<f64>>| match deviation {
             Some(value) => value.map(Some),
             None => Some(None),
@@ -263,7 +276,11 @@ impl CaseReader {
         let prediction = asked.then(|| {
             let (depth, width) =
                 (self.not_negative(table.required("depth"), Kind::LENGTH), self.positive(table.required("width"), Kind::LENGTH));
-            Some(Prediction { depth: depth?, width: width? })
+            let (depth, width) = (depth?, width?);
+            self.notices
+                .borrow_mut()
+                .extend([unusual::depth("fit.depth", depth), unusual::width("fit.width", width)].into_iter().flatten());
+            Some(Prediction { depth, width })
         });
         table.finish();
         let onset = match onset {

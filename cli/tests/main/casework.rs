@@ -316,6 +316,24 @@ fn skids_give_the_speed_before_them() {
     close(&uncertain["of"]["before.vehicle.1.braking_speed"]["linear"]["sd"], 0.05 * GRAVITY * 14.0 / start, 1e-12);
 }
 
+/// Percentages without their sign.
+#[test]
+fn no_road_has_the_friction_or_the_grade_of_a_skid() {
+    let with = |old: &str, new: &str| run_with_input(&["solve", "-"], &(example("slide.toml") + &SKIDS.replacen(old, new, 1)));
+    for (old, new, words) in [
+        ("friction = 0.45", "friction = 45", "skid.2.friction: it is 45; it must be from 0 to 10"),
+        ("grade = \"2 %\"", "grade = 2", "skid.2.grade: it is 2; it must be from -1 to 1"),
+        ("grade = \"2 %\"", "grade = -1.1", "skid.2.grade: it is -1.1; it must be from -1 to 1"),
+        ("skid = [", "skid = {} #", "list them in [ ]: skid = [{ ... }]"),
+    ] {
+        let run = with(old, new);
+        assert!(run.status == 2 && run.err.contains(words), "{new}: {}", run.err);
+    }
+    for (old, new) in [("friction = 0.45", "friction = 10"), ("grade = \"2 %\"", "grade = 1")] {
+        assert_eq!(with(old, new).status, 0, "{new}");
+    }
+}
+
 /// v = √(2 μ g L) is from that of the least friction to that of the greatest, and its distribution is not normal.
 #[test]
 fn a_uniform_friction_of_skids_has_limits() {

@@ -599,6 +599,19 @@ fn a_refused_nominal_has_no_value_in_the_headline() {
     assert!(run.out.contains("delta_v_magnitude: none at the nominal inputs, 95 % from") && !run.out.contains("NaN"), "{}", run.out);
 }
 
+/// A mean of three measurements has no standard deviation, nor has what follows from it.
+#[test]
+fn an_infinite_deviation_is_none_in_the_headline() {
+    let case = wall("1500", "10", "{ mean = 0.1, sd = 0.02, n = 3 }");
+    let run = run_with_input(&["uncertainty", "-", "--of", "dV1", "--method", "linear"], &case);
+    assert!(
+        run.status == 0 && run.out.contains("km/h, no finite standard deviation.") && !run.out.contains("NaN"),
+        "{}{}",
+        run.out,
+        run.err
+    );
+}
+
 /// A skid in two pieces has the friction of its road once, if the case says so; if not, a note says that the frictions count as independent.
 #[test]
 fn frictions_of_one_road_may_be_correlated() {

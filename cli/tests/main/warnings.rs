@@ -146,3 +146,26 @@ fn motions_of_no_road_vehicle_are_named() {
     let found = named("reconstruct", &asked(loss(110.0)));
     assert!(matches!(&found[..], [(code, speed)] if code == "unusual-speed" && (speed - 110.0).abs() < 1e-6), "{found:?}");
 }
+
+/// Numbers in another unit: tonnes, millimeters, percentages.
+#[test]
+fn sizes_of_no_road_vehicle_are_named() {
+    let case = |mass: &str, arm: &str, friction: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nradius_of_gyration = 1.3\nheading = 0\nspeed = 10\nimpact_center = [{arm}, 0.1]\n[[vehicle]]\n\
+             barrier = true\n[contact]\ncrush_plane = 0.3\nrestitution = 0.1\nfriction = {friction}\n"
+        )
+    };
+    let named = |mass: &str, arm: &str, friction: &str| -> Vec<(String, String, f64)> {
+        let run = run_with_input(&["solve", "-", "--format", "json"], &case(mass, arm, friction));
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let warnings = answer["messages"].as_array().into_iter().flatten().filter(|message| message["severity"] == "warning").cloned();
+        let text = |value: &Value| value.as_str().expect("a text").to_owned();
+        warnings.map(|one| (text(&one["code"]), text(&one["path"]), one["figures"][0]["value"].as_f64().expect("a figure"))).collect()
+    };
+    let of = |code: &str, path: &str, value: f64| vec![(code.to_owned(), path.to_owned(), value)];
+    assert_eq!(named("100", "1.9", "10"), []);
+    assert_eq!(named("99.9", "1.9", "0.4"), of("unusual-mass", "vehicle.1", 99.9));
+    assert_eq!(named("1500", "15.1", "0.4"), of("unusual-impact-center", "vehicle.1", 15.1_f64.hypot(0.1)));
+    assert_eq!(named("1500", "1.9", "10.1"), of("unusual-friction", "contact.friction", 10.1));
+}

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A further vehicle of a class, independently of the library: 2x2 matrices by elimination in fractions of floats, and bisection for the variances between vehicles.
+"""A further vehicle of a class, independently of the library: 2x2 matrices by elimination, and pooled.py for the variances between vehicles.
 
 The class is that of cli/tests/main/reconstruct/from_tests.rs: two vehicles with two new cars each, 1500 kg over 1.5 m at 7 and 15 m/s with a restitution of 0.1.
 Prints the line through all tests, the standard deviations of d0 and d1 of a further vehicle and their covariance."""
 from math import sqrt
 
-Z, T = 1.959963984540054, {2: 12.706204736174698}
+from pooled import pool, spread_of_further
+
 SCATTER = 4.0
 
 
@@ -24,20 +25,9 @@ def inverse(m):
 
 
 def between(numbers, variances):
-    """The variance at which the weighted sum of squares has the quantile of Student's interval."""
-    wanted = (len(numbers) - 1) * (Z / T[len(numbers)]) ** 2
-
-    def squares(t):
-        weights = [1 / (v + t) for v in variances]
-        mean = sum(w * x for w, x in zip(weights, numbers)) / sum(weights)
-        return sum(w * (x - mean) ** 2 for w, x in zip(weights, numbers))
-
-    if squares(0.0) <= wanted:
-        return 0.0
-    low, high = 0.0, 1e12
-    while low < (middle := (low + high) / 2) < high:
-        low, high = (middle, high) if squares(middle) > wanted else (low, middle)
-    return high
+    """The variance between vehicles for a further one, about their mean by Paule and Mandel."""
+    mean, _, _ = pool([(number, sqrt(variance)) for number, variance in zip(numbers, variances)])
+    return spread_of_further(numbers, variances, float(mean))
 
 
 def further(vehicles):

@@ -1,28 +1,68 @@
 #!/usr/bin/env python3
-"""Random effects by Paule and Mandel, independently of the library: Newton's method on F(t) = sum w (x - m)^2 - (k - 1) in 50 digits.
+"""Random effects by Paule and Mandel, independently of the library: Newton's method on F(t) = sum w (x - m)^2 - (k - 1) in 50 digits;
+and a further vehicle by quadrature.
 
 Prints the mean, its standard deviation, the standard deviation between vehicles and that of a further vehicle for each set of numbers that the tests use."""
 from decimal import Decimal as D, getcontext
+from math import erf, exp, log, sqrt
 
 getcontext().prec = 50
 
 
-# Quantiles at 0.975 of the normal distribution and of Student's with k - 1 degrees of freedom, from mpmath.
-Z = D("1.959963984540054235524594")
-T = {3: D("4.30265272974946385232094"), 5: D("2.77644510519779435780310")}
+# The quantile at 0.975 of the normal distribution.
+Z = 1.959963984540054
+
+
+def spread_of_further(xs, vs, center):
+    """The variance between vehicles that, with the error of the mean, gives the normal distribution the 95 % interval of a further vehicle about the center.
+
+    The trapezoidal rule over ln tau, of the prior tau/(tau^2 + mean of v) and the likelihood with a flat prior of the mean."""
+    count, own = len(xs), sum(vs) / len(vs)
+    scale = sqrt(max(sum((x - center) ** 2 for x in xs) / count, own))
+    if scale == 0:
+        return 0.0
+
+    def at(t):
+        ws = [1 / (v + t) for v in vs]
+        mean = sum(w * x for w, x in zip(ws, xs)) / sum(ws)
+        return mean, 1 / sum(ws), sum(w * (x - mean) ** 2 for w, x in zip(ws, xs))
+
+    nodes = []
+    for i in range(-5000, 5001):
+        tau = scale * exp(i / 100)
+        mean, variance, squares = at(tau**2)
+        density = 0.5 * (log(variance / scale**2) - sum(log((v + tau**2) / scale**2) for v in vs) - squares)
+        weight = exp(density) * tau / (tau**2 + own) * tau
+        nodes.append((weight, sqrt(tau**2 + variance) * sqrt(2), mean - center))
+    greatest = max(node[0] for node in nodes)
+    nodes = [node for node in nodes if node[0] > 1e-25 * greatest]
+    total = sum(node[0] for node in nodes)
+
+    def root(is_below, high):
+        low = 0.0
+        for _ in range(70):
+            middle = (low + high) / 2
+            low, high = (middle, high) if is_below(middle) else (low, middle)
+        return high
+
+    def within(h):
+        return sum(w * (erf((h - d) / s) + erf((h + d) / s)) / 2 for w, s, d in nodes) / total
+
+    half = root(lambda h: within(h) < 0.95, 1e3 * scale)
+    return root(lambda t: t + at(t)[1] < (half / Z) ** 2, (half / Z) ** 2)
 
 
 def further(numbers):
-    """The spread and the error of the mean, both with (k - 1) (z/t)^2 in place of k - 1."""
-    k = len(numbers)
-    _, of_mean, between = pool(numbers, (k - 1) * (Z / T[k]) ** 2)
-    return (between**2 + of_mean**2).sqrt()
+    mean, _, _ = pool(numbers)
+    xs, vs = [float(x) for x, _ in numbers], [float(s) ** 2 for _, s in numbers]
+    between = spread_of_further(xs, vs, float(mean))
+    return D(sqrt(between + 1 / sum(1 / (v + between) for v in vs)))
 
 
-def pool(numbers, squares=None):
+def pool(numbers):
     xs = [D(str(x)) for x, _ in numbers]
     vs = [D(str(s)) ** 2 for _, s in numbers]
-    squares = len(xs) - 1 if squares is None else squares
+    squares = len(xs) - 1
 
     def at(t):
         ws = [1 / (v + t) for v in vs]

@@ -32,6 +32,7 @@ impl Facts for Uncertainty {
                         units.quantity(measure, high)
                     )
                 }
+                (None, Some(linear)) if !linear.sd.is_finite() => ", no finite standard deviation".to_owned(),
                 (None, Some(linear)) => format!(", standard deviation {}", units.quantity(measure, linear.sd)),
                 _ => String::new(),
             };

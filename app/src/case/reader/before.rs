@@ -1,9 +1,11 @@
 //! The keys of `[before]`: what the vehicles did before the impact.
 
 use planar_impact::Side;
+use planar_impact::post_impact::{MOST_FRICTION, MOST_GRADE};
 use planar_impact::skid::Skid;
 
 use super::CaseReader;
+use super::rest::within_grade;
 use crate::case::braking::{BrakingInputs, SkidKey, SkidNumber};
 use crate::case::parameter::{Parameter, number};
 use crate::document::{Field, Table};
@@ -73,6 +75,8 @@ impl CaseReader {
         let friction = self.input(table.required(SkidNumber::Friction.name()), parameter(SkidNumber::Friction));
         let (grade, braking) = (usual(SkidNumber::Grade, 0.0), usual(SkidNumber::Braking, 1.0));
         table.finish();
+        let friction = friction.and_then(|friction| self.up_to(&table.optional("friction"), friction, MOST_FRICTION));
+        let grade = grade.and_then(|grade| within_grade(&table.optional("grade"), grade, -MOST_GRADE));
         let skid = Skid { length: length?, friction: friction?, grade: grade?, braking: braking? };
         let drag = skid.drag_factor();
         if drag > 0.0 {

@@ -11,15 +11,8 @@ use crate::case::domain::Domain;
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
 use crate::notice::Notice;
+use crate::unusual;
 
-/// A greater depth deserves a warning: the front of a car is about a meter long.
-const DEEP: f64 = 2.0;
-/// A greater width deserves a warning: the side of a bus is twelve meters long.
-const WIDE: f64 = 15.0;
-const NARROW: f64 = 0.01;
-/// A crush stiffness B outside of these deserves a warning, in N/m²: those of cars are 0.2 to 2 MPa.
-const SOFT: f64 = 1e4;
-const STIFF: f64 = 1e8;
 /// Maximum number of zones: measured stiffnesses have few zones, and each zone is evaluated for every depth.
 const MOST_ZONES: usize = 32;
 
@@ -114,23 +107,13 @@ impl CaseReader {
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
-            if deepest > DEEP {
-                warn(
-                    "unusual-depth",
-                    format!("{path}.depths"),
-                    format!("{path}.depths: {deepest} m is deeper than the structure of a car; check the unit"),
-                );
-            }
-            let width = profile.width();
-            if !(NARROW..=WIDE).contains(&width) {
-                warn("unusual-width", path.to_owned(), format!("{path}: a width of {width:.3e} m is not that of a crush; check the unit"));
-            }
+            let unusual = [unusual::depth(&format!("{path}.depths"), deepest), unusual::width(path, profile.width())];
+            self.notices.borrow_mut().extend(unusual.into_iter().flatten());
             if deepest == 0.0 {
                 warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
-            } else if let Some(slope) = slopes.find(|slope| *slope > 0.0 && !(SOFT..=STIFF).contains(slope)) {
-                let at = format!("{path}.stiffness");
-                let message = format!("{at}: B = {slope:.3e} N/m^2 is not the stiffness of a vehicle; check the unit");
-                warn("unusual-stiffness", at, message);
+            } else {
+                let of = slopes.find_map(|slope| unusual::stiffness(&format!("{path}.stiffness"), slope));
+                self.notices.borrow_mut().extend(of);
             }
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());

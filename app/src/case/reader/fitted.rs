@@ -28,7 +28,8 @@ pub(super) struct FittedToTests {
     vehicles: usize,
     /// Their class, whose spread is in the covariance.
     class: Option<Pooled>,
-    /// By how much the standard deviations that residuals give are enlarged, because few of them tell little.
+    /// By how much the standard deviations are enlarged: those that residuals give, because few of them tell little, and those that residuals contradict to what these
+    /// give.
     enlarged: Option<f64>,
     /// The part of the covariance that two vehicles of the class share.
     common: StiffnessCovariance,
@@ -130,8 +131,12 @@ impl FittedToTests {
         let is_uncertain = file.is_uncertain(&fit);
         let (vehicles, class) = (file.vehicles.len(), file.class(model));
         let freedom = u32::try_from(fit.degrees_of_freedom).unwrap_or(u32::MAX - 1);
-        let is_of_residuals = is_uncertain && class.is_none() && fit.basis == CovarianceBasis::Residuals && freedom > 0;
-        let enlarged = is_of_residuals.then(|| wider_than_normal(freedom + 1));
+        let enlarged = match fit.basis {
+            _ if !is_uncertain || class.is_some() || freedom == 0 => None,
+            CovarianceBasis::Residuals => Some(wider_than_normal(freedom + 1)),
+            // Birge (1932): by the residuals, where the standard deviations are too small for them.
+            _ => fit.is_poor().then(|| (fit.chi_square / f64::from(freedom)).sqrt()),
+        };
         let FurtherVehicle { fit, common } = match &class {
             Some(class) => class.further_vehicle(fit),
             None => {
@@ -194,7 +199,10 @@ impl FittedToTests {
             };
             let message = message
                 .text(format!(", fitted to {count} tests of {vehicles} vehicles, with the spread between {those} as far as they tell"));
-            Notice::note("stiffness-from-tests", key, message)
+            match self.is_uncertain && class.is_far_from(&self.fit) {
+                true => Notice::warning("stiffness-from-tests", key, message.text("; it is ").join(class.contradiction())),
+                false => Notice::note("stiffness-from-tests", key, message),
+            }
         } else if vehicles > 1 {
             let message = message.text(format!(
                 ", fitted to {count} tests of {vehicles} vehicles, without the spread between them, which takes two with tests to different depths or an onset: it \
@@ -205,7 +213,8 @@ impl FittedToTests {
             let (chi_square, freedom) = (self.fit.chi_square, degrees_of_freedom(self.fit.degrees_of_freedom));
             let message = message.text(format!(
                 ", fitted to {count} tests, which differ by more than their standard deviations allow (chi-square {chi_square:.1} with {freedom}): \
-                 it is less certain; without standard deviations the residuals tell how much"
+                 its own are {:.1} times those of the fit, as the residuals tell",
+                self.enlarged.unwrap_or(1.0)
             ));
             Notice::warning("stiffness-from-tests", key, message)
         } else if !self.is_uncertain {

@@ -92,15 +92,6 @@ impl Distributed {
     }
 }
 
-/// The meaning of a percent sign after a standard deviation.
-#[derive(Clone, Copy, PartialEq)]
-enum Percent {
-    /// A share of the value.
-    Share,
-    /// A hundredth, of a number without a dimension.
-    Hundredth,
-}
-
 impl CaseReader {
     /// Reads a value, a value with ± and its standard deviation, { value, sd }, { value, resolution } or { value, relative }, or any other distribution of an
     /// uncertain number by its mean and standard deviation.
@@ -123,11 +114,7 @@ impl CaseReader {
             Some(Value::Table(entries)) if entries.iter().any(|entry| is_of_distribution(&entry.key)) => self.moments(field, measure),
             Some(Value::Table(_)) => self.measured_in(&field.table()?, measure),
             Some(Value::String(text)) => match PLUS_MINUS.iter().find_map(|sign| text.split_once(sign)) {
-                Some((value, deviation)) => {
-                    let kind = Kind::from(measure);
-                    let percent = if kind.dimension == Kind::PURE.dimension { Percent::Hundredth } else { Percent::Share };
-                    self.with_deviation(&field, value, deviation, kind, percent)
-                }
+                Some((value, deviation)) => self.with_deviation(&field, value, deviation, measure.into()),
                 None => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
             },
             _ => Some(Measured { amount: self.amount(field, measure)?, spread: Spread::Exact }),
@@ -173,8 +160,18 @@ impl CaseReader {
         }
     }
 
-    fn with_deviation(&self, field: &Field<'_>, value: &str, deviation: &str, kind: Kind, percent: Percent) -> Option<Measured> {
-        let share = deviation.trim().ends_with('%') && percent == Percent::Share;
+    fn with_deviation(&self, field: &Field<'_>, value: &str, deviation: &str, kind: Kind) -> Option<Measured> {
+        let [is_of_value, is_of_deviation] = [value, deviation].map(|text| text.trim().ends_with('%'));
+        let is_pure = kind.dimension == Kind::PURE.dimension;
+        if is_pure && is_of_deviation && !is_of_value {
+            let help = "write the standard deviation as a number, or { value = \u{2026}, relative = \u{2026} } for a share of the value";
+            field.report(
+                "the percent sign after a number without a unit may mean a hundredth or a share of the value",
+                Some(help.to_owned()),
+            );
+            return None;
+        }
+        let share = is_of_deviation && !is_pure;
         let (amount, size, spread): (_, f64, fn(f64) -> Spread) = if value.trim() == FROM_CRUSH && kind.name == Kind::ENERGY.name {
             let kind = if share { Kind::PURE } else { kind.difference() };
             let spread = if share { Spread::Relative } else { Spread::StandardDeviation };
@@ -215,7 +212,7 @@ impl CaseReader {
         let given = [
             table.has("sd").then(|| size("sd", kind.difference()).map(Spread::StandardDeviation)),
             table.has("resolution").then(|| size("resolution", kind.difference()).map(Spread::Resolution)),
-            has_share.then(|| size("relative", Kind::PURE).map(Spread::Relative)),
+            has_share.then(|| self.coefficient(table.optional("relative"), 1.0).map(Spread::Relative)),
         ];
         let mut spreads = given.into_iter().flatten();
         let spread = spreads.next().unwrap_or(Some(Spread::Exact));
@@ -246,18 +243,7 @@ impl CaseReader {
             _ => None,
         };
         let Some((value, deviation)) = text else { return Some((self.certain(field, kind, domain)?, None).into()) };
-        let is_percent = |text: &str| text.trim().ends_with('%');
-        let is_pure = kind.dimension == Kind::PURE.dimension;
-        if is_pure && is_percent(deviation) && !is_percent(value) {
-            let help = "write the standard deviation as a number, or { value = \u{2026}, relative = \u{2026} } for a share of the value";
-            field.report(
-                "the percent sign after a number without a unit may mean a hundredth or a share of the value",
-                Some(help.to_owned()),
-            );
-            return None;
-        }
-        let percent = if is_pure { Percent::Hundredth } else { Percent::Share };
-        let measured = self.with_deviation(&field, value, deviation, kind, percent)?;
+        let measured = self.with_deviation(&field, value, deviation, kind)?;
         let Measured { amount: Amount::Number(value), spread } = measured else { return None };
         let value = self.within(&field, value, kind, domain)?;
         Some((value, self.distribution_of(&field, value, spread, kind, domain)?).into())

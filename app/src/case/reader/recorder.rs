@@ -44,6 +44,8 @@ impl CaseReader {
 
     fn recorder<'a>(&self, field: &Field<'a>, side: Side, found: &mut Vec<Piece<'a>>) -> Option<()> {
         let table = field.clone().table()?;
+        let help = "a recorder is of one vehicle: leave it out of the other, or name the file of that one";
+        let is_first = ["file", "samples"].into_iter().all(|key| !table.has(key) || self.counts_once(table.optional(key), help));
         let positive = |key| match table.has(key) {
             true => self.positive(table.optional(key), Kind::SPEED).map(Some),
             false => Some(None),
@@ -58,6 +60,7 @@ impl CaseReader {
         let mut recording = self.recording_of(&table);
         table.finish();
         let (resolution, range, relative, of_sensor, uses) = (resolution?, range?, relative?, of_sensor?, uses?);
+        is_first.then_some(())?;
         recording.as_mut()?.set_recorder(resolution, relative, range, of_sensor);
         let answer = self.analysed(field, &recording?)?;
         let Some(recorder) = &answer.recorder else {
@@ -136,7 +139,7 @@ impl CaseReader {
         let recording = self.recording_at(record.clone());
         table.finish();
         let recording = recording?;
-        self.counts_once(record).then_some(())?;
+        self.counts_once(record, "a recording is of one test: give this test its own, or restitution and restitution_sd").then_some(())?;
         let answer = self.analysed(field, &recording)?;
         let Some(Uncertain { value, sd }) = restitution(&answer) else {
             let help = "it needs mass and speed with forces, speed with an acceleration, or a film".to_owned();
@@ -155,14 +158,13 @@ impl CaseReader {
         Some(Recorded { restitution: value, sd, speed: recording.speed(), file: answer.file })
     }
 
-    /// Reports a recording that another test has: a fit would count its error as several that are independent.
-    fn counts_once(&self, record: Field<'_>) -> bool {
+    /// Reports a recording that another test or vehicle has, by its file or its samples: a fit would count its error as several that are independent.
+    fn counts_once(&self, record: Field<'_>, help: &str) -> bool {
         let Some(name) = record.clone().string() else { return false };
         let path: PathBuf = Path::new(name).components().filter(|part| *part != Component::CurDir).collect();
-        let mut all = self.records_of_tests.borrow_mut();
+        let mut all = self.records.borrow_mut();
         if let Some((_, first)) = all.iter().find(|(known, _)| *known == path) {
-            let help = "a recording is of one test: give this test its own, or restitution and restitution_sd".to_owned();
-            record.report_as("contradiction", format!("{first} has the same recording, which would count twice"), Some(help));
+            record.report_as("contradiction", format!("{first} has the same recording, which would count twice"), Some(help.to_owned()));
             return false;
         }
         all.push((path, record.path().to_owned()));

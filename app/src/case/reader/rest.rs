@@ -32,6 +32,16 @@ struct GivenGround {
     friction_deviation: f64,
 }
 
+/// Returns a share of a grade that the ground may have, or reports it.
+pub(super) fn within_grade(place: &Field<'_>, share: f64, least: f64) -> Option<f64> {
+    if (least..=MOST_GRADE).contains(&share) {
+        return Some(share);
+    }
+    let help = "a grade is height over distance, as \"2 %\" or 0.02, and positive uphill";
+    place.report_as("out-of-range", format!("it is {share}; it must be from {least} to {MOST_GRADE}"), Some(help.to_owned()));
+    None
+}
+
 impl CaseReader {
     /// Reads `[rest]`. Reads it even if the vehicles are invalid, to report its own issues.
     pub(super) fn rest(
@@ -130,13 +140,7 @@ impl CaseReader {
 
     fn share_of_grade(&self, field: Field<'_>, least: f64) -> Option<f64> {
         let place = field.clone();
-        let share = self.quantity(field, Kind::PURE)?;
-        if (least..=MOST_GRADE).contains(&share) {
-            return Some(share);
-        }
-        let help = "a grade is height over distance: \"2 %\" or 0.02; `toward` is the direction uphill";
-        place.report_as("out-of-range", format!("it is {share}; it must be from {least} to {MOST_GRADE}"), Some(help.to_owned()));
-        None
+        within_grade(&place, self.quantity(field, Kind::PURE)?, least)
     }
 
     fn regions(&self, field: Field<'_>, grade: Option<Xy>) -> Option<Vec<Region>> {

@@ -15,6 +15,7 @@ use crate::record::ChannelQuantity;
 use crate::record::samples::{Fault, Samples, TIME};
 use crate::source::Source;
 use crate::units::Measure;
+use crate::unusual;
 
 type Read = (String, Settings, Vec<Channel>);
 
@@ -59,11 +60,23 @@ impl CaseReader {
         let columns = samples
             .as_ref()
             .map(|samples| Columns { samples, time: samples.place(TIME).map_err(|fault| report(&place, vec![fault])).ok() });
-        let channels = match &tables? {
+        let tables = tables?;
+        let channels = match &tables {
             Some(tables) => self.listed(tables, columns.as_ref(), &report),
             None => columns.as_ref().and_then(|columns| named(columns, &place, &report)),
         };
         let (channels, settings) = (channels?, Settings { kinematics, ..settings? });
+        if let Some(Columns { samples, time }) = &columns {
+            let is_calibrated = |channel: &Channel| {
+                let of_channel = |table: &&Table<'_>| table.path() == channel.path;
+                tables.iter().flatten().find(of_channel).is_some_and(|table| table.has("calibration"))
+            };
+            let quantity = |name: &str| {
+                let channel = channels.iter().find(|channel| channel.name == name).filter(|channel| !is_calibrated(channel));
+                channel.map(|channel| channel.quantity)
+            };
+            self.notices.borrow_mut().extend(samples.units_assumed(*time, quantity));
+        }
         let has_time = columns.is_some_and(|columns| columns.time.is_some());
         (schema.is_some() && has_time && needed(root, &channels)).then_some((title, settings, channels))
     }
@@ -147,6 +160,11 @@ impl CaseReader {
         };
         let (baseline, contact) = (window("baseline"), window("window"));
         let (mass, speed) = (estimate("mass", Measure::Mass), estimate("speed", Measure::Speed));
+        let unusual = [
+            mass.flatten().and_then(|mass| unusual::mass("mass", mass.value)),
+            speed.flatten().and_then(|speed| unusual::speed("speed", speed.value)),
+        ];
+        self.notices.borrow_mut().extend(unusual.into_iter().flatten());
         let separation = number("separation", Kind::DURATION);
         let neighbors = if root.has("neighbors") { root.optional("neighbors").integer(4..=1000).map(Some) } else { Some(None) };
         let resolution = match root.has("resolution") {

@@ -17,6 +17,8 @@ pub const BAD: &[Bad] = &[
     .of(RESTED),
     wrong("a rest without friction", &[("friction = \"0.7 ± 0.05\"\n", "")], 22, &["rest.friction", "missing"]).of(RESTED),
     wrong("a rest on no friction", &[("0.7 ± 0.05", "0")], 23, &["rest.friction", "above 0"]).of(RESTED),
+    wrong("a friction with a percentage", &[("0.7 ± 0.05", "0.7 ± 5 %")], 23, &["rest.friction", "may mean a hundredth or a share"])
+        .of(RESTED),
     wrong("a friction in meters", &[("0.7 ± 0.05", "0.7 m ± 0.05")], 23, &["rest.friction", "a pure number is expected"]).of(RESTED),
     wrong("a friction below its deviation", &[("0.7 ± 0.05", "0.7 ± 0.9")], 23, &["rest.friction", "larger than itself"]).of(RESTED),
     wrong("gravity upwards", &[("[rest]\n", "[rest]\ngravity = -9.8\n")], 23, &["rest.gravity", "above zero"]).of(RESTED),

@@ -91,7 +91,18 @@ pub(super) const BAD: &[Bad] = &[
     mass(
         "an input with a negative relative",
         &[(MASS, "mass = { value = \"2564 lb\", relative = -0.1 }")],
-        &["vehicle.1.mass.relative", "below zero"],
+        &["vehicle.1.mass.relative", "it is -0.1; it must be from 0 to 1"],
+    ),
+    wrong(
+        "an input that is too large in any unit",
+        &[("speed = \"40 ft/s\"", "speed = 1000000")],
+        9,
+        &["vehicle.1.speed", "`1000000` is too large for a speed"],
+    ),
+    mass(
+        "an input with a percentage as a share",
+        &[(MASS, "mass = { value = \"2564 lb\", relative = 5 }")],
+        &["vehicle.1.mass.relative", "it is 5; it must be from 0 to 1", "did you mean \"5 %\"?"],
     ),
     mass(
         "an input with sd and relative",

@@ -217,11 +217,12 @@ fn rows_that_are_no_records() {
         ("b,1000", "2 fields and the table 3 columns"),
         ("b,1000,0,1", "4 fields and the table 3 columns"),
         ("b,1,5,0", "a decimal comma?"),
-        ("b,\"1,5\",0", "write it with a decimal point"),
+        ("b,\"1,5\",0", "write 1.5"),
+        ("b,\"1,500\",0", "write 1500 or 1.500"),
         ("b,1000 kg,0", "its unit belongs in the line of units"),
         ("b,ten,0", "`ten` is not a number"),
         ("b,1e-400,0", "would make it zero"),
-        ("b,1_500,0", "`1_500` is not a number"),
+        ("b,1_500,0", "write 1500"),
         ("b,0x10,0", "`0x10` is not a number"),
         (",1000,0", "`id` is missing"),
         ("b,\"1000,0", "quotation mark has no partner"),
@@ -235,6 +236,14 @@ fn rows_that_are_no_records() {
     let run = check_file("a.csv", b"# planar-impact-record/1\rid,b1.mass\r,kg\ra,1000\r", &[]);
     assert!(run.status == 2 && run.err.contains("line 1: a carriage return stands within the line"), "{}", run.err);
     malformed("id,profile\n,-\na,printed\nb,print\n", 4, &["did you mean \"printed\"?"]);
+}
+
+/// A spreadsheet ends each line with a comma for each column, and writes truths in capitals.
+#[test]
+fn a_table_of_a_spreadsheet_is_read() {
+    let text = "# planar-impact-record/1,,\nid,b1.fixed,b2.mass\n,,kg\na,TRUE,1000\nb,FALSE,1000\n";
+    let (status, report) = check(text, &[]);
+    assert_eq!((status, &report["summary"]["fail"], &report["summary"]["records"]), (0, &0.into(), &2.into()), "{report}");
 }
 
 #[test]

@@ -397,6 +397,24 @@ fn a_lost_stretch_of_a_pulse_is_told() {
     assert!(warned("dropout", "", &|ms| (5.0 * pulse(ms)).round() * 20.0 - 100.0 * pulse(ms)).is_empty());
 }
 
+/// What a file says of its channels may lack the unit of their columns as well as they do.
+#[test]
+fn a_unit_that_is_assumed_is_told_of_a_listed_channel_too() {
+    let rows: String = (-20..=120).map(|i| format!("{i},{}\n", 100.0 * pulse(i.into()))).collect();
+    let told = |header: &str, settings: &str| {
+        let run = record_of(&format!("{header}\n{rows}"), Some(settings)).1;
+        let json: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let notes = json["messages"].as_array().into_iter().flatten().filter(|note| note["code"] == "unit-assumed").cloned();
+        notes.map(|note| note["text"].as_str().expect("a text").to_owned()).collect::<Vec<_>>()
+    };
+    let listed = "[[channel]]\ncolumn = \"F\"\nquantity = \"normal_force\"\n";
+    assert_eq!(told("time [ms],F", listed), ["the column F has no unit: N assumed"]);
+    assert_eq!(told("time,F [kN]", listed), ["the column time has no unit: s assumed"]);
+    assert_eq!(told("time [ms],F", &format!("{listed}calibration = \"1 kN\"\n")), [""; 0]);
+    assert_eq!(told("time [ms],normal_force", ""), ["the column normal_force has no unit: N assumed"]);
+    assert_eq!(told("time [ms],normal_force [kN]", ""), [""; 0]);
+}
+
 /// Milliseconds that pass for seconds, and readings of no vehicle.
 #[test]
 fn a_pulse_beyond_any_impact_is_told() {
@@ -405,7 +423,12 @@ fn a_pulse_beyond_any_impact_is_told() {
         record_of(&format!("{header}\n{rows}"), None).1.out
     };
     let told = texts("time,normal_force [kN]", 100.0, 1.0);
-    assert!(told.contains("normal force is integrated over 120.000 s, which no impact does: check the unit"), "{told}");
+    assert!(told.contains("normal force is integrated over 120.000 s, which no impact lasts: check the unit of the times"), "{told}");
+    let told = texts("time [ms],normal_force [kN]", 100.0, 1e-3);
+    assert!(told.contains("which no impact lasts"), "{told}");
+    let told = texts("time [ms],acceleration.a [g]", -22.0, 1.0);
+    assert!(told.contains("toward the barrier, which pushes the vehicle away from it"), "{told}");
+    assert!(!texts("time [ms],acceleration.a [g]", 22.0, 1.0).contains("toward the barrier"));
     let told = texts("time [ms],acceleration.a [g]", 11_000.0, 1.0);
     assert!(told.contains("acceleration.a reaches 10787") && told.contains("which no impact does"), "{told}");
     assert!(texts("time [ms],normal_force [kN]", 1.1e6, 1.0).contains("which no impact does"));

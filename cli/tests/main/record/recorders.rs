@@ -279,6 +279,14 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
     assert!(two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\"] }").err.is_empty());
     let twice = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"pdof\", \"delta_v_left\"] }");
     assert!(twice.err.contains("the record would count twice"), "{}", twice.err);
+    // One recorder of two vehicles, by the name of its file in two ways, or in the case itself.
+    for (one, other) in [
+        ("file = \"edr.csv\"", "file = \"./edr.csv\""),
+        ("samples = \"time [s],speed\\n-1,9\\n\"", "samples = \"time [s],speed\\n-1,9\\n\""),
+    ] {
+        let of_both = two_cars(&samples, &format!("vehicle.2.recorder = {{ {one} }}\nvehicle.1.recorder = {{ {other} }}"));
+        assert!(of_both.status == 2 && of_both.err.contains("has the same recording, which would count twice"), "{}", of_both.err);
+    }
     let both = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }\nvehicle.2.speed = \"40 km/h ± 1 km/h\"");
     assert!(both.status == 2 && both.err.contains("vehicle.2.speed twice"), "{}", both.err);
     let ranged = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", range = \"20 km/h\" }");

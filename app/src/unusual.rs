@@ -1,0 +1,85 @@
+//! Warnings of sizes that no road vehicle has: most often of a number in another unit.
+
+use std::ops::RangeInclusive;
+
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::units::Measure;
+
+/// That of a motorcycle, in kg. A heavy one may stand for a barrier.
+const MASS: f64 = 100.0;
+/// Cars to trucks have 0.9 to 2.5 m.
+const RADIUS_OF_GYRATION: RangeInclusive<f64> = 0.5..=5.0;
+/// From its center of mass no point of a vehicle is farther, in m.
+const ARM: f64 = 15.0;
+/// In m/s.
+const SPEED: f64 = 100.0;
+/// In rad/s: three turns a second.
+const YAW_RATE: f64 = 20.0;
+/// Impacts last a tenth of a second, in s.
+const DURATION: RangeInclusive<f64> = 1e-3..=5.0;
+/// The front of a car is about a meter long.
+const DEPTH: f64 = 2.0;
+/// The side of a bus is twelve meters long.
+const WIDTH: RangeInclusive<f64> = 0.01..=15.0;
+/// In N/m²: those of cars are 0.2 to 2 MPa.
+const STIFFNESS: RangeInclusive<f64> = 1e4..=1e8;
+
+fn warning(code: &'static str, path: &str, message: Message) -> Notice {
+    Notice::warning(code, path, Message::from(format!("{path}: ")).join(message))
+}
+
+pub(crate) fn mass(path: &str, mass: f64) -> Option<Notice> {
+    let message = || Message::from("no road vehicle has a mass of ").figure(Measure::Mass, mass).text("; check its unit");
+    (mass < MASS).then(|| warning("unusual-mass", path, message()))
+}
+
+pub(crate) fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
+    let message =
+        || Message::from("a radius of gyration of ").figure(Measure::Length, radius).text(" is unusual; check mass and yaw inertia");
+    (!RADIUS_OF_GYRATION.contains(&radius)).then(|| warning("unusual-radius-of-gyration", path, message()))
+}
+
+/// Of the distance of an impact center from the center of mass.
+pub(crate) fn arm(path: &str, arm: f64) -> Option<Notice> {
+    let message =
+        || Message::from("no road vehicle has an impact center at a distance of ").figure(Measure::Length, arm).text("; check its unit");
+    (arm > ARM).then(|| warning("unusual-impact-center", path, message()))
+}
+
+pub(crate) fn speed(path: &str, speed: f64) -> Option<Notice> {
+    motion("unusual-speed", path, "speed", Measure::Speed, (speed, SPEED))
+}
+
+pub(crate) fn yaw_rate(path: &str, rate: f64) -> Option<Notice> {
+    motion("unusual-yaw-rate", path, "yaw rate", Measure::YawRate, (rate, YAW_RATE))
+}
+
+fn motion(code: &'static str, path: &str, name: &str, measure: Measure, (size, most): (f64, f64)) -> Option<Notice> {
+    let message = || Message::from(format!("no road vehicle has a {name} of ")).figure(measure, size.abs()).text("; check its unit");
+    (size.abs() > most).then(|| warning(code, path, message()))
+}
+
+/// Of the greatest depth of a crush.
+pub(crate) fn depth(path: &str, deepest: f64) -> Option<Notice> {
+    let message = || Message::from("").figure(Measure::Length, deepest).text(" is deeper than the structure of a car; check the unit");
+    (deepest > DEPTH).then(|| warning("unusual-depth", path, message()))
+}
+
+pub(crate) fn width(path: &str, width: f64) -> Option<Notice> {
+    let message = || Message::from("a width of ").figure(Measure::Length, width).text(" is not that of a crush; check the unit");
+    (!WIDTH.contains(&width)).then(|| warning("unusual-width", path, message()))
+}
+
+/// Of the growth B of the force per width with depth; zero is a constant force.
+pub(crate) fn stiffness(path: &str, slope: f64) -> Option<Notice> {
+    let message = || Message::from("B = ").figure(Measure::ForcePerArea, slope).text(" is not the stiffness of a vehicle; check the unit");
+    (slope > 0.0 && !STIFFNESS.contains(&slope)).then(|| warning("unusual-stiffness", path, message()))
+}
+
+/// Of what is recorded over a time; nothing is known of it if the time is zero.
+pub(crate) fn duration(path: &str, what: String, duration: f64) -> Option<Notice> {
+    let message =
+        || Message::from(what).text(" ").figure(Measure::Time, duration).text(", which no impact lasts: check the unit of the times");
+    (duration > 0.0 && !DURATION.contains(&duration)).then(|| Notice::warning("implausible-size", path, message()))
+}
