@@ -610,6 +610,16 @@ fn a_number_has_the_unit_of_its_column() {
     assert_eq!(plan.names(), ["energy.loss", "refusal"]);
 }
 
+/// Spreadsheets write truths in capitals.
+#[test]
+fn truths_may_be_in_capitals() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    let plan = plan(&["vehicle.2.barrier"], Some(&case), &Options::default()).expect("a plan");
+    let read = ["true", "TRUE", "false", "False", "yes"].map(|text| plan.inputs()[0].of_text(text));
+    let [one, zero] = [1.0, 0.0].map(Cell::Number);
+    assert_eq!(read, [one.clone(), one, zero.clone(), zero, Cell::Unreadable("yes".into())]);
+}
+
 #[test]
 fn unknowns_of_a_case_are_supplied_by_columns() {
     let text = CRUSHED.replace("speed = \"15 m/s\"\n", "")

@@ -329,7 +329,7 @@ fn no_road_has_the_friction_or_the_grade_of_a_skid() {
         let run = with(old, new);
         assert!(run.status == 2 && run.err.contains(words), "{new}: {}", run.err);
     }
-    for (old, new) in [("friction = 0.45", "friction = 10"), ("grade = \"2 %\"", "grade = 1")] {
+    for (old, new) in [("friction = 0.45", "friction = 10"), ("grade = \"2 %\"", "grade = 1"), ("grade = \"2 %\"", "grade = -0.3")] {
         assert_eq!(with(old, new).status, 0, "{new}");
     }
 }

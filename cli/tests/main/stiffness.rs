@@ -601,6 +601,10 @@ fn sizes_of_no_test_are_named() {
     let free =
         class("").split("[fit]").next().expect("tests").replacen("speed = 15\n", "speed = 1\n", 1).replacen("[0.4, 0.4]", "[0, 0]", 1);
     assert!(run_with_input(&["stiffness", "-", "--format", "json"], &free).out.contains("\"no-crush\""));
+    let hundredths = [("0.4, 0.4", "0.004, 0.004"), ("0.45, 0.45", "0.0045, 0.0045"), ("0.38, 0.38", "0.0038, 0.0038")];
+    let stiff = hundredths.iter().fold(class("scatter = 10"), |text, (old, new)| text.replace(old, new));
+    assert!(run_with_input(&["stiffness", "-", "--format", "json"], &stiff).out.contains("\"unusual-stiffness\""), "{stiff}");
+    assert!(!json(&class("scatter = 10")).to_string().contains("unusual-stiffness"));
     assert_eq!(codes("depths = [0.4, 0.4]", "depths = [2.4, 2.1]")[..1], ["unusual-depth"]);
     assert_eq!(codes("mass = 1500", "mass = 15")[..1], ["unusual-mass"]);
     assert_eq!(codes("depth = \"0.4 m\"", "depth = 40"), ["unusual-depth"]);

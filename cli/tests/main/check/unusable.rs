@@ -241,7 +241,7 @@ fn rows_that_are_no_records() {
 /// A spreadsheet ends each line with a comma for each column, and writes truths in capitals.
 #[test]
 fn a_table_of_a_spreadsheet_is_read() {
-    let text = "# planar-impact-record/1,,\nid,b1.fixed,b2.mass\n,,kg\na,TRUE,1000\nb,FALSE,1000\n";
+    let text = "# planar-impact-record/1,,,\nid,b1.fixed,b1.mass,b2.mass\n,,kg,kg\na,TRUE,,1000\nb,FALSE,1000,1000\n";
     let (status, report) = check(text, &[]);
     assert_eq!((status, &report["summary"]["fail"], &report["summary"]["records"]), (0, &0.into(), &2.into()), "{report}");
 }

@@ -143,7 +143,11 @@ fn kinematics_give_the_restitution_of_the_contact_point() {
     let kinematics = "schema = 1\n[kinematics]\nduration = \"100 ms\"\npoint = [\"1.9 m\", \"0 m\"]\npoint_after = [\"1.5 m\", \"0.2 m ± 0.03 m\"]\n\
         before = { velocity = [\"10 m/s\", \"0 m/s\"] }\nafter = { velocity = [\"-0.5 m/s ± 0.2 m/s\", \"0.3 m/s\"], yaw_rate = \"1 rad/s\" }\n";
     folder.write("kinematics.toml", kinematics.as_bytes());
+    folder.write("slow.toml", kinematics.replace("100 ms", "100 s").as_bytes());
+    let slow = run(folder.path(), &["record", "slow.toml", "--format", "json"]).out;
+    assert!(slow.contains("the contact lasts 100.000 s, which no impact lasts"), "{slow}");
     let run = run(folder.path(), &["record", "kinematics.toml", "--format", "json"]);
+    assert!(!run.out.contains("which no impact lasts"), "{}", run.out);
     assert_eq!((run.status, run.err.as_str()), (0, ""));
     let record: Value = serde_json::from_str(&run.out).expect("JSON");
     let found = &record["records"][0]["kinematics"];

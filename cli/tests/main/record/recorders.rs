@@ -409,3 +409,14 @@ fn a_velocity_change_that_takes_minutes_is_told() {
     };
     assert_eq!(["", " [ms]"].map(told), [true, false]);
 }
+
+/// Seconds that are milliseconds, and kilometers an hour that are meters a second.
+#[test]
+fn velocity_changes_of_no_impact_are_told() {
+    let told = |samples: &str| record_of(samples, None).1.out;
+    let sound = "time [ms],delta_v_forward [m/s]\n0,0\n50,-5\n100,-11\n";
+    let short = told("time [ms],delta_v_forward [m/s]\n0,0\n0.05,-5\n0.1,-11\n");
+    assert!(short.contains("delta_v_forward is recorded over") && short.contains("which no impact lasts"), "{short}");
+    assert!(told(&sound.replace("-11", "-101")).contains("no road vehicle has a speed of 101.00 m/s"));
+    assert!(!told(&sound.replace("-11", "-99")).contains("no road vehicle") && !told(sound).contains("which no impact lasts"));
+}
