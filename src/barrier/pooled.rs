@@ -47,8 +47,8 @@ impl RandomEffects {
 
     /// Pools them with the variance between vehicles with which a normal distribution has the 95 % interval of a further one. `None` as [`Self::of`].
     ///
-    /// An estimate of τ² tells nothing of its own error, and is 0 by chance where few vehicles are known well. By the prior density τ/(τ² + v̄) of τ, with the mean v̄
-    /// of their own variances (Box and Tiao 1973, Bayesian Inference in Statistical Analysis, 5.2, for equal variances), the further vehicle is drawn from normal
+    /// An estimate of τ² tells nothing of its own error, and is 0 by chance where few vehicles are known well. By the prior density τ/(τ² + v) of τ, with the median v
+    /// of their own variances (Box and Tiao 1973, Bayesian Inference in Statistical Analysis, 5.2, for equal ones), the further vehicle is drawn from normal
     /// distributions of variance τ² + var x̄ about x̄, each weighted by the density of τ that the vehicles leave. Of vehicles that are known exactly it has Student's
     /// distribution with k − 1 degrees of freedom.
     ///
@@ -95,7 +95,10 @@ impl Further {
 
     fn of(vehicles: &[Estimate], center: f64) -> Further {
         let count = vehicles.len() as f64;
-        let own = vehicles.iter().map(|estimate| estimate.variance).sum::<f64>() / count;
+        // Of two in the middle the greater: one that is known exactly tells nothing of the spread.
+        let mut variances: Vec<f64> = vehicles.iter().map(|estimate| estimate.variance).collect();
+        variances.sort_by(f64::total_cmp);
+        let own = variances[variances.len() / 2];
         let squares = vehicles.iter().map(|estimate| (estimate.value - center) * (estimate.value - center)).sum::<f64>() / count;
         let scale = squares.max(own);
         let at = |step: i32| {
@@ -233,6 +236,9 @@ mod tests {
         // The more vehicles, the less, and in any unit the same.
         let many: Vec<(f64, f64)> = [(654.0, 30.0); 10].into();
         assert!(further(&many) < 0.5 * further(&many[..4]) && further(&many) > 10.0);
+        // One of which nothing is known changes little.
+        let useless: Vec<(f64, f64)> = many.iter().copied().chain([(0.0, 1e6)]).collect();
+        assert_relative_eq!(further(&useless), further(&many), max_relative = 0.01);
         let small: Vec<(f64, f64)> = many.iter().map(|(value, sd)| (value * 1e-140, sd * 1e-140)).collect();
         assert_relative_eq!(further(&small), further(&many) * 1e-140, max_relative = 1e-9);
         assert_eq!(further(&[(5.0, 0.0), (5.0, 0.0)]), 0.0);

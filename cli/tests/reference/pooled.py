@@ -16,8 +16,8 @@ Z = 1.959963984540054
 def spread_of_further(xs, vs, center):
     """The variance between vehicles that, with the error of the mean, gives the normal distribution the 95 % interval of a further vehicle about the center.
 
-    The trapezoidal rule over ln tau, of the prior tau/(tau^2 + mean of v) and the likelihood with a flat prior of the mean."""
-    count, own = len(xs), sum(vs) / len(vs)
+    The trapezoidal rule over ln tau, of the prior tau/(tau^2 + upper median of v) and the likelihood with a flat prior of the mean."""
+    count, own = len(xs), sorted(vs)[len(vs) // 2]
     scale = sqrt(max(sum((x - center) ** 2 for x in xs) / count, own))
     if scale == 0:
         return 0.0

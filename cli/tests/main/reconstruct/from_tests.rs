@@ -283,8 +283,8 @@ fn of_vehicles(vehicles: &[(&str, [Option<f64>; 2])]) -> String {
 fn the_spread_of_a_class_is_in_the_deviation() {
     // cli/tests/reference/class.py: the line through all tests, and the covariance of a further vehicle. Of the second class neither the spread of d0 nor that of d1 is
     // all that E* spreads at the depth where the line is known best.
-    let first = [111.954_246_816_302_2, 669.007_637_370_993_9, 304.991_731_121_122_4, 1_992.201_788_699_7, -298_166.086_513_476];
-    let second = [278.414_874_715_447, 200.569_022_757_638, 5_112.290_665_920_667, 14_591.413_681_503_92, -44_683_687.343_171];
+    let first = [111.954_246_816_302_2, 669.007_637_370_993_9, 305.934_184_700_786_7, 1_997.561_715_215_766, -299_796.480_194_970_1];
+    let second = [278.414_874_715_447, 200.569_022_757_638, 5_113.259_580_121_774, 14_591.896_384_085_76, -44_695_171.282_115_94];
     spread_is_in_the_deviation(&of_a_class(), first);
     spread_is_in_the_deviation(&of_vehicles(&[("A", [Some(0.10), Some(0.20)]), ("B", [Some(0.45), Some(0.60)])]), second);
 }
