@@ -44,8 +44,6 @@ impl CaseReader {
 
     fn recorder<'a>(&self, field: &Field<'a>, side: Side, found: &mut Vec<Piece<'a>>) -> Option<()> {
         let table = field.clone().table()?;
-        let help = "a recorder is of one vehicle: leave it out of the other, or name the file of that one";
-        let is_first = ["file", "samples"].into_iter().all(|key| !table.has(key) || self.counts_once(table.optional(key), help));
         let positive = |key| match table.has(key) {
             true => self.positive(table.optional(key), Kind::SPEED).map(Some),
             false => Some(None),
@@ -58,6 +56,9 @@ impl CaseReader {
         let relative = if table.has("relative") { self.coefficient(table.optional("relative"), 1.0).map(Some) } else { Some(None) };
         let uses = if table.has("use") { uses(&table).map(Some) } else { Some(None) };
         let mut recording = self.recording_of(&table);
+        let help = "a recorder is of one vehicle: leave it out of the other, or name the file of that one";
+        let source = |key| Some(table.optional(key)).filter(|_| recording.is_some() && table.has(key));
+        let is_first = ["file", "samples"].into_iter().filter_map(source).all(|source| self.counts_once(source, help));
         table.finish();
         let (resolution, range, relative, of_sensor, uses) = (resolution?, range?, relative?, of_sensor?, uses?);
         is_first.then_some(())?;
@@ -182,7 +183,7 @@ impl CaseReader {
     }
 
     fn recording_at(&self, field: Field<'_>) -> Option<Recording> {
-        let (place, name) = (field.clone(), field.clone().string().unwrap_or_default().to_owned());
+        let (place, name) = (field.clone(), field.clone().string()?.to_owned());
         let source = self.opened(field, "give the values in the file itself")?;
         // A recording may name its samples, which lie beside it.
         let folder = Path::new(&name).parent().map(Path::to_path_buf).unwrap_or_default();

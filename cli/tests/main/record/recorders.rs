@@ -287,6 +287,8 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
         let of_both = two_cars(&samples, &format!("vehicle.2.recorder = {{ {one} }}\nvehicle.1.recorder = {{ {other} }}"));
         assert!(of_both.status == 2 && of_both.err.contains("has the same recording, which would count twice"), "{}", of_both.err);
     }
+    let no_name = two_cars(&samples, "vehicle.2.recorder = { file = 5 }").err;
+    assert_eq!(no_name.matches("recorder.file: expected a string; found a number").count(), 1, "{no_name}");
     let both = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\" }\nvehicle.2.speed = \"40 km/h ± 1 km/h\"");
     assert!(both.status == 2 && both.err.contains("vehicle.2.speed twice"), "{}", both.err);
     let ranged = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", range = \"20 km/h\" }");
