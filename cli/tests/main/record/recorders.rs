@@ -282,7 +282,7 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
     // One recorder of two vehicles, by the name of its file in two ways, or in the case itself.
     for (one, other) in [
         ("file = \"edr.csv\"", "file = \"./edr.csv\""),
-        ("samples = \"time [s],speed\\n-1,9\\n\"", "samples = \"time [s],speed\\n-1,9\\n\""),
+        ("samples = \"time [s],speed\\n-2,9\\n-1,8\\n\"", "samples = \"time [s],speed\\n-2,9\\n-1,8\\n\""),
     ] {
         let of_both = two_cars(&samples, &format!("vehicle.2.recorder = {{ {one} }}\nvehicle.1.recorder = {{ {other} }}"));
         assert!(of_both.status == 2 && of_both.err.contains("has the same recording, which would count twice"), "{}", of_both.err);
