@@ -18,7 +18,6 @@ mod vehicle;
 
 use std::sync::{Arc, Mutex};
 
-use planar_impact::post_impact::MOST_FRICTION;
 use planar_impact::reconstruct::Variable;
 use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Refusal, Refusals, Side, Vehicle, Xy, check};
 
@@ -302,13 +301,8 @@ impl Case {
             warnings.extend(unusual::radius_of_gyration(&path, vehicle.radius_of_gyration()));
             warnings.extend(unusual::arm(&path, vehicle.impact_center.length()));
         }
-        if let ImpulseRatio::LimitedByFriction(friction) = self.collision.impulse_ratio
-            && friction > MOST_FRICTION
-        {
-            let message = Message::from("a friction of ")
-                .figure(Measure::Ratio, friction)
-                .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign");
-            warnings.push(Notice::warning("unusual-friction", "contact.friction", message));
+        if let ImpulseRatio::LimitedByFriction(friction) = self.collision.impulse_ratio {
+            warnings.extend(unusual::friction("contact.friction", friction));
         }
         if let Some(admissible) = self.collision.admissible()
             && self.collision.restitution > admissible.restitution_for_any_approach

@@ -253,8 +253,15 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
     }));
     notices.0.extend(fits.iter().find_map(|fit| unusual::stiffness("vehicle", ForceLine::from(fit.stiffness).slope)));
     let pooled = file.pooled();
-    notices.0.extend(fits.iter().filter_map(|fit| of_further_vehicle(file, &pooled, fit)));
-    notices.0.extend(fits.iter().find_map(|fit| of_contradicted_line(file, &pooled, fit)));
+    let uncertain = fits.iter().filter(|fit| file.is_uncertain(fit));
+    let further: Vec<_> = uncertain
+        .filter_map(|fit| {
+            let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
+            Some((class, fit, class.further_vehicle(fit.clone()).fit))
+        })
+        .collect();
+    notices.0.extend(further.iter().filter_map(|(class, fit, further)| of_further_vehicle(file, class, fit, further)));
+    notices.0.extend(further.iter().find_map(|(class, fit, further)| of_contradicted_line(class, fit, further)));
     if let (count @ 2.., true, false) = (file.vehicles.len(), pooled.is_empty(), fits.is_empty()) {
         let message = format!(
             "the tests of {count} vehicles are fitted as those of one: how much vehicles differ is not known, which takes two with tests to different depths or an \
@@ -300,19 +307,16 @@ fn negative_fit(fit: &StiffnessFit, finding: &FitFinding) -> Message {
 }
 
 /// Returns a warning of a line through all tests that the vehicles, each by itself, contradict.
-fn of_contradicted_line(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) -> Option<Notice> {
-    let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
+fn of_contradicted_line(class: &Pooled, fit: &StiffnessFit, further: &StiffnessFit) -> Option<Notice> {
     let is_stiffness = !fit.findings().iter().any(is_negative);
-    let is_far = is_stiffness && file.is_uncertain(fit) && class.is_far_from(&class.further_vehicle(fit.clone()).fit);
+    let is_far = is_stiffness && class.is_far_from(further);
     let message = || Message::from(format!("the line through all tests, fitted on {}, is ", class.model)).join(class.contradiction());
     is_far.then(|| Notice::warning("line-off-class", "vehicle", message()))
 }
 
 /// Returns a note of the standard deviations of a further vehicle of a class, where those of the line through all tests are smaller.
-fn of_further_vehicle(file: &TestFile, pooled: &[Pooled], fit: &StiffnessFit) -> Option<Notice> {
-    let class = pooled.iter().find(|class| class.model == model_name(fit.model))?;
-    let FurtherVehicle { fit: further, .. } = class.further_vehicle(fit.clone());
-    if !file.is_uncertain(fit) || further.covariance == fit.covariance {
+fn of_further_vehicle(file: &TestFile, class: &Pooled, fit: &StiffnessFit, further: &StiffnessFit) -> Option<Notice> {
+    if further.covariance == fit.covariance {
         return None;
     }
     let message = Message::from("a further vehicle differs from the line through all tests, fitted on ")

@@ -2,11 +2,13 @@
 
 use std::ops::RangeInclusive;
 
+use planar_impact::post_impact::MOST_FRICTION;
+
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
 
-/// That of a motorcycle, in kg. A heavy one may stand for a barrier.
+/// The mass of a motorcycle, in kg. There is no greatest one, because a heavy vehicle may stand for a barrier.
 const MASS: f64 = 100.0;
 /// Cars to trucks have 0.9 to 2.5 m.
 const RADIUS_OF_GYRATION: RangeInclusive<f64> = 0.5..=5.0;
@@ -30,8 +32,7 @@ fn warning(code: &'static str, path: &str, message: Message) -> Notice {
 }
 
 pub(crate) fn mass(path: &str, mass: f64) -> Option<Notice> {
-    let message = || Message::from("no road vehicle has a mass of ").figure(Measure::Mass, mass).text("; check its unit");
-    (mass < MASS).then(|| warning("unusual-mass", path, message()))
+    (mass < MASS).then(|| none_has("unusual-mass", path, "a mass", Measure::Mass, mass))
 }
 
 pub(crate) fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
@@ -42,22 +43,30 @@ pub(crate) fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
 
 /// Of the distance of an impact center from the center of mass.
 pub(crate) fn arm(path: &str, arm: f64) -> Option<Notice> {
-    let message =
-        || Message::from("no road vehicle has an impact center at a distance of ").figure(Measure::Length, arm).text("; check its unit");
-    (arm > ARM).then(|| warning("unusual-impact-center", path, message()))
+    (arm > ARM).then(|| none_has("unusual-impact-center", path, "an impact center at a distance", Measure::Length, arm))
 }
 
 pub(crate) fn speed(path: &str, speed: f64) -> Option<Notice> {
-    motion("unusual-speed", path, "speed", Measure::Speed, (speed, SPEED))
+    (speed.abs() > SPEED).then(|| none_has("unusual-speed", path, "a speed", Measure::Speed, speed.abs()))
 }
 
 pub(crate) fn yaw_rate(path: &str, rate: f64) -> Option<Notice> {
-    motion("unusual-yaw-rate", path, "yaw rate", Measure::YawRate, (rate, YAW_RATE))
+    (rate.abs() > YAW_RATE).then(|| none_has("unusual-yaw-rate", path, "a yaw rate", Measure::YawRate, rate.abs()))
 }
 
-fn motion(code: &'static str, path: &str, name: &str, measure: Measure, (size, most): (f64, f64)) -> Option<Notice> {
-    let message = || Message::from(format!("no road vehicle has a {name} of ")).figure(measure, size.abs()).text("; check its unit");
-    (size.abs() > most).then(|| warning(code, path, message()))
+fn none_has(code: &'static str, path: &str, what: &str, measure: Measure, size: f64) -> Notice {
+    let message = Message::from(format!("no road vehicle has {what} of ")).figure(measure, size).text("; check its unit");
+    warning(code, path, message)
+}
+
+/// Of the friction between two vehicles.
+pub(crate) fn friction(path: &str, friction: f64) -> Option<Notice> {
+    let message = || {
+        Message::from("a friction of ")
+            .figure(Measure::Ratio, friction)
+            .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign")
+    };
+    (friction > MOST_FRICTION).then(|| Notice::warning("unusual-friction", path, message()))
 }
 
 /// Of the greatest depth of a crush.

@@ -39,7 +39,7 @@ impl RandomEffects {
         let squares: f64 = vehicles.iter().map(|estimate| (estimate.value - simple) * (estimate.value - simple)).sum();
         // The weighted sum of squares falls with τ², and is at most that without weights over τ².
         let exceeds = |between: f64| weighted(vehicles, between).1 > freedom;
-        let between = if exceeds(0.0) { last_with(0.0, squares / freedom, exceeds) } else { 0.0 };
+        let between = if exceeds(0.0) { last_with(squares / freedom, exceeds) } else { 0.0 };
         let mean = weighted(vehicles, between).0;
         // A value may be none, and squares of the largest overflow.
         [mean.value, mean.variance, between, squares].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
@@ -65,13 +65,12 @@ impl RandomEffects {
     /// assert!(RandomEffects::of_further(&errors).expect("three vehicles").between > 900.0);
     /// ```
     pub fn of_further(vehicles: &[Estimate]) -> Option<RandomEffects> {
-        let center = RandomEffects::of(vehicles)?.mean.value;
-        let further = Further::of(vehicles, center);
-        let Some(half_width) = further.half_width() else { return RandomEffects::of(vehicles) };
+        let class = RandomEffects::of(vehicles)?;
+        let Some(half_width) = Further::of(vehicles, class.mean.value).half_width() else { return Some(class) };
         let wanted = (half_width / NORMAL) * (half_width / NORMAL);
         // Both variances grow with τ².
         let falls_short = |between: f64| between + weighted(vehicles, between).0.variance < wanted;
-        let between = last_with(0.0, wanted, falls_short);
+        let between = last_with(wanted, falls_short);
         let mean = weighted(vehicles, between).0;
         [mean.value, mean.variance, between].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
     }
@@ -89,7 +88,7 @@ const NORMAL: f64 = 1.959_963_984_540_054;
 struct Further(Vec<[f64; 3]>);
 
 impl Further {
-    /// Steps of the logarithm of τ² over which the density is summed, which is as good as its integral, and their number to either side of its scale.
+    /// The density is summed over steps of the logarithm of τ², so many to either side of its scale. The sum is its integral to within rounding.
     const STEP: f64 = 0.1;
     const STEPS: i32 = 800;
 
@@ -128,12 +127,13 @@ impl Further {
             let within = |[weight, sd, place]: &[f64; 3]| weight * (below((half_width - place) / sd) - below((-half_width - place) / sd));
             self.0.iter().map(within).sum::<f64>() < 0.95
         };
-        (widest > 0.0).then(|| last_with(0.0, 10.0 * widest, falls_short))
+        (widest > 0.0).then(|| last_with(10.0 * widest, falls_short))
     }
 }
 
-/// Returns where a condition that holds from `low` on ends, before `high`, by bisection to the last bit.
-fn last_with(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+/// Returns the end of a condition that holds from zero on, and no longer at `high`, by bisection to the last bit.
+fn last_with(mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let mut low = 0.0;
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
