@@ -297,10 +297,10 @@ fn derivatives_of_kinematics_and_of_one_test_are_difference_quotients() {
     }
 }
 
-/// The interval of a further vehicle, by normal classes of which each vehicle is known with an error of its own. Where one alone is known well, or their errors are
+/// The intervals of a further vehicle, and of the mean of the class, by normal classes of which each vehicle is known with an error of its own. Where one alone is known well, or their errors are
 /// as large as their differences, the estimate of these is zero by chance: intervals by it contained 50 to 92 %.
 #[test]
-fn a_further_vehicle_of_a_class_lies_within_its_interval() {
+fn a_further_vehicle_of_a_class_and_its_mean_lie_within_their_intervals() {
     /// Three standard deviations of a share of 95 % in the classes.
     const CHANCE: f64 = 0.03;
     let mut noise = Noise::of_seed(4);
@@ -313,15 +313,17 @@ fn a_further_vehicle_of_a_class_lies_within_its_interval() {
         (&[0.0; 4], 60.0, 0.95 + CHANCE),
     ] {
         let mut normal = |sd: f64| sd * noise.normal();
-        let mut within = Count::default();
+        let (mut within, mut mean_within) = (Count::default(), Count::default());
         for _ in 0..500 {
             let vehicle = |&sd: &f64| Estimate::with_deviation(650.0 + normal(between) + normal(sd), sd);
             let vehicles: Vec<Estimate> = errors.iter().map(vehicle).collect();
             let center = RandomEffects::of(&vehicles).expect("two or more").mean.value;
             let further = RandomEffects::of_further(&vehicles).expect("two or more");
             within.add((650.0 + normal(between) - center).abs() <= 1.959_964 * (further.between + further.mean.variance).sqrt());
+            mean_within.add((650.0 - center).abs() <= 1.959_964 * further.mean.deviation());
         }
-        let share = within.rate();
-        assert!((0.95 - CHANCE..=most).contains(&share), "{errors:?} {between}: {share}");
+        for share in [within.rate(), mean_within.rate()] {
+            assert!((0.95 - CHANCE..=most).contains(&share), "{errors:?} {between}: {share}");
+        }
     }
 }

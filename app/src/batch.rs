@@ -7,12 +7,14 @@ mod answer;
 mod column;
 mod header;
 mod row;
+mod sizes;
 
 use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub use header::{Header, separated_otherwise};
+pub use sizes::Unusual;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{

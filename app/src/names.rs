@@ -64,11 +64,24 @@ fn unknown(option: &str, name: &str, what: &str, known: impl Iterator<Item = Str
     // A name without its vehicle is no misspelling.
     let whole: Vec<String> = known.iter().filter(|known| known.ends_with(&format!(".{name}"))).map(|known| format!("`{known}`")).collect();
     let help = match whole.is_empty() || name.is_empty() {
-        true => nearest(name, known.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?")),
+        true => nearest(&in_letters(name), known.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?")),
         false => Some(format!("did you mean {}?", whole.join(" or "))),
     };
     let message = if name.is_empty() { format!("the name of an {what} is missing") } else { format!("unknown {what}") };
     issue(option, name, &message, help)
+}
+
+/// Writes the symbols of the paper in the letters of this program: `μ₀` as `mu0`.
+fn in_letters(name: &str) -> String {
+    let letter = |c: char| match c {
+        'μ' | 'µ' => "mu".to_owned(),
+        'Γ' => "Gamma".to_owned(),
+        'Δ' => "d".to_owned(),
+        'Ω' => "Omega".to_owned(),
+        '₀'..='₉' => (u32::from(c) - u32::from('₀')).to_string(),
+        _ => c.to_string(),
+    };
+    name.chars().map(letter).collect()
 }
 
 fn select<N: Copy + PartialEq>(names: &[String], all: &[N], find: impl Fn(&str) -> Result<N, Issue>) -> Result<Option<Vec<N>>, Vec<Issue>> {

@@ -8,7 +8,7 @@ use planar_impact_app::batch::{Answer, Refused};
 
 /// Returns the columns of an answer in the order of their names, and its refusals.
 pub fn arrays(answer: Answer, rows: usize) -> (Vec<ArrayRef>, Vec<Refused>) {
-    let Answer { outputs, derivatives, check, refused } = answer;
+    let Answer { outputs, derivatives, check, refused, .. } = answer;
     let mut codes: Vec<Option<&str>> = vec![None; rows];
     refused.iter().for_each(|refused| codes[refused.row] = Some(&refused.codes));
     let codes = Arc::new(StringArray::from(codes));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use planar_impact_app::batch::{self, Header, InputColumn, NotARow, Options, Refused, Table};
+use planar_impact_app::batch::{self, Header, InputColumn, NotARow, Options, Refused, Table, Unusual};
 use planar_impact_app::quantity::Kind;
 use planar_impact_app::{Case, Issue, Issues, Notice};
 
@@ -31,6 +31,8 @@ pub struct Solved {
     pub batch: RecordBatch,
     /// The rows that are refused, in order.
     pub refused: Vec<Refused>,
+    /// The sizes that no road vehicle has, each once.
+    pub unusual: Vec<Unusual>,
 }
 
 impl Plan {
@@ -95,14 +97,15 @@ impl Plan {
         let columns = self.plan.inputs().iter().map(|column| cells::read(column, batch.column(column.place)));
         let columns: Vec<_> = columns.collect::<Result<_, _>>()?;
         let table = Table { rows: batch.num_rows(), columns, unreadable };
-        let answer = self.plan.solve(&table);
+        let mut answer = self.plan.solve(&table);
+        let unusual = std::mem::take(&mut answer.unusual);
         let mut arrays: Vec<ArrayRef> = batch.columns().to_vec();
         for column in self.plan.inputs().iter().filter(|column| self.becomes_number(column)) {
             arrays[column.place] = cells::numbers(&arrays[column.place])?;
         }
         let (added, refused) = answer::arrays(answer, batch.num_rows());
         arrays.extend(added);
-        Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused })
+        Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused, unusual })
     }
 
     fn becomes_number(&self, column: &InputColumn) -> bool {

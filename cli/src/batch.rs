@@ -11,7 +11,7 @@ mod source;
 use std::thread::available_parallelism;
 
 use arrow_schema::SchemaRef;
-use planar_impact_app::batch::{Header, Refused};
+use planar_impact_app::batch::{Header, Refused, Unusual};
 use planar_impact_app::{Cause, Issue, Issues, Units};
 use planar_impact_arrow::{Options, Plan};
 
@@ -72,18 +72,20 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     };
     let work = |(part, position, origin): (Part, u64, Origin)| {
         let rows = part.batch.num_rows();
-        let mut refused = Vec::new();
+        let (mut refused, mut unusual) = (Vec::new(), Vec::new());
         let solved = (0..rows).step_by(together).map(|first| {
             let solved = plan.solve_with(&part.batch.slice(first, together.min(rows - first)), part.unreadable_in(first..first + together));
             let solved = solved.map_err(sink::of_arrow)?;
             refused.extend(solved.refused.into_iter().map(|refused| Refused { row: first + refused.row, ..refused }));
+            let of_part = |size: Unusual| Unusual { first: first + size.first, ..size };
+            solved.unusual.into_iter().map(of_part).for_each(|size| size.add(&mut unusual));
             Ok(solved.batch)
         });
         let encoded = encoder.encode(solved).map_err(Failure::Output)?;
-        Ok(Done { rows, refused, encoded, position, origin })
+        Ok(Done { rows, refused, unusual, encoded, position, origin })
     };
     let write = |done: Result<Done, Failure>| {
-        let Done { rows, refused, encoded, position, origin } = done?;
+        let Done { rows, refused, unusual, encoded, position, origin } = done?;
         let before = progress.rows();
         let name = |row: usize| {
             let number = |first: u64| first + row as u64 + 1;
@@ -96,6 +98,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
         if let Some(first) = refused.first().filter(|_| call.fail_fast) {
             return Err(refused_at(name(first.row), first));
         }
+        progress.warn(unusual, &name);
         progress.add(rows, &refused, position, name);
         sink.write(encoded).map_err(Failure::Output)
     };
@@ -109,6 +112,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
 struct Done {
     rows: usize,
     refused: Vec<Refused>,
+    unusual: Vec<Unusual>,
     encoded: Encoded,
     position: u64,
     origin: Origin,

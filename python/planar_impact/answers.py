@@ -1686,11 +1686,11 @@ class PooledNumber(Facts[Any]):
     """Standard deviation between the vehicles of the class."""
     further_sd: float
     """Standard deviation of a further vehicle of the class about the mean, which is itself uncertain: 95 % of such vehicles lie
-    within 1.96 of it, however few vehicles tell the spread."""
+    within 1.96 of it."""
     mean: float
     """Mean over the class."""
     mean_sd: float
-    """Standard deviation of the mean."""
+    """Standard deviation of the mean: 95 % of classes have theirs within 1.96 of it, however few vehicles tell the spread."""
 
 
 class OfVehicle(Facts[Any]):

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct RandomEffects {
-    /// Mean over the class, with the variance of that mean.
+    /// Mean over the class, with the variance that it has with this variance between the vehicles.
     pub mean: Estimate,
     /// Variance between the vehicles of the class.
     pub between: f64,
@@ -45,7 +45,8 @@ impl RandomEffects {
         [mean.value, mean.variance, between, squares].iter().all(|number| number.is_finite()).then_some(RandomEffects { mean, between })
     }
 
-    /// Pools them with the variance between vehicles with which a normal distribution has the 95 % interval of a further one. `None` as [`Self::of`].
+    /// Pools them with the variance between vehicles with which a normal distribution has the 95 % interval of a further one; the interval of the mean by its variance
+    /// has at least that probability. `None` as [`Self::of`].
     ///
     /// An estimate of τ² tells nothing of its own error, and is 0 by chance where few vehicles are known well. By the prior density τ/(τ² + v) of τ, with the median v
     /// of their own variances (Box and Tiao 1973, Bayesian Inference in Statistical Analysis, 5.2, for equal ones), the further vehicle is drawn from normal

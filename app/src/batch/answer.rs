@@ -7,6 +7,7 @@ use planar_impact::{Collision, Heading, ImpulseRatio, Input, Moment, Output, Par
 use super::Plan;
 use super::column::{Column, Table};
 use super::row::{Fault, Row, RowVehicle, describe};
+use super::sizes::{self, Unusual};
 use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, Velocity};
 use crate::derivative;
 use crate::message::Message;
@@ -25,6 +26,8 @@ pub struct Answer {
     pub check: Option<Vec<Option<String>>>,
     /// The rows that are refused, in order.
     pub refused: Vec<Refused>,
+    /// The sizes that no road vehicle has, each once.
+    pub unusual: Vec<Unusual>,
 }
 
 /// A row that is refused.
@@ -65,6 +68,10 @@ impl Plan {
                 let contact = cells.contact(&self.contact, &self.defaults);
                 if self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty()) {
                     self.crush_of(&mut cells);
+                }
+                if cells.faults.is_empty() {
+                    let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
+                    sizes::of_row(&vehicles, &contact).for_each(of_row);
                 }
                 read.push(&vehicles, &contact, cells.faults);
             }
@@ -136,7 +143,7 @@ impl Plan {
     fn arrange(&self, values: Vec<Vec<f64>>, derivatives: Vec<Vec<f64>>, check: Option<Vec<Option<String>>>, rows: usize) -> Answer {
         let nothing = || vec![f64::NAN; rows];
         let (mut values, mut derivatives) = (values.into_iter(), derivatives.into_iter());
-        let mut answer = Answer { outputs: Vec::new(), derivatives: Vec::new(), check, refused: Vec::new() };
+        let mut answer = Answer { outputs: Vec::new(), derivatives: Vec::new(), check, refused: Vec::new(), unusual: Vec::new() };
         for output in &self.outputs {
             let is_of_impact = impact(*output).is_some();
             answer.outputs.push(if is_of_impact { values.next().unwrap_or_else(nothing) } else { nothing() });
@@ -216,6 +223,7 @@ impl Answer {
             derivatives: columns(plan.outputs.len() * plan.wrt.len()),
             check,
             refused: Vec::new(),
+            unusual: Vec::new(),
         }
     }
 

@@ -25,7 +25,7 @@ use planar_impact::{CrushPlaneBracket, ForwardLeft, Input, Side, Xy};
 pub(crate) use self::csv_column::Rows;
 use self::fitted::FittedToTests;
 pub(crate) use self::fitted::report as report_file;
-use self::implied::ImpliedValues;
+use self::implied::{ImpliedValues, Unread};
 use self::measured::Distributed;
 use self::momentum::ANY_INERTIA;
 pub(crate) use self::recorder::Recorded;
@@ -75,6 +75,7 @@ pub(crate) struct CaseReader {
     correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The columns that inputs are measured in.
     columns: RefCell<Vec<MeasuredColumn>>,
+    unread: RefCell<Unread>,
     /// `true` if the friction of `[rest]` is uncertain.
     has_uncertain_rest: Cell<bool>,
     /// The `gravity` of the case, if the file gives it.
@@ -228,12 +229,9 @@ impl CaseReader {
         self.gravity.set(gravity.flatten());
         let evidence = self.part(root, "evidence", CaseReader::evidence);
         let unknowns = self.part(root, "unknown", CaseReader::unknowns);
-        // If evidence or unknowns are invalid, a key that they may replace is not reported missing.
-        let whole = evidence.is_some() && unknowns.is_some();
-        let (evidence, unknowns) = (evidence.unwrap_or_default(), unknowns.unwrap_or_default());
         // Keep notices in file order: these usually come last.
         let notices = self.notices.take();
-        let implied = ImpliedValues::of(&evidence, &unknowns, whole);
+        let implied = ImpliedValues::of(&evidence, &unknowns, self.unread.take());
         let contact = root.required("contact").table();
         let is_momentum = contact.as_ref().is_some_and(Self::is_momentum);
         let vehicles = self.vehicles(root, &implied, is_momentum);
@@ -292,7 +290,17 @@ impl CaseReader {
         let unknowns: Vec<_> = unknowns.iter().map(|asked| asked.requested.clone()).collect();
         let knowledge =
             Knowledge { evidence: evidence?, correlations: self.correlations_of_evidence.take(), unknowns, left_out: implied.left_out() };
-        (whole && agrees).then_some(Read { title, names: [name_1, name_2], inputs, model, bracket, knowledge, scene, rest, uncertain })
+        (implied.is_whole() && agrees).then_some(Read {
+            title,
+            names: [name_1, name_2],
+            inputs,
+            model,
+            bracket,
+            knowledge,
+            scene,
+            rest,
+            uncertain,
+        })
     }
 
     /// Reads where on the scene the vehicles met.
@@ -304,8 +312,15 @@ impl CaseReader {
     }
 
     /// Reads an optional table as a list.
-    fn part<'a, T>(&self, root: &Table<'a>, key: &'static str, read: impl Fn(&Self, &Table<'a>) -> Option<Vec<T>>) -> Option<Vec<T>> {
-        if root.has(key) { root.optional(key).table().and_then(|table| read(self, &table)) } else { Some(Vec::new()) }
+    fn part<'a, T>(&self, root: &Table<'a>, key: &'static str, read: impl Fn(&Self, &Table<'a>) -> Vec<T>) -> Vec<T> {
+        if !root.has(key) {
+            return Vec::new();
+        }
+        let table = root.optional(key).table();
+        if table.is_none() {
+            self.unread.borrow_mut().add(None);
+        }
+        table.map(|table| read(self, &table)).unwrap_or_default()
     }
 
     fn vehicles(&self, root: &Table<'_>, implied: &ImpliedValues<'_>, is_momentum: bool) -> Option<[(String, Option<VehicleInputs>); 2]> {

@@ -280,6 +280,9 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if let Some(several) = several {
         return QuantityError::with_help(message, several.to_owned());
     }
+    if let Some((one, other)) = run_together(name) {
+        return QuantityError::with_help(message, format!("did you mean `{one} {other}`?"));
+    }
     // Other signs of division and multiplication: without them the nearest name would be that of something else.
     for (signs, ordinary) in [(['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (['\u{d7}', '\u{2219}', '\u{2022}'], "*")] {
         if let Some(sign) = name.chars().find(|c| signs.contains(c)) {
@@ -303,6 +306,11 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),
     }
+}
+
+/// Returns the two units that a name is without a space between them, such as `kgm`.
+fn run_together(name: &str) -> Option<(&str, &str)> {
+    name.char_indices().skip(1).map(|(place, _)| name.split_at(place)).find(|(one, other)| find(one).is_some() && find(other).is_some())
 }
 
 fn ambiguous(unit: &str) -> QuantityError {
@@ -347,6 +355,8 @@ mod tests {
         assert_eq!(message("KN"), "unknown unit `KN` (did you mean `kN`?)"); // a knot or a kilonewton
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));
+        assert_eq!(message("kgm^2"), "unknown unit `kgm` (did you mean `kg m`?)");
+        assert_eq!(message("lbfs^2/ft"), "unknown unit `lbfs` (did you mean `lbf s`?)");
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
         assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");
         assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (write `*` for `\u{d7}`)");

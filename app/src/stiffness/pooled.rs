@@ -46,12 +46,11 @@ pub struct OfVehicle {
 pub struct PooledNumber {
     /// Mean over the class.
     pub mean: f64,
-    /// Standard deviation of the mean.
+    /// Standard deviation of the mean: 95 % of classes have theirs within 1.96 of it, however few vehicles tell the spread.
     pub mean_sd: f64,
     /// Standard deviation between the vehicles of the class.
     pub between_sd: f64,
-    /// Standard deviation of a further vehicle of the class about the mean, which is itself uncertain: 95 % of such vehicles lie within 1.96 of it, however few
-    /// vehicles tell the spread.
+    /// Standard deviation of a further vehicle of the class about the mean, which is itself uncertain: 95 % of such vehicles lie within 1.96 of it.
     pub further_sd: f64,
 }
 
@@ -185,7 +184,7 @@ impl PooledNumber {
         let (class, further) = (RandomEffects::of(vehicles)?, RandomEffects::of_further(vehicles)?);
         Some(PooledNumber {
             mean: positive_zero(class.mean.value),
-            mean_sd: class.mean.deviation(),
+            mean_sd: further.mean.deviation(),
             between_sd: class.deviation_between(),
             further_sd: (further.between + further.mean.variance).sqrt(),
         })

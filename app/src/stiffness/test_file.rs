@@ -3,7 +3,7 @@
 use planar_impact::barrier::{BarrierTest, MeasuredTest};
 
 use crate::case::{CaseReader, Recorded, one_of};
-use crate::document::{Document, Table, Value};
+use crate::document::{Document, Field, Table, Value};
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
@@ -190,7 +190,7 @@ impl CaseReader {
 
     fn test(&self, table: &Table<'_>) -> Option<Read> {
         let mass = self.positive(table.required("mass"), Kind::MASS);
-        let speed = self.positive(table.required("speed"), Kind::SPEED);
+        let speed = alone(table, "speed", "speed_sd").and_then(|speed| self.positive(speed, Kind::SPEED));
         let recorded = is_recorded(table).then(|| self.recorded_restitution(&table.required("restitution")));
         let restitution = match &recorded {
             Some(recorded) => recorded.as_ref().map(|recorded| recorded.restitution),
@@ -249,7 +249,7 @@ impl CaseReader {
     /// Reads the restitution of a test, or the speed at which the vehicle rebounds: e = v'/v.
     fn restitution_of_test(&self, table: &Table<'_>, speed: Option<f64>) -> Option<f64> {
         if !table.has("rebound_speed") {
-            return self.coefficient(table.required("restitution"), 1.0);
+            return alone(table, "restitution", "restitution_sd").and_then(|restitution| self.coefficient(restitution, 1.0));
         }
         let field = table.required("rebound_speed");
         let rebound = self.not_negative(field.clone(), Kind::SPEED);
@@ -331,4 +331,14 @@ impl<'a> Seen<'a> {
         }
         self.is_any
     }
+}
+
+/// Returns the field of a number whose standard deviation has a key of its own, or reports one that stands in it.
+fn alone<'a>(test: &Table<'a>, key: &'static str, deviation: &'static str) -> Option<Field<'a>> {
+    let field = test.required(key);
+    if !matches!(field.value(), Some(Value::String(text)) if text.contains('±')) {
+        return Some(field);
+    }
+    field.report("its standard deviation has a key of its own", Some(format!("give the value alone, and {deviation}")));
+    None
 }

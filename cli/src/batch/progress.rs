@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 use planar_impact_app::Units;
-use planar_impact_app::batch::Refused;
+use planar_impact_app::batch::{Refused, Unusual};
 
 use crate::output;
 use crate::progress::{SILENCE, styled};
@@ -25,12 +25,36 @@ pub struct Progress {
     rows: u64,
     refused: u64,
     codes: BTreeMap<String, u64>,
+    /// The sizes that no road vehicle has.
+    unusual: Vec<Unusual>,
+    /// The name of the first row of each.
+    first: Vec<String>,
 }
 
 impl Progress {
     /// Starts for `bytes` bytes.
     pub fn new(bytes: u64) -> Progress {
-        Progress { started: Instant::now(), bytes, bar: None, rows: 0, refused: 0, codes: BTreeMap::new() }
+        Progress {
+            started: Instant::now(),
+            bytes,
+            bar: None,
+            rows: 0,
+            refused: 0,
+            codes: BTreeMap::new(),
+            unusual: Vec::new(),
+            first: Vec::new(),
+        }
+    }
+
+    /// Keeps sizes that no road vehicle has, with the names of the first rows.
+    pub fn warn(&mut self, sizes: Vec<Unusual>, name: impl Fn(usize) -> String) {
+        for size in sizes {
+            let first = size.first;
+            size.add(&mut self.unusual);
+            if self.unusual.len() > self.first.len() {
+                self.first.push(name(first));
+            }
+        }
     }
 
     /// Adds rows that are done, and describes those that are refused by their names.
@@ -66,6 +90,10 @@ impl Progress {
     pub fn finish(mut self) -> bool {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
+        }
+        for (Unusual { rows, warning, .. }, first) in self.unusual.iter().zip(&self.first) {
+            let others = if *rows > 1 { format!(", and {} more", rows - 1) } else { String::new() };
+            self.say(&format!("{}: {} ({first}{others})", warning.severity, Units::Si.sentence(&warning.message)));
         }
         if self.refused > 0 {
             let counts: Vec<String> = self.codes.iter().map(|(codes, count)| format!("{count} {codes}")).collect();

@@ -250,6 +250,44 @@ fn every_format_has_the_same_numbers() {
     }
 }
 
+/// Each size once, with the first row of it and the number of the others; a row whose cells are refused has no sizes.
+#[test]
+fn sizes_that_no_road_vehicle_has_are_told_at_the_end() {
+    let folder = Folder::new();
+    let (source, target) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+    let columns =
+        "vehicle.1.mass,vehicle.1.speed,vehicle.2.yaw_rate,vehicle.2.impact_center.forward,vehicle.1.radius_of_gyration,contact.friction";
+    let mut table = format!("{columns}\n");
+    for i in 0..20_000 {
+        table += match i {
+            7 => "1,120,0,2,1.2,0.5,one cell too many\n",
+            // One in each of the parts that are read, and another in the last.
+            4000 | 9000 | 17_000 | 17_001 => "99,12,0,2,1.2,0.5\n",
+            11_000 => "1200,120,0,2,1.2,0.5\n",
+            11_001 => "1200,12,-21,16,6,11\n",
+            _ => "100,12,0,2,1.2,0.5\n",
+        };
+    }
+    fs::write(&source, table).expect("a table");
+    for threads in ["1", "3"] {
+        let done = batch(&[text(&source), "-o", text(&target), "--case", POSITION_A, "--of", "T_L", "--threads", threads]);
+        let said: Vec<&str> = done.err.lines().filter(|line| !line.starts_with("row ")).collect();
+        let wanted = [
+            "warning: vehicle.1: no road vehicle has a mass of 99 kg; check its unit (row 4001, and 3 more)",
+            "warning: vehicle.1: no road vehicle has a speed of 120.00 m/s; check its unit (row 11001)",
+            "warning: vehicle.1: a radius of gyration of 6.00 m is unusual; check mass and yaw inertia (row 11002)",
+            "warning: vehicle.2: no road vehicle has an impact center at a distance of 16.03 m; check its unit (row 11002)",
+            "warning: vehicle.2: no road vehicle has a yaw rate of 1203.2 deg/s; check its unit (row 11002)",
+            "warning: a friction of 11 limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign (row 11002)",
+        ];
+        assert_eq!(said[..wanted.len()], wanted, "{threads} threads");
+        assert!(done.status == 1 && said[wanted.len()].contains("of 20000 rows refused: "), "{}", done.err);
+    }
+    fs::write(&source, "vehicle.1.mass\n100\n").expect("a table");
+    let usual = batch(&[text(&source), "-o", text(&target), "--case", POSITION_A, "--of", "T_L"]);
+    assert_eq!((usual.status, usual.err.as_str()), (0, ""));
+}
+
 #[test]
 fn threads_and_formats_change_no_bit() {
     let folder = Folder::new();

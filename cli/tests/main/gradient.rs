@@ -362,6 +362,8 @@ fn every_wrong_name_is_reported() {
             "--wrt T_L: this is an output, not an input",
         ],
     );
+    // The symbols of the paper.
+    refused(&["case.toml", "--of", "μ₀,ΔV1", "--wrt", "Γ"], &["did you mean `mu0`?", "did you mean `dV1`?", "did you mean `Gamma`?"]);
     refused(&["case.toml", "--wrt", "vehicle.1.crush.d0"], &["--wrt vehicle.1.crush.d0: the vehicle has no crush"]);
     refused(&["case.toml", "--of", "vehicle.1.crush_energy"], &["vehicle 1 has no crush"]);
     refused(&["case.toml", "--wrt", "vehicle.2.crush.depths.4"], &["the crush has 3 depths"]);

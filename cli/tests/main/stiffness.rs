@@ -114,6 +114,12 @@ fn each_mistake_is_named_where_it_is() {
     refused("width = \"5 ft\"\n", "", &["vehicle.1.test.1.width: missing"]);
     refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"0.1062 ft\"]", &["vehicle.1.test.1.depths", "at least 2"]);
     refused("[\"0.1062 ft\", \"0.1062 ft\"]", "[\"2 ft\", \"2 ft\"]", &["vehicle.1.test.2.depths", "out of order", "in their order"]);
+    refused(
+        "\"16.6537 ft/s\"",
+        "\"16.6537 ± 0.3 ft/s\"",
+        &["vehicle.1.test.1.speed: its standard deviation", "give the value alone, and speed_sd"],
+    );
+    refused("= 0.18", "= \"0.18 ± 0.02\"", &["vehicle.1.test.1.restitution: its standard deviation", "and restitution_sd"]);
     refused("speed_sd = \"0.3 ft/s\"", "speed_sd = \"-0.3 ft/s\"", &["vehicle.1.test.1.speed_sd", "below zero"]);
     refused("speed_sd = \"0.3 ft/s\"", "speed_sd = \"1e200 ft/s\"", &["vehicle.1.test.1.speed_sd"]);
     refused("scatter = \"5 lbf^0.5\"", "scatter = \"5 lbf\"", &["vehicle.1.test.1.scatter"]);
@@ -285,8 +291,8 @@ fn class(scatter: &str) -> String {
 fn vehicles_of_a_class_are_pooled() {
     // Mean, its standard deviation, the standard deviation between vehicles, and that of a further one: cli/tests/reference/pooled.py.
     for (scatter, d1) in [
-        ("scatter = 10", [988.643_086_996_892_2, 82.883_580_356_071_79, 141.441_195_234_104_5, 363.836_139_288_075_9]),
-        ("scatter = 60", [972.231_501_046_525_4, 84.527_757_326_221_96, 11.233_862_339_256_445, 462.294_602_666_537_6]),
+        ("scatter = 10", [988.643_086_996_892_2, 182.332_423_506_207_5, 141.441_195_234_104_5, 363.836_139_288_075_9]),
+        ("scatter = 60", [972.231_501_046_525_4, 242.591_333_172_729_04, 11.233_862_339_256_445, 462.294_602_666_537_6]),
     ] {
         let document = json(&class(scatter));
         for pooled in document["pooled"].as_array().expect("two models") {
@@ -301,8 +307,10 @@ fn vehicles_of_a_class_are_pooled() {
                 (number(&pooled["d0"]["mean"]) / mean - 1.0).abs() < 1e-12 && (number(&pooled["d0"]["between_sd"]) / sd - 1.0).abs() < 1e-9
             );
             // Student's quantile of two degrees of freedom, and a mean of three.
-            let further = 4.302_652_729_749_464 / 1.959_963_984_540_054 * (4.0_f64 / 3.0).sqrt() * sd;
-            assert!((number(&pooled["d0"]["further_sd"]) / further - 1.0).abs() < 1e-9, "{pooled}");
+            let student = 4.302_652_729_749_464 / 1.959_963_984_540_054 * sd;
+            for (key, share) in [("mean_sd", 1.0_f64 / 3.0), ("further_sd", 4.0 / 3.0)] {
+                assert!((number(&pooled["d0"][key]) / (student * share.sqrt()) - 1.0).abs() < 1e-9, "{key}: {pooled}");
+            }
             assert_eq!((pooled["vehicles"][2]["name"].as_str(), number(&pooled["vehicles"][2]["d0_sd"])), (Some("vehicle 3"), 0.0));
             let own_sd: f64 = scatter.trim_start_matches("scatter = ").parse().expect("a number");
             assert!((number(&pooled["vehicles"][2]["d1_sd"]) / (own_sd / 0.38) - 1.0).abs() < 1e-12, "{pooled}");

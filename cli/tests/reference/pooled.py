@@ -2,7 +2,8 @@
 """Random effects by Paule and Mandel, independently of the library: Newton's method on F(t) = sum w (x - m)^2 - (k - 1) in 50 digits;
 and a further vehicle by quadrature.
 
-Prints the mean, its standard deviation, the standard deviation between vehicles and that of a further vehicle for each set of numbers that the tests use."""
+Prints the mean, its standard deviation and that between vehicles by Paule and Mandel, and those of the mean and of a further vehicle by quadrature, for each set
+of numbers that the tests use."""
 from decimal import Decimal as D, getcontext
 from math import erf, exp, log, sqrt
 
@@ -56,7 +57,8 @@ def further(numbers):
     mean, _, _ = pool(numbers)
     xs, vs = [float(x) for x, _ in numbers], [float(s) ** 2 for _, s in numbers]
     between = spread_of_further(xs, vs, float(mean))
-    return D(sqrt(between + 1 / sum(1 / (v + between) for v in vs)))
+    variance = 1 / sum(1 / (v + between) for v in vs)
+    return D(sqrt(variance)), D(sqrt(between + variance))
 
 
 def pool(numbers):
@@ -102,4 +104,4 @@ if __name__ == "__main__":
         slopes("2", "10", CLASS),
         slopes("2", "60", CLASS),
     ]:
-        print(*(f"{float(value):.17g}" for value in [*pool(numbers), further(numbers)]))
+        print(*(f"{float(value):.17g}" for value in [*pool(numbers), *further(numbers)]))

@@ -152,8 +152,8 @@ impl Page<'_> {
         }
         if !blocks.is_empty() {
             let text = "Random effects by Paule and Mandel (1982): d0 and d1 of each vehicle are drawn from a class and known with their own error. Without \
-                        an error of each, the spread between vehicles includes the scatter of their tests. A further vehicle lies within 1.96 of its standard \
-                        deviation about the mean in 95 % of classes or more, however few were tested.";
+                        an error of each, the spread between vehicles includes the scatter of their tests. The mean of a class, and a further vehicle of it, lie \
+                        within 1.96 of their standard deviations in 95 % of classes or more, however few were tested.";
             blocks.push(Block::paragraph(text));
         }
         blocks

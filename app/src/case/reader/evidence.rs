@@ -1,7 +1,7 @@
 //! The keys of `[evidence]`.
 
-use planar_impact::Side;
-use planar_impact::reconstruct::{Measurand, Uncertainty};
+use planar_impact::reconstruct::{Measurand, Uncertainty, Variable};
+use planar_impact::{Input, Side};
 
 use super::CaseReader;
 use super::measured::{Amount, DISTRIBUTION_KEYS, Measured, is_folder};
@@ -40,19 +40,23 @@ impl<'a> Piece<'a> {
 
 impl CaseReader {
     /// Reads every piece of evidence in the table, by dotted name or symbol.
-    pub(super) fn evidence<'a>(&self, table: &Table<'a>) -> Option<Vec<Piece<'a>>> {
+    pub(super) fn evidence<'a>(&self, table: &Table<'a>) -> Vec<Piece<'a>> {
         let mut found = Vec::new();
-        let sound = self.walk_evidence(table, "", &mut found);
-        sound.then_some(found)
+        self.walk_evidence(table, "", &mut found);
+        found
     }
 
-    fn walk_evidence<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Piece<'a>>) -> bool {
-        let mut sound = true;
+    fn walk_evidence<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Piece<'a>>) {
         for (key, field) in table.fields() {
             let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
-            sound &= self.piece(&name, field, found).is_some();
+            match field.value() {
+                Some(Value::Table(_)) if is_of_several(&name) && is_folder(&field, &DISTRIBUTION_KEYS) => {
+                    field.table().iter().for_each(|table| self.walk_evidence(table, &name, found));
+                }
+                _ if self.piece(&name, field, found).is_none() => self.unread.borrow_mut().add(meant(&name)),
+                _ => (),
+            }
         }
-        sound
     }
 
     fn piece<'a>(&self, name: &str, field: Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<()> {
@@ -65,11 +69,8 @@ impl CaseReader {
             found.push(Piece { of, place, measured });
             return Some(());
         }
-        match (field.value(), halves(name)) {
-            (Some(Value::Table(_)), _) if is_folder(&field, &DISTRIBUTION_KEYS) => {
-                field.table().filter(|table| self.walk_evidence(table, name, found)).map(|_| ())
-            }
-            (_, Some(halves)) => {
+        match halves(name) {
+            Some(halves) => {
                 let wanted = format!("an array of two values, each {}", Kind::from(halves[0].measure()).wanted());
                 let items = field.items(&wanted, 2..=2)?;
                 let read = halves.into_iter().zip(items).map(|(of, item)| {
@@ -80,10 +81,9 @@ impl CaseReader {
                 let read: Vec<Option<()>> = read.collect();
                 read.into_iter().collect()
             }
-            _ => {
-                let names: Vec<String> = names_of_evidence().collect();
-                let help = nearest(name, names.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
-                field.report("nothing that can be measured has this name", Some(help.unwrap_or_else(known_names)));
+            None => {
+                let help = nearest_name(name).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
+                field.report("nothing that can be measured has this name", Some(help));
                 None
             }
         }
@@ -140,6 +140,32 @@ fn named(name: &str) -> Option<Measurand> {
         Measurand::named(&format!("{vehicle}.delta_v_{component}"))
     };
     Measurand::named(name).or_else(of_vehicle)
+}
+
+/// Returns `true` if a table of this name has pieces of evidence rather than the number of one.
+fn is_of_several(name: &str) -> bool {
+    named(name).is_none() && !["vehicle.1.recorder", "vehicle.2.recorder", "contact.record"].contains(&name)
+}
+
+/// Returns the variables that evidence of this name gives, or of the name that it is likely to be misspelled from.
+fn meant(name: &str) -> Option<Vec<Variable>> {
+    let variables =
+        |all: &[Measurand]| all.iter().filter_map(|of| if let Measurand::Variable(of) = of { Some(*of) } else { None }).collect();
+    match name {
+        "vehicle.1.recorder" => Some(vec![Variable::Speed(Side::One)]),
+        "vehicle.2.recorder" => Some(vec![Variable::Speed(Side::Two)]),
+        "contact.record" => Some(vec![Variable::Input(Input::Restitution)]),
+        _ => match (named(name), halves(name)) {
+            (Some(of), _) => Some(variables(&[of])),
+            (None, Some(halves)) => Some(variables(&halves)),
+            (None, None) => nearest_name(name).and_then(|name| meant(&name)),
+        },
+    }
+}
+
+fn nearest_name(name: &str) -> Option<String> {
+    let names: Vec<String> = names_of_evidence().collect();
+    nearest(name, names.iter().map(String::as_str)).map(str::to_owned)
 }
 
 /// Returns the two components of a quantity given as an array.

@@ -16,18 +16,39 @@ use crate::case::vehicle::Inertia;
 use crate::document::Table;
 use crate::units::Measure;
 
+/// What of the evidence and the unknowns could not be read: a key that it may replace is not reported missing.
+#[derive(Default)]
+pub(super) struct Unread {
+    /// The variables of each entry; `None` of a name that is none and near to none.
+    entries: Vec<Option<Vec<Variable>>>,
+}
+
+impl Unread {
+    /// Adds an entry.
+    pub(super) fn add(&mut self, of: Option<Vec<Variable>>) {
+        self.entries.push(of);
+    }
+
+    fn is_none(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    fn may_be(&self, variable: Variable) -> bool {
+        self.entries.iter().any(|entry| entry.as_ref().is_none_or(|all| all.contains(&variable)))
+    }
+}
+
 /// Evidence of inputs, and unknowns, that may replace missing keys.
 pub(super) struct ImpliedValues<'a> {
     evidence: &'a [Piece<'a>],
     unknowns: &'a [Asked<'a>],
-    /// `true` if both could be read. Otherwise a missing key may be among those that could not.
-    whole: bool,
+    unread: Unread,
     left_out: RefCell<Vec<LeftOut>>,
 }
 
 impl<'a> ImpliedValues<'a> {
-    pub(super) fn of(evidence: &'a [Piece<'a>], unknowns: &'a [Asked<'a>], whole: bool) -> Self {
-        ImpliedValues { evidence, unknowns, whole, left_out: RefCell::default() }
+    pub(super) fn of(evidence: &'a [Piece<'a>], unknowns: &'a [Asked<'a>], unread: Unread) -> Self {
+        ImpliedValues { evidence, unknowns, unread, left_out: RefCell::default() }
     }
 
     /// Returns the keys left out because they are unknown, in the order in which they were read.
@@ -54,8 +75,14 @@ impl<'a> ImpliedValues<'a> {
 
     /// Returns the values that replace a missing key of two numbers, both of which must be unknown or known.
     pub(super) fn of_pair(&self, table: &Table<'_>, key: &'static str, pair: [Variable; 2]) -> Option<Option<[f64; 2]>> {
-        if table.has(key) || !self.whole || !pair.iter().all(|variable| self.knows(*variable)) {
-            return if self.whole || table.has(key) { None } else { Some(None) };
+        if table.has(key) {
+            return None;
+        }
+        if pair.iter().any(|variable| self.unread.may_be(*variable)) {
+            return Some(None);
+        }
+        if !pair.iter().all(|variable| self.knows(*variable)) {
+            return None;
         }
         let [one, other] = pair.map(|variable| self.value(variable, None).flatten());
         Some(one.zip(other).map(|(one, other)| [one, other]))
@@ -80,8 +107,8 @@ impl<'a> ImpliedValues<'a> {
         let Some(asked) = asked else {
             let piece = match piece {
                 Some(piece) => piece,
-                None if self.whole || usual.is_some() => return None,
-                None => return Some(None),
+                None if self.unread.may_be(variable) && usual.is_none() => return Some(None),
+                None => return None,
             };
             if !piece.is_exact() {
                 self.leave_out(variable, piece.place.path());
@@ -99,6 +126,11 @@ impl<'a> ImpliedValues<'a> {
 
     fn leave_out(&self, of: Variable, key: &str) {
         self.left_out.borrow_mut().push(LeftOut { of, key: key.to_owned() });
+    }
+
+    /// Returns `true` if the evidence and the unknowns could be read.
+    pub(super) fn is_whole(&self) -> bool {
+        self.unread.is_none()
     }
 
     /// Returns `true` if the evidence and the unknowns are consistent with the inputs; reports the conflicts otherwise.

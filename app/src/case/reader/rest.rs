@@ -327,6 +327,11 @@ impl CaseReader {
     }
 
     fn wheel(&self, field: Field<'_>, steer: f64) -> Option<Wheel> {
+        if let Some(Value::Number(number)) = field.value() {
+            let help = format!("did you mean {{ braking = {} }}?", number.text);
+            field.report("a number by itself does not say what it is of the wheel", Some(help));
+            return None;
+        }
         if !matches!(field.value(), Some(Value::Table(_))) {
             let restraint = match field.choice(&["locked", "rolling"])? {
                 "locked" => Restraint::Locked,

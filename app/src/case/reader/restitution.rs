@@ -41,13 +41,14 @@ impl CaseReader {
         let speeds = self.points(table.required(CLOSING_SPEED), Kind::SPEED, Domain::NotNegative);
         let restitutions = self.points(table.required("restitution"), Kind::PURE, Domain::Fraction);
         let sds = self.sds(table);
-        let speeds = speeds.filter(|speeds| is_increasing(&table.required(CLOSING_SPEED), speeds));
+        let speeds = speeds.filter(|speeds| makes_a_curve(&table.required(CLOSING_SPEED), speeds));
         let count = speeds.as_ref().map(Vec::len);
         let has_same_count = |key, values: &Vec<f64>| {
             let is_same = count.is_none_or(|count| count == values.len());
             if let (false, Some(count)) = (is_same, count) {
                 let help = "give one for each closing speed".to_owned();
-                table.required(key).report(format!("it has {} values for {count} closing speeds", values.len()), Some(help));
+                let plural = if values.len() == 1 { "" } else { "s" };
+                table.required(key).report(format!("it has {} value{plural} for {count} closing speeds", values.len()), Some(help));
             }
             is_same
         };
@@ -69,15 +70,9 @@ impl CaseReader {
         Some(RestitutionCurve::new(speeds.iter().zip(&restitutions).enumerate().map(point).collect()))
     }
 
-    /// Reads a number for each of at least two points.
+    /// Reads a number for each point.
     fn points(&self, field: Field<'_>, kind: Kind, domain: Domain) -> Option<Vec<f64>> {
-        let place = field.clone();
         let items = field.items(&format!("an array of at least two values, each {}", kind.wanted()), 0..=MOST_POINTS)?;
-        if items.len() < 2 {
-            let help = "for a restitution at every closing speed give it alone: restitution = 0.2".to_owned();
-            place.report(format!("a curve needs at least two points; it has {}", items.len()), Some(help));
-            return None;
-        }
         self.each(items, kind, domain)
     }
 
@@ -104,8 +99,13 @@ fn is_curve(entries: &[Entry]) -> bool {
     entries.iter().any(|entry| [CLOSING_SPEED, "restitution"].contains(&entry.key.as_str()))
 }
 
-/// Returns `true` if closing speeds increase; reports each that does not.
-fn is_increasing(field: &Field<'_>, speeds: &[f64]) -> bool {
+/// Returns `true` if there are two closing speeds or more, which increase; reports their lack, and each that does not.
+fn makes_a_curve(field: &Field<'_>, speeds: &[f64]) -> bool {
+    if speeds.len() < 2 {
+        let help = "for a restitution at every closing speed give it alone: restitution = 0.2".to_owned();
+        field.report(format!("a curve needs at least two points; it has {}", speeds.len()), Some(help));
+        return false;
+    }
     let mut increases = true;
     let items = field.clone().items("an array", 0..=MOST_POINTS).unwrap_or_default();
     for (pair, item) in speeds.windows(2).zip(items.into_iter().skip(1)) {
@@ -160,7 +160,9 @@ mod tests {
         for (curve, paths) in [
             ("{ closing_speed = [5, 5], restitution = [0.3, 0.1] }", &["contact.restitution.closing_speed.2"][..]),
             ("{ closing_speed = [5, 3, 4], restitution = [0.3, 0.2, 0.1] }", &["contact.restitution.closing_speed.2"]),
-            ("{ closing_speed = [5], restitution = [0.3] }", &["contact.restitution.closing_speed", "contact.restitution.restitution"]),
+            ("{ closing_speed = [5], restitution = [0.3] }", &["contact.restitution.closing_speed"]),
+            ("{ closing_speed = [5], restitution = [0.3, 0.1] }", &["contact.restitution.closing_speed"]),
+            ("{ closing_speed = [5, 9], restitution = [0.3] }", &["contact.restitution.restitution"]),
             ("{ closing_speed = [], restitution = [0.3, 0.1] }", &["contact.restitution.closing_speed"]),
             ("{ closing_speed = [5, 9], restitution = [0.3, -0.1] }", &["contact.restitution.restitution.2"]),
             ("{ closing_speed = [5, 9], restitution = [30, 0.1] }", &["contact.restitution.restitution.1"]),

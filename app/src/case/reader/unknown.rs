@@ -20,30 +20,31 @@ pub(super) struct Asked<'a> {
 
 impl CaseReader {
     /// Reads every unknown in the table, by dotted name or symbol.
-    pub(super) fn unknowns<'a>(&self, table: &Table<'a>) -> Option<Vec<Asked<'a>>> {
+    pub(super) fn unknowns<'a>(&self, table: &Table<'a>) -> Vec<Asked<'a>> {
         let mut found = Vec::new();
-        let sound = self.walk_unknowns(table, "", &mut found);
-        sound.then_some(found)
+        self.walk_unknowns(table, "", &mut found);
+        found
     }
 
-    fn walk_unknowns<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Asked<'a>>) -> bool {
-        let mut sound = true;
+    fn walk_unknowns<'a>(&self, table: &Table<'a>, above: &str, found: &mut Vec<Asked<'a>>) {
         for (key, field) in table.fields() {
             let name = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
-            let read = match named(&name) {
-                Some((of, called)) if !is_of_ratio(&field) => self.requested(of, called, field).map(|asked| found.push(asked)),
+            match named(&name) {
+                Some((of, called)) if !is_of_ratio(&field) => match self.requested(of, called, field) {
+                    Some(asked) => found.push(asked),
+                    None => self.unread.borrow_mut().add(Some(vec![of])),
+                },
                 _ if is_folder(&field, &["start", "min", "max", "sd"]) => {
-                    field.table().filter(|table| self.walk_unknowns(table, &name, found)).map(|_| ())
+                    field.table().iter().for_each(|table| self.walk_unknowns(table, &name, found));
                 }
                 _ => {
                     let (message, help) = unknown_name(&name);
                     field.report(message, help);
-                    None
+                    let meant = nearest(&name, names_of_unknowns()).and_then(named);
+                    self.unread.borrow_mut().add(meant.map(|(of, _)| vec![of]));
                 }
-            };
-            sound &= read.is_some();
+            }
         }
-        sound
     }
 
     fn requested<'a>(&self, of: Variable, called: Option<Parameter>, field: Field<'a>) -> Option<Asked<'a>> {
@@ -137,8 +138,7 @@ fn unknown_name(name: &str) -> (&'static str, Option<String>) {
     if Parameter::named(name).is_some() {
         return ("it cannot be solved for", Some(known_names()));
     }
-    let names: Vec<&str> = names_of_unknowns().collect();
-    let help = nearest(name, names.iter().copied()).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
+    let help = nearest(name, names_of_unknowns()).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
     ("nothing has this name", Some(help))
 }
 

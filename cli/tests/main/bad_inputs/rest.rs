@@ -117,6 +117,13 @@ pub const BAD: &[Bad] = &[
         &["rest.vehicle.1.portion: unknown key", "did you mean `position`"],
     )
     .of(RESTED),
+    wrong(
+        "a share of braking by itself",
+        &[("front_left = \"locked\"", "front_left = 0.3")],
+        32,
+        &["rest.vehicle.1.wheels.front_left", "did you mean { braking = 0.3 }?"],
+    )
+    .of(RESTED),
     wrong("a rest without deviation", &[("12 m ± 0.3 m", "12 m")], 27, &["rest.vehicle.1.position.1", "no standard deviation"]).of(RESTED),
     wrong("a rest with no deviation", &[("± 5 deg", "± 0 deg")], 28, &["rest.vehicle.1.heading", "no standard deviation"]).of(RESTED),
     wrong("a rest with a deviation below zero", &[("± 5 deg", "± -5 deg")], 28, &["rest.vehicle.1.heading", "below zero"]).of(RESTED),

@@ -17,6 +17,11 @@ fn errors_at(status: i32, file: &str, text: &str) -> Vec<String> {
     run.err.lines().filter(|line| line.starts_with("error: ")).map(str::to_owned).collect()
 }
 
+/// Returns the keys that errors are about.
+fn errors_of(found: &[String]) -> Vec<String> {
+    found.iter().filter_map(|error| error.strip_prefix("error: ")?.split_once(": ").map(|(key, _)| key.to_owned())).collect()
+}
+
 /// Asserts that exactly these errors are found, in this order.
 fn are(found: &[String], keys: &[&str]) {
     assert_eq!(found.len(), keys.len(), "{found:#?}");
@@ -70,6 +75,34 @@ fn of_both_vehicles_and_of_crush() {
     let keys =
         ["vehicle.2.mass", "vehicle.2.crush.width", "vehicle.2.crush.depths.2", "vehicle.2.crush.depths.3", "vehicle.2.crush.stiffness.d1"];
     are(&errors("case.toml", &wrong("", crush, 0, &[]).of(CRUSHED).text()), &keys);
+}
+
+/// Only those keys are not missing that an unknown or a piece of evidence may replace which cannot be read, or whose name is near to one.
+#[test]
+fn of_unknowns_and_of_what_is_missing_beside_them() {
+    let of = |given: &str| {
+        let left = &[("speed = \"40 ft/s\"\n", ""), ("restitution = 0.1\n", ""), ("mass = \"6345 lb\"\n", "")];
+        errors("case.toml", &format!("{}{given}", wrong("", left, 0, &[]).text()))
+    };
+    let (mass, restitution, speed) = ("vehicle.2.mass", "contact.restitution", "vehicle.1");
+    for (given, keys) in [
+        ("", &[speed, mass, restitution][..]),
+        ("[unknown]\nvehicle1.speed = \"1 m/s\"\n", &[mass, restitution, "unknown.vehicle1.speed"]),
+        ("[unknown]\nvehicle.2.mass = { min = 4, max = 3 }\n", &[speed, restitution, "unknown.vehicle.2.mass.max"]),
+        ("[unknown]\nvehicle.1.frobnication = 3\n", &["unknown.vehicle.1.frobnication"]),
+        ("unknown = 3\n", &["contact.unknown", speed, mass, restitution]),
+        ("[evidence]\ncontact.restitution = \"3 m\"\n", &[speed, mass, "evidence.contact.restitution"]),
+        ("[evidence]\nvehicle.1.velcity = [1, 2]\n", &[mass, restitution, "evidence.vehicle.1.velcity"]),
+        ("[evidence]\ncrush_enrgy = \"3 kJ\"\n", &[speed, mass, restitution, "evidence.crush_enrgy"]),
+        ("[evidence]\nvehicle.1.recorder = { file = \"none.csv\" }\n", &[mass, restitution, "evidence.vehicle.1.recorder.file"]),
+        ("[evidence]\ncontact.record = { file = \"none.csv\" }\n", &[speed, mass, "evidence.contact.record.file"]),
+        ("[evidence]\nvehicle.1.velocity = \"3 m\"\n", &[mass, restitution, "evidence.vehicle.1.velocity"]),
+    ] {
+        let mut found = errors_of(&of(given));
+        let mut wanted: Vec<&str> = keys.to_vec();
+        (found.sort(), wanted.sort());
+        assert_eq!(found, wanted, "{given}");
+    }
 }
 
 #[test]

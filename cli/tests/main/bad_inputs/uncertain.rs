@@ -74,7 +74,7 @@ pub(super) const BAD: &[Bad] = &[
     restitution(
         "a curve with one deviation in a list",
         &[(E, "restitution = { closing_speed = [\"5 m/s\", \"9 m/s\"], restitution = [0.3, 0.2], sd = [0.1] }")],
-        &["contact.restitution.sd: it has 1 values for 2 closing speeds", "give one for each"],
+        &["contact.restitution.sd: it has 1 value for 2 closing speeds", "give one for each"],
     ),
     mass("an input with a deviation in m", &[(MASS, "mass = \"2564 lb ± 5 m\"")], &["vehicle.1.mass", "`5 m` is a length; a mass"]),
     mass("an input with a negative deviation", &[(MASS, "mass = \"2564 lb ± -5 lb\"")], &["the standard deviation is below zero"]),
