@@ -19,7 +19,7 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Refusal, Refusals, Side, Vehicle, Xy, check};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Moment, Refusal, Refusals, Side, Vehicle, Xy, check};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -353,8 +353,17 @@ impl Case {
             (Refusal::EnergyGain { .. }, _) if all.iter().any(|other| matches!(other, Refusal::BeyondCritical { .. })) => {
                 Issue { path: ratio.to_owned(), ..issue }.with_help("a ratio beyond the critical one adds energy: correct it first")
             }
+            (Refusal::EnergyGain { .. }, _) if self.gains_by_its_moment() => {
+                let help = "the moment impulse adds the energy: give a smaller one, or check its sign";
+                Issue { path: "contact.moment".to_owned(), ..issue }.with_help(help)
+            }
             _ => self.of_radius(issue),
         }
+    }
+
+    /// Returns `true` if the contact has a moment impulse without which it would be lawful.
+    fn gains_by_its_moment(&self) -> bool {
+        self.collision.moment != Moment::None && Collision { moment: Moment::None, ..self.collision }.solve().is_ok()
     }
 
     /// Returns an issue of a yaw inertia at the radius of gyration that gives it, where there is one.

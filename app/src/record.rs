@@ -225,12 +225,19 @@ pub fn record(recordings: &[Recording], _: &(), control: &dyn Control) -> Result
     Ok(Answer::new(title, Records { records }, Notices(notices)))
 }
 
-impl Records {
-    /// Returns `true` if no channel is clipped or truncated, nor the sensor behind it.
+impl Answer<Records> {
+    /// Returns `true` if no channel is clipped or truncated, nor the sensor behind it, and every restitution is from 0 to 1 within its error.
     pub fn is_whole(&self) -> bool {
+        let is_lawful = !self.notices.0.iter().any(|notice| notice.code == "implausible-restitution");
         let sensors_hold = |record: &RecordAnswer| record.recorder.as_ref().is_none_or(|recorder| recorder.clipped_sensors.is_empty());
-        self.records.iter().all(sensors_hold)
-            && self.records.iter().flat_map(|record| &record.channels).all(|channel| channel.clipped.is_none() && !channel.is_truncated)
+        is_lawful
+            && self.facts.records.iter().all(sensors_hold)
+            && self
+                .facts
+                .records
+                .iter()
+                .flat_map(|record| &record.channels)
+                .all(|channel| channel.clipped.is_none() && !channel.is_truncated)
     }
 }
 

@@ -27,6 +27,18 @@ const WIDTH: RangeInclusive<f64> = 0.01..=15.0;
 /// In N/m²: those of cars are 0.2 to 2 MPa.
 const STIFFNESS: RangeInclusive<f64> = 1e4..=1e8;
 
+/// Of the Earth, in m/s², with a margin.
+const GRAVITY: RangeInclusive<f64> = 9.7..=9.9;
+/// The lengths that a vehicle has on a plan, in m, by their keys.
+const LENGTHS: [(&str, RangeInclusive<f64>); 6] = [
+    ("length", 0.5..=30.0),
+    ("width", 0.3..=5.0),
+    ("front_overhang", 0.0..=5.0),
+    ("front_axle", 0.1..=15.0),
+    ("rear_axle", 0.1..=15.0),
+    ("track", 0.3..=4.0),
+];
+
 fn warning(code: &'static str, path: &str, message: Message) -> Notice {
     Notice::warning(code, path, Message::from(format!("{path}: ")).join(message))
 }
@@ -44,6 +56,18 @@ pub(crate) fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
 /// Of the distance of an impact center from the center of mass.
 pub(crate) fn arm(path: &str, arm: f64) -> Option<Notice> {
     (arm > ARM).then(|| none_has("unusual-impact-center", path, "an impact center at a distance", Measure::Length, arm))
+}
+
+pub(crate) fn gravity(path: &str, gravity: f64) -> Option<Notice> {
+    let message = || Message::from("").figure(Measure::Acceleration, gravity).text(" is not the gravity of the Earth; check its unit");
+    (!GRAVITY.contains(&gravity)).then(|| warning("unusual-gravity", path, message()))
+}
+
+/// Of a length on the plan of a vehicle, at a path that ends with its key.
+pub(crate) fn length(path: &str, length: f64) -> Option<Notice> {
+    let message = || Message::from("").figure(Measure::Length, length).text(" is not that of a road vehicle; check its unit");
+    let of_key = LENGTHS.iter().find(|(key, _)| path.rsplit('.').next() == Some(*key));
+    of_key.filter(|(_, range)| !range.contains(&length)).map(|_| warning("unusual-length", path, message()))
 }
 
 pub(crate) fn speed(path: &str, speed: f64) -> Option<Notice> {

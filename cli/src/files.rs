@@ -70,8 +70,8 @@ pub fn is_no_input(output: Option<&Path>, inputs: impl IntoIterator<Item = impl 
 ///
 /// If the name has the ending of a format, which is none of these.
 pub fn is_named_as(output: Option<&Path>, endings: &[&str]) -> Result<(), Issues> {
-    // A case names its tables and tests, which are refused as what it reads.
-    const OF_FORMATS: [&str; 13] = ["svg", "html", "htm", "json", "jsonl", "txt", "md", "png", "jpg", "jpeg", "pdf", "docx", "parquet"];
+    const OF_FORMATS: [&str; 16] =
+        ["svg", "html", "htm", "json", "jsonl", "txt", "md", "png", "jpg", "jpeg", "pdf", "docx", "parquet", "arrow", "toml", "csv"];
     let Some(output) = output else { return Ok(()) };
     let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
     if !ending.is_some_and(|ending| OF_FORMATS.contains(&ending.as_str()) && !endings.contains(&ending.as_str())) {

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use planar_impact_app::Units;
 use planar_impact_app::json::{self, Layout};
 use planar_impact_app::notice::{Notice, Notices};
+use planar_impact_app::plain_text::shown;
 use planar_impact_report::{Block, text};
 use serde::Serialize;
 use tempfile::NamedTempFile;
@@ -47,7 +48,7 @@ impl CommandOutput {
 
     /// Adds the notices of an answer, for standard error: the text is in a format that has no place for them.
     pub fn noting(self, notices: &Notices, units: Units) -> CommandOutput {
-        let note = |notice: &Notice| format!("{}: {}", notice.severity, units.sentence(&notice.message));
+        let note = |notice: &Notice| format!("{}: {}", notice.severity, shown(&units.sentence(&notice.message)));
         CommandOutput { notes: notices.0.iter().map(note).collect(), ..self }
     }
 

@@ -9,7 +9,7 @@ use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
 use crate::plain_text::clean;
-use crate::quantity::{self, Conversion, Reach, excerpt, nearest};
+use crate::quantity::{self, Conversion, Kind, Reach, excerpt, nearest};
 
 /// What an input column gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -241,6 +241,18 @@ impl InputColumn {
             (Key::Parameter(_), Some(_)) => Column::Numbers(numbers.iter().map(|number| self.to_si(*number)).collect()),
             _ => Column::Cells(numbers.iter().map(|number| self.of_number(*number)).collect()),
         }
+    }
+}
+
+impl Key {
+    /// Says what to write for a cell that is no number, where it is clear what is meant.
+    pub(super) fn remedy(&self, found: &str) -> String {
+        let Key::Parameter(parameter) = self else { return String::new() };
+        if let Ok(quantity) = quantity::parse(found, parameter.kind()) {
+            return format!("; write its unit in the header, as `{self} [{}]`", quantity.unit);
+        }
+        let help = quantity::parse(found, Kind::PURE).err().and_then(|error| error.help);
+        help.map(|help| format!("; {help}")).unwrap_or_default()
     }
 }
 

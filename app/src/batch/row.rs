@@ -138,7 +138,7 @@ impl Fault {
                 match quantity::finite(found) {
                     // Digits that a float cannot hold.
                     Err(why) if found.parse::<f64>().is_ok() => format!("{key}: {}", why.message).into(),
-                    _ => format!("{key} is {}; it must be {wanted}", excerpt(found)).into(),
+                    _ => format!("{key} is {}; it must be {wanted}{}", excerpt(found), key.remedy(found)).into(),
                 }
             }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {

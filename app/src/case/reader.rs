@@ -45,6 +45,7 @@ use crate::notice::Notice;
 use crate::quantity::{Kind, Quantity};
 use crate::source::{Open, SharedOpen};
 use crate::units::Units;
+use crate::unusual;
 use crate::wording::{barrier_instead, percent_meant};
 
 /// Contents of a case file.
@@ -227,6 +228,7 @@ impl CaseReader {
         let title = root.optional("title").string().unwrap_or_default().to_owned();
         let gravity = root.has("gravity").then(|| self.positive(root.optional("gravity"), Kind::ACCELERATION));
         self.gravity.set(gravity.flatten());
+        self.notices.borrow_mut().extend(gravity.flatten().and_then(|gravity| unusual::gravity("gravity", gravity)));
         let evidence = self.part(root, "evidence", CaseReader::evidence);
         let unknowns = self.part(root, "unknown", CaseReader::unknowns);
         // Keep notices in file order: these usually come last.
@@ -406,12 +408,26 @@ impl CaseReader {
 
     /// Reads the size of a vehicle on a plan, each number of which may be left out.
     fn size(&self, table: &Table<'_>) -> Option<Size> {
-        let length = |key| table.has(key).then(|| self.positive(table.optional(key), Kind::LENGTH));
+        let length = |key| table.has(key).then(|| self.length(table.optional(key)));
         let [length, width, front_overhang] = ["length", "width", "front_overhang"].map(length);
         if [length, width, front_overhang].contains(&Some(None)) {
             return None;
         }
+        if let (Some(Some(length)), Some(Some(overhang))) = (length, front_overhang)
+            && overhang >= length
+        {
+            table.optional("front_overhang").report(format!("it is {overhang} m; it must be below the length, {length} m"), None);
+            return None;
+        }
         Some(Size { length: length.flatten(), width: width.flatten(), front_overhang: front_overhang.flatten() })
+    }
+
+    /// Reads a length on the plan of a vehicle.
+    fn length(&self, field: Field<'_>) -> Option<f64> {
+        let path = field.path().to_owned();
+        let length = self.positive(field, Kind::LENGTH)?;
+        self.notices.borrow_mut().extend(unusual::length(&path, length));
+        Some(length)
     }
 
     /// Reads the mass of a vehicle that gives its weight instead.

@@ -312,12 +312,19 @@ fn after_impact(rows: &mut Vec<PreCrash>) -> usize {
     count - rows.len()
 }
 
+/// The quantile of the normal distribution at 0.975.
+const NORMAL: f64 = 1.959_963_984_540_054;
+
 /// Returns the rounding of the times of rows.
 fn slack_of(rows: &[PreCrash]) -> f64 {
     rows.first().zip(rows.last()).map_or(0.0, |(first, last)| ROUNDING * (last.time - first.time))
 }
 
-/// Returns the last speed that was stored up to the impact. It may have changed since, at the rate at which it changed last.
+/// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.
+const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;
+
+/// Returns the last speed that was stored up to the impact. It may have changed since: at the rate at which it changed last, or by braking that began later, which
+/// is within the 95 % interval.
 fn at_impact(before: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Issue>, notices: &mut Vec<Notice>) -> Option<AtImpact> {
     let Some(last) = before.last() else {
         let help = "count the times from the impact: those before it are negative";
@@ -328,13 +335,18 @@ fn at_impact(before: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Iss
         [.., one, other] => (other.speed - one.speed) / (other.time - one.time),
         _ => 0.0,
     };
-    let change = if last.time < -slack_of(before) { rate * -last.time } else { 0.0 };
-    if change != 0.0 {
+    let age = if last.time < -slack_of(before) { -last.time } else { 0.0 };
+    // Braking ends at a standstill.
+    let of_braking = (FULL_BRAKING * age).min(last.speed.abs());
+    let change = (rate * age).abs().max(of_braking / NORMAL);
+    if change > 0.0 {
         let message = Message::from("the last speed is ")
-            .figure(Measure::Time, -last.time)
-            .text(" older than the impact; at its last rate it would have changed by ")
-            .figure(Measure::Speed, change)
-            .text(", which its standard deviation includes");
+            .figure(Measure::Time, age)
+            .text(" older than the impact: full braking since would have taken ")
+            .figure(Measure::Speed, of_braking)
+            .text(" from it, and at its last rate it would have changed by ")
+            .figure(Measure::Speed, rate * age)
+            .text(", which its standard deviation allows for");
         notices.push(Notice::warning("speed-before-impact", path, message));
     }
     let number = Uncertain { value: last.speed, sd: noise.sd(last.speed).map(|sd| libm::hypot(sd, change)) };

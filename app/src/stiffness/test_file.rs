@@ -207,6 +207,7 @@ impl CaseReader {
             None => deviation("restitution_sd", Kind::PURE),
         };
         let scatter = deviation("scatter", Kind::ROOT_FORCE);
+        let has_rebound = table.has("rebound_speed") && !table.has("restitution_sd");
         table.finish();
         let profile = profile?.on_scalar(|_| 0.0);
         let deepest = profile.depths().iter().copied().fold(0.0, f64::max);
@@ -222,6 +223,9 @@ impl CaseReader {
         let message = || "a test that leaves no crush says only that d0 is at least its E*, and a fit takes it as equal: leave it out, or hold the speed that leaves no crush, b0";
         let crushless = (deepest == 0.0).then(|| Notice::warning("no-crush", at("depths"), format!("{}: {}", at("depths"), message())));
         self.notices.borrow_mut().extend(unusual.into_iter().flatten().chain(crushless));
+        // The restitution that a measured rebound speed gives falls as the speed grows: what is lost, v² − u², then changes by 1/(1 − e²) times as much.
+        let of_speed = |sd: f64| if has_rebound { sd / (1.0 - test.restitution * test.restitution) } else { sd };
+        let speed_sd = speed_sd.map(|sd| sd.map(of_speed));
         let known = |deviation: Option<Option<f64>>| match deviation {
             Some(value) => value.map(Some),
             None => Some(None),

@@ -288,6 +288,22 @@ fn sizes_that_no_road_vehicle_has_are_told_at_the_end() {
     assert_eq!((usual.status, usual.err.as_str()), (0, ""));
 }
 
+/// A cell that a person would read is refused with what to write.
+#[test]
+fn a_cell_that_is_no_number_has_a_remedy() {
+    let case = workspace().join(POSITION_A);
+    let of = |column: &str, cell: &str| {
+        let table = format!("{column}\n\"{cell}\"\n");
+        run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "T_L"], &table).err
+    };
+    let speed = |cell: &str| of("vehicle.1.speed", cell);
+    assert!(speed("12 m/s").contains("with a point; write its unit in the header, as `vehicle.1.speed [m/s]`"), "{}", speed("12 m/s"));
+    assert!(speed("\u{2212}12").contains("with a point; write an ordinary minus sign"), "{}", speed("\u{2212}12"));
+    assert!(speed("1,200").contains("with a point; write 1200"), "{}", speed("1,200"));
+    assert!(speed("fast").contains("without a unit and with a point\n"), "{}", speed("fast"));
+    assert!(of("contact.restitution", "10 %").contains("as `contact.restitution [%]`"), "{}", of("contact.restitution", "10 %"));
+}
+
 #[test]
 fn threads_and_formats_change_no_bit() {
     let folder = Folder::new();

@@ -82,9 +82,14 @@ fn a_name_of_another_format_is_refused() {
     let folder = Folder::new();
     let case = workspace().join("cli/examples/position-a.toml");
     let case = case.to_str().expect("a plain path");
-    for (call, ending) in
-        [(["draw", case, "-o", "a.png"], ".svg"), (["draw", case, "-o", "a.JSON"], ".svg"), (["report", case, "-o", "a.pdf"], ".html")]
-    {
+    for (call, ending) in [
+        (["draw", case, "-o", "a.png"], ".svg"),
+        (["draw", case, "-o", "a.JSON"], ".svg"),
+        (["report", case, "-o", "a.pdf"], ".html"),
+        // Most likely another case or recording, in a slip.
+        (["draw", case, "-o", "a.toml"], ".svg"),
+        (["report", case, "-o", "a.csv"], ".html"),
+    ] {
         let run = run(folder.path(), &call);
         assert_eq!(run.status, 2, "{}", run.err);
         assert!(run.err.contains(&format!("`{}` has the name of another format; let it end in {ending}", call[3])), "{}", run.err);

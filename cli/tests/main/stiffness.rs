@@ -429,6 +429,30 @@ fn a_rebound_speed_gives_the_restitution() {
     assert!(refused("rebound_speed", "restitution = 0.1\nrebound_speed").contains("`restitution` and `rebound_speed` exclude each other"));
 }
 
+/// With the rebound speed u measured beside it, the energy ½m(v² − u²) grows with the speed by m v, and with a given restitution by m v (1 − e²).
+#[test]
+fn a_speed_of_a_test_with_a_rebound_speed_tells_more_of_the_energy() {
+    let of = |rebound: &str, sd: f64| {
+        let test = |speed: f64, depth: f64| {
+            let rebound = rebound.replace("@", &(speed / 2.0).to_string());
+            format!(
+                "[[vehicle.test]]\nmass = 1500\nspeed = {speed}\n{rebound}\nspeed_sd = {sd}\nwidth = 1.5\ndepths = [{depth}, {depth}]\n"
+            )
+        };
+        let tests = [(4.0, 0.1), (6.0, 0.22), (8.0, 0.3)].map(|(speed, depth)| test(speed, depth)).concat();
+        json(&format!("schema = 1\n[[vehicle]]\nnew_cars = true\n{tests}"))["fits"].clone()
+    };
+    let close = |one: &Value, other: &Value| {
+        for key in ["d0_sd", "d1_sd", "correlation"] {
+            let [one, other] = [one, other].map(|fits| number(&fits[0]["covariance"][key]));
+            assert!((one / other - 1.0).abs() < 1e-9, "{key}: {one} and {other}");
+        }
+    };
+    close(&of("rebound_speed = @", 0.3), &of("restitution = 0.5", 0.4));
+    // A deviation of the restitution is that of all of it.
+    close(&of("rebound_speed = @\nrestitution_sd = 0.02", 0.3), &of("restitution = 0.5\nrestitution_sd = 0.02", 0.3));
+}
+
 /// A held: by hand, of one test d1 solves C d1² − E* d1 + A = 0, and A = d0 d1 stays as given for any number of tests.
 #[test]
 fn a_held_force_leaves_one_coefficient() {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::process::run_with_input;
+use crate::process::{run_with_input, workspace};
 
 const MASS: f64 = 1000.0;
 const YAW_INERTIA: f64 = 900.0;
@@ -168,4 +168,34 @@ fn sizes_of_no_road_vehicle_are_named() {
     assert_eq!(named("99.9", "1.9", "0.4"), of("unusual-mass", "vehicle.1", 99.9));
     assert_eq!(named("1500", "15.1", "0.4"), of("unusual-impact-center", "vehicle.1", 15.1_f64.hypot(0.1)));
     assert_eq!(named("1500", "1.9", "10.1"), of("unusual-friction", "contact.friction", 10.1));
+    // The lengths of its plan, in millimeters, and gravity in another unit.
+    let with = |more: &str| named(&format!("1500\n{more}"), "1.9", "0.4");
+    assert_eq!(with("length = 30\nwidth = 5\nfront_overhang = 5"), []);
+    for (key, value) in [("length", 30.1), ("length", 0.4), ("width", 5.1), ("width", 0.2), ("front_overhang", 5.1)] {
+        assert_eq!(with(&format!("{key} = {value}")), of("unusual-length", &format!("vehicle.1.{key}"), value));
+    }
+    let under = |gravity: f64| {
+        let text = format!("schema = 1\ngravity = \"{gravity} m/s^2\"\n{}", case("1500", "1.9", "0.4").trim_start_matches("schema = 1\n"));
+        let run = run_with_input(&["solve", "-", "--format", "json"], &text.replace("mass = 1500", "weight = \"15 kN\""));
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"unusual-gravity\"")
+    };
+    assert_eq!([2.98704, 9.69, 9.7, 9.80665, 9.9, 9.91, 32.2].map(under), [true, true, false, false, false, true, true]);
+}
+
+/// The axles and the track, of which the way to rest depends.
+#[test]
+fn lengths_of_a_slide_are_named() {
+    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
+    let of = |from: &str, to: &str| {
+        assert!(slide.contains(from), "{from}");
+        let run = run_with_input(&["slide", "-", "--format", "json"], &slide.replacen(from, to, 1));
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"unusual-length\"")
+    };
+    let numbers = |key: &str| slide.lines().find(|line| line.starts_with(&format!("{key} = "))).expect("a key").to_owned();
+    for (key, usual, unusual) in [("front_axle", "1.2 m", "115 m"), ("rear_axle", "1.4 m", "16 m"), ("track", "1.5 m", "4.1 m")] {
+        let given = numbers(key);
+        assert!(!of(&given, &format!("{key} = \"{usual}\"")) && of(&given, &format!("{key} = \"{unusual}\"")), "{key}");
+    }
 }

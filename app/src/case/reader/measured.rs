@@ -13,7 +13,7 @@ use crate::document::{Field, Table, Value};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::quantity::{self, Kind, QuantityError};
-use crate::units::Measure;
+use crate::units::{Measure, trim};
 
 /// The sign between a value and its standard deviation.
 const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
@@ -186,6 +186,11 @@ impl CaseReader {
         };
         if size < 0.0 {
             field.report("the standard deviation is below zero", None);
+            return None;
+        }
+        if share && size > 1.0 {
+            let help = "a share of the value is at most 100 %; for more, write the standard deviation in the unit of the value".to_owned();
+            field.report_as("out-of-range", format!("the standard deviation is {} % of the value", trim(100.0 * size)), Some(help));
             return None;
         }
         Some(Measured { amount, spread: spread(size) })

@@ -16,6 +16,7 @@ use crate::document::{Field, Table};
 use crate::notice::Notice;
 use crate::quantity::Kind;
 use crate::record::{ACCELEROMETER_RANGE, Barrier, RecordAnswer, Recording, Uncertain, VelocityChange, samples_of};
+use crate::units::trim;
 
 /// What of a recorder may be evidence.
 const USES: [&str; 5] = ["delta_v_forward", "delta_v_left", "delta_v_magnitude", "pdof", "speed"];
@@ -98,8 +99,11 @@ impl CaseReader {
                 names.extend(of_sensors.filter(|name| !names.contains(name)).collect::<Vec<_>>());
                 let message =
                     format!("{} of {} is clipped or truncated: {key} is a lower bound, not a value", names.join(", "), answer.file);
-                let help = "`planar-impact record` shows it; give use = [\"speed\"] to leave the velocity change out".to_owned();
-                field.report_as("clipped", message, Some(help));
+                let rest = match recorder.speed_at_impact {
+                    Some(_) => "give use = [\"speed\"] to leave the velocity change out",
+                    None => "leave the recorder out, whose velocity change is all that it tells",
+                };
+                field.report_as("clipped", message, Some(format!("`planar-impact record` shows it; {rest}")));
                 return None;
             }
             sound &= self.push(field, of, key, number, found).is_some();
@@ -122,6 +126,9 @@ impl CaseReader {
         if ratio.is_none() && restitution.is_none() {
             let help = "it needs both banks of force, or a restitution: mass and speed of the vehicle, or a film".to_owned();
             field.report(format!("{} has neither an impulse ratio nor a restitution", answer.file), Some(help));
+            return None;
+        }
+        if restitution.as_ref().is_some_and(|restitution| !is_lawful(field, &answer, restitution.value)) {
             return None;
         }
         let pieces = [
@@ -147,8 +154,7 @@ impl CaseReader {
             field.report(format!("{} has no restitution", answer.file), Some(help));
             return None;
         };
-        if !(0.0..=1.0).contains(&value) {
-            field.report_as("out-of-range", format!("the restitution of {} is {value}; it must be from 0 to 1", answer.file), None);
+        if !is_lawful(field, &answer, value) {
             return None;
         }
         let Some(sd) = sd else {
@@ -260,6 +266,17 @@ fn of_ratio_and_restitution(answer: &RecordAnswer) -> Option<Correlation> {
     let is_used = restitution(answer).is_some_and(|used| used == of_cells);
     let pair = [Measurand::Output(Output::ImpulseRatio), Measurand::Variable(Variable::Input(Input::Restitution))];
     if is_used { correlation_of(pair, covariance, sds) } else { None }
+}
+
+/// Returns `true` for a restitution from 0 to 1, and reports another.
+fn is_lawful(field: &Field<'_>, answer: &RecordAnswer, restitution: f64) -> bool {
+    let is_lawful = (0.0..=1.0).contains(&restitution);
+    if !is_lawful {
+        let message = format!("the restitution of {} is {}; it must be from 0 to 1", answer.file, trim(restitution));
+        let help = "`planar-impact record` shows what it follows from: check the speed, the mass and the window".to_owned();
+        field.report_as("out-of-range", message, Some(help));
+    }
+    is_lawful
 }
 
 /// Returns the restitution that a recording has: that of the contact point by kinematics, or else of its load cells, of an acceleration, or of a film.

@@ -295,7 +295,7 @@ impl CaseReader {
     }
 
     fn sliding_vehicle(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<SlidingVehicle> {
-        let length = |key| self.positive(table.required(key), Kind::LENGTH);
+        let length = |key| self.length(table.required(key));
         let (front_axle, rear_axle, track) = (length("front_axle"), length("rear_axle"), length("track"));
         let steer = if table.has("steer") { self.quantity(table.optional("steer"), Kind::ANGLE) } else { Some(0.0) };
         let wheels = self.wheels(table, steer.unwrap_or(0.0));

@@ -86,6 +86,12 @@ pub const BAD: &[Bad] = &[
     wrong("hexadecimal number", &[(MASS, "mass = 0x10")], 6, &["vehicle.1.mass", "hexadecimal"]),
     wrong("empty text", &[(MASS, "mass = \"\"")], 6, &["vehicle.1.mass", "empty"]),
     wrong("blank text", &[(MASS, "mass = \"  \"")], 6, &["vehicle.1.mass", "empty"]),
+    wrong(
+        "an overhang beyond the length",
+        &[("mass = \"2564 lb\"", "mass = \"2564 lb\"\nlength = 4\nfront_overhang = 4")],
+        8,
+        &["vehicle.1.front_overhang", "it is 4 m; it must be below the length, 4 m"],
+    ),
 ];
 
 #[test]

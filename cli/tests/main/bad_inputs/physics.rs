@@ -75,6 +75,13 @@ pub const BAD: &[Bad] = &[
         GAIN,
     )
     .of(WALL),
+    // A moment impulse that adds more than the impact takes, which no restitution is at fault for.
+    refused(
+        "a moment that gains",
+        &[("= 0.1\n", "= 0.1\nmoment = \"-20 kN m s\"\n")],
+        24,
+        &["contact.moment", "would gain energy", "the moment impulse adds the energy"],
+    ),
     // Ratios.
     refused("beyond critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.9\n")], 24, BEYOND),
     refused("a hair beyond critical", &[("= 0.1\n", "= 0.1\nimpulse_ratio = 0.626\n")], 24, BEYOND),

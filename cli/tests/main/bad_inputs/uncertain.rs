@@ -78,6 +78,11 @@ pub(super) const BAD: &[Bad] = &[
     ),
     mass("an input with a deviation in m", &[(MASS, "mass = \"2564 lb ± 5 m\"")], &["vehicle.1.mass", "`5 m` is a length; a mass"]),
     mass("an input with a negative deviation", &[(MASS, "mass = \"2564 lb ± -5 lb\"")], &["the standard deviation is below zero"]),
+    mass(
+        "an input with more than itself",
+        &[(MASS, "mass = \"2564 lb ± 500 %\"")],
+        &["vehicle.1.mass", "500 % of the value", "at most 100 %"],
+    ),
     mass("an input with a negative share", &[(MASS, "mass = \"2564 lb ± -5 %\"")], &["the standard deviation is below zero"]),
     mass("two deviations in a string", &[(MASS, "mass = \"2564 lb ± 5 lb ± 3 lb\"")], &["vehicle.1.mass", "± 3 lb"]),
     mass("an uncertain mass of zero", &[(MASS, "mass = \"0 lb ± 5 lb\"")], &["must be above zero"]),
@@ -383,6 +388,7 @@ fn uncertain_inputs_that_are_accepted() {
         sound("a ratio between limits", &[(E, "restitution = 0.1\nimpulse_ratio = { min = 0.2, max = 0.3 }")], LOADED),
         sound("a share of the ratio", &[(E, "restitution = 0.1\nimpulse_ratio = { of_critical = \"0.9 ± 0.05\" }")], LOADED),
         sound("a friction", &[(E, "restitution = 0.1\nfriction = \"0.5 ± 0.1\"")], LOADED),
+        sound("a share of all of it", &[(E, "restitution = 0.1\nmoment = \"100 N m s ± 100 %\"")], LOADED),
         sound("a moment", &[(E, "restitution = 0.1\nmoment = \"100 N m s ± 5 %\"")], LOADED),
         sound("a share of the moment", &[(E, "restitution = 0.1\nmoment = { of_critical = { min = 0, max = 0.2 } }")], LOADED),
         sound(

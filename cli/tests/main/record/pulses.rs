@@ -118,6 +118,7 @@ fn the_page_has_the_standard_deviation_of_each_number() {
 fn an_impossible_restitution_is_a_warning() {
     let (record, run) = record_of(&barrier(), Some("mass = 1500\nspeed = \"5 m/s\"\n"));
     close(&record["barrier"]["restitution"]["value"], 250e3 * AREA / 7500.0 - 1.0, 2e-5);
+    assert_eq!((run.status, record_of(&barrier(), Some(CAR)).1.status), (1, 0), "it does not hold");
     assert!(run.out.contains("implausible-restitution") && run.out.contains("the restitution by the load cells is 1.12"), "{}", run.out);
     assert!(!record_of(&barrier(), Some(CAR)).1.out.contains("implausible-restitution"));
     // Just below zero by less than it is known to; far enough it is not.
@@ -310,13 +311,16 @@ fn the_tests_of_a_case_may_be_recorded() {
     for of in [&["case.toml", "--verb", "crush"][..], &["data/tests.toml", "--verb", "stiffness"], &["case.toml"]] {
         for named in ["data/tests.toml", "data/barrier.toml", "data/barrier.csv"] {
             let before = std::fs::read(folder.path().join(named)).expect("it is there");
-            let refused = run(folder.path(), &[&["report"], of, &["-o", named]].concat());
+            let _ = std::fs::remove_file(folder.path().join("link.html"));
+            std::os::unix::fs::symlink(named, folder.path().join("link.html")).expect("a link");
+            let refused = run(folder.path(), &[&["report"], of, &["-o", "link.html"]].concat());
             assert_eq!((refused.status, refused.out.as_str()), (2, ""), "{of:?} {named}: {}", refused.err);
             assert!(refused.err.contains("would be replaced; name another file to write"), "{of:?} {named}: {}", refused.err);
             assert_eq!(std::fs::read(folder.path().join(named)).expect("it is there"), before, "{of:?} {named}");
         }
     }
-    let drawn = run(folder.path(), &["draw", "case.toml", "-o", "data/barrier.csv"]);
+    std::os::unix::fs::symlink("data/barrier.csv", folder.path().join("link.svg")).expect("a link");
+    let drawn = run(folder.path(), &["draw", "case.toml", "-o", "link.svg"]);
     assert!(drawn.status == 2 && drawn.err.contains("would be replaced"), "{}", drawn.err);
 }
 

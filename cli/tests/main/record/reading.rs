@@ -315,3 +315,12 @@ fn faults_of_times_and_quotes_stand_beside_those_of_cells() {
         assert!(refused.status == 2 && refused.err.contains(says), "{}", refused.err);
     }
 }
+
+/// What a header has that a terminal would obey is shown, and not sent.
+#[test]
+fn notices_beside_a_chart_are_clean() {
+    let folder = Folder::new();
+    folder.write("test.csv", csv("acceleration.\u{1b}[31mred\u{202e} [g]", &[&|_| 1.0]).as_bytes());
+    let run = run(folder.path(), &["record", "test.csv", "--format", "svg"]);
+    assert!(run.err.contains("U+001B[31mred") && !run.err.contains(['\u{1b}', '\u{202e}']), "{}", run.err);
+}

@@ -53,19 +53,26 @@ fn a_recorder_by_hand() {
     assert_eq!(found["is_lower_bound"], false);
     close(&found["pre_crash"][1]["speed"], 54.0 * kmh, 1e-12);
     close(&found["pre_crash"][0]["time"], -1.0, 1e-12);
-    // The last speed is half a second old, and fell by 6 km/h in the half second before.
+    // The last speed is half a second old, and fell by 6 km/h in the half second before: by less than 0.8 g takes.
     let at_impact = &found["speed_at_impact"];
     close(&at_impact["value"], 54.0 * kmh, 1e-12);
     close(&at_impact["time"], -0.5, 1e-12);
     let step = 6.0 * kmh; // the least step of its speeds
-    close(&at_impact["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
+    let braking = 0.8 * 9.80665 / 1.959_963_984_540_054;
+    let sd = |change: f64| change.hypot(step / 12_f64.sqrt());
+    close(&at_impact["sd"], sd(0.5 * braking), 1e-9);
     assert!(run.out.contains("speed-before-impact"));
+    // Nor does braking take more than the speed, and what it fell by at last counts if it is more.
+    let at =
+        |speeds: &str| record_of(&recorder("").replace("\n-1,60,,\n-0.5,54", speeds), None).0["recorder"]["speed_at_impact"]["sd"].clone();
+    close(&at("\n-1.5,12,,\n-0.5,6"), sd(6.0 * kmh / 1.959_963_984_540_054), 1e-9);
+    close(&at("\n-1.0,66,,\n-0.5,54"), (12.0 * kmh).hypot(12.0 * kmh / 12_f64.sqrt()), 1e-9);
     // It stands still, and 0 has no sign.
     let (still, _) = record_of(&recorder("0,-0,,\n").replace("\n0,,0,0", ""), None);
     assert_eq!(still["recorder"]["speed_at_impact"]["value"].to_string(), "0.0");
     // What it fell by earlier does not matter.
     let (earlier, _) = record_of(&recorder("").replace("\n-1,60", "\n-2,80,,\n-1,60"), None);
-    close(&earlier["recorder"]["speed_at_impact"]["sd"], step.hypot(step / 12_f64.sqrt()), 1e-9);
+    close(&earlier["recorder"]["speed_at_impact"]["sd"], sd(0.5 * braking), 1e-9);
     // At the time zero nothing is added, and a given resolution and a relative error are.
     let (record, run) = record_of(&recorder("0,50,,\n").replace("\n0,,0,0", ""), Some("resolution = \"2 km/h\"\nrelative = 0.1\n"));
     let with = |value: f64| (2.0 * kmh / 12_f64.sqrt()).hypot(0.1 * value * kmh);
@@ -277,6 +284,13 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
     let refused = two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\" }");
     assert!(refused.status == 2 && refused.err.contains("delta_v_forward is a lower bound") && refused.err.contains("use = [\"speed\"]"));
     assert!(two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\"] }").err.is_empty());
+    let alone =
+        two_cars("time [s],delta_v_forward [km/h]\n0,0\n0.02,-5\n0.04,-15\n0.06,-30\n", "vehicle.2.recorder = { file = \"edr.csv\" }");
+    assert!(
+        alone.err.contains("is a lower bound") && alone.err.contains("leave the recorder out, whose velocity change is all"),
+        "{}",
+        alone.err
+    );
     let twice = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"pdof\", \"delta_v_left\"] }");
     assert!(twice.err.contains("the record would count twice"), "{}", twice.err);
     // One recorder of two vehicles, by the name of its file in two ways, or in the case itself.
