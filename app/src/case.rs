@@ -348,7 +348,8 @@ impl Case {
         match (refusal, self.inputs.contact.impulse_ratio) {
             (Refusal::BeyondCritical { .. }, ImpulseRatio::OfCritical(share)) => {
                 let message = format!("it is {share} of the critical ratio; it must be from 0 to 1");
-                Issue { message: message.into(), help: None, path: format!("{ratio}.of_critical"), ..issue }
+                let issue = Issue { message: message.into(), path: format!("{ratio}.of_critical"), ..issue };
+                issue.with_help("1 is the critical ratio itself; more, or the other sign, would speed the sliding up")
             }
             (Refusal::EnergyGain { .. }, _) if all.iter().any(|other| matches!(other, Refusal::BeyondCritical { .. })) => {
                 Issue { path: ratio.to_owned(), ..issue }.with_help("a ratio beyond the critical one adds energy: correct it first")

@@ -78,6 +78,7 @@ fn in_letters(name: &str) -> String {
         'Γ' => "Gamma".to_owned(),
         'Δ' => "d".to_owned(),
         'Ω' => "Omega".to_owned(),
+        'ω' => "omega".to_owned(),
         '₀'..='₉' => (u32::from(c) - u32::from('₀')).to_string(),
         _ => c.to_string(),
     };

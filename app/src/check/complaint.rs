@@ -30,6 +30,11 @@ impl Complaints {
         self.first.push(format!("{}{separator}{}", shorten(key, LONGEST_KEY), shorten(message.as_ref(), LONGEST_MESSAGE)));
     }
 
+    /// Returns `true` if there is a complaint about a key.
+    pub fn are_about(&self, key: &str) -> bool {
+        self.first.iter().any(|complaint| complaint.strip_prefix(key).is_some_and(|rest| rest.starts_with(": ")))
+    }
+
     /// Returns the value, or adds a complaint and returns `None`.
     pub fn accept<T>(&mut self, key: &str, read: Result<T, impl AsRef<str>>) -> Option<T> {
         read.map_err(|message| self.push(key, message)).ok()

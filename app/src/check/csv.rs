@@ -13,6 +13,7 @@ use super::units::{kind_of, size_of};
 use crate::batch::separated_otherwise;
 use crate::quantity::{self, excerpt, nearest};
 use crate::quotes::{QuoteFault, Quotes};
+use crate::wording::ragged;
 
 /// Maximum number of columns; there are fewer valid names.
 const MOST_COLUMNS: usize = 500;
@@ -235,8 +236,7 @@ fn column(name: &str, unit: &str, of_names: &mut Complaints, of_units: &mut Comp
 
 fn read_row(columns: &[Column], row: &[&str]) -> Result<Record, Unreadable> {
     if row.len() != columns.len() {
-        let comma = if row.len() > columns.len() { "; a decimal comma?" } else { "" };
-        return Err(refused(&format!("the row has {} fields and the table {} columns{comma}", row.len(), columns.len())));
+        return Err(refused(&ragged(row.len(), columns.len())));
     }
     let mut draft = Draft::default();
     for (column, field) in columns.iter().zip(row).filter(|(_, field)| !field.is_empty()) {

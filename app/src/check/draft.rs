@@ -141,7 +141,9 @@ impl Draft {
             let [has_x, has_y] = [x, y].map(|key| self.given & (1 << key.index()) != 0);
             if has_x != has_y {
                 let missing = if has_x { y } else { x };
-                self.complaints.push(missing.name(), "missing, and the other component is there");
+                if !self.complaints.are_about(missing.name()) {
+                    self.complaints.push(missing.name(), "missing, and the other component is there");
+                }
             }
         }
     }

@@ -124,6 +124,8 @@ impl Channel {
         let mut slack = 2.0 * self.record.resolution().unwrap_or(0.0);
         let (unloaded, late, left) = match self.quantity {
             ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
+            // Two readings show no end of the change, whatever their step.
+            quantity if quantity.is_running() && values.len() < 3 => return (first != last).then_some(Cut::End),
             quantity if quantity.is_running() => {
                 let begun = values.iter().position(|value| (value - first).abs() > slack).unwrap_or(values.len()) - 1;
                 let end = times[times.len() - 1];

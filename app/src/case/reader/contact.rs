@@ -131,8 +131,10 @@ impl CaseReader {
             Some(Value::Number(_) | Value::Table(_)) => self.ratio(field),
             Some(Value::String(text)) if text == "critical" => Some(ImpulseRatio::Critical),
             Some(Value::String(text)) if has_deviation(text) => self.ratio(field),
-            Some(_) => {
-                field.report("expected \"critical\", a number, or { of_critical = 0.975 }", None);
+            Some(other) => {
+                let word = if let Value::String(text) = other { nearest(text, ["critical"].into_iter()) } else { None };
+                let help = word.map(|word| format!("did you mean \"{word}\"?"));
+                field.report("expected \"critical\", a number, or { of_critical = 0.975 }", help);
                 None
             }
         }

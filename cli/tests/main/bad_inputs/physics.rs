@@ -5,7 +5,8 @@ use super::{Bad, COLLISION, WALL, check, wrong};
 const CLOSE: &[&str] = &["contact: vehicles are not approaching each other"];
 const SEPARATE: &[&str] = &["contact: vehicles are separating"];
 const BEYOND: &[&str] = &["contact.impulse_ratio", "beyond the critical one", "must be from 0 to"];
-const OF_CRITICAL: &[&str] = &["contact.impulse_ratio.of_critical", "of the critical ratio; it must be from 0 to 1"];
+const OF_CRITICAL: &[&str] =
+    &["contact.impulse_ratio.of_critical", "of the critical ratio; it must be from 0 to 1", "1 is the critical ratio itself"];
 const GAIN: &[&str] = &["would gain energy"];
 
 /// Creates a mistake that the mechanics refuses in the file of two vehicles; the line is that of `[contact]` or of the ratio.

@@ -29,7 +29,12 @@ pub const BAD: &[Bad] = &[
     wrong("contact an array", &[("[contact]", "[[contact]]")], 21, &["contact: expected a table"]),
     wrong("restitution a word", &[("= 0.1", "= \"critical\"")], 23, &["contact.restitution"]),
     wrong("restitution a boolean", &[("= 0.1", "= true")], 23, &["contact.restitution", "found a boolean"]),
-    wrong("impulse ratio another word", &[("= 0.1", "= 0.1\nimpulse_ratio = \"critcal\"")], 24, &["contact.impulse_ratio", "\"critical\""]),
+    wrong(
+        "impulse ratio another word",
+        &[("= 0.1", "= 0.1\nimpulse_ratio = \"Critical\"")],
+        24,
+        &["contact.impulse_ratio", "did you mean \"critical\"?"],
+    ),
     wrong("impulse ratio an array", &[("= 0.1", "= 0.1\nimpulse_ratio = [0.3]")], 24, &["contact.impulse_ratio"]),
     wrong("impulse ratio an empty table", &[("= 0.1", "= 0.1\nimpulse_ratio = {}")], 24, &["impulse_ratio.of_critical: missing"]),
     wrong("fraction a boolean", &[("= 0.1", "= 0.1\nimpulse_ratio = { of_critical = true }")], 24, &["of_critical", "found a boolean"]),

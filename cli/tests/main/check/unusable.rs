@@ -214,8 +214,8 @@ fn lines_that_are_no_records() {
 #[test]
 fn rows_that_are_no_records() {
     for (row, words) in [
-        ("b,1000", "2 fields and the table 3 columns"),
-        ("b,1000,0,1", "4 fields and the table 3 columns"),
+        ("b,1000", "the row has 2 cells, and the table has 3 columns"),
+        ("b,1000,0,1", "the row has 4 cells, and the table has 3 columns"),
         ("b,1,5,0", "a decimal comma?"),
         ("b,\"1,5\",0", "write 1.5"),
         ("b,\"1,500\",0", "write 1500 or 1.500"),
@@ -232,6 +232,9 @@ fn rows_that_are_no_records() {
         malformed(&format!("id,b1.mass,b1.before.yaw_rate\n,kg,deg/s\na,1000,0\n{row}\nc, 1000 , 0\n"), 4, &[words]);
     }
     malformed("id,b1.cgx,b1.cgy\n,m,m\na,1,1\nb,1,\n", 4, &["b1.cgy: missing, and the other component is there"]);
+    // One that cannot be read is not missing.
+    let unread = check_file("a.csv", "id,b1.cgx,b1.cgy\n,m,m\nb,1,\u{2212}1\n".as_bytes(), &["--format", "json"]).out;
+    assert!(unread.contains("b1.cgy: ") && !unread.contains("missing, and the other component"), "{unread}");
     malformed("id,b1.fixed,b1.mass\n,,kg\na,true,\nb,yes,\n", 4, &["b1.fixed: expected true or false, found `yes`"]);
     let run = check_file("a.csv", b"# planar-impact-record/1\rid,b1.mass\r,kg\ra,1000\r", &[]);
     assert!(run.status == 2 && run.err.contains("line 1: a carriage return stands within the line"), "{}", run.err);

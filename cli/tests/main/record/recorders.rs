@@ -22,6 +22,11 @@ fn a_recorder_is_whole_with_zeros_before_the_impact() {
         assert!(record["channels"].as_array().is_some_and(|all| all.iter().all(|one| one["is_truncated"] == false)), "{}", run.out);
         assert_eq!(of(before, 8).1.status, 1, "it ends while the velocity changes");
     }
+    // Of two readings nothing tells that the change is over, unless there is none.
+    for (end, is_truncated) in [("-30", true), ("0", false)] {
+        let (record, _) = record_of(&format!("time [s],delta_v_forward [km/h]\n0,0\n0.1,{end}\n"), None);
+        assert_eq!(record["channels"][0]["is_truncated"], is_truncated, "{end}");
+    }
 }
 
 #[test]
