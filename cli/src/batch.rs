@@ -98,7 +98,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
         if let Some(first) = refused.first().filter(|_| call.fail_fast) {
             return Err(refused_at(name(first.row), first));
         }
-        progress.warn(unusual, &name);
+        progress.warn(unusual, name);
         progress.add(rows, &refused, position, name);
         sink.write(encoded).map_err(Failure::Output)
     };

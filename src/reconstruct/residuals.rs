@@ -138,11 +138,11 @@ impl<'a> Model<'a> {
     }
 }
 
-/// Returns the tolerance of softened evidence.
+/// Returns the tolerance of softened evidence. Of an angle it does not depend on its value, which the axes of the ground choose.
 fn softest(evidence: &Evidence) -> f64 {
     /// As a share of the size.
     const SOFT: f64 = 1e-3;
-    SOFT * evidence.size()
+    SOFT * if evidence.of.period().is_some() { evidence.of.least_size() } else { evidence.size() }
 }
 
 /// Returns the second derivatives of a sum of values that are computed from the unknowns, each times a factor.
@@ -176,5 +176,21 @@ impl Residuals for Model<'_> {
     fn residual_hessian(&self, unknowns: &[f64]) -> Option<DMatrix<f64>> {
         let residuals = DVector::from_vec(self.residuals_at(unknowns)?);
         Some(-self.curvature(unknowns, &self.weights.inverse_times(&residuals)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Output, Side};
+
+    #[test]
+    fn the_tolerance_of_an_angle_is_the_same_in_any_axes() {
+        let softest = |of: Measurand, value: f64| softest(&Evidence { of, value, uncertainty: crate::reconstruct::Uncertainty::Exact });
+        for value in [0.0, 0.4, -1.5, 3.1] {
+            assert_eq!(softest(Measurand::SeparationDirection(Side::One), value), 1e-3);
+            assert_eq!(softest(Measurand::Output(Output::PrincipalDirectionOfForce(Side::Two)), value), 1e-3);
+        }
+        assert_eq!(softest(Measurand::Output(Output::DeltaVMagnitude(Side::One)), 8.0), 8e-3);
     }
 }

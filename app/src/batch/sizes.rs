@@ -3,7 +3,7 @@
 use planar_impact::ImpulseRatio;
 
 use super::row::RowVehicle;
-use crate::case::ContactInputs;
+use crate::case::{ContactInputs, Velocity};
 use crate::notice::Notice;
 use crate::unusual;
 
@@ -40,12 +40,16 @@ pub(super) fn of_row(vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs
 }
 
 fn of_vehicle(vehicle: &RowVehicle, path: &str) -> [Option<Notice>; 5] {
-    let RowVehicle { mass, inertia, heading, velocity, yaw_rate, impact_center } = vehicle;
+    let RowVehicle { mass, inertia, velocity, yaw_rate, impact_center, .. } = vehicle;
+    let speed = match velocity {
+        Velocity::Speed(speed) => *speed,
+        Velocity::Components(velocity) => velocity.length(),
+    };
     [
         unusual::mass(path, *mass),
         unusual::radius_of_gyration(path, (inertia.of(*mass) / mass).sqrt()),
         unusual::arm(path, impact_center.length()),
-        unusual::speed(path, velocity.on_ground(*heading).length()),
+        unusual::speed(path, speed),
         unusual::yaw_rate(path, *yaw_rate),
     ]
 }

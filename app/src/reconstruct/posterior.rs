@@ -236,7 +236,7 @@ impl Draws {
         }
         if !softened.is_empty() {
             let message = format!(
-                "the posterior takes exact evidence to a thousandth of its size ({}); give it a standard deviation",
+                "the posterior takes exact evidence to a thousandth of its size, and angles to 0.06 deg ({}); give it a standard deviation",
                 softened.join(", ")
             );
             notices.push(Notice::note("exact-evidence-softened", "evidence", message));

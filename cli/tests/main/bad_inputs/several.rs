@@ -100,7 +100,8 @@ fn of_unknowns_and_of_what_is_missing_beside_them() {
     ] {
         let mut found = errors_of(&of(given));
         let mut wanted: Vec<&str> = keys.to_vec();
-        (found.sort(), wanted.sort());
+        found.sort();
+        wanted.sort();
         assert_eq!(found, wanted, "{given}");
     }
 }

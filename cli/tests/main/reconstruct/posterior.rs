@@ -108,7 +108,11 @@ fn what_is_worth_a_word_is_said() {
     assert!(modes["warnings"].to_string().contains("2 solutions together") || modes["notes"].to_string().contains("2 solutions together"));
     let exact = replaced(&two_cars(), &[("crush_energy = { value = \"from crush\", relative = 0.1 }", "crush_energy = \"from crush\"")]);
     let exact = document(&exact, &["--posterior"]);
-    assert!(exact["notes"].to_string().contains("to a thousandth of its size (crush_energy)"), "{}", exact["notes"]);
+    assert!(
+        exact["notes"].to_string().contains("to a thousandth of its size, and angles to 0.06 deg (crush_energy)"),
+        "{}",
+        exact["notes"]
+    );
     let plain = document(&two_cars(), &["--posterior"]);
     for text in ["solutions together", "a thousandth", "converged"] {
         assert!(!plain["notes"].to_string().contains(text), "{text}");
