@@ -278,8 +278,7 @@ impl Case {
     /// Warnings about motions before the impact that no road vehicle has.
     pub fn unusual_motions(&self) -> impl Iterator<Item = Notice> {
         self.vehicles().flat_map(|(path, vehicle)| {
-            let motion = vehicle.motion;
-            let unusual = [unusual::speed(&path, motion.velocity.length()), unusual::yaw_rate(&path, motion.yaw_rate)];
+            let unusual = unusual::motion(&path, vehicle.motion.velocity.length(), vehicle.motion.yaw_rate);
             let or_limit = |notice: Notice| Notice { message: notice.message.text(", or limit it if it is unknown"), ..notice };
             unusual.into_iter().flatten().map(or_limit)
         })
@@ -297,13 +296,10 @@ impl Case {
         const NEARLY_WEDGED: f64 = 1e-5;
         let mut warnings = Vec::new();
         for (path, vehicle) in self.vehicles() {
-            warnings.extend(unusual::mass(&path, vehicle.mass));
-            warnings.extend(unusual::radius_of_gyration(&path, vehicle.radius_of_gyration()));
-            warnings.extend(unusual::arm(&path, vehicle.impact_center.length()));
+            let unusual = unusual::vehicle(&path, vehicle.mass, vehicle.radius_of_gyration(), vehicle.impact_center.length());
+            warnings.extend(unusual.into_iter().flatten());
         }
-        if let ImpulseRatio::LimitedByFriction(friction) = self.collision.impulse_ratio {
-            warnings.extend(unusual::friction("contact.friction", friction));
-        }
+        warnings.extend(unusual::friction(&self.collision.impulse_ratio));
         if let Some(admissible) = self.collision.admissible()
             && self.collision.restitution > admissible.restitution_for_any_approach
         {

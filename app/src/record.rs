@@ -230,14 +230,10 @@ impl Answer<Records> {
     pub fn is_whole(&self) -> bool {
         let is_lawful = !self.notices.0.iter().any(|notice| notice.code == "implausible-restitution");
         let sensors_hold = |record: &RecordAnswer| record.recorder.as_ref().is_none_or(|recorder| recorder.clipped_sensors.is_empty());
+        let records = &self.facts.records;
         is_lawful
-            && self.facts.records.iter().all(sensors_hold)
-            && self
-                .facts
-                .records
-                .iter()
-                .flat_map(|record| &record.channels)
-                .all(|channel| channel.clipped.is_none() && !channel.is_truncated)
+            && records.iter().all(sensors_hold)
+            && records.iter().flat_map(|record| &record.channels).all(|channel| channel.clipped.is_none() && !channel.is_truncated)
     }
 }
 

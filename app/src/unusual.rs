@@ -2,13 +2,14 @@
 
 use std::ops::RangeInclusive;
 
+use planar_impact::ImpulseRatio;
 use planar_impact::post_impact::MOST_FRICTION;
 
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
 
-/// The mass of a motorcycle, in kg. There is no greatest one, because a heavy vehicle may stand for a barrier.
+/// The mass of a motorcycle, in kg. It has no upper limit, because a heavy vehicle may represent a barrier.
 const MASS: f64 = 100.0;
 /// Cars to trucks have 0.9 to 2.5 m.
 const RADIUS_OF_GYRATION: RangeInclusive<f64> = 0.5..=5.0;
@@ -43,18 +44,27 @@ fn warning(code: &'static str, path: &str, message: Message) -> Notice {
     Notice::warning(code, path, Message::from(format!("{path}: ")).join(message))
 }
 
+/// Of the mass, the radius of gyration and the distance of the impact center of a vehicle.
+pub(crate) fn vehicle(path: &str, mass: f64, radius: f64, arm: f64) -> [Option<Notice>; 3] {
+    [self::mass(path, mass), radius_of_gyration(path, radius), self::arm(path, arm)]
+}
+
+/// Of the speed and the yaw rate of a vehicle.
+pub(crate) fn motion(path: &str, speed: f64, yaw_rate: f64) -> [Option<Notice>; 2] {
+    [self::speed(path, speed), self::yaw_rate(path, yaw_rate)]
+}
+
 pub(crate) fn mass(path: &str, mass: f64) -> Option<Notice> {
     (mass < MASS).then(|| none_has("unusual-mass", path, "a mass", Measure::Mass, mass))
 }
 
-pub(crate) fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
+fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {
     let message =
         || Message::from("a radius of gyration of ").figure(Measure::Length, radius).text(" is unusual; check mass and yaw inertia");
     (!RADIUS_OF_GYRATION.contains(&radius)).then(|| warning("unusual-radius-of-gyration", path, message()))
 }
 
-/// Of the distance of an impact center from the center of mass.
-pub(crate) fn arm(path: &str, arm: f64) -> Option<Notice> {
+fn arm(path: &str, arm: f64) -> Option<Notice> {
     (arm > ARM).then(|| none_has("unusual-impact-center", path, "an impact center at a distance", Measure::Length, arm))
 }
 
@@ -74,7 +84,7 @@ pub(crate) fn speed(path: &str, speed: f64) -> Option<Notice> {
     (speed.abs() > SPEED).then(|| none_has("unusual-speed", path, "a speed", Measure::Speed, speed.abs()))
 }
 
-pub(crate) fn yaw_rate(path: &str, rate: f64) -> Option<Notice> {
+fn yaw_rate(path: &str, rate: f64) -> Option<Notice> {
     (rate.abs() > YAW_RATE).then(|| none_has("unusual-yaw-rate", path, "a yaw rate", Measure::YawRate, rate.abs()))
 }
 
@@ -83,14 +93,15 @@ fn none_has(code: &'static str, path: &str, what: &str, measure: Measure, size: 
     warning(code, path, message)
 }
 
-/// Of the friction between two vehicles.
-pub(crate) fn friction(path: &str, friction: f64) -> Option<Notice> {
+/// Of the friction between two vehicles, if the impulse ratio has one.
+pub(crate) fn friction(ratio: &ImpulseRatio) -> Option<Notice> {
+    let ImpulseRatio::LimitedByFriction(friction) = *ratio else { return None };
     let message = || {
         Message::from("a friction of ")
             .figure(Measure::Ratio, friction)
             .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign")
     };
-    (friction > MOST_FRICTION).then(|| Notice::warning("unusual-friction", path, message()))
+    (friction > MOST_FRICTION).then(|| Notice::warning("unusual-friction", "contact.friction", message()))
 }
 
 /// Of the greatest depth of a crush.

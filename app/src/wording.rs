@@ -81,11 +81,15 @@ pub fn too_small(freedom: usize) -> Option<String> {
     (factor >= MATTERS).then(|| format!("{factor:.1} times too small"))
 }
 
+/// Returns a number of things in words.
+pub fn count_of(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Returns the message of a row of a table that has more cells or fewer than there are columns.
 pub fn ragged(cells: usize, columns: usize) -> String {
-    let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let comma = if cells > columns { "; a decimal comma?" } else { "" };
-    format!("the row has {}, and the table has {}{comma}", counted(cells, "cell"), counted(columns, "column"))
+    format!("the row has {}, and the table has {}{comma}", count_of(cells, "cell"), count_of(columns, "column"))
 }
 
 /// Returns a hint for a coefficient far above 1: a percentage may be meant.

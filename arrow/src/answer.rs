@@ -4,17 +4,17 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, StringArray};
 use arrow_buffer::NullBuffer;
-use planar_impact_app::batch::{Answer, Refused};
+use planar_impact_app::batch::{Answer, Refused, Unusual};
 
-/// Returns the columns of an answer in the order of their names, and its refusals.
-pub fn arrays(answer: Answer, rows: usize) -> (Vec<ArrayRef>, Vec<Refused>) {
-    let Answer { outputs, derivatives, check, refused, .. } = answer;
+/// Returns the columns of an answer in the order of their names, its refusals and its unusual sizes.
+pub fn arrays(answer: Answer, rows: usize) -> (Vec<ArrayRef>, Vec<Refused>, Vec<Unusual>) {
+    let Answer { outputs, derivatives, check, refused, unusual } = answer;
     let mut codes: Vec<Option<&str>> = vec![None; rows];
     refused.iter().for_each(|refused| codes[refused.row] = Some(&refused.codes));
     let codes = Arc::new(StringArray::from(codes));
     let numbers = outputs.into_iter().chain(derivatives).map(nullable);
     let check = check.map(|check| Arc::new(StringArray::from(check)) as ArrayRef);
-    (numbers.chain(check).chain([codes as ArrayRef]).collect(), refused)
+    (numbers.chain(check).chain([codes as ArrayRef]).collect(), refused, unusual)
 }
 
 /// A number that is not there is NaN in an answer.

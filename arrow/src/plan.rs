@@ -97,13 +97,12 @@ impl Plan {
         let columns = self.plan.inputs().iter().map(|column| cells::read(column, batch.column(column.place)));
         let columns: Vec<_> = columns.collect::<Result<_, _>>()?;
         let table = Table { rows: batch.num_rows(), columns, unreadable };
-        let mut answer = self.plan.solve(&table);
-        let unusual = std::mem::take(&mut answer.unusual);
+        let answer = self.plan.solve(&table);
         let mut arrays: Vec<ArrayRef> = batch.columns().to_vec();
         for column in self.plan.inputs().iter().filter(|column| self.becomes_number(column)) {
             arrays[column.place] = cells::numbers(&arrays[column.place])?;
         }
-        let (added, refused) = answer::arrays(answer, batch.num_rows());
+        let (added, refused, unusual) = answer::arrays(answer, batch.num_rows());
         arrays.extend(added);
         Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused, unusual })
     }

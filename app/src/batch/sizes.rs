@@ -1,7 +1,5 @@
 //! Rows with sizes that no road vehicle has.
 
-use planar_impact::ImpulseRatio;
-
 use super::row::RowVehicle;
 use crate::case::{ContactInputs, Velocity};
 use crate::notice::Notice;
@@ -19,10 +17,14 @@ pub struct Unusual {
 }
 
 impl Unusual {
+    /// Returns `true` if both are about the same size of the same vehicle or contact.
+    pub fn is_alike(&self, other: &Unusual) -> bool {
+        (self.warning.code, &self.warning.path) == (other.warning.code, &other.warning.path)
+    }
+
     /// Adds later rows to a list that has each size once.
     pub fn add(self, to: &mut Vec<Unusual>) {
-        let is_same = |known: &&mut Unusual| (known.warning.code, &known.warning.path) == (self.warning.code, &self.warning.path);
-        match to.iter_mut().find(is_same) {
+        match to.iter_mut().find(|known| known.is_alike(&self)) {
             Some(known) => known.rows += self.rows,
             None => to.push(self),
         }
@@ -32,24 +34,16 @@ impl Unusual {
 /// Returns the warnings about the sizes of a row.
 pub(super) fn of_row(vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs) -> impl Iterator<Item = Notice> {
     let of_vehicles = vehicles.iter().zip(["vehicle.1", "vehicle.2"]).filter_map(|(vehicle, path)| Some((vehicle.as_ref()?, path)));
-    let friction = match contact.impulse_ratio {
-        ImpulseRatio::LimitedByFriction(friction) => unusual::friction("contact.friction", friction),
-        _ => None,
-    };
-    of_vehicles.flat_map(|(vehicle, path)| of_vehicle(vehicle, path).into_iter().flatten()).chain(friction)
+    of_vehicles.flat_map(|(vehicle, path)| of_vehicle(vehicle, path)).chain(unusual::friction(&contact.impulse_ratio))
 }
 
-fn of_vehicle(vehicle: &RowVehicle, path: &str) -> [Option<Notice>; 5] {
+fn of_vehicle(vehicle: &RowVehicle, path: &str) -> impl Iterator<Item = Notice> + use<> {
     let RowVehicle { mass, inertia, velocity, yaw_rate, impact_center, .. } = vehicle;
     let speed = match velocity {
         Velocity::Speed(speed) => *speed,
         Velocity::Components(velocity) => velocity.length(),
     };
-    [
-        unusual::mass(path, *mass),
-        unusual::radius_of_gyration(path, (inertia.of(*mass) / mass).sqrt()),
-        unusual::arm(path, impact_center.length()),
-        unusual::speed(path, speed),
-        unusual::yaw_rate(path, *yaw_rate),
-    ]
+    let radius = (inertia.of(*mass) / mass).sqrt();
+    let sizes = unusual::vehicle(path, *mass, radius, impact_center.length());
+    sizes.into_iter().chain(unusual::motion(path, speed, *yaw_rate)).flatten()
 }

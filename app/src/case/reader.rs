@@ -46,7 +46,7 @@ use crate::quantity::{Kind, Quantity};
 use crate::source::{Open, SharedOpen};
 use crate::units::Units;
 use crate::unusual;
-use crate::wording::{barrier_instead, percent_meant};
+use crate::wording::{barrier_instead, count_of, percent_meant};
 
 /// Contents of a case file.
 pub(super) struct Read {
@@ -330,9 +330,8 @@ impl CaseReader {
         let place = root.optional("vehicle");
         let tables = field.array_of_tables()?;
         if tables.len() != 2 {
-            let plural = if tables.len() == 1 { "" } else { "s" };
             place.report(
-                format!("expected exactly two vehicles; found {} table{plural}", tables.len()),
+                format!("expected exactly two vehicles; found {}", count_of(tables.len(), "table")),
                 Some("a fixed barrier is a [[vehicle]] with `barrier = true`".to_owned()),
             );
         }

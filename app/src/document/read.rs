@@ -9,6 +9,7 @@ use super::tree::{Entry, Node, Value};
 use crate::issue::{Issue, MOST_KEPT};
 use crate::message::Message;
 use crate::quantity::{self, Kind, Quantity, excerpt, nearest};
+use crate::wording::count_of;
 
 /// The text being walked and the issues found in it.
 pub(super) struct Context<'a> {
@@ -262,8 +263,7 @@ impl<'a> Field<'a> {
             return self.mismatch(node, wanted, None);
         };
         if !count.contains(&items.len()) {
-            let plural = if items.len() == 1 { "" } else { "s" };
-            self.report_as("wrong-count", format!("expected {wanted}; found {} value{plural}", items.len()), None);
+            self.report_as("wrong-count", format!("expected {wanted}; found {}", count_of(items.len(), "value")), None);
             return None;
         }
         Some(self.fields(items).collect())

@@ -312,13 +312,13 @@ fn after_impact(rows: &mut Vec<PreCrash>) -> usize {
     count - rows.len()
 }
 
-/// The quantile of the normal distribution at 0.975.
-const NORMAL: f64 = 1.959_963_984_540_054;
-
 /// Returns the rounding of the times of rows.
 fn slack_of(rows: &[PreCrash]) -> f64 {
     rows.first().zip(rows.last()).map_or(0.0, |(first, last)| ROUNDING * (last.time - first.time))
 }
+
+/// The quantile of the normal distribution at 0.975.
+const NORMAL: f64 = 1.959_963_984_540_054;
 
 /// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.
 const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;

@@ -25,34 +25,22 @@ pub struct Progress {
     rows: u64,
     refused: u64,
     codes: BTreeMap<String, u64>,
-    /// The sizes that no road vehicle has.
-    unusual: Vec<Unusual>,
-    /// The name of the first row of each.
-    first: Vec<String>,
+    /// The sizes that no road vehicle has, each with the name of its first row.
+    unusual: Vec<(String, Unusual)>,
 }
 
 impl Progress {
     /// Starts for `bytes` bytes.
     pub fn new(bytes: u64) -> Progress {
-        Progress {
-            started: Instant::now(),
-            bytes,
-            bar: None,
-            rows: 0,
-            refused: 0,
-            codes: BTreeMap::new(),
-            unusual: Vec::new(),
-            first: Vec::new(),
-        }
+        Progress { started: Instant::now(), bytes, bar: None, rows: 0, refused: 0, codes: BTreeMap::new(), unusual: Vec::new() }
     }
 
     /// Keeps sizes that no road vehicle has, with the names of the first rows.
     pub fn warn(&mut self, sizes: Vec<Unusual>, name: impl Fn(usize) -> String) {
         for size in sizes {
-            let first = size.first;
-            size.add(&mut self.unusual);
-            if self.unusual.len() > self.first.len() {
-                self.first.push(name(first));
+            match self.unusual.iter_mut().find(|(_, known)| known.is_alike(&size)) {
+                Some((_, known)) => known.rows += size.rows,
+                None => self.unusual.push((name(size.first), size)),
             }
         }
     }
@@ -91,7 +79,7 @@ impl Progress {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
-        for (Unusual { rows, warning, .. }, first) in self.unusual.iter().zip(&self.first) {
+        for (first, Unusual { rows, warning, .. }) in &self.unusual {
             let others = if *rows > 1 { format!(", and {} more", rows - 1) } else { String::new() };
             self.say(&format!("{}: {} ({first}{others})", warning.severity, Units::Si.sentence(&warning.message)));
         }

@@ -1,10 +1,11 @@
 //! The keys of `[evidence]`.
 
+use planar_impact::Side;
 use planar_impact::reconstruct::{Measurand, Uncertainty, Variable};
-use planar_impact::{Input, Side};
 
 use super::CaseReader;
 use super::measured::{Amount, DISTRIBUTION_KEYS, Measured, is_folder};
+use super::recorder::RecordingOf;
 use crate::case::knowledge::{Known, names_of_evidence};
 use crate::case::parameter::number;
 use crate::case::vehicle::VehicleInputs;
@@ -60,8 +61,8 @@ impl CaseReader {
     }
 
     fn piece<'a>(&self, name: &str, field: Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<()> {
-        if let Some(read) = self.recorded(name, &field, found) {
-            return read;
+        if let Some(of) = RecordingOf::named(name) {
+            return self.recorded(of, &field, found);
         }
         if let Some(of) = named(name) {
             let place = field.clone();
@@ -144,22 +145,20 @@ fn named(name: &str) -> Option<Measurand> {
 
 /// Returns `true` if a table of this name has pieces of evidence rather than the number of one.
 fn is_of_several(name: &str) -> bool {
-    named(name).is_none() && !["vehicle.1.recorder", "vehicle.2.recorder", "contact.record"].contains(&name)
+    named(name).is_none() && RecordingOf::named(name).is_none()
 }
 
 /// Returns the variables that evidence of this name gives, or of the name that it is likely to be misspelled from.
 fn meant(name: &str) -> Option<Vec<Variable>> {
     let variables =
         |all: &[Measurand]| all.iter().filter_map(|of| if let Measurand::Variable(of) = of { Some(*of) } else { None }).collect();
-    match name {
-        "vehicle.1.recorder" => Some(vec![Variable::Speed(Side::One)]),
-        "vehicle.2.recorder" => Some(vec![Variable::Speed(Side::Two)]),
-        "contact.record" => Some(vec![Variable::Input(Input::Restitution)]),
-        _ => match (named(name), halves(name)) {
-            (Some(of), _) => Some(variables(&[of])),
-            (None, Some(halves)) => Some(variables(&halves)),
-            (None, None) => nearest_name(name).and_then(|name| meant(&name)),
-        },
+    if let Some(recording) = RecordingOf::named(name) {
+        return Some(vec![recording.variable()]);
+    }
+    match (named(name), halves(name)) {
+        (Some(of), _) => Some(variables(&[of])),
+        (None, Some(halves)) => Some(variables(&halves)),
+        (None, None) => nearest_name(name).and_then(|name| meant(&name)),
     }
 }
 

@@ -32,14 +32,39 @@ pub(crate) struct Recorded {
     pub(crate) file: String,
 }
 
-impl CaseReader {
-    /// Reads the pieces of evidence of a recording, if `name` is that of one; `None` for another name.
-    pub(super) fn recorded<'a>(&self, name: &str, field: &Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<Option<()>> {
+/// A recording that is evidence.
+#[derive(Clone, Copy)]
+pub(super) enum RecordingOf {
+    Vehicle(Side),
+    Contact,
+}
+
+impl RecordingOf {
+    /// Returns the recording with this name in `[evidence]`.
+    pub(super) fn named(name: &str) -> Option<Self> {
         match name {
-            "vehicle.1.recorder" => Some(self.recorder(field, Side::One, found)),
-            "vehicle.2.recorder" => Some(self.recorder(field, Side::Two, found)),
-            "contact.record" => Some(self.barrier_record(field, found)),
+            "vehicle.1.recorder" => Some(RecordingOf::Vehicle(Side::One)),
+            "vehicle.2.recorder" => Some(RecordingOf::Vehicle(Side::Two)),
+            "contact.record" => Some(RecordingOf::Contact),
             _ => None,
+        }
+    }
+
+    /// Returns the input that it measures.
+    pub(super) fn variable(self) -> Variable {
+        match self {
+            RecordingOf::Vehicle(side) => Variable::Speed(side),
+            RecordingOf::Contact => Variable::Input(Input::Restitution),
+        }
+    }
+}
+
+impl CaseReader {
+    /// Reads the pieces of evidence of a recording.
+    pub(super) fn recorded<'a>(&self, of: RecordingOf, field: &Field<'a>, found: &mut Vec<Piece<'a>>) -> Option<()> {
+        match of {
+            RecordingOf::Vehicle(side) => self.recorder(field, side, found),
+            RecordingOf::Contact => self.barrier_record(field, found),
         }
     }
 

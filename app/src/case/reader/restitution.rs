@@ -9,6 +9,7 @@ use crate::case::restitution::{CurvePoint, Restitution, RestitutionCurve};
 use crate::case::uncertain::UncertainInput;
 use crate::document::{Entry, Field, Table, Value};
 use crate::quantity::Kind;
+use crate::wording::count_of;
 
 /// Maximum number of points of a curve.
 const MOST_POINTS: usize = 1000;
@@ -47,8 +48,7 @@ impl CaseReader {
             let is_same = count.is_none_or(|count| count == values.len());
             if let (false, Some(count)) = (is_same, count) {
                 let help = "give one for each closing speed".to_owned();
-                let plural = if values.len() == 1 { "" } else { "s" };
-                table.required(key).report(format!("it has {} value{plural} for {count} closing speeds", values.len()), Some(help));
+                table.required(key).report(format!("it has {} for {count} closing speeds", count_of(values.len(), "value")), Some(help));
             }
             is_same
         };
