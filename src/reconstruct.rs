@@ -47,6 +47,7 @@ mod density;
 mod determined;
 pub mod diagnosis;
 mod ensemble;
+mod fold;
 mod given;
 mod guaranteed;
 mod interval;

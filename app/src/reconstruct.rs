@@ -37,7 +37,7 @@ use crate::uncertainty::wrong_bounds_sd;
 use crate::units::Measure;
 use from_rest::Separations;
 use posterior::Drawn;
-use question::{Question, values_of};
+use question::{Question, name_in, values_of};
 use solved::{Height, Solved};
 use statement::Statement;
 
@@ -169,7 +169,7 @@ fn by_separations(
             notices.0.extend(solved.warnings(&impact));
         }
     }
-    notices.0.extend(at_a_corner(&question, answer.best()));
+    notices.0.extend(without_slope(&question, answer.best()));
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }
@@ -239,13 +239,19 @@ fn solved(case: &Case, solution: &Solution) -> (Case, Impact) {
 }
 
 /// Says why a best fit has no standard deviations that lies on no bound and no limit of the physics.
-fn at_a_corner(question: &Question, best: &Solution) -> Option<Notice> {
+fn without_slope(question: &Question, best: &Solution) -> Option<Notice> {
     let is_uncertain = question.asked.evidence.iter().any(|piece| piece.uncertainty.standard_deviation().is_some());
     let lacks_sd = best.unknowns.iter().any(|estimate| estimate.is_determined && estimate.at.is_none() && estimate.sd.is_none());
-    (is_uncertain && lacks_sd && best.limits.is_empty()).then(|| {
-        let message = "the best fit lies where friction begins to hold, a corner without a slope: standard deviations are left out, and the intervals hold";
-        Notice::note("no-slope", "contact.friction", message)
-    })
+    if !(is_uncertain && lacks_sd && best.limits.is_empty()) {
+        return None;
+    }
+    let folded: Vec<String> = best.at_fold.iter().map(|of| name_in(*of, &question.case)).collect();
+    let (path, place) = match &folded[..] {
+        [] => ("contact.friction", "where friction begins to hold, a corner without a slope".to_owned()),
+        [first, ..] => (&first[..], format!("where the evidence has an extremum along {}, without a slope", folded.join(" and "))),
+    };
+    let message = format!("the best fit lies {place}: standard deviations are left out, and the intervals hold");
+    Some(Notice::note("no-slope", path, message))
 }
 
 /// Returns the speeds that momentum alone gives, if the evidence has the velocities after the impact and both speeds are unknown.

@@ -69,18 +69,6 @@ pub fn degrees_of_freedom(count: usize) -> String {
     if count == 1 { "1 degree of freedom".to_owned() } else { format!("{count} degrees of freedom") }
 }
 
-/// Returns by how much a standard deviation with so few degrees of freedom may be too small, if that matters: what is measured has Student's distribution, whose
-/// variance is ν/(ν − 2) times that of the samples.
-pub fn too_small(freedom: usize) -> Option<String> {
-    /// Factor of the standard deviation that matters.
-    const MATTERS: f64 = 1.1;
-    if freedom <= 2 {
-        return Some("many times too small".to_owned());
-    }
-    let factor = (freedom as f64 / (freedom as f64 - 2.0)).sqrt();
-    (factor >= MATTERS).then(|| format!("{factor:.1} times too small"))
-}
-
 /// Returns a number of things in words.
 pub fn count_of(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })

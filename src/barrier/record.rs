@@ -146,7 +146,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// The impulse is a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over the samples. Of white noise it has the variance found in the baseline times the
     /// sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window. Noise that is correlated from sample to
     /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline. They are found the less well, the fewer independent samples it
-    /// has ([`Self::independent_samples`]), so integrate the raw record; the filter does not change an impulse that begins and ends inside the record.
+    /// has ([`Self::independent_samples`]), so that the variance is widened: 1.96 of its root are 95 % of Student's distribution. Integrate the raw record; the
+    /// filter does not change an impulse that begins and ends inside the record.
     ///
     /// Between samples the channel is not known, and where its slope changes by Δs, trapezoids of a step h err by up to h²Δs/12. That is the standard deviation
     /// of each such error in the variance: of white noise some hundredths of its own, of a half-sine in ten samples 0.6 % of the impulse. What alternates from
@@ -165,13 +166,13 @@ impl<T: Ordered<Mask = bool>> Record<T> {
         for i in self.indices_in(before) {
             weights[i] = weights[i].clone() - share.clone();
         }
-        let variance = self.noise(before, &baseline).variance_of_sum(&weights) + of_sampling;
+        let variance = self.noise(before, &baseline).wide_variance_of_sum(&weights) + of_sampling;
         finite_estimate("impulse", Estimate { value: dot(&weights, &self.values), variance })
     }
 
     /// Returns how many independent samples would tell the mean over a window before the event as well: fewer than the samples in it, where noise is correlated.
     ///
-    /// Its standard deviation, and that of [`Self::impulse`], has about one degree of freedom less.
+    /// Its standard deviation, and the noise in that of [`Self::impulse`], has about one degree of freedom less.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Directions determined by the evidence, from singular values.
+//! Directions that the evidence determines, from the singular values of its slopes.
 
 use nalgebra::DMatrix;
 
@@ -11,7 +11,7 @@ const NOTHING: f64 = 1e-9;
 /// The relative size of rounding in a derivative.
 const ROUNDING: f64 = 1e-11;
 
-/// A combination of changes of the unknowns that changes no piece of evidence, to first order.
+/// A combination of changes of the unknowns that makes no fit worse.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
     /// The unknowns that change, and their changes relative to each other, in SI units; the largest in its scale (1 m/s, 1 rad/s, 0.1 of other quantities)
@@ -26,7 +26,7 @@ impl Direction {
     }
 }
 
-/// Returns the directions of the unknowns that the evidence does not constrain, from derivatives of the evidence by the scaled unknowns.
+/// Returns the directions of the unknowns along which no piece of evidence has a slope, from derivatives of the evidence by the scaled unknowns.
 ///
 /// Rows are normalized first, because the uncertainty of a piece of evidence does not affect which unknowns it constrains. A row at rounding level relative
 /// to `sizes`, the sizes of the evidence, counts as zero.

@@ -37,7 +37,7 @@ const LEVEL: f64 = 1e-6;
 const NEARLY_AS_GOOD: f64 = 10.83;
 
 /// Largest difference of χ² between fits that are equally good.
-const INDISTINCT: f64 = 0.01;
+pub(super) const INDISTINCT: f64 = 0.01;
 
 /// Maximum number of draws of a start that the mechanics accepts.
 const DRAWS: usize = 200;
@@ -300,12 +300,12 @@ impl Found {
         let least = self.nearest.iter().map(|stopped| stopped.sum_of_squares).fold(self.minima[0].0.sum_of_squares, f64::min);
         let as_good = self.minima.iter().take_while(|(minimum, _)| minimum.sum_of_squares <= least + INDISTINCT);
         let found = as_good.enumerate().find_map(|(i, found)| Some((i, seen(found)?)));
-        let Some((chosen, Seen { solution: best, blind })) = found else { return Err(self.not_converged(model)) };
+        let Some((chosen, Seen { solution: best, open })) = found else { return Err(self.not_converged(model)) };
         let mut answer = Answer {
             verdict: Verdict::Agrees,
             solutions: Vec::new(),
             worse: Vec::new(),
-            not_determined: directions(model, &blind, spans),
+            not_determined: directions(model, &open, spans),
             without_bounds: None,
             searches: self.searches,
             converged,
@@ -341,8 +341,8 @@ fn one_of_each_valley(minima: impl Iterator<Item = Seen>) -> impl Iterator<Item 
     let mut valleys: Vec<f64> = Vec::new();
     minima.filter(move |seen| {
         let chi_square = seen.solution.chi_square;
-        let is_new = seen.blind.is_empty() || !valleys.iter().any(|other| are_level(chi_square, *other));
-        if is_new && !seen.blind.is_empty() {
+        let is_new = seen.open.is_empty() || !valleys.iter().any(|other| are_level(chi_square, *other));
+        if is_new && !seen.open.is_empty() {
             valleys.push(chi_square);
         }
         is_new
@@ -387,10 +387,10 @@ fn at_the_edge(model: &Model<'_>, stopped: &[f64], spans: &[ParameterBounds], se
     Some(best.into_minimum())
 }
 
-fn directions(model: &Model<'_>, blind: &[Vec<f64>], spans: &[ParameterBounds]) -> Vec<Direction> {
+fn directions(model: &Model<'_>, open: &[Vec<f64>], spans: &[ParameterBounds]) -> Vec<Direction> {
     let variables: Vec<Variable> = model.question.unknowns.iter().map(|unknown| unknown.of).collect();
     let scales: Vec<f64> = spans.iter().map(|span| span.scale).collect();
-    blind.iter().map(|direction| named(direction, &variables, &scales)).collect()
+    open.iter().map(|direction| named(direction, &variables, &scales)).collect()
 }
 
 /// Returns the solution without the given bounds, if one of them is active and the evidence agrees beyond it.

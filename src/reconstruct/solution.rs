@@ -4,6 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::determined::{blind, is_moved};
+use super::fold::{contradicts, is_open};
 use super::given::{Evidence, ReconstructionProblem, Uncertainty};
 use super::limit::Limit;
 use super::measurand::Measurand;
@@ -24,8 +25,8 @@ pub struct Estimate {
     pub of: Variable,
     /// Its value, in SI. If the evidence does not determine it, this is one of its possible values.
     pub value: f64,
-    /// Its standard deviation. `None` if the evidence does not determine it, if an active bound or a limit of the physics
-    /// holds it, or if no piece of evidence has an uncertainty.
+    /// Its standard deviation. `None` if the evidence does not determine it, or only by its curvature, at a fold; if an active bound or a limit of the physics
+    /// holds it; or if no piece of evidence has an uncertainty.
     pub sd: Option<f64>,
     /// The bound that it sits on.
     pub at: Option<Bound>,
@@ -83,6 +84,9 @@ pub struct Solution {
     pub crush_share: f64,
     /// The limits of the physics that it lies on: beyond them the evidence would agree better, but the mechanics refuses the collision.
     pub limits: Vec<Limit>,
+    /// The unknowns at a fold: the evidence has an extremum along them and no slope. Its curvature determines them, which gives them an interval and no standard
+    /// deviation.
+    pub at_fold: Vec<Variable>,
     /// Number of steps of the search.
     pub iterations: usize,
     /// Number of searches that ended here.
@@ -168,8 +172,8 @@ impl Solution {
 pub(super) struct Seen {
     /// The solution.
     pub(super) solution: Solution,
-    /// The directions in which the minimum is flat, in the scales of the unknowns.
-    pub(super) blind: Vec<Vec<f64>>,
+    /// The directions that lead to fits as good, in the scales of the unknowns.
+    pub(super) open: Vec<Vec<f64>>,
 }
 
 impl Seen {
@@ -189,16 +193,22 @@ impl Seen {
             return None;
         }
         let has_errors = errors.iter().any(|entry| *entry != 0.0);
-        let moves = |i: usize| slopes.blind.iter().any(|direction| is_moved(direction[i], direction));
+        let open: Vec<Vec<f64>> = slopes.blind.iter().filter(|direction| is_open(model, minimum, spans, direction)).cloned().collect();
+        let moves = |directions: &[Vec<f64>], i: usize| directions.iter().any(|direction| is_moved(direction[i], direction));
+        let sd = |i: usize| covariance[(i, i)].max(0.0).sqrt();
+        let is_folded = |i: &usize| {
+            if moves(&slopes.blind, *i) { !moves(&open, *i) } else { contradicts(model, minimum, spans, *i, sd(*i)) }
+        };
+        let at_fold: Vec<usize> = (0..values.len()).filter(is_folded).collect();
         let estimate = |i: usize| {
-            let is_determined = !moves(i);
-            let has_sd = has_errors && is_determined && !minimum.is_held[i] && minimum.margins.is_empty();
+            let has_slope = !moves(&open, i) && !at_fold.contains(&i);
+            let has_sd = has_errors && has_slope && !minimum.is_held[i] && minimum.margins.is_empty();
             Estimate {
                 of: model.question.unknowns[i].of,
                 value: values[i],
-                sd: has_sd.then(|| covariance[(i, i)].max(0.0).sqrt()),
+                sd: has_sd.then(|| sd(i)),
                 at: minimum.at[i],
-                is_determined,
+                is_determined: !moves(&open, i),
             }
         };
         let fitted = |i: usize| Fitted {
@@ -223,10 +233,11 @@ impl Seen {
             impact,
             crush_share: placed.crush_share,
             limits: minimum.margins.iter().filter_map(|margin| problem.limit(*margin)).collect(),
+            at_fold: at_fold.iter().map(|&i| model.question.unknowns[i].of).collect(),
             iterations: minimum.iterations,
             searches,
         };
-        Some(Seen { solution, blind: slopes.blind })
+        Some(Seen { solution, open })
     }
 }
 
@@ -247,9 +258,9 @@ struct Slopes {
     derivatives: DMatrix<f64>,
     /// Those of the margins that the minimum lies on.
     edges: DMatrix<f64>,
-    /// Directions that no evidence constrains, in scales.
+    /// Directions along which no evidence has a slope, in scales.
     blind: Vec<Vec<f64>>,
-    /// An orthonormal basis, column by column, of those that it constrains.
+    /// An orthonormal basis, column by column, of the others.
     determined: DMatrix<f64>,
 }
 

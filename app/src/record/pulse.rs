@@ -12,7 +12,6 @@ use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
 use crate::unusual;
-use crate::wording::too_small;
 
 /// A pulse, integrated over the contact.
 struct Pulse {
@@ -34,15 +33,16 @@ fn variance_of_steps(channel: &Channel, over: &Window, before: &Window) -> f64 {
     if is_spread { 0.0 } else { of_sample * duration * duration }
 }
 
-/// Returns a note of a baseline that tells the noise badly.
+/// Returns a note of a baseline that tells the noise badly: Student's distribution is noticeably wider than the normal one.
 fn of_short_baseline(name: &str, path: &str, record: &Record, before: &Window) -> Option<Notice> {
+    /// Fewest independent samples that tell it well.
+    const FEW: f64 = 12.0;
     let (count, independent) = (record.indices_in(before).count(), record.independent_samples(before).ok()?.round());
-    let too_small = too_small((independent as usize).saturating_sub(1))?;
     let correlated = if independent < count as f64 { format!(", correlated as {independent} independent ones,") } else { String::new() };
     let message = format!(
-        "{name}: a baseline of {count} samples{correlated} hardly tells the noise: the standard deviation of what follows may be {too_small}"
+        "{name}: a baseline of {count} samples{correlated} hardly tells the noise: standard deviations of what follows are widened to Student's distribution"
     );
-    Some(Notice::note("short-baseline", path, message))
+    (independent <= FEW).then(|| Notice::note("short-baseline", path, message))
 }
 
 /// Returns a note of a pulse that has few samples: what lies between them is not known.

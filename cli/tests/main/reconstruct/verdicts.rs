@@ -34,6 +34,23 @@ fn ends_of_searches_in_a_flat_valley_are_one_solution() {
     assert_eq!((&found["verdict"], found["solutions"].as_array().map(Vec::len)), (&Value::from("agrees"), Some(1)));
 }
 
+/// More energy than any plane absorbs. Over the planes W_n has its extremum of −127.21 kJ at 4.234°, by an independent search, and from −5.15° to 13.61° it is
+/// −123.60 kJ or less: (−130.2 + 123.60)²/3² is 3.84 above 0.992.
+#[test]
+fn a_best_fit_at_an_extremum_of_the_evidence_is_the_answer_without_a_standard_deviation() {
+    let path = crate::process::workspace().join("cli/tests/reproducers/fold.toml");
+    let (found, status) = answer(&std::fs::read_to_string(path).expect("a reproducer"));
+    assert_eq!((status, &found["verdict"], &found["not_determined"]), (0, &Value::from("agrees"), &Value::Array(Vec::new())));
+    let plane = &found["unknown"]["contact.crush_plane"];
+    let interval = &plane["interval"];
+    for (of, degrees) in [(&plane["value"], 4.234), (&interval["low"], -5.15), (&interval["high"], 13.61)] {
+        assert!((number(of).to_degrees() - degrees).abs() < 0.01, "{plane}");
+    }
+    assert_eq!((&plane["sd"], &found["derived"]["contact.impulse_ratio"]["sd"]), (&Value::Null, &Value::Null));
+    assert!((number(&found["chi_square"]) - 0.992).abs() < 1e-3);
+    assert!(found["notes"].to_string().contains("where the evidence has an extremum along contact.crush_plane"), "{}", found["notes"]);
+}
+
 #[test]
 fn several_solutions_are_all_reported_and_none_is_the_answer() {
     let (found, status) = answer(WALL);
