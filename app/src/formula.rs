@@ -13,7 +13,7 @@ use crate::control::Control;
 use crate::gradient::ratio_note;
 use crate::issue::{Issue, Issues};
 use crate::notice::Notices;
-use crate::quantity::{excerpt, nearest};
+use crate::quantity::{did_you_mean, excerpt};
 use crate::solve::{ImpulseRatioGiven, TangentialLaw};
 
 /// Width of source lines, in columns.
@@ -250,7 +250,7 @@ pub fn input(name: &str) -> Result<Wrt, String> {
 }
 
 fn unknown<'a>(name: &str, what: &str, known: impl Iterator<Item = &'a str>) -> String {
-    let meant = nearest(name, known).map_or_else(String::new, |nearest| format!(" did you mean `{nearest}`?"));
+    let meant = did_you_mean(name, known).map_or_else(String::new, |meant| format!(" {meant}"));
     format!("no {what} has the name {};{meant} see `planar-impact formula --list`", excerpt(name))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::case::{CaseOutput, Inputs, Parameter, Setup};
 use crate::issue::Issue;
-use crate::quantity::{excerpt, nearest};
+use crate::quantity::{did_you_mean, excerpt};
 
 /// The name that selects everything.
 const ALL: &str = "all";
@@ -61,12 +61,7 @@ pub fn issue(option: &str, word: &str, message: &str, help: Option<String>) -> I
 
 fn unknown(option: &str, name: &str, what: &str, known: impl Iterator<Item = String>) -> Issue {
     let known: Vec<String> = known.collect();
-    // A name without its vehicle is no misspelling.
-    let whole: Vec<String> = known.iter().filter(|known| known.ends_with(&format!(".{name}"))).map(|known| format!("`{known}`")).collect();
-    let help = match whole.is_empty() || name.is_empty() {
-        true => nearest(&in_letters(name), known.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?")),
-        false => Some(format!("did you mean {}?", whole.join(" or "))),
-    };
+    let help = did_you_mean(&in_letters(name), known.iter().map(String::as_str));
     let message = if name.is_empty() { format!("the name of an {what} is missing") } else { format!("unknown {what}") };
     issue(option, name, &message, help)
 }

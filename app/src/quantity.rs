@@ -13,7 +13,7 @@ mod wording;
 pub use kind::{Kind, Reach};
 pub use number::finite;
 pub(crate) use unit::symbol;
-pub use wording::{excerpt, nearest};
+pub use wording::{did_you_mean, excerpt, nearest};
 
 use compound::FeetAndInches;
 use unit::Unit;

@@ -178,6 +178,11 @@ enum Kind {
 
 /// Detects the format from the extension if it is known, otherwise from the first line. Returns the whole input except a byte order mark.
 fn sniff(mut source: Reader, extension: Option<&str>) -> Result<(Kind, Reader), Vec<FileIssue>> {
+    match extension {
+        Some("toml") => return Err(vec![of_file("it is a case, and has no records of results; `solve` computes its answer")]),
+        Some("parquet" | "arrow") => return Err(vec![of_file("it is no text; write the records as CSV, JSON or JSON Lines")]),
+        _ => (),
+    }
     let mut head = Vec::new();
     let mut is_first = true;
     // Leading blank lines are allowed, and are counted.
@@ -244,6 +249,15 @@ mod tests {
             ("id,e\n", None, Kind::Table),
         ] {
             assert_eq!(kind(text, extension), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn files_that_have_no_records_are_named_as_what_they_are() {
+        for (extension, words) in [("toml", "it is a case"), ("parquet", "it is no text"), ("arrow", "it is no text")] {
+            let Err(issues) = sniff(Box::new(Cursor::new("schema = 1\n")), Some(extension)) else { panic!("{extension}") };
+            let [(None, complaints)] = &issues[..] else { panic!("{extension}") };
+            assert!(complaints.to_string().starts_with(words), "{complaints}");
         }
     }
 }

@@ -69,7 +69,7 @@ fn number_length(text: &str) -> usize {
 
 /// Returns an error for a decimal comma or thousands separators after the digits.
 fn separated(digits: &str, rest: &str) -> Option<QuantityError> {
-    let separator = rest.chars().next().filter(|c| matches!(c, ',' | '_' | '\'') || c.is_whitespace())?;
+    let separator = rest.chars().next().filter(|c| matches!(c, ',' | '_' | '\'' | '’') || c.is_whitespace())?;
     let mut groups = Vec::new();
     let mut tail = rest;
     while let Some(after) = tail.strip_prefix(separator) {
@@ -82,7 +82,7 @@ fn separated(digits: &str, rest: &str) -> Option<QuantityError> {
     }
     let are_thousands = !groups.is_empty() && groups.iter().all(|group| group.len() == 3);
     // A unit may begin with 1, as 1/s, and inches follow the mark of feet: 5'11".
-    if !are_thousands && (separator.is_whitespace() || separator == '\'') {
+    if !are_thousands && (separator.is_whitespace() || matches!(separator, '\'' | '’')) {
         return None;
     }
     let fraction = number_length(tail);
@@ -108,6 +108,9 @@ fn no_number(text: &str) -> QuantityError {
         return QuantityError::new("a number is missing".to_owned());
     }
     let message = format!("{} does not begin with a number", excerpt(text));
+    if ["n/a", "na", "none", "null", "unknown", "?"].contains(&word.trim()) {
+        return QuantityError::with_help(message, "leave out what is not known".to_owned());
+    }
     if text.starts_with(['−', '–']) {
         return QuantityError::with_help(message, "write an ordinary minus sign, `-`".to_owned());
     }
@@ -151,6 +154,8 @@ mod tests {
         assert_eq!(message("2.564,5 kg"), "`,` has no place in the number of `2.564,5 kg` (write 2564.5)");
         assert_eq!(message("1 200 kg"), "a space has no place in the number of `1 200 kg` (write 1200)");
         assert_eq!(message("1\u{a0}200\u{a0}300 kg"), "a space has no place in the number of `1\u{a0}200\u{a0}300 kg` (write 1200300)");
+        assert_eq!(message("1’500 lb"), "`’` has no place in the number of `1’500 lb` (write 1500)");
+        assert_eq!(message("N/A"), "`N/A` does not begin with a number (leave out what is not known)");
         assert_eq!(message("1'500 lb"), "`'` has no place in the number of `1'500 lb` (write 1500)");
         assert_eq!(split("3 1/s"), Ok((3.0, "1/s")));
         assert_eq!(split("5'11\""), Ok((5.0, "'11\"")));

@@ -36,9 +36,52 @@ pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
     best.map(|(_, _, candidate)| candidate)
 }
 
+/// Returns a question for the known names that an unknown one may stand for: those of which it is a part, such as the name of a quantity without its vehicle, or
+/// else the one that it misspells.
+pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    /// Most names to ask for.
+    const MOST: usize = 4;
+    let known: Vec<&str> = known.collect();
+    let begins = |part: &str| part.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
+    let ends = |known: &&&str| known.strip_suffix(name).is_some_and(|before| before.ends_with('.'));
+    let holds = |known: &&&str| known.split('.').any(begins);
+    let whole: Vec<&str> = known.iter().filter(ends).copied().collect();
+    let parts = if whole.is_empty() { known.iter().filter(holds).copied().collect() } else { whole };
+    let asked: Vec<&str> = if name.is_empty() || parts.is_empty() { nearest(name, known.into_iter()).into_iter().collect() } else { parts };
+    let quoted: Vec<String> = asked.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+    let list = match &quoted[..] {
+        [] => return None,
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    };
+    Some(format!("did you mean {list}?"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_part_of_names_stands_for_them_and_else_the_nearest_is_meant() {
+        let known = [
+            "vehicle.1.speed",
+            "vehicle.2.speed",
+            "energy.loss",
+            "energy.normal_work",
+            "vehicle.1.delta_v.x",
+            "vehicle.1.delta_v_magnitude",
+        ];
+        let meant = |name| did_you_mean(name, known.into_iter());
+        assert_eq!(meant("speed").as_deref(), Some("did you mean `vehicle.1.speed` or `vehicle.2.speed`?"));
+        assert_eq!(meant("energy").as_deref(), Some("did you mean `energy.loss` or `energy.normal_work`?"));
+        assert_eq!(meant("delta_v").as_deref(), Some("did you mean `vehicle.1.delta_v.x` or `vehicle.1.delta_v_magnitude`?"));
+        assert_eq!(meant("energy.los").as_deref(), Some("did you mean `energy.loss`?"));
+        assert_eq!(
+            meant("vehicle").as_deref(),
+            Some("did you mean `vehicle.1.speed`, `vehicle.2.speed`, `vehicle.1.delta_v.x` or `vehicle.1.delta_v_magnitude`?")
+        );
+        assert_eq!([meant(""), meant("delt"), meant("loses_of_nothing")], [None, None, None]);
+    }
 
     #[test]
     fn excerpts_are_short_and_on_one_line() {

@@ -6,7 +6,7 @@ use super::question::{Question, measure_of, name_in};
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
-use crate::quantity::{self, Kind, nearest};
+use crate::quantity::{self, Kind, did_you_mean};
 use crate::statement::Written;
 
 /// A quantity compared with a value.
@@ -48,8 +48,7 @@ impl Statement {
         let of = named(name, question).ok_or_else(|| {
             let known = question.asked.unknowns.iter().map(|unknown| name_in(unknown.of, &question.case));
             let all: Vec<String> = known.chain(Measurand::all().map(|of| of.name().to_owned())).collect();
-            let help = nearest(name, all.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
-            issue(name, "no quantity has this name", help)
+            issue(name, "no quantity has this name", did_you_mean(name, all.iter().map(String::as_str)))
         })?;
         if !question.asked.determines(of) {
             let help = of.is_in(&question.asked.collision).then(|| "give contact.crush_share, or the crush of each vehicle".to_owned());

@@ -4,7 +4,7 @@ use super::CaseReader;
 use crate::case::parameter::Parameter;
 use crate::case::uncertain::{InputCorrelation, Uncertain};
 use crate::document::Field;
-use crate::quantity::{Kind, nearest};
+use crate::quantity::{Kind, did_you_mean};
 use crate::units::Measure;
 use crate::wording::percent_meant;
 
@@ -124,7 +124,7 @@ impl CaseReader {
             true => "no input of this case is uncertain: give one as \"1500 kg \u{b1} 50 kg\"".to_owned(),
             false => format!("the uncertain inputs are {}", names.join(", ")),
         };
-        let help = nearest(name, names.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
+        let help = did_you_mean(name, names.iter().map(String::as_str));
         match named {
             Some(parameter) => place.report(format!("the case gives no uncertainty of {parameter}"), Some(known())),
             None => place.report("no input has this name", Some(help.unwrap_or_else(known))),

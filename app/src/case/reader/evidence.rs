@@ -11,7 +11,7 @@ use crate::case::parameter::number;
 use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
-use crate::quantity::nearest;
+use crate::quantity::{did_you_mean, nearest};
 
 /// A piece of evidence and its place in the file; a crush energy is not filled in yet.
 pub(super) struct Piece<'a> {
@@ -83,7 +83,8 @@ impl CaseReader {
                 read.into_iter().collect()
             }
             None => {
-                let help = nearest_name(name).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
+                let names: Vec<String> = names_of_evidence().collect();
+                let help = did_you_mean(name, names.iter().map(String::as_str)).unwrap_or_else(known_names);
                 field.report("nothing that can be measured has this name", Some(help));
                 None
             }

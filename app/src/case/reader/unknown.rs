@@ -10,7 +10,7 @@ use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
 use crate::message::Message;
 use crate::quantity::Kind;
-use crate::quantity::nearest;
+use crate::quantity::{did_you_mean, nearest};
 
 /// An unknown and the place of its table, for issues found later.
 pub(super) struct Asked<'a> {
@@ -138,7 +138,7 @@ fn unknown_name(name: &str) -> (&'static str, Option<String>) {
     if Parameter::named(name).is_some() {
         return ("it cannot be solved for", Some(known_names()));
     }
-    let help = nearest(name, names_of_unknowns()).map_or_else(known_names, |name| format!("did you mean `{name}`?"));
+    let help = did_you_mean(name, names_of_unknowns()).unwrap_or_else(known_names);
     ("nothing has this name", Some(help))
 }
 
