@@ -159,11 +159,10 @@ fn by_separations(
     let mut notices = question.notices.clone();
     notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));
     let (mut diagnostics, mut crash3) = (Vec::new(), None);
-    // If an unknown is not determined, the best solution is one of many.
-    match answer.verdict {
-        Verdict::Undetermined => (),
-        _ if question.case.model.is_momentum() => notices.0.extend(solved.unusual_motions()),
-        _ => {
+    if answer.is_one() {
+        if question.case.model.is_momentum() {
+            notices.0.extend(solved.unusual_motions());
+        } else {
             diagnostics = diagnostics::of(&question, &solved, answer.best());
             crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
             notices.0.extend(solved.warnings(&impact));
@@ -191,8 +190,7 @@ fn by_separations(
     } else {
         None
     };
-    let is_found = answer.verdict != Verdict::Undetermined;
-    let scene = is_found.then(|| Scene::of(&solved.with_rest(case.rest.clone()), &impact));
+    let scene = answer.is_one().then(|| Scene::of(&solved.with_rest(case.rest.clone()), &impact));
     let solved = Solved {
         question: &question,
         answer: &answer,

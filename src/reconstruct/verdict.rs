@@ -66,6 +66,11 @@ impl Answer {
         &self.solutions[0]
     }
 
+    /// Returns `true` if the evidence constrains all unknowns at the best solution, so that it is not one of many that are as good, whatever the verdict.
+    pub fn is_one(&self) -> bool {
+        self.not_determined.is_empty()
+    }
+
     /// Returns `true` if the evidence determines an unknown.
     pub fn determines(&self, unknown: Variable) -> bool {
         !self.not_determined.iter().any(|direction| direction.variables().any(|variable| variable == unknown))

@@ -119,7 +119,8 @@ impl Solved<'_> {
             seed: self.search.seed,
             diagnostics: self.diagnostics.clone(),
             crash3: self.crash3.clone(),
-            solution: (answer.verdict != Verdict::Undetermined)
+            solution: answer
+                .is_one()
                 .then(|| Answer::new(&self.case.title, solve::Solution::of(self.case, &self.impact), Notices::default())),
             scene: None,
             impulse_ratio_is_fraction: matches!(self.case.collision.impulse_ratio, planar_impact::ImpulseRatio::OfCritical(_)),
@@ -192,7 +193,7 @@ impl Solved<'_> {
     }
 
     fn derived(&self) -> Named<Derived> {
-        let is_open = self.answer.verdict == Verdict::Undetermined;
+        let is_open = !self.answer.is_one();
         let of_interval = |interval: &planar_impact::reconstruct::Interval| {
             let derived = Derived {
                 value: (!is_open).then(|| positive_zero(interval.value)),

@@ -51,6 +51,31 @@ fn a_best_fit_at_an_extremum_of_the_evidence_is_the_answer_without_a_standard_de
     assert!(found["notes"].to_string().contains("where the evidence has an extremum along contact.crush_plane"), "{}", found["notes"]);
 }
 
+/// Two directions after the impact tell the ratio of the speeds at most, and contradict each other: the best fit is one of many, at any speed.
+#[test]
+fn a_contradiction_that_leaves_speeds_open_has_no_value_of_what_follows_from_them() {
+    let speeds = "vehicle.1.speed = { start = \"15 m/s\", min = \"0 m/s\", max = \"40 m/s\" }\nvehicle.2.speed = { start = \"15 m/s\", min = \"0 m/s\", max = \"40 m/s\" }\n";
+    let car = |mass: u32, heading: u32| {
+        format!("[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = \"{heading} deg\"\nimpact_center = [1.9, 0.5]\n")
+    };
+    let case = format!(
+        "schema = 1\n{}{}[contact]\ncrush_plane = \"10 deg\"\nrestitution = 0.1\n[unknown]\n{speeds}[evidence]\n\
+         vehicle.1.separation_direction = \"50 deg \u{b1} 5 deg\"\nvehicle.2.separation_direction = \"-60 deg \u{b1} 5 deg\"\n",
+        car(1500, 0),
+        car(1800, 120),
+    );
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (1, &Value::from("contradicted")));
+    assert_eq!(found["not_determined"].as_array().map(Vec::len), Some(1));
+    for of in ["contact.closing_speed", "energy.loss"] {
+        assert_eq!((&found["derived"][of]["value"], &found["derived"][of]["sd"]), (&Value::Null, &Value::Null), "{of}");
+    }
+    assert_eq!((&found["solution"], found["diagnostics"].as_array().map(Vec::len)), (&Value::Null, Some(0)));
+    let page = text(&case, &[]).out;
+    let said = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("one of many that fit as badly") && said.contains("- vehicle.1.speed by"), "{page}");
+}
+
 #[test]
 fn several_solutions_are_all_reported_and_none_is_the_answer() {
     let (found, status) = answer(WALL);

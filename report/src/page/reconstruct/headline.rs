@@ -169,12 +169,16 @@ fn path_contradicted(answer: &Reconstruction) -> Vec<Block> {
 
 fn undetermined(answer: &Reconstruction, units: Units) -> Vec<Block> {
     let mut blocks = vec![headline("Underdetermined: these combinations are not constrained by the evidence.")];
-    blocks.extend(answer.open_directions.iter().map(|direction| Block::item("- ", format!("{}.", in_words(direction, answer, units)))));
+    blocks.extend(open_directions(answer, units));
     blocks.push(Block::paragraph(
         "Next: add evidence that depends on one of them, or take one as known. An open unknown has no value below; its interval is what the bounds and \
          the other evidence allow.",
     ));
     blocks
+}
+
+fn open_directions(answer: &Reconstruction, units: Units) -> impl Iterator<Item = Block> {
+    answer.open_directions.iter().map(move |direction| Block::item("- ", format!("{}.", in_words(direction, answer, units))))
 }
 
 /// Describes how unknowns can change together without contradicting the evidence: `vehicle.1.speed by 1 m/s with
@@ -203,13 +207,18 @@ fn contradicted(answer: &Reconstruction, units: Units) -> Vec<Block> {
         None => "re-examine the evidence, and give the standard deviation of each piece",
     };
     let reached = if answer.degrees_of_freedom == 0 { " The mechanics reaches no better fit." } else { "" };
-    vec![
+    let mut blocks = vec![
         headline(format!("Inconsistent evidence: at the best fit, {}.", chi_square(answer))),
         Block::paragraph(furthest),
         Block::paragraph(format!(
             "Next: {next} first, then the geometry: impact center and crush plane.{reached} The numbers below are the best fit, and not an answer."
         )),
-    ]
+    ];
+    if !answer.open_directions.is_empty() {
+        blocks.push(Block::paragraph("It is one of many that fit as badly: these combinations are not constrained by the evidence."));
+        blocks.extend(open_directions(answer, units));
+    }
+    blocks
 }
 
 /// Describes the residual of a piece of evidence, in its unit and in standard deviations.
