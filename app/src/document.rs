@@ -18,6 +18,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::issue::{Cause, Issue, Issues};
+use crate::quantity::excerpt;
 use crate::source::Source;
 
 /// A parsed case file.
@@ -39,7 +40,8 @@ impl Document {
         let json = is_json(&source);
         let parsed = if json { json::parse(&source.text) } else { toml::parse(&source.text) };
         let source = Arc::new(source);
-        let root = parsed.map_err(|list| Issues::new(Cause::Input, source.clone(), list))?;
+        let of_table = |list| if source.name.to_ascii_lowercase().ends_with(".csv") { vec![is_table(&source.name)] } else { list };
+        let root = parsed.map_err(|list| Issues::new(Cause::Input, source.clone(), of_table(list)))?;
         match root.value {
             Value::Table(entries) => {
                 let span = Some(root.span).filter(|_| json);
@@ -128,6 +130,12 @@ fn child<'a>(node: &'a Node, part: &str) -> Option<&'a Node> {
         Value::Array(items) => items.get(part.parse::<usize>().ok()?.checked_sub(1)?),
         _ => None,
     }
+}
+
+/// Returns the issue of a table in the place of a document, in which every line would be one.
+fn is_table(name: &str) -> Issue {
+    let message = format!("{} is a table, where a TOML or JSON file is expected", excerpt(name));
+    Issue::of_file("unreadable-file", message).with_help("`batch` solves tables, `check` reads records, and `record` recordings")
 }
 
 fn is_json(source: &Source) -> bool {

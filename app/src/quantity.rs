@@ -234,8 +234,13 @@ impl Conversion {
         let found = found.map_or_else(|| format!("in {}", unit.dimension()), |found| found.name.to_owned());
         let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
         let is_gravity = kind.dimension == Kind::ACCELERATION.dimension && unit::symbol(written) == Some("g");
-        let help = is_gravity.then(|| "`g` is the gram; write `g0` for the standard acceleration of gravity".to_owned());
-        Err(QuantityError { message, help })
+        let is_per_second = kind.dimension == Kind::YAW_RATE.dimension && unit.dimension() == Kind::SPEED_PER_LENGTH.dimension;
+        let help = match () {
+            () if is_gravity => Some("`g` is the gram; write `g0` for the standard acceleration of gravity"),
+            () if is_per_second => Some("write rad/s, deg/s or rpm"),
+            () => None,
+        };
+        Err(QuantityError { message, help: help.map(str::to_owned) })
     }
 
     /// Creates the conversion of a number without a unit.

@@ -411,6 +411,12 @@ impl Crash3 {
 }
 
 impl Contact {
+    /// Returns `true` if a friction limits the impulse ratio: less of it than ends sliding.
+    pub fn slides_by_friction(&self) -> bool {
+        self.impulse_ratio_given == ImpulseRatioGiven::Friction
+            && self.impulse_ratio_parameter.is_some_and(|friction| self.impulse_ratio.abs() >= friction * (1.0 - 1e-12))
+    }
+
     fn of(case: &Case, impact: &Impact) -> Self {
         use planar_impact::ImpulseRatio;
         let collision = &case.collision;

@@ -3,7 +3,10 @@
 use std::ops::RangeInclusive;
 
 use planar_impact::ImpulseRatio;
+use planar_impact::crash3::Surface;
 use planar_impact::post_impact::MOST_FRICTION;
+
+use crate::case::{CrushInputs, Size};
 
 use crate::message::Message;
 use crate::notice::Notice;
@@ -102,6 +105,25 @@ pub(crate) fn friction(ratio: &ImpulseRatio) -> Option<Notice> {
             .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign")
     };
     (friction > MOST_FRICTION).then(|| Notice::warning("unusual-friction", "contact.friction", message()))
+}
+
+/// Of a crush that is wider than the surface that it lies on, as far as the file has both.
+pub(crate) fn crush(path: &str, crush: &CrushInputs, size: &Size) -> Option<Notice> {
+    /// Room for what is measured beyond the edges, as a share.
+    const ROOM: f64 = 1.1;
+    let (of_surface, what) = match crush.surface? {
+        Surface::Front | Surface::Rear => (size.width?, "width"),
+        Surface::Right | Surface::Left => (size.length?, "length"),
+    };
+    let width = crush.on_scalar(|_| 0.0).profile.width();
+    let message = || {
+        Message::from("it is ")
+            .figure(Measure::Length, width)
+            .text(format!(" wide, and the {what} of the vehicle is "))
+            .figure(Measure::Length, of_surface)
+            .text("; its energy grows with its width")
+    };
+    (width > ROOM * of_surface).then(|| warning("wider-than-vehicle", path, message()))
 }
 
 /// Of the greatest depth of a crush.

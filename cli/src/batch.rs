@@ -49,6 +49,9 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     if !unwritable.is_empty() {
         return Err(Issues::without_source(Cause::Input, unwritable).into());
     }
+    // A file of Arrow has one dictionary for each column.
+    let has_one_dictionary = sources.len() == 1 && sources[0].has_one_dictionary();
+    let columns = if format == Format::Arrow && !has_one_dictionary { sink::plain(&columns) } else { columns };
     let (mut sink, encoder) = Sink::create(&call.output, format, &columns, passing, &headers).map_err(Failure::Output)?;
     interrupt::note();
     let threads = call.threads.map_or_else(|| available_parallelism().map_or(1, usize::from), usize::from);

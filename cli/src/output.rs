@@ -73,12 +73,12 @@ impl CommandOutput {
     ///
     /// Fails if standard output or the file cannot be written.
     pub fn print(self) -> Result<Status, Failure> {
-        interrupt::note();
         if let Some(path) = &self.file {
             let mut file = OutputFile::create(path).map_err(Failure::Output)?;
             file.write_all(self.text.as_bytes()).map_err(Failure::Output)?;
             file.keep().map_err(Failure::Output)?;
         } else if !self.text.is_empty() {
+            interrupt::note();
             write(self.text.as_bytes()).map_err(Failure::Output)?;
         }
         for note in &self.notes {
@@ -102,28 +102,38 @@ pub enum OutputFile {
 }
 
 impl OutputFile {
-    /// Begins a file beside the one that it will replace, with the permissions of any new file. Behind a link it replaces what the link leads to.
+    /// Begins a file beside the one that it will replace, with its permissions, or those of any new file. Behind a link it replaces what the link leads to. From here on
+    /// interrupts are noted, so that they leave no part of a file: but not while a pipe waits for its reader.
     ///
     /// # Errors
     ///
     /// Fails if the folder cannot be written, or if a folder is at the place.
     pub fn create(path: &Path) -> io::Result<OutputFile> {
+        let name = |path: &Path| shown(&path.display().to_string()).into_owned();
         // The error of a temporary file names that file, which nobody has asked for.
-        let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", path.display(), io::Error::from(error.kind())));
-        let place = match path.metadata() {
-            Ok(known) if !known.is_file() => return OpenOptions::new().write(true).open(path).map(OutputFile::Straight).map_err(of_path),
-            Ok(_) => path.canonicalize()?,
-            Err(_) => path.to_owned(),
+        let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", name(path), io::Error::from(error.kind())));
+        let Some(place) = behind_links(path) else {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, format!("{}: its links lead to each other", name(path))));
         };
+        let known = place.metadata().ok();
+        if known.as_ref().is_some_and(|known| !known.is_file()) {
+            let file = OpenOptions::new().write(true).open(path).map_err(of_path);
+            interrupt::note();
+            return file.map(OutputFile::Straight);
+        }
+        interrupt::note();
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = tempfile::Builder::new();
         builder.prefix(".planar-impact-");
         #[cfg(unix)]
         builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
         let file = builder.tempfile_in(folder).map_err(|error| match error.kind() {
-            kind @ io::ErrorKind::NotFound => io::Error::new(kind, format!("{}: there is no folder {}", path.display(), folder.display())),
+            kind @ io::ErrorKind::NotFound => io::Error::new(kind, format!("{}: there is no folder {}", name(path), name(folder))),
             _ => of_path(error),
         })?;
+        if let Some(known) = known {
+            file.as_file().set_permissions(known.permissions()).map_err(of_path)?;
+        }
         Ok(OutputFile::Beside(file, place))
     }
 
@@ -139,6 +149,18 @@ impl OutputFile {
         }
         Ok(())
     }
+}
+
+/// Returns the place that a path leads to through links, whether or not something is there; `None` if they lead to each other.
+fn behind_links(path: &Path) -> Option<PathBuf> {
+    /// Most links in a row, as many as the system follows.
+    const MOST: usize = 40;
+    let mut place = path.to_owned();
+    for _ in 0..MOST {
+        let Ok(target) = place.read_link() else { return Some(place) };
+        place = place.parent().unwrap_or(Path::new("")).join(target);
+    }
+    None
 }
 
 impl Write for OutputFile {

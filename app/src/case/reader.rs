@@ -388,6 +388,9 @@ impl CaseReader {
         let velocity = self.velocity(table, side, implied);
         let crush = table.has("crush").then(|| self.crush(table.optional("crush"), side));
         let size = self.size(table);
+        if let (Some(Some(crush)), Some(size)) = (&crush, &size) {
+            self.notices.borrow_mut().extend(unusual::crush(&format!("{}.crush", table.path()), crush, size));
+        }
         let [forward, left] = impact_center?;
         Some(VehicleInputs {
             mass: mass?,

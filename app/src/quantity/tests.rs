@@ -155,7 +155,7 @@ fn another_dimension_is_refused() {
     assert_eq!(error("40 deg/s", Kind::SPEED), "`40 deg/s` is a yaw rate; a speed is expected, such as \"40 ft/s\"");
     assert_eq!(
         error("3 s^-1", Kind::YAW_RATE), // strict: an angle per time, not 1/s
-        "`3 s^-1` is a speed per length; a yaw rate is expected, such as \"30 deg/s\""
+        "`3 s^-1` is a speed per length; a yaw rate is expected, such as \"30 deg/s\" (write rad/s, deg/s or rpm)"
     );
     assert_eq!(
         error("54321 ft lb", Kind::YAW_INERTIA), // a mass times a length

@@ -15,21 +15,17 @@ const MAGIC: &[u8; 6] = b"ARROW1";
 /// Most bytes of a compressed column of a batch once it is decompressed.
 const MOST_DECOMPRESSED: i64 = 1 << 30;
 
-/// Checks every length of a stream, or of a file with a footer, and returns to its start.
+/// Checks every length of a stream, or of a file with a footer, and returns to its start. Counts its dictionaries.
 ///
 /// # Errors
 ///
 /// If it cannot be read, or states more bytes than it has.
-pub fn check(mut file: &File, has_footer: bool) -> Result<(), Box<dyn Error>> {
+pub fn check(mut file: &File, has_footer: bool) -> Result<usize, Box<dyn Error>> {
     let size = file.seek(SeekFrom::End(0))?;
     let stated = Stated { file, size };
-    if has_footer {
-        stated.blocks()?
-    } else {
-        stated.messages()?
-    }
+    let dictionaries = if has_footer { stated.blocks()? } else { stated.messages()? };
     file.rewind()?;
-    Ok(())
+    Ok(dictionaries)
 }
 
 struct Stated<'a> {
@@ -55,8 +51,8 @@ impl Stated<'_> {
     }
 
     /// The messages of a stream, one after the other.
-    fn messages(&self) -> Result<(), Box<dyn Error>> {
-        let mut at = 0;
+    fn messages(&self) -> Result<usize, Box<dyn Error>> {
+        let (mut at, mut dictionaries) = (0, 0);
         while at < self.size {
             let mut prefix = self.bytes(at, 4)?;
             at += 4;
@@ -66,16 +62,21 @@ impl Stated<'_> {
             }
             let length = length_of(&prefix)?;
             if length == 0 {
-                break;
+                let rest = self.size - at;
+                return match rest {
+                    0 => Ok(dictionaries),
+                    _ => Err(format!("{rest} bytes follow the end of its stream; give each stream a file").into()),
+                };
             }
             let metadata = self.bytes(at, length)?;
+            dictionaries += usize::from(root_as_message(&metadata).is_ok_and(|message| message.header_as_dictionary_batch().is_some()));
             at = self.body(&metadata, at + length)?;
         }
-        Ok(())
+        Ok(dictionaries)
     }
 
     /// The blocks that the footer of a file lists.
-    fn blocks(&self) -> Result<(), Box<dyn Error>> {
+    fn blocks(&self) -> Result<usize, Box<dyn Error>> {
         let end = self.bytes(self.size.saturating_sub(10), 10)?;
         let Some(length) = end.strip_suffix(MAGIC) else { return Err("it does not end as an Arrow file".into()) };
         let length = length_of(length)?;
@@ -84,7 +85,7 @@ impl Stated<'_> {
         for block in [footer.dictionaries(), footer.recordBatches()].into_iter().flatten().flatten() {
             self.block(block)?;
         }
-        Ok(())
+        Ok(footer.dictionaries().map_or(0, |dictionaries| dictionaries.len()))
     }
 
     fn block(&self, block: &Block) -> Result<(), Box<dyn Error>> {

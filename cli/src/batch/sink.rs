@@ -6,6 +6,7 @@ use std::path::Path;
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array, ArrayRef, RecordBatch, make_array, new_null_array};
+use arrow_cast::cast;
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_ipc::writer::FileWriter;
 use arrow_schema::{ArrowError, DataType, Field, FieldRef, Schema, SchemaRef};
@@ -46,8 +47,8 @@ pub enum Encoder {
     Csv,
     /// As a row group.
     Parquet(ArrowRowGroupWriterFactory, SchemaRef),
-    /// As they are: the format is that of memory.
-    Arrow,
+    /// In these types: the format is that of memory.
+    Arrow(SchemaRef),
 }
 
 /// Encoded rows.
@@ -122,7 +123,10 @@ impl Sink {
                     let (writer, factory) = writer.into_serialized_writer().map_err(of_parquet)?;
                     (Rows::Parquet(writer), Encoder::Parquet(factory, schema.clone()))
                 }
-                Format::Arrow => (Rows::Arrow(Box::new(FileWriter::try_new(file, schema).map_err(of_arrow)?)), Encoder::Arrow),
+                Format::Arrow => {
+                    let writer = FileWriter::try_new(file, schema).map_err(of_arrow)?;
+                    (Rows::Arrow(Box::new(writer)), Encoder::Arrow(schema.clone()))
+                }
             }
         };
         Ok((Sink { rows }, encoder))
@@ -190,9 +194,29 @@ impl Encoder {
                 columns.map(Encoded::Parquet).map_err(of_parquet)
             })
             .unwrap_or_else(|said| Err(io::Error::other(said))),
-            Encoder::Arrow => batches.collect::<Result<_, _>>().map(Encoded::Arrow),
+            Encoder::Arrow(schema) => {
+                let in_types = |batch: io::Result<RecordBatch>| {
+                    let columns = batch?
+                        .columns()
+                        .iter()
+                        .zip(schema.fields())
+                        .map(|(column, field)| cast(column, field.data_type()))
+                        .collect::<Result<_, _>>();
+                    columns.and_then(|columns| RecordBatch::try_new(schema.clone(), columns)).map_err(of_arrow)
+                };
+                batches.map(in_types).collect::<Result<_, _>>().map(Encoded::Arrow)
+            }
         }
     }
+}
+
+/// Returns the schema with the values of dictionaries in their place.
+pub fn plain(schema: &SchemaRef) -> SchemaRef {
+    let of = |field: &FieldRef| match field.data_type() {
+        DataType::Dictionary(_, values) => field.as_ref().clone().with_data_type(values.as_ref().clone()).into(),
+        _ => field.clone(),
+    };
+    Schema::new_with_metadata(schema.fields().iter().map(of).collect::<Vec<FieldRef>>(), schema.metadata().clone()).into()
 }
 
 /// Adds rows to the columns of a row group.

@@ -46,6 +46,8 @@ pub struct Source {
     schema: SchemaRef,
     rows: Rows,
     bytes: u64,
+    /// Whether no column has more than one dictionary.
+    has_one_dictionary: bool,
 }
 
 enum Rows {
@@ -114,21 +116,25 @@ impl Source {
                     let all = builder.metadata().file_metadata().num_rows().try_into().unwrap_or(0);
                     Ok((builder.with_batch_size(rows).build()?, all))
                 })?;
-                Ok(Source { schema: reader.schema(), rows: Rows::Parquet { reader, all, read: 0 }, bytes: size, name })
+                // Each part that is read may have its own.
+                let has_one_dictionary = all <= rows as u64;
+                Ok(Source { schema: reader.schema(), rows: Rows::Parquet { reader, all, read: 0 }, bytes: size, has_one_dictionary, name })
             }
             Format::Arrow => {
                 let has_footer = starts_with(&file, b"ARROW1").map_err(|error| unreadable(&error))?;
-                let reader = read(&name, || {
-                    lengths::check(&file, has_footer)?;
+                let (reader, dictionaries) = read(&name, || {
+                    let dictionaries = lengths::check(&file, has_footer)?;
                     let buffered = BufReader::with_capacity(BUFFER, Counted::new(file, &bytes));
                     let reader: Box<dyn RecordBatchReader> = if has_footer {
                         Box::new(FileReader::try_new(buffered, None)?)
                     } else {
                         Box::new(StreamReader::try_new(buffered, None)?)
                     };
-                    Ok(reader)
+                    Ok((reader, dictionaries))
                 })?;
-                Ok(Source { schema: reader.schema(), rows: Rows::Arrow { reader, rest: None, bytes }, bytes: size, name })
+                let schema = reader.schema();
+                let has_one_dictionary = dictionaries <= schema.fields().iter().filter(|field| is_dictionary(field)).count();
+                Ok(Source { schema, rows: Rows::Arrow { reader, rest: None, bytes }, bytes: size, has_one_dictionary, name })
             }
         }
     }
@@ -150,12 +156,17 @@ impl Source {
         let text = |header: &str| Field::new(header.trim_start_matches('\u{feff}'), DataType::Utf8, true);
         let schema = Schema::new(headers.iter().map(text).collect::<Vec<_>>());
         let rows = Rows::Csv { reader: Box::new(reader), bytes };
-        Ok(Source { name: name.to_owned(), schema: Arc::new(schema), rows, bytes: size })
+        Ok(Source { name: name.to_owned(), schema: Arc::new(schema), rows, bytes: size, has_one_dictionary: true })
     }
 
     /// Returns the columns.
     pub fn schema(&self) -> &SchemaRef {
         &self.schema
+    }
+
+    /// Returns `true` if no column has more than one dictionary.
+    pub fn has_one_dictionary(&self) -> bool {
+        self.has_one_dictionary
     }
 
     /// Returns the size of the file in bytes, 0 if it is not known.
@@ -246,6 +257,10 @@ fn texts(reader: &mut Texts, schema: &SchemaRef, rows: usize) -> Result<Option<P
     let options = RecordBatchOptions::new().with_row_count(Some(read));
     let batch = RecordBatch::try_new_with_options(schema.clone(), arrays, &options)?;
     Ok(Some(Part { batch, unreadable }))
+}
+
+fn is_dictionary(field: &Field) -> bool {
+    matches!(field.data_type(), DataType::Dictionary(..))
 }
 
 fn starts_with(mut file: &File, magic: &[u8]) -> io::Result<bool> {

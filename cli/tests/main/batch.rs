@@ -1,7 +1,7 @@
 //! The verb `batch`: each format, what passes through, refused rows, and calls that fail.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use arrow_array::builder::StringDictionaryBuilder;
@@ -600,6 +600,52 @@ fn other_columns_pass_through_or_are_refused_by_name() {
         assert!(done.err.contains("error: other: its type is") && done.err.contains("leave the column out"), "{kind}: {}", done.err);
         assert!(!folder.path().join("out.parquet").exists(), "{kind}");
     }
+}
+
+/// A file of Arrow has one dictionary for each column, and the tables that are read may have two.
+#[test]
+fn dictionaries_of_several_tables_are_written_as_their_values() {
+    let folder = Folder::new();
+    let inputs: Vec<PathBuf> = [["x", "y"], ["p", "q"]]
+        .into_iter()
+        .enumerate()
+        .map(|(i, words)| {
+            let mut sites = StringDictionaryBuilder::<Int32Type>::new();
+            words.into_iter().for_each(|site| sites.append_value(site));
+            let speeds: ArrayRef = Arc::new(Float64Array::from(vec![10.0, 11.0]));
+            let table =
+                RecordBatch::try_from_iter([("vehicle.1.speed", speeds), ("site", Arc::new(sites.finish()) as ArrayRef)]).expect("a table");
+            let path = folder.path().join(format!("{i}.arrow"));
+            let mut writer = StreamWriter::try_new(fs::File::create(&path).expect("a file"), table.schema_ref()).expect("a writer");
+            writer.write(&table).and_then(|()| writer.finish()).expect("a table");
+            path
+        })
+        .collect();
+    let output = folder.path().join("both.arrow");
+    let done = batch(&[text(&inputs[0]), text(&inputs[1]), "-o", text(&output), "--case", POSITION_A, "--of", "W_n"]);
+    assert_eq!(done.status, 0, "{}", done.err);
+    let sites = read(&output).column(1).as_string::<i32>().iter().map(Option::unwrap_or_default).collect::<Vec<_>>().join("");
+    assert_eq!(sites, "xypq");
+    // Two streams in one file: the rows of the second would be lost.
+    let joined = inputs.iter().flat_map(|path| fs::read(path).expect("a table")).collect::<Vec<u8>>();
+    let joined = folder.write("joined.arrow", &joined);
+    let done = batch(&[text(&joined), "-o", "-", "--case", POSITION_A, "--of", "W_n"]);
+    assert_eq!((done.status, done.out.as_str()), (2, ""));
+    assert!(done.err.contains("bytes follow the end of its stream"), "{}", done.err);
+}
+
+/// A bit of a page of Parquet that has a checksum: by `reference/page_checksum.py`.
+#[test]
+fn a_page_whose_checksum_is_wrong_is_refused() {
+    let folder = Folder::new();
+    let mut bytes = fs::read(workspace().join("cli/tests/reference/page_checksum.parquet")).expect("a table");
+    let solve = |bytes: &[u8]| batch(&[text(&folder.write("in.parquet", bytes)), "-o", "-", "--case", POSITION_A, "--of", "W_n"]);
+    assert_eq!(solve(&bytes).status, 0);
+    let at = bytes.windows(8).position(|eight| eight == 11_f64.to_le_bytes()).expect("its value");
+    bytes[at + 6] ^= 4;
+    let done = solve(&bytes);
+    assert_eq!((done.status, done.out.as_str()), (2, ""), "{}", done.err);
+    assert!(done.err.contains("checksum"), "{}", done.err);
 }
 
 #[test]

@@ -124,10 +124,43 @@ fn what_is_no_file_is_written_and_not_replaced() {
     assert_eq!(run(folder.path(), &["draw", &case, "-o", "link.svg"]).status, 0);
     assert!(fs::symlink_metadata(folder.path().join("link.svg")).expect("it is there").is_symlink());
     assert_eq!(fs::read_to_string(folder.path().join("inner/old.svg")).expect("it is there"), plain);
+    // What is replaced keeps who may read it.
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(folder.path().join("inner/old.svg"), fs::Permissions::from_mode(0o600)).expect("its owner may");
+    assert_eq!(run(folder.path(), &["draw", &case, "-o", "link.svg"]).status, 0);
+    assert_eq!(fs::metadata(folder.path().join("inner/old.svg")).expect("it is there").permissions().mode() & 0o777, 0o600);
+    // A link that leads to nothing yet, and two that lead to each other.
+    std::os::unix::fs::symlink("inner/new.svg", folder.path().join("to-new.svg")).expect("a link");
+    assert_eq!(run(folder.path(), &["draw", &case, "-o", "to-new.svg"]).status, 0);
+    assert!(fs::symlink_metadata(folder.path().join("to-new.svg")).expect("it is there").is_symlink());
+    assert_eq!(fs::read_to_string(folder.path().join("inner/new.svg")).expect("it is there"), plain);
+    for (link, target) in [("one.svg", "other.svg"), ("other.svg", "one.svg")] {
+        std::os::unix::fs::symlink(target, folder.path().join(link)).expect("a link");
+    }
+    let circle = run(folder.path(), &["draw", &case, "-o", "one.svg"]);
+    assert!(circle.status == 74 && circle.err.contains("its links lead to each other"), "{}", circle.err);
     let nowhere = run(folder.path(), &["draw", &case, "-o", "nowhere/x.svg"]);
     assert!(nowhere.status == 74 && nowhere.err.contains("there is no folder nowhere"), "{}", nowhere.err);
     let into_folder = run(folder.path(), &["draw", &case, "-o", "inner"]);
     assert_eq!((into_folder.status, into_folder.out.as_str()), (74, ""), "{}", into_folder.err);
+}
+
+/// A pipe without a reader is waited for, and an interrupt ends that.
+#[test]
+fn an_interrupt_ends_the_wait_for_the_reader_of_a_pipe() {
+    let folder = Folder::new();
+    assert!(Command::new("mkfifo").arg(folder.path().join("pipe")).status().is_ok_and(|made| made.success()));
+    let mut child =
+        planar_impact(folder.path()).args(["draw", &position_a(), "-o", "pipe"]).stderr(Stdio::null()).spawn().expect("it starts");
+    std::thread::sleep(Duration::from_secs(1));
+    assert!(child.try_wait().expect("its status").is_none());
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().is_ok_and(|sent| sent.success()));
+    let ended = (0..100).find_map(|_| {
+        std::thread::sleep(Duration::from_millis(50));
+        child.try_wait().expect("its status")
+    });
+    child.kill().ok();
+    assert_eq!(ended.and_then(|status| status.code()), Some(130));
 }
 
 /// A disk of a page: the file before stays as it was, and nothing else is left.

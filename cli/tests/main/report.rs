@@ -274,12 +274,14 @@ fn hostile_names_stay_names() {
 #[test]
 fn the_method_is_that_of_the_case() {
     let two = "[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"180 deg\"\nspeed = 9.3\nimpact_center = [1.8, 0.3]\n";
-    let of = |second: &str, contact: &str| {
-        let case = format!(
+    let case = |second: &str, contact: &str| {
+        format!(
             "schema = 1\n[[vehicle]]\nmass = 1422.2\nyaw_inertia = 2000\nheading = 0\nspeed = 13.7\nimpact_center = [1.9, 0.5]\n{second}[contact]\n\
              crush_plane = \"20 deg\"\nrestitution = 0.2\n{contact}"
-        );
-        let run = run_with_input(&["report", "-", "--sections", "method"], &case);
+        )
+    };
+    let of = |second: &str, contact: &str| {
+        let run = run_with_input(&["report", "-", "--sections", "method"], &case(second, contact));
         assert_eq!(run.status, 0, "{contact}: {}", run.err);
         section(&run.out, "method").to_owned()
     };
@@ -294,9 +296,14 @@ fn the_method_is_that_of_the_case() {
     let reversed = of(two, "tangential_law = \"kudlich-slibar\"\n");
     assert!(!reversed.contains(ends) && reversed.contains("is reversed before the vehicles separate"), "{reversed}");
     assert!(!reversed.contains("mu0 at which sliding ends"), "{reversed}");
-    for (friction, is) in [("0.9", "Here it is the limit."), ("0.05", "Here it is the friction: the vehicles still slide")] {
+    for (friction, is, kind) in [
+        ("0.9", "Here it is the limit.", "(critical, less than friction 0.900)"),
+        ("0.05", "Here it is the friction: the vehicles still slide", "(limited by friction 0.050)"),
+    ] {
         let limited = of(two, &format!("friction = {friction}\n"));
         assert!(limited.contains(is), "{friction}: {limited}");
+        let results = run_with_input(&["solve", "-"], &case(two, &format!("friction = {friction}\n"))).out;
+        assert!(results.contains(kind), "{friction}: {results}");
     }
 }
 

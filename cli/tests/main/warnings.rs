@@ -174,6 +174,22 @@ fn sizes_of_no_road_vehicle_are_named() {
     for (key, value) in [("length", 30.1), ("length", 0.4), ("width", 5.1), ("width", 0.2), ("front_overhang", 5.1)] {
         assert_eq!(with(&format!("{key} = {value}")), of("unusual-length", &format!("vehicle.1.{key}"), value));
     }
+    // A crush that is wider than the side that it lies on.
+    let crushed = |surface: &str, width: f64| {
+        let crush = format!(
+            "[vehicle.crush]\nsurface = \"{surface}\"\nwidth = {width}\ndepths = [0.1, 0.2]\nstiffness = {{ A = 60000, B = 500000 }}"
+        );
+        let text = case("1500\nlength = 4.5\nwidth = 1.8", "1.9", "0.4").replacen(
+            "[[vehicle]]\nbarrier",
+            &format!("{crush}\n[[vehicle]]\nbarrier"),
+            1,
+        );
+        let run = run_with_input(&["solve", "-", "--format", "json"], &text);
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"wider-than-vehicle\"")
+    };
+    let of_surfaces = [("front", 1.9), ("front", 2.0), ("rear", 2.5), ("left", 4.9), ("left", 5.0), ("right", 6.0)];
+    assert_eq!(of_surfaces.map(|(surface, width)| crushed(surface, width)), [false, true, true, false, true, true]);
     let under = |gravity: f64| {
         let text = format!("schema = 1\ngravity = \"{gravity} m/s^2\"\n{}", case("1500", "1.9", "0.4").trim_start_matches("schema = 1\n"));
         let run = run_with_input(&["solve", "-", "--format", "json"], &text.replace("mass = 1500", "weight = \"15 kN\""));

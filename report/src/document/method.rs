@@ -135,12 +135,7 @@ fn assumptions(report: &CaseReport) -> Vec<String> {
             (ImpulseRatioGiven::Number, _) => "The impulse ratio is the number that the file gives.".to_owned(),
             (ImpulseRatioGiven::OfCritical, _) => "The impulse ratio is a fraction of the critical one.".to_owned(),
             (ImpulseRatioGiven::Friction, _) => {
-                let friction = contact.impulse_ratio_parameter.unwrap_or(f64::NAN);
-                let is = if contact.impulse_ratio.abs() < friction {
-                    "the limit"
-                } else {
-                    "the friction: the vehicles still slide at separation"
-                };
+                let is = if contact.slides_by_friction() { "the friction: the vehicles still slide at separation" } else { "the limit" };
                 format!("The impulse ratio is the limit of the law below, or the friction if that is less. Here it is {is}.")
             }
         });

@@ -165,7 +165,8 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
         ImpulseRatioGiven::Critical => format!("critical{by_law}"),
         ImpulseRatioGiven::Number => "given".to_owned(),
         ImpulseRatioGiven::OfCritical => format!("{} of critical{by_law}", given("").trim()),
-        ImpulseRatioGiven::Friction => given("limited by friction"),
+        ImpulseRatioGiven::Friction if contact.slides_by_friction() => given("limited by friction"),
+        ImpulseRatioGiven::Friction => format!("critical{by_law}, less than {}", given("friction")),
     };
     if contact.model.is_some() {
         let along = units.quantity(Measure::Angle, contact.crush_plane);
