@@ -93,6 +93,9 @@ pub enum Distribution {
 use Distribution::{LogNormal, Normal, StudentT, Triangular, TruncatedNormal, Uniform};
 
 impl Distribution {
+    /// Standard deviations from the mean, to either side, within which 95 % of a normal distribution lie.
+    pub const NORMAL_95: f64 = 1.959_963_984_540_054;
+
     /// Creates the uniform distribution of a number that is recorded in steps: anything within half a step of the value.
     pub fn of_resolution(value: f64, step: f64) -> Self {
         Uniform { min: value - 0.5 * step, max: value + 0.5 * step }

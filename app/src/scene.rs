@@ -5,7 +5,7 @@ mod outline;
 mod phase;
 
 use planar_impact::crash3::Surface;
-use planar_impact::{ForwardLeft, Heading, Impact, Moment, Output, Side, Xy};
+use planar_impact::{Distribution, ForwardLeft, Heading, Impact, Moment, Output, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -266,9 +266,7 @@ impl Scene {
 
     /// Adds the ranges of uncertain inputs, to first order: 1.96 standard deviations to each side.
     fn with_uncertain_inputs(mut self, case: &Case) -> Scene {
-        /// The quantile of the normal distribution at 97.5 %.
-        const DEVIATIONS: f64 = 1.959_963_984_540_054;
-        let around = |value: f64, sd: f64| sd.is_finite().then_some([value - DEVIATIONS * sd, value + DEVIATIONS * sd]);
+        let around = |value: f64, sd: f64| sd.is_finite().then(|| [-sd, sd].map(|sd| value + Distribution::NORMAL_95 * sd));
         for (vehicle, side) in self.vehicles.iter_mut().zip(Side::ALL).filter(|(vehicle, _)| !vehicle.barrier) {
             let of = [Output::PrincipalDirectionOfForce(side), Output::VelocityX(side), Output::VelocityY(side)];
             if let Some(covariances) = uncertainty::covariances(case, &of) {

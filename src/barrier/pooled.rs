@@ -1,6 +1,7 @@
 //! A number of several vehicles of a class: its mean over the class, and how much the vehicles differ.
 
 use super::estimate::Estimate;
+use crate::distribution::Distribution;
 use crate::scalar::Real;
 use alloc::vec::Vec;
 
@@ -68,7 +69,7 @@ impl RandomEffects {
     pub fn of_further(vehicles: &[Estimate]) -> Option<RandomEffects> {
         let class = RandomEffects::of(vehicles)?;
         let Some(half_width) = Further::of(vehicles, class.mean.value).half_width() else { return Some(class) };
-        let wanted = (half_width / NORMAL) * (half_width / NORMAL);
+        let wanted = (half_width / Distribution::NORMAL_95) * (half_width / Distribution::NORMAL_95);
         // Both variances grow with τ².
         let falls_short = |between: f64| between + weighted(vehicles, between).0.variance < wanted;
         let between = last_with(wanted, falls_short);
@@ -81,9 +82,6 @@ impl RandomEffects {
         self.between.square_root()
     }
 }
-
-/// The quantile of the normal distribution at 0.975.
-const NORMAL: f64 = 1.959_963_984_540_054;
 
 /// The distribution of a further vehicle, about a center: normal ones of which each has a weight, a standard deviation, and the place of its mean.
 struct Further(Vec<[f64; 3]>);
@@ -219,7 +217,7 @@ mod tests {
             let vehicles: Vec<Estimate> = values.iter().map(|&value| Estimate { value, variance: 0.0 }).collect();
             let found = RandomEffects::of_further(&vehicles).expect("two or more");
             let wanted = quantile * (variance * (1.0 + f64::from(count).recip())).sqrt();
-            assert_relative_eq!(NORMAL * (found.between + found.mean.variance).sqrt(), wanted, max_relative = 1e-10);
+            assert_relative_eq!(Distribution::NORMAL_95 * (found.between + found.mean.variance).sqrt(), wanted, max_relative = 1e-10);
         }
     }
 

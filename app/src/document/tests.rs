@@ -91,6 +91,16 @@ fn a_good_file_in_both_formats() {
 }
 
 #[test]
+fn a_table_is_one_issue_and_not_one_of_each_line() {
+    let said = read("speeds.CSV", "a,b\n1,2\n3,4\n").unwrap_err();
+    assert!(
+        said.starts_with("error: `speeds.CSV` is a table, where a TOML or JSON file is expected") && said.matches("error:").count() == 1,
+        "{said}"
+    );
+    assert!(read("speeds.txt", "a,b\n1,2\n3,4\n").unwrap_err().contains("this is not TOML"));
+}
+
+#[test]
 fn everything_wrong_is_reported_at_once_in_file_order() {
     let text = r#"colour = 1
 [[vehicle]]

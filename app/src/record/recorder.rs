@@ -1,7 +1,7 @@
 //! What an event data recorder kept: velocity changes over time, and speeds before the impact.
 
 use planar_impact::barrier::Record;
-use planar_impact::{ForceDirection, ForwardLeft};
+use planar_impact::{Distribution, ForceDirection, ForwardLeft};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -317,9 +317,6 @@ fn slack_of(rows: &[PreCrash]) -> f64 {
     rows.first().zip(rows.last()).map_or(0.0, |(first, last)| ROUNDING * (last.time - first.time))
 }
 
-/// The quantile of the normal distribution at 0.975.
-const NORMAL: f64 = 1.959_963_984_540_054;
-
 /// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.
 const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;
 
@@ -338,7 +335,7 @@ fn at_impact(before: &[PreCrash], noise: Noise, path: &str, issues: &mut Vec<Iss
     let age = if last.time < -slack_of(before) { -last.time } else { 0.0 };
     // Braking ends at a standstill.
     let of_braking = (FULL_BRAKING * age).min(last.speed.abs());
-    let change = (rate * age).abs().max(of_braking / NORMAL);
+    let change = (rate * age).abs().max(of_braking / Distribution::NORMAL_95);
     if change > 0.0 {
         let message = Message::from("the last speed is ")
             .figure(Measure::Time, age)
