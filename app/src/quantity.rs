@@ -147,6 +147,12 @@ pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityErro
         format!("{taken} is not a plausible {}", noun(kind.name))
     };
     let is_accepted = |meant: &String| parse(meant, kind).is_ok();
+    // Of a length each of several units may be meant, and another one than that would pass.
+    if kind.dimension == Kind::LENGTH.dimension {
+        let units = ["mm", "cm", "in", "ft"].map(|unit| format!("{digits} {unit}")).into_iter().filter(is_accepted);
+        let meant: Vec<String> = units.map(|meant| format!("\"{meant}\"")).collect();
+        return Err(QuantityError::with_help(message, format!("write its unit, as in {}", meant.join(", "))));
+    }
     let as_it_is = format!("{digits} {}", kind.si);
     let help = match kind.likely.map(|unit| format!("{digits} {unit}")) {
         None => format!("write the unit, as in \"{}\"", kind.example),
@@ -220,6 +226,10 @@ impl Conversion {
     fn in_text(text: &str, written: &str, kind: Kind) -> Result<Conversion, QuantityError> {
         if written.is_empty() {
             return Ok(Conversion::none());
+        }
+        if written == "m/h" && kind.dimension == Kind::SPEED.dimension {
+            let message = format!("{} is in meters per hour, as no vehicle is", excerpt(text));
+            return Err(QuantityError::with_help(message, "write `mph` or `km/h`".to_owned()));
         }
         let unit = Unit::parse_as(written, Some(kind.dimension))?;
         if unit.dimension() == kind.dimension {

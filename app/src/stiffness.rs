@@ -251,7 +251,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         let message = Message::from("no stiffness fitted on profile: ").join(why.message());
         Notice::warning(why.code(), "vehicle", message)
     }));
-    notices.0.extend(fits.iter().find_map(|fit| unusual::stiffness("vehicle", ForceLine::from(fit.stiffness).slope)));
+    notices.0.extend(fits.iter().find_map(|fit| unusual::stiffness("vehicle", ForceLine::from(fit.stiffness))));
     let pooled = file.pooled();
     let uncertain = fits.iter().filter(|fit| file.is_uncertain(fit));
     let further: Vec<_> = uncertain

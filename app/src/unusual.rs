@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use planar_impact::ImpulseRatio;
 use planar_impact::crash3::Surface;
-use planar_impact::post_impact::MOST_FRICTION;
+use planar_impact::crush::ForceLine;
 
 use crate::case::{CrushInputs, Size};
 
@@ -28,6 +28,11 @@ const DURATION: RangeInclusive<f64> = 1e-3..=5.0;
 const DEPTH: f64 = 2.0;
 /// The side of a bus is twelve meters long.
 const WIDTH: RangeInclusive<f64> = 0.01..=15.0;
+/// Of two vehicles that slide along each other, and of tires on a ground: racing tires have 1.5.
+const FRICTION: f64 = 3.0;
+const FRICTION_OF_TIRES: f64 = 1.5;
+/// In N/m: those of cars are 5 to 100 kN/m.
+const ONSET: RangeInclusive<f64> = 1e3..=4e5;
 /// In N/m²: those of cars are 0.2 to 2 MPa.
 const STIFFNESS: RangeInclusive<f64> = 1e4..=1e8;
 
@@ -104,7 +109,13 @@ pub(crate) fn friction(ratio: &ImpulseRatio) -> Option<Notice> {
             .figure(Measure::Ratio, friction)
             .text(" limits nothing that two vehicles do; a share of 1 is expected, and a percentage needs its sign")
     };
-    (friction > MOST_FRICTION).then(|| Notice::warning("unusual-friction", "contact.friction", message()))
+    (friction > FRICTION).then(|| Notice::warning("unusual-friction", "contact.friction", message()))
+}
+
+/// Of the friction between tires and ground.
+pub(crate) fn friction_of_tires(path: &str, friction: f64) -> Option<Notice> {
+    let message = || Message::from("no tire has a friction of ").figure(Measure::Ratio, friction).text("; a share of 1 is expected");
+    (friction > FRICTION_OF_TIRES).then(|| warning("unusual-friction", path, message()))
 }
 
 /// Of a crush that is wider than the surface that it lies on, as far as the file has both.
@@ -137,10 +148,14 @@ pub(crate) fn width(path: &str, width: f64) -> Option<Notice> {
     (!WIDTH.contains(&width)).then(|| warning("unusual-width", path, message()))
 }
 
-/// Of the growth B of the force per width with depth; zero is a constant force.
-pub(crate) fn stiffness(path: &str, slope: f64) -> Option<Notice> {
-    let message = || Message::from("B = ").figure(Measure::ForcePerArea, slope).text(" is not the stiffness of a vehicle; check the unit");
-    (slope > 0.0 && !STIFFNESS.contains(&slope)).then(|| warning("unusual-stiffness", path, message()))
+/// Of the force per width at the onset of crush, and of its growth with depth; zero is none of either.
+pub(crate) fn stiffness(path: &str, line: ForceLine) -> Option<Notice> {
+    let of = [("B", Measure::ForcePerArea, line.slope, STIFFNESS), ("A", Measure::ForcePerWidth, line.onset, ONSET)];
+    of.into_iter().find_map(|(name, measure, value, usual)| {
+        let message =
+            || Message::from(format!("{name} = ")).figure(measure, value).text(" is not the stiffness of a vehicle; check the unit");
+        (value > 0.0 && !usual.contains(&value)).then(|| warning("unusual-stiffness", path, message()))
+    })
 }
 
 /// Of what is recorded over a time; nothing is known of it if the time is zero.

@@ -199,6 +199,27 @@ impl Unknown {
         Unknown { of, start, min: None, max: None, prior: None, shape: None }
     }
 
+    /// Returns the same without bounds if it is an angle, which is the same after half a turn (a crush plane) or a turn (a heading), and its bounds leave out no
+    /// direction: they would cut the circle where fits go on.
+    ///
+    /// ```
+    /// use planar_impact::{Input, reconstruct::{Unknown, Variable}};
+    /// let within = |max| Unknown { min: Some(-1.0), max: Some(max), ..Unknown::free(Variable::Input(Input::CrushPlane), 0.0) };
+    /// assert_eq!(within(2.0).on_the_circle().max, Some(2.0));
+    /// assert_eq!(within(2.2).on_the_circle().max, None);
+    /// ```
+    #[must_use]
+    pub fn on_the_circle(self) -> Self {
+        /// Of bounds in degrees, as a share.
+        const ROUNDING: f64 = 1e-9;
+        match (self.of.period(), self.min, self.max) {
+            (Some(period), Some(min), Some(max)) if max - min >= period * (1.0 - ROUNDING) && (max - min).is_finite() => {
+                Unknown { min: None, max: None, ..self }
+            }
+            _ => self,
+        }
+    }
+
     /// Returns its prior as evidence, if it has one.
     pub(super) fn as_evidence(&self) -> Option<Evidence> {
         let sd = self.prior?;
@@ -278,10 +299,10 @@ impl ReconstructionProblem {
         self.with(Unknown { prior: Some(sd), ..Unknown::free(of, value) })
     }
 
-    /// Adds an unknown.
+    /// Adds an unknown; bounds of an angle that leave out no direction are none ([`Unknown::on_the_circle`]).
     #[must_use]
     pub fn with(mut self, unknown: Unknown) -> Self {
-        self.unknowns.push(unknown);
+        self.unknowns.push(unknown.on_the_circle());
         self
     }
 

@@ -274,6 +274,10 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     }
     let several = match name.to_lowercase().as_str() {
         "ton" | "tons" => Some("a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`"),
+        "mps" => Some("write `m/s`"),
+        "fpm" => Some("write `ft/min`"),
+        "kts" => Some("write `kn`"),
+        "stone" | "stones" => Some("a stone is 14 lb: write `lb` or `kg`"),
         "grad" | "grads" => Some("it is a 400th of a turn to surveyors and a 360th in German: write `gon` or `deg`"),
         _ => None,
     };

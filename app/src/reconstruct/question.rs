@@ -110,12 +110,13 @@ impl Question {
                 continue;
             }
             draft.places.unknowns.push((requested.of, requested.key.clone()));
-            draft.unknowns.push(Unknown {
-                min: requested.min,
-                max: requested.max,
-                prior: requested.prior,
-                ..Unknown::free(requested.of, start)
-            });
+            let (min, max) = (requested.min, requested.max);
+            let unknown = Unknown { min, max, prior: requested.prior, ..Unknown::free(requested.of, start) };
+            if unknown.on_the_circle() != unknown {
+                let message = format!("the bounds of {} leave out no direction, and are taken as none", name_in(requested.of, case));
+                draft.notices.0.push(Notice::note("every-direction", requested.key.clone(), message));
+            }
+            draft.unknowns.push(unknown.on_the_circle());
         }
         draft.notices.0.extend(of_crush.notices.into_iter().chain(of_inputs.notices));
         draft.notices.0.extend(at_nominal_values(of_crush.unused));

@@ -128,8 +128,10 @@ impl Solved<'_> {
     }
 
     fn unknown(&self, estimate: &Estimate) -> Unknown {
+        let given = self.question.case.knowledge.unknowns.iter().find(|unknown| unknown.of == estimate.of);
         let asked = self.question.asked.unknowns.iter().find(|unknown| unknown.of == estimate.of);
-        let (min, max) = asked.map_or((None, None), |unknown| (unknown.min, unknown.max));
+        let of_asked = || asked.map_or((None, None), |unknown| (unknown.min, unknown.max));
+        let (min, max) = given.map_or_else(of_asked, |given| (given.min, given.max));
         Unknown {
             value: estimate.is_determined.then_some(positive_zero(estimate.value)),
             sd: estimate.sd,

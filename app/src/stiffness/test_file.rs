@@ -204,7 +204,7 @@ impl CaseReader {
         }
         let restitution_sd = match recorded {
             Some(recorded) => Some(recorded.map(|recorded| recorded.sd)),
-            None => deviation("restitution_sd", Kind::PURE),
+            None => table.has("restitution_sd").then(|| self.coefficient(table.optional("restitution_sd"), 1.0)),
         };
         let scatter = deviation("scatter", Kind::ROOT_FORCE);
         let has_rebound = table.has("rebound_speed") && !table.has("restitution_sd");

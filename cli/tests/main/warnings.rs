@@ -164,10 +164,10 @@ fn sizes_of_no_road_vehicle_are_named() {
         warnings.map(|one| (text(&one["code"]), text(&one["path"]), one["figures"][0]["value"].as_f64().expect("a figure"))).collect()
     };
     let of = |code: &str, path: &str, value: f64| vec![(code.to_owned(), path.to_owned(), value)];
-    assert_eq!(named("100", "1.9", "10"), []);
+    assert_eq!(named("100", "1.9", "3"), []);
     assert_eq!(named("99.9", "1.9", "0.4"), of("unusual-mass", "vehicle.1", 99.9));
     assert_eq!(named("1500", "15.1", "0.4"), of("unusual-impact-center", "vehicle.1", 15.1_f64.hypot(0.1)));
-    assert_eq!(named("1500", "1.9", "10.1"), of("unusual-friction", "contact.friction", 10.1));
+    assert_eq!(named("1500", "1.9", "3.1"), of("unusual-friction", "contact.friction", 3.1));
     // The lengths of its plan, in millimeters, and gravity in another unit.
     let with = |more: &str| named(&format!("1500\n{more}"), "1.9", "0.4");
     assert_eq!(with("length = 30\nwidth = 5\nfront_overhang = 5"), []);
@@ -190,6 +190,15 @@ fn sizes_of_no_road_vehicle_are_named() {
     };
     let of_surfaces = [("front", 1.9), ("front", 2.0), ("rear", 2.5), ("left", 4.9), ("left", 5.0), ("right", 6.0)];
     assert_eq!(of_surfaces.map(|(surface, width)| crushed(surface, width)), [false, true, true, false, true, true]);
+    // The onset of a stiffness in another unit, beside a sound growth of the force.
+    let stiff = |onset: &str| {
+        let crush = format!("[vehicle.crush]\nwidth = 1.5\ndepths = [0.1, 0.2]\nstiffness = {{ A = \"{onset}\", B = \"500 kPa\" }}");
+        let text = case("1500", "1.9", "0.4").replacen("[[vehicle]]\nbarrier", &format!("{crush}\n[[vehicle]]\nbarrier"), 1);
+        let run = run_with_input(&["solve", "-", "--format", "json"], &text);
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"unusual-stiffness\"")
+    };
+    assert_eq!(["0 N/m", "0.9 kN/m", "1.1 kN/m", "390 kN/m", "410 kN/m", "50 MN/m"].map(stiff), [false, true, false, false, true, true]);
     let under = |gravity: f64| {
         let text = format!("schema = 1\ngravity = \"{gravity} m/s^2\"\n{}", case("1500", "1.9", "0.4").trim_start_matches("schema = 1\n"));
         let run = run_with_input(&["solve", "-", "--format", "json"], &text.replace("mass = 1500", "weight = \"15 kN\""));
@@ -197,6 +206,27 @@ fn sizes_of_no_road_vehicle_are_named() {
         run.out.contains("\"unusual-gravity\"")
     };
     assert_eq!([2.98704, 9.69, 9.7, 9.80665, 9.9, 9.91, 32.2].map(under), [true, true, false, false, false, true, true]);
+}
+
+/// A decimal point that has slipped: of the ground, and of skids before the impact.
+#[test]
+fn frictions_of_no_tire_are_named() {
+    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
+    let line = slide.lines().find(|line| line.starts_with("friction = ")).expect("a friction");
+    let skid = |friction: f64| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [1.9, 0.1]\nspeed = 10\n[[vehicle]]\n\
+             barrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[before.vehicle.1]\nskid = [{{ length = \"12 m\", friction = {friction} }}]\n"
+        )
+    };
+    for (friction, is_named) in [(0.7, false), (1.5, false), (1.6, true), (7.0, true)] {
+        let of_slide = slide.replacen(line, &format!("friction = {friction}"), 1);
+        for (verb, case) in [("slide", of_slide), ("solve", skid(friction))] {
+            let run = run_with_input(&[verb, "-", "--format", "json"], &case);
+            assert_eq!(run.status, 0, "{verb} {friction}: {}", run.err);
+            assert_eq!(run.out.contains("\"unusual-friction\""), is_named, "{verb} {friction}");
+        }
+    }
 }
 
 /// The axles and the track, of which the way to rest depends.

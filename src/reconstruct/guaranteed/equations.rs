@@ -1,6 +1,6 @@
 //! What is known of the crash, as equations of intervals, dual numbers and floats.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -67,21 +67,22 @@ impl<'a> Equations<'a> {
         let mut assumed = Vec::with_capacity(problem.unknowns.len());
         for unknown in &problem.unknowns {
             let (least, greatest) = unknown.of.domain(&problem.collision);
+            // An angle is looked at all around.
+            let of_turn = unknown.of.period().map(|period| 0.5 * period);
+            let about = if of_turn.is_some() { unknown.start } else { 0.0 };
             let beyond = match unknown.of {
                 Variable::Speed(_) | Variable::SkidSpeed(_) | Variable::Input(Input::VelocityX(_) | Input::VelocityY(_)) => FASTEST,
                 Variable::Input(Input::YawRate(_)) => FASTEST_TURN,
-                Variable::Input(Input::Heading(_)) => PI,
                 // That of such a change of velocity.
                 Variable::Impulse(_) => 2.0 * FASTEST * unknown.of.scale(&problem.collision, unknown.start),
-                _ => f64::INFINITY,
+                _ => of_turn.unwrap_or(f64::INFINITY),
             };
             let of_prior = unknown.prior.map_or(f64::INFINITY, |sd| search.deviations * sd);
-            let low = unknown.min.unwrap_or(least.max(unknown.start - of_prior).max(-beyond));
-            let high = unknown.max.unwrap_or(greatest.min(unknown.start + of_prior).min(beyond));
+            let low = unknown.min.unwrap_or(least.max(unknown.start - of_prior).max(about - beyond));
+            let high = unknown.max.unwrap_or(greatest.min(unknown.start + of_prior).min(about + beyond));
             let range = Interval::new(low, high).filter(|_| low.is_finite() && high.is_finite());
             whole.push(range.ok_or(NoRange::NoLimits(unknown.of))?);
-            // A heading is looked at all around.
-            let is_assumed = |given: Option<f64>, end: f64| given.is_none() && end.abs() == beyond && unknown.of.period().is_none();
+            let is_assumed = |given: Option<f64>, end: f64| given.is_none() && end.abs() == beyond && of_turn.is_none();
             assumed.push([(unknown.min, low), (unknown.max, high)].map(|(given, end)| is_assumed(given, end).then_some(end)));
         }
         let mut errors = Vec::new();

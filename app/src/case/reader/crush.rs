@@ -103,7 +103,7 @@ impl CaseReader {
     fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
         let crush = inputs.on_scalar(|_| 0.0);
         let profile = &crush.profile;
-        let mut slopes = crush.zones.zones().iter().map(|zone| ForceLine::from(*zone).slope);
+        let mut lines = crush.zones.zones().iter().map(|zone| ForceLine::from(*zone));
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
@@ -112,7 +112,7 @@ impl CaseReader {
             if deepest == 0.0 {
                 warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
             } else {
-                let of = slopes.find_map(|slope| unusual::stiffness(&format!("{path}.stiffness"), slope));
+                let of = lines.find_map(|line| unusual::stiffness(&format!("{path}.stiffness"), line));
                 self.notices.borrow_mut().extend(of);
             }
         }

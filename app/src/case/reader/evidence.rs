@@ -1,7 +1,7 @@
 //! The keys of `[evidence]`.
 
-use planar_impact::Side;
 use planar_impact::reconstruct::{Measurand, Uncertainty, Variable};
+use planar_impact::{Input, Side};
 
 use super::CaseReader;
 use super::measured::{Amount, DISTRIBUTION_KEYS, Measured, is_folder};
@@ -67,6 +67,10 @@ impl CaseReader {
         if let Some(of) = named(name) {
             let place = field.clone();
             let measured = self.measured(field, of.measure())?;
+            // What is no input in its domain is no evidence of it.
+            if let (Measurand::Variable(Variable::Input(Input::Restitution)), Amount::Number(value)) = (of, measured.amount) {
+                self.up_to(&place, value, 1.0)?;
+            }
             found.push(Piece { of, place, measured });
             return Some(());
         }

@@ -13,6 +13,7 @@ use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
 use crate::units::Measure;
+use crate::unusual;
 
 /// Maximum number of regions, and of corners of a region: each one is evaluated in every step.
 const MOST_REGIONS: usize = 32;
@@ -92,6 +93,7 @@ impl CaseReader {
         let grade = self.grade(rest);
         let regions = if rest.has("regions") { self.regions(rest.optional("regions"), grade) } else { Some(Vec::new()) };
         let friction = friction?;
+        self.notices.borrow_mut().extend(unusual::friction_of_tires("rest.friction", friction.value));
         self.has_uncertain_rest.set(friction.deviation.is_some_and(|deviation| deviation > 0.0));
         let ground = Ground { grade: grade?, regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
         Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })

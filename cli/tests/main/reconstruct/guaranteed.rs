@@ -75,15 +75,26 @@ fn the_table_rounds_outward_in_the_units_of_the_reader() {
 fn what_cannot_be_guaranteed_is_said() {
     let excluded = text(&case("\"60 kJ\"", "{ start = \"5 m/s\", max = \"7 m/s\" }"), &["--guaranteed"]);
     assert!(excluded.out.contains("no guaranteed range: proven: nothing within the limits"), "{}{}", excluded.out, excluded.err);
-    let open = case("\"60 kJ\"", "{ start = \"12 m/s\" }").replace("crush_plane = 0\n", "");
-    let open =
-        open.replace("[evidence]\n", "[evidence]\nvehicle.1.delta_v_forward = \"-9 m/s\"\n") + "contact.crush_plane = { start = 0 }\n";
-    let open = text(&open, &["--guaranteed"]);
+    let with = |unknown: &str| {
+        let case = case("\"60 kJ\"", "{ start = \"12 m/s\" }")
+            .replace("crush_plane = 0\n", if unknown.contains("plane") { "" } else { "crush_plane = 0\n" });
+        text(&(case.replace("[evidence]\n", "[evidence]\nvehicle.1.delta_v_forward = \"-9 m/s\"\n") + unknown), &["--guaranteed"])
+    };
+    let open = with("contact.impulse_ratio = { start = 0 }\n");
     assert_eq!(open.status, 2, "{}", open.out);
     assert!(
-        open.err.contains("contact.crush_plane has no limits, which a guaranteed range takes") && open.err.contains("give min and max"),
+        open.err.contains("contact.impulse_ratio has no limits, which a guaranteed range takes") && open.err.contains("give min and max"),
         "{}",
         open.err
+    );
+    // A plane without limits is looked at all around.
+    let all_around = with("contact.crush_plane = { start = 0 }\n");
+    let rows = all_around.out.split("\nguaranteed ").nth(1).unwrap_or_default();
+    assert!(
+        rows.contains("contact.crush_plane") && !all_around.out.contains("contact.crush_plane has no"),
+        "{}{}",
+        all_around.out,
+        all_around.err
     );
     for wrong in ["0", "-1", "nan", "41", "inf"] {
         let run = text(&case("\"60 kJ\"", "{ start = \"12 m/s\" }"), &["--guaranteed", &format!("--bounds-sd={wrong}")]);

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::{WALL, answer, number, replaced, text};
+use crate::process::run_with_input;
 
 /// An independent search came to χ² = 0.117862 at (0.0878, 0.05524, 22.016), where the ratio is the critical one and the friction, and to 1.7743.
 #[test]
@@ -248,4 +249,34 @@ fn the_critical_ratio_is_that_of_the_law() {
         let ratio = all.iter().find(|one| one["name"] == "impulse ratio").expect("it is asked");
         assert!((number(&ratio["figure"]) - 1.0).abs() < 1e-9 && ratio["reading"] == "within", "{law}: {ratio}");
     }
+}
+
+/// A crush plane is the same after half a turn: bounds that leave out none are none, and cut no interval.
+#[test]
+fn bounds_of_every_direction_cut_nothing() {
+    let case = |bounds: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2.0, 0.3]\n[[vehicle]]\nmass = 1300\nyaw_inertia = 2000\n\
+             heading = \"90 deg\"\nspeed = \"30 km/h\"\nimpact_center = [-0.6, 0.8]\n[contact]\nrestitution = 0.08\n[evidence]\n\
+             vehicle.1.separation_velocity = [\"8.83 m/s \u{b1} 0.3 m/s\", \"0.73 m/s \u{b1} 0.3 m/s\"]\n\
+             vehicle.1.separation_yaw_rate = \"116.9 deg/s \u{b1} 8 deg/s\"\nvehicle.2.separation_yaw_rate = \"191.4 deg/s \u{b1} 8 deg/s\"\n[unknown]\n\
+             vehicle.1.speed = {{ start = \"50 km/h\", min = \"0 km/h\", max = \"150 km/h\" }}\ncontact.crush_plane = {{ start = \"0 deg\"{bounds} }}\n"
+        )
+    };
+    let (free, _) = answer(&case(""));
+    let interval = |found: &Value| ["low", "high"].map(|end| number(&found["unknown"]["contact.crush_plane"]["interval"][end]));
+    assert!(interval(&free)[0] > -1.1 && interval(&free)[1] < 1.1, "{:?}", interval(&free));
+    for [min, max] in [[-90, 90], [-90, 180], [-180, 180], [0, 360], [-400, 400], [0, 180]] {
+        let (found, status) = answer(&case(&format!(", min = \"{min} deg\", max = \"{max} deg\"")));
+        assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")), "{min} {max}");
+        assert_eq!(interval(&found), interval(&free), "{min} {max}");
+        assert!(found["notes"].to_string().contains("the bounds of contact.crush_plane leave out no direction"), "{}", found["notes"]);
+        assert!((number(&found["unknown"]["contact.crush_plane"]["max"]).to_degrees() - f64::from(max)).abs() < 1e-9);
+    }
+    let guaranteed =
+        run_with_input(&["reconstruct", "-", "--guaranteed", "--format", "json"], &case(", min = \"-90 deg\", max = \"180 deg\""));
+    assert_eq!(guaranteed.status, 0, "{}", guaranteed.err);
+    let found: Value = serde_json::from_str(&guaranteed.out).expect("JSON");
+    let range = &found["unknown"]["contact.crush_plane"]["guaranteed"];
+    assert!(number(&range["low"]) > -1.5 && number(&range["high"]) < 1.5, "{range}");
 }
