@@ -164,9 +164,19 @@ fn the_direction_of_a_force_is_not_that_of_its_opposite() {
 #[test]
 fn what_cannot_be_sought_is_named() {
     let search = GuaranteedSearch::default();
-    let open = by_energy(60e3, Uncertainty::Exact).unknown(PLANE, 0.0);
-    assert_eq!(open.guaranteed(&search, &|_| true), Err(NoRange::NoLimits(PLANE)));
-    assert!(NoRange::NoLimits(PLANE).to_string().starts_with("contact.crush_plane has no limits"));
+    let mass = Variable::Input(Input::Mass(Side::One));
+    let open = by_energy(60e3, Uncertainty::Exact).unknown(mass, 1500.0);
+    assert_eq!(open.guaranteed(&search, &|_| true), Err(NoRange::NoLimits(mass)));
+    assert!(NoRange::NoLimits(mass).to_string().starts_with("vehicle.1.mass has no limits"));
+    // A plane is looked at all around its start, whether it has no bounds or those of every direction.
+    let all_around = |problem: ReconstructionProblem| ranges(&problem)[2].clone();
+    let around = all_around(by_energy(60e3, Uncertainty::Exact).unknown(PLANE, 0.2));
+    assert!(
+        around.low >= 0.2 - std::f64::consts::FRAC_PI_2 - 1e-9 && around.high <= 0.2 + std::f64::consts::FRAC_PI_2 + 1e-9,
+        "{around:?}"
+    );
+    assert!(around.low_attained < -0.5 && around.high_attained > 0.5 && around.assumed == [None, None], "{around:?}");
+    assert_eq!(all_around(by_energy(60e3, Uncertainty::Exact).between(PLANE, 0.2, -4.0, 4.0)), around);
     // At most 200 m/s: 30 MJ.
     assert_eq!(by_energy(40e6, Uncertainty::Exact).guaranteed(&search, &|_| true), Err(NoRange::Excluded));
     // Without evidence everything between the limits meets it.
