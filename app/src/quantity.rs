@@ -245,11 +245,8 @@ impl Conversion {
         let message = format!("{} is {found}; {} is expected, such as \"{}\"", excerpt(text), kind.name, kind.example);
         let is_gravity = kind.dimension == Kind::ACCELERATION.dimension && unit::symbol(written) == Some("g");
         let is_per_second = kind.dimension == Kind::YAW_RATE.dimension && unit.dimension() == Kind::SPEED_PER_LENGTH.dimension;
-        let help = match () {
-            () if is_gravity => Some("`g` is the gram; write `g0` for the standard acceleration of gravity"),
-            () if is_per_second => Some("write rad/s, deg/s or rpm"),
-            () => None,
-        };
+        let of_gravity = is_gravity.then_some("`g` is the gram; write `g0` for the standard acceleration of gravity");
+        let help = of_gravity.or_else(|| is_per_second.then_some("write rad/s, deg/s or rpm"));
         Err(QuantityError { message, help: help.map(str::to_owned) })
     }
 

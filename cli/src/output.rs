@@ -112,16 +112,16 @@ impl OutputFile {
         let name = |path: &Path| shown(&path.display().to_string()).into_owned();
         // The error of a temporary file names that file, which nobody has asked for.
         let of_path = |error: io::Error| io::Error::new(error.kind(), format!("{}: {}", name(path), io::Error::from(error.kind())));
-        let Some(place) = behind_links(path) else {
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, format!("{}: its links lead to each other", name(path))));
-        };
-        let known = place.metadata().ok();
+        let known = path.metadata().ok();
         if known.as_ref().is_some_and(|known| !known.is_file()) {
             let file = OpenOptions::new().write(true).open(path).map_err(of_path);
             interrupt::note();
             return file.map(OutputFile::Straight);
         }
         interrupt::note();
+        let Some(place) = behind_links(path) else {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, format!("{}: its links lead to each other", name(path))));
+        };
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = tempfile::Builder::new();
         builder.prefix(".planar-impact-");

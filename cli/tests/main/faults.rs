@@ -124,6 +124,9 @@ fn what_is_no_file_is_written_and_not_replaced() {
     assert_eq!(run(folder.path(), &["draw", &case, "-o", "link.svg"]).status, 0);
     assert!(fs::symlink_metadata(folder.path().join("link.svg")).expect("it is there").is_symlink());
     assert_eq!(fs::read_to_string(folder.path().join("inner/old.svg")).expect("it is there"), plain);
+    // What the system makes of a pipe in its place.
+    let printed = run(folder.path(), &["draw", &case, "-o", "/dev/stdout"]);
+    assert_eq!((printed.status, printed.out == plain), (0, true), "{}", printed.err);
     // What is replaced keeps who may read it.
     use std::os::unix::fs::PermissionsExt;
     fs::set_permissions(folder.path().join("inner/old.svg"), fs::Permissions::from_mode(0o600)).expect("its owner may");
