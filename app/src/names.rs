@@ -60,8 +60,7 @@ pub fn issue(option: &str, word: &str, message: &str, help: Option<String>) -> I
 }
 
 fn unknown(option: &str, name: &str, what: &str, known: impl Iterator<Item = String>) -> Issue {
-    let known: Vec<String> = known.collect();
-    let help = did_you_mean(&in_letters(name), known.iter().map(String::as_str));
+    let help = did_you_mean(&in_letters(name), known);
     let message = if name.is_empty() { format!("the name of an {what} is missing") } else { format!("unknown {what}") };
     issue(option, name, &message, help)
 }

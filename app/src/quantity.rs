@@ -147,18 +147,15 @@ pub fn bare(text: &str, value: f64, kind: Kind) -> Result<Quantity, QuantityErro
         format!("{taken} is not a plausible {}", noun(kind.name))
     };
     let is_accepted = |meant: &String| parse(meant, kind).is_ok();
-    // Of a length each of several units may be meant, and another one than that would pass.
-    if kind.dimension == Kind::LENGTH.dimension {
-        let units = ["mm", "cm", "in", "ft"].map(|unit| format!("{digits} {unit}")).into_iter().filter(is_accepted);
-        let meant: Vec<String> = units.map(|meant| format!("\"{meant}\"")).collect();
-        return Err(QuantityError::with_help(message, format!("write its unit, as in {}", meant.join(", "))));
-    }
     let as_it_is = format!("{digits} {}", kind.si);
-    let help = match kind.likely.map(|unit| format!("{digits} {unit}")) {
-        None => format!("write the unit, as in \"{}\"", kind.example),
-        Some(meant) if !is_accepted(&meant) => return Err(beyond(&digits, value, kind)),
-        Some(meant) if !is_accepted(&as_it_is) => format!("did you mean \"{meant}\"?"),
-        Some(meant) => format!("did you mean \"{meant}\"? If not, write \"{as_it_is}\""),
+    let meant: Vec<String> = kind.likely.iter().map(|unit| format!("{digits} {unit}")).filter(is_accepted).collect();
+    let help = match &meant[..] {
+        [] if kind.likely.is_empty() => format!("write the unit, as in \"{}\"", kind.example),
+        [] => return Err(beyond(&digits, value, kind)),
+        [meant] if !is_accepted(&as_it_is) => format!("did you mean \"{meant}\"?"),
+        [meant] => format!("did you mean \"{meant}\"? If not, write \"{as_it_is}\""),
+        // Another unit than that which is meant would pass.
+        several => format!("write its unit, as in \"{}\"", several.join("\", \"")),
     };
     Err(QuantityError::with_help(message, help))
 }

@@ -7,7 +7,6 @@ use planar_impact::crash3::Surface;
 use planar_impact::crush::ForceLine;
 
 use crate::case::{CrushInputs, Size};
-
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
@@ -28,8 +27,9 @@ const DURATION: RangeInclusive<f64> = 1e-3..=5.0;
 const DEPTH: f64 = 2.0;
 /// The side of a bus is twelve meters long.
 const WIDTH: RangeInclusive<f64> = 0.01..=15.0;
-/// Of two vehicles that slide along each other, and of tires on a ground: racing tires have 1.5.
+/// Of two vehicles that slide along each other.
 const FRICTION: f64 = 3.0;
+/// Of tires on a ground: those of race cars have 1.5.
 const FRICTION_OF_TIRES: f64 = 1.5;
 /// In N/m: those of cars are 5 to 100 kN/m.
 const ONSET: RangeInclusive<f64> = 1e3..=4e5;

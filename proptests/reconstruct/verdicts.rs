@@ -308,7 +308,7 @@ fn at_a_fold_the_extremum_is_the_answer_and_its_interval_that_of_a_grid() {
     assert!(compared >= 20, "{compared} of at most 41");
 }
 
-/// A fold and a direction that is open beside it, in one problem: each is told for itself.
+/// A fold and an open direction in one problem: the direction stays open.
 #[test]
 fn what_is_open_beside_a_fold_stays_open() {
     let (plane, truth) = (Variable::Input(Input::CrushPlane), Truth::of(straight_into_barrier(0.0), 0.5));

@@ -46,12 +46,12 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
     ///
     /// The square of the ratio of the two quantiles is (ν² + 0.764 ν + 1.265)/(ν² − 1.6567 ν + 0.7288) from ν = 1 on, to 0.5 %; for large ν it is 1 + (1.96² + 1)/(2 ν).
     pub fn wide_variance_of_sum(&self, weights: &[T]) -> T {
-        let tenths_of_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
+        let ten_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
         let freedom = self.independent_samples() - T::int(1);
         let freedom = T::select(freedom.less(&T::int(1)), T::int(1), freedom);
         let squared = freedom.clone().squared();
-        let numerator = squared.clone() + tenths_of_thousandths(7640) * freedom.clone() + tenths_of_thousandths(12_650);
-        let denominator = squared - tenths_of_thousandths(16_567) * freedom + tenths_of_thousandths(7288);
+        let numerator = squared.clone() + ten_thousandths(7640) * freedom.clone() + ten_thousandths(12_650);
+        let denominator = squared - ten_thousandths(16_567) * freedom + ten_thousandths(7288);
         self.variance_of_sum(weights) * numerator / denominator
     }
 

@@ -151,7 +151,7 @@ impl Fault {
             },
             Fault::Implausible { of, number, has_unit } => {
                 let (kind, said) = (of.kind(), Message::from(format!("{of} is ")).figure(of.measure(), *number));
-                match (*has_unit || kind.si.is_empty(), kind.likely.unwrap_or(kind.si)) {
+                match (*has_unit || kind.si.is_empty(), kind.likely.first().copied().unwrap_or(kind.si)) {
                     (true, _) if number.abs() < 1.0 => said.text(format!(", too small for {}", kind.name)),
                     (true, _) => said.text(format!(", too large for {}", kind.name)),
                     (false, unit) => {

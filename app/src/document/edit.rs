@@ -67,7 +67,7 @@ impl Document {
         let (name, kind) = (parameter.to_string(), parameter.kind());
         let key = key_of(&name);
         let Some(node) = self.find(&key) else {
-            let unit = kind.likely.filter(|_| kind.si.starts_with("rad")).unwrap_or(kind.si);
+            let unit = kind.likely.first().filter(|_| kind.si.starts_with("rad")).copied().unwrap_or(kind.si);
             let number = rounded(Conversion::to(unit).of_si(si), Conversion::to(unit).of_si(resolution));
             let text = if kind.si.is_empty() { rounded(si, resolution) } else { quoted(&format!("{number} {unit}")) };
             return Ok(vec![self.insert(&key, &text)?]);

@@ -14,8 +14,8 @@ pub struct Kind {
     pub si: &'static str,
     /// A value of this kind as a file writes it.
     pub example: &'static str,
-    /// The unit that was probably meant if a bare number is implausible in SI.
-    pub likely: Option<&'static str>,
+    /// The units of which one was probably meant if a bare number is implausible in SI.
+    pub likely: &'static [&'static str],
     /// Limits of a number without a unit, in SI.
     pub bare: Reach,
     /// Limits of any value, in SI, so that products of a few values stay finite.
@@ -45,13 +45,13 @@ impl Kind {
     /// Creates a kind whose values, with or without a unit, may have a magnitude up to `most`.
     const fn new(name: &'static str, dimension: Dimension, si: &'static str, example: &'static str, most: f64) -> Kind {
         let reach = Reach::Magnitude(most);
-        Kind { name, dimension, si, example, likely: None, bare: reach, domain: reach }
+        Kind { name, dimension, si, example, likely: &[], bare: reach, domain: reach }
     }
 
     /// Returns this kind with a narrower limit for numbers without a unit.
-    const fn bare(mut self, most: f64, likely: &'static str) -> Kind {
+    const fn bare(mut self, most: f64, likely: &'static [&'static str]) -> Kind {
         self.bare = Reach::Magnitude(most);
-        self.likely = Some(likely);
+        self.likely = likely;
         self
     }
 
@@ -65,14 +65,14 @@ impl Kind {
     /// A mass: 1e-3 to 1e9 kg, without a unit 0.1 to 1e6.
     pub const MASS: Kind = Kind::new("a mass", Dimension::new(1, 0, 0, 0), "kg", "1500 kg", 1e9).positive((0.1, 1e6), (1e-3, 1e9));
     /// A length: up to 1e3 m, without a unit 50.
-    pub const LENGTH: Kind = Kind::new("a length", Dimension::new(0, 1, 0, 0), "m", "1.5 m", 1e3).bare(50.0, "mm");
+    pub const LENGTH: Kind = Kind::new("a length", Dimension::new(0, 1, 0, 0), "m", "1.5 m", 1e3).bare(50.0, &["mm", "cm", "in", "ft"]);
     /// A speed: up to 1e5 m/s, without a unit 150.
-    pub const SPEED: Kind = Kind::new("a speed", Dimension::new(0, 1, -1, 0), "m/s", "40 ft/s", 1e5).bare(150.0, "km/h");
+    pub const SPEED: Kind = Kind::new("a speed", Dimension::new(0, 1, -1, 0), "m/s", "40 ft/s", 1e5).bare(150.0, &["km/h"]);
     /// An angle: up to 1e6 degrees, without a unit one turn.
     pub const ANGLE: Kind =
-        Kind::new("an angle", Dimension::new(0, 0, 0, 1), "rad", "-10 deg", 17_453.292_519_943_3).bare(std::f64::consts::TAU, "deg");
+        Kind::new("an angle", Dimension::new(0, 0, 0, 1), "rad", "-10 deg", 17_453.292_519_943_3).bare(std::f64::consts::TAU, &["deg"]);
     /// A yaw rate: up to 1e4 rad/s, without a unit 30.
-    pub const YAW_RATE: Kind = Kind::new("a yaw rate", Dimension::new(0, 0, -1, 1), "rad/s", "30 deg/s", 1e4).bare(30.0, "deg/s");
+    pub const YAW_RATE: Kind = Kind::new("a yaw rate", Dimension::new(0, 0, -1, 1), "rad/s", "30 deg/s", 1e4).bare(30.0, &["deg/s"]);
     /// A yaw inertia: 1e-9 to 1e15 kg m², without a unit 1e-3 to 1e9.
     pub const YAW_INERTIA: Kind =
         Kind::new("a yaw inertia", Dimension::new(1, 2, 0, 0), "kg m^2", "2000 kg m^2", 1e15).positive((1e-3, 1e9), (1e-9, 1e15));
@@ -82,7 +82,7 @@ impl Kind {
     pub const DURATION: Kind = Kind::new("a duration", Dimension::new(0, 0, 1, 0), "s", "100 ms", 1e6);
     /// An acceleration: up to 1e9 m/s², without a unit 30.
     pub const ACCELERATION: Kind =
-        Kind::new("an acceleration", Dimension::new(0, 1, -2, 0), "m/s^2", "9.8 m/s^2", 1e9).bare(30.0, "ft/s^2");
+        Kind::new("an acceleration", Dimension::new(0, 1, -2, 0), "m/s^2", "9.8 m/s^2", 1e9).bare(30.0, &["ft/s^2"]);
     /// A force: up to 1e15 N.
     pub const FORCE: Kind = Kind::new("a force", Dimension::new(1, 1, -2, 0), "N", "20 kN", 1e15);
     /// A weight: 1e-2 to 1e10 N, without a unit 1 to 1e7.

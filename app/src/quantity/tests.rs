@@ -231,6 +231,13 @@ fn bare_numbers_are_in_si_and_plausible() {
          (did you mean \"300 km/h\"? If not, write \"300 m/s\")"
     );
     assert_eq!(
+        refusal(150.0, Kind::LENGTH),
+        "a number without a unit is taken in m, and 150 m is not a plausible length \
+         (write its unit, as in \"150 mm\", \"150 cm\", \"150 in\", \"150 ft\")"
+    );
+    // Too large in any of these units.
+    assert!(refusal(1e300, Kind::LENGTH).contains("is too large for a length"));
+    assert_eq!(
         refusal(0.01, Kind::MASS),
         "a number without a unit is taken in kg, and 0.01 kg is not a plausible mass \
          (write the unit, as in \"1500 kg\")"

@@ -36,12 +36,12 @@ pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
     best.map(|(_, _, candidate)| candidate)
 }
 
-/// Returns a question for the known names that an unknown one may stand for: those of which it is a part, such as the name of a quantity without its vehicle, or
-/// else the one that it misspells.
-pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    /// Most names to ask for.
+/// Asks whether a known name was meant by an unknown one: names of which it is a part, as a quantity without its vehicle is, or else the one that it misspells.
+pub fn did_you_mean(name: &str, known: impl IntoIterator<Item = impl AsRef<str>>) -> Option<String> {
+    /// Maximum number of names.
     const MOST: usize = 4;
-    let known: Vec<&str> = known.collect();
+    let known: Vec<_> = known.into_iter().collect();
+    let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
     let begins = |part: &str| part.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
     let ends = |known: &&&str| known.strip_suffix(name).is_some_and(|before| before.ends_with('.'));
     let holds = |known: &&&str| known.split('.').any(begins);
@@ -71,7 +71,7 @@ mod tests {
             "vehicle.1.delta_v.x",
             "vehicle.1.delta_v_magnitude",
         ];
-        let meant = |name| did_you_mean(name, known.into_iter());
+        let meant = |name| did_you_mean(name, known);
         assert_eq!(meant("speed").as_deref(), Some("did you mean `vehicle.1.speed` or `vehicle.2.speed`?"));
         assert_eq!(meant("energy").as_deref(), Some("did you mean `energy.loss` or `energy.normal_work`?"));
         assert_eq!(meant("delta_v").as_deref(), Some("did you mean `vehicle.1.delta_v.x` or `vehicle.1.delta_v_magnitude`?"));

@@ -47,8 +47,8 @@ impl Statement {
         let Written { name, is_above, value, .. } = Written::read(text)?;
         let of = named(name, question).ok_or_else(|| {
             let known = question.asked.unknowns.iter().map(|unknown| name_in(unknown.of, &question.case));
-            let all: Vec<String> = known.chain(Measurand::all().map(|of| of.name().to_owned())).collect();
-            issue(name, "no quantity has this name", did_you_mean(name, all.iter().map(String::as_str)))
+            let all = known.chain(Measurand::all().map(|of| of.name().to_owned()));
+            issue(name, "no quantity has this name", did_you_mean(name, all))
         })?;
         if !question.asked.determines(of) {
             let help = of.is_in(&question.asked.collision).then(|| "give contact.crush_share, or the crush of each vehicle".to_owned());

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 
-use arrow_ipc::{Block, root_as_footer, root_as_message};
+use arrow_ipc::{Block, Message, root_as_footer, root_as_message};
 
 /// Marks that a length of four bytes follows; older streams begin with the length itself.
 const CONTINUATION: [u8; 4] = [0xff; 4];
@@ -69,8 +69,9 @@ impl Stated<'_> {
                 };
             }
             let metadata = self.bytes(at, length)?;
-            dictionaries += usize::from(root_as_message(&metadata).is_ok_and(|message| message.header_as_dictionary_batch().is_some()));
-            at = self.body(&metadata, at + length)?;
+            let message = root_as_message(&metadata).map_err(|wrong| wrong.to_string())?;
+            dictionaries += usize::from(message.header_as_dictionary_batch().is_some());
+            at = self.body(&message, at + length)?;
         }
         Ok(dictionaries)
     }
@@ -94,13 +95,12 @@ impl Stated<'_> {
         let prefix = if metadata.starts_with(&CONTINUATION) { 8 } else { 4 };
         let message = metadata.get(prefix..).ok_or("a block of it has no message")?;
         self.end(at + length, u64::try_from(block.bodyLength())?)?;
-        self.body(message, at + length)?;
+        self.body(&root_as_message(message).map_err(|wrong| wrong.to_string())?, at + length)?;
         Ok(())
     }
 
     /// The body of a message, and the columns that are compressed in it. Returns its end.
-    fn body(&self, metadata: &[u8], at: u64) -> Result<u64, Box<dyn Error>> {
-        let message = root_as_message(metadata).map_err(|wrong| wrong.to_string())?;
+    fn body(&self, message: &Message<'_>, at: u64) -> Result<u64, Box<dyn Error>> {
         let end = self.end(at, u64::try_from(message.bodyLength())?)?;
         let batch = message.header_as_record_batch().or_else(|| message.header_as_dictionary_batch()?.data());
         let Some(batch) = batch.filter(|batch| batch.compression().is_some()) else { return Ok(end) };

@@ -124,7 +124,7 @@ impl CaseReader {
             true => "no input of this case is uncertain: give one as \"1500 kg \u{b1} 50 kg\"".to_owned(),
             false => format!("the uncertain inputs are {}", names.join(", ")),
         };
-        let help = did_you_mean(name, names.iter().map(String::as_str));
+        let help = did_you_mean(name, &names);
         match named {
             Some(parameter) => place.report(format!("the case gives no uncertainty of {parameter}"), Some(known())),
             None => place.report("no input has this name", Some(help.unwrap_or_else(known))),

@@ -87,8 +87,7 @@ impl CaseReader {
                 read.into_iter().collect()
             }
             None => {
-                let names: Vec<String> = names_of_evidence().collect();
-                let help = did_you_mean(name, names.iter().map(String::as_str)).unwrap_or_else(known_names);
+                let help = did_you_mean(name, names_of_evidence()).unwrap_or_else(known_names);
                 field.report("nothing that can be measured has this name", Some(help));
                 None
             }
