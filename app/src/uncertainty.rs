@@ -324,6 +324,7 @@ impl<'a> Question<'a> {
         let probability = |found: &Estimated| Probability { value: found.value, se: found.standard_error };
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
         found.count(sampled.samples, &sampled.refused);
+        found.notices.0.extend(most_refused(sampled.samples, sampled.refused.samples));
         if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
             // To the digits in which it is written.
             let percent = (precision * 1e14).round() / 1e12;
@@ -389,6 +390,19 @@ fn number(input: &UncertainInput) -> Result<library::UncertainNumber, planar_imp
         Some(values) => library::Values::new(values.to_vec()).map(library::UncertainNumber::Values),
         None => Ok(input.distribution.into()),
     }
+}
+
+/// Warns if the inputs are mostly what physics refuses: what is left of them is another distribution than the one that was given.
+fn most_refused(samples: u64, refused: u64) -> Option<Notice> {
+    let share = refused as f64 / samples as f64;
+    let message = || {
+        format!(
+            "physics refuses {:.0} % of the samples, so that the inputs of the others are distributed otherwise than given: check the standard \
+             deviations, and give limits of what is possible",
+            100.0 * share
+        )
+    };
+    (share > 0.5).then(|| Notice::warning("most-refused", "", message()))
 }
 
 /// Warns if the ends of the middle range are those of few samples, of which the outermost is mostly nearer than the end.

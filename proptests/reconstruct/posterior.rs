@@ -307,6 +307,33 @@ fn summaries_are_those_of_the_draws() {
     assert_ne!(drawn(&problem, &Sampling { seed: 10, ..sampling }).chains(), posterior.chains());
 }
 
+/// A speed measured directly is normal: in closed form, the shortest range of a probability is that of the normal distribution.
+#[test]
+fn a_high_level_has_the_draws_that_it_needs() {
+    let problem = ReconstructionProblem::of(head_on()).unknown(ONE, 15.0).evidence(
+        Measurand::Variable(ONE),
+        14.0,
+        Uncertainty::StandardDeviation(0.5),
+    );
+    let sampling = Sampling::for_level(0.99);
+    assert_eq!(sampling, Sampling { draws: 2500, ..Sampling::default() });
+    let posterior = drawn(&problem, &sampling);
+    assert_eq!(posterior.chains().iter().map(Vec::len).collect::<Vec<_>>(), [2500; 4]);
+    let marginal = posterior.marginals(&[Measurand::Variable(ONE)], 0.99).remove(0);
+    assert!(marginal.effective > 8000.0 && marginal.r_hat < Marginal::CONVERGED, "{} {}", marginal.effective, marginal.r_hat);
+    let [low, high] = marginal.highest_density;
+    let half = 0.5 * statrs::distribution::Normal::standard().inverse_cdf(0.995);
+    assert!(((high - low) / (2.0 * half) - 1.0).abs() < 0.04, "{low} to {high}");
+    // The first thousand draws of each chain are those of a thousand; the further ones go on from there.
+    let short = drawn(&problem, &Sampling::default());
+    for (chain, first) in posterior.chains().iter().zip(short.chains()) {
+        assert_eq!(chain[..1000], first[..]);
+        assert!(chain[1000..].iter().all(|draw| !first.contains(draw)));
+    }
+    assert_eq!(Sampling::for_level(0.5), Sampling::default());
+    assert_eq!([0.999, 0.9999, 1.0].map(|level| Sampling::for_level(level).draws), [25_000; 3]);
+}
+
 #[test]
 fn what_has_no_end_has_no_posterior() {
     let of = Measurand::Output(Output::DeltaVMagnitude(Side::One));

@@ -21,8 +21,11 @@ const PILOT: usize = 100;
 /// Number of steps from a draw of a walker to its next, in the first round; twice as many in each further one.
 const STEPS: usize = 10;
 
-/// Maximum number of rounds.
+/// Maximum number of rounds until the draws have converged.
 const ROUNDS: usize = 5;
+
+/// Most draws of a chain in a round: a round holds all of its steps in memory.
+const OF_ROUND: usize = 1000;
 
 /// A draw: the values of the unknowns.
 type Draw = Vec<f64>;
@@ -101,18 +104,32 @@ impl<'a> Ensembles<'a> {
         };
         let pilots: Option<Vec<Round>> = (0..self.sampling.chains.max(1)).map(pilot).collect();
         let mut draws = self.run(pilots.ok_or(NoPosterior::NoRoom)?, goes_on)?;
-        let snapshots = self.sampling.draws.max(1).div_ceil(self.walkers);
-        for number in 1..=ROUNDS {
-            let apart = STEPS << (number - 1);
-            let next = draws.iter().enumerate().map(|(chain, draws)| {
-                let starts = draws[draws.len() - self.walkers..].to_vec();
-                let proposal = proposal.with_draws(&draws[draws.len() / 2..]);
-                Round { chain, number, starts, proposal, steps: snapshots * apart, apart }
+        let asked = self.sampling.draws.max(1).next_multiple_of(self.walkers);
+        let of_round = asked.min(OF_ROUND.next_multiple_of(self.walkers));
+        let round = |number: usize, apart: usize, draws: usize, from: &[Vec<Draw>], learnt: &[Vec<Draw>]| {
+            let next = from.iter().zip(learnt).enumerate().map(|(chain, (from, learnt))| {
+                let starts = from[from.len() - self.walkers..].to_vec();
+                let proposal = proposal.with_draws(&learnt[learnt.len() / 2..]);
+                Round { chain, number, starts, proposal, steps: draws / self.walkers * apart, apart }
             });
-            draws = self.run(next.collect(), goes_on)?;
+            self.run(next.collect(), goes_on)
+        };
+        let mut apart = STEPS;
+        for number in 1..=ROUNDS {
+            apart = STEPS << (number - 1);
+            draws = round(number, apart, of_round, &draws, &draws)?;
             if self.has_converged(&draws) {
                 break;
             }
+        }
+        let learnt = draws.clone();
+        for number in ROUNDS + 1.. {
+            let missing = asked - draws.first().map_or(asked, Vec::len);
+            if missing == 0 {
+                break;
+            }
+            let further = round(number, apart, missing.min(of_round), &draws, &learnt)?;
+            draws.iter_mut().zip(further).for_each(|(draws, further)| draws.extend(further));
         }
         Ok((draws, self.walkers))
     }

@@ -9,7 +9,7 @@ use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
 use crate::plain_text::clean;
-use crate::quantity::{self, Conversion, Kind, Reach, excerpt, nearest};
+use crate::quantity::{self, Conversion, Kind, Reach, did_you_mean, excerpt};
 
 /// What an input column gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -303,8 +303,7 @@ fn unknown(name: &str) -> Issue {
     if visible(name) != name {
         return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));
     }
-    match nearest(&name.to_ascii_lowercase(), known.iter().map(String::as_str)) {
-        Some(meant) => issue.with_help(format!("did you mean `{meant}`?")),
-        None => issue.with_help("rename the column, so that it passes through"),
-    }
+    issue.with_help(
+        did_you_mean(&name.to_ascii_lowercase(), &known).unwrap_or_else(|| "rename the column, so that it passes through".to_owned()),
+    )
 }

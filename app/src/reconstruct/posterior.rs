@@ -10,9 +10,13 @@ use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::named::{Named, positive_zero};
 use crate::notice::Notice;
+use crate::units::trim;
 
 /// Least number of independent draws for quantiles.
 const INDEPENDENT: f64 = 400.0;
+
+/// Least number of independent draws outside of a shortest range, which fewer make shorter by more than 3 %.
+const OUTSIDE: f64 = 20.0;
 
 /// The draws of the posterior.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -174,7 +178,7 @@ impl Drawn {
         };
         let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(*of, &question.case)).collect();
         let probabilities = asked.statements.iter().filter_map(probability).collect();
-        draws.warn(&softened, answer, notices);
+        draws.warn(&softened, answer.solutions.len(), asked.level, notices);
         Ok(Drawn { draws, probabilities, marginals, bins })
     }
 
@@ -220,7 +224,8 @@ impl Draws {
         (probability * (1.0 - probability) / self.ess.unwrap_or(f64::INFINITY)).sqrt()
     }
 
-    fn warn(&self, softened: &[String], answer: &Answer, notices: &mut Vec<Notice>) {
+    fn warn(&self, softened: &[String], solutions: usize, level: f64, notices: &mut Vec<Notice>) {
+        let outside = self.ess.map_or(f64::INFINITY, |ess| (1.0 - level) * ess);
         if !self.have_converged() {
             let (r_hat, ess) = (self.r_hat.unwrap_or(f64::NAN), self.ess.unwrap_or(f64::NAN));
             let message = format!(
@@ -228,10 +233,16 @@ impl Draws {
                  its numbers are not to be relied on"
             );
             notices.push(Notice::warning("posterior-not-converged", "", message));
+        } else if outside < OUTSIDE {
+            let message = format!(
+                "about {outside:.0} independent draws of the posterior lie outside of its shortest ranges of {} %: they are rough, and rather too \
+                 short; ask for a lower level",
+                trim(100.0 * level)
+            );
+            notices.push(Notice::warning("posterior-range-rough", "", message));
         }
-        if answer.solutions.len() > 1 {
-            let message =
-                format!("the posterior is that of {} solutions together: a mean between them may be near none", answer.solutions.len());
+        if solutions > 1 {
+            let message = format!("the posterior is that of {solutions} solutions together: a mean between them may be near none");
             notices.push(Notice::warning("posterior-has-modes", "", message));
         }
         if !softened.is_empty() {
@@ -253,5 +264,30 @@ fn refused(question: &Question, none: NoPosterior) -> Issues {
             Issue::at("posterior-improper", question.places.of_unknown(of), message).with_help(help)
         })),
         none => question.case.refuse_physics([Issue::at("no-posterior", "unknown", none.to_string())]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_of_few_draws_have_a_warning() {
+        let warned = |ess: f64, level: f64| {
+            let draws = Draws { chains: 4, draws: 1000, seed: 1, r_hat: Some(1.0), ess: Some(ess), pairs: Vec::new(), values: None };
+            let mut notices = Vec::new();
+            draws.warn(&[], 1, level, &mut notices);
+            notices.into_iter().map(|notice| (notice.code, notice.message)).collect::<Vec<_>>()
+        };
+        let codes = |ess, level| warned(ess, level).into_iter().map(|(code, _)| code).collect::<Vec<_>>();
+        assert!(codes(500.0, 0.95).is_empty() && codes(2100.0, 0.99).is_empty() && codes(90_000.0, 0.999).is_empty());
+        assert_eq!(codes(300.0, 0.95), ["posterior-not-converged"]);
+        assert_eq!(codes(1900.0, 0.99), ["posterior-range-rough"]);
+        let [(code, message)] = &warned(4000.0, 0.999)[..] else { panic!("one warning") };
+        assert_eq!(code, &"posterior-range-rough");
+        assert!(
+            message.to_string().starts_with("about 4 independent draws of the posterior lie outside of its shortest ranges of 99.9 %"),
+            "{message}"
+        );
     }
 }

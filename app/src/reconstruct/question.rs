@@ -217,20 +217,45 @@ fn beyond_momentum(case: &Case, known: &Known) -> Option<Issue> {
     }
 }
 
-/// The crush energies that are one at a barrier.
-const CRUSH_ENERGIES: [Measurand; 3] = [Measurand::CrushEnergy, Measurand::CrushEnergyOf(Side::One), Measurand::CrushEnergyOf(Side::Two)];
+/// Measurands that are about the same numbers.
+struct Kin {
+    about: &'static str,
+    numbers: usize,
+    of: Vec<Measurand>,
+}
 
-/// Returns what may be measured of the change of velocity of a vehicle and of its velocity at separation, which have two numbers each.
-fn vectors(side: Side) -> [(Vec<Measurand>, usize); 2] {
-    use Measurand::{DeltaVForward, DeltaVLeft, SeparationDirection, SeparationSpeed};
-    use Output::{DeltaVMagnitude, DeltaVX, DeltaVY, PrincipalDirectionOfForce, VelocityX, VelocityY};
-    let outputs = |outputs: &[fn(Side) -> Output]| outputs.iter().map(|output| Measurand::Output(output(side))).collect::<Vec<_>>();
-    let change = outputs(&[DeltaVX, DeltaVY, DeltaVMagnitude, PrincipalDirectionOfForce]);
-    let separation = outputs(&[VelocityX, VelocityY]);
-    [
-        (change.into_iter().chain([DeltaVForward(side), DeltaVLeft(side)]).collect(), 2),
-        (separation.into_iter().chain([SeparationSpeed(side), SeparationDirection(side)]).collect(), 2),
-    ]
+impl Kin {
+    /// Returns those of an impact of two vehicles, or of one and a barrier.
+    fn all(is_barrier: bool) -> Vec<Kin> {
+        use Measurand::{
+            ClosingSpeed, CrushEnergy, CrushEnergyOf, DeltaVForward, DeltaVLeft, EquivalentEnergySpeed, SeparationDirection,
+            SeparationSpeed,
+        };
+        use Output::{DeltaVMagnitude, DeltaVX, DeltaVY, NormalApproach, NormalWork, PrincipalDirectionOfForce, VelocityX, VelocityY};
+        const VECTOR: &str = "the two components of one vector";
+        let kin = |about, numbers, of: &[Measurand]| Kin { about, numbers, of: of.to_vec() };
+        let total = [CrushEnergy, Measurand::Output(NormalWork)];
+        let of_vehicles = Side::ALL.map(|side| [CrushEnergyOf(side), EquivalentEnergySpeed(side)]);
+        let mut all = vec![kin("one speed", 1, &[ClosingSpeed, Measurand::Output(NormalApproach)])];
+        if is_barrier {
+            all.push(kin("one energy", 1, &[&total[..], of_vehicles.as_flattened()].concat()));
+        } else {
+            all.extend([&total, &of_vehicles[0], &of_vehicles[1]].map(|energies| kin("one energy", 1, energies)));
+            all.push(kin(
+                "the crush energies of the two vehicles",
+                2,
+                &[&total[..1], &[CrushEnergyOf(Side::One), CrushEnergyOf(Side::Two)]].concat(),
+            ));
+        }
+        for side in Side::ALL {
+            let outputs = |of: &[fn(Side) -> Output]| of.iter().map(|output| Measurand::Output(output(side))).collect::<Vec<_>>();
+            let change = outputs(&[DeltaVX, DeltaVY, DeltaVMagnitude, PrincipalDirectionOfForce]);
+            let separation = outputs(&[VelocityX, VelocityY]);
+            all.push(kin(VECTOR, 2, &[change, vec![DeltaVForward(side), DeltaVLeft(side)]].concat()));
+            all.push(kin(VECTOR, 2, &[separation, vec![SeparationSpeed(side), SeparationDirection(side)]].concat()));
+        }
+        all
+    }
 }
 
 /// The question under construction.
@@ -309,17 +334,15 @@ impl Draft<'_> {
                 );
             }
         }
-        let barrier = self.case.inputs.vehicles.iter().any(Option::is_none);
-        for (vectors, numbers) in Side::ALL.into_iter().flat_map(vectors).chain(barrier.then(|| (CRUSH_ENERGIES.to_vec(), 1))) {
-            let about: Vec<&Known> = evidence.iter().filter(|known| vectors.contains(&known.of)).collect();
-            if about.len() > numbers {
-                let names: Vec<&str> = about.iter().map(|known| known.of.name()).collect();
-                let what = if numbers == 1 { "one energy" } else { "the two components of one vector" };
+        for Kin { about, numbers, of } in Kin::all(self.case.inputs.vehicles.iter().any(Option::is_none)) {
+            let given: Vec<&Known> = evidence.iter().filter(|known| of.contains(&known.of)).collect();
+            if given.len() > numbers {
+                let names: Vec<&str> = given.iter().map(|known| known.of.name()).collect();
                 let message = format!(
-                    "{} are about {what}, and count as independent: if they are one measurement, give {numbers} of them",
+                    "{} are about {about}, and count as independent: if they are one measurement, give {numbers} of them",
                     names.join(", ")
                 );
-                warn(&about[numbers].key, message);
+                warn(&given[numbers].key, message);
             }
         }
     }

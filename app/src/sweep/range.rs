@@ -137,10 +137,16 @@ fn wrong_step(from: &Quantity, to: &Quantity, step: &Quantity) -> Option<(String
     if step.si == 0.0 {
         return Some(("the step is zero".to_owned(), None));
     }
-    let backwards = (to.si - from.si) * step.si < 0.0;
+    let length = to.si - from.si;
+    let backwards = length * step.si < 0.0;
     let turned = if step.value < 0.0 { format!("{}", -step.value) } else { format!("-{}", step.value) };
     let help = format!("write the step as {turned} {}", step.unit);
-    backwards.then(|| ("the step leads away from the last value".to_owned(), Some(help.trim_end().to_owned())))
+    if backwards {
+        return Some(("the step leads away from the last value".to_owned(), Some(help.trim_end().to_owned())));
+    }
+    let help = "the step is the distance of a value from the next, and not their number; for one value, write it as FROM and as TO";
+    (length != 0.0 && step.si.abs() > length.abs() * (1.0 + 1e-9))
+        .then(|| ("the step leads beyond the last value".to_owned(), Some(help.to_owned())))
 }
 
 /// Describes a conflict of two inputs that are equivalent or exclude each other.
@@ -231,6 +237,8 @@ mod tests {
             ("Gamma=0 deg:0 deg:0 deg", "the step is zero"),
             ("Gamma=0 deg:1 deg:-1 deg", "the step leads away from the last value write the step as 1 deg"),
             ("e=1:0:0.1", "write the step as -0.1"),
+            ("e=0:1:11", "the step leads beyond the last value the step is the distance"),
+            ("Gamma=10 deg:-10 deg:-21 deg", "the step leads beyond the last value"),
             ("e=-0.1:1.5:0.1", "--vary e: -0.1; it must be from 0 to 1 \n--vary e: 1.5; it must be from 0 to 1"),
             ("m1=0 kg:100 kg:1 kg", "0 kg; it must be above zero"),
             ("k1=1 m:2 m:1 m", "the case gives `yaw_inertia` instead"),

@@ -422,7 +422,7 @@ fn what_is_left_out_or_refused_is_noted() {
     assert_eq!(codes(&nominal), ["nominal-refused"]);
     assert_eq!(nominal["of"]["vehicle.1.delta_v_magnitude"]["value"], Value::Null);
     let means = printed(&moving("-9", "0.5", "1"), &[]);
-    assert_eq!(codes(&means), ["means-refused"]);
+    assert_eq!(codes(&means), ["means-refused", "most-refused"]);
     assert!(means["of"]["vehicle.1.delta_v_magnitude"].get("linear").is_none());
     assert!(means["of"]["vehicle.1.delta_v_magnitude"]["monte_carlo"].is_object());
 }
@@ -597,6 +597,18 @@ fn a_refused_nominal_has_no_value_in_the_headline() {
     let run = run_with_input(&["uncertainty", "-", "--samples", "2000", "--of", "dV1"], case);
     assert_eq!(run.status, 0, "{}", run.err);
     assert!(run.out.contains("delta_v_magnitude: none at the nominal inputs, 95 % from") && !run.out.contains("NaN"), "{}", run.out);
+}
+
+/// A standard deviation of 3 leaves few restitutions from 0 to 1, and those are not normal.
+#[test]
+fn inputs_that_physics_mostly_refuses_have_a_warning() {
+    let warned = |restitution: &str| {
+        let run =
+            run_with_input(&["uncertainty", "-", "--samples", "4000", "--of", "dV1", "--format", "json"], &wall("1500", "10", restitution));
+        let answer = answered(&run);
+        codes(&answer).contains(&"most-refused")
+    };
+    assert_eq!(["0.1 ± 0.05", "0.1 ± 0.5", "0.1 ± 0.9", "0.1 ± 3"].map(|of| warned(&format!("\"{of}\""))), [false, false, true, true]);
 }
 
 /// A mean of three measurements has no standard deviation, nor has what follows from it.

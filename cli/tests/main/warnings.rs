@@ -221,7 +221,8 @@ fn frictions_of_no_tire_are_named() {
     };
     for (friction, is_named) in [(0.7, false), (1.5, false), (1.6, true), (7.0, true)] {
         let of_slide = slide.replacen(line, &format!("friction = {friction}"), 1);
-        for (verb, case) in [("slide", of_slide), ("solve", skid(friction))] {
+        let of_region = slide.replacen("friction = 0.45", &format!("friction = {friction}"), 1);
+        for (verb, case) in [("slide", of_slide), ("slide", of_region), ("solve", skid(friction))] {
             let run = run_with_input(&[verb, "-", "--format", "json"], &case);
             assert_eq!(run.status, 0, "{verb} {friction}: {}", run.err);
             assert_eq!(run.out.contains("\"unusual-friction\""), is_named, "{verb} {friction}");

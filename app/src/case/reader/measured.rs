@@ -283,7 +283,6 @@ impl CaseReader {
     fn distribution_in(&self, table: &Table<'_>, kind: Kind, domain: Domain) -> Option<Distributed> {
         let given: Vec<&'static str> = DISTRIBUTION_KEYS.into_iter().filter(|key| table.has(key)).collect();
         let has = |key: &str| given.contains(&key);
-        let number = |key| self.certain(table.required(key), kind, domain);
         // The key that decides what the others mean.
         let deciding = ["values", "file", "column", "n", "mean", "median", "factor", "value", "mode", "min", "max"];
         let by = deciding.into_iter().find(|key| has(key)).unwrap_or("value");
@@ -309,6 +308,16 @@ impl CaseReader {
             table.finish();
             return values.filter(|_| sound).map(|values| Distributed::of_values(values.into()));
         }
+        let read = self.distribution_by(by, table, kind, domain);
+        table.finish();
+        read.filter(|_| sound).map(Distributed::from)
+    }
+
+    /// Reads the numbers of a distribution by the key that decides what they mean.
+    fn distribution_by(&self, by: &str, table: &Table<'_>, kind: Kind, domain: Domain) -> Option<(f64, Option<Distribution>)> {
+        let has = |key: &'static str| table.has(key);
+        let number = |key| self.certain(table.required(key), kind, domain);
+        let mut sound = true;
         let read = match by {
             "n" | "mean" => self.mean_of_measurements(table, kind, domain),
             "median" | "factor" => {
@@ -321,7 +330,7 @@ impl CaseReader {
                 let spread = self.spread(table, kind, true);
                 let limits = (has("min") || has("max")).then(|| [number("min"), number("max")]);
                 match limits {
-                    None if given == ["value"] => {
+                    None if has("value") && !["sd", "resolution", "relative"].into_iter().any(has) => {
                         table.issue("missing `sd`, `relative` or `resolution`", Some("a certain number needs no table".to_owned()));
                         None
                     }
@@ -373,8 +382,7 @@ impl CaseReader {
                 is_ordered.then(|| (distribution.nominal(), Some(distribution)))
             }
         };
-        table.finish();
-        read.filter(|_| sound).map(Distributed::from)
+        read.filter(|_| sound)
     }
 }
 

@@ -166,6 +166,9 @@ impl CaseReader {
             None => None,
         };
         table.finish();
+        self.notices
+            .borrow_mut()
+            .extend(friction.and_then(|friction| unusual::friction_of_tires(&format!("{}.friction", table.path()), friction)));
         Some(Region { friction: friction?, grade: grade?, area: area? })
     }
 

@@ -30,6 +30,17 @@ fn are(found: &[String], keys: &[&str]) {
     }
 }
 
+/// A key that is unknown is named beside the one that is missing for it.
+#[test]
+fn unknown_keys_of_a_distribution_are_named_beside_those_that_are_missing() {
+    let of =
+        |table: &str| errors("case.toml", &wrong("", &[], 1, &[]).text().replace("restitution = 0.1", &format!("restitution = {table}")));
+    are(&of("{ val = 0.08 }"), &["contact.restitution.value", "contact.restitution.val"]);
+    are(&of("{ value = 0.08, stddev = 0.01 }"), &["contact.restitution", "contact.restitution.stddev"]);
+    are(&of("{ min = 0, maximum = 0.3 }"), &["contact.restitution.max", "contact.restitution.maximum"]);
+    are(&of("{ median = 0.1, faktor = 2 }"), &["contact.restitution.factor", "contact.restitution.faktor"]);
+}
+
 #[test]
 fn all_at_once_in_file_order() {
     let edits = &[

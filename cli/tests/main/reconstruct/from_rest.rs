@@ -116,7 +116,44 @@ fn what_counts_twice_is_told() {
     assert_eq!(told(&format!("{forward}\n{mass}"), "\"1500 kg ± 20 kg\""), ["\"evidence.vehicle.1.mass\""]);
     let energies = "crush_energy = \"80 kJ ± 8 kJ\"";
     assert!(told(energies, "1500").is_empty());
-    assert_eq!(told(&format!("{energies}\nvehicle.1.crush_energy = \"80 kJ ± 8 kJ\""), "1500").len(), 1);
+    let also = [
+        "vehicle.1.crush_energy = \"80 kJ ± 8 kJ\"",
+        "W_n = \"-80 kJ ± 8 kJ\"",
+        "vehicle.1.equivalent_energy_speed = \"10.3 m/s ± 0.5 m/s\"",
+    ];
+    for also in also {
+        assert_eq!(told(&format!("{energies}\n{also}"), "1500").len(), 1, "{also}");
+    }
+    let speed = "contact.closing_speed = \"10 m/s ± 0.5 m/s\"";
+    assert!(told(speed, "1500").is_empty());
+    assert_eq!(told(&format!("{speed}\nv_n = \"-10 m/s ± 0.5 m/s\""), "1500").len(), 1);
+}
+
+/// Two vehicles have two crush energies, of which the total is the sum.
+#[test]
+fn the_crush_energies_of_two_vehicles_count_twice() {
+    let told = |evidence: &[&str]| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\nspeed = 10\n[[vehicle]]\n\
+             mass = 1500\nyaw_inertia = 2500\nheading = \"180 deg\"\nimpact_center = [2, 0]\nspeed = 10\n[contact]\ncrush_plane = 0\n\
+             restitution = 0.1\n[evidence]\n{}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\n",
+            evidence.join("\n")
+        );
+        let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let all = answer["messages"].as_array().expect("messages");
+        all.iter().filter(|message| message["code"] == "counts-twice").map(|message| message["message"].to_string()).collect::<Vec<_>>()
+    };
+    let total = "crush_energy = \"150 kJ ± 10 kJ\"";
+    let [one, two] = ["vehicle.1.crush_energy = \"75 kJ ± 8 kJ\"", "vehicle.2.crush_energy = \"75 kJ ± 8 kJ\""];
+    let [speed, work] = ["vehicle.1.equivalent_energy_speed = \"10 m/s ± 0.5 m/s\"", "energy.normal_work = \"-150 kJ ± 10 kJ\""];
+    for once in [&[total][..], &[one, two], &[work]] {
+        assert!(told(once).is_empty(), "{once:?}");
+    }
+    for twice in [&[total, work][..], &[one, two, speed], &[total, one, two]] {
+        let told = told(twice);
+        assert!(told.len() == 1 && told[0].contains("count as independent"), "{twice:?}: {told:?}");
+    }
 }
 
 /// Columns of one file whose rows are correlated give a warning if the case gives no correlation.
