@@ -300,6 +300,16 @@ impl Case {
             warnings.extend(unusual.into_iter().flatten());
         }
         warnings.extend(unusual::friction(&self.collision.impulse_ratio));
+        let crush: f64 = self.setup.crush_outputs().iter().flatten().map(|crush| crush.energy).sum();
+        let before = planar_impact::Output::EnergyBefore.of(&self.collision, impact);
+        if crush > before {
+            let message = Message::from("the crush takes ")
+                .figure(Measure::Energy, crush)
+                .text(", and before the impact there is a kinetic energy of ")
+                .figure(Measure::Energy, before)
+                .text(" in all: check the units of depths, width and stiffness, or the speeds");
+            warnings.push(Notice::warning("crush-beyond-energy", "vehicle", message));
+        }
         if let Some(admissible) = self.collision.admissible()
             && self.collision.restitution > admissible.restitution_for_any_approach
         {

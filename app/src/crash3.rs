@@ -143,6 +143,9 @@ pub fn crash3(case: &Case, _: &(), control: &dyn Control) -> Result<Answer<Compa
 /// 5°: two directions of force may deviate from opposite by this angle without a warning.
 const MISALIGNED: f64 = 0.087;
 
+/// 25°: the direction of force on a vehicle, as it is given, may deviate from that of the case by this angle without a warning.
+const APART: f64 = 0.436;
+
 impl Comparison {
     /// Compares the methods for a case in which every vehicle has a crush.
     ///
@@ -304,6 +307,21 @@ fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Not
     };
     let mut warnings: Vec<Notice> = [estimate.one.as_ref(), estimate.two.as_ref()].into_iter().enumerate().filter_map(at_limit).collect();
     warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(leaves));
+    let of_case = case.collision.solve().ok();
+    let against = |(i, damaged): (usize, Option<&Damaged>)| {
+        case.setup.crush[i].as_ref()?.force_direction?;
+        let response = [&of_case.as_ref()?.one, &of_case.as_ref()?.two][i];
+        let [given, found] = [damaged?.force_direction.direction(), response.principal_direction_of_force()];
+        let apart = libm::remainder(given - found, std::f64::consts::TAU).abs();
+        let path = format!("vehicle.{}.crush.pdof", i + 1);
+        let message = Message::from(format!("{path}: it is "))
+            .figure(Measure::Angle, given)
+            .text(", and the impact of the case has ")
+            .figure(Measure::Angle, found)
+            .text("; check its sign, clockwise from straight ahead");
+        (apart > APART).then(|| Notice::warning("pdof-contradicts-motion", path, message))
+    };
+    warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(against));
     if let Some(angle) = pair.force_misalignment(&case.collision).filter(|angle| *angle > MISALIGNED) {
         let message = Message::from("the forces on the two vehicles are ")
             .figure(Measure::Angle, angle)

@@ -12,6 +12,7 @@ mod from_rest;
 mod from_skids;
 mod guaranteed;
 mod inputs;
+mod levels;
 mod posterior;
 mod question;
 mod slips;
@@ -180,6 +181,9 @@ fn by_separations(
     let intervals = question.asked.intervals_while(&answer, options.level, &of, &|done, total| control.goes_on(done, total));
     let intervals = intervals.ok_or_else(Issues::interrupted)?;
     notices.0.extend(dependences::bends(case, &question, answer.best(), &there, &intervals));
+    notices.0.extend(levels::of_few(case, options.level));
+    notices.0.extend(levels::of_resolutions(&question, options.level));
+    notices.0.extend(levels::beyond_deviations(&question.case, &intervals));
     let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
     let guaranteed =
         if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };

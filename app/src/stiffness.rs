@@ -251,7 +251,9 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
         let message = Message::from("no stiffness fitted on profile: ").join(why.message());
         Notice::warning(why.code(), "vehicle", message)
     }));
-    notices.0.extend(fits.iter().find_map(|fit| unusual::stiffness("vehicle", ForceLine::from(fit.stiffness))));
+    let of_fits = fits.iter().map(|fit| fit.stiffness);
+    let of_tests = tests.iter().flat_map(|test| [&test.on_mean_depth, &test.on_profile]).flatten().map(Forms::stiffness);
+    notices.0.extend(of_fits.chain(of_tests).find_map(|stiffness| unusual::stiffness("vehicle", ForceLine::from(stiffness))));
     let pooled = file.pooled();
     let uncertain = fits.iter().filter(|fit| file.is_uncertain(fit));
     let further: Vec<_> = uncertain
@@ -383,6 +385,10 @@ impl Forms {
             without_crush: positive_zero(stiffness.energy_without_crush()),
             b1: None,
         }
+    }
+
+    fn stiffness(&self) -> CrushStiffness {
+        CrushStiffness { onset: self.d0, slope: self.d1 }
     }
 }
 

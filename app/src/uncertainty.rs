@@ -9,7 +9,7 @@ mod variance;
 use std::collections::BTreeMap;
 
 use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
-use planar_impact::{Output, Refusals, simulation};
+use planar_impact::{ImpulseRatio, Output, Refusals, simulation};
 
 use crate::answer::Answer;
 use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
@@ -22,7 +22,7 @@ use crate::names;
 use crate::notice::{Notice, Notices};
 use crate::quantity::{self, Kind};
 use crate::statement::Written;
-use crate::units::trim;
+use crate::units::{Measure, trim};
 use crate::wording;
 use model::CaseModel;
 
@@ -257,6 +257,31 @@ impl<'a> Question<'a> {
             found.notices.0.push(Notice::warning("means-refused", "", message.join(wording::reasons(&refused))));
             break;
         }
+        found.notices.0.extend(self.of_switch());
+    }
+
+    /// Warns if the friction may hold, and may give way, within the uncertainty, where derivatives are those of one side.
+    fn of_switch(&self) -> Option<Notice> {
+        /// Standard deviations within which it may.
+        const NEAR: f64 = 2.0;
+        let at = self.parameters.iter().position(|parameter| *parameter == Parameter::Friction);
+        let own = at.map(|at| &self.uncertain.numbers()[at]);
+        let friction = match (own, self.case.collision.impulse_ratio) {
+            (Some(own), _) => own.mean(),
+            (None, ImpulseRatio::LimitedByFriction(friction)) => friction,
+            _ => return None,
+        };
+        let critical = self.uncertain.linear(CaseOutput::Impact(Output::CriticalImpulseRatio)).ok()?;
+        let sd = own.map_or(0.0, library::UncertainNumber::sd) + critical.sd;
+        let message = || {
+            Message::from("the friction of ")
+                .figure(Measure::Ratio, friction)
+                .text(" may hold and may give way within the uncertainty (the critical ratio is ")
+                .figure(Measure::Ratio, critical.mean.abs())
+                .text("), and derivatives are those of one side: samples have both")
+        };
+        let is_near = sd > 0.0 && (friction - critical.mean.abs()).abs() <= NEAR * sd;
+        is_near.then(|| Notice::warning("friction-switch", "contact.friction", message()))
     }
 
     fn infinite(&self) -> impl Iterator<Item = Parameter> + '_ {
@@ -325,6 +350,9 @@ impl<'a> Question<'a> {
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
         found.count(sampled.samples, &sampled.refused);
         found.notices.0.extend(most_refused(sampled.samples, sampled.refused.samples));
+        if self.infinite().next().is_none() {
+            found.notices.0.extend(heavy_tails(&self.outputs, &found.of, sampled.samples - sampled.refused.samples));
+        }
         if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
             // To the digits in which it is written.
             let percent = (precision * 1e14).round() / 1e12;
@@ -390,6 +418,24 @@ fn number(input: &UncertainInput) -> Result<library::UncertainNumber, planar_imp
         Some(values) => library::Values::new(values.to_vec()).map(library::UncertainNumber::Values),
         None => Ok(input.distribution.into()),
     }
+}
+
+/// Warns of outputs whose standard deviation the outermost samples make, and of which further samples make another.
+fn heavy_tails(outputs: &[CaseOutput], of: &[OutputUncertainty], solved: u64) -> Option<Notice> {
+    /// Samples from which a standard deviation of finite moments is known to a few per cent.
+    const MANY: u64 = 10_000;
+    /// Largest share of its standard error.
+    const MOST: f64 = 0.1;
+    let is_heavy = |found: &OutputUncertainty| found.monte_carlo.as_ref().is_some_and(|sampled| sampled.sd_se > MOST * sampled.sd);
+    let names: Vec<String> = outputs.iter().zip(of).filter(|(_, found)| is_heavy(found)).map(|(output, _)| output.to_string()).collect();
+    let message = || {
+        format!(
+            "a few samples far out make the standard deviation of {}, and further samples another; it may have none, and then no mean either: take \
+             quantiles and probabilities",
+            names.join(", ")
+        )
+    };
+    (solved >= MANY && !names.is_empty()).then(|| Notice::warning("heavy-tails", "", message()))
 }
 
 /// Warns if the inputs are mostly what physics refuses: what is left of them is another distribution than the one that was given.

@@ -34,7 +34,9 @@ const FRICTION_OF_TIRES: f64 = 1.5;
 /// In N/m: those of cars are 5 to 100 kN/m.
 const ONSET: RangeInclusive<f64> = 1e3..=4e5;
 /// In N/m²: those of cars are 0.2 to 2 MPa.
-const STIFFNESS: RangeInclusive<f64> = 1e4..=1e8;
+const STIFFNESS: RangeInclusive<f64> = 1e4..=1e7;
+/// Front wheels turn by 50° at most, in rad.
+const STEER: f64 = 1.2;
 
 /// Of the Earth, in m/s², with a margin.
 const GRAVITY: RangeInclusive<f64> = 9.7..=9.9;
@@ -43,9 +45,9 @@ const LENGTHS: [(&str, RangeInclusive<f64>); 6] = [
     ("length", 0.5..=30.0),
     ("width", 0.3..=5.0),
     ("front_overhang", 0.0..=5.0),
-    ("front_axle", 0.1..=15.0),
-    ("rear_axle", 0.1..=15.0),
-    ("track", 0.3..=4.0),
+    ("front_axle", 0.5..=8.0),
+    ("rear_axle", 0.5..=8.0),
+    ("track", 0.8..=3.0),
 ];
 
 fn warning(code: &'static str, path: &str, message: Message) -> Notice {
@@ -116,6 +118,12 @@ pub(crate) fn friction(ratio: &ImpulseRatio) -> Option<Notice> {
 pub(crate) fn friction_of_tires(path: &str, friction: f64) -> Option<Notice> {
     let message = || Message::from("no tire has a friction of ").figure(Measure::Ratio, friction).text("; a share of 1 is expected");
     (friction > FRICTION_OF_TIRES).then(|| warning("unusual-friction", path, message()))
+}
+
+/// Of the angle of a wheel to the vehicle.
+pub(crate) fn steer(path: &str, angle: f64) -> Option<Notice> {
+    let message = || Message::from("no wheel turns by ").figure(Measure::Angle, angle).text("; check its unit");
+    (angle.abs() > STEER).then(|| warning("unusual-steer", path, message()))
 }
 
 /// Of a crush that is wider than the surface that it lies on, as far as the file has both.

@@ -41,13 +41,14 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
         T::select(variance.less(&terms[0]), terms[0].clone(), variance)
     }
 
-    /// Computes the variance of the normal distribution whose 95 % are those of a weighted sum of samples that are not known better than these: Student's
-    /// distribution with one degree of freedom ν less than independent samples.
+    /// Computes the variance of the normal distribution whose 95 % are those of a weighted sum of samples whose noise is not known better than from these:
+    /// Student's distribution with ν = n/(2K + 1) − 1 degrees of freedom. The noise of a long sum is a spectral density at frequency zero, and its estimate from
+    /// covariances up to K steps apart has n/(2K + 1) of them (Priestley 1981, 6.2.4), of which the mean takes one.
     ///
     /// The square of the ratio of the two quantiles is (ν² + 0.764 ν + 1.265)/(ν² − 1.6567 ν + 0.7288) from ν = 1 on, to 0.5 %; for large ν it is 1 + (1.96² + 1)/(2 ν).
     pub fn wide_variance_of_sum(&self, weights: &[T]) -> T {
         let ten_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
-        let freedom = self.independent_samples() - T::int(1);
+        let freedom = whole::<T>(self.samples) / whole::<T>(2 * self.covariances.len() - 1) - T::int(1);
         let freedom = T::select(freedom.less(&T::int(1)), T::int(1), freedom);
         let squared = freedom.clone().squared();
         let numerator = squared.clone() + ten_thousandths(7640) * freedom.clone() + ten_thousandths(12_650);

@@ -145,9 +145,9 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     ///
     /// The impulse is a weighted sum Σ (w_i − Δt/n₀ in the baseline) F_i over the samples. Of white noise it has the variance found in the baseline times the
     /// sum of the squares of the weights: the contribution of the baseline grows with the length Δt of the window. Noise that is correlated from sample to
-    /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline. They are found the less well, the fewer independent samples it
-    /// has ([`Self::independent_samples`]), so that the variance is widened: 1.96 of its root are 95 % of Student's distribution. Integrate the raw record; the
-    /// filter does not change an impulse that begins and ends inside the record.
+    /// sample, such as that of a filter in the recorder, adds the covariances found in the baseline. They are found the less well, the fewer samples it has and the
+    /// farther these are correlated, so that the variance is widened: 1.96 of its root are 95 % of Student's distribution. Integrate the raw record; the filter
+    /// does not change an impulse that begins and ends inside the record.
     ///
     /// Between samples the channel is not known, and where its slope changes by Δs, trapezoids of a step h err by up to h²Δs/12. That is the standard deviation
     /// of each such error in the variance: of white noise some hundredths of its own, of a half-sine in ten samples 0.6 % of the impulse. What alternates from
@@ -171,8 +171,6 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     }
 
     /// Returns how many independent samples would tell the mean over a window before the event as well: fewer than the samples in it, where noise is correlated.
-    ///
-    /// Its standard deviation, and the noise in that of [`Self::impulse`], has about one degree of freedom less.
     ///
     /// # Errors
     ///

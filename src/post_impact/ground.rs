@@ -70,6 +70,27 @@ impl Area {
             }
         }
     }
+
+    /// Returns `true` unless sides of a polygon cross each other, as they do where its corners are not in their order along its border.
+    ///
+    /// ```
+    /// use planar_impact::Xy;
+    /// use planar_impact::post_impact::Area;
+    ///
+    /// let polygon = |corners: [[f64; 2]; 4]| Area::Polygon(corners.map(|[x, y]| Xy { x, y }).to_vec());
+    /// assert!(polygon([[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]]).is_simple());
+    /// assert!(!polygon([[0.0, 0.0], [20.0, 20.0], [20.0, 0.0], [0.0, 20.0]]).is_simple());
+    /// ```
+    pub fn is_simple(&self) -> bool {
+        let Area::Polygon(corners) = self else { return true };
+        let sides: Vec<_> = sides(corners).collect();
+        let parts = |(a, b): &(&Xy, &Xy), of: &(&Xy, &Xy)| {
+            let side = |point: &Xy| (**b - **a).cross(*point - **a);
+            side(of.0) * side(of.1) < 0.0
+        };
+        let cross = |(i, one)| sides[i + 1..].iter().any(|other| parts(one, other) && parts(other, one));
+        !sides.iter().enumerate().any(cross)
+    }
 }
 
 impl Ground {

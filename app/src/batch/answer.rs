@@ -5,7 +5,7 @@ use planar_impact::check::{Options, Record, Severity, check};
 use planar_impact::{Collision, Heading, ImpulseRatio, Input, Moment, Output, Party, Refusal, Side, Vehicle, Xy};
 
 use super::Plan;
-use super::column::{Column, Table};
+use super::column::{Cell, Column, Table};
 use super::row::{Fault, Row, RowVehicle, describe};
 use super::sizes::{self, Unusual};
 use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, Velocity};
@@ -70,8 +70,9 @@ impl Plan {
                     self.crush_of(&mut cells);
                 }
                 if cells.faults.is_empty() {
+                    let is_empty = !columns.is_empty() && columns.iter().all(|column| matches!(column.at(row), Cell::Empty));
                     let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
-                    sizes::of_row(&vehicles, &contact).for_each(of_row);
+                    sizes::of_row(&vehicles, &contact).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
                 }
                 read.push(&vehicles, &contact, cells.faults);
             }

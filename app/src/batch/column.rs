@@ -282,7 +282,10 @@ pub(super) fn meant_by(name: &str) -> Vec<Key> {
     let (of_symbol, lower) = (Parameter::named(name).map(Key::Parameter), visible(name).to_ascii_lowercase());
     let lower = if lower == WEIGHT { "mass".to_owned() } else { lower };
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
-    known().filter(|key| of_symbol == Some(*key) || within.contains(&key.to_string())).collect()
+    // Written with other signs between the words.
+    let joined = |name: &str| name.chars().filter(|c| c.is_alphanumeric()).collect::<String>().replace("vehicles", "vehicle");
+    let is_meant = |key: &str| within.iter().any(|name| name == key) || joined(key) == joined(&lower);
+    known().filter(|key| of_symbol == Some(*key) || is_meant(&key.to_string())).collect()
 }
 
 /// What a case file may give in place of a mass, and a table may not.

@@ -37,6 +37,15 @@ pub(super) fn of_row(vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs
     of_vehicles.flat_map(|(vehicle, path)| of_vehicle(vehicle, path)).chain(unusual::friction(&contact.impulse_ratio))
 }
 
+/// Returns the warning of a row in which no input has a cell.
+pub(super) fn empty_row() -> Notice {
+    Notice::warning(
+        "empty-row",
+        "",
+        "no input of the row has a number, so that it is the case itself; remove it if it is none of the table",
+    )
+}
+
 fn of_vehicle(vehicle: &RowVehicle, path: &str) -> impl Iterator<Item = Notice> + use<> {
     let RowVehicle { mass, inertia, velocity, yaw_rate, impact_center, .. } = vehicle;
     let speed = match velocity {

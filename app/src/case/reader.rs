@@ -187,7 +187,7 @@ impl CaseReader {
         self.contents.borrow_mut().input(&key);
         let Distributed { nominal, distribution, values } = read;
         if let Some(distribution) = distribution {
-            self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution, values });
+            self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal, distribution, values, is_for_95: false });
         }
         nominal
     }

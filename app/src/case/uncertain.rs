@@ -24,6 +24,15 @@ pub struct UncertainInput {
     pub distribution: Distribution,
     /// Measured values in SI, each of which is equally likely; `None` for an input that has its distribution.
     pub values: Option<Arc<[f64]>>,
+    /// `true` if its standard deviation is widened so that 1.96 of it are the 95 % of Student's distribution: other levels are not in proportion.
+    pub is_for_95: bool,
+}
+
+impl UncertainInput {
+    /// Returns `true` if few measurements or tests tell it, so that a normal distribution has its 95 % at most.
+    pub fn has_tails(&self) -> bool {
+        self.is_for_95 || matches!(self.distribution, Distribution::StudentT { .. })
+    }
 }
 
 /// The coefficient of correlation of two uncertain inputs.
@@ -139,6 +148,7 @@ mod tests {
             nominal: 1.0,
             distribution: Distribution::Normal { mean: 1.0, sd: 0.1 },
             values: None,
+            is_for_95: false,
         };
         let pair =
             |&(i, k, coefficient): &(usize, usize, f64)| InputCorrelation { one: all[i], other: all[k], coefficient, key: String::new() };
@@ -222,7 +232,8 @@ mod tests {
         ] {
             let case = read(text, "0.1", "0.2");
             let parameter = Parameter::Input(Input::Mass(Side::One));
-            let input = UncertainInput { parameter, key: "vehicle.1.mass".to_owned(), nominal, distribution, values: None };
+            let input =
+                UncertainInput { parameter, key: "vehicle.1.mass".to_owned(), nominal, distribution, values: None, is_for_95: false };
             assert_eq!(case.uncertain.inputs, [input], "{text}");
             assert_eq!(case.inputs.value(parameter), Ok(nominal), "{text}");
         }

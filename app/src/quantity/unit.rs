@@ -116,6 +116,7 @@ const NAMED: &[Named] = &[
     named(LENGTH, &["mi", "mile", "miles"], 1_609_344.0, 1e3),
     named(TIME, &["s", "sec", "secs", "second", "seconds"], 1.0, 1.0),
     named(TIME, &["ms", "msec", "millisecond", "milliseconds"], 1.0, 1e3),
+    named(TIME, &["us", "\u{b5}s", "\u{3bc}s", "usec", "microsecond", "microseconds"], 1.0, 1e6),
     named(TIME, &["min", "mins", "minute", "minutes"], 60.0, 1.0),
     named(TIME, &["h", "hr", "hrs", "hour", "hours"], 3600.0, 1.0),
     named(SPEED, &["kph", "kmh", "kmph"], 1e3, 3600.0),

@@ -11,6 +11,7 @@ use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
+use crate::unusual;
 
 /// Samples in a local line of a film, unless the file says otherwise.
 const NEIGHBORS: usize = 9;
@@ -45,6 +46,7 @@ impl Analysis<'_> {
         let (first, last) = (times[0], times[times.len() - 1]);
         let contact = settings.window.map_or(first.max(0.0), |window| window.from);
         let separation = settings.separation.or(settings.window.map(|window| window.to)).unwrap_or(last);
+        self.notices.extend(unusual::duration(&channel.path, format!("by {} the contact lasts", channel.name), separation - contact));
         if separation <= contact {
             let message = Message::from("it is ")
                 .figure(Measure::Time, separation)

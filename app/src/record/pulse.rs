@@ -82,13 +82,34 @@ fn of_implausible_size(name: &str, path: &str, quantity: ChannelQuantity, over: 
     unusual::duration(path, format!("{name} is integrated over"), over.to - over.from).or_else(too_great)
 }
 
-/// Returns a warning of a channel that does not return to its baseline after the window.
-fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, before]: [&Window; 2], integral: Estimate) -> Option<Notice> {
+/// Returns the time from which a channel that has no window should be unloaded: its last tenth, unless the load falls there, or is more than a tenth of the greatest,
+/// as in a record that ends too early.
+fn from_end(record: &Record, over: &Window, unloaded: f64) -> Option<f64> {
+    let lately = over.to - 0.1 * (over.to - over.from);
+    let middle = 0.5 * (lately + over.to);
+    let mean = |from: f64, to: f64| Some(record.baseline(&Window { from, to }).ok()?.value - unloaded);
+    let [early, late] = [mean(lately, middle)?, mean(middle, over.to)?];
+    let greatest = record.values().iter().map(|value| (value - unloaded).abs()).fold(0.0, f64::max);
+    (late.abs() > 0.5 * early.abs() && early * late > 0.0 && late.abs() <= 0.1 * greatest).then_some(lately)
+}
+
+/// Returns a warning of a channel that does not return to its baseline after the window, or at its end if there is none.
+fn of_drift(
+    name: &str,
+    path: &str,
+    quantity: ChannelQuantity,
+    record: &Record,
+    [over, before]: [&Window; 2],
+    integral: Estimate,
+) -> Option<Notice> {
     /// Standard deviations that are no chance.
     const MOST: f64 = 4.0;
     let times = record.times();
     let last = times[times.len() - 1];
-    let first = *times.iter().find(|time| **time > over.to + ROUNDING * (last - times[0]))?;
+    let unloaded = record.baseline(before).ok()?.value;
+    let after_window = times.iter().copied().find(|time| *time > over.to + ROUNDING * (last - times[0]));
+    let first = after_window.or_else(|| from_end(record, over, unloaded))?;
+    let (when, path) = if after_window.is_some() { ("after the window", "window") } else { ("at its end", path) };
     let mean = |window: &Window| -> Option<Estimate> {
         let reading = record.baseline(window).ok()?;
         Some(Estimate { variance: reading.variance / record.independent_samples(window).ok()?, ..reading })
@@ -98,12 +119,12 @@ fn of_drift(name: &str, quantity: ChannelQuantity, record: &Record, [over, befor
     // An offset that drifts evenly is in the integral with half of its last value.
     let of_drift = difference * (over.to - over.from) / 2.0;
     let is_chance = difference.abs() <= MOST * (after.variance + before.variance).sqrt() || of_drift.abs() <= integral.deviation();
-    let message = Message::from(format!("after the window {name} is "))
+    let message = Message::from(format!("{when} {name} is "))
         .figure(quantity.measure(), difference)
         .text(" from its baseline: unless this acts on the vehicle, the offset drifts, and the integral has some ")
         .figure(quantity.integral(), of_drift)
         .text(" of it, which its standard deviation does not have");
-    (!is_chance).then(|| Notice::warning("drift", "window", message))
+    (!is_chance).then(|| Notice::warning("drift", path, message))
 }
 
 impl Analysis<'_> {
@@ -132,7 +153,7 @@ impl Analysis<'_> {
                 self.notices.extend(of_short_baseline(name, path, record, before));
                 let of_steps: f64 = channels.iter().map(|channel| variance_of_steps(channel, &over, before)).sum();
                 let integral = Estimate { variance: integral.variance + of_steps, ..integral };
-                self.notices.extend(of_drift(name, quantity, record, [&over, before], integral));
+                self.notices.extend(of_drift(name, path, quantity, record, [&over, before], integral));
                 integral
             }
             None => Estimate { value: uncorrected, variance: 0.0 },

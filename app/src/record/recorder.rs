@@ -233,6 +233,7 @@ impl Recorder {
                 );
                 notices.push(Notice::warning("after-impact", speed.path.clone(), message));
             }
+            notices.extend(of_jump(&pre_crash, noise, &speed.path));
             at_impact(&pre_crash, noise, &speed.path, issues, notices)
         });
         for component in components() {
@@ -315,6 +316,26 @@ fn after_impact(rows: &mut Vec<PreCrash>) -> usize {
 /// Returns the rounding of the times of rows.
 fn slack_of(rows: &[PreCrash]) -> f64 {
     rows.first().zip(rows.last()).map_or(0.0, |(first, last)| ROUNDING * (last.time - first.time))
+}
+
+/// Returns a warning of speeds before the impact that change faster than a vehicle brakes.
+fn of_jump(before: &[PreCrash], noise: Noise, path: &str) -> Option<Notice> {
+    /// As a multiple of the acceleration of full braking.
+    const MOST: f64 = 2.0;
+    let step = noise.step.unwrap_or(0.0);
+    let jump = |[one, other]: &[PreCrash; 2]| {
+        let most = MOST * FULL_BRAKING * (other.time - one.time) + 2.0 * step;
+        (other.speed - one.speed).abs() > most
+    };
+    let [one, other] = *before.array_windows().find(|pair| jump(pair))?;
+    let message = Message::from("the speed changes from ")
+        .figure(Measure::Speed, one.speed)
+        .text(" to ")
+        .figure(Measure::Speed, other.speed)
+        .text(" within ")
+        .figure(Measure::Time, other.time - one.time)
+        .text(" before the impact, which neither brakes nor an engine do: check its sign, and whether a number marks a missing reading");
+    Some(Notice::warning("speed-jumps", path, message))
 }
 
 /// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.

@@ -102,7 +102,8 @@ fn a_row_has_the_numbers_of_solve() {
     let input = "vehicle.1.speed [mph],contact.restitution,id\n,,as it is\n30,0.1,faster\n";
     let case = text(&workspace().join(POSITION_A)).to_owned();
     let table = run_with_input(&["batch", "-", "-o", "-", "--case", &case], input);
-    assert_eq!((table.status, table.err.as_str()), (0, ""));
+    assert_eq!((table.status, table.err.lines().count()), (0, 1));
+    assert!(table.err.starts_with("warning: no input of the row has a number"), "{}", table.err);
     let table = rows(&table.out);
     assert_eq!(table[0][..3], ["vehicle.1.speed [mph]", "contact.restitution", "id"]);
     let faster = fs::read_to_string(workspace().join(POSITION_A)).expect("the example");
@@ -141,6 +142,21 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
     let done = run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "T_L"], "vehicle.1.speed,e,site\n10,0.1,a\n");
     assert_eq!(done.err, "warning: the column `e` passes through unread; as an input it is named contact.restitution\n");
     assert_eq!(done.status, 0);
+}
+
+/// Other signs between the words of an input, and a row of a spreadsheet that has no number at all.
+#[test]
+fn columns_with_other_signs_and_rows_without_numbers_are_named() {
+    let case = workspace().join(POSITION_A);
+    let said = |table: &str| run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "T_L"], table).err;
+    for name in ["vehicles.2.speed", "vehicle 2 speed", "Vehicle_2_Speed"] {
+        let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
+        assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named vehicle.2.speed")), "{said}");
+    }
+    assert_eq!(said("vehicle.1.speed,speedometer 2\n10,5\n"), "");
+    assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
+    let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");
+    assert!(said.contains("no input of the row has a number") && said.contains("row 2"), "{said}");
 }
 
 #[test]

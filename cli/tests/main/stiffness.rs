@@ -640,6 +640,10 @@ fn sizes_of_no_test_are_named() {
     };
     // B = (13 m/s)² 1000 kg/m over the square of the depth is some 1 MPa, 0.1 GPa and 4 kPa.
     assert_eq!(["0.4", "0.04", "6.2"].map(stiff), [false, true, true]);
+    // Of a test by itself too: tonnes for kilograms.
+    let malibu =
+        |mass: &str| json(&example("malibu.toml").replacen("1779 kg", mass, 1))["messages"].to_string().contains("\"unusual-stiffness\"");
+    assert_eq!(["1779 kg", "1779 t"].map(malibu), [false, true]);
     assert_eq!(codes("depths = [0.4, 0.4]", "depths = [2.4, 2.1]")[..1], ["unusual-depth"]);
     assert_eq!(codes("mass = 1500", "mass = 15")[..1], ["unusual-mass"]);
     assert_eq!(codes("depth = \"0.4 m\"", "depth = 40"), ["unusual-depth"]);

@@ -164,16 +164,16 @@ fn every_case_of_the_independent_computation() {
 
 #[test]
 fn any_number_of_threads_prints_the_same() {
-    // What neither draws samples nor is the work of several threads, such as bounds, is computed once.
-    let drawn = ["--method", "linear,monte-carlo"];
+    // What neither draws samples nor is the work of several threads, such as bounds, is computed once, and of one output.
+    let drawn = ["--of", "dV1,T_L", "--method", "linear,monte-carlo"];
     for arguments in [
-        &["--format", "json"][..],
+        &["--of", "dV1", "--format", "json"][..],
         &[&drawn[..], &["--format", "json", "--points", "sobol"]].concat(),
         &[&drawn[..], &["--precision", "0.5%"]].concat(),
         &[&drawn[..], &["--format", "csv"]].concat(),
     ] {
         let printed = ["1", "2", "3"].map(|threads| {
-            let call = ["uncertainty", EXAMPLE, "--samples", "20011", "--of", "dV1,T_L"];
+            let call = ["uncertainty", EXAMPLE, "--samples", "20011"];
             let output = planar_impact(&workspace()).args(call).args(arguments).env("RAYON_NUM_THREADS", threads).output();
             Run::of(output.expect("the program starts")).out
         });
@@ -609,6 +609,50 @@ fn inputs_that_physics_mostly_refuses_have_a_warning() {
         codes(&answer).contains(&"most-refused")
     };
     assert_eq!(["0.1 ± 0.05", "0.1 ± 0.5", "0.1 ± 0.9", "0.1 ± 3"].map(|of| warned(&format!("\"{of}\""))), [false, false, true, true]);
+}
+
+/// Where friction holds at the mean, and gives way in a part of the samples, derivatives are those of one side.
+#[test]
+fn a_friction_that_may_give_way_has_a_warning() {
+    let case = |friction: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1450\nyaw_inertia = 2600\nheading = \"10 deg\"\nspeed = 14.5\nimpact_center = [1.85, -0.4]\n[[vehicle]]\n\
+             mass = 1180\nyaw_inertia = 1900\nheading = \"120 deg\"\nspeed = 11.4\nimpact_center = [1.6, 0.5]\n[contact]\n\
+             crush_plane = \"-8 deg\"\nrestitution = 0.08\nfriction = {friction}\n"
+        )
+    };
+    let warned = |friction: &str, method: &str| {
+        let run = run_with_input(&["uncertainty", "-", "--of", "T_L", "--method", method, "--format", "json"], &case(friction));
+        codes(&answered(&run)).contains(&"friction-switch")
+    };
+    // The critical ratio is 0.2392.
+    for method in ["linear", "second-order", "linear,monte-carlo"] {
+        assert!(warned("\"0.245 ± 0.05\"", method) && warned("\"0.15 ± 0.05\"", method), "{method}");
+    }
+    assert!(!warned("\"0.245 ± 0.05\"", "monte-carlo"), "samples have both sides");
+    assert_eq!(["\"0.4 ± 0.05\"", "\"0.1 ± 0.05\"", "\"0.245 ± 0.002\""].map(|friction| warned(friction, "linear")), [false; 3]);
+    // A certain friction, and a critical ratio that is not.
+    let certain = |friction: &str| case(friction).replacen("speed = 14.5", "speed = \"14.5 m/s ± 1 m/s\"", 1);
+    let warned = |friction: &str| {
+        run_with_input(&["uncertainty", "-", "--of", "T_L", "--method", "linear", "--format", "json"], &certain(friction))
+            .out
+            .contains("friction-switch")
+    };
+    assert_eq!(["0.24", "0.6"].map(warned), [true, false]);
+}
+
+/// A ratio of impulses of which the lower one may be near zero has no standard deviation.
+#[test]
+fn an_output_with_heavy_tails_has_a_warning() {
+    let case = "schema = 1\n[[vehicle]]\nmass = 1450\nyaw_inertia = 2450\nheading = \"10 deg ± 4 deg\"\nspeed = { min = 3, mode = 12, max = 14 }\n\
+                impact_center = [1.85, -0.4]\n[[vehicle]]\nmass = 1180\nyaw_inertia = 1900\nheading = \"3 deg\"\nspeed = { values = [2, 4, 5, 9] }\n\
+                impact_center = [-1.6, { value = 0.5, sd = 0.3, min = 0.2, max = 0.6 }]\n[contact]\ncrush_plane = { min = \"-8 deg\", max = \"8 deg\" }\n\
+                restitution = 0.08\n";
+    let warned = |of: &str| {
+        codes(&answered(&run_with_input(&["uncertainty", "-", "--of", of, "--method", "monte-carlo", "--format", "json"], case)))
+            .contains(&"heavy-tails")
+    };
+    assert_eq!(["mu0", "dV1"].map(warned), [true, false]);
 }
 
 /// A mean of three measurements has no standard deviation, nor has what follows from it.

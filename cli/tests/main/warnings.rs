@@ -241,8 +241,62 @@ fn lengths_of_a_slide_are_named() {
         run.out.contains("\"unusual-length\"")
     };
     let numbers = |key: &str| slide.lines().find(|line| line.starts_with(&format!("{key} = "))).expect("a key").to_owned();
-    for (key, usual, unusual) in [("front_axle", "1.2 m", "115 m"), ("rear_axle", "1.4 m", "16 m"), ("track", "1.5 m", "4.1 m")] {
+    for (key, usual, unusual) in [("front_axle", "1.2 m", "1.15 ft"), ("rear_axle", "1.4 m", "9 m"), ("track", "1.5 m", "1.5 ft")] {
         let given = numbers(key);
         assert!(!of(&given, &format!("{key} = \"{usual}\"")) && of(&given, &format!("{key} = \"{unusual}\"")), "{key}");
     }
+}
+
+/// Degrees of a steered wheel that are taken in radians, in every place of the angle.
+#[test]
+fn wheels_that_no_vehicle_turns_so_are_named() {
+    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
+    let of = |from: &str, to: &str| {
+        assert!(slide.contains(from), "{from}");
+        let run = run_with_input(&["slide", "-", "--format", "json"], &slide.replacen(from, to, 1));
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"unusual-steer\"")
+    };
+    let track = "track = \"1.48 m\"\n";
+    assert_eq!(["0.5", "\"60 deg\"", "-5", "5"].map(|angle| of(track, &format!("{track}steer = {angle}\n"))), [false, false, true, true]);
+    let wheel = "front_left = \"rolling\"";
+    assert!(of(wheel, "front_left = { state = \"rolling\", steer = 5 }"));
+    assert!(!of(wheel, "front_left = { state = \"rolling\", steer = \"5 deg\" }"));
+}
+
+/// A stiffness in N/mm² for N/cm²: the crush has twelve times the kinetic energy that there is.
+#[test]
+fn a_crush_beyond_the_kinetic_energy_is_named() {
+    let case = std::fs::read_to_string(workspace().join("cli/examples/cavalier-crush.toml")).expect("an example");
+    let given = "stiffness = { d0 = \"48.27 lbf^0.5\", d1 = \"162.8 lbf^0.5/ft\" }";
+    let of = |slope: &str| {
+        assert!(case.contains(given));
+        let case = case.replacen(given, &format!("stiffness = {{ A = \"175 N/cm\", B = \"{slope}\" }}"), 1);
+        let run = run_with_input(&["solve", "-", "--format", "json"], &case);
+        assert_eq!(run.status, 0, "{}", run.err);
+        ["crush-beyond-energy", "unusual-stiffness"].map(|code| run.out.contains(&format!("\"{code}\"")))
+    };
+    assert_eq!(["50 N/cm^2", "5 N/mm^2", "50 N/mm^2"].map(of), [[false, false], [true, false], [true, true]]);
+}
+
+/// A direction of force with the wrong sign, or from behind, beside the impact of the case.
+#[test]
+fn a_direction_of_force_that_the_impact_contradicts_is_named() {
+    let case = std::fs::read_to_string(workspace().join("cli/examples/cavalier-crush.toml")).expect("an example");
+    let of = |pdof: &str| {
+        let run = run_with_input(
+            &["crash3", "-", "--format", "json"],
+            &case.replacen("width = \"5 ft\"", &format!("width = \"5 ft\"\npdof = \"{pdof}\""), 1),
+        );
+        assert_eq!(run.status, 0, "{}", run.err);
+        run.out.contains("\"pdof-contradicts-motion\"")
+    };
+    let without = run_with_input(&["crash3", "-", "--format", "json"], &case);
+    assert!(!without.out.contains("\"pdof-contradicts-motion\""));
+    let answer: Value = serde_json::from_str(&without.out).expect("JSON");
+    let found = answer["vehicles"][0]["pdof"].as_f64().expect("a direction").to_degrees();
+    assert!((5.0..30.0).contains(&found), "{found}");
+    let near = format!("{:.1} deg", found - 15.0);
+    let [turned, behind] = [format!("{:.1} deg", -found), "165 deg".to_owned()];
+    assert_eq!([near, turned, behind].map(|pdof| of(&pdof)), [false, true, true]);
 }

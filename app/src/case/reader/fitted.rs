@@ -80,7 +80,15 @@ impl CaseReader {
             let sds = [known.fit.onset().deviation(), known.fit.slope().deviation()];
             for ((parameter, nominal), sd) in of.into_iter().zip([onset, slope]).zip(sds).filter(|(_, sd)| *sd > 0.0) {
                 let distribution = Distribution::Normal { mean: nominal, sd };
-                self.uncertain.borrow_mut().push(UncertainInput { parameter, key: key.clone(), nominal, distribution, values: None });
+                let is_for_95 = known.enlarged.is_some() || known.class.is_some();
+                self.uncertain.borrow_mut().push(UncertainInput {
+                    parameter,
+                    key: key.clone(),
+                    nominal,
+                    distribution,
+                    values: None,
+                    is_for_95,
+                });
             }
         }
         Some(known.fit.stiffness)

@@ -12,7 +12,7 @@ use crate::case::rest::{GivenPose, RestInputs, RestOfVehicle, WHEELS};
 use crate::case::vehicle::VehicleInputs;
 use crate::document::{Field, Table, Value};
 use crate::quantity::Kind;
-use crate::units::Measure;
+use crate::units::{Measure, trim};
 use crate::unusual;
 
 /// Maximum number of regions, and of corners of a region: each one is evaluated in every step.
@@ -181,6 +181,10 @@ impl CaseReader {
             place.report("all its corners lie on a line", None);
             return None;
         }
+        if !area.is_simple() {
+            place.report("its sides cross each other", Some("give the corners in their order along the border".to_owned()));
+            return None;
+        }
         Some(area)
     }
 
@@ -302,11 +306,10 @@ impl CaseReader {
     fn sliding_vehicle(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<SlidingVehicle> {
         let length = |key| self.length(table.required(key));
         let (front_axle, rear_axle, track) = (length("front_axle"), length("rear_axle"), length("track"));
-        let steer = if table.has("steer") { self.quantity(table.optional("steer"), Kind::ANGLE) } else { Some(0.0) };
+        let steer = if table.has("steer") { self.steer(table.optional("steer")) } else { Some(0.0) };
         let wheels = self.wheels(table, steer.unwrap_or(0.0));
-        let rolling_resistance =
-            table.has("rolling_resistance").then(|| self.coefficient(table.optional("rolling_resistance"), MOST_FRICTION));
-        let slip_angle = table.has("slip_angle").then(|| self.positive(table.optional("slip_angle"), Kind::ANGLE));
+        let rolling_resistance = table.has("rolling_resistance").then(|| self.coefficient(table.optional("rolling_resistance"), 1.0));
+        let slip_angle = table.has("slip_angle").then(|| self.slip_angle(table.optional("slip_angle")));
         steer?;
         let mut tires = Tires::ORDINARY;
         if let Some(resistance) = rolling_resistance {
@@ -317,6 +320,25 @@ impl CaseReader {
         }
         let (mass, yaw_inertia) = (inputs?.mass, inputs?.yaw_inertia());
         Some(SlidingVehicle { mass, yaw_inertia, front_axle: front_axle?, rear_axle: rear_axle?, track: track?, wheels: wheels?, tires })
+    }
+
+    /// Reads the angle of a wheel to the vehicle.
+    fn steer(&self, field: Field<'_>) -> Option<f64> {
+        let path = field.path().to_owned();
+        let angle = self.quantity(field, Kind::ANGLE)?;
+        self.notices.borrow_mut().extend(unusual::steer(&path, angle));
+        Some(angle)
+    }
+
+    /// Reads the slip angle at which tires slide, below a right angle.
+    fn slip_angle(&self, field: Field<'_>) -> Option<f64> {
+        let place = field.clone();
+        let angle = self.positive(field, Kind::ANGLE)?;
+        if angle >= std::f64::consts::FRAC_PI_2 {
+            place.report_as("out-of-range", format!("it is {} deg; it must be below 90 deg", trim(angle.to_degrees())), None);
+            return None;
+        }
+        Some(angle)
     }
 
     /// Reads the wheels, all of which are required, because none can be assumed to roll freely after a collision. The
@@ -354,7 +376,7 @@ impl CaseReader {
             },
             None => None,
         };
-        let own = if table.has("steer") { self.quantity(table.optional("steer"), Kind::ANGLE) } else { Some(steer) };
+        let own = if table.has("steer") { self.steer(table.optional("steer")) } else { Some(steer) };
         table.finish();
         Some(Wheel { restraint: restraint?, steer: own? })
     }

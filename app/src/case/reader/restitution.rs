@@ -30,7 +30,14 @@ impl CaseReader {
                 if curve.has_scatter() {
                     let distribution = Distribution::Normal { mean: 0.0, sd: 1.0 };
                     let parameter = Parameter::RestitutionScatter;
-                    self.uncertain.borrow_mut().push(UncertainInput { parameter, key, nominal: 0.0, distribution, values: None });
+                    self.uncertain.borrow_mut().push(UncertainInput {
+                        parameter,
+                        key,
+                        nominal: 0.0,
+                        distribution,
+                        values: None,
+                        is_for_95: false,
+                    });
                 }
                 Some(Restitution::OfClosingSpeed(curve))
             }

@@ -24,6 +24,22 @@ pub const BAD: &[Bad] = &[
     wrong("gravity upwards", &[("[rest]\n", "[rest]\ngravity = -9.8\n")], 23, &["rest.gravity", "above zero"]).of(RESTED),
     wrong("a region of two corners", &[(", [\"9 m\", \"5 m\"]]", "]")], 24, &["rest.regions.1.polygon", "3 to 256 corners"]).of(RESTED),
     wrong("a region on a line", &[("[\"9 m\", \"5 m\"]", "[\"19 m\", \"-5 m\"]")], 24, &["rest.regions.1.polygon", "on a line"]).of(RESTED),
+    wrong(
+        "a region whose sides cross",
+        &[("[\"9 m\", \"5 m\"]]", "[\"9 m\", \"5 m\"], [\"6 m\", \"-8 m\"]]")],
+        24,
+        &["rest.regions.1.polygon", "cross each other"],
+    )
+    .of(RESTED),
+    wrong("a rolling resistance above 1", &[("track =", "rolling_resistance = 1.5\ntrack =")], 31, &["rolling_resistance", "from 0 to 1"])
+        .of(RESTED),
+    wrong(
+        "a slip angle beyond a right angle",
+        &[("track =", "slip_angle = \"91 deg\"\ntrack =")],
+        31,
+        &["slip_angle", "it is 91 deg; it must be below 90 deg"],
+    )
+    .of(RESTED),
     wrong("a region without a place", &[(", polygon", ", polyp")], 24, &["rest.regions.1", "`polygon` or `half_plane`"]).of(RESTED),
     wrong("a region below zero", &[("friction = 0.4", "friction = -0.4")], 24, &["rest.regions.1.friction", "from 0 to 10"]).of(RESTED),
     wrong("a grade in degrees", &[("[rest]\n", "[rest]\ngrade = [\"2 deg\", 0]\n")], 23, &["rest.grade.1", "a pure number is expected"])

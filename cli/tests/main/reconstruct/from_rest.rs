@@ -142,7 +142,7 @@ fn the_crush_energies_of_two_vehicles_count_twice() {
         let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case);
         let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
         let all = answer["messages"].as_array().expect("messages");
-        all.iter().filter(|message| message["code"] == "counts-twice").map(|message| message["message"].to_string()).collect::<Vec<_>>()
+        all.iter().filter(|message| message["code"] == "counts-twice").map(|message| message["text"].to_string()).collect::<Vec<_>>()
     };
     let total = "crush_energy = \"150 kJ ± 10 kJ\"";
     let [one, two] = ["vehicle.1.crush_energy = \"75 kJ ± 8 kJ\"", "vehicle.2.crush_energy = \"75 kJ ± 8 kJ\""];

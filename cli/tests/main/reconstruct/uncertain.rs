@@ -30,6 +30,59 @@ fn codes(found: &Value) -> Vec<String> {
     messages.iter().filter_map(|message| message["code"].as_str().map(str::to_owned)).collect()
 }
 
+/// What a level above 95 % asks of few measurements, and one below 90 % of readings in steps.
+#[test]
+fn levels_that_standard_deviations_do_not_have_are_named() {
+    let case = |mass: &str, evidence: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n[contact]\n\
+             crush_plane = 0\nrestitution = 0.1\n[evidence]\nvehicle.1.delta_v_magnitude = {evidence}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\n"
+        )
+    };
+    let told = |mass: &str, evidence: &str, level: &str| {
+        let run = run_with_input(&["reconstruct", "-", "--format", "json", "--level", level], &case(mass, evidence));
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        codes(&answer).into_iter().filter(|code| code.starts_with("level-")).collect::<Vec<_>>()
+    };
+    let (few, normal) = ("{ mean = \"1500 kg\", sd = \"100 kg\", n = 4 }", "\"1500 kg ± 50 kg\"");
+    let (step, sd) = ("{ value = \"11 m/s\", resolution = \"1 m/s\" }", "\"11 m/s ± 0.5 m/s\"");
+    for (mass, evidence, level, expected) in [
+        (few, sd, "0.95", None),
+        (few, sd, "0.8", None),
+        (few, sd, "0.99", Some("level-beyond-tests")),
+        (normal, sd, "0.99", None),
+        (normal, step, "0.9", None),
+        (normal, step, "0.8", Some("level-below-resolution")),
+        (normal, sd, "0.8", None),
+    ] {
+        assert_eq!(told(mass, evidence, level), expected.into_iter().collect::<Vec<_>>(), "{mass} {evidence} {level}");
+    }
+}
+
+/// The friction is just above the critical ratio: at the best fit nothing depends on it, and within its uncertainty it gives way.
+#[test]
+fn intervals_far_beyond_standard_deviations_are_named() {
+    let case = |friction: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1450\nyaw_inertia = 2600\nheading = \"10 deg\"\nimpact_center = [1.85, -0.4]\n[[vehicle]]\n\
+             mass = 1180\nyaw_inertia = 1900\nheading = \"120 deg\"\nspeed = 11.4\nimpact_center = [1.6, 0.5]\n[contact]\n\
+             crush_plane = \"-8 deg\"\nrestitution = 0.08\nfriction = \"{friction}\"\n[evidence]\nvehicle.1.delta_v_forward = \"-7 m/s ± 0.3 m/s\"\n\
+             [unknown]\nvehicle.1.speed = {{ start = 14, min = 0 }}\n"
+        )
+    };
+    let told = |friction: &str| {
+        let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case(friction));
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let all = answer["messages"].as_array().cloned().unwrap_or_default();
+        all.iter()
+            .find(|message| message["code"] == "interval-beyond-sd")
+            .map(|message| message["text"].as_str().expect("a sentence").to_owned())
+    };
+    let message = told("0.26 ± 0.05").expect("a warning");
+    assert!(message.contains("vehicle.1.pdof") && message.contains("the intervals hold"), "{message}");
+    assert_eq!(told("0.8 ± 0.05"), None);
+}
+
 /// The same file with the number listed under `[unknown]`, after the other unknowns, has the same answer bit for bit.
 #[test]
 fn an_uncertain_input_is_an_unknown_with_a_prior() {

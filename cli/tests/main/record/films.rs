@@ -112,6 +112,9 @@ fn a_film_that_contradicts_its_file_is_told() {
         let run = of(&format!("speed = \"{speed}\"\n"));
         assert_eq!(run.out.contains("speed-contradicts-film"), is_told, "{}{}", run.out, run.err);
     }
+    assert!(!of("").out.contains("no impact lasts"));
+    let seconds = record_of(&film.replacen("time [ms]", "time [s]", 1), None).1;
+    assert!(film.starts_with("time [ms]") && seconds.out.contains("by distance the contact lasts"), "{}{}", seconds.out, seconds.err);
     let run = of("separation = \"-5 ms\"\n");
     assert!(run.status == 2 && run.err.contains("separation") && run.err.contains("leaves the barrier"), "{}", run.err);
     let run = of("[[channel]]\ncolumn = \"distance\"\nquantity = \"distance\"\npolarity = -1\n");

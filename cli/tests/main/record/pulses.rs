@@ -493,8 +493,15 @@ fn an_offset_that_drifts_is_told() {
     assert_eq!(told.len(), 1);
     assert!(told[0].contains("after the window normal force is 1099 N from its baseline") && told[0].contains("some 55"), "{told:?}");
     assert!(warned("drift", window, &noise).is_empty());
-    // Without a window all samples are the pulse.
-    assert!(warned("drift", "", &|ms| 0.01 * ms.max(0.0)).is_empty());
+    // Without a window the last tenth should be unloaded: after a drift and a shift it is not; a load that falls there is that of a record that ends early.
+    for disturbance in
+        [&|ms: f64| noise(ms) + 0.01 * ms.max(0.0), &|ms: f64| noise(ms) + if ms > 50.0 { 3.0 } else { 0.0 }] as [&dyn Fn(f64) -> f64; 2]
+    {
+        let told = warned("drift", "", disturbance);
+        assert!(told.len() == 1 && told[0].contains("at its end normal force is"), "{told:?}");
+    }
+    assert!(warned("drift", "", &noise).is_empty());
+    assert!(warned("drift", "", &|ms| noise(ms) + 20.0 * pulse((ms - 20.0).max(0.0))).is_empty());
 }
 
 /// What is left of a pulse counts from the unloaded reading, as its height does, and beside three standard deviations of the noise.

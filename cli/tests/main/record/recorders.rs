@@ -29,6 +29,25 @@ fn a_recorder_is_whole_with_zeros_before_the_impact() {
     }
 }
 
+/// No vehicle loses or gains 20 m/s in half a second before the impact: 255 marks a reading that is missing, and −41 has lost its sign.
+#[test]
+fn speeds_before_the_impact_that_jump_are_told() {
+    let told = |last: &str, before: &str| {
+        let text = format!(
+            "time [s],speed [km/h],delta_v_forward [km/h]\n-1,50,\n-0.5,{before},\n0,{last},0\n0.05,,-10\n0.1,,-20\n0.15,,-20\n0.2,,-20\n"
+        );
+        let (_, run) = record_of(&text, None);
+        assert!(run.status <= 1, "{}", run.err);
+        run.out.contains("\"speed-jumps\"")
+    };
+    // 0.8 g takes 14 km/h in half a second; twice as much, and two steps of 7 km/h beyond it, is none.
+    assert_eq!(
+        ["43", "20", "70", "2", "86", "255", "-41", "0"].map(|last| told(last, "43")),
+        [false, false, false, false, true, true, true, true]
+    );
+    assert!(told("43", "255"));
+}
+
 #[test]
 fn a_recorder_by_hand() {
     let (record, run) = record_of(&recorder(""), None);

@@ -12,14 +12,14 @@ use planar_impact::batch::{Batch, Instructions};
 use planar_impact::scalar::lanes::Lanes;
 use planar_impact::*;
 
-#[path = "kernel/inputs.rs"]
+#[path = "../../benches/kernel/inputs.rs"]
 #[allow(dead_code)]
 mod inputs;
 
 const COLLISIONS: usize = 256;
 
 fn main() {
-    let mut words = std::env::args().skip(1).filter(|word| word != "--bench");
+    let mut words = std::env::args().skip(1);
     let (Some(question), rounds) = (words.next(), words.next().and_then(|rounds| rounds.parse().ok()).unwrap_or(1)) else {
         return println!("a question and a number of rounds: {}", QUESTIONS.map(|(name, _)| name).join(", "));
     };
