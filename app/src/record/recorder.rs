@@ -323,11 +323,11 @@ fn of_jump(before: &[PreCrash], noise: Noise, path: &str) -> Option<Notice> {
     /// As a multiple of the acceleration of full braking.
     const MOST: f64 = 2.0;
     let step = noise.step.unwrap_or(0.0);
-    let jump = |[one, other]: &[PreCrash; 2]| {
+    let is_jump = |(one, other): &(&PreCrash, &PreCrash)| {
         let most = MOST * FULL_BRAKING * (other.time - one.time) + 2.0 * step;
         (other.speed - one.speed).abs() > most
     };
-    let [one, other] = *before.array_windows().find(|pair| jump(pair))?;
+    let (one, other) = before.iter().zip(before.iter().skip(1)).find(is_jump)?;
     let message = Message::from("the speed changes from ")
         .figure(Measure::Speed, one.speed)
         .text(" to ")
