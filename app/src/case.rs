@@ -19,7 +19,9 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Moment, Refusal, Refusals, Side, Vehicle, Xy, check};
+use planar_impact::{
+    Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Moment, Output, Refusal, Refusals, Side, Vehicle, Xy, check,
+};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -301,7 +303,7 @@ impl Case {
         }
         warnings.extend(unusual::friction(&self.collision.impulse_ratio));
         let crush: f64 = self.setup.crush_outputs().iter().flatten().map(|crush| crush.energy).sum();
-        let before = planar_impact::Output::EnergyBefore.of(&self.collision, impact);
+        let before = Output::EnergyBefore.of(&self.collision, impact);
         if crush > before {
             let message = Message::from("the crush takes ")
                 .figure(Measure::Energy, crush)

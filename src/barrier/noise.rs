@@ -43,7 +43,7 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
 
     /// Computes the variance of the normal distribution whose 95 % are those of a weighted sum of samples whose noise is not known better than from these:
     /// Student's distribution with ν = n/(2K + 1) − 1 degrees of freedom. The noise of a long sum is a spectral density at frequency zero, and its estimate from
-    /// covariances up to K steps apart has n/(2K + 1) of them (Priestley 1981, 6.2.4), of which the mean takes one.
+    /// covariances up to K steps apart has n/(2K + 1) of them (Priestley 1981, chapter 6), of which the mean takes one.
     ///
     /// The square of the ratio of the two quantiles is (ν² + 0.764 ν + 1.265)/(ν² − 1.6567 ν + 0.7288) from ν = 1 on, to 0.5 %; for large ν it is 1 + (1.96² + 1)/(2 ν).
     pub fn wide_variance_of_sum(&self, weights: &[T]) -> T {

@@ -1,7 +1,7 @@
 //! What a level of confidence asks of standard deviations, and they do not have.
 
 use planar_impact::Distribution;
-use planar_impact::reconstruct::{Interval, Uncertainty};
+use planar_impact::reconstruct::{Evidence, Interval, Uncertainty};
 
 use super::question::{Question, name_of};
 use crate::case::Case;
@@ -30,7 +30,7 @@ pub(super) fn of_few(case: &Case, level: f64) -> Option<Notice> {
 pub(super) fn of_resolutions(question: &Question, level: f64) -> Option<Notice> {
     /// From here on the deviations of a normal distribution are as much of a step: 1.645 of them are 95 % of it.
     const LEAST: f64 = 0.9;
-    let is_step = |piece: &&planar_impact::reconstruct::Evidence| matches!(piece.uncertainty, Uncertainty::Resolution(_));
+    let is_step = |piece: &&Evidence| matches!(piece.uncertainty, Uncertainty::Resolution(_));
     let of: Vec<String> = question.asked.evidence.iter().filter(is_step).map(|piece| name_of(piece.of, &question.case)).collect();
     let message = || {
         format!(
@@ -42,7 +42,7 @@ pub(super) fn of_resolutions(question: &Question, level: f64) -> Option<Notice> 
     (level < LEAST && !of.is_empty()).then(|| Notice::warning("level-below-resolution", "evidence", message()))
 }
 
-/// Notes quantities whose interval is far wider than their standard deviation says: it is that of the slope at the best fit, which a limit or a bend ends.
+/// Warns of quantities whose interval is far wider than their standard deviation says: it is that of the slope at the best fit, which a limit or a bend ends.
 pub(super) fn beyond_deviations(case: &Case, intervals: &[Interval]) -> Option<Notice> {
     /// Ratio of the two from which the standard deviation misleads.
     const FAR: f64 = 2.0;

@@ -133,7 +133,7 @@ impl Analysis<'_> {
         }
         let restitution = Estimate { value: ratio.value - 1.0, ..ratio };
         let restitution = Uncertain::of(restitution, is_known);
-        self.plausible(source, &restitution);
+        self.plausible(source, "mass, speed, polarity, calibration and window", &restitution);
         Some(restitution)
     }
 
@@ -142,14 +142,15 @@ impl Analysis<'_> {
         self.issues.push(Issue::at("overflow", "speed", message).with_help("give the closing speed of the test"));
     }
 
-    pub(super) fn plausible(&mut self, source: &str, restitution: &Uncertain) {
+    /// Warns of a restitution that is not from 0 to 1, with what it was computed from.
+    pub(super) fn plausible(&mut self, source: &str, from: &str, restitution: &Uncertain) {
         /// Standard deviations by which one between 0 and 1 may seem to lie outside.
         const MOST: f64 = 2.0;
         let outside = (-restitution.value).max(restitution.value - 1.0);
         if outside > MOST * restitution.sd.unwrap_or(0.0) + ROUNDING {
             let message = Message::from(format!("the restitution by {source} is "))
                 .figure(Measure::Ratio, restitution.value)
-                .text(", and not from 0 to 1; check mass, speed, polarity, calibration and window");
+                .text(format!(", and not from 0 to 1; check {from}"));
             self.notices.push(Notice::warning("implausible-restitution", "speed", message));
         }
     }
@@ -168,7 +169,11 @@ impl Analysis<'_> {
                 return None;
             }
         };
-        self.plausible("the kinematics", &kinematics.restitution);
+        self.plausible(
+            "the kinematics",
+            "the velocities before and after, the point and the heading of the barrier",
+            &kinematics.restitution,
+        );
         Some(kinematics)
     }
 

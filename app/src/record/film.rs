@@ -91,7 +91,11 @@ impl Analysis<'_> {
             other => self.report(path, other)?,
         };
         let (closing_speed, restitution) = (Uncertain::of(closing, true), Uncertain::of(restitution, true));
-        self.plausible(&channel.name, &restitution);
+        self.plausible(
+            &channel.name,
+            "speed, the times of contact and separation, and that it goes on beyond the separation",
+            &restitution,
+        );
         Some(Film { channel: channel.name.clone(), closing_speed, separation, restitution })
     }
 }

@@ -59,6 +59,35 @@ fn of_few_samples(name: &str, path: &str, corrected: &Record, over: &Window, pea
     (peak.value != 0.0 && count < FEW).then(|| Notice::note("coarse-sampling", path, message))
 }
 
+/// Returns a warning of a top that is flat but for the noise, as of a sensor that is driven beyond its range and still has noise of its own.
+///
+/// The samples within six standard deviations of the greatest are one stretch of ten or more. About a peak that is rounded, or a triangle, the load falls by less than half
+/// as much again within a fifth of that stretch on either side; at a flat top it falls by four times as much.
+fn of_noisy_top(name: &str, path: &str, quantity: ChannelQuantity, corrected: &Record, noise: f64) -> Option<Notice> {
+    const WITHIN: f64 = 6.0;
+    const FALL: f64 = 4.0;
+    const FEWEST: usize = 10;
+    let (times, values) = (corrected.times(), corrected.values());
+    let top = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    let below = |i: usize| (top - values[i]) * top.signum();
+    let within = WITHIN * noise;
+    let (from, to) = ((0..values.len()).find(|&i| below(i) <= within)?, (0..values.len()).rfind(|&i| below(i) <= within)?);
+    let beyond = (to - from + 1).div_ceil(5);
+    let falls = |i: usize| below(i) >= FALL * within;
+    let is_flat = noise > 0.0
+        && to + 1 >= from + FEWEST
+        && (from..=to).all(|i| below(i) <= 2.0 * within)
+        && from >= beyond
+        && to + beyond < values.len()
+        && falls(from - beyond)
+        && falls(to + beyond);
+    let message = Message::from(format!("{name} stays near "))
+        .figure(quantity.measure(), top)
+        .join(stretch(times[from], times[to]))
+        .text(", as a sensor does that is driven beyond its range: give its `range`; if it is, the integral is too small");
+    is_flat.then(|| Notice::warning("flat-top", path, message))
+}
+
 /// Returns a warning of a channel, or a sum of several, that never leaves one value: its integral is zero, and as certain as the readings are fine.
 fn of_constant(name: &str, path: &str, quantity: ChannelQuantity, record: &Record) -> Option<Notice> {
     let first = *record.values().first()?;
@@ -175,6 +204,9 @@ impl Analysis<'_> {
         self.cut_by_window(name, quantity, &corrected, peak, noise);
         if before.is_some() {
             self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
+            if channels.iter().all(|channel| channel.clipped().is_none()) {
+                self.notices.extend(of_noisy_top(name, path, quantity, &corrected, noise));
+            }
         }
         self.notices.extend(of_constant(name, path, quantity, record));
         self.notices.extend(of_implausible_size(name, path, quantity, &over, peak));

@@ -615,6 +615,8 @@ fn few_residuals_have_the_intervals_of_student() {
             assert!((printed / number(&fit["covariance"][of_fit]) / factor - 1.0).abs() < 1e-3, "{scatter}: {printed} {fit}");
         }
         assert_eq!(message["text"].to_string().contains("6.5 times those of the fit"), factor > 1.0, "{message}");
+        let at_99 = crate::process::run(folder.path(), &["reconstruct", "case.toml", "--format", "json", "--level", "0.99"]).out;
+        assert_eq!(at_99.contains("\"level-beyond-tests\""), factor > 1.0, "{at_99}");
     }
 }
 

@@ -421,15 +421,15 @@ fn log_normal(table: &Table<'_>, kind: Kind, median: f64, factor: f64) -> Option
 
 /// Returns `true` if the limits are in order and a named value lies between them; reports the issue otherwise.
 fn is_between(table: &Table<'_>, kind: Kind, min: f64, max: f64, value: Option<(&'static str, f64)>) -> bool {
-    let unit = kind.si;
+    let in_si = |value: f64| format!("{value} {}", kind.si).trim_end().to_owned();
     if min >= max {
         let help = (min == max).then(|| "a number that is known has no `min` and `max`: write the number alone".to_owned());
-        table.optional("max").report_as("out-of-order", format!("it is {max} {unit}; it must be above `min`, {min} {unit}"), help);
+        table.optional("max").report_as("out-of-order", format!("it is {}; it must be above `min`, {}", in_si(max), in_si(min)), help);
         return false;
     }
     match value.filter(|(_, value)| !(min..=max).contains(value)) {
         Some((key, value)) => {
-            let message = format!("it is {value} {unit}; it must be from `min`, {min} {unit}, to `max`, {max} {unit}");
+            let message = format!("it is {}; it must be from `min`, {}, to `max`, {}", in_si(value), in_si(min), in_si(max));
             table.optional(key).report_as("out-of-range", message, None);
             false
         }

@@ -504,6 +504,22 @@ fn an_offset_that_drifts_is_told() {
     assert!(warned("drift", "", &|ms| noise(ms) + 20.0 * pulse((ms - 20.0).max(0.0))).is_empty());
 }
 
+/// A force that is limited before its noise is added, and pulses that are round, triangular or short of samples at the top.
+#[test]
+fn a_flat_top_with_noise_is_told() {
+    let noise = |ms: f64| 0.15 * ((ms * 12_345.6).sin() + (ms * 7_654.3).sin());
+    let told = |shape: &dyn Fn(f64) -> f64| warned("flat-top", "", &|ms| shape(ms) - 100.0 * pulse(ms) + noise(ms));
+    for limit in [50.0, 70.0, 90.0] {
+        let told = told(&|ms| (100.0 * pulse(ms)).min(limit));
+        assert!(told.len() == 1 && told[0].contains("normal force stays near"), "{limit}: {told:?}");
+    }
+    assert!(told(&|ms| 100.0 * pulse(ms)).is_empty());
+    assert!(told(&|ms| 100.0 * pulse(ms) * pulse(ms)).is_empty());
+    assert!(told(&|ms| (100.0 - 2.0 * (ms - 50.0).abs()).max(0.0)).is_empty());
+    // A load that is held, and is rough.
+    assert!(told(&|ms| (100.0 * pulse(ms)).min(70.0) + 4.0 * (ms * 0.8).sin() * pulse(ms)).is_empty());
+}
+
 /// What is left of a pulse counts from the unloaded reading, as its height does, and beside three standard deviations of the noise.
 #[test]
 fn the_end_of_a_pulse_counts_from_its_offset_and_beside_the_noise() {
