@@ -27,8 +27,8 @@ struct Variant<'a> {
     first: &'a str,
     /// `true` if it is evidence or an unknown.
     is_of_reconstruction: bool,
-    /// `true` if it is of the rest positions, whose slides take seconds.
-    is_of_rest: bool,
+    /// The place of the vehicle whose rest position it is of, the first if it is of the ground: a slide takes a second.
+    of_rest: Option<usize>,
     text: String,
 }
 
@@ -57,9 +57,10 @@ fn variants(text: &str) -> Vec<Variant<'_>> {
             edited[replaced.unwrap_or_else(|| panic!("{begin}: there is no {other}"))].clear();
         }
         let table = lines[..first].iter().rev().find(|line| line.starts_with('['));
-        let is_of_rest = begin.starts_with("[rest") || table.is_some_and(|table| table.starts_with("[rest"));
+        let of_rest = [Some(&begin), table].into_iter().flatten().find(|table| table.starts_with("[rest"));
+        let of_rest = of_rest.map(|table| usize::from(table.starts_with("[rest.vehicle.2")));
         let is_of_reconstruction = table.is_some_and(|table| ["[evidence]", "[unknown]"].contains(table));
-        all.push(Variant { first: begin, is_of_reconstruction, is_of_rest, text: edited.join("\n") });
+        all.push(Variant { first: begin, is_of_reconstruction, of_rest, text: edited.join("\n") });
     }
     all
 }
@@ -81,8 +82,8 @@ fn read(text: &str) -> Result<Case, Issues> {
 /// Reads a case and uses it: in a reconstruction for evidence and unknowns and by momentum alone, otherwise in a solution.
 fn accept(variant: &Variant<'_>) -> Result<(), Issues> {
     let mut case = read(&variant.text)?;
-    if variant.is_of_rest {
-        case.separations_from_rest(&Uncontrolled)?;
+    if let Some(vehicle) = variant.of_rest {
+        case.separations_from_rest_of([vehicle == 0, vehicle == 1], &Uncontrolled)?;
     } else {
         case.rest = None;
     }
