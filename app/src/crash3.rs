@@ -162,9 +162,9 @@ impl Comparison {
         }
         let pair = case.setup.damaged_pair(&case.setup.crush_outputs()).ok_or_else(|| Issues::defect("a vehicle has no crush"))?;
         let estimate = pair.solve().map_err(|refusals| case.refuse(&refusals))?;
-        notices.extend(warnings(case, &pair, &estimate));
-        let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
         let impact = case.collision.solve();
+        notices.extend(warnings(case, &pair, &estimate, impact.as_ref().ok()));
+        let energy = [&pair.one, &pair.two].into_iter().flatten().map(|damaged| damaged.crush_energy).sum();
         let planar = planar(case, &impact, has_common_velocity, energy, notices);
         let separation = separations(case, &impact, notices, control)?;
         Ok(Comparison { damage: Some(Damage::of(case, &pair, &estimate, separation)), planar })
@@ -294,7 +294,7 @@ fn nothing_to_compare(case: &Case, impact: &Result<Impact, Refusals>, has_common
 }
 
 /// Returns warnings about results that are possible but unusual.
-fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Notice> {
+fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate, impact: Option<&Impact>) -> Vec<Notice> {
     let at_limit = |(i, vehicle): (usize, Option<&VehicleEstimate>)| {
         vehicle.filter(|vehicle| vehicle.correction >= 2.0)?;
         let path = format!("vehicle.{}", i + 1);
@@ -307,10 +307,9 @@ fn warnings(case: &Case, pair: &DamagedPair, estimate: &PairEstimate) -> Vec<Not
     };
     let mut warnings: Vec<Notice> = [estimate.one.as_ref(), estimate.two.as_ref()].into_iter().enumerate().filter_map(at_limit).collect();
     warnings.extend([pair.one.as_ref(), pair.two.as_ref()].into_iter().enumerate().filter_map(leaves));
-    let of_case = case.collision.solve().ok();
     let against = |(i, damaged): (usize, Option<&Damaged>)| {
         case.setup.crush[i].as_ref()?.force_direction?;
-        let response = [&of_case.as_ref()?.one, &of_case.as_ref()?.two][i];
+        let response = [&impact?.one, &impact?.two][i];
         let [given, found] = [damaged?.force_direction.direction(), response.principal_direction_of_force()];
         let apart = libm::remainder(given - found, std::f64::consts::TAU).abs();
         let path = format!("vehicle.{}.crush.pdof", i + 1);

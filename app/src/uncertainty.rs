@@ -2,6 +2,7 @@
 
 mod answer;
 mod bounds;
+mod doubts;
 mod mapping;
 mod model;
 mod variance;
@@ -22,7 +23,7 @@ use crate::names;
 use crate::notice::{Notice, Notices};
 use crate::quantity::{self, Kind};
 use crate::statement::Written;
-use crate::units::{Measure, trim};
+use crate::units::Measure;
 use crate::wording;
 use model::CaseModel;
 
@@ -349,9 +350,9 @@ impl<'a> Question<'a> {
         let probability = |found: &Estimated| Probability { value: found.value, se: found.standard_error };
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
         found.count(sampled.samples, &sampled.refused);
-        found.notices.0.extend(most_refused(sampled.samples, sampled.refused.samples));
+        found.notices.0.extend(doubts::most_refused(sampled.samples, sampled.refused.samples));
         if self.infinite().next().is_none() {
-            found.notices.0.extend(heavy_tails(&self.outputs, &found.of, sampled.samples - sampled.refused.samples));
+            found.notices.0.extend(doubts::heavy_tails(&self.outputs, &found.of, sampled.samples - sampled.refused.samples));
         }
         if let Some(precision) = precision.filter(|_| !sampled.is_precise) {
             // To the digits in which it is written.
@@ -360,7 +361,7 @@ impl<'a> Question<'a> {
             found.notices.0.push(Notice::warning("precision-not-reached", "", message));
         }
         if self.asks(Method::MonteCarlo) {
-            found.notices.0.extend(few_samples(sampled.samples, sampled.refused.samples, level));
+            found.notices.0.extend(doubts::few_samples(sampled.samples, sampled.refused.samples, level));
         }
         Ok(())
     }
@@ -418,54 +419,6 @@ fn number(input: &UncertainInput) -> Result<library::UncertainNumber, planar_imp
         Some(values) => library::Values::new(values.to_vec()).map(library::UncertainNumber::Values),
         None => Ok(input.distribution.into()),
     }
-}
-
-/// Warns of outputs whose standard deviation the outermost samples make, and of which further samples make another.
-fn heavy_tails(outputs: &[CaseOutput], of: &[OutputUncertainty], solved: u64) -> Option<Notice> {
-    /// Samples from which a standard deviation of finite moments is known to a few per cent.
-    const MANY: u64 = 10_000;
-    /// Largest share of its standard error.
-    const MOST: f64 = 0.1;
-    let is_heavy = |found: &OutputUncertainty| found.monte_carlo.as_ref().is_some_and(|sampled| sampled.sd_se > MOST * sampled.sd);
-    let names: Vec<String> = outputs.iter().zip(of).filter(|(_, found)| is_heavy(found)).map(|(output, _)| output.to_string()).collect();
-    let message = || {
-        format!(
-            "a few samples far out make the standard deviation of {}, and further samples another; it may have none, and then no mean either: take \
-             quantiles and probabilities",
-            names.join(", ")
-        )
-    };
-    (solved >= MANY && !names.is_empty()).then(|| Notice::warning("heavy-tails", "", message()))
-}
-
-/// Warns if the inputs are mostly what physics refuses: what is left of them is another distribution than the one that was given.
-fn most_refused(samples: u64, refused: u64) -> Option<Notice> {
-    let share = refused as f64 / samples as f64;
-    let message = || {
-        format!(
-            "physics refuses {:.0} % of the samples, so that the inputs of the others are distributed otherwise than given: check the standard \
-             deviations, and give limits of what is possible",
-            100.0 * share
-        )
-    };
-    (share > 0.5).then(|| Notice::warning("most-refused", "", message()))
-}
-
-/// Warns if the ends of the middle range are those of few samples, of which the outermost is mostly nearer than the end.
-fn few_samples(samples: u64, refused: u64, level: f64) -> Option<Notice> {
-    const ENOUGH: f64 = 10.0;
-    let solved = samples - refused;
-    let [tail, _] = ends(level);
-    let beyond = tail * solved as f64;
-    let message = || {
-        let wanted = (ENOUGH / beyond * samples as f64).ceil();
-        format!(
-            "{solved} solved samples have {} beyond either end of the {} % range, which may be too narrow: give --samples {wanted} or more",
-            trim(beyond),
-            trim(100.0 * level)
-        )
-    };
-    (beyond < ENOUGH).then(|| Notice::warning("few-samples", "", message()))
 }
 
 /// Returns the probabilities of the ends of the middle range.

@@ -292,7 +292,6 @@ pub(super) fn meant_by(name: &str) -> Vec<Key> {
 const WEIGHT: &str = "weight";
 
 fn unknown(name: &str) -> Issue {
-    let known: Vec<String> = known().map(|key| key.to_string()).collect();
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
     let (bare, unit) = name.split_once(['(', ' ', ',']).unwrap_or((name, ""));
     if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', '[', ']', ' ']))
@@ -306,7 +305,6 @@ fn unknown(name: &str) -> Issue {
     if visible(name) != name {
         return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));
     }
-    issue.with_help(
-        did_you_mean(&name.to_ascii_lowercase(), &known).unwrap_or_else(|| "rename the column, so that it passes through".to_owned()),
-    )
+    let meant = did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string()));
+    issue.with_help(meant.unwrap_or_else(|| "rename the column, so that it passes through".to_owned()))
 }

@@ -135,15 +135,15 @@ fn of_drift(
     const MOST: f64 = 4.0;
     let times = record.times();
     let last = times[times.len() - 1];
-    let unloaded = record.baseline(before).ok()?.value;
     let after_window = times.iter().copied().find(|time| *time > over.to + ROUNDING * (last - times[0]));
-    let first = after_window.or_else(|| from_end(record, over, unloaded))?;
-    let (when, path) = if after_window.is_some() { ("after the window", "window") } else { ("at its end", path) };
     let mean = |window: &Window| -> Option<Estimate> {
         let reading = record.baseline(window).ok()?;
         Some(Estimate { variance: reading.variance / record.independent_samples(window).ok()?, ..reading })
     };
-    let (after, before) = (mean(&Window { from: first, to: last })?, mean(before)?);
+    let before = mean(before)?;
+    let first = after_window.or_else(|| from_end(record, over, before.value))?;
+    let (when, path) = if after_window.is_some() { ("after the window", "window") } else { ("at its end", path) };
+    let after = mean(&Window { from: first, to: last })?;
     let difference = after.value - before.value;
     // An offset that drifts evenly is in the integral with half of its last value.
     let of_drift = difference * (over.to - over.from) / 2.0;

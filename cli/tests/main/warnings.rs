@@ -211,7 +211,7 @@ fn sizes_of_no_road_vehicle_are_named() {
 /// A decimal point that has slipped: of the ground, and of skids before the impact.
 #[test]
 fn frictions_of_no_tire_are_named() {
-    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
+    let slide = slide();
     let line = slide.lines().find(|line| line.starts_with("friction = ")).expect("a friction");
     let skid = |friction: f64| {
         format!(
@@ -230,16 +230,24 @@ fn frictions_of_no_tire_are_named() {
     }
 }
 
+fn slide() -> String {
+    std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example")
+}
+
+/// Returns `true` if the example of a slide has a warning after a change.
+fn warns_in_slide(code: &str, from: &str, to: &str) -> bool {
+    let slide = slide();
+    assert!(slide.contains(from), "{from}");
+    let run = run_with_input(&["slide", "-", "--format", "json"], &slide.replacen(from, to, 1));
+    assert_eq!(run.status, 0, "{}", run.err);
+    run.out.contains(&format!("\"{code}\""))
+}
+
 /// The axles and the track, of which the way to rest depends.
 #[test]
 fn lengths_of_a_slide_are_named() {
-    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
-    let of = |from: &str, to: &str| {
-        assert!(slide.contains(from), "{from}");
-        let run = run_with_input(&["slide", "-", "--format", "json"], &slide.replacen(from, to, 1));
-        assert_eq!(run.status, 0, "{}", run.err);
-        run.out.contains("\"unusual-length\"")
-    };
+    let slide = slide();
+    let of = |from: &str, to: &str| warns_in_slide("unusual-length", from, to);
     let numbers = |key: &str| slide.lines().find(|line| line.starts_with(&format!("{key} = "))).expect("a key").to_owned();
     for (key, usual, unusual) in [("front_axle", "1.2 m", "1.15 ft"), ("rear_axle", "1.4 m", "9 m"), ("track", "1.5 m", "1.5 ft")] {
         let given = numbers(key);
@@ -250,13 +258,7 @@ fn lengths_of_a_slide_are_named() {
 /// Degrees of a steered wheel that are taken in radians, in every place of the angle.
 #[test]
 fn wheels_that_no_vehicle_turns_so_are_named() {
-    let slide = std::fs::read_to_string(workspace().join("cli/examples/slide.toml")).expect("an example");
-    let of = |from: &str, to: &str| {
-        assert!(slide.contains(from), "{from}");
-        let run = run_with_input(&["slide", "-", "--format", "json"], &slide.replacen(from, to, 1));
-        assert_eq!(run.status, 0, "{}", run.err);
-        run.out.contains("\"unusual-steer\"")
-    };
+    let of = |from: &str, to: &str| warns_in_slide("unusual-steer", from, to);
     let track = "track = \"1.48 m\"\n";
     assert_eq!(["0.5", "\"60 deg\"", "-5", "5"].map(|angle| of(track, &format!("{track}steer = {angle}\n"))), [false, false, true, true]);
     let wheel = "front_left = \"rolling\"";

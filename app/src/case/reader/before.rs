@@ -10,7 +10,6 @@ use crate::case::braking::{BrakingInputs, SkidKey, SkidNumber};
 use crate::case::parameter::{Parameter, number};
 use crate::document::{Field, Table};
 use crate::quantity::Kind;
-use crate::unusual;
 
 /// Most skids of a vehicle.
 const MOST_SKIDS: usize = 32;
@@ -77,9 +76,7 @@ impl CaseReader {
         let (grade, braking) = (usual(SkidNumber::Grade, 0.0), usual(SkidNumber::Braking, 1.0));
         table.finish();
         let friction = friction.and_then(|friction| self.up_to(&table.optional("friction"), friction, MOST_FRICTION));
-        self.notices
-            .borrow_mut()
-            .extend(friction.and_then(|friction| unusual::friction_of_tires(&format!("{}.friction", table.path()), friction)));
+        self.warn_of_tires(table, friction);
         let grade = grade.and_then(|grade| within_grade(&table.optional("grade"), grade, -MOST_GRADE));
         let skid = Skid { length: length?, friction: friction?, grade: grade?, braking: braking? };
         let drag = skid.drag_factor();

@@ -93,7 +93,7 @@ impl CaseReader {
         let grade = self.grade(rest);
         let regions = if rest.has("regions") { self.regions(rest.optional("regions"), grade) } else { Some(Vec::new()) };
         let friction = friction?;
-        self.notices.borrow_mut().extend(unusual::friction_of_tires("rest.friction", friction.value));
+        self.warn_of_tires(rest, Some(friction.value));
         self.has_uncertain_rest.set(friction.deviation.is_some_and(|deviation| deviation > 0.0));
         let ground = Ground { grade: grade?, regions: regions?, gravity: gravity?, ..Ground::uniform(friction.value) };
         Some(GivenGround { ground, friction_deviation: friction.deviation.unwrap_or(0.0) / friction.value })
@@ -156,6 +156,12 @@ impl CaseReader {
         read.into_iter().collect()
     }
 
+    /// Warns of a friction of a table that no tire has.
+    pub(super) fn warn_of_tires(&self, table: &Table<'_>, friction: Option<f64>) {
+        let path = format!("{}.friction", table.path());
+        self.notices.borrow_mut().extend(friction.and_then(|friction| unusual::friction_of_tires(&path, friction)));
+    }
+
     /// Reads a region; without a grade of its own it has that of the ground around it.
     fn region(&self, table: &Table<'_>, around: Option<Xy>) -> Option<Region> {
         let friction = self.coefficient(table.required("friction"), MOST_FRICTION);
@@ -166,9 +172,7 @@ impl CaseReader {
             None => None,
         };
         table.finish();
-        self.notices
-            .borrow_mut()
-            .extend(friction.and_then(|friction| unusual::friction_of_tires(&format!("{}.friction", table.path()), friction)));
+        self.warn_of_tires(table, friction);
         Some(Region { friction: friction?, grade: grade?, area: area? })
     }
 
@@ -306,7 +310,7 @@ impl CaseReader {
     fn sliding_vehicle(&self, table: &Table<'_>, inputs: Option<&VehicleInputs>) -> Option<SlidingVehicle> {
         let length = |key| self.length(table.required(key));
         let (front_axle, rear_axle, track) = (length("front_axle"), length("rear_axle"), length("track"));
-        let steer = if table.has("steer") { self.steer(table.optional("steer")) } else { Some(0.0) };
+        let steer = self.steer(table, 0.0);
         let wheels = self.wheels(table, steer.unwrap_or(0.0));
         let rolling_resistance = table.has("rolling_resistance").then(|| self.coefficient(table.optional("rolling_resistance"), 1.0));
         let slip_angle = table.has("slip_angle").then(|| self.slip_angle(table.optional("slip_angle")));
@@ -322,8 +326,12 @@ impl CaseReader {
         Some(SlidingVehicle { mass, yaw_inertia, front_axle: front_axle?, rear_axle: rear_axle?, track: track?, wheels: wheels?, tires })
     }
 
-    /// Reads the angle of a wheel to the vehicle.
-    fn steer(&self, field: Field<'_>) -> Option<f64> {
+    /// Reads the angle of a wheel to the vehicle, which may be that of another place.
+    fn steer(&self, table: &Table<'_>, elsewhere: f64) -> Option<f64> {
+        if !table.has("steer") {
+            return Some(elsewhere);
+        }
+        let field = table.optional("steer");
         let path = field.path().to_owned();
         let angle = self.quantity(field, Kind::ANGLE)?;
         self.notices.borrow_mut().extend(unusual::steer(&path, angle));
@@ -376,7 +384,7 @@ impl CaseReader {
             },
             None => None,
         };
-        let own = if table.has("steer") { self.steer(table.optional("steer")) } else { Some(steer) };
+        let own = self.steer(&table, steer);
         table.finish();
         Some(Wheel { restraint: restraint?, steer: own? })
     }
