@@ -82,12 +82,16 @@ impl Plan {
                 },
                 Ok(None) => {
                     let meant = column::meant_by(&header.name);
-                    if !meant.is_empty() {
+                    if !meant.is_empty() || column::is_of_evidence(&header.name) {
                         unread.push((header.name.clone(), meant));
                     }
                 }
                 Err(issue) => issues.push(issue),
             }
+        }
+        if inputs.is_empty() && headers.first().is_some_and(|first| first.name.starts_with('#')) {
+            let issue = Issue::of_file("no-input-column", "the first line must name the columns, and begins with #");
+            return Err(Issues::of_call(vec![issue.with_help("remove the lines above the names; a table has no comments")]));
         }
         if base.is_some() && !headers.is_empty() && inputs.is_empty() && issues.is_empty() {
             let message = "no column is an input of a collision, so every row would be the case itself";
@@ -154,7 +158,11 @@ impl Plan {
         let uncertain = base.into_iter().flat_map(|case| &case.uncertain.inputs).map(|input| input.parameter);
         let unread = self.unread.iter().map(|(name, meant)| {
             let meant: Vec<String> = meant.iter().map(Key::to_string).collect();
-            let message = format!("the column {} passes through unread; as an input it is named {}", excerpt(name), meant.join(" or "));
+            let as_input = match meant.is_empty() {
+                true => "a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`".to_owned(),
+                false => format!("as an input it is named {}", meant.join(" or ")),
+            };
+            let message = format!("the column {} passes through unread; {as_input}", excerpt(name));
             Notice::warning("unread-column", name.clone(), message)
         });
         // Rows may give a number of their own.

@@ -46,7 +46,7 @@ pub use uncertain::{InputCorrelation, Uncertain, UncertainInput};
 pub use vehicle::{Inertia, Size, VehicleInputs, Velocity};
 
 use crate::answer::Answer;
-use crate::document::Document;
+use crate::document::{Document, FileKind};
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
@@ -122,7 +122,7 @@ impl Case {
 
     fn read(source: Source, given: CaseReader) -> Result<Case, Issues> {
         let document = Document::parse(source)?;
-        let read = document.read(|root| given.case(root))?;
+        let read = document.read_as(FileKind::Case, |root| given.case(root))?;
         let units = given.units();
         let setup = read.inputs.as_given();
         Ok(Case {

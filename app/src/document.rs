@@ -1,15 +1,17 @@
 //! The case file as a tree that records the position of each value, so that all issues are reported at once, each at its place.
 //!
-//! [`Document::parse`] builds the tree of a [`Source`], and [`Document::read`] walks it. [`Document::place`] locates
+//! [`Document::parse`] builds the tree of a [`Source`], and [`Document::read_as`] walks it. [`Document::place`] locates
 //! issues that the library finds later.
 
 mod edit;
 pub mod json;
+mod kind;
 mod read;
 mod toml;
 mod tree;
 
 pub use edit::{Edit, Written};
+pub use kind::FileKind;
 pub use read::{Field, Table};
 pub use tree::{Entry, Node, Value};
 
@@ -88,6 +90,22 @@ impl Document {
                 }
                 Err(self.refuse(Cause::Input, list))
             }
+        }
+    }
+
+    /// Walks a file of one kind, as [`read`](Document::read) does.
+    ///
+    /// # Errors
+    ///
+    /// That the file is of another kind, as its keys tell; otherwise every issue found, in file order.
+    pub fn read_as<T>(&self, kind: FileKind, walk: impl FnOnce(&Table<'_>) -> Option<T>) -> Result<T, Issues> {
+        match FileKind::told_by(&self.entries).filter(|found| *found != kind) {
+            Some(found) => {
+                let message = format!("this is {}, and {} is needed", found.name(), kind.name());
+                let issue = Issue::of_file("other-kind-of-file", message).with_help(found.verbs());
+                Err(self.refuse(Cause::Input, vec![issue]))
+            }
+            None => self.read(walk),
         }
     }
 

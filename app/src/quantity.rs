@@ -243,7 +243,10 @@ impl Conversion {
         let is_gravity = kind.dimension == Kind::ACCELERATION.dimension && unit::symbol(written) == Some("g");
         let is_per_second = kind.dimension == Kind::YAW_RATE.dimension && unit.dimension() == Kind::SPEED_PER_LENGTH.dimension;
         let of_gravity = is_gravity.then_some("`g` is the gram; write `g0` for the standard acceleration of gravity");
-        let help = of_gravity.or_else(|| is_per_second.then_some("write rad/s, deg/s or rpm"));
+        let is_weight = kind.dimension == Kind::MASS.dimension && unit.dimension() == Kind::FORCE.dimension;
+        let of_weight =
+            is_weight.then_some("a weight is a mass times the gravity: give it as `weight` in a case file, or divide it by the gravity");
+        let help = of_gravity.or(of_weight).or_else(|| is_per_second.then_some("write rad/s, deg/s or rpm"));
         Err(QuantityError { message, help: help.map(str::to_owned) })
     }
 
@@ -272,7 +275,10 @@ fn without_unit(text: &str, kind: Kind) -> QuantityError {
 
 fn beyond(text: &str, si: f64, kind: Kind) -> QuantityError {
     let size = if si.abs() < 1.0 { "too small" } else { "too large" };
-    QuantityError::new(format!("{} is {size} for {}", excerpt(text), kind.name))
+    let message = format!("{} is {size} for {}", excerpt(text), kind.name);
+    let is_of_map = kind.dimension == Kind::LENGTH.dimension && si.abs() > 1.0;
+    let help = "coordinates of a map must count from a point near the collision: subtract the same from all of them";
+    if is_of_map { QuantityError::with_help(message, help.to_owned()) } else { QuantityError::new(message) }
 }
 
 /// Removes the article of a name.

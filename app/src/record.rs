@@ -21,7 +21,7 @@ use crate::control::Control;
 use crate::issue::Issues;
 use crate::named::positive_zero;
 use crate::notice::Notices;
-use crate::quantity::Kind;
+use crate::quantity::{self, Kind};
 use crate::units::Measure;
 
 pub use kinematics::Kinematics;
@@ -278,6 +278,12 @@ impl ChannelQuantity {
     pub fn of_column(name: &str) -> Option<ChannelQuantity> {
         let quantity = name.split('.').next().unwrap_or_default();
         Self::ALL.into_iter().find(|known| known.name() == quantity)
+    }
+
+    /// Returns the name of a channel that a column with another name most likely means, as `Delta V forward` does.
+    fn meant_by(name: &str) -> Option<&'static str> {
+        let words = name.split('.').next().unwrap_or_default().replace([' ', '-'], "_");
+        quantity::nearest(&words, Self::names().into_iter())
     }
 
     /// Returns the measure of its values.

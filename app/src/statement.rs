@@ -21,7 +21,7 @@ impl<'a> Written<'a> {
     ///
     /// # Errors
     ///
-    /// A text without a comparison.
+    /// A text without a comparison, or with two.
     pub fn read(text: &'a str) -> Result<Self, Issue> {
         let Some(place) = text.find(['<', '>']) else {
             let example = "as in --probability \"vehicle.1.speed > 50 km/h\"".to_owned();
@@ -29,6 +29,10 @@ impl<'a> Written<'a> {
         };
         let (name, rest) = (text[..place].trim(), &text[place..]);
         let (is_above, rest) = (rest.starts_with('>'), &rest[1..]);
+        if rest.contains(['<', '>']) {
+            let help = "ask for each end by a --probability of its own: that of what lies between is the difference".to_owned();
+            return Err(names::issue("--probability", text, "it compares twice", Some(help)));
+        }
         let (or_equal, value) = rest.strip_prefix('=').map_or((false, rest), |value| (true, value));
         let is_value_first = name.starts_with(|c: char| c.is_ascii_digit() || "+-−.".contains(c));
         let (name, is_above, value) = if is_value_first { (value.trim(), !is_above, name) } else { (name, is_above, value) };
@@ -48,6 +52,8 @@ mod tests {
         assert_eq!(read("13 mph < dV1"), Ok(("dV1", true, false, "13 mph")));
         assert_eq!(read("-3 deg >= PDOF1"), Ok(("PDOF1", false, true, "-3 deg")));
         assert_eq!(read(">= 1"), Ok(("", true, true, " 1")));
-        assert!(read("dV1 = 25 mph").is_err());
+        let refusal = |text| Written::read(text).unwrap_err().message;
+        assert!(refusal("dV1 = 25 mph").to_string().contains("expected NAME > VALUE"));
+        assert!(["1 < W_n < 2", "W_n > 1 > 0", "W_n << 1"].map(refusal).iter().all(|said| said.to_string().contains("compares twice")));
     }
 }

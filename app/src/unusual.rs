@@ -19,6 +19,8 @@ const RADIUS_OF_GYRATION: RangeInclusive<f64> = 0.5..=5.0;
 const ARM: f64 = 15.0;
 /// In m/s.
 const SPEED: f64 = 100.0;
+/// Of a car against a barrier, in m/s: the fastest tests have 25.
+const TEST_SPEED: f64 = 35.0;
 /// In rad/s: three turns a second.
 const YAW_RATE: f64 = 20.0;
 /// Impacts last a tenth of a second, in s.
@@ -90,8 +92,49 @@ pub(crate) fn length(path: &str, length: f64) -> Option<Notice> {
     of_key.filter(|(_, range)| !range.contains(&length)).map(|_| warning("unusual-length", path, message()))
 }
 
+/// Of a vehicle wider than long, and of an impact center outside of it, as far as the file has its size. Its center of mass lies near the middle of its width.
+pub(crate) fn plan(path: &str, size: &Size, [forward, left]: [f64; 2]) -> Vec<Notice> {
+    /// Of the center of mass from either side, as a share of the width.
+    const TO_A_SIDE: f64 = 0.75;
+    let lengths = |one: &str, a: f64, other: &str, b: f64| {
+        Message::from(one.to_owned()).figure(Measure::Length, a).text(other.to_owned()).figure(Measure::Length, b)
+    };
+    let usual = |key: &str, of: Option<f64>| of.filter(|size| length(key, *size).is_none());
+    let (length, width) = (usual("length", size.length), usual("width", size.width));
+    let wide = width.zip(length).filter(|(width, length)| width > length).map(|(width, length)| {
+        warning("unusual-length", path, lengths("it is ", width, " wide, and only ", length).text(" long; are the two exchanged?"))
+    });
+    let ahead = length.filter(|length| forward.abs() > *length).map(|length| {
+        let message = lengths("an impact center ", forward.abs(), " from the center of mass is outside of a vehicle of ", length);
+        warning("unusual-impact-center", path, message.text(" length"))
+    });
+    let beside = width.filter(|width| left.abs() > TO_A_SIDE * width).map(|width| {
+        let message = lengths("an impact center ", left.abs(), " beside the center of mass is outside of a vehicle of ", width);
+        warning("unusual-impact-center", path, message.text(" width"))
+    });
+    [wide, ahead, beside].into_iter().flatten().collect()
+}
+
+/// Of axles that are farther from each other than the vehicle is long.
+pub(crate) fn wheelbase(path: &str, wheelbase: f64, size: &Size) -> Option<Notice> {
+    let message = |length| {
+        Message::from("the axles are ")
+            .figure(Measure::Length, wheelbase)
+            .text(" apart, and the vehicle is ")
+            .figure(Measure::Length, length)
+            .text(" long; each counts from the center of mass")
+    };
+    size.length.filter(|length| wheelbase > *length).map(|length| warning("unusual-length", path, message(length)))
+}
+
 pub(crate) fn speed(path: &str, speed: f64) -> Option<Notice> {
     (speed.abs() > SPEED).then(|| none_has("unusual-speed", path, "a speed", Measure::Speed, speed.abs()))
+}
+
+/// Of the speed of a barrier test.
+pub(crate) fn test_speed(path: &str, speed: f64) -> Option<Notice> {
+    let message = || Message::from("no barrier test has a speed of ").figure(Measure::Speed, speed).text("; check its unit");
+    (speed > TEST_SPEED).then(|| warning("unusual-speed", path, message()))
 }
 
 fn yaw_rate(path: &str, rate: f64) -> Option<Notice> {

@@ -52,7 +52,7 @@ impl Plan {
     pub fn solve(&self, table: &Table<'_>) -> Answer {
         let Table { rows, columns, unreadable } = table;
         assert_eq!(columns.len(), self.inputs.len(), "a column for each input");
-        assert!(columns.iter().all(|column| column.len() == *rows), "{rows} rows in each column");
+        assert!(columns.iter().all(|column| column.rows() == *rows), "{rows} rows in each column");
         let mut answer = Answer::with_capacity(self, *rows);
         let mut read = Rows::default();
         let mut unreadable = unreadable.iter().peekable();

@@ -139,16 +139,11 @@ impl Column<'_> {
     }
 
     /// Returns the number of rows.
-    pub fn len(&self) -> usize {
+    pub fn rows(&self) -> usize {
         match self {
             Column::Numbers(numbers) => numbers.len(),
             Column::Cells(cells) => cells.len(),
         }
-    }
-
-    /// Returns `true` if there are no rows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 }
 
@@ -286,6 +281,12 @@ pub(super) fn meant_by(name: &str) -> Vec<Key> {
     let joined = |name: &str| name.chars().filter(|c| c.is_alphanumeric()).collect::<String>().replace("vehicles", "vehicle");
     let is_meant = |key: &str| within.iter().any(|name| name == key) || joined(key) == joined(&lower);
     known().filter(|key| of_symbol == Some(*key) || is_meant(&key.to_string())).collect()
+}
+
+/// Returns `true` for the name of what a case file has beside the collision, of which a table has nothing.
+pub(super) fn is_of_evidence(name: &str) -> bool {
+    let (section, rest) = name.split_once('.').unwrap_or((name, ""));
+    !rest.is_empty() && ["before", "rest", "evidence", "unknown", "correlation"].contains(&section)
 }
 
 /// What a case file may give in place of a mass, and a table may not.

@@ -527,7 +527,7 @@ fn uncertain_numbers_that_no_column_gives_are_named_once() {
 #[test]
 fn a_column_that_may_be_meant_as_an_input_is_named() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
-    let columns = ["vehicle.1.mass", "e", "Speed [mph]", "velocity.x", "site", "x", "left", "refused", "weight"];
+    let columns = ["vehicle.1.mass", "e", "Speed [mph]", "velocity.x", "site", "x", "left", "refused", "weight", "rest.friction"];
     let plan = plan(&columns, Some(&case), &Options::default()).expect("a plan");
     let notices = plan.notices(Some(&case));
     let said: Vec<String> =
@@ -540,6 +540,7 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
             "Speed: the column `Speed` passes through unread; as an input it is named vehicle.1.speed or vehicle.2.speed",
             "velocity.x: the column `velocity.x` passes through unread; as an input it is named vehicle.1.velocity.x or vehicle.2.velocity.x",
             "weight: the column `weight` passes through unread; as an input it is named vehicle.1.mass or vehicle.2.mass",
+            "rest.friction: the column `rest.friction` passes through unread; a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`",
         ]
     );
     let refused = self::plan(&["vehicle.1.weight [lbf]"], Some(&case), &Options::default());

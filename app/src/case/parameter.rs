@@ -113,6 +113,12 @@ impl Parameter {
         }
     }
 
+    /// Returns `true` for what a point mass has not: a yaw inertia and an impact center.
+    pub(crate) fn is_of_extended_body(self) -> bool {
+        use Input::{ImpactCenterForward, ImpactCenterLeft, YawInertia};
+        matches!(self, Parameter::RadiusOfGyration(_) | Parameter::Input(ImpactCenterForward(_) | ImpactCenterLeft(_) | YawInertia(_)))
+    }
+
     /// Returns `true` for the friction of a skid.
     pub(crate) fn is_friction_of_skid(self) -> bool {
         matches!(self, Parameter::Skid(_, SkidKey { of: SkidNumber::Friction, .. }))

@@ -392,6 +392,9 @@ impl CaseReader {
             self.notices.borrow_mut().extend(unusual::crush(&format!("{}.crush", table.path()), crush, size));
         }
         let [forward, left] = impact_center?;
+        if let Some(size) = &size {
+            self.notices.borrow_mut().extend(unusual::plan(table.path(), size, [forward, left]));
+        }
         Some(VehicleInputs {
             mass: mass?,
             inertia: inertia?,

@@ -45,7 +45,9 @@ fn rows(case: &Case, keys: &[Parameter]) -> Vec<Row> {
         _ => sought.contains(&key),
     };
     let mut all = Vec::new();
-    for &key in keys {
+    // What the file gives of a point mass beside its mass stands among the other entries.
+    let is_of_point = |key: &Parameter| !case.model.is_angular() && key.is_of_extended_body();
+    for key in keys.iter().copied().filter(|key| !is_of_point(key)) {
         if is_sought(key) {
             all.push(Row::word(key.to_string(), "unknown"));
             // What stands where the unknown would be given is the start of its search too.
@@ -187,6 +189,37 @@ fn differs(input: &ComparedInput, scale: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_distribution_has_its_shape_and_its_ends() {
+        let rows = |distribution: Distribution, values: Option<std::sync::Arc<[f64]>>| -> Vec<(String, Option<f64>)> {
+            let parameter = Parameter::Input(Input::Mass(planar_impact::Side::One));
+            let key = "vehicle.1.mass".to_owned();
+            let input = UncertainInput { parameter, key, nominal: 1500.0, distribution, values, is_for_95: false };
+            let row = |row: Row| match row.value {
+                InputValue::Number(value) => (row.name, Some(value)),
+                InputValue::Word(word) => (format!("{}: {word}", row.name), None),
+            };
+            of_distribution(&input).into_iter().map(row).collect()
+        };
+        let (mean, sd, min, max) = (1500.0, 50.0, 1400.0, 1600.0);
+        for (distribution, shape, has_ends) in [
+            (Distribution::Normal { mean, sd }, "normal", false),
+            (Distribution::TruncatedNormal { mode: mean, scale: sd, min, max }, "truncated normal", true),
+            (Distribution::Uniform { min, max }, "uniform", true),
+            (Distribution::Triangular { min, mode: mean, max }, "triangular", true),
+            (Distribution::of_factor(mean, 1.1), "log-normal", false),
+            (Distribution::StudentT { mean, sd, n: 5 }, "Student's t", false),
+        ] {
+            let found = rows(distribution, None);
+            assert_eq!(found[0], ("vehicle.1.mass sd".to_owned(), Some(distribution.sd())));
+            assert_eq!(found[1], (format!("vehicle.1.mass distribution: {shape}"), None));
+            let ends = [("vehicle.1.mass min".to_owned(), Some(min)), ("vehicle.1.mass max".to_owned(), Some(max))];
+            assert_eq!(found[2..], if has_ends { ends.to_vec() } else { Vec::new() }, "{shape}");
+        }
+        let measured = rows(Distribution::Normal { mean, sd }, Some(std::sync::Arc::from([1450.0, 1550.0])));
+        assert_eq!(measured[1].0, "vehicle.1.mass distribution: measured values");
+    }
 
     #[test]
     fn numbers_differ_by_more_than_rounding_of_their_scale() {

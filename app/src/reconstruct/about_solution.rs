@@ -151,3 +151,34 @@ fn reach(unknown: &Unknown, at: f64) -> f64 {
 fn near(value: f64, bound: f64) -> bool {
     (value - bound).abs() <= 1e-6 * bound.abs().max(1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Source;
+
+    /// The evidence of a case with a bound that excludes the solution.
+    fn excluded() -> Answer {
+        let text = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
+                    [contact]\ncrush_plane = 0\nrestitution = 0\n[evidence]\nW_n = \"-75 kJ ± 1 kJ\"\n[unknown]\nvehicle.1.speed = { start = 5, min = 0, max = 6 }\n";
+        let case = Case::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).unwrap_or_else(|issues| panic!("{issues}"));
+        let question = Question::of(&case, &[None, None]).unwrap_or_else(|issues| panic!("{issues}"));
+        question.asked.solve(&planar_impact::reconstruct::Search::default()).expect("an answer")
+    }
+
+    #[test]
+    fn a_value_on_a_bound_is_near_it() {
+        assert!(near(0.0, 0.0) && near(9e-7, 0.0) && !near(2e-6, 0.0));
+        assert!(near(-50.00004, -50.0) && !near(-50.0001, -50.0) && !near(50.0, -50.0));
+    }
+
+    #[test]
+    fn a_solution_without_bounds_counts_where_separations_are_followed() {
+        let answer = excluded();
+        assert!(answer.verdict == Verdict::BoundsExclude && answer.without_bounds.is_some());
+        assert_eq!(without(answer.clone(), |_| false), answer);
+        let best = answer.best().clone();
+        let without_it = without(answer, |solution| *solution != best);
+        assert_eq!((without_it.verdict, without_it.without_bounds), (Verdict::Contradicted, None));
+    }
+}

@@ -181,6 +181,13 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_step_is_the_uncertainty_or_a_hundredth() {
+        let free = Unknown::free(Variable::Speed(Side::One), 15.0);
+        assert_eq!([15.0, -15.0, 0.2].map(|at| step(&free, at)), [0.15, 0.15, 0.01]);
+        assert_eq!(step(&Unknown { prior: Some(0.4), ..free }, 15.0), 0.4);
+    }
+
     /// A pose at separation that is given does not follow the heading before the impact, and nothing follows the speed.
     #[test]
     fn what_is_given_follows_nothing() {

@@ -271,6 +271,23 @@ fn refused(question: &Question, none: NoPosterior) -> Issues {
 mod tests {
     use super::*;
 
+    /// Bins of width 1 from 1 to 25, the last with its upper end.
+    #[test]
+    fn bins_divide_the_range_of_the_draws() {
+        let bins = Bins::of(&[1.0, 25.0, 2.5, 24.5, 1.5, 13.0]).expect("a range");
+        assert_eq!(bins.edges, (1..=25).map(f64::from).collect::<Vec<_>>());
+        assert_eq!(bins.places, [0, 23, 1, 23, 0, 12]);
+        let PosteriorDensity { edges, shares } = bins.density();
+        assert_eq!((edges, shares[0], shares[1], shares[12], shares[23]), (bins.edges.clone(), 2.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 2.0 / 6.0));
+        let rows = Bins::of(&[-2.0, 22.0, 22.0, 0.5, 0.5, 0.5]).expect("a range");
+        let cells = bins.with_rows(&rows);
+        assert_eq!(
+            [cells[0][0], cells[23][23], cells[23][1], cells[2][23], cells[2][0], cells[0][23]],
+            [1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 0.0]
+        );
+        assert!([&[2.0, 2.0][..], &[0.0, f64::NAN], &[0.0, f64::INFINITY]].into_iter().all(|draws| Bins::of(draws).is_none()));
+    }
+
     #[test]
     fn ranges_of_few_draws_have_a_warning() {
         let warned = |ess: f64, level: f64| {

@@ -225,13 +225,17 @@ struct Kin {
 }
 
 impl Kin {
-    /// Returns those of an impact of two vehicles, or of one and a barrier.
-    fn all(is_barrier: bool) -> Vec<Kin> {
+    /// Returns those of an impact of two vehicles, or of one and a barrier. A velocity is one number of a vehicle whose speed is unknown, and not its
+    /// heading.
+    fn all(is_barrier: bool, is_on_line: [bool; 2]) -> Vec<Kin> {
         use Measurand::{
             ClosingSpeed, CrushEnergy, CrushEnergyOf, DeltaVForward, DeltaVLeft, EquivalentEnergySpeed, SeparationDirection,
             SeparationSpeed,
         };
-        use Output::{DeltaVMagnitude, DeltaVX, DeltaVY, NormalApproach, NormalWork, PrincipalDirectionOfForce, VelocityX, VelocityY};
+        use Output::{
+            DeltaVMagnitude, DeltaVX, DeltaVY, ImpulseX, ImpulseY, NormalApproach, NormalImpulse, NormalWork, PrincipalDirectionOfForce,
+            TangentialImpulse, VelocityX, VelocityY,
+        };
         const VECTOR: &str = "the two components of one vector";
         let kin = |about, numbers, of: &[Measurand]| Kin { about, numbers, of: of.to_vec() };
         let total = [CrushEnergy, Measurand::Output(NormalWork)];
@@ -247,7 +251,10 @@ impl Kin {
                 &[&total[..1], &[CrushEnergyOf(Side::One), CrushEnergyOf(Side::Two)]].concat(),
             ));
         }
-        for side in Side::ALL {
+        all.push(kin(VECTOR, 2, &[ImpulseX, ImpulseY, NormalImpulse, TangentialImpulse].map(Measurand::Output)));
+        for (side, is_on_line) in Side::ALL.into_iter().zip(is_on_line) {
+            let before = [Variable::Speed(side), Variable::Input(Input::VelocityX(side)), Variable::Input(Input::VelocityY(side))];
+            all.push(kin("one velocity", if is_on_line { 1 } else { 2 }, &before.map(Measurand::Variable)));
             let outputs = |of: &[fn(Side) -> Output]| of.iter().map(|output| Measurand::Output(output(side))).collect::<Vec<_>>();
             let change = outputs(&[DeltaVX, DeltaVY, DeltaVMagnitude, PrincipalDirectionOfForce]);
             let separation = outputs(&[VelocityX, VelocityY]);
@@ -321,6 +328,7 @@ impl Draft<'_> {
     /// numbers that they are about. Measured several times, each by itself, it may.
     fn warn_of_what_counts_twice(&mut self) {
         let evidence = &self.case.knowledge.evidence;
+        let is_on_line = Side::ALL.map(|side| self.seeks(Variable::Speed(side)) && !self.seeks(Variable::Input(Input::Heading(side))));
         let mut warn = |key: &str, message: String| self.notices.0.push(Notice::warning("counts-twice", key.to_owned(), message));
         for known in evidence {
             let is_prior = |unknown: &Unknown| Some(unknown.of) == known.variable() && unknown.prior.is_some();
@@ -334,7 +342,7 @@ impl Draft<'_> {
                 );
             }
         }
-        for Kin { about, numbers, of } in Kin::all(self.case.inputs.vehicles.iter().any(Option::is_none)) {
+        for Kin { about, numbers, of } in Kin::all(self.case.inputs.vehicles.iter().any(Option::is_none), is_on_line) {
             let given: Vec<&Known> = evidence.iter().filter(|known| of.contains(&known.of)).collect();
             if given.len() > numbers {
                 let names: Vec<&str> = given.iter().map(|known| known.of.name()).collect();

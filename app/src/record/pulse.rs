@@ -334,3 +334,27 @@ impl Analysis<'_> {
         Some(Accelerated { channel: channel.name.clone(), delta_v: Uncertain::of(integral, is_known), impulse, peak, restitution })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pulse of 1000 whose last tenth, five samples of which both halves have the middle one, has these readings, beside an unloaded reading of 2.
+    fn ends_with(last: [f64; 5]) -> Option<f64> {
+        let mut values = vec![2.0; 10];
+        values.extend([1002.0; 26]);
+        values.extend(last.map(|load| load + 2.0));
+        let record = Record::uniform(0.0, 1.0, values).expect("a record");
+        from_end(&record, &Window { from: 0.0, to: 40.0 }, 2.0)
+    }
+
+    #[test]
+    fn a_channel_is_unloaded_at_its_end_where_a_small_load_stays() {
+        assert_eq!([ends_with([60.0; 5]), ends_with([-60.0; 5])], [Some(36.0); 2]);
+        // It is a tenth of the greatest at most, and neither falls by half nor changes its sign.
+        assert_eq!([ends_with([99.0; 5]), ends_with([101.0; 5])], [Some(36.0), None]);
+        let falls_to = |late: f64| ends_with([100.0, 100.0, late, late, late]);
+        assert_eq!([falls_to(45.0), falls_to(38.0)], [Some(36.0), None]);
+        assert_eq!(ends_with([60.0, 60.0, -20.0, -60.0, -60.0]), None);
+    }
+}

@@ -181,6 +181,23 @@ impl<'a> Component<'a> {
         Some(ClippedSensor { channel, acceleration: rate(at[0]), from: self.times[first], to: self.times[last + 1] })
     }
 
+    /// Warns of a velocity change that is not about time zero, where a recorder puts the impact and which the speed at impact is of.
+    fn away_from_zero(&self) -> Option<Notice> {
+        /// In s: recorders wake within a tenth of it.
+        const NEAR: f64 = 0.5;
+        /// Of the greatest change, beyond which the impact has begun.
+        const BEGUN: f64 = 0.2;
+        let (first, greatest) = (self.values.first()?, self.extreme().number.value.abs());
+        let begins = self.values.iter().position(|value| (value - first).abs() > BEGUN * greatest)?;
+        let at = self.times[begins];
+        let message = || {
+            Message::from(format!("{} begins to change at ", self.channel.name))
+                .figure(Measure::Time, at)
+                .text(": times must count from the impact, which the speed at impact is of")
+        };
+        (at.abs() > NEAR).then(|| Notice::warning("impact-not-at-zero", self.channel.path.clone(), message()))
+    }
+
     fn extreme(&self) -> AtTime {
         let at = greatest(self.values.iter().map(|value| value.abs()));
         AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
@@ -249,6 +266,7 @@ impl Recorder {
                 notices.push(Notice::warning("begins-late", component.channel.path.clone(), message));
             }
         }
+        notices.extend(components().find_map(Component::away_from_zero));
         let range = recording.settings.accelerometer_range;
         let clipped_sensors: Vec<ClippedSensor> =
             range.map_or_else(Vec::new, |range| components().filter_map(|component| component.clipped_sensor(range)).collect());

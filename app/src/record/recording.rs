@@ -11,7 +11,7 @@ use super::kinematics::MeasuredKinematics;
 use super::samples::{Column, Fault, Samples, TIME};
 use super::{ChannelQuantity, RecordAnswer};
 use crate::case::CaseReader;
-use crate::document::Document;
+use crate::document::{Document, FileKind};
 use crate::issue::{Cause, Issue, Issues, MOST_KEPT};
 use crate::notice::{Notice, Notices};
 use crate::quantity::excerpt;
@@ -108,10 +108,14 @@ impl Recording {
     pub(crate) fn of_samples(source: Source) -> Result<Recording, Issues> {
         let samples = Samples::of(&source);
         let (mut channels, mut unused, mut faults, mut systems) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut misnamed = Vec::new();
         let time = samples.place(TIME).map_err(|fault| faults.push(fault)).ok();
         for (i, header) in samples.headers.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
             let Some(quantity) = ChannelQuantity::of_column(&header.name) else {
-                unused.push(excerpt(&header.name));
+                match ChannelQuantity::meant_by(&header.name) {
+                    Some(meant) => misnamed.push((header.name.clone(), meant)),
+                    None => unused.push(excerpt(&header.name)),
+                }
                 continue;
             };
             systems.extend(samples.units(i));
@@ -125,10 +129,17 @@ impl Recording {
             }
         }
         if channels.is_empty() && faults.is_empty() {
-            let help = format!("name the columns {}, or write a file that says what they are", ChannelQuantity::names().join(", "));
+            let help = match misnamed.first() {
+                Some((name, meant)) => format!("did you mean `{meant}` in place of {}?", excerpt(name)),
+                None => format!("name the columns {}, or write a file that says what they are", ChannelQuantity::names().join(", ")),
+            };
             faults.push(samples.fault(1, "", "no column has the name of a channel", help));
         }
         let mut notices = Vec::new();
+        for (name, meant) in misnamed {
+            let message = format!("the column {} is no channel, and is not used; did you mean `{meant}`?", excerpt(&name));
+            notices.push(Notice::warning("unread-column", name, message));
+        }
         if !unused.is_empty() {
             let message = format!("these columns are no channels, and are not used: {}", unused.join(", "));
             notices.push(Notice::note("unused-columns", "", message));
@@ -150,7 +161,7 @@ impl Recording {
         let name = source.name.clone();
         let document = Document::parse(source)?;
         let reader = CaseReader::default();
-        let (title, settings, channels) = document.read(|root| reader.recording(root, open))?;
+        let (title, settings, channels) = document.read_as(FileKind::Recording, |root| reader.recording(root, open))?;
         let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
         Ok(Recording { origin: Origin::Document(document), name, title, units, notices, channels, settings })
     }

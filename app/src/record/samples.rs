@@ -113,7 +113,9 @@ impl Samples {
             }
             (Some(one), None) => Ok(Scale::Calibration(one)),
             // Accelerometers are read in multiples of the standard gravity; elsewhere g is a gram.
-            (None, Some("g")) if kind.dimension == Kind::ACCELERATION.dimension => Ok(Scale::Calibration(STANDARD_GRAVITY)),
+            (None, Some("g" | "G" | "g's" | "G's" | "g’s" | "G’s")) if kind.dimension == Kind::ACCELERATION.dimension => {
+                Ok(Scale::Calibration(STANDARD_GRAVITY))
+            }
             (None, None) => Ok(Scale::Unit(None, kind)),
             (None, Some(unit)) => match Conversion::in_header(unit, kind) {
                 Ok(conversion) => Ok(Scale::Unit(Some((unit, conversion)), kind)),

@@ -3,7 +3,7 @@
 use planar_impact::barrier::{BarrierTest, MeasuredTest};
 
 use crate::case::{CaseReader, Recorded, one_of};
-use crate::document::{Document, Field, Table, Value};
+use crate::document::{Document, Field, FileKind, Table, Value};
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::{Notice, Notices};
@@ -93,7 +93,7 @@ impl TestFile {
 
     pub(crate) fn read(source: Source, reader: CaseReader) -> Result<TestFile, Issues> {
         let document = Document::parse(source)?;
-        let read = document.read(|root| reader.tests(root))?;
+        let read = document.read_as(FileKind::Tests, |root| reader.tests(root))?;
         let ReadFile { title, vehicles, fit: ReadFit { onset, holds_onset, force, prediction }, has_deviations } = read;
         let (units, notices) = (reader.units(), Notices(reader.notices.into_inner()));
         Ok(TestFile { document, title, vehicles, onset, holds_onset, force, prediction, has_deviations, units, notices })
@@ -216,7 +216,7 @@ impl CaseReader {
         let at = |key: &str| format!("{}.{key}", table.path());
         let unusual = [
             unusual::mass(&at("mass"), test.mass),
-            unusual::speed(&at("speed"), test.speed),
+            unusual::test_speed(&at("speed"), test.speed),
             unusual::depth(&at("depths"), deepest),
             unusual::width(&at("width"), profile.width()),
         ];

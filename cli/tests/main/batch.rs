@@ -488,6 +488,7 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("unit.csv"), "vehicle.1.speed (mph)\n40\n").expect("a file");
     fs::write(path("semicolons.csv"), "vehicle.1.speed;vehicle.1.mass\n40;1500\n").expect("a file");
     fs::write(path("other.csv"), "speed,e\n40,0.1\n").expect("a file");
+    fs::write(path("commented.csv"), "# of the inquiry\nvehicle.1.speed\n40\n").expect("a file");
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
     fs::write(path("tiny.csv"), "vehicle.1.speed\n1e-400\n").expect("a file");
@@ -503,7 +504,7 @@ fn a_call_that_fails_writes_no_file() {
     let mut writer =
         ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
     writer.write(&typed).and_then(|()| writer.close()).expect("a table");
-    let calls: [(&[&str], i32, &str); 22] = [
+    let calls: [(&[&str], i32, &str); 23] = [
         (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
         (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
@@ -512,6 +513,7 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("open-8193.csv")], 2, "the quote that begins a cell in line 8194 is never closed"),
         (&[&path("open-9000.csv")], 2, "the quote that begins a cell in line 9001 is never closed"),
         (&[&path("other.csv")], 2, "no column is an input of a collision, so every row would be the case itself"),
+        (&[&path("commented.csv")], 2, "the first line must name the columns, and begins with #"),
         (&["no-such.csv"], 2, "there is no such file"),
         (&["cli"], 2, "it must end in .csv, .parquet, .arrow, .feather or .ipc"),
         (&["-", "-"], 2, "standard input can be read only once"),
@@ -546,7 +548,7 @@ fn a_call_that_fails_writes_no_file() {
     assert!(!Path::new(&out).exists());
     assert_eq!(fs::read_to_string(&old).expect("it is still there"), "old");
     let left: Vec<_> = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name()).collect();
-    assert_eq!(left.len(), 17, "nothing else is left: {left:?}");
+    assert_eq!(left.len(), 18, "nothing else is left: {left:?}");
     // What is whole replaces what was there.
     assert_eq!(batch(&[&path("separating.csv"), "-o", &old, "--case", POSITION_A, "--of", "e"]).status, 1);
     assert!(fs::read_to_string(&old).expect("a table").starts_with("vehicle.1.speed,result.contact.restitution,refusal\n40,0.0,\n"));

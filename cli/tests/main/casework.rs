@@ -275,6 +275,27 @@ fn point_masses_lock_together() {
 }
 
 /// 14 m at 0.7, then 6 m of grass at 0.45 on a grade of 2 % with brakes on 80 %.
+/// The skids of both vehicles are on one road: the speeds that they tell are correlated as the frictions are.
+#[test]
+fn skids_of_two_vehicles_are_correlated_as_their_frictions() {
+    let case = std::fs::read_to_string(workspace().join("cli/examples/reconstruct/momentum.toml")).expect("an example");
+    let second = "[before.vehicle.2]\nskid = [{ length = \"30 ft\", friction = \"0.7 ± 0.05\" }]\n\n[evidence]";
+    let case = case.replacen("[evidence]", second, 1);
+    let found = |correlation: &str| {
+        let run = run_with_input(
+            &["reconstruct", "-", "--format", "json"],
+            &case.replacen("schema = 1\n", &format!("schema = 1\n{correlation}"), 1),
+        );
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let pair = &answer["correlation"]["before.vehicle.1.skid_speed"]["before.vehicle.2.skid_speed"];
+        pair.as_f64().unwrap_or_else(|| panic!("{answer}"))
+    };
+    let of = |coefficient: &str| {
+        found(&format!("correlation = [[\"before.vehicle.1.skid.1.friction\", \"before.vehicle.2.skid.1.friction\", {coefficient}]]\n"))
+    };
+    assert!(found("").abs() < 1e-9 && (of("0.6") - 0.6).abs() < 1e-6 && (of("-0.9") + 0.9).abs() < 1e-6);
+}
+
 const SKIDS: &str = "\n[before.vehicle.1]\nskid = [{ length = \"14 m\", friction = \"0.7 ± 0.05\" }, \
     { length = \"6 m\", friction = 0.45, grade = \"2 %\", braking = 0.8 }]\nreaction_time = \"1.5 s\"\n";
 

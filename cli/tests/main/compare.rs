@@ -208,6 +208,9 @@ fn what_takes_no_part_in_momentum_differs_too() {
     let found = parsed(&run(folder.path(), &["compare", "a.toml", "b.toml", "--format", "json"]));
     assert_eq!(values(&found, "inputs", "vehicle.1.yaw_inertia"), [Value::Null, json!(1500.0)]);
     assert_eq!(values(&found, "inputs", "vehicle.1.impact_center.2"), [Value::Null, json!(0.5)]);
+    folder.write("c.toml", text.replace("heading = \"0 deg\"", "heading = \"0 deg\"\nradius_of_gyration = \"1.3 m\"").as_bytes());
+    let found = parsed(&run(folder.path(), &["compare", "a.toml", "c.toml", "--format", "json"]));
+    assert_eq!(values(&found, "inputs", "vehicle.1.radius_of_gyration"), [Value::Null, json!(1.3)]);
 }
 
 #[test]

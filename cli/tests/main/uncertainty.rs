@@ -232,6 +232,8 @@ fn a_precision_sets_the_number_of_samples() {
     assert_eq!(codes(&fine), [""; 0]);
     let coarse = call("0.01%", "50000");
     assert_eq!((&coarse["samples"], codes(&coarse)), (&json!(50_000), vec!["precision-not-reached"]));
+    let said = coarse["messages"][0]["text"].as_str().expect("a text");
+    assert!(said.starts_with("50000 samples do not reach the precision of 0.01 %"), "{said}");
 }
 
 #[test]

@@ -255,6 +255,33 @@ fn lengths_of_a_slide_are_named() {
     }
 }
 
+/// What the size of a vehicle contradicts: a width, an impact center, the axles.
+#[test]
+fn what_lies_outside_of_a_vehicle_is_named() {
+    let of = |code: &str, from: &str, to: &str| warns_in_slide(code, from, to);
+    assert!(of("unusual-length", "length = \"4.6 m\"", "length = \"1.7 m\""));
+    assert!(!of("unusual-length", "length = \"4.6 m\"", "length = \"2.7 m\""));
+    let center = "impact_center = [\"2.0 m\", \"0.3 m\"]";
+    let at = |forward: &str, left: &str| of("unusual-impact-center", center, &format!("impact_center = [\"{forward} m\", \"{left} m\"]"));
+    assert_eq!([at("2.0", "1.3"), at("2.0", "-1.3"), at("4.5", "0.3")], [false; 3]);
+    assert_eq!([at("2.0", "1.4"), at("2.0", "-1.4"), at("4.7", "0.3")], [true; 3]);
+    let axle = |rear: &str| of("unusual-length", "rear_axle = \"1.5 m\"", &format!("rear_axle = \"{rear} m\""));
+    assert_eq!([axle("3.4"), axle("3.5")], [false, true]);
+}
+
+/// A share of an angle, however it is written, and one of radians that were degrees; a share of a mass says what it means.
+#[test]
+fn standard_deviations_that_no_angle_has_are_named() {
+    let of = |from: &str, to: &str| warns_in_slide("share-of-angle", from, to);
+    let heading = "heading = \"90 deg\"";
+    assert!(of(heading, "heading = \"90 deg ± 5 %\"") && of(heading, "heading = { value = \"90 deg\", relative = \"5 %\" }"));
+    assert!(!of(heading, "heading = \"90 ± 5 deg\"") && !of("\"1300 kg\"", "\"1300 kg ± 5 %\""));
+    let wide = |sd: &str| warns_in_slide("unusual-sd", heading, &format!("heading = {{ value = \"90 deg\", sd = {sd} }}"));
+    assert_eq!(["0.1", "\"57 deg\"", "1.1", "5"].map(wide), [false, false, true, true]);
+    assert!(warns_in_slide("unusual-sd", heading, "heading = \"1.6 ± 5 rad\""));
+    assert!(!warns_in_slide("unusual-sd", "\"1300 kg\"", "\"1300 kg ± 5 kg\""));
+}
+
 /// Degrees of a steered wheel that are taken in radians, in every place of the angle.
 #[test]
 fn wheels_that_no_vehicle_turns_so_are_named() {

@@ -85,14 +85,17 @@ impl CaseReader {
             Err(errors) => {
                 // Issues without a measuring line were reported at their own keys.
                 let depths = table.optional("depths").items("", 0..=usize::MAX).unwrap_or_default();
+                let help = "the readings less the offset, along the angle, as `measured` has it";
+                let reading = |error: &ProfileError| match error {
+                    ProfileError::Input(issue) if issue.at.name == "depths" => issue.at.index.and_then(|index| depths.get(index)).cloned(),
+                    _ => None,
+                };
+                if depths.len() > 1 && errors.iter().filter_map(reading).count() == depths.len() {
+                    table.optional("measured").report("every reading less its offset is below zero", Some(help.to_owned()));
+                    return false;
+                }
                 for error in errors {
-                    let place = match error {
-                        ProfileError::Input(ref issue) if issue.at.name == "depths" => {
-                            issue.at.index.and_then(|index| depths.get(index)).cloned()
-                        }
-                        _ => None,
-                    };
-                    let help = "the readings less the offset, along the angle, as `measured` has it";
+                    let place = reading(&error);
                     place.unwrap_or_else(|| table.optional("measured")).report(sentence(&error), Some(help.to_owned()));
                 }
                 false
@@ -159,7 +162,8 @@ impl CaseReader {
             return None;
         }
         let (offset, angle) = (offset.unwrap_or(Some(0.0))?, angle.unwrap_or(Some(0.0))?);
-        if angle.abs() >= std::f64::consts::FRAC_PI_2 {
+        // A right angle in floats has a cosine above zero.
+        if libm::cos(angle) < 1e-9 {
             table.optional("angle").report("readings along the surface measure no depth", Some("0 deg is straight in".to_owned()));
             return None;
         }

@@ -197,3 +197,17 @@ fn differ(variable: Variable, one: f64, other: f64) -> bool {
     let difference = if variable.measure() == Measure::Angle { difference - TAU * (difference / TAU).round() } else { difference };
     difference.abs() > 1e-9 * one.abs().max(other.abs()).max(1e-3)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_differ_by_more_than_rounding_and_full_turns() {
+        let (mass, heading) = (Variable::Input(Input::Mass(Side::One)), Variable::Input(Input::Heading(Side::One)));
+        assert!(!differ(mass, 1500.0, 1500.0 * (1.0 + 9e-10)) && differ(mass, 1500.0, 1500.0 * (1.0 + 2e-9)));
+        assert!(!differ(mass, 0.0, 9e-13) && differ(mass, 0.0, 2e-12));
+        assert!(!differ(heading, 1.0, 1.0 + TAU) && !differ(heading, 1.0, 1.0 - 3.0 * TAU) && differ(heading, 1.0, 1.0 + TAU / 2.0));
+        assert!(differ(mass, 1.0, 1.0 + TAU));
+    }
+}

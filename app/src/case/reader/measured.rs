@@ -193,7 +193,9 @@ impl CaseReader {
             field.report_as("out-of-range", format!("the standard deviation is {} % of the value", trim(100.0 * size)), Some(help));
             return None;
         }
-        Some(Measured { amount, spread: spread(size) })
+        let spread = spread(size);
+        self.doubt(field.path(), spread, kind);
+        Some(Measured { amount, spread })
     }
 
     fn measured_in(&self, table: &Table<'_>, measure: Measure) -> Option<Measured> {
@@ -226,7 +228,27 @@ impl CaseReader {
             table.issue("it has more than one of `sd`, `resolution` and `relative`", Some(help.to_owned()));
             return None;
         }
+        self.doubt(table.path(), spread?, kind);
         spread
+    }
+
+    /// Warns of the standard deviation of an angle that is a share of it, or nearly that of any direction.
+    fn doubt(&self, path: &str, spread: Spread, kind: Kind) {
+        /// In rad; that of any direction is π/√3.
+        const GREATEST: f64 = 1.0;
+        let (code, message): (_, Message) = match spread {
+            Spread::Relative(share) if share > 0.0 => {
+                ("share-of-angle", "a share of an angle depends on where angles count from; give its standard deviation in degrees".into())
+            }
+            Spread::StandardDeviation(sd) if sd > GREATEST => {
+                let of = Message::from("a standard deviation of ").figure(Measure::Angle, sd);
+                ("unusual-sd", of.text(" tells next to nothing of an angle; check its unit"))
+            }
+            _ => return,
+        };
+        if kind.dimension == Kind::ANGLE.dimension {
+            self.notices.borrow_mut().push(Notice::warning(code, path, Message::from(format!("{path}: ")).join(message)));
+        }
     }
 
     /// Reads the mass of a vehicle from its weight, which may be uncertain.

@@ -1,9 +1,8 @@
 //! Vehicles of a case that momentum alone determines.
 
-use planar_impact::{ForwardLeft, Input, Side};
+use planar_impact::{ForwardLeft, Side};
 
 use super::{CaseReader, has_inertia};
-use crate::case::parameter::Parameter;
 use crate::case::rest::{RestInputs, WholeVehicle};
 use crate::case::uncertain::UncertainInput;
 use crate::case::vehicle::{Inertia, VehicleInputs};
@@ -57,15 +56,8 @@ impl CaseReader {
             );
             self.notices.borrow_mut().push(Notice::note("point-masses", "vehicle", message));
         }
-        let takes_part = |parameter: Parameter| {
-            use Input::{ImpactCenterForward, ImpactCenterLeft, YawInertia};
-            !matches!(
-                parameter,
-                Parameter::RadiusOfGyration(_) | Parameter::Input(ImpactCenterForward(_) | ImpactCenterLeft(_) | YawInertia(_))
-            )
-        };
-        let (take_part, others) = self.uncertain.take().into_iter().partition(|input| takes_part(input.parameter));
-        let others: Vec<UncertainInput> = others;
+        let (others, take_part): (Vec<UncertainInput>, _) =
+            self.uncertain.take().into_iter().partition(|input| input.parameter.is_of_extended_body());
         self.uncertain.replace(take_part);
         let mut rests = rest.map_or([None, None], |rest| rest.vehicles.each_mut().map(Option::as_mut)).into_iter();
         for ((table, vehicle), side) in tables.iter().zip(vehicles.into_iter().flatten()).zip(Side::ALL) {

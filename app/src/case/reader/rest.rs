@@ -322,8 +322,10 @@ impl CaseReader {
         if let Some(angle) = slip_angle {
             tires.slip_angle = libm::tan(angle?);
         }
+        let (front_axle, rear_axle, track) = (front_axle?, rear_axle?, track?);
+        self.notices.borrow_mut().extend(unusual::wheelbase(table.path(), front_axle + rear_axle, &inputs?.size));
         let (mass, yaw_inertia) = (inputs?.mass, inputs?.yaw_inertia());
-        Some(SlidingVehicle { mass, yaw_inertia, front_axle: front_axle?, rear_axle: rear_axle?, track: track?, wheels: wheels?, tires })
+        Some(SlidingVehicle { mass, yaw_inertia, front_axle, rear_axle, track, wheels: wheels?, tires })
     }
 
     /// Reads the angle of a wheel to the vehicle, which may be that of another place.

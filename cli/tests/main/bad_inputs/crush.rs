@@ -46,6 +46,16 @@ pub const BAD: &[Bad] = &[
     )
     .of(CRUSHED),
     wrong(
+        "measured from behind the crush",
+        &[(DEPTHS, "depths = [\"3 in\", \"4.1 in\"]\nmeasured = { offset = \"5 in\" }")],
+        18,
+        &["vehicle.2.crush.measured: every reading less its offset is below zero"],
+    )
+    .of(CRUSHED),
+    wrong("measured at 344 deg", &[(DEPTHS, "depths = [\"3 in\", \"4.1 in\"]\nmeasured = { angle = \"344 deg\" }")], 0, &[])
+        .of(CRUSHED)
+        .ends(0),
+    wrong(
         "measured at crossed stations",
         &[(WIDTH, "stations = [0, 0.1]\n"), (DEPTHS, "depths = [1, 0.1]\nmeasured = { angle = \"45 deg\" }")],
         18,

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::time::{Duration, Instant};
 
 use super::{Bad, COLLISION, JSON, check, faults_of, solve, wrong};
-use crate::process::{Folder, run_with_input};
+use crate::process::{Folder, run, run_with_input, workspace};
 
 /// Inputs and expected messages.
 pub const BAD: &[Bad] = &[
@@ -30,6 +30,28 @@ pub const BAD: &[Bad] = &[
 #[test]
 fn texts() {
     check(BAD);
+}
+
+/// Of each kind of file, given to a verb that reads another.
+#[test]
+fn files_of_another_kind_are_named() {
+    let files = [
+        ("position-a.toml", "a case file", "`solve`, `reconstruct` and others read it"),
+        ("tests/malibu.toml", "a file of barrier tests", "`stiffness` reads it"),
+        ("record/barrier.toml", "a recording", "`record` reads it"),
+    ];
+    for (verb, wanted) in [("solve", 0), ("stiffness", 1), ("record", 2)] {
+        for (at, (file, kind, reads)) in files.into_iter().enumerate() {
+            let run = run(&workspace(), &[verb, &format!("cli/examples/{file}")]);
+            if at == wanted {
+                assert_eq!(run.status, 0, "{}", run.err);
+                continue;
+            }
+            let said = format!("error: this is {kind}, and {} is needed\n", files[wanted].1);
+            assert!(run.status == 2 && run.err.starts_with(&said) && run.err.contains(reads), "{verb} {file}: {}", run.err);
+            assert_eq!(run.err.matches("error:").count(), 1, "{}", run.err);
+        }
+    }
 }
 
 /// Writes bytes to a file, solves it, and checks the status and the message.

@@ -176,3 +176,22 @@ fn everything_is_said_at_once() {
     assert!(faults.is_empty(), "{faults:?}\n{}", run.err);
     assert_eq!(run.err.matches("error: ").count(), 4, "{}", run.err);
 }
+
+#[test]
+fn regions_are_limited() {
+    let folder = Folder::new();
+    let region = "{ friction = 0.4, half_plane = { from = [\"40 m\", \"0 m\"], toward = \"0 deg\" } }";
+    for (count, status) in [(32, 0), (33, 2), (34, 2)] {
+        let regions = format!("regions = [{}]", vec![region; count].join(", "));
+        let lines: Vec<&str> = RESTED.lines().map(|line| if line.starts_with("regions = ") { &regions } else { line }).collect();
+        folder.write("case.toml", lines.join("\n").as_bytes());
+        let run = run(folder.path(), &["solve", "case.toml"]);
+        assert_eq!(run.status, status, "{count}: {}", run.err);
+        assert_eq!(
+            run.err.contains(&format!("rest.regions: {count} regions are more than the 32 that are taken")),
+            status == 2,
+            "{}",
+            run.err
+        );
+    }
+}

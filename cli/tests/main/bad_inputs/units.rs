@@ -7,7 +7,7 @@ pub const BAD: &[Bad] = &[
     // One wrong dimension for each kind of quantity.
     wrong("mass in ft", &[("2564 lb", "2564 ft")], 6, &["vehicle.1.mass", "`2564 ft` is a length; a mass is expected"]),
     wrong("mass in no unit", &[("2564 lb", "2564 furlong")], 6, &["vehicle.1.mass", "unknown unit `furlong`", "expected a mass, such as"]),
-    wrong("mass in lbf", &[("2564 lb", "2564 lbf")], 6, &["vehicle.1.mass", "is a force"]),
+    wrong("mass in lbf", &[("2564 lb", "2564 lbf")], 6, &["vehicle.1.mass", "is a force", "give it as `weight`"]),
     wrong("inertia in lb ft", &[("1434.9 lbf s^2 ft", "1434.9 lb ft")], 7, &["vehicle.1.yaw_inertia", "yaw inertia is expected"]),
     wrong(
         "radius in kg",

@@ -27,6 +27,9 @@ fn the_crush_of_each_vehicle_tells_how_they_share_it() {
         (found["unknown"].get("contact.crush_share"), &found["evidence"]["contact.crush_share"]["computed"]),
         (None, &Value::from(0.5))
     );
+    let sought = replaced(&case, &[("[unknown]\n", "[unknown]\ncontact.crush_share = { min = 0, max = 1 }\n")]);
+    let notes = answer(&sought).0["notes"].to_string();
+    assert!(notes.contains("the search for contact.crush_share starts at 0.") && notes.contains(", that of the crush"), "{notes}");
 }
 
 #[test]

@@ -147,10 +147,13 @@ fn the_crush_energies_of_two_vehicles_count_twice() {
     let total = "crush_energy = \"150 kJ ± 10 kJ\"";
     let [one, two] = ["vehicle.1.crush_energy = \"75 kJ ± 8 kJ\"", "vehicle.2.crush_energy = \"75 kJ ± 8 kJ\""];
     let [speed, work] = ["vehicle.1.equivalent_energy_speed = \"10 m/s ± 0.5 m/s\"", "energy.normal_work = \"-150 kJ ± 10 kJ\""];
-    for once in [&[total][..], &[one, two], &[work]] {
+    let impulses = ["P_n", "P_t", "P_x"].map(|name| format!("{name} = \"15000 N s ± 500 N s\""));
+    let [normal, tangential, along] = impulses.each_ref().map(String::as_str);
+    let [before, component] = ["vehicle.1.speed = \"10 m/s ± 0.5 m/s\"", "vehicle.1.velocity.x = \"10 m/s ± 0.5 m/s\""];
+    for once in [&[total][..], &[one, two], &[work], &[normal, tangential], &[component]] {
         assert!(told(once).is_empty(), "{once:?}");
     }
-    for twice in [&[total, work][..], &[one, two, speed], &[total, one, two]] {
+    for twice in [&[total, work][..], &[one, two, speed], &[total, one, two], &[normal, tangential, along], &[before, component]] {
         let told = told(twice);
         assert!(told.len() == 1 && told[0].contains("count as independent"), "{twice:?}: {told:?}");
     }
@@ -180,6 +183,10 @@ fn columns_of_one_file_that_go_together_are_told() {
     let told = messages(case("m2"));
     assert!(told.contains("independent-columns") && told.contains("a correlation of -1.00"), "{told}");
     assert!(!messages(case("m3")).contains("independent-columns"));
+    // Lines of another file are other measurements.
+    folder.write("other.csv", &std::fs::read(folder.path().join("pair.csv")).expect("the file"));
+    let apart = case("m2").replacen("file = \"pair.csv\", column = \"m2\"", "file = \"other.csv\", column = \"m2\"", 1);
+    assert!(apart.contains("other.csv") && !messages(apart).contains("independent-columns"));
     let correlated = case("m2").replace("schema = 1\n", "schema = 1\ncorrelation = [[\"m1\", \"m2\", -0.9]]\n");
     assert!(!messages(correlated).contains("independent-columns"));
     // A cell without a unit among others that have one.

@@ -119,6 +119,34 @@ fn what_is_worth_a_word_is_said() {
     }
 }
 
+/// The bins of the draws and of each pair of unknowns hold the draws that lie in them.
+#[test]
+fn densities_are_those_of_the_draws() {
+    let found = document(&case("regular"), &["--posterior", "--draws"]);
+    let unknowns = ["vehicle.1.speed", "vehicle.2.speed"];
+    let places = unknowns.map(|name| {
+        let density = &found["unknown"][name]["posterior"]["density"];
+        let (edges, shares) = (numbers(&density["edges"]), numbers(&density["shares"]));
+        let draws = numbers(&found["posterior"]["values"][name]);
+        let place = |draw: &f64| (edges.partition_point(|edge| edge <= draw) - 1).min(shares.len() - 1);
+        let places: Vec<usize> = draws.iter().map(place).collect();
+        for (bin, share) in shares.iter().enumerate() {
+            let count = places.iter().filter(|place| **place == bin).count();
+            assert!((share * 4000.0 - count as f64).abs() < 1e-9, "{name}, {bin}: {share} for {count}");
+        }
+        places
+    });
+    let pairs = found["posterior"]["pairs"].as_array().expect("a list");
+    assert_eq!(pairs.len(), 1);
+    assert_eq!([&pairs[0]["x"], &pairs[0]["y"]], unknowns);
+    for (row, shares) in pairs[0]["shares"].as_array().expect("rows").iter().enumerate() {
+        for (column, share) in numbers(shares).into_iter().enumerate() {
+            let count = places[0].iter().zip(&places[1]).filter(|(x, y)| (**x, **y) == (column, row)).count();
+            assert!((share * 4000.0 - count as f64).abs() < 1e-9, "{column}, {row}: {share} for {count}");
+        }
+    }
+}
+
 #[test]
 fn the_same_seed_gives_the_same_draws() {
     let of = |seed: &str| text(&two_cars(), &["--format", "json", "--draws", "--seed", seed]).out;

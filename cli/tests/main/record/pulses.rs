@@ -81,6 +81,17 @@ fn a_baseline_of_few_samples_is_told() {
     }
 }
 
+/// Samples of a filtered sensor count as fewer, and those that go on from nothing as they are.
+#[test]
+fn a_baseline_of_correlated_samples_is_told_with_their_number() {
+    let told = |noise: &dyn Fn(f64) -> f64| {
+        let samples = csv("normal_force [kN]", &[&|ms| 100.0 * pulse(ms) + noise(ms)]);
+        record_of(&samples, Some("baseline = [\"-20 ms\", \"-19 ms\"]\n")).1.out
+    };
+    assert!(told(&|_| 0.0).contains("a baseline of 11 samples hardly tells the noise"));
+    assert!(told(&|ms| (0.6 * ms).sin()).contains("a baseline of 11 samples, correlated as "));
+}
+
 /// The unloaded samples are those before the time zero, whatever the window: the offset is 2 kN, and the half-sine from 20 ms on has F T (1 + cos 36°)/π.
 #[test]
 fn a_late_window_takes_its_offset_from_before_the_contact() {
@@ -491,7 +502,10 @@ fn an_offset_that_drifts_is_told() {
     // From 0 at the contact to 1.1 kN in the middle of the samples after the window, of which evenly 55 N s.
     let told = warned("drift", window, &|ms| noise(ms) + 0.01 * ms.max(0.0));
     assert_eq!(told.len(), 1);
-    assert!(told[0].contains("after the window normal force is 1099 N from its baseline") && told[0].contains("some 55"), "{told:?}");
+    assert!(
+        told[0].contains("after the window normal force is 1099 N from its baseline") && told[0].contains("has some 55 N s of it"),
+        "{told:?}"
+    );
     assert!(warned("drift", window, &noise).is_empty());
     // Without a window the last tenth should be unloaded: after a drift and a shift it is not; a load that falls there is that of a record that ends early.
     for disturbance in
@@ -516,6 +530,9 @@ fn a_flat_top_with_noise_is_told() {
     assert!(told(&|ms| 100.0 * pulse(ms)).is_empty());
     assert!(told(&|ms| 100.0 * pulse(ms) * pulse(ms)).is_empty());
     assert!(told(&|ms| (100.0 - 2.0 * (ms - 50.0).abs()).max(0.0)).is_empty());
+    // A load that rises slowly and stops at once, and the other way round.
+    assert!(told(&|ms| if (0.0..80.0).contains(&ms) { 50.0 + 0.5 * ms } else { 0.0 }).is_empty());
+    assert!(told(&|ms| if (0.0..80.0).contains(&ms) { 90.0 - 0.5 * ms } else { 0.0 }).is_empty());
     // A load that is held, and is rough.
     assert!(told(&|ms| (100.0 * pulse(ms)).min(70.0) + 4.0 * (ms * 0.8).sin() * pulse(ms)).is_empty());
 }

@@ -131,8 +131,38 @@ fn bad_settings_are_refused_at_their_keys() {
     assert!(late.status == 2 && late.err.contains("normal_force.b: it must be sampled at the same instants"), "{}", late.err);
     let (_, unused) = record_of("time [s],speed,site\n-1,10,a\n0,9,b\n", None);
     assert!(unused.status == 0 && unused.out.contains("unused-columns") && unused.out.contains("unit-assumed"), "{}", unused.out);
+    let (_, misnamed) = record_of("time [s],speed,Delta V-forward [m/s]\n-1,10,\n0,9,0\n1,,-2\n", None);
+    let said = "the column `Delta V-forward` is no channel, and is not used; did you mean `delta_v_forward`?";
+    assert!(misnamed.status == 0 && misnamed.out.contains(said) && !misnamed.out.contains("unused-columns"), "{}", misnamed.out);
+    let (_, none) = record_of("time [s],Tangential_Force [N]\n-1,10\n0,9\n", None);
+    assert!(none.status == 2 && none.err.contains("did you mean `tangential_force` in place of `Tangential_Force`?"), "{}", none.err);
     let missing = run(Folder::new().path(), &["record", "none.csv"]);
     assert!(missing.status == 2 && missing.err.contains("`none.csv` cannot be read"), "{}", missing.err);
+}
+
+/// A channel that is reversed and records nothing, from the time zero on.
+#[test]
+fn a_peak_of_zero_has_no_sign() {
+    let samples: Vec<String> = (0..40).map(|i| format!("{i},0")).collect();
+    let samples = format!("time [ms],acceleration [g]\n{}\n", samples.join("\n"));
+    let (record, _) = record_of(&samples, Some(&format!("{CAR}[[channel]]\ncolumn = \"acceleration\"\npolarity = -1\n")));
+    let peak = record["accelerations"][0]["peak"]["value"].as_f64().unwrap_or_else(|| panic!("{record}"));
+    assert!(peak == 0.0 && peak.is_sign_positive(), "{peak}");
+}
+
+/// Of an acceleration, for which g is no gram in any spelling.
+#[test]
+fn the_gravity_of_a_header_is_the_standard_one() {
+    let of = |unit: &str| record_of(&csv(&format!("acceleration [{unit}]"), &[&|ms| -20.0 * pulse(ms)]), Some(CAR)).0;
+    let wanted = of("g");
+    close(
+        &wanted["accelerations"][0]["delta_v"]["value"],
+        of("g0")["accelerations"][0]["delta_v"]["value"].as_f64().expect("a number"),
+        1e-12,
+    );
+    for unit in ["G", "g's", "G's", "g’s", "G’s"] {
+        assert!(of(unit) == wanted, "{unit}");
+    }
 }
 
 /// As in the documentation of `MeasuredContact::restitution`: e = (0.5 + Ω (0.2 cos 0.05 + 1.5 sin 0.05))/10, with a standard deviation from that of the

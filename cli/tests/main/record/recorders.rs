@@ -170,6 +170,22 @@ fn readings_tell_more_of_a_recorder_than_its_settings() {
     assert!(late.out.contains("begins at 0 s with -3.33 m/s: the impact had begun before it"), "{}", late.out);
 }
 
+/// The velocity change begins at 0.03 s of its own times, by 0.3 of the greatest.
+#[test]
+fn a_pulse_far_from_time_zero_is_told() {
+    let shifted = |by: f64| {
+        let of_pulse = |line: &str| -> Option<String> {
+            let (time, rest) = line.split_once(",,")?;
+            Some(format!("{},,{rest}", time.parse::<f64>().ok()? + by))
+        };
+        let lines: Vec<String> = recorder("").lines().map(|line| of_pulse(line).unwrap_or_else(|| line.to_owned())).collect();
+        record_of(&lines.join("\n"), None).1.out
+    };
+    let is_told = |by: f64| shifted(by).contains("impact-not-at-zero");
+    assert_eq!([0.0, 0.46, 0.48, 2.0].map(is_told), [false, false, true, true]);
+    assert!(shifted(2.0).contains("delta_v_forward begins to change at 2.030 s: times must count from the impact"), "{}", shifted(2.0));
+}
+
 /// Times count from the impact: what was stored later is no speed before it.
 #[test]
 fn speeds_after_the_impact_are_not_used() {
@@ -308,6 +324,8 @@ fn a_recorder_is_evidence_as_if_written_by_hand() {
     let refused = two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\" }");
     assert!(refused.status == 2 && refused.err.contains("delta_v_forward is a lower bound") && refused.err.contains("use = [\"speed\"]"));
     assert!(two_cars(&clipped, "vehicle.2.recorder = { file = \"edr.csv\", use = [\"speed\"] }").err.is_empty());
+    let sensors = two_cars(&samples, "vehicle.2.recorder = { file = \"edr.csv\", accelerometer_range = \"7 g\" }");
+    assert!(sensors.err.contains("delta_v_forward, delta_v_right of edr.csv is clipped or truncated"), "{}", sensors.err);
     let alone =
         two_cars("time [s],delta_v_forward [km/h]\n0,0\n0.02,-5\n0.04,-15\n0.06,-30\n", "vehicle.2.recorder = { file = \"edr.csv\" }");
     assert!(
