@@ -70,7 +70,8 @@ def solve_batch(
         columns: Inputs by name, such as ``"vehicle.1.speed"``, in SI, or with a unit in the name: ``"vehicle.1.speed [mph]"``. Either a
             dict of arrays and scalars, which hold in every row, or a table: of pyarrow, Polars, pandas, DuckDB, or any with
             ``__arrow_c_stream__``. Columns of other names pass through, with a ``UserWarning`` where the name may be meant as that of an
-            input, such as ``"e"`` or ``"speed"``. Arrays of contiguous float64 are read without a copy, and must
+            input, such as ``"e"`` or ``"speed"``. A ``UserWarning`` names sizes that no road vehicle has, and rows of which no input has a
+            number, by the first such row, except of a stream. Arrays of contiguous float64 are read without a copy, and must
             not be changed until the call returns.
         of: Outputs by name or symbol. Default: all of :func:`solve`.
         wrt: Inputs to differentiate with respect to.

@@ -372,7 +372,7 @@ def check(files: _Path | Sequence[_Path], *, tolerance: float | None = None) -> 
 
     Args:
         files: Paths of files of records: JSON, JSON lines or CSV.
-        tolerance: Relative tolerance of numbers that have no resolution.
+        tolerance: Tolerance of records without resolutions, as a share of what is exchanged.
 
     Returns:
         ``records``, each with its ``verdict`` and ``findings``; ``summary``.

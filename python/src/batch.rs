@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table};
+use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table, Unusual};
 use planar_impact_app::notice::Severity;
 use planar_impact_app::{Case, Notice, Units};
 use pyo3::exceptions::{PyUserWarning, PyValueError};
@@ -28,11 +28,24 @@ pub fn base(source: Option<&Source>) -> Result<Option<Case>, Failure> {
 
 /// Warns of columns that pass through although they may be meant as inputs; `depth` is that of the caller's line, as in `warnings.warn`.
 pub fn warn(py: Python<'_>, notices: &[Notice], depth: i32) -> PyResult<()> {
-    for notice in notices.iter().filter(|notice| notice.severity == Severity::Warning) {
-        let text = CString::new(Units::Si.sentence(&notice.message).replace('\0', ""))?;
-        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, depth)?;
+    notices
+        .iter()
+        .filter(|notice| notice.severity == Severity::Warning)
+        .try_for_each(|notice| say(py, &Units::Si.sentence(&notice.message), depth))
+}
+
+/// Warns of sizes that no road vehicle has and of rows without inputs, each once with its first row, counted from 0 as in Python.
+pub fn warn_of_rows(py: Python<'_>, unusual: Vec<Unusual>, depth: i32) -> PyResult<()> {
+    for Unusual { first, rows, warning } in Unusual::merged(unusual) {
+        let others = if rows > 1 { format!(", and {} more", rows - 1) } else { String::new() };
+        say(py, &format!("{} (row {first}{others})", Units::Si.sentence(&warning.message)), depth)?;
     }
     Ok(())
+}
+
+fn say(py: Python<'_>, text: &str, depth: i32) -> PyResult<()> {
+    let text = CString::new(text.replace('\0', ""))?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, depth)
 }
 
 /// What is computed from columns of these names.
@@ -137,6 +150,14 @@ type Words = Vec<(usize, String)>;
 /// refusals.
 type Solved<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<f64>>, Words, Words);
 
+/// What is found of rows beside their numbers: the violated rules if they are checked, the refusals, and sizes that no road vehicle has.
+#[derive(Default)]
+struct Found {
+    check: Words,
+    refused: Words,
+    unusual: Vec<Unusual>,
+}
+
 /// Rows that are solved together, and where their numbers go.
 struct Part<'a> {
     first: usize,
@@ -211,15 +232,16 @@ impl Plan {
         let mut derivatives = vec![0.0; cells];
         let signals = Signals::new(progress);
         let found = py.detach(|| self.fill(&columns, rows, &mut numbers, &mut derivatives, threads, &signals));
-        let Some((check, refused)) = found else { return Err(signals.stopped()) };
+        let Some(Found { check, refused, unusual }) = found else { return Err(signals.stopped()) };
         signals.done()?;
+        warn_of_rows(py, unusual, 3)?;
         let numbers = numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
         Ok((numbers, PyArray1::from_vec(py, derivatives), check, refused))
     }
 }
 
 impl Plan {
-    /// Solves rows on threads, and returns the violated rules and the refusals; `None` if a signal stops it.
+    /// Solves rows on threads, and returns what is found of them; `None` if a signal stops it.
     fn fill(
         &self,
         columns: &[Readable<'_>],
@@ -228,7 +250,7 @@ impl Plan {
         derivatives: &mut [f64],
         threads: usize,
         signals: &Signals,
-    ) -> Option<(Words, Words)> {
+    ) -> Option<Found> {
         let part = |first| Part { first, rows: ROWS.min(rows - first), columns: Vec::with_capacity(numbers.len()), derivatives: &mut [] };
         let mut parts: Vec<Part<'_>> = (0..rows).step_by(ROWS).map(part).collect();
         for column in numbers {
@@ -244,33 +266,34 @@ impl Plan {
         let next = || queue.lock().ok()?.next();
         let is_stopped = AtomicBool::new(false);
         let work = |goes_on: &dyn Fn(usize) -> bool| {
-            let mut words = (Words::new(), Words::new());
+            let mut found = Found::default();
             while !is_stopped.load(Ordering::Relaxed) {
                 let Some(part) = next() else { break };
                 let place = part.first / ROWS;
-                self.fill_part(columns, part, &mut words);
+                self.fill_part(columns, part, &mut found);
                 if !goes_on(place) {
                     is_stopped.store(true, Ordering::Relaxed);
                 }
             }
-            words
+            found
         };
-        let (mut check, mut refused) = thread::scope(|scope| {
+        let mut found = thread::scope(|scope| {
             let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&|_| true))).collect();
-            let mut words = work(&|place| signals.look(place + 1, count));
+            let mut found = work(&|place| signals.look(place + 1, count));
             for other in others {
-                let (check, refused) = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                words.0.extend(check);
-                words.1.extend(refused);
+                let Found { check, refused, unusual } = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                found.check.extend(check);
+                found.refused.extend(refused);
+                found.unusual.extend(unusual);
             }
-            words
+            found
         });
-        check.sort_by_key(|(row, _)| *row);
-        refused.sort_by_key(|(row, _)| *row);
-        (!is_stopped.into_inner()).then_some((check, refused))
+        found.check.sort_by_key(|(row, _)| *row);
+        found.refused.sort_by_key(|(row, _)| *row);
+        (!is_stopped.into_inner()).then_some(found)
     }
 
-    fn fill_part(&self, columns: &[Readable<'_>], part: Part<'_>, words: &mut (Words, Words)) {
+    fn fill_part(&self, columns: &[Readable<'_>], part: Part<'_>, found: &mut Found) {
         let Part { first, rows, columns: to, derivatives } = part;
         let inputs = self.0.inputs();
         let columns = inputs.iter().zip(columns).map(|(column, readable)| readable.part(column, first, rows)).collect();
@@ -284,7 +307,8 @@ impl Plan {
             }
         }
         let rules = answer.check.into_iter().flatten().enumerate();
-        words.0.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));
-        words.1.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
+        found.check.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));
+        found.refused.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
+        found.unusual.extend(answer.unusual.into_iter().map(|size| Unusual { first: first + size.first, ..size }));
     }
 }

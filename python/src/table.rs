@@ -8,15 +8,16 @@ use std::thread::{self, ThreadId};
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
+use planar_impact_app::batch::Unusual;
 use planar_impact_app::{Issue, Issues};
-use planar_impact_arrow::{Options, Plan};
+use planar_impact_arrow::{Options, Plan, Solved};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use pyo3_arrow::{PyRecordBatchReader, PyTable};
 
-use crate::batch::{base, warn};
+use crate::batch::{base, warn, warn_of_rows};
 use crate::control::{Signals, interrupt_again};
 use crate::error::{self, Failure};
 use crate::source::Source;
@@ -87,15 +88,24 @@ pub fn solve_table(
     let signals = Signals::new(progress);
     let options = Options { of, wrt, check, fast };
     let plan = plan(py, &reader.schema(), case, &options)?;
-    let (batches, schema) = py.detach(|| -> PyResult<(Vec<RecordBatch>, SchemaRef)> {
+    let (batches, unusual) = py.detach(|| -> PyResult<(Vec<RecordBatch>, Vec<Unusual>)> {
         let mut parts = Vec::new();
         for batch in reader {
             parts.extend(split(batch.map_err(unread)?));
         }
         let solved = solve(&plan, &parts, threads, &|done| signals.look(done + 1, parts.len())).ok_or_else(|| signals.stopped())?;
-        Ok((solved.into_iter().collect::<Result<_, _>>().map_err(unread)?, plan.schema()))
+        let (mut batches, mut unusual, mut first) = (Vec::new(), Vec::new(), 0);
+        for part in solved {
+            let Solved { batch, unusual: of_part, .. } = part.map_err(unread)?;
+            unusual.extend(of_part.into_iter().map(|size| Unusual { first: first + size.first, ..size }));
+            first += batch.num_rows();
+            batches.push(batch);
+        }
+        Ok((batches, unusual))
     })?;
     signals.done()?;
+    warn_of_rows(py, unusual, 2)?;
+    let schema = plan.schema();
     let names = schema.fields().iter().map(|field| field.name().clone()).collect();
     let rows = batches.iter().map(RecordBatch::num_rows).sum();
     Ok(Table { table: Py::new(py, PyTable::try_new(batches, schema)?)?, names, rows })
@@ -141,7 +151,7 @@ fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Opt
 
 /// Returns the record batches of a table. What it raises itself stays, unless it is of its values.
 fn reader(table: &Bound<'_, PyAny>) -> PyResult<Box<dyn RecordBatchReader + Send>> {
-    let read = table.extract::<AnyRecordBatch>().map_err(PyErr::from).and_then(AnyRecordBatch::into_reader);
+    let read = table.extract::<AnyRecordBatch>().and_then(AnyRecordBatch::into_reader);
     read.map_err(|error| match error.is_instance_of::<PyValueError>(table.py()) || error.is_instance_of::<PyTypeError>(table.py()) {
         true => unread(error.value(table.py())),
         false => error,
@@ -195,7 +205,7 @@ impl Iterator for Stream {
             let parts: Vec<RecordBatch> = self.parts.drain(..most.min(self.parts.len())).collect();
             let is_owner = thread::current().id() == self.owner;
             match solve(&self.plan, &parts, self.threads, &|done| !is_owner || self.signals.look(done, parts.len())) {
-                Some(solved) => self.solved.extend(solved),
+                Some(solved) => self.solved.extend(solved.into_iter().map(|part| part.map(|part| part.batch))),
                 None => failed = Some(ArrowError::ExternalError(self.signals.handed_on().into())),
             }
             self.solved.extend(failed.map(Err));
@@ -211,20 +221,15 @@ impl RecordBatchReader for Stream {
 }
 
 /// Solves parts of a table on threads; `None` if `goes_on`, which gets the number of parts begun, stops it.
-fn solve(
-    plan: &Plan,
-    parts: &[RecordBatch],
-    threads: usize,
-    goes_on: &dyn Fn(usize) -> bool,
-) -> Option<Vec<Result<RecordBatch, ArrowError>>> {
+fn solve(plan: &Plan, parts: &[RecordBatch], threads: usize, goes_on: &dyn Fn(usize) -> bool) -> Option<Vec<Result<Solved, ArrowError>>> {
     let queue = Mutex::new(parts.iter().enumerate());
     let next = || queue.lock().ok()?.next();
     let is_stopped = AtomicBool::new(false);
     let work = |goes_on: &dyn Fn(usize) -> bool| {
-        let mut solved: Vec<(usize, Result<RecordBatch, ArrowError>)> = Vec::new();
+        let mut solved: Vec<(usize, Result<Solved, ArrowError>)> = Vec::new();
         while !is_stopped.load(Ordering::Relaxed) {
             let Some((place, part)) = next() else { break };
-            solved.push((place, plan.solve(part)));
+            solved.push((place, plan.solve_with(part, Vec::new())));
             if !goes_on(place) {
                 is_stopped.store(true, Ordering::Relaxed);
             }

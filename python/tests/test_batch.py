@@ -194,6 +194,7 @@ def test_a_unit_is_in_the_name() -> None:
     assert planar_impact.solve_batch(columns, of="T_L", case=BARRIER)["energy.loss"].tolist() == expected
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 def test_nothing_is_that_of_the_case_and_nan_is_refused() -> None:
     masked = np.ma.MaskedArray([12.0, 99.0], mask=[False, True])
     given = losses(vehicle__1__speed=[12.0, None])
@@ -220,6 +221,27 @@ def test_a_column_that_may_be_meant_as_an_input_is_told() -> None:
     with pytest.warns(UserWarning, match="vehicle.1.mass or vehicle.2.mass") as told:
         planar_impact.solve_batch(table, of="T_L", case=BARRIER)
     assert told[0].filename == __file__
+
+
+def test_rows_that_no_vehicle_has_are_told_with_the_first() -> None:
+    masses = np.full(40_000, 1500.0)
+    masses[[20_001, 39_999]] = 50.0
+    message = r"vehicle.1: no road vehicle has a mass of 50 kg; check its unit \(row 20001, and 1 more\)"
+    pa = pytest.importorskip("pyarrow")
+    sizes = {"vehicle.1.mass": masses, "vehicle.1.yaw_inertia": 1.7 * masses}
+    for columns in (sizes, pa.table(sizes)):
+        for threads in (1, 3):
+            with pytest.warns(UserWarning, match=message) as told:
+                planar_impact.solve_batch(columns, of="T_L", case=BARRIER, threads=threads)
+            assert len(told) == 1 and told[0].filename == __file__
+
+
+def test_rows_without_inputs_are_told() -> None:
+    pd = pytest.importorskip("pandas")
+    message = r"no input of the row has a number.* \(row 1\)"
+    for columns in ({"vehicle.1.speed": [12.0, None]}, pd.DataFrame({"vehicle.1.speed": [12.0, math.nan]})):
+        with pytest.warns(UserWarning, match=message):
+            planar_impact.solve_batch(columns, of="T_L", case=BARRIER)
 
 
 def test_no_rows() -> None:
@@ -292,6 +314,7 @@ def test_wrong_calls() -> None:
         planar_impact.solve_batch(columns, case=BARRIER, wrt="dV1")
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 @pytest.mark.parametrize("truth", [True, np.True_])
 def test_a_truth_is_no_number_and_a_barrier(truth: Any) -> None:
     for column in ([truth, 14], [truth, 14.0], [truth, None], np.array([truth, 14.0], dtype=object), [truth, truth]):

@@ -204,6 +204,7 @@ def test_derivatives_are_the_limit_of_differences(case: dict[str, Any], place: t
         assert derivatives.of[output].d[name] == pytest.approx(difference, rel=1e-5, abs=1e-9 * scale / step), output
 
 
+@pytest.mark.filterwarnings("ignore:.*(is unusual|no road vehicle has)")
 @settings(max_examples=60)
 @given(CASES)
 def test_a_dict_a_text_and_a_row_have_the_same_bits(case: dict[str, Any]) -> None:

@@ -92,6 +92,7 @@ def test_any_other_library(columns: dict[str, Any], expected: dict[str, Any]) ->
         same(pa.table(answer), expected)
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 def test_text_units_nulls_and_other_columns() -> None:
     table = pa.table({"site": ["a", "b", None], "vehicle.1.speed [km/h]": ["54", None, "fast"]})
     answer = planar_impact.solve_batch(table, of="T_L", case=BARRIER, check=True)
@@ -205,6 +206,7 @@ def test_columns_without_a_type_and_tables_without_columns() -> None:
     assert len(planar_impact.solve_batch(pandas.DataFrame(), case=BARRIER, of="dV1")) == 0
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 def test_a_class_of_ones_own_is_that_of_its_library() -> None:
     pandas = pytest.importorskip("pandas")
 
@@ -220,6 +222,7 @@ def test_a_class_of_ones_own_is_that_of_its_library() -> None:
     assert planar_impact.solve_batch({"vehicle.1.speed": column}, case=BARRIER, of="dV1")["refusal"].tolist() == [None, None]
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 def test_the_nulls_of_arrays_are_those_of_the_case() -> None:
     polars = pytest.importorskip("polars")
     columns = [pa.array([12.0, None]), pa.array([12, None]), pa.chunked_array([[12.0], [None]]), polars.Series([12.0, None]), polars.Series([12, None])]
@@ -242,6 +245,7 @@ def test_text_that_is_none_is_refused() -> None:
         planar_impact.solve_batch(stream, case=BARRIER, of="dV1").read_all()
 
 
+@pytest.mark.filterwarnings("ignore:no input of the row has a number")
 @pytest.mark.parametrize("kind", ["Int64", "Float64", "object"])
 def test_what_pandas_has_as_nothing_is_that_of_the_case(kind: str) -> None:
     pandas = pytest.importorskip("pandas")

@@ -22,6 +22,14 @@ impl Unusual {
         (self.warning.code, &self.warning.path) == (other.warning.code, &other.warning.path)
     }
 
+    /// Returns each size of the parts of a table once, with its first row.
+    pub fn merged(mut of_parts: Vec<Unusual>) -> Vec<Unusual> {
+        of_parts.sort_by_key(|size| size.first);
+        let mut merged = Vec::new();
+        of_parts.into_iter().for_each(|size| size.add(&mut merged));
+        merged
+    }
+
     /// Adds later rows to a list that has each size once.
     pub fn add(self, to: &mut Vec<Unusual>) {
         match to.iter_mut().find(|known| known.is_alike(&self)) {
@@ -55,4 +63,20 @@ fn of_vehicle(vehicle: &RowVehicle, path: &str) -> impl Iterator<Item = Notice> 
     let radius = (inertia.of(*mass) / mass).sqrt();
     let sizes = unusual::vehicle(path, *mass, radius, impact_center.length());
     sizes.into_iter().chain(unusual::motion(path, speed, *yaw_rate)).flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_row_of_any_part_is_kept() {
+        let size = |first: usize, path: &str, message: &'static str| Unusual {
+            first,
+            rows: 1,
+            warning: Notice::warning("unusual-mass", path, message),
+        };
+        let merged = Unusual::merged(vec![size(9, "vehicle.1", "of 9"), size(7, "vehicle.2", "of 7"), size(3, "vehicle.1", "of 3")]);
+        assert_eq!(merged, [Unusual { rows: 2, ..size(3, "vehicle.1", "of 3") }, size(7, "vehicle.2", "of 7")]);
+    }
 }

@@ -15,7 +15,7 @@ pub struct Check {
     /// Format of the findings.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,
-    /// Relative tolerance of numbers without a resolution, at most 0.5. Default: that of the record's profile.
+    /// Tolerance of records without resolutions, as a share of what is exchanged, at most 0.5; printed numbers need `resolution`. Default: that of the record's profile.
     #[arg(long, value_name = "REL", value_parser = tolerance)]
     pub tolerance: Option<f64>,
     /// Lowest severity for which the exit status is 1.
