@@ -13,6 +13,7 @@ use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
+pub(crate) use header::commented;
 pub use header::{Header, separated_otherwise};
 pub use sizes::Unusual;
 
@@ -89,9 +90,8 @@ impl Plan {
                 Err(issue) => issues.push(issue),
             }
         }
-        if inputs.is_empty() && headers.first().is_some_and(|first| first.name.starts_with('#')) {
-            let issue = Issue::of_file("no-input-column", "the first line must name the columns, and begins with #");
-            return Err(Issues::of_call(vec![issue.with_help("remove the lines above the names; a table has no comments")]));
+        if let Some([wrong, remedy]) = commented(headers).filter(|_| inputs.is_empty()) {
+            return Err(Issues::of_call(vec![Issue::of_file("no-input-column", wrong).with_help(remedy)]));
         }
         if base.is_some() && !headers.is_empty() && inputs.is_empty() && issues.is_empty() {
             let message = "no column is an input of a collision, so every row would be the case itself";

@@ -80,8 +80,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
             let solved = plan.solve_with(&part.batch.slice(first, together.min(rows - first)), part.unreadable_in(first..first + together));
             let solved = solved.map_err(sink::of_arrow)?;
             refused.extend(solved.refused.into_iter().map(|refused| Refused { row: first + refused.row, ..refused }));
-            let of_part = |size: Unusual| Unusual { first: first + size.first, ..size };
-            solved.unusual.into_iter().map(of_part).for_each(|size| size.add(&mut unusual));
+            solved.unusual.into_iter().for_each(|size| size.after(first).add(&mut unusual));
             Ok(solved.batch)
         });
         let encoded = encoder.encode(solved).map_err(Failure::Output)?;

@@ -36,11 +36,7 @@ pub fn warn(py: Python<'_>, notices: &[Notice], depth: i32) -> PyResult<()> {
 
 /// Warns of sizes that no road vehicle has and of rows without inputs, each once with its first row, counted from 0 as in Python.
 pub fn warn_of_rows(py: Python<'_>, unusual: Vec<Unusual>, depth: i32) -> PyResult<()> {
-    for Unusual { first, rows, warning } in Unusual::merged(unusual) {
-        let others = if rows > 1 { format!(", and {} more", rows - 1) } else { String::new() };
-        say(py, &format!("{} (row {first}{others})", Units::Si.sentence(&warning.message)), depth)?;
-    }
-    Ok(())
+    Unusual::merged(unusual).iter().try_for_each(|size| say(py, &size.sentence(&format!("row {}", size.first)), depth))
 }
 
 fn say(py: Python<'_>, text: &str, depth: i32) -> PyResult<()> {
@@ -309,6 +305,6 @@ impl Plan {
         let rules = answer.check.into_iter().flatten().enumerate();
         found.check.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));
         found.refused.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
-        found.unusual.extend(answer.unusual.into_iter().map(|size| Unusual { first: first + size.first, ..size }));
+        found.unusual.extend(answer.unusual.into_iter().map(|size| size.after(first)));
     }
 }

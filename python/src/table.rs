@@ -97,7 +97,7 @@ pub fn solve_table(
         let (mut batches, mut unusual, mut first) = (Vec::new(), Vec::new(), 0);
         for part in solved {
             let Solved { batch, unusual: of_part, .. } = part.map_err(unread)?;
-            unusual.extend(of_part.into_iter().map(|size| Unusual { first: first + size.first, ..size }));
+            unusual.extend(of_part.into_iter().map(|size| size.after(first)));
             first += batch.num_rows();
             batches.push(batch);
         }

@@ -27,6 +27,13 @@ impl Header {
     }
 }
 
+/// Returns what is wrong with column names of which the first begins as a comment, and the remedy.
+pub(crate) fn commented(headers: &[Header]) -> Option<[&'static str; 2]> {
+    let is_comment = headers.first().is_some_and(|first| first.name.starts_with('#'));
+    is_comment
+        .then_some(["the first line must name the columns, and begins with #", "remove the lines above the names; CSV has no comments"])
+}
+
 /// Returns what is wrong with a line of column names in which no comma separates them, and the remedy.
 ///
 /// ```

@@ -3,6 +3,7 @@
 use super::row::RowVehicle;
 use crate::case::{ContactInputs, Velocity};
 use crate::notice::Notice;
+use crate::units::Units;
 use crate::unusual;
 
 /// A size that no road vehicle has, in one row or more.
@@ -20,6 +21,17 @@ impl Unusual {
     /// Returns `true` if both are about the same size of the same vehicle or contact.
     pub fn is_alike(&self, other: &Unusual) -> bool {
         (self.warning.code, &self.warning.path) == (other.warning.code, &other.warning.path)
+    }
+
+    /// Returns the same of a part whose rows come after others of the table.
+    pub fn after(self, rows: usize) -> Unusual {
+        Unusual { first: rows + self.first, ..self }
+    }
+
+    /// Returns the warning as a sentence in SI, with the name of its first row and the number of the others.
+    pub fn sentence(&self, first: &str) -> String {
+        let others = if self.rows > 1 { format!(", and {} more", self.rows - 1) } else { String::new() };
+        format!("{} ({first}{others})", Units::Si.sentence(&self.warning.message))
     }
 
     /// Returns each size of the parts of a table once, with its first row.

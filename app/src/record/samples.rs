@@ -4,7 +4,7 @@ use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{Record, TestIssue};
 
 use super::ChannelQuantity;
-use crate::batch::{Header, separated_otherwise};
+use crate::batch::{Header, commented, separated_otherwise};
 use crate::case::{Rows, read_cell};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, QuantityError};
@@ -65,12 +65,7 @@ impl Samples {
             [place] => Ok(place),
             [] => Err(match &self.headers[..] {
                 [only] if let Some([wrong, remedy]) = separated_otherwise(&only.name) => self.fault(1, "", wrong, remedy),
-                [first, ..] if first.name.starts_with('#') => self.fault(
-                    1,
-                    "",
-                    "the first line must name the columns, and begins with #",
-                    "remove the lines above the names; CSV has no comments",
-                ),
+                all if let Some([wrong, remedy]) = commented(all) => self.fault(1, "", wrong, remedy),
                 _ => self.fault(1, name, "no column has this name", format!("its columns are {}", self.names())),
             }),
             _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),

@@ -79,9 +79,8 @@ impl Progress {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
-        for (first, Unusual { rows, warning, .. }) in &self.unusual {
-            let others = if *rows > 1 { format!(", and {} more", rows - 1) } else { String::new() };
-            self.say(&format!("{}: {} ({first}{others})", warning.severity, Units::Si.sentence(&warning.message)));
+        for (first, size) in &self.unusual {
+            self.say(&format!("{}: {}", size.warning.severity, size.sentence(first)));
         }
         if self.refused > 0 {
             let counts: Vec<String> = self.codes.iter().map(|(codes, count)| format!("{count} {codes}")).collect();

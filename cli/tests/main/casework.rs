@@ -274,7 +274,6 @@ fn point_masses_lock_together() {
     assert_eq!(apart.status, 3, "a body has sides: {}", apart.out);
 }
 
-/// 14 m at 0.7, then 6 m of grass at 0.45 on a grade of 2 % with brakes on 80 %.
 /// The skids of both vehicles are on one road: the speeds that they tell are correlated as the frictions are.
 #[test]
 fn skids_of_two_vehicles_are_correlated_as_their_frictions() {
@@ -296,6 +295,7 @@ fn skids_of_two_vehicles_are_correlated_as_their_frictions() {
     assert!(found("").abs() < 1e-9 && (of("0.6") - 0.6).abs() < 1e-6 && (of("-0.9") + 0.9).abs() < 1e-6);
 }
 
+/// 14 m at 0.7, then 6 m of grass at 0.45 on a grade of 2 % with brakes on 80 %.
 const SKIDS: &str = "\n[before.vehicle.1]\nskid = [{ length = \"14 m\", friction = \"0.7 ± 0.05\" }, \
     { length = \"6 m\", friction = 0.45, grade = \"2 %\", braking = 0.8 }]\nreaction_time = \"1.5 s\"\n";
 

@@ -258,7 +258,7 @@ fn lengths_of_a_slide_are_named() {
 /// What the size of a vehicle contradicts: a width, an impact center, the axles.
 #[test]
 fn what_lies_outside_of_a_vehicle_is_named() {
-    let of = |code: &str, from: &str, to: &str| warns_in_slide(code, from, to);
+    let of = warns_in_slide;
     assert!(of("unusual-length", "length = \"4.6 m\"", "length = \"1.7 m\""));
     assert!(!of("unusual-length", "length = \"4.6 m\"", "length = \"2.7 m\""));
     let center = "impact_center = [\"2.0 m\", \"0.3 m\"]";

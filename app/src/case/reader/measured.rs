@@ -242,7 +242,7 @@ impl CaseReader {
             }
             Spread::StandardDeviation(sd) if sd > GREATEST => {
                 let of = Message::from("a standard deviation of ").figure(Measure::Angle, sd);
-                ("unusual-sd", of.text(" tells next to nothing of an angle; check its unit"))
+                ("unusual-sd", of.text(" leaves an angle almost unknown; check its unit"))
             }
             _ => return,
         };
