@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-use planar_impact::check::Record;
-
+use super::draft::Drafted;
 use crate::plain_text::shorten;
 
 /// Maximum number of complaints about one record; the rest are counted.
@@ -60,7 +59,7 @@ impl Complaints {
 }
 
 /// A record and the number of its line, or why it cannot be read.
-pub type Numbered = (u64, Result<Record, Unreadable>);
+pub type Numbered = (u64, Result<Drafted, Unreadable>);
 
 /// An unreadable record: its identifier, if it was read, and its complaints.
 pub type Unreadable = (String, Complaints);

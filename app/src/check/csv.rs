@@ -3,10 +3,10 @@
 use std::io::{self, BufRead};
 
 use csv_core::{ReadRecordResult, Reader};
-use planar_impact::check::{Key, Record, ResolutionGroup};
+use planar_impact::check::{Key, ResolutionGroup};
 
 use super::complaint::{Complaints, Numbered, Unreadable, refused};
-use super::draft::{Draft, TEXTS, resolution_keys, resolution_names};
+use super::draft::{Draft, Drafted, TEXTS, resolution_keys, resolution_names};
 use super::header::check_schema;
 use super::lines::{LONGEST, Line, Lines, unreadable};
 use super::units::{kind_of, size_of};
@@ -234,7 +234,7 @@ fn column(name: &str, unit: &str, of_names: &mut Complaints, of_units: &mut Comp
     None
 }
 
-fn read_row(columns: &[Column], row: &[&str]) -> Result<Record, Unreadable> {
+fn read_row(columns: &[Column], row: &[&str]) -> Result<Drafted, Unreadable> {
     if row.len() != columns.len() {
         return Err(refused(&ragged(row.len(), columns.len())));
     }
@@ -245,7 +245,7 @@ fn read_row(columns: &[Column], row: &[&str]) -> Result<Record, Unreadable> {
             Column::Number { key, size } => {
                 let value = number(field);
                 if let Some(value) = draft.complaints.accept(key.name(), value) {
-                    draft.number(*key, value * size);
+                    draft.number(*key, value, *size);
                 }
             }
             Column::Resolution { name, measure, keys, size } => {

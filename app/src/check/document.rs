@@ -329,8 +329,8 @@ mod tests {
         let layout = validate(text.as_bytes()).unwrap();
         let mut records = Records::open(text.as_bytes(), layout).unwrap();
         let mut found = Vec::new();
-        while let Some((line, record)) = records.next().unwrap() {
-            found.push((line, record.map(|record| record.id).map_err(|(_, complaints)| complaints.to_string())));
+        while let Some((line, read)) = records.next().unwrap() {
+            found.push((line, read.map(|drafted| drafted.record.id).map_err(|(_, complaints)| complaints.to_string())));
         }
         assert_eq!(found[..2], [(3, Ok("a".to_owned())), (5, Ok("b".to_owned()))]);
         assert_eq!(found[2].0, 7);

@@ -4,15 +4,24 @@ use planar_impact::check::{Agreement, Key, Membership, Profile, RatioKind, Recor
 use planar_impact::{Law, Side};
 
 use super::complaint::Complaints;
+use super::rounding::Rounding;
 use crate::quantity::{excerpt, nearest};
 
 /// The longest identifier and group name, in bytes.
 const LONGEST_NAME: usize = 1000;
 
+/// A record that is complete, and the rounding that its digits show.
+#[derive(Debug, Default)]
+pub struct Drafted {
+    pub record: Record,
+    pub rounding: Rounding,
+}
+
 /// A record under construction.
 #[derive(Debug, Default)]
 pub struct Draft {
     record: Record,
+    rounding: Rounding,
     /// One bit for each key that was given.
     given: u64,
     has_id: bool,
@@ -51,10 +60,11 @@ pub fn resolution_names() -> impl Iterator<Item = &'static str> {
 }
 
 impl Draft {
-    /// Sets a number in SI. Non-finite numbers are left to the rules.
-    pub fn number(&mut self, key: Key, si: f64) {
+    /// Sets a number as it is written, in units of `size`. Non-finite numbers are left to the rules.
+    pub fn number(&mut self, key: Key, written: f64, size: f64) {
         self.given |= 1 << key.index();
-        self.record.set(key, si);
+        self.rounding.see(key.group(), written, size);
+        self.record.set(key, written * size);
     }
 
     /// Sets a resolution in SI, for a measure or for single numbers.
@@ -113,7 +123,7 @@ impl Draft {
     /// # Errors
     ///
     /// Returns the identifier, as far as it is known, and everything wrong with the record.
-    pub fn finish(mut self) -> Result<Record, (String, Complaints)> {
+    pub fn finish(mut self) -> Result<Drafted, (String, Complaints)> {
         if !self.has_id {
             self.complaints.push("", "`id` is missing: every record has a name of its own");
         }
@@ -126,7 +136,8 @@ impl Draft {
             self.complaints.push("group.agreement", "there is no group that it could be of");
         }
         self.record.group = self.group.take().map(|name| Membership { name, agreement: self.agreement.unwrap_or_default() });
-        if self.complaints.is_empty() { Ok(self.record) } else { Err((self.record.id, self.complaints)) }
+        let Draft { record, rounding, .. } = self;
+        if self.complaints.is_empty() { Ok(Drafted { record, rounding }) } else { Err((record.id, self.complaints)) }
     }
 
     /// Checks that each vector has both of its components.

@@ -1,10 +1,10 @@
 //! A record from its JSON.
 
 use planar_impact::Side;
-use planar_impact::check::{Key, Record};
+use planar_impact::check::{Key, ResolutionGroup};
 
 use super::complaint::{Complaints, Unreadable};
-use super::draft::{Draft, resolution_keys, resolution_names};
+use super::draft::{Draft, Drafted, resolution_keys, resolution_names};
 use super::units::Units;
 use crate::document::json::{parse, parse_with_non_finite};
 use crate::document::{Entry, Node, Value};
@@ -15,7 +15,7 @@ use crate::quantity::{self, excerpt, nearest};
 /// # Errors
 ///
 /// Returns everything wrong with it.
-pub fn read(text: &str, units: &Units) -> Result<Record, Unreadable> {
+pub fn read(text: &str, units: &Units) -> Result<Drafted, Unreadable> {
     let parsed = parse(text).or_else(|issues| {
         // Python and other programs write these although JSON does not allow them. The rule `finite` reports them by name.
         let lenient = (text.contains("NaN") || text.contains("Infinity")).then(|| parse_with_non_finite(text));
@@ -245,9 +245,8 @@ impl Reader<'_> {
                 continue;
             };
             let path = format!("resolution.{key}");
-            let value = number(&node.value).and_then(|value| value.map(|value| self.units.to_si(measure, value)).transpose());
-            if let Some(Some(si)) = self.draft.complaints.accept(&path, value) {
-                self.draft.resolution(measure, &keys, si);
+            if let Some((value, size)) = self.amount(&path, measure, node) {
+                self.draft.resolution(measure, &keys, value * size);
             }
         }
     }
@@ -273,10 +272,15 @@ impl Reader<'_> {
     }
 
     fn number(&mut self, key: Key, node: &Node) {
-        let value = number(&node.value).and_then(|value| value.map(|value| self.units.to_si(key.group(), value)).transpose());
-        if let Some(Some(si)) = self.draft.complaints.accept(key.name(), value) {
-            self.draft.number(key, si);
+        if let Some((value, size)) = self.amount(key.name(), key.group(), node) {
+            self.draft.number(key, value, size);
         }
+    }
+
+    /// Returns a number as it is written and the size of its unit; `None` if it is unknown, or a complaint was added.
+    fn amount(&mut self, path: &str, measure: ResolutionGroup, node: &Node) -> Option<(f64, f64)> {
+        let read = number(&node.value).and_then(|value| value.map(|value| Ok((value, self.units.size(measure)?))).transpose());
+        self.draft.complaints.accept(path, read).flatten()
     }
 
     /// Reads two numbers, both of which are required.

@@ -10,6 +10,7 @@ use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use planar_impact::check::{Consensus, Options, Outcome, Record, Severity, check};
 
 use super::complaint::Unreadable;
+use super::draft::Drafted;
 use super::entry::{Entry, Found};
 
 /// Maximum number of records of a group that are held back.
@@ -80,9 +81,9 @@ impl Stream {
     }
 
     /// Checks the next record of a file.
-    pub fn take(&mut self, line: u64, record: Result<Record, Unreadable>, to: &mut VecDeque<Entry>) {
-        let mut record = match record {
-            Ok(record) => record,
+    pub fn take(&mut self, line: u64, read: Result<Drafted, Unreadable>, to: &mut VecDeque<Entry>) {
+        let Drafted { mut record, rounding } = match read {
+            Ok(drafted) => drafted,
             Err((id, complaints)) => {
                 // An unreadable record may be in the middle of a group.
                 let entry = Entry::unreadable(id, &complaints, line);
@@ -102,9 +103,11 @@ impl Stream {
             notes.push(Found::malformed(format!("an earlier record has the id `{}` too", record.id)));
         }
         let group = record.group.as_mut().map(|group| std::mem::take(&mut group.name));
+        let mut outcome = check(&record, &self.options);
+        rounding.explain(&record, &mut outcome, &self.options);
         let Some(name) = group else {
             self.finish(to);
-            return to.push_back(Entry::of(check(&record, &self.options), line, notes));
+            return to.push_back(Entry::of(outcome, line, notes));
         };
         if self.run.as_ref().is_none_or(|run| run.name != name) {
             self.finish(to);
@@ -116,7 +119,6 @@ impl Stream {
             }
             self.run = Some(Run { name, ..Run::default() });
         }
-        let outcome = check(&record, &self.options);
         if self.run.as_ref().is_some_and(|run| run.consensus.is_none() && run.held.len() >= MOST_HELD) {
             self.freeze(to);
         }
@@ -173,11 +175,15 @@ mod tests {
         record
     }
 
+    fn drafted(record: Record) -> Drafted {
+        Drafted { record, ..Drafted::default() }
+    }
+
     fn verdicts(records: impl IntoIterator<Item = Record>) -> Vec<(u64, Verdict)> {
         let mut stream = Stream::new(Options::default());
         let mut found = VecDeque::new();
         for (line, record) in (1..).zip(records) {
-            stream.take(line, Ok(record), &mut found);
+            stream.take(line, Ok(drafted(record)), &mut found);
         }
         stream.finish(&mut found);
         found.into_iter().map(|entry| (entry.line, entry.verdict)).collect()
@@ -226,7 +232,8 @@ mod tests {
         let mut stream = Stream::new(Options::default());
         let mut found = VecDeque::new();
         let unreadable = || Err((String::new(), super::super::complaint::refused("x").1));
-        let all = [Ok(record(1, Some("a"), 1.0)), unreadable(), Ok(record(2, Some("a"), 1.0)), Ok(record(3, Some("a"), 9.0)), unreadable()];
+        let ok = |id, loss| Ok(drafted(record(id, Some("a"), loss)));
+        let all = [ok(1, 1.0), unreadable(), ok(2, 1.0), ok(3, 9.0), unreadable()];
         for (line, record) in (1..).zip(all) {
             stream.take(line, record, &mut found);
         }

@@ -76,14 +76,14 @@ impl Units {
         Some(Units(all))
     }
 
-    /// Converts a number of the file to SI.
+    /// Returns the size in SI of the unit of a measure.
     ///
     /// # Errors
     ///
-    /// Returns a message if its unit is not named and could be based on the pound-mass or the pound-force.
-    pub fn to_si(&self, measure: ResolutionGroup, value: f64) -> Result<f64, String> {
+    /// Returns a message if the unit is not named and could be based on the pound-mass or the pound-force.
+    pub fn size(&self, measure: ResolutionGroup) -> Result<f64, String> {
         match self.0[measure as usize] {
-            Size::Known(size) => Ok(value * size),
+            Size::Known(size) => Ok(size),
             Size::Unnamed(key) => {
                 Err(format!("with masses in pounds its unit must be named: add `{key}` to `units`, as \"{}\"", named(key)))
             }
