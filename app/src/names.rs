@@ -66,7 +66,7 @@ fn unknown(option: &str, name: &str, what: &str, known: impl Iterator<Item = Str
 }
 
 /// Writes the symbols of the paper in the letters of this program: `μ₀` as `mu0`.
-fn in_letters(name: &str) -> String {
+pub(crate) fn in_letters(name: &str) -> String {
     let letter = |c: char| match c {
         'μ' | 'µ' => "mu".to_owned(),
         'Γ' => "Gamma".to_owned(),

@@ -1,7 +1,12 @@
 //! Statements whose probability is asked for, such as `vehicle.1.speed > 50 km/h`, as they are written.
 
+use std::f64::consts::PI;
+
 use crate::issue::Issue;
+use crate::message::Message;
 use crate::names;
+use crate::notice::Notice;
+use crate::units::Measure;
 
 /// A name compared with a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +43,17 @@ impl<'a> Written<'a> {
         let (name, is_above, value) = if is_value_first { (value.trim(), !is_above, name) } else { (name, is_above, value) };
         Ok(Written { name, is_above, or_equal, value })
     }
+}
+
+/// Warns of a statement on an angle within half a turn, if many of its values lie beyond: a statement counts angles as they are printed, and quantiles go on.
+pub(crate) fn of_half_turn(text: &str, measure: Measure, value: f64, [least, greatest]: [f64; 2]) -> Option<Notice> {
+    let is_beyond = measure == Measure::Angle && value.abs() <= PI && (greatest > PI || least < -PI);
+    let message = || {
+        Message::from("the angle lies on both sides of ").figure(Measure::Angle, PI).text(format!(
+            ": `{text}` counts it as it is printed, within half a turn of zero, where quantiles go on beyond; add the probability of the other side"
+        ))
+    };
+    is_beyond.then(|| Notice::warning("half-turn", text, message()))
 }
 
 #[cfg(test)]

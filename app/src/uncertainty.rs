@@ -22,7 +22,7 @@ use crate::named::{Named, positive_zero};
 use crate::names;
 use crate::notice::{Notice, Notices};
 use crate::quantity::{self, Kind};
-use crate::statement::Written;
+use crate::statement::{self, Written};
 use crate::units::Measure;
 use crate::wording;
 use model::CaseModel;
@@ -349,6 +349,14 @@ impl<'a> Question<'a> {
         }
         let probability = |found: &Estimated| Probability { value: found.value, se: found.standard_error };
         found.facts.probabilities = self.options.probabilities.iter().zip(sampled.probabilities.iter().map(probability)).collect();
+        let three_sd = |of: CaseOutput| {
+            let moments = sampled.outputs.iter().find(|output| output.of == of)?;
+            Some([-3.0, 3.0].map(|sds| moments.mean.value + sds * moments.sd.value))
+        };
+        let of_half_turn = self.options.probabilities.iter().zip(&self.thresholds).filter_map(|(text, threshold)| {
+            statement::of_half_turn(text, threshold.of.measure(), threshold.value, three_sd(threshold.of)?)
+        });
+        found.notices.0.extend(of_half_turn);
         found.count(sampled.samples, &sampled.refused);
         found.notices.0.extend(doubts::most_refused(sampled.samples, sampled.refused.samples));
         if self.infinite().next().is_none() {

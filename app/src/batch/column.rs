@@ -8,6 +8,7 @@ use planar_impact::{Law, Side};
 use super::header::Header;
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
+use crate::names::in_letters;
 use crate::plain_text::clean;
 use crate::quantity::{self, Conversion, Kind, Reach, did_you_mean, excerpt};
 
@@ -272,14 +273,22 @@ fn known() -> impl Iterator<Item = Key> {
     inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law])
 }
 
-/// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`.
+/// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`, or with the vehicle
+/// in other words, as `veh1.mass` and `mass1`.
 pub(super) fn meant_by(name: &str) -> Vec<Key> {
-    let (of_symbol, lower) = (Parameter::named(name).map(Key::Parameter), visible(name).to_ascii_lowercase());
+    let (of_symbol, lower) = (Parameter::named(&in_letters(name)).map(Key::Parameter), visible(name).to_ascii_lowercase());
     let lower = if lower == WEIGHT { "mass".to_owned() } else { lower };
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
     // Written with other signs between the words.
-    let joined = |name: &str| name.chars().filter(|c| c.is_alphanumeric()).collect::<String>().replace("vehicles", "vehicle");
-    let is_meant = |key: &str| within.iter().any(|name| name == key) || joined(key) == joined(&lower);
+    let joined = |name: &str| {
+        let letters: String = name.chars().filter(|c| c.is_alphanumeric()).collect();
+        letters.replace("vehicles", "vehicle").replace("contacts", "contact")
+    };
+    let own = joined(&lower);
+    let of_prefix = ["veh", "car", "v"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
+    let of_suffix = ["1", "2"].into_iter().filter_map(|side| Some(format!("vehicle{side}{}", own.strip_suffix(side)?)));
+    let spelled: Vec<String> = of_prefix.chain(of_suffix).chain([own.clone()]).collect();
+    let is_meant = |key: &str| within.iter().any(|name| name == key) || spelled.contains(&joined(key));
     known().filter(|key| of_symbol == Some(*key) || is_meant(&key.to_string())).collect()
 }
 

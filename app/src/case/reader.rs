@@ -72,6 +72,8 @@ pub(crate) struct CaseReader {
     fitted: RefCell<Vec<FittedToTests>>,
     /// The recordings that are of one test or one vehicle, by their file or samples, each with the path of its key.
     records: RefCell<Vec<(PathBuf, String)>>,
+    /// The test of `contact.record`, if its restitution is that of the center of mass.
+    test_of_center: RefCell<Option<recorder::TestOfCenter>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The columns that inputs are measured in.
@@ -271,7 +273,8 @@ impl CaseReader {
             true => ContactModel::Momentum { angular: self.is_angular(root, [&one, &two])? },
             false => ContactModel::ImpulseRatio,
         };
-        let evidence = self.settle(&evidence, [&one, &two]);
+        let is_test = self.compare_with_test(&evidence, [&one, &two], contact.crush_plane);
+        let evidence = is_test.and(self.settle(&evidence, [&one, &two]));
         let mut rest = match rest {
             Some(rest) => Some(rest?),
             None => None,

@@ -7,7 +7,7 @@
 use std::collections::{HashSet, VecDeque};
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
-use planar_impact::check::{Consensus, Options, Outcome, Record, Severity, check};
+use planar_impact::check::{Consensus, Options, Outcome, Severity, check};
 
 use super::complaint::Unreadable;
 use super::draft::Drafted;
@@ -166,7 +166,7 @@ impl Stream {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planar_impact::check::{Agreement, Key, Membership, Verdict};
+    use planar_impact::check::{Agreement, Key, Membership, Record, Verdict};
 
     fn record(id: usize, group: Option<&str>, loss: f64) -> Record {
         let group = group.map(|name| Membership { name: name.to_owned(), agreement: Agreement::Loss });

@@ -98,6 +98,7 @@ impl FromRest {
             let number = vehicle_number(side);
             let message = format!("vehicle.{number}: its separation velocity and yaw rate are reconstructed from its rest position");
             case.notices.0.push(Notice::note("separation-from-rest", key(side), message));
+            case.notices.0.extend(of_short_slide(side, separation));
             if let Some(fit) = separation.fit.as_ref().filter(|fit| fit.probability < BY_CHANCE) {
                 let message = Message::from(format!(
                     "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {}",
@@ -109,6 +110,26 @@ impl FromRest {
         }
         Ok(FromRest { case, correlations })
     }
+}
+
+/// Returns a warning of a separation that is too uncertain for its first order: a slide that is not much longer than the uncertainty of the rest position determines
+/// neither its speed, which grows with the root of the way, nor its direction.
+fn of_short_slide(side: Side, separation: &Separation) -> Option<Notice> {
+    /// Share of the speed up to which intervals of 95 % contain the truth in about as many cases.
+    const STRAIGHT: f64 = 0.25;
+    let [x, y, _] = separation.covariance.deviations();
+    let (speed, sd) = (separation.motion.velocity.length(), libm::hypot(x, y));
+    let message = || {
+        Message::from(format!("vehicle.{}: its separation speed of ", vehicle_number(side)))
+            .figure(Measure::RoadSpeed, speed)
+            .text(" is uncertain by ")
+            .figure(Measure::RoadSpeed, sd)
+            .text(
+                ", of a way to rest that is hardly longer than its uncertainty: to first order, as it is taken, intervals may be far too narrow, and evidence that agrees \
+                 may seem to contradict itself; measure the rest position better, or leave it out",
+            )
+    };
+    (sd > STRAIGHT * speed).then(|| Notice::warning("slide-short", key(side), message()))
 }
 
 /// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.

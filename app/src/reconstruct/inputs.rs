@@ -91,9 +91,19 @@ pub(super) fn without_deviation(input: &UncertainInput) -> Option<Issue> {
 
 /// Notes that a normal prior replaces a shape.
 pub(super) fn shape_approximated(input: &UncertainInput, shape: &str) -> Notice {
+    /// Share of the values that the middle range of 95 % may well leave out by chance.
+    const FEW: f64 = 0.075;
     let name = input.parameter;
     let message = format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
-    Notice::note("shape-approximated", input.key.clone(), message)
+    let (Some(values), Distribution::Normal { mean, sd }) = (&input.values, &input.distribution) else {
+        return Notice::note("shape-approximated", input.key.clone(), message);
+    };
+    let beyond = values.iter().filter(|value| (*value - mean).abs() > Distribution::NORMAL_95 * sd).count();
+    if beyond as f64 <= FEW * values.len() as f64 {
+        return Notice::note("shape-approximated", input.key.clone(), message);
+    }
+    let message = format!("{message}, which leaves {beyond} of the {} values out of its 95 %: reconstruct once with each", values.len());
+    Notice::warning("values-left-out", input.key.clone(), message)
 }
 
 /// Returns the name of a shape that a normal prior replaces.
@@ -181,6 +191,18 @@ mod tests {
         assert_eq!((codes(&found), found.issues.len()), (vec!["shape-approximated"; 2], 0));
         let texts: Vec<String> = found.notices.iter().map(|notice| Units::Si.sentence(&notice.message)).collect();
         assert!(texts[0].contains("is t-distributed") && texts[1].contains("is given by measured values"), "{texts:?}");
+    }
+
+    #[test]
+    fn values_beyond_the_normal_distribution_are_told() {
+        let told = |values: &str| {
+            let found = of("", "1600", "10", &format!("{{ values = [{values}] }}"));
+            (found.notices[0].code, Units::Si.sentence(&found.notices[0].message))
+        };
+        let (code, text) = told("0.05, 0.05, 0.05, 0.05, 0.3");
+        assert_eq!(code, "values-left-out");
+        assert!(text.ends_with("which leaves 1 of the 5 values out of its 95 %: reconstruct once with each"), "{text}");
+        assert_eq!(told("0.05, 0.05, 0.06, 0.3").0, "shape-approximated");
     }
 
     #[test]

@@ -178,6 +178,7 @@ impl Drawn {
         };
         let softened: Vec<String> = posterior.softened.iter().map(|of| name_of(*of, &question.case)).collect();
         let probabilities = asked.statements.iter().filter_map(probability).collect();
+        notices.extend(asked.statements.iter().filter_map(|statement| statement.of_half_turn(question, find(statement.of)?)));
         draws.warn(&softened, answer.solutions.len(), asked.level, notices);
         Ok(Drawn { draws, probabilities, marginals, bins })
     }

@@ -322,6 +322,24 @@ impl Draft<'_> {
         self.unknowns.push(Unknown::free(variable, known.value));
         let message = format!("{} is solved for too: the evidence gives it with an uncertainty", variable.name());
         self.notices.0.push(Notice::note("evidence-is-unknown", known.key.clone(), message));
+        self.warn_of_another_value(variable, known);
+    }
+
+    /// Warns of an input whose value in the case is another one than the evidence has, within its uncertainty: the value of the case does not count.
+    fn warn_of_another_value(&mut self, variable: Variable, known: &Known) {
+        /// Standard deviations that are no chance.
+        const MOST: f64 = 3.0;
+        let sd = known.uncertainty.standard_deviation().unwrap_or(0.0);
+        let Some(value) = self.of_case(variable).filter(|value| (value - known.value).abs() > MOST * sd) else { return };
+        let measure = measure_in(variable, self.case);
+        let message = Message::from(format!("{} is ", variable.name()))
+            .figure(measure, value)
+            .text(" in the case and ")
+            .figure(measure, known.value)
+            .text(" by the evidence, with a standard deviation of ")
+            .figure(measure, sd)
+            .text(": the evidence alone counts; leave the other out, or give it with ± if it was measured too");
+        self.notices.0.push(Notice::warning("evidence-differs", known.key.clone(), message));
     }
 
     /// Warns of one quantity that counts twice: an input with an uncertainty of its own that is evidence too, and more pieces of evidence than the quantities have

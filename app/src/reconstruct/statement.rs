@@ -7,7 +7,7 @@ use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
 use crate::quantity::{self, Kind, did_you_mean};
-use crate::statement::Written;
+use crate::statement::{Written, of_half_turn};
 
 /// A quantity compared with a value.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +57,13 @@ impl Statement {
         let value = quantity::parse_word(value, Kind::from(measure_of(of, &question.case)))
             .map_err(|error| issue(name, &error.message, error.help))?;
         Ok(Statement { text: text.to_owned(), of, is_above, value: value.si, notice: Notice::unit_assumed(text, &value) })
+    }
+
+    /// Warns if it is about an angle that lies on both sides of half a turn.
+    pub fn of_half_turn(&self, question: &Question, marginal: &Marginal) -> Option<Notice> {
+        let ends = [0.001, 0.999].map(|share| marginal.quantile(share));
+        let is_computed = !matches!(self.of, Measurand::Variable(_));
+        of_half_turn(&self.text, measure_of(self.of, &question.case), self.value, ends).filter(|_| is_computed)
     }
 
     /// Returns its probability under the posterior of its quantity.

@@ -4,7 +4,7 @@ use planar_impact::barrier::{Estimate, Record, TestIssue, TestIssues, Window};
 use planar_impact::{InputIssue, InputIssueKind, Issue as _};
 
 use super::recording::Channel;
-use super::{ChannelAnswer, ChannelQuantity, Kinematics, RecordAnswer, Recorder, Recording, Trace, Uncertain};
+use super::{Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Kinematics, RecordAnswer, Recorder, Recording, Trace, Uncertain};
 use crate::issue::{Cause, Issue, Issues};
 use crate::message::Message;
 use crate::notice::Notice;
@@ -25,9 +25,11 @@ pub(super) struct Analysis<'a> {
 pub(super) fn analyse(recording: &Recording, proceed: &dyn Fn() -> Result<(), Issues>) -> Result<(RecordAnswer, Vec<Notice>), Issues> {
     let mut all = Analysis { of: recording, issues: Vec::new(), notices: Vec::new(), traces: Vec::new() };
     let channels: Vec<ChannelAnswer> = recording.channels.iter().map(|channel| all.channel(channel)).collect();
+    all.sums();
     let barrier = all.barrier();
     let of = |quantity: ChannelQuantity| recording.channels.iter().filter(move |channel| channel.quantity == quantity);
-    let accelerations = of(ChannelQuantity::Acceleration).filter_map(|channel| all.acceleration(channel)).collect();
+    let accelerations: Vec<Accelerated> = of(ChannelQuantity::Acceleration).filter_map(|channel| all.acceleration(channel)).collect();
+    all.notices.extend(of_disagreement(recording, barrier.as_ref(), &accelerations));
     let mut films = Vec::new();
     for channel in of(ChannelQuantity::Distance) {
         proceed()?;
@@ -90,6 +92,28 @@ impl Analysis<'_> {
             }
         }
         None
+    }
+
+    /// Reports a channel of a bank that is the sum of the others, with which every force counts twice.
+    fn sums(&mut self) {
+        for quantity in [ChannelQuantity::NormalForce, ChannelQuantity::TangentialForce] {
+            let bank: Vec<&Channel> = self.of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
+            let values = |channel: &Channel, i: usize| channel.record.values().get(i).copied().unwrap_or(f64::NAN);
+            let steps: f64 = bank.iter().map(|channel| channel.step()).sum();
+            let is_sum = |sum: &&Channel| {
+                let others =
+                    |i: usize| bank.iter().filter(|channel| channel.path != sum.path).map(|channel| values(channel, i)).sum::<f64>();
+                let peak = sum.record.values().iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+                (0..sum.record.len()).all(|i| (values(sum, i) - others(i)).abs() <= steps + ROUNDING * peak)
+            };
+            let parts = bank.iter().filter(|channel| channel.record.resolution().is_some()).count();
+            if let Some(sum) = bank.iter().copied().find(is_sum).filter(|_| parts > 2) {
+                let others = bank.iter().filter(|channel| channel.path != sum.path).map(|channel| channel.name.as_str());
+                let message = format!("it is the sum of {}: every force would count twice", others.collect::<Vec<_>>().join(" and "));
+                self.issues
+                    .push(Issue::at("contradiction", sum.path.clone(), message).with_help("leave its column out, or those that it sums"));
+            }
+        }
     }
 
     /// Returns the window of the contact.
@@ -181,6 +205,30 @@ impl Analysis<'_> {
         let speeds = self.of.channels.iter().filter(|channel| channel.quantity.measure() == Measure::Speed);
         self.traces.extend(speeds.map(plain));
     }
+}
+
+/// Returns a warning of two measurements of one velocity change that differ by more than their noise and the calibration of sensors explain.
+fn of_disagreement(of: &Recording, barrier: Option<&Barrier>, accelerations: &[Accelerated]) -> Option<Notice> {
+    /// Standard deviations that are no chance.
+    const MOST: f64 = 3.0;
+    /// Share by which the calibrations of two sensors differ at most.
+    const CALIBRATION: f64 = 0.05;
+    let of_cells = barrier.and_then(|barrier| barrier.delta_v).map(|delta_v| ("the load cells", delta_v));
+    let all: Vec<(&str, Uncertain)> =
+        of_cells.into_iter().chain(accelerations.iter().map(|one| (one.channel.as_str(), one.delta_v))).collect();
+    let ((first, one), others) = all.split_first()?;
+    let differs = |(_, other): &&(&str, Uncertain)| {
+        let by_chance = MOST * libm::hypot(one.sd.unwrap_or(0.0), other.sd.unwrap_or(0.0));
+        (one.value - other.value).abs() > by_chance + CALIBRATION * one.value.abs().max(other.value.abs())
+    };
+    let (second, other) = others.iter().find(differs)?;
+    let message = Message::from(format!("{first} and {second} give velocity changes of "))
+        .figure(Measure::Speed, one.value)
+        .text(" and ")
+        .figure(Measure::Speed, other.value)
+        .text(", which noise and calibration do not explain; check polarity, scale and place. As evidence the first counts");
+    let path = of.channels.iter().find(|channel| channel.name == *second).map_or_else(String::new, |channel| channel.path.clone());
+    Some(Notice::warning("sensors-disagree", path, message))
 }
 
 pub(super) fn plain(channel: &Channel) -> Trace {

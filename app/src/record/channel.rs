@@ -81,6 +81,32 @@ impl Channel {
         None
     }
 
+    /// Returns the first stretch of a loaded pulse at which the channel holds one value, of which it is neither the greatest nor the least, and its times and value. A
+    /// pulse that is stored in steps leaves such a value by one of them; a channel that was frozen by more than three.
+    fn frozen(&self) -> Option<([f64; 2], f64)> {
+        /// Fewest samples that are held.
+        const FEW: usize = 5;
+        /// Share of the range from the first sample, which is unloaded.
+        const LOADED: f64 = 0.1;
+        /// Steps of the readings, which a pulse may change by from one to the next.
+        const STEPS: f64 = 3.0;
+        self.quantity.class()?;
+        let (times, values) = (self.record.times(), self.record.values());
+        let (least, greatest) =
+            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), value| (value.min(least), value.max(greatest)));
+        let is_within = |value: f64| value > least && value < greatest && (value - values[0]).abs() > LOADED * (greatest - least);
+        let mut first = 0;
+        for held in values.chunk_by(|one, other| one == other) {
+            let last = first + held.len() - 1;
+            let is_left = values.get(last + 1).is_some_and(|after| (after - held[0]).abs() > STEPS * self.step());
+            if held.len() >= FEW && is_within(held[0]) && is_left {
+                return Some(([times[first], times[last]], held[0]));
+            }
+            first = last + 1;
+        }
+        None
+    }
+
     /// Returns the samples that stand out, up to a few, and what their neighbors give in their place: without them nothing in the channel bends a fifth as sharply as
     /// it does at each. The smoothing of a film is robust against them.
     fn spikes(&self) -> Vec<(usize, f64)> {
@@ -194,12 +220,22 @@ fn step_of(record: &Record) -> Option<f64> {
     (record.len() >= MANY && is_whole).then_some(step)
 }
 
-/// Returns the standard deviation by which readings scatter from the greatest on, where a velocity change is almost constant, by their second differences; zero if
-/// their steps explain it, or if they are few.
+/// Returns the standard deviation by which readings scatter where a velocity change is almost constant, by their second differences; zero if their steps explain it, or
+/// if they are few.
+///
+/// It is almost constant from the first reading that reaches most of the late ones, if none is much greater, and otherwise from the greatest: of readings that scatter the
+/// greatest may be one of the last.
 pub(super) fn scatter(values: &[f64], step: f64) -> f64 {
     /// Fewest readings that tell.
     const FEW: usize = 8;
-    let after = &values[greatest(values.iter().map(|value| value.abs()))..];
+    /// By how much the greatest may exceed the late ones.
+    const HARDLY: f64 = 1.1;
+    let heights: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+    let mut late = heights[heights.len() - heights.len().div_ceil(4)..].to_vec();
+    late.sort_by(f64::total_cmp);
+    let (late, top) = (late[late.len() / 4], greatest(heights.iter().copied()));
+    let reached = heights.iter().position(|height| *height >= late).unwrap_or(top);
+    let after = &values[if heights[top] <= HARDLY * late { reached.min(top) } else { top }..];
     if after.len() < FEW {
         return 0.0;
     }
@@ -262,6 +298,12 @@ impl Analysis<'_> {
                 .join(stretch(from, to))
                 .text(", and returns: what follows from it is wrong if the channel was lost there");
             self.notices.push(Notice::warning("dropout", channel.path.clone(), message));
+        } else if let Some(([from, to], value)) = channel.frozen() {
+            let message = Message::from(format!("{} holds ", channel.name))
+                .figure(measure, value)
+                .join(stretch(from, to))
+                .text(" and leaves it at once, as a channel does that was frozen: what follows from it is wrong if it was");
+            self.notices.push(Notice::warning("frozen", channel.path.clone(), message));
         }
         if let Some([from, to]) = channel.gap(&self.over(&channel.record)) {
             let message = Message::from(format!("{} has no samples", channel.name))

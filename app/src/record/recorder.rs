@@ -103,8 +103,8 @@ struct Noise {
 }
 
 impl Noise {
-    /// Returns the noise of channels that are stored in the same steps.
-    fn of(recording: &Recording, channels: &[&Channel], notices: &mut Vec<Notice>) -> Noise {
+    /// Returns the noise of each of the channels, which are stored in the same steps but where all readings of one lie coarser steps apart.
+    fn of_each(recording: &Recording, channels: &[&Channel], notices: &mut Vec<Notice>) -> Vec<Noise> {
         let found = channels.iter().filter_map(|channel| channel.record.resolution()).reduce(f64::min);
         let given = recording.settings.resolution;
         if given.is_none() && !channels.is_empty() {
@@ -117,18 +117,23 @@ impl Noise {
             };
             notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
         }
-        // All readings of a finer recorder are no multiples of coarser steps.
-        let printed = channels.iter().map(|channel| channel.step()).reduce(f64::min);
-        let coarser = given.zip(printed).filter(|(given, printed)| *printed > 1.5 * given);
-        if let Some((given, printed)) = coarser {
-            let message = Message::from(format!("all readings of {} lie whole steps of ", channels[0].name))
-                .figure(Measure::Speed, printed)
-                .text(" apart: that is taken as the resolution, and not the ")
-                .figure(Measure::Speed, given)
-                .text(" of `resolution`");
-            notices.push(Notice::warning("resolution-coarser", channels[0].path.clone(), message));
-        }
-        Noise { step: coarser.map(|(_, printed)| printed).or(given).or(found), relative: recording.settings.relative, scatter: 0.0 }
+        let common = given.or(found);
+        let mut of = |channel: &&Channel| {
+            // All readings of a finer recorder are no multiples of coarser steps. A channel that is constant has no steps.
+            let printed = channel.record.resolution().map(|_| channel.step());
+            let coarser = common.zip(printed).filter(|(common, printed)| *printed > 1.5 * common);
+            if let Some((common, printed)) = coarser {
+                let whose = if given.is_some() { " of `resolution`" } else { " of the other channel" };
+                let message = Message::from(format!("all readings of {} lie whole steps of ", channel.name))
+                    .figure(Measure::Speed, printed)
+                    .text(" apart: that is taken as its resolution, and not the ")
+                    .figure(Measure::Speed, common)
+                    .text(whose);
+                notices.push(Notice::warning("resolution-coarser", channel.path.clone(), message));
+            }
+            Noise { step: coarser.map(|(_, printed)| printed).or(common), relative: recording.settings.relative, scatter: 0.0 }
+        };
+        channels.iter().map(&mut of).collect()
     }
 
     /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
@@ -222,8 +227,9 @@ impl Recorder {
         if forward.is_none() && left.is_none() && speed.is_none() {
             return None;
         }
-        let noise = Noise::of(recording, &forward.into_iter().chain(left).collect::<Vec<_>>(), notices);
-        let [forward, left] = [forward, left].map(|channel| channel.map(|channel| Component::of(channel, noise)));
+        let mut noises = Noise::of_each(recording, &forward.into_iter().chain(left).collect::<Vec<_>>(), notices).into_iter();
+        let [forward, left] =
+            [forward, left].map(|channel| channel.zip(noises.next()).map(|(channel, noise)| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
         notices.extend(components().filter_map(Component::of_scatter));
@@ -240,7 +246,7 @@ impl Recorder {
         }
         let mut pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
         let speed_at_impact = speed.and_then(|speed| {
-            let noise = Noise::of(recording, &[speed], notices);
+            let [noise] = Noise::of_each(recording, &[speed], notices)[..] else { return None };
             let after = after_impact(&mut pre_crash);
             if after > 0 {
                 let message = format!(

@@ -182,7 +182,12 @@ impl Recording {
         }
     }
 
-    /// Returns the closing speed that the file gives.
+    /// Returns the mass of the vehicle, if the file gives one.
+    pub(crate) fn mass(&self) -> Option<Estimate> {
+        self.settings.mass
+    }
+
+    /// Returns its closing speed, if the file gives one.
     pub(crate) fn speed(&self) -> Option<Estimate> {
         self.settings.speed
     }

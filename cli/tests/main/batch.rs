@@ -153,7 +153,19 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
         assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named vehicle.2.speed")), "{said}");
     }
-    assert_eq!(said("vehicle.1.speed,speedometer 2\n10,5\n"), "");
+    for (name, input) in [
+        ("veh2.mass", "vehicle.2.mass"),
+        ("v1.mass", "vehicle.1.mass"),
+        ("Speed 2", "vehicle.2.speed"),
+        ("yaw rate 2", "vehicle.2.yaw_rate"),
+        ("contacts.restitution", "contact.restitution"),
+        ("Γ", "contact.crush_plane"),
+        ("μ", "contact.impulse_ratio"),
+    ] {
+        let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
+        assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named {input}")), "{said}");
+    }
+    assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1\n10,5,1,1\n"), "");
     assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
     let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");
     assert!(said.contains("no input of the row has a number") && said.contains("row 2"), "{said}");

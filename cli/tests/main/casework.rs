@@ -383,6 +383,34 @@ fn a_uniform_friction_of_skids_has_limits() {
     assert_eq!(["\"0.6 ± 0.17\"", "\"0.6 ± 0.186\"", "0.6"].map(bends), [0, 1, 0]);
 }
 
+/// A crush energy grows with the square of the depths, and a way to rest of some tens of centimeters tells little if it is known to as many.
+#[test]
+fn what_is_too_uncertain_for_its_first_order_is_told() {
+    let count = |case: &str, code: &str| json_of(&["reconstruct"], case)["messages"].to_string().matches(&format!("\"{code}\"")).count();
+    let crush = |sd: &str| {
+        format!(
+            "schema = 1\ncorrelation = [[\"vehicle.1.crush.depths.1\", \"vehicle.1.crush.depths.2\", 0.999]]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\n\
+             impact_center = [2, 0]\n[vehicle.crush]\nwidth = 1.5\ndepths = [\"0.2 m ± {sd}\", \"0.2 m ± {sd}\"]\nstiffness = {{ A = 1, B = 9e5 }}\n\
+             [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\ncrush_energy = \"from crush\"\n\
+             [unknown]\nvehicle.1.speed = 10\n"
+        )
+    };
+    // A quarter of the depth is half of the energy.
+    assert_eq!(["4.9 cm", "5.1 cm"].map(|sd| count(&crush(sd), "crush-bends")), [0, 1]);
+    let rest = |way: f64| {
+        let place = |way: f64| {
+            format!("[\"{way} m ± 0.3 m\", \"0 m ± 0.3 m\"]\nheading = \"0 deg ± 3 deg\"\nfront_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\n")
+        };
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\n\
+             impact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[rest]\nfriction = 0.7\n[rest.vehicle.1]\nposition = {}wheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }}\n\
+             [unknown]\nvehicle.1.speed = {{ start = 10, min = 1, max = 60 }}\n",
+            place(way)
+        )
+    };
+    assert_eq!([6.0, 0.5].map(|way| count(&rest(way), "slide-short")), [0, 1]);
+}
+
 /// A known speed at the start of the skids is evidence of that at the impact.
 #[test]
 fn a_speed_before_the_skids_gives_that_at_the_impact() {

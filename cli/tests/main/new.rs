@@ -74,6 +74,9 @@ fn read(text: &str) -> Result<Case, Issues> {
             _ => "tests/struble-welsh.toml",
         };
         let text = std::fs::read_to_string(workspace().join("cli/examples").join(example)).expect("an example");
+        // The impact center of the template lies beside its center of mass, whose restitution a speed would give.
+        let text: Vec<&str> = text.lines().filter(|line| name != "load-cells.toml" || !line.starts_with("speed =")).collect();
+        let text = text.join("\n");
         Ok(Source { name: name.to_owned(), text })
     };
     Case::parse_with(Source { name: "case.toml".to_owned(), text: text.to_owned() }, Box::new(open))

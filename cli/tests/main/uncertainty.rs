@@ -571,7 +571,7 @@ fn a_probability_of_a_direction_is_that_of_the_printed_angle() {
             "[[vehicle]]\nmass = 1400\nyaw_inertia = 2300\nheading = \"{heading}\"\nspeed = \"{speed}\"\nimpact_center = [{center}, 0]\n"
         )
     };
-    for heading in ["0.1 deg ± 5 deg", "-0.1 deg ± 5 deg"] {
+    let of_direction = |heading: &str, statements: &[&str]| {
         let case = format!(
             "schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0.1\n",
             vehicle("0 deg", "15 m/s", 2.0),
@@ -579,12 +579,20 @@ fn a_probability_of_a_direction_is_that_of_the_printed_angle() {
         );
         let folder = crate::process::Folder::new();
         folder.write("case.toml", case.as_bytes());
-        let statements = ["vehicle.2.pdof > 175 deg", "vehicle.2.pdof < 0 deg", "vehicle.2.pdof < -175 deg"];
         let mut call = vec!["uncertainty", "case.toml", "--of", "vehicle.2.pdof", "--format", "json"];
         statements.iter().for_each(|statement| call.extend(["--probability", statement]));
-        let answer = answered(&crate::process::run(folder.path(), &call));
+        answered(&crate::process::run(folder.path(), &call))
+    };
+    let is_told = |answer: &Value| answer["messages"].to_string().contains("\"half-turn\"");
+    // Beyond half a turn the value is on the side of the quantiles, and a direction away from it has one side alone.
+    assert!(!is_told(&of_direction("0.1 deg ± 5 deg", &["vehicle.2.pdof > 185 deg", "vehicle.2.delta_v.x > 1 m/s"])));
+    assert!(!is_told(&of_direction("30 deg ± 5 deg", &["vehicle.2.pdof > 175 deg"])));
+    for heading in ["0.1 deg ± 5 deg", "-0.1 deg ± 5 deg"] {
+        let statements = ["vehicle.2.pdof > 175 deg", "vehicle.2.pdof < 0 deg", "vehicle.2.pdof < -175 deg"];
+        let answer = of_direction(heading, &statements);
         let of = |statement: &str| number(&answer["probabilities"][statement]["value"]);
         assert!((of(statements[1]) - 0.5).abs() < 0.02, "{heading}: {answer}");
+        assert_eq!(answer["messages"].to_string().matches("\"half-turn\"").count(), 3, "{heading}: {}", answer["messages"]);
         // Between 175° and 180° on either side lie 0.40 of a normal distribution of 3.9°.
         assert!((of(statements[0]) - 0.4).abs() < 0.02 && (of(statements[2]) - 0.4).abs() < 0.02, "{heading}: {answer}");
     }

@@ -53,6 +53,23 @@ fn the_document_has_every_key_and_they_fit_together() {
     assert!(found["notes"].to_string().contains("vehicle.2.speed is solved for too"), "{}", found["notes"]);
 }
 
+/// A number of the case that the evidence gives with ± does not count, and is told if it is another one.
+#[test]
+fn a_number_of_the_case_that_the_evidence_replaces_is_told() {
+    let case = two_cars();
+    let with = |speed: &str| answer(&case.replace("name = \"hatchback\"\n", &format!("name = \"hatchback\"\nspeed = \"{speed}\"\n")));
+    for (speed, is_told) in [("41 km/h", false), ("40.5 km/h", false), ("60 mph", true), ("38 km/h", true)] {
+        let (found, _) = with(speed);
+        assert_eq!(found["messages"].to_string().contains("\"evidence-differs\""), is_told, "{speed}: {}", found["notes"]);
+    }
+    let (found, _) = with("60 mph");
+    assert!(
+        found["notes"].to_string().contains("vehicle.2.speed is 26.82 m/s in the case and 11.39 m/s by the evidence"),
+        "{}",
+        found["notes"]
+    );
+}
+
 #[test]
 fn the_variance_of_an_unknown_is_made_of_those_of_the_evidence() {
     let (found, _) = answer(&example("position-a.toml"));

@@ -280,14 +280,36 @@ fn a_barrier_record_is_evidence_and_a_test() {
     let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
     close(&answer["tests"][0]["restitution"], 250e3 * AREA / 15e3 - 1.0, 1e-4);
     assert_eq!(answer["has_deviations"], true);
-    let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = \"10 m/s\"\nimpact_center = [2, 0.9]\n[[vehicle]]\nbarrier = true\n\
-                [contact]\ncrush_plane = 0\n[evidence]\ncontact.record = { file = \"data/test.toml\" }\n[unknown]\ncontact.restitution = { start = 0.1, min = 0, max = 0.5 }\n\
-                contact.impulse_ratio = { start = 0.1 }\n";
-    folder.write("case.toml", case.as_bytes());
-    let json = run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"]);
+    let of = |mass: f64, speed: f64, center: &str, other: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = 0\nspeed = {speed}\nyaw_rate = 12\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
+             [contact]\ncrush_plane = 0\n[evidence]\ncontact.record = {{ file = \"data/test.toml\" }}\n[unknown]\ncontact.restitution = {{ start = 0.1, min = 0, max = 0.5 }}\n\
+             contact.impulse_ratio = {{ start = 0.1 }}\n"
+        );
+        folder.write("case.toml", case.as_bytes());
+        run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"])
+    };
+    let json = of(1500.0, 10.0, "[2, 0]", "barrier = true");
     let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
-    close(&answer["unknown"]["contact.restitution"]["value"], 250e3 * AREA / 15e3 - 1.0, 1e-3);
+    let of_center = 250e3 * AREA / 15e3 - 1.0;
+    close(&answer["unknown"]["contact.restitution"]["value"], of_center, 1e-3);
     close(&answer["unknown"]["contact.impulse_ratio"]["value"], 0.24, 1e-3);
+    assert!(!json.out.contains("another-test") && !json.out.contains("test-of-barrier"), "{}", json.out);
+    // Beside the normal through the center of mass, 1 + e is 1 + (t² − μ n t)/k² times that of the center of mass.
+    let off = of(1500.0, 10.0, "[2, 0.9]", "barrier = true");
+    let there = (1.0 + of_center) * (1.0 + (0.81 - 0.24 * 1.8) / (2500.0 / 1500.0)) - 1.0;
+    let remedy = format!("give contact.restitution = \"{:.3}", there - 5e-4);
+    let words = off.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(off.status == 2 && words.contains(&remedy) && words.contains("contact.impulse_ratio = \"0.24"), "{} {remedy}", off.err);
+    assert!(off.err.contains("0.9 m beside the normal through it"), "{}", off.err);
+    for (mass, speed, other, code) in [
+        (1700.0, 10.0, "barrier = true", "another-test"),
+        (1500.0, 12.0, "barrier = true", "another-test"),
+        (1500.0, 10.0, "mass = 1000\nyaw_inertia = 1500\nheading = \"180 deg\"\nspeed = 0\nimpact_center = [2, 0]", "test-of-barrier"),
+    ] {
+        let warned = of(mass, speed, "[2, 0]", other);
+        assert!(warned.out.matches(&format!("\"{code}\"")).count() == 1, "{code}: {} {}", warned.out, warned.err);
+    }
 }
 
 /// A case names tests, these name a recording, and that names its samples; each lies beside the file that names it.
@@ -410,6 +432,72 @@ fn a_lost_stretch_of_a_pulse_is_told() {
     // Two pulses with nothing between them, and steps of a coarse recorder.
     assert!(warned("dropout", "", &|ms| -100.0 * pulse(ms) + 80.0 * (pulse(2.5 * ms) + pulse(2.5 * (ms - 60.0)))).is_empty());
     assert!(warned("dropout", "", &|ms| (5.0 * pulse(ms)).round() * 20.0 - 100.0 * pulse(ms)).is_empty());
+}
+
+/// A channel that holds one value within the pulse and leaves it at once was frozen; at an extreme it is clipped, and what is lost returns.
+#[test]
+fn a_frozen_stretch_of_a_pulse_is_told() {
+    let frozen = |channel: &dyn Fn(f64) -> f64| -> Vec<String> {
+        let (_, run) = record_of(&csv("normal_force [kN]", &[channel]), Some(CAR));
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let notices = json["messages"].as_array().into_iter().flatten().filter(|notice| notice["code"] == "frozen");
+        notices.map(|notice| notice["text"].as_str().expect("a sentence").to_owned()).collect()
+    };
+    let held = |from: f64, to: f64| frozen(&|ms| 100.0 * pulse(if (from..=to).contains(&ms) { from } else { ms }));
+    let told = held(20.0, 40.0);
+    assert_eq!(told.len(), 1);
+    assert!(told[0].contains("normal_force holds ") && told[0].contains(" from 0.020 s to 0.040 s and leaves it at once"), "{told:?}");
+    assert_eq!(held(79.95, 90.0).len(), 1);
+    // Near the unloaded value, at the top, for three samples, and until the end.
+    for (from, to) in [(1.0, 4.0), (50.0, 52.0), (20.0, 20.25), (80.0, 500.0)] {
+        assert!(held(from, to).is_empty(), "{from} to {to}");
+    }
+    assert!(frozen(&|ms| (5.0 * pulse(ms)).round() * 20.0).is_empty());
+}
+
+#[test]
+fn a_sum_beside_its_parts_is_refused() {
+    let parts = |sum: f64| {
+        csv(
+            "normal_force.a [kN],normal_force [kN],normal_force.b [kN]",
+            &[&|ms| 100.0 * pulse(ms), &|ms| 250.0 * pulse(ms) + sum, &|ms| 150.0 * pulse(ms)],
+        )
+    };
+    let (_, run) = record_of(&parts(0.0), None);
+    assert!(
+        run.status == 2 && run.err.contains("it is the sum of normal_force.a and normal_force.b: every force would count twice"),
+        "{}",
+        run.err
+    );
+    assert!(run.err.contains("leave its column out, or those that it sums"), "{}", run.err);
+    assert_ne!(record_of(&parts(1.0), None).1.status, 2);
+    // Two cells that read alike, beside one that reads nothing.
+    let twins =
+        csv("normal_force.a [kN],normal_force.b [kN],normal_force.c [kN]", &[&|ms| 100.0 * pulse(ms), &|ms| 100.0 * pulse(ms), &|_| 0.0]);
+    assert_ne!(record_of(&twins, None).1.status, 2);
+}
+
+#[test]
+fn sensors_that_disagree_are_told() {
+    let told = |cells: f64, other: f64| {
+        let all = csv(
+            "normal_force [kN],acceleration.a [m/s^2],acceleration.b [m/s^2]",
+            &[&|ms| cells * 150.0 * pulse(ms), &|ms| -100.0 * pulse(ms), &|ms| other * 100.0 * pulse(ms)],
+        );
+        let listed = |column: &str, quantity: &str| format!("[[channel]]\ncolumn = \"{column}\"\nquantity = \"{quantity}\"\n");
+        let [force, one, other] =
+            [("normal_force", "normal_force"), ("acceleration.a", "acceleration"), ("acceleration.b", "acceleration")]
+                .map(|(column, quantity)| listed(column, quantity));
+        let (_, run) = record_of(&all, Some(&format!("{CAR}{force}{one}polarity = -1\n{other}")));
+        assert!(run.status <= 1, "{}", run.err);
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let told = json["messages"].as_array().into_iter().flatten().find(|notice| notice["code"] == "sensors-disagree");
+        told.map(|notice| notice["text"].as_str().expect("a sentence").to_owned())
+    };
+    assert_eq!((told(1.0, 1.0), told(1.04, 1.04)), (None, None));
+    let of_sensors = told(1.0, 1.2).expect("20 % apart");
+    assert!(of_sensors.starts_with("the load cells and acceleration.b give velocity changes of "), "{of_sensors}");
+    assert!(told(1.2, 1.0).expect("20 % apart").starts_with("the load cells and acceleration.a give"));
 }
 
 /// What a file says of its channels may lack the unit of their columns as well as they do.

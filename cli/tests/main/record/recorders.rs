@@ -146,7 +146,7 @@ fn readings_tell_more_of_a_recorder_than_its_settings() {
     let (found, run) = of(&coarse, "1 km/h");
     assert!(
         run.out.contains(
-            "delta_v_forward lie whole steps of 1.39 m/s apart: that is taken as the resolution, and not the 0.28 m/s of `resolution`"
+            "delta_v_forward lie whole steps of 1.39 m/s apart: that is taken as its resolution, and not the 0.28 m/s of `resolution`"
         ),
         "{}",
         run.out
@@ -238,6 +238,31 @@ fn readings_that_scatter_do_not_seem_truncated() {
     };
     let [of_whole, of_cut] = [truncated(&names[0]), truncated(&names[1])];
     assert!(of_whole <= 2 && of_cut >= 36, "{of_whole} of 40 whole ones, {of_cut} of 40 that end early");
+}
+
+/// The greatest of readings that scatter may be one of the last: they scatter as much before it. A velocity change that falls again is no scatter.
+#[test]
+fn readings_before_the_greatest_tell_the_scatter() {
+    let of = |changes: &[f64]| {
+        let rows: String = changes.iter().enumerate().map(|(i, change)| format!("{},{change}\n", 10 * i)).collect();
+        record_of(&format!("time [ms],delta_v_forward [km/h]\n{rows}"), None)
+    };
+    let late = [
+        -0.0, -0.7, -3.8, -8.4, -13.9, -20.3, -26.4, -32.8, -36.8, -40.5, -40.8, -41.1, -41.2, -41.0, -40.8, -40.7, -42.2, -41.3, -41.2,
+        -41.6, -41.2,
+    ];
+    let (found, run) = of(&late);
+    assert!(run.out.contains("\"readings-scatter\""), "{}", run.out);
+    let sd = |after: &[f64]| {
+        let squares: f64 = after.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).powi(2)).sum();
+        let (scatter, step) = (squares / (6.0 * (after.len() - 2) as f64), 0.1_f64.powi(2) / 12.0);
+        (step + 4.0 * (scatter - step)).sqrt() / 3.6
+    };
+    // From the first reading that reaches 41.2 on, which all but one of the last six do.
+    close(&found["recorder"]["delta_v_forward"]["sd"], sd(&late[12..]), 1e-6);
+    // From the top on, as the late readings are much less.
+    let falls: Vec<f64> = (0..30).map(|i| (f64::from(i) * PI / 40.0).sin()).map(|x| (400.0 * x).round() / 10.0).collect();
+    close(&of(&falls).0["recorder"]["delta_v_forward"]["sd"], sd(&falls[20..]), 1e-6);
 }
 
 #[test]
@@ -456,6 +481,30 @@ fn the_last_digit_of_a_reading_is_its_least_step() {
     let late: Vec<&str> = whole.lines().filter(|line| !line.starts_with('-')).collect();
     let refused = case(&late.join("\n"));
     assert!(refused.status == 2 && refused.err.contains("begin the samples before the contact"), "{}", refused.err);
+}
+
+/// Of two channels that are stored in unequal steps each has its own; one that is constant has those of the other.
+#[test]
+fn a_finer_channel_does_not_refine_the_other() {
+    let of = |right: &dyn Fn(i32) -> f64, settings: &str| {
+        let forward = |i: i32| (-30.0 * (0.5 - 0.5 * (PI * f64::from(i.min(10)) / 10.0).cos())).round();
+        let rows: String = (0..20).map(|i| format!("{},{},{}\n", 10 * i, forward(i), right(i))).collect();
+        let (found, run) = record_of(&format!("time [ms],delta_v_forward [mph],delta_v_right [mph]\n{rows}"), Some(settings));
+        let sd = |key: &str| found["recorder"][key]["sd"].as_f64().expect("a number") * 12_f64.sqrt() / 0.44704;
+        ([sd("delta_v_forward"), sd("delta_v_left")], run.out.matches("\"resolution-coarser\"").count())
+    };
+    let fine = |i: i32| (30.0 * (PI * f64::from(i.min(10)) / 20.0).sin()).round() / 10.0;
+    for (right, settings, steps, warnings) in [
+        (&fine as &dyn Fn(i32) -> f64, "", [1.0, 0.1], 1),
+        (&fine, "resolution = \"0.1 mph\"\n", [1.0, 0.1], 1),
+        (&fine, "resolution = \"0.8 mph\"\n", [0.8, 0.8], 0),
+        (&|_| 0.0, "", [1.0, 1.0], 0),
+        (&|i| f64::from(i.min(5)), "", [1.0, 1.0], 0),
+    ] {
+        let (found, told) = of(right, settings);
+        assert!(found.iter().zip(steps).all(|(found, step)| (found / step - 1.0).abs() < 1e-6), "{settings}: {found:?}");
+        assert_eq!(told, warnings, "{settings}");
+    }
 }
 
 /// A change of velocity over more than seconds has its times in another unit.
