@@ -228,25 +228,30 @@ fn step_of(record: &Record) -> Option<f64> {
 pub(super) fn scatter(values: &[f64], step: f64) -> f64 {
     /// Fewest readings that tell.
     const FEW: usize = 8;
-    /// By how much the greatest may exceed the late ones.
-    const HARDLY: f64 = 1.1;
+    /// Share of the late readings by which the greatest may exceed them.
+    const HARDLY: f64 = 0.1;
+    /// The same in standard deviations by which these scatter.
+    const BY_CHANCE: f64 = 6.0;
+    if values.len() < FEW {
+        return 0.0;
+    }
+    let variance = |readings: &[f64]| -> f64 {
+        let bends = readings.windows(3).map(|three| three[0] - 2.0 * three[1] + three[2]);
+        bends.map(|bend| bend * bend).sum::<f64>() / (6.0 * (readings.len() - 2) as f64)
+    };
     let heights: Vec<f64> = values.iter().map(|value| value.abs()).collect();
-    let mut late = heights[heights.len() - heights.len().div_ceil(4)..].to_vec();
+    let late = &heights[heights.len() - (heights.len() / 4).max(FEW / 2)..];
+    let by_chance = BY_CHANCE * variance(late).sqrt();
+    let mut late = late.to_vec();
     late.sort_by(f64::total_cmp);
     let (late, top) = (late[late.len() / 4], greatest(heights.iter().copied()));
-    let reached = heights.iter().position(|height| *height >= late).unwrap_or(top);
-    let after = &values[if heights[top] <= HARDLY * late { reached.min(top) } else { top }..];
+    let is_constant = heights[top] <= late + by_chance.max(HARDLY * late);
+    let reached = heights.iter().position(|height| *height >= late).filter(|_| is_constant);
+    let after = &values[reached.map_or(top, |reached| reached.min(top))..];
     if after.len() < FEW {
         return 0.0;
     }
-    let squares: f64 = after
-        .windows(3)
-        .map(|three| {
-            let bend = three[0] - 2.0 * three[1] + three[2];
-            bend * bend
-        })
-        .sum();
-    let (variance, of_steps) = (squares / (6.0 * (after.len() - 2) as f64), step * step / 12.0);
+    let (variance, of_steps) = (variance(after), step * step / 12.0);
     if variance > 2.0 * of_steps { (variance - of_steps).sqrt() } else { 0.0 }
 }
 

@@ -258,7 +258,7 @@ fn readings_before_the_greatest_tell_the_scatter() {
         let (scatter, step) = (squares / (6.0 * (after.len() - 2) as f64), 0.1_f64.powi(2) / 12.0);
         (step + 4.0 * (scatter - step)).sqrt() / 3.6
     };
-    // From the first reading that reaches 41.2 on, which all but one of the last six do.
+    // From the first reading that reaches 41.2 on, which all but one of the last five do.
     close(&found["recorder"]["delta_v_forward"]["sd"], sd(&late[12..]), 1e-6);
     // From the top on, as the late readings are much less.
     let falls: Vec<f64> = (0..30).map(|i| (f64::from(i) * PI / 40.0).sin()).map(|x| (400.0 * x).round() / 10.0).collect();
