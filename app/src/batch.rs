@@ -165,10 +165,21 @@ impl Plan {
             let message = format!("the column {} passes through unread; {as_input}", excerpt(name));
             Notice::warning("unread-column", name.clone(), message)
         });
+        let in_si = self.inputs.iter().filter_map(|bare| {
+            let unit = bare.assumed_unit()?;
+            let other = self.inputs.iter().find(|other| other.has_unit_of(bare))?;
+            let message = format!("{} has no unit and is read in {unit}, beside {}, which has one: give each its own", bare.key, other.key);
+            Some(Notice::warning("mixed-units", bare.key.to_string(), message))
+        });
         // Rows may give a number of their own.
         let ratio = Parameter::Input(Input::ImpulseRatio);
         let follows = base.filter(|_| self.wrt.contains(&ratio) && !is_given(ratio)).and_then(ratio_note);
-        at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter))).into_iter().chain(follows).chain(unread).collect()
+        at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter)))
+            .into_iter()
+            .chain(follows)
+            .chain(unread)
+            .chain(in_si)
+            .collect()
     }
 
     /// Returns the names of the columns that are added to those of the table: outputs, derivatives, the check, refusals.

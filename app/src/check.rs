@@ -235,5 +235,6 @@ mod tests {
         let refused = Entries::open("a.csv", Some("csv"), origin, Options { tolerance: Some(f64::NAN) });
         let issues = refused.err().expect("NaN is no tolerance");
         assert_eq!((issues.list().len(), issues.list()[0].path.as_str()), (1, "tolerance"), "{issues}");
+        assert_eq!(issues.to_string(), "tolerance: it is not finite: NaN");
     }
 }

@@ -435,6 +435,11 @@ mod tests {
         {
             assert!(by(ratio, none, name).is_err_and(|said| said.contains(name)), "{name}");
         }
+        let refused = |ratio, name: &str| by(ratio, none, name).err().expect("it is refused");
+        let instead = "this collision has no contact.friction (differentiate by contact.impulse_ratio.of_critical, or give a collision that has contact.friction)";
+        assert!(refused(ImpulseRatioGiven::OfCritical, "contact.friction").ends_with(instead));
+        let none_is_given = "this collision has no contact.moment.of_critical (give a collision that has contact.moment.of_critical)";
+        assert!(refused(ImpulseRatioGiven::Critical, "contact.moment.of_critical").ends_with(none_is_given));
         assert!(input("contact.frictio").is_err_and(|said| said.contains("`contact.friction`")));
     }
 

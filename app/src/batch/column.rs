@@ -174,6 +174,18 @@ impl InputColumn {
         Ok(Some(InputColumn { place, key, limits: key.limits(conversion.is_some()), conversion }))
     }
 
+    /// Returns the unit of SI that is assumed for a column without one; `None` if it has one, or needs none.
+    pub(super) fn assumed_unit(&self) -> Option<&'static str> {
+        let Key::Parameter(parameter) = self.key else { return None };
+        Some(parameter.kind().si).filter(|unit| self.conversion.is_none() && !unit.is_empty())
+    }
+
+    /// Returns `true` if it has a unit, and the same quantity as another column.
+    pub(super) fn has_unit_of(&self, other: &InputColumn) -> bool {
+        let kind = |column: &InputColumn| if let Key::Parameter(parameter) = column.key { Some(parameter.kind().name) } else { None };
+        self.conversion.is_some() && kind(self) == kind(other)
+    }
+
     /// Returns a number of the table in SI; one that is not finite is the same in every unit, and one that SI would make zero is no number.
     #[inline]
     fn to_si(&self, number: f64) -> f64 {

@@ -570,6 +570,34 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
     ] {
         assert!(found.contains(&expected), "{expected:?} in {found:?}");
     }
+    for (names, said) in [
+        (&["contact.tangential_law [m]"][..], "contact.tangential_law: this column has words, and no unit; found `m`"),
+        (&["vehicle.1.mass", "vehicle.1.mass [lb]"], "vehicle.1.mass: two columns have this name; keep one"),
+        (
+            &["vehicle.2.mass"],
+            "vehicle.2.barrier: the case has a fixed barrier here, and the table has columns of a vehicle (drop them, or say which rows have a barrier in a column of `true` \
+             and `false` named as this)",
+        ),
+        (
+            &["contact.restitution", "energy.loss"],
+            "energy.loss: the table has a column of this name already (drop or rename it, or name the outputs that are needed with --of)",
+        ),
+        (&["contact.restitution", "refusal"], "refusal: the table has a column of this name already (drop or rename it)"),
+        (&["\u{200b}vehicle.1.speed"], "(it has characters that cannot be seen; write `vehicle.1.speed`)"),
+        (&["vehicle.1.crush.depths.9"], "vehicle.1.crush.depths.9: the crush has 3 depths"),
+    ] {
+        let found = plan(names, Some(&case), &all).err().expect("refused").to_string();
+        assert!(found.contains(said), "{found}");
+    }
+    let found = plan(&["vehicle.1.mass"], None, &all).err().expect("refused").to_string();
+    for (path, remedy) in [
+        ("vehicle.2", "add its columns, or give a case with --case; a fixed barrier is in a case, or a column of `true`"),
+        ("vehicle.1.heading", "add the column, or give a case with --case"),
+        ("vehicle.1.yaw_inertia", "add this column or `radius_of_gyration`, or give a case with --case"),
+        ("vehicle.1.speed", "add this column or `velocity.x` and `velocity.y`, or give a case with --case"),
+    ] {
+        assert!(found.contains(&format!("{path}: neither a column nor a case gives it ({remedy})")), "{path}: {found}");
+    }
     assert_eq!(wrong(&["vehicle.1.mass", "vehicle.1.mass [lb]"], Some(&case), &all), [at("vehicle.1.mass", "repeated-column")]);
     assert_eq!(wrong(&["vehicle.2.mass"], Some(&case), &all), [at("vehicle.2.barrier", "conflict")]);
     assert_eq!(wrong(&["vehicle.1.crush.depths.9"], Some(&case), &all), [at("vehicle.1.crush.depths.9", "not-in-case")]);

@@ -273,7 +273,8 @@ impl CaseReader {
             true => ContactModel::Momentum { angular: self.is_angular(root, [&one, &two])? },
             false => ContactModel::ImpulseRatio,
         };
-        let is_test = self.compare_with_test(&evidence, [&one, &two], contact.crush_plane);
+        let is_sought = |of: Variable| unknowns.iter().any(|asked| asked.requested.of == of);
+        let is_test = self.compare_with_test(&evidence, &is_sought, [&one, &two], contact.crush_plane);
         let evidence = is_test.and(self.settle(&evidence, [&one, &two]));
         let mut rest = match rest {
             Some(rest) => Some(rest?),

@@ -298,7 +298,9 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
         };
         assert_eq!(lines("vehicle.1.yaw_rate", "3 deg/s"), "impact_center = [\"6.3 ft\", \"5 ft 2 in\"]|yaw_rate = \"3 deg/s\"");
         assert_eq!(lines("contact.impulse_ratio", "0.5"), "restitution = { mode = 0.1, min = 0, max = 0.3 }|impulse_ratio = 0.5");
-        assert!(document(TEXT).write_text("scene.friction", "1").is_err());
+        let refused = |path: &str| document(TEXT).write_text(path, "1").unwrap_err().to_string();
+        assert_eq!(refused("scene.friction"), "scene.friction: has no place in the file yet; add it to the text");
+        assert_eq!(refused("vehicle.1"), "vehicle.1: is a table; write one of its keys");
         // At the end of a text without a last line break, too.
         let text = format!("{TEXT}[contact.other]\ne = 1 # last");
         assert_eq!(apply(&text, vec![document(&text).write_text("contact.other.f", "2").unwrap()]), format!("{text}\nf = 2"));

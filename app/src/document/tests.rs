@@ -94,6 +94,7 @@ fn a_good_file_in_both_formats() {
 fn a_table_is_one_issue_and_not_one_of_each_line() {
     let said = read("speeds.CSV", "a,b\n1,2\n3,4\n").unwrap_err();
     assert!(said.contains("`speeds.CSV` is a table, where a TOML or JSON file is expected") && said.lines().count() == 1, "{said}");
+    assert!(said.contains("`batch` solves tables, `check` reads records, and `record` recordings"), "{said}");
     assert!(read("speeds.txt", "a,b\n1,2\n3,4\n").unwrap_err().contains("this is not TOML"));
 }
 

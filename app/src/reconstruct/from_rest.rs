@@ -256,6 +256,8 @@ mod tests {
         assert_eq!(all.iter().map(chi_square).collect::<Vec<_>>(), [1.5, 2.0, 3.5, 4.0, 7.5, 8.0, 21.0, 23.0]);
         let codes: Vec<_> = notices.0.iter().map(|notice| notice.code).collect();
         assert_eq!(codes, ["other-separations", "other-separations", "many-separations"]);
+        let said = notices.0[2].message.to_string();
+        assert_eq!(said, "9 combinations of separations lead to these rest positions: the 8 that fit best are reconstructed");
         // Of exact fits the one that was found first stays first, whatever its last bits are.
         let exact = separation(6e-20, vec![alone(2e-22), alone(0.0)]);
         assert_eq!(combinations(&[Some(exact), None]).0.iter().map(chi_square).collect::<Vec<_>>(), [6e-20, 2e-22, 0.0]);

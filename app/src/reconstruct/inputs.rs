@@ -210,6 +210,17 @@ mod tests {
         let found = of("", "{ mean = 1600, sd = 30, n = 3 }", "{ mean = 10, sd = 1, n = 4 }", "{ mean = 0.1, sd = 0.01, n = 2 }");
         let refused: Vec<(&str, &str)> = found.issues.iter().map(|issue| (issue.code, issue.path.as_str())).collect();
         assert_eq!(refused, [("infinite-deviation", "vehicle.1.mass"), ("infinite-deviation", "contact.restitution")]);
+        let said = |part: &crate::message::Message| Units::Si.sentence(part);
+        assert_eq!(
+            said(&found.issues[0].message),
+            "vehicle.1.mass is the mean of 3 measurements, whose distribution has an infinite standard deviation; `reconstruct` needs a finite one"
+        );
+        assert!(
+            found.issues[0]
+                .help
+                .as_ref()
+                .is_some_and(|help| said(help).starts_with("measure at least 4 times, or give `value` and an `sd`"))
+        );
         assert_eq!(found.unknowns.len(), 1);
     }
 

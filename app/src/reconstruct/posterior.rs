@@ -300,6 +300,13 @@ mod tests {
         let codes = |ess, level| warned(ess, level).into_iter().map(|(code, _)| code).collect::<Vec<_>>();
         assert!(codes(500.0, 0.95).is_empty() && codes(2100.0, 0.99).is_empty() && codes(90_000.0, 0.999).is_empty());
         assert_eq!(codes(300.0, 0.95), ["posterior-not-converged"]);
+        let said = warned(300.0, 0.95)[0].1.to_string();
+        assert!(
+            said.starts_with(
+                "the draws of the posterior have not converged: R-hat is up to 1.000, and no more than 300 draws are independent"
+            ),
+            "{said}"
+        );
         assert_eq!(codes(1900.0, 0.99), ["posterior-range-rough"]);
         let [(code, message)] = &warned(4000.0, 0.999)[..] else { panic!("one warning") };
         assert_eq!(code, &"posterior-range-rough");

@@ -266,6 +266,8 @@ mod tests {
         assert!(read(file(&format!("{channel}{}", channel.replace('F', "G")))).is_ok());
         let issues = read(file(&format!("{channel}{channel}"))).err().expect("a repeated column");
         assert!(matches!(issues.list(), [issue] if issue.code == "repeated-column" && issue.path == "channel.2.column"), "{issues}");
+        let said = "the column `F` is a channel already (remove one of the two: forces of several load cells add up, and this one would count twice)";
+        assert!(issues.to_string().contains(said), "{issues}");
     }
 
     #[test]

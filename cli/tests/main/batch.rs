@@ -165,6 +165,9 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
         assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named {input}")), "{said}");
     }
+    let mixed = "vehicle.1.speed has no unit and is read in m/s, beside vehicle.2.speed, which has one";
+    assert!(said("vehicle.1.speed,vehicle.2.speed [mph]\n10,5\n").contains(mixed));
+    assert_eq!(said("vehicle.1.speed [km/h],vehicle.2.speed [mph],contact.restitution\n10,5,0.1\n"), "");
     assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1\n10,5,1,1\n"), "");
     assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
     let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");

@@ -158,6 +158,7 @@ fn sections_and_units_are_as_asked() {
     let refused = run(&workspace(), &without);
     assert!(refused.status == 2 && refused.out.is_empty(), "{}", refused.out);
     assert!(refused.err.contains("--sections: it has no effect: this report has nothing to say on sensitivity"), "{}", refused.err);
+    assert!(refused.err.contains("leave out sensitivity"), "{}", refused.err);
 }
 
 #[test]

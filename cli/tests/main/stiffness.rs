@@ -555,6 +555,7 @@ fn one_test_with_two_names_is_refused() {
     let refused = run_with_input(&["stiffness", "-"], &with_other(&vehicle.replace("Malibu", "Other")));
     assert_eq!((refused.status, refused.out.as_str()), (2, ""));
     assert!(refused.err.contains("vehicle.2.test.1: it has the numbers of vehicle.1.test.1, which would count twice"), "{}", refused.err);
+    assert!(refused.err.contains("leave one of them out: a test is of one vehicle, and counts once"), "{}", refused.err);
     // One that differs is another, and so are two that leave no crush.
     let differs = with_other(&vehicle.replace("0.265", "0.266"));
     assert_eq!(run_with_input(&["stiffness", "-"], &differs).status, 0);
@@ -578,7 +579,9 @@ fn a_prediction_without_a_fit_is_noted() {
     let text = example("malibu.toml").replace("[fit]\n", "[fit]\ndepth = 0.3\nwidth = 1.5\n");
     let notes = |text: &str| {
         let messages = json(text)["messages"].clone();
-        messages.as_array().into_iter().flatten().filter(|message| message["code"] == "prediction-not-used").count()
+        let says = "`depth` and `width` have no effect: there is no fit to predict their crush energy; b0 in place of onset makes one of a single test";
+        let is_noted = |message: &&Value| message["code"] == "prediction-not-used" && message["text"] == says;
+        messages.as_array().into_iter().flatten().filter(is_noted).count()
     };
     // A speed that is held makes a fit of one test.
     assert_eq!([notes(&text), notes(&example("malibu.toml")), notes(&text.replace("onset", "b0"))], [1, 0, 0]);

@@ -192,7 +192,13 @@ impl CaseReader {
     ///
     /// Of a normal impulse P the center of mass gains P/m and the impact center P/m (1 + (t² − μ n t)/k²), with its place n along and t beside the normal from the center
     /// of mass and the radius of gyration k.
-    pub(super) fn compare_with_test(&self, pieces: &[Piece<'_>], vehicles: [&Option<VehicleInputs>; 2], crush_plane: f64) -> Option<()> {
+    pub(super) fn compare_with_test(
+        &self,
+        pieces: &[Piece<'_>],
+        is_sought: &dyn Fn(Variable) -> bool,
+        vehicles: [&Option<VehicleInputs>; 2],
+        crush_plane: f64,
+    ) -> Option<()> {
         let Some(test) = self.test_of_center.take() else { return Some(()) };
         let is_restitution = |piece: &&Piece<'_>| piece.of == Measurand::Variable(RecordingOf::Contact.variable());
         let place = &pieces.iter().find(is_restitution)?.place;
@@ -200,8 +206,9 @@ impl CaseReader {
             let message = Message::from(format!("{}: {} ", place.path(), test.file)).join(message);
             self.notices.borrow_mut().push(Notice::warning(code, place.path(), message));
         };
-        let vehicle = match vehicles {
-            [Some(vehicle), None] | [None, Some(vehicle)] => vehicle,
+        let (side, vehicle) = match vehicles {
+            [Some(vehicle), None] => (Side::One, vehicle),
+            [None, Some(vehicle)] => (Side::Two, vehicle),
             _ => {
                 let message = "is a test against a barrier, and here two vehicles collide: its restitution and its impulse ratio are those of \
                                another contact";
@@ -215,10 +222,11 @@ impl CaseReader {
             let message = Message::from("has a mass of ").figure(Measure::Mass, mass.value).text(" and the case one of ");
             warn("another-test", message.figure(Measure::Mass, vehicle.mass).text(": check that it is the test of this vehicle"));
         }
-        let is_evidence = |piece: &Piece<'_>| matches!(piece.of, Measurand::Variable(Variable::Speed(_)));
+        let of_speed = Variable::Speed(side);
+        let is_given = !is_sought(of_speed) && pieces.iter().all(|piece| piece.of != Measurand::Variable(of_speed));
         if let (Velocity::Speed(speed), Some(of_test)) = (vehicle.velocity, test.speed)
+            && is_given
             && differs(&of_test, speed.abs())
-            && !pieces.iter().any(is_evidence)
         {
             let message = Message::from("has a speed of ").figure(Measure::Speed, of_test.value).text(" and the case one of ");
             warn("another-test", message.figure(Measure::Speed, speed).text(": the restitution falls as the speed rises"));
@@ -236,13 +244,12 @@ impl CaseReader {
             return Some(());
         }
         let of_ratio = (1.0 + test.restitution.value) * arm.n * arm.t / squared_radius * ratio.sd.unwrap_or(0.0);
-        let message = format!(
-            "the restitution of {} is {}, of the center of mass; of the impact center, {} m beside the normal through it, it is {}",
-            test.file,
-            trim(test.restitution.value),
-            trim(arm.t.abs()),
-            trim(there)
-        );
+        let message = Message::from(format!("the restitution of {} is ", test.file))
+            .figure(Measure::Ratio, test.restitution.value)
+            .text(", of the center of mass; of the impact center, ")
+            .figure(Measure::Length, arm.t.abs())
+            .text(" beside the normal through it, it is ")
+            .figure(Measure::Ratio, there);
         let of_ratio_too = test.ratio.map_or_else(String::new, |ratio| {
             format!(" and contact.impulse_ratio = \"{} ± {}\"", trim(ratio.value), trim(ratio.sd.unwrap_or(0.0)))
         });

@@ -323,6 +323,7 @@ mod tests {
         for (found, wanted) in found.iter().zip(wanted.into_iter().chain(others)) {
             assert!(found.starts_with(&format!("vehicle.1.mass.file: folder/tests.csv:{wanted}")), "{found}");
         }
+        assert!(found[1].ends_with("(correct the cell, or remove its row)"), "{found:?}");
         assert!(refused(OF_FILE, "a,m\n1\n")[0].contains("tests.csv:2: m: the row has 1 cell, and the table has 2 columns"));
         // Without a unit in the header the cells are as numbers in a case file.
         assert!(refused(OF_FILE, "m\n5 m\n")[0].contains("`5 m` is a length; a mass is expected"));
@@ -341,6 +342,11 @@ mod tests {
         assert!(column("m,m [t]\n1,2\n").contains("has 2 columns `m`"));
         assert!(column("m [m]\n1\n2\n").contains("folder/tests.csv: m [m]: `m` is a length; a mass is expected"));
         assert!(column("m [stone]\n1\n2\n").contains("vehicle.1.mass.column: folder/tests.csv: m [stone]: "));
+        assert!(
+            column("m [m]\n1\n2\n").ends_with("(write the unit of a mass in the header, such as \"1500 kg\" has)"),
+            "{}",
+            column("m [m]\n1\n2\n")
+        );
     }
 
     #[test]
@@ -355,6 +361,12 @@ mod tests {
         ] {
             let found = refused(mass, csv);
             assert!(found.len() == 1 && found[0].contains(says), "{found:?}");
+            let remedy = if says.ends_with("one value") {
+                "(give the number alone, or its `value` and `sd`)".to_owned()
+            } else {
+                format!("({CERTAIN})")
+            };
+            assert!(found[0].ends_with(&remedy), "{found:?}");
         }
         // Their variance is below every float.
         assert_eq!(normal_of(&[0.0, 1e-200]).1, 0.0);

@@ -92,6 +92,49 @@ fn the_line_of_a_film_at_the_separation_does_not_reach_into_the_contact() {
     }
 }
 
+/// Errors of 3 mm that go on from frame to frame, by an own recursion with a coefficient of 0.8, and such that do not: intervals of 95 % hold the restitution.
+#[test]
+fn errors_that_go_on_from_frame_to_frame_are_counted() {
+    let mut state = 7_u64;
+    let mut normal = || {
+        let uniform = |_: i32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(uniform).sum::<f64>() - 6.0
+    };
+    let folder = Folder::new();
+    let mut covered = |name: &str, coefficient: f64| {
+        let names: Vec<String> = (0..60).map(|i| format!("{name}{i}.toml")).collect();
+        for file in &names {
+            let mut rows = String::new();
+            let mut error = normal();
+            for ms in -100..300 {
+                let t = f64::from(ms) * 1e-3;
+                let contact = t.clamp(0.0, 0.1);
+                // The velocity goes from −10 to 1.5 m/s by a half-sine of force.
+                let pushed = 11.5 / 2.0 * (contact - 0.1 / PI * (PI * contact / 0.1).sin()) + 11.5 * (t - 0.1).max(0.0);
+                error = coefficient * error + (1.0 - coefficient * coefficient).sqrt() * normal();
+                write!(rows, "{ms},{:.3}\\n", 1e3 * (2.0 - 10.0 * t + pushed) + 3.0 * error).expect("a string takes everything");
+            }
+            let text = format!("schema = 1\nwindow = [\"0 ms\", \"100 ms\"]\nsamples = \"time [ms],distance [mm]\\n{rows}\"\n");
+            folder.write(file, text.as_bytes());
+        }
+        let arguments: Vec<&str> = std::iter::once("record").chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
+        let run = run(folder.path(), &arguments);
+        let json: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let holds = |record: &&Value| {
+            let of = |key: &str| record["films"][0]["restitution"][key].as_f64().expect("a number");
+            (of("value") - 0.15).abs() <= 1.96 * of("sd")
+        };
+        let told = run.out.matches("\"correlated-frames\"").count();
+        (json["records"].as_array().expect("records").iter().filter(holds).count(), told)
+    };
+    let ([white, told_of_white], [correlated, told]) = (covered("w", 0.0).into(), covered("c", 0.8).into());
+    assert!(white >= 53 && correlated >= 53, "{white} and {correlated} of 60");
+    assert!(told_of_white <= 12 && told >= 45, "{told_of_white} and {told} of 60");
+}
+
 /// A film that shows another speed than the file gives, one that goes the other way, and a separation before the contact.
 #[test]
 fn a_film_that_contradicts_its_file_is_told() {

@@ -280,36 +280,45 @@ fn a_barrier_record_is_evidence_and_a_test() {
     let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
     close(&answer["tests"][0]["restitution"], 250e3 * AREA / 15e3 - 1.0, 1e-4);
     assert_eq!(answer["has_deviations"], true);
-    let of = |mass: f64, speed: f64, center: &str, other: &str| {
+    let of = |mass: f64, speed: &str, center: &str, other: &str| {
+        let more = if speed.is_empty() { "vehicle.1.speed = { start = 12, sd = 3 }\n" } else { "" };
         let case = format!(
-            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = 0\nspeed = {speed}\nyaw_rate = 12\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
+            "schema = 1\n[[vehicle]]\nmass = {mass}\nyaw_inertia = 2500\nheading = 0\n{speed}\nyaw_rate = 12\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
              [contact]\ncrush_plane = 0\n[evidence]\ncontact.record = {{ file = \"data/test.toml\" }}\n[unknown]\ncontact.restitution = {{ start = 0.1, min = 0, max = 0.5 }}\n\
-             contact.impulse_ratio = {{ start = 0.1 }}\n"
+             contact.impulse_ratio = {{ start = 0.1 }}\n{more}"
         );
         folder.write("case.toml", case.as_bytes());
         run(folder.path(), &["reconstruct", "case.toml", "--starts", "4", "--format", "json"])
     };
-    let json = of(1500.0, 10.0, "[2, 0]", "barrier = true");
+    let json = of(1500.0, "speed = 10", "[2, 0]", "barrier = true");
     let answer: Value = serde_json::from_str(&json.out).unwrap_or_else(|_| panic!("{}", json.err));
     let of_center = 250e3 * AREA / 15e3 - 1.0;
     close(&answer["unknown"]["contact.restitution"]["value"], of_center, 1e-3);
     close(&answer["unknown"]["contact.impulse_ratio"]["value"], 0.24, 1e-3);
     assert!(!json.out.contains("another-test") && !json.out.contains("test-of-barrier"), "{}", json.out);
     // Beside the normal through the center of mass, 1 + e is 1 + (t² − μ n t)/k² times that of the center of mass.
-    let off = of(1500.0, 10.0, "[2, 0.9]", "barrier = true");
+    let off = of(1500.0, "speed = 10", "[2, 0.9]", "barrier = true");
     let there = (1.0 + of_center) * (1.0 + (0.81 - 0.24 * 1.8) / (2500.0 / 1500.0)) - 1.0;
     let remedy = format!("give contact.restitution = \"{:.3}", there - 5e-4);
     let words = off.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(off.status == 2 && words.contains(&remedy) && words.contains("contact.impulse_ratio = \"0.24"), "{} {remedy}", off.err);
-    assert!(off.err.contains("0.9 m beside the normal through it"), "{}", off.err);
+    assert!(off.err.contains("0.90 m beside the normal through it"), "{}", off.err);
     for (mass, speed, other, code) in [
-        (1700.0, 10.0, "barrier = true", "another-test"),
-        (1500.0, 12.0, "barrier = true", "another-test"),
-        (1500.0, 10.0, "mass = 1000\nyaw_inertia = 1500\nheading = \"180 deg\"\nspeed = 0\nimpact_center = [2, 0]", "test-of-barrier"),
+        (1700.0, "speed = 10", "barrier = true", "another-test"),
+        (1500.0, "speed = 12", "barrier = true", "another-test"),
+        (
+            1500.0,
+            "speed = 10",
+            "mass = 1000\nyaw_inertia = 1500\nheading = \"180 deg\"\nspeed = 0\nimpact_center = [2, 0]",
+            "test-of-barrier",
+        ),
     ] {
         let warned = of(mass, speed, "[2, 0]", other);
         assert!(warned.out.matches(&format!("\"{code}\"")).count() == 1, "{code}: {} {}", warned.out, warned.err);
     }
+    // Of a speed that is sought the start is no other test.
+    let sought = of(1500.0, "", "[2, 0]", "barrier = true");
+    assert!(sought.status <= 1 && !sought.out.is_empty() && !sought.out.contains("another-test"), "{} {}", sought.out, sought.err);
 }
 
 /// A case names tests, these name a recording, and that names its samples; each lies beside the file that names it.
