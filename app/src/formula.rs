@@ -435,7 +435,7 @@ mod tests {
         {
             assert!(by(ratio, none, name).is_err_and(|said| said.contains(name)), "{name}");
         }
-        let refused = |ratio, name: &str| by(ratio, none, name).err().expect("it is refused");
+        let refused = |ratio, name: &str| by(ratio, none, name).expect_err("it is refused");
         let instead = "this collision has no contact.friction (differentiate by contact.impulse_ratio.of_critical, or give a collision that has contact.friction)";
         assert!(refused(ImpulseRatioGiven::OfCritical, "contact.friction").ends_with(instead));
         let none_is_given = "this collision has no contact.moment.of_critical (give a collision that has contact.moment.of_critical)";

@@ -586,10 +586,10 @@ fn what_is_wrong_with_the_columns_is_said_at_once() {
         (&["\u{200b}vehicle.1.speed"], "(it has characters that cannot be seen; write `vehicle.1.speed`)"),
         (&["vehicle.1.crush.depths.9"], "vehicle.1.crush.depths.9: the crush has 3 depths"),
     ] {
-        let found = plan(names, Some(&case), &all).err().expect("refused").to_string();
+        let found = plan(names, Some(&case), &all).expect_err("refused").to_string();
         assert!(found.contains(said), "{found}");
     }
-    let found = plan(&["vehicle.1.mass"], None, &all).err().expect("refused").to_string();
+    let found = plan(&["vehicle.1.mass"], None, &all).expect_err("refused").to_string();
     for (path, remedy) in [
         ("vehicle.2", "add its columns, or give a case with --case; a fixed barrier is in a case, or a column of `true`"),
         ("vehicle.1.heading", "add the column, or give a case with --case"),
