@@ -92,13 +92,14 @@ impl Channel {
         const STEPS: f64 = 3.0;
         self.quantity.class()?;
         let (times, values) = (self.record.times(), self.record.values());
-        let (least, greatest) =
-            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), value| (value.min(least), value.max(greatest)));
-        let is_within = |value: f64| value > least && value < greatest && (value - values[0]).abs() > LOADED * (greatest - least);
+        let (lowest, highest) =
+            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lowest, highest), value| (value.min(lowest), value.max(highest)));
+        let is_within = |value: f64| value > lowest && value < highest && (value - values[0]).abs() > LOADED * (highest - lowest);
+        let least = STEPS * self.step();
         let mut first = 0;
         for held in values.chunk_by(|one, other| one == other) {
             let last = first + held.len() - 1;
-            let is_left = values.get(last + 1).is_some_and(|after| (after - held[0]).abs() > STEPS * self.step());
+            let is_left = values.get(last + 1).is_some_and(|after| (after - held[0]).abs() > least);
             if held.len() >= FEW && is_within(held[0]) && is_left {
                 return Some(([times[first], times[last]], held[0]));
             }
