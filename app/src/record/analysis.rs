@@ -98,6 +98,9 @@ impl Analysis<'_> {
     fn sums(&mut self) {
         for quantity in [ChannelQuantity::NormalForce, ChannelQuantity::TangentialForce] {
             let bank: Vec<&Channel> = self.of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
+            if bank.len() < 3 {
+                continue;
+            }
             let values = |channel: &Channel, i: usize| channel.record.values().get(i).copied().unwrap_or(f64::NAN);
             let steps: f64 = bank.iter().map(|channel| channel.step()).sum();
             let is_sum = |sum: &&Channel| {
