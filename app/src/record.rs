@@ -237,14 +237,6 @@ impl Answer<Records> {
     }
 }
 
-impl RecordAnswer {
-    /// Returns `true` if its restitution is that of a film.
-    pub(crate) fn has_only_films(&self) -> bool {
-        let is_of_cells = self.barrier.as_ref().is_some_and(|barrier| barrier.restitution.is_some());
-        !is_of_cells && self.accelerations.iter().all(|one| one.restitution.is_none())
-    }
-}
-
 impl Uncertain {
     fn of(estimate: Estimate, is_known: bool) -> Uncertain {
         Uncertain { value: positive_zero(estimate.value), sd: is_known.then(|| estimate.deviation()) }

@@ -1,5 +1,6 @@
 //! Reads a case file key by key.
 
+mod barrier_test;
 mod before;
 mod contact;
 mod correlation;
@@ -73,7 +74,7 @@ pub(crate) struct CaseReader {
     /// The recordings that are of one test or one vehicle, by their file or samples, each with the path of its key.
     records: RefCell<Vec<(PathBuf, String)>>,
     /// The test of `contact.record`, if its restitution is that of the center of mass.
-    test_of_center: RefCell<Option<recorder::TestOfCenter>>,
+    test_of_center: RefCell<Option<barrier_test::TestOfCenter>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The columns that inputs are measured in.

@@ -95,10 +95,8 @@ pub(super) fn shape_approximated(input: &UncertainInput, shape: &str) -> Notice 
     const FEW: f64 = 0.075;
     let name = input.parameter;
     let message = format!("{name} is {shape}; the search takes a normal distribution of the same mean and standard deviation for it");
-    let (Some(values), Distribution::Normal { mean, sd }) = (&input.values, &input.distribution) else {
-        return Notice::note("shape-approximated", input.key.clone(), message);
-    };
-    let beyond = values.iter().filter(|value| (*value - mean).abs() > Distribution::NORMAL_95 * sd).count();
+    let (values, distribution) = (input.values.as_deref().unwrap_or_default(), &input.distribution);
+    let beyond = values.iter().filter(|value| (*value - distribution.mean()).abs() > Distribution::NORMAL_95 * distribution.sd()).count();
     if beyond as f64 <= FEW * values.len() as f64 {
         return Notice::note("shape-approximated", input.key.clone(), message);
     }

@@ -56,51 +56,49 @@ impl Channel {
 
     /// Returns the first stretch of a pulse, of its times and value, that is no part of it: the channel goes to a value, holds it exactly, and returns. Both changes are
     /// a fifth of its range and several steps.
-    fn dropout(&self) -> Option<([f64; 2], f64)> {
+    fn dropout(&self, step: f64) -> Option<([f64; 2], f64)> {
         /// Fewest samples that are held.
         const FEW: usize = 3;
         /// Share of the range by which the channel changes.
         const LARGE: f64 = 0.2;
         /// Steps of the readings that are no change.
         const STEPS: f64 = 5.0;
-        self.quantity.class()?;
-        let (times, values) = (self.record.times(), self.record.values());
-        let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - values.iter().copied().fold(f64::INFINITY, f64::min);
-        let least = (LARGE * range).max(STEPS * self.step());
-        let mut first = 1;
-        for held in values[1..].chunk_by(|one, other| one == other) {
-            let last = first + held.len() - 1;
-            if let Some(after) = values.get(last + 1).filter(|_| held.len() >= FEW) {
-                let [fall, rise] = [values[first - 1] - held[0], after - held[0]];
-                if fall.abs() > least && rise.abs() > least && fall.signum() == rise.signum() {
-                    return Some(([times[first], times[last]], held[0]));
-                }
-            }
-            first = last + 1;
-        }
-        None
+        let [lowest, highest] = self.extremes();
+        let least = (LARGE * (highest - lowest)).max(STEPS * step);
+        self.held(FEW, |before, value, after| {
+            let (fall, rise) = (before.unwrap_or(value) - value, after - value);
+            fall.abs() > least && rise.abs() > least && fall.signum() == rise.signum()
+        })
     }
 
     /// Returns the first stretch of a loaded pulse at which the channel holds one value, of which it is neither the greatest nor the least, and its times and value. A
     /// pulse that is stored in steps leaves such a value by one of them; a channel that was frozen by more than three.
-    fn frozen(&self) -> Option<([f64; 2], f64)> {
+    fn frozen(&self, step: f64) -> Option<([f64; 2], f64)> {
         /// Fewest samples that are held.
         const FEW: usize = 5;
         /// Share of the range from the first sample, which is unloaded.
         const LOADED: f64 = 0.1;
         /// Steps of the readings, which a pulse may change by from one to the next.
         const STEPS: f64 = 3.0;
-        self.quantity.class()?;
+        let ([lowest, highest], first) = (self.extremes(), self.record.values()[0]);
+        let is_within = |value: f64| value > lowest && value < highest && (value - first).abs() > LOADED * (highest - lowest);
+        self.held(FEW, |_, value, after| is_within(value) && (after - value).abs() > STEPS * step)
+    }
+
+    fn extremes(&self) -> [f64; 2] {
+        let values = || self.record.values().iter().copied();
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// Returns the times and the value of the first stretch of so many equal samples or more, up to another one, that fits: by the sample before it, its value and the sample
+    /// after it.
+    fn held(&self, few: usize, fits: impl Fn(Option<f64>, f64, f64) -> bool) -> Option<([f64; 2], f64)> {
         let (times, values) = (self.record.times(), self.record.values());
-        let (lowest, highest) =
-            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lowest, highest), value| (value.min(lowest), value.max(highest)));
-        let is_within = |value: f64| value > lowest && value < highest && (value - values[0]).abs() > LOADED * (highest - lowest);
-        let least = STEPS * self.step();
         let mut first = 0;
         for held in values.chunk_by(|one, other| one == other) {
             let last = first + held.len() - 1;
-            let is_left = values.get(last + 1).is_some_and(|after| (after - held[0]).abs() > least);
-            if held.len() >= FEW && is_within(held[0]) && is_left {
+            let before = first.checked_sub(1).map(|before| values[before]);
+            if values.get(last + 1).is_some_and(|after| held.len() >= few && fits(before, held[0], *after)) {
                 return Some(([times[first], times[last]], held[0]));
             }
             first = last + 1;
@@ -297,14 +295,16 @@ impl Analysis<'_> {
                 .text(format!("{when}; what follows from it is incomplete"));
             self.notices.push(Notice::warning("truncated", channel.path.clone(), message));
         }
-        if let Some(([from, to], value)) = channel.dropout() {
+        // Of a pulse, which is integrated.
+        let step = channel.quantity.class().map(|_| channel.step());
+        if let Some(([from, to], value)) = step.and_then(|step| channel.dropout(step)) {
             let message = Message::from(format!("{} goes to ", channel.name))
                 .figure(measure, value)
                 .text(", holds it")
                 .join(stretch(from, to))
                 .text(", and returns: what follows from it is wrong if the channel was lost there");
             self.notices.push(Notice::warning("dropout", channel.path.clone(), message));
-        } else if let Some(([from, to], value)) = channel.frozen() {
+        } else if let Some(([from, to], value)) = step.and_then(|step| channel.frozen(step)) {
             let message = Message::from(format!("{} holds ", channel.name))
                 .figure(measure, value)
                 .join(stretch(from, to))

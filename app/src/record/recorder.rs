@@ -104,7 +104,8 @@ struct Noise {
 
 impl Noise {
     /// Returns the noise of each of the channels, which are stored in the same steps but where all readings of one lie coarser steps apart.
-    fn of_each(recording: &Recording, channels: &[&Channel], notices: &mut Vec<Notice>) -> Vec<Noise> {
+    fn of_each<const N: usize>(recording: &Recording, all: [Option<&Channel>; N], notices: &mut Vec<Notice>) -> [Option<Noise>; N] {
+        let channels: Vec<&Channel> = all.into_iter().flatten().collect();
         let found = channels.iter().filter_map(|channel| channel.record.resolution()).reduce(f64::min);
         let given = recording.settings.resolution;
         if given.is_none() && !channels.is_empty() {
@@ -118,7 +119,7 @@ impl Noise {
             notices.push(Notice::note("resolution-assumed", channels[0].path.clone(), message));
         }
         let common = given.or(found);
-        let mut of = |channel: &&Channel| {
+        let mut of = |channel: &Channel| {
             // All readings of a finer recorder are no multiples of coarser steps. A channel that is constant has no steps.
             let printed = channel.record.resolution().map(|_| channel.step());
             let coarser = common.zip(printed).filter(|(common, printed)| *printed > 1.5 * common);
@@ -133,7 +134,7 @@ impl Noise {
             }
             Noise { step: coarser.map(|(_, printed)| printed).or(common), relative: recording.settings.relative, scatter: 0.0 }
         };
-        channels.iter().map(&mut of).collect()
+        all.map(|channel| channel.map(&mut of))
     }
 
     /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
@@ -227,9 +228,9 @@ impl Recorder {
         if forward.is_none() && left.is_none() && speed.is_none() {
             return None;
         }
-        let mut noises = Noise::of_each(recording, &forward.into_iter().chain(left).collect::<Vec<_>>(), notices).into_iter();
+        let [of_forward, of_left] = Noise::of_each(recording, [forward, left], notices);
         let [forward, left] =
-            [forward, left].map(|channel| channel.zip(noises.next()).map(|(channel, noise)| Component::of(channel, noise)));
+            [forward.zip(of_forward), left.zip(of_left)].map(|found| found.map(|(channel, noise)| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
         notices.extend(components().filter_map(Component::of_scatter));
@@ -245,8 +246,8 @@ impl Recorder {
             notices.push(Notice::warning("no-event", first.channel.path.clone(), message));
         }
         let mut pre_crash: Vec<PreCrash> = speed.iter().flat_map(|speed| rows(&speed.record)).collect();
-        let speed_at_impact = speed.and_then(|speed| {
-            let [noise] = Noise::of_each(recording, &[speed], notices)[..] else { return None };
+        let [of_speed] = Noise::of_each(recording, [speed], notices);
+        let speed_at_impact = speed.zip(of_speed).and_then(|(speed, noise)| {
             let after = after_impact(&mut pre_crash);
             if after > 0 {
                 let message = format!(

@@ -5,20 +5,20 @@ use std::path::{Component, Path, PathBuf};
 use planar_impact::Side;
 use planar_impact::barrier::Estimate;
 use planar_impact::reconstruct::{Correlation, Measurand, Variable};
-use planar_impact::{CrushPlane, Heading, Input, Output};
+use planar_impact::{Input, Output};
 
+use super::barrier_test::TestOfCenter;
 use super::evidence::Piece;
 use super::fitted::report;
 use super::measured::{Amount, Measured, Spread};
 use super::{CaseReader, one_of};
 use crate::case::correlation_of;
-use crate::case::vehicle::{Inertia, VehicleInputs, Velocity};
 use crate::document::{Field, Table};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::quantity::Kind;
 use crate::record::{ACCELEROMETER_RANGE, Barrier, RecordAnswer, Recording, Uncertain, VelocityChange, samples_of};
-use crate::units::{Measure, trim};
+use crate::units::trim;
 
 /// What of a recorder may be evidence.
 const USES: [&str; 5] = ["delta_v_forward", "delta_v_left", "delta_v_magnitude", "pdof", "speed"];
@@ -33,21 +33,6 @@ pub(crate) struct Recorded {
     /// The name of the file.
     pub(crate) file: String,
 }
-
-/// A test against a barrier whose restitution is that of the center of mass, e = ΔV/v − 1.
-pub(crate) struct TestOfCenter {
-    restitution: Uncertain,
-    ratio: Option<Uncertain>,
-    file: String,
-    mass: Option<Estimate>,
-    speed: Option<Estimate>,
-}
-
-/// Share by which the mass or the speed of a test may differ from that of the case.
-const SAME_TEST: f64 = 0.05;
-
-/// Standard deviations by which two restitutions hardly differ.
-const HARDLY: f64 = 0.5;
 
 /// A recording that is evidence.
 #[derive(Clone, Copy)]
@@ -174,7 +159,7 @@ impl CaseReader {
         if restitution.as_ref().is_some_and(|restitution| !is_lawful(field, &answer, restitution.value)) {
             return None;
         }
-        if let (Some(restitution), true) = (restitution, answer.kinematics.is_none() && !answer.has_only_films()) {
+        if let Some(restitution) = restitution_of_center(&answer).filter(|_| answer.kinematics.is_none()) {
             let (file, mass, speed) = (answer.file.clone(), recording.mass(), recording.speed());
             *self.test_of_center.borrow_mut() = Some(TestOfCenter { restitution, ratio, file, mass, speed });
         }
@@ -185,81 +170,6 @@ impl CaseReader {
         self.correlations_of_evidence.borrow_mut().extend(of_ratio_and_restitution(&answer));
         let read = pieces.into_iter().filter_map(|(of, key, number)| Some(self.push(field, of, key, number?, found)));
         read.collect::<Vec<_>>().into_iter().collect()
-    }
-
-    /// Compares the test of `contact.record` with the case, once it has been read: its restitution is that of the center of mass of one vehicle against a barrier.
-    /// Reports it if that of the impact center is another one, and warns of a case of two vehicles, and of another mass or speed.
-    ///
-    /// Of a normal impulse P the center of mass gains P/m and the impact center P/m (1 + (t² − μ n t)/k²), with its place n along and t beside the normal from the center
-    /// of mass and the radius of gyration k.
-    pub(super) fn compare_with_test(
-        &self,
-        pieces: &[Piece<'_>],
-        is_sought: &dyn Fn(Variable) -> bool,
-        vehicles: [&Option<VehicleInputs>; 2],
-        crush_plane: f64,
-    ) -> Option<()> {
-        let Some(test) = self.test_of_center.take() else { return Some(()) };
-        let is_restitution = |piece: &&Piece<'_>| piece.of == Measurand::Variable(RecordingOf::Contact.variable());
-        let place = &pieces.iter().find(is_restitution)?.place;
-        let warn = |code, message: Message| {
-            let message = Message::from(format!("{}: {} ", place.path(), test.file)).join(message);
-            self.notices.borrow_mut().push(Notice::warning(code, place.path(), message));
-        };
-        let (side, vehicle) = match vehicles {
-            [Some(vehicle), None] => (Side::One, vehicle),
-            [None, Some(vehicle)] => (Side::Two, vehicle),
-            _ => {
-                let message = "is a test against a barrier, and here two vehicles collide: its restitution and its impulse ratio are those of \
-                               another contact";
-                warn("test-of-barrier", message.into());
-                return Some(());
-            }
-        };
-        let differs =
-            |of_test: &Estimate, of_case: f64| (of_test.value - of_case).abs() > SAME_TEST * of_case.abs() + 2.0 * of_test.deviation();
-        if let Some(mass) = test.mass.filter(|mass| differs(mass, vehicle.mass)) {
-            let message = Message::from("has a mass of ").figure(Measure::Mass, mass.value).text(" and the case one of ");
-            warn("another-test", message.figure(Measure::Mass, vehicle.mass).text(": check that it is the test of this vehicle"));
-        }
-        let of_speed = Variable::Speed(side);
-        let is_given = !is_sought(of_speed) && pieces.iter().all(|piece| piece.of != Measurand::Variable(of_speed));
-        if let (Velocity::Speed(speed), Some(of_test)) = (vehicle.velocity, test.speed)
-            && is_given
-            && differs(&of_test, speed.abs())
-        {
-            let message = Message::from("has a speed of ").figure(Measure::Speed, of_test.value).text(" and the case one of ");
-            warn("another-test", message.figure(Measure::Speed, speed).text(": the restitution falls as the speed rises"));
-        }
-        let squared_radius = match vehicle.inertia {
-            Inertia::Yaw(inertia) => inertia / vehicle.mass,
-            Inertia::Radius(radius) => radius * radius,
-        };
-        let arm = CrushPlane::from_angle(crush_plane).to_contact(Heading::from_angle(vehicle.heading).to_ground(vehicle.impact_center));
-        let ratio = test.ratio.unwrap_or(Uncertain { value: 0.0, sd: None });
-        let gain = 1.0 + (arm.t * arm.t - ratio.value * arm.n * arm.t) / squared_radius;
-        let there = (1.0 + test.restitution.value) * gain - 1.0;
-        let sd = test.restitution.sd?;
-        if (there - test.restitution.value).abs() <= HARDLY * sd {
-            return Some(());
-        }
-        let of_ratio = (1.0 + test.restitution.value) * arm.n * arm.t / squared_radius * ratio.sd.unwrap_or(0.0);
-        let message = Message::from(format!("the restitution of {} is ", test.file))
-            .figure(Measure::Ratio, test.restitution.value)
-            .text(", of the center of mass; of the impact center, ")
-            .figure(Measure::Length, arm.t.abs())
-            .text(" beside the normal through it, it is ")
-            .figure(Measure::Ratio, there);
-        let of_ratio_too = test.ratio.map_or_else(String::new, |ratio| {
-            format!(" and contact.impulse_ratio = \"{} ± {}\"", trim(ratio.value), trim(ratio.sd.unwrap_or(0.0)))
-        });
-        let help = format!(
-            "in place of the recording give contact.restitution = \"{} ± {}\"{of_ratio_too}",
-            trim(there),
-            trim(gain.abs() * sd + of_ratio.abs())
-        );
-        place.report_as("restitution-of-center", message, Some(help));
-        None
     }
 
     /// Reads { record = "file" } in place of a restitution.
@@ -401,12 +311,16 @@ fn is_lawful(field: &Field<'_>, answer: &RecordAnswer, restitution: f64) -> bool
     is_lawful
 }
 
-/// Returns the restitution that a recording has: that of the contact point by kinematics, or else of its load cells, of an acceleration, or of a film.
+/// Returns the restitution that a recording has: that of the contact point by kinematics, or else that of the center of mass, or of a film.
 fn restitution(answer: &RecordAnswer) -> Option<Uncertain> {
-    let of_barrier = answer.barrier.as_ref().and_then(|barrier: &Barrier| barrier.restitution);
-    let of_acceleration = || answer.accelerations.iter().find_map(|one| one.restitution);
     let of_kinematics = answer.kinematics.as_ref().map(|kinematics| kinematics.restitution);
-    of_kinematics.or(of_barrier).or_else(of_acceleration).or_else(|| answer.films.first().map(|film| film.restitution))
+    of_kinematics.or_else(|| restitution_of_center(answer)).or_else(|| answer.films.first().map(|film| film.restitution))
+}
+
+/// Returns the restitution of the center of mass, of load cells, or else of an acceleration.
+fn restitution_of_center(answer: &RecordAnswer) -> Option<Uncertain> {
+    let of_cells = answer.barrier.as_ref().and_then(|barrier: &Barrier| barrier.restitution);
+    of_cells.or_else(|| answer.accelerations.iter().find_map(|one| one.restitution))
 }
 
 #[cfg(test)]

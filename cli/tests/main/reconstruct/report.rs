@@ -53,7 +53,7 @@ fn the_document_has_every_key_and_they_fit_together() {
     assert!(found["notes"].to_string().contains("vehicle.2.speed is solved for too"), "{}", found["notes"]);
 }
 
-/// A number of the case that the evidence gives with ± does not count, and is told if it is another one.
+/// A number of the case that the evidence gives with ± does not count; a warning names it if it is another one.
 #[test]
 fn a_number_of_the_case_that_the_evidence_replaces_is_told() {
     let case = two_cars();

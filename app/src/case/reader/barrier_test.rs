@@ -1,0 +1,108 @@
+//! The test of `contact.record` beside the case that it is evidence of.
+
+use planar_impact::barrier::Estimate;
+use planar_impact::reconstruct::{Measurand, Variable};
+use planar_impact::{Body, Compliance, CrushPlane, ForwardLeft, Heading, Side, Vehicle};
+
+use super::CaseReader;
+use super::evidence::Piece;
+use super::recorder::RecordingOf;
+use crate::case::vehicle::{VehicleInputs, Velocity};
+use crate::message::Message;
+use crate::notice::Notice;
+use crate::record::Uncertain;
+use crate::units::{Measure, trim};
+
+/// A test against a barrier whose restitution is that of the center of mass, e = ΔV/v − 1.
+pub(crate) struct TestOfCenter {
+    pub(super) restitution: Uncertain,
+    /// Tangential to normal impulse, if both were recorded.
+    pub(super) ratio: Option<Uncertain>,
+    /// The name of the file.
+    pub(super) file: String,
+    pub(super) mass: Option<Estimate>,
+    pub(super) speed: Option<Estimate>,
+}
+
+/// Share by which the mass or the speed of a test may differ from that of the case.
+const SAME_TEST: f64 = 0.05;
+
+/// Standard deviations by which two restitutions hardly differ.
+const HARDLY: f64 = 0.5;
+
+impl CaseReader {
+    /// Compares the test of `contact.record` with the case, once it has been read: its restitution is that of the center of mass of one vehicle against a barrier.
+    /// Reports it if that of the impact center is another one, and warns of a case of two vehicles, and of another mass or speed.
+    ///
+    /// Of a normal impulse P the center of mass gains P/m and the impact center P (K_nn + μ K_nt), 1/(m̄ q) in (A14).
+    pub(super) fn compare_with_test(
+        &self,
+        pieces: &[Piece<'_>],
+        is_sought: &dyn Fn(Variable) -> bool,
+        vehicles: [&Option<VehicleInputs>; 2],
+        crush_plane: f64,
+    ) -> Option<()> {
+        let Some(test) = self.test_of_center.take() else { return Some(()) };
+        let is_restitution = |piece: &&Piece<'_>| piece.of == Measurand::Variable(RecordingOf::Contact.variable());
+        let place = &pieces.iter().find(is_restitution)?.place;
+        let warn = |code, message: Message| {
+            let message = Message::from(format!("{}: {} ", place.path(), test.file)).join(message);
+            self.notices.borrow_mut().push(Notice::warning(code, place.path(), message));
+        };
+        let (side, vehicle) = match vehicles {
+            [Some(vehicle), None] => (Side::One, vehicle),
+            [None, Some(vehicle)] => (Side::Two, vehicle),
+            _ => {
+                let message = "is a test against a barrier, and here two vehicles collide: its restitution and its impulse ratio are those of \
+                               another contact";
+                warn("test-of-barrier", message.into());
+                return Some(());
+            }
+        };
+        let differs =
+            |of_test: &Estimate, of_case: f64| (of_test.value - of_case).abs() > SAME_TEST * of_case.abs() + 2.0 * of_test.deviation();
+        if let Some(mass) = test.mass.filter(|mass| differs(mass, vehicle.mass)) {
+            let message = Message::from("has a mass of ").figure(Measure::Mass, mass.value).text(" and the case one of ");
+            warn("another-test", message.figure(Measure::Mass, vehicle.mass).text(": check that it is the test of this vehicle"));
+        }
+        let of_speed = Variable::Speed(side);
+        let is_given = !is_sought(of_speed) && pieces.iter().all(|piece| piece.of != Measurand::Variable(of_speed));
+        if let (Velocity::Speed(speed), Some(of_test)) = (vehicle.velocity, test.speed)
+            && is_given
+            && differs(&of_test, speed.abs())
+        {
+            let message = Message::from("has a speed of ").figure(Measure::Speed, of_test.value).text(" and the case one of ");
+            warn("another-test", message.figure(Measure::Speed, speed).text(": the restitution falls as the speed rises"));
+        }
+        let ForwardLeft { forward, left } = vehicle.impact_center;
+        let party = Vehicle::new(vehicle.mass, vehicle.yaw_inertia())
+            .with_heading(Heading::from_angle(vehicle.heading))
+            .with_impact_center(forward, left);
+        let body = Body::seen_from(&CrushPlane::from_angle(crush_plane), &party.into());
+        let compliance = Compliance::between(&body, &Body::fixed());
+        let ratio = test.ratio.unwrap_or(Uncertain { value: 0.0, sd: None });
+        let gain = vehicle.mass * compliance.along_ratio(ratio.value);
+        let there = (1.0 + test.restitution.value) * gain - 1.0;
+        let sd = test.restitution.sd?;
+        if (there - test.restitution.value).abs() <= HARDLY * sd {
+            return Some(());
+        }
+        let of_ratio = (1.0 + test.restitution.value) * vehicle.mass * compliance.nt() * ratio.sd.unwrap_or(0.0);
+        let message = Message::from(format!("the restitution of {} is ", test.file))
+            .figure(Measure::Ratio, test.restitution.value)
+            .text(", of the center of mass; of the impact center, ")
+            .figure(Measure::Length, body.arm.t.abs())
+            .text(" beside the normal through it, it is ")
+            .figure(Measure::Ratio, there);
+        let of_ratio_too = test.ratio.map_or_else(String::new, |ratio| {
+            format!(" and contact.impulse_ratio = \"{} ± {}\"", trim(ratio.value), trim(ratio.sd.unwrap_or(0.0)))
+        });
+        let help = format!(
+            "in place of the recording give contact.restitution = \"{} ± {}\"{of_ratio_too}",
+            trim(there),
+            trim(gain.abs() * sd + of_ratio.abs())
+        );
+        place.report_as("restitution-of-center", message, Some(help));
+        None
+    }
+}
