@@ -24,6 +24,7 @@ use crate::notice::Notices;
 use crate::quantity::{self, Kind};
 use crate::units::Measure;
 
+pub(crate) use kinematics::FollowedPoint;
 pub use kinematics::Kinematics;
 pub use recorder::{AtImpact, AtTime, ClippedSensor, PreCrash, Recorder, VelocityChange};
 pub use recording::Recording;

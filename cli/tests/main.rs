@@ -70,3 +70,5 @@ mod uncertainty;
 mod units;
 #[path = "main/warnings.rs"]
 mod warnings;
+#[path = "main/words.rs"]
+mod words;

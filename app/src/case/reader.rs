@@ -74,7 +74,7 @@ pub(crate) struct CaseReader {
     /// The recordings that are of one test or one vehicle, by their file or samples, each with the path of its key.
     records: RefCell<Vec<(PathBuf, String)>>,
     /// The test of `contact.record`, if its restitution is that of the center of mass.
-    test_of_center: RefCell<Option<barrier_test::TestOfCenter>>,
+    barrier_test: RefCell<Option<barrier_test::BarrierTest>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
     /// The columns that inputs are measured in.

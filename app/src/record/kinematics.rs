@@ -34,6 +34,16 @@ pub(super) struct MeasuredKinematics {
     barrier: f64,
 }
 
+/// The point of a vehicle that a test followed to its barrier.
+pub(crate) struct FollowedPoint {
+    /// Where it is on the vehicle, ahead of the center of mass and to its left.
+    pub(crate) place: [Estimate; 2],
+    /// Speed of the vehicle before the impact.
+    pub(crate) speed: Estimate,
+    /// Angle of the barrier from the heading of the vehicle, in rad.
+    pub(crate) barrier: f64,
+}
+
 impl CaseReader {
     pub(super) fn kinematics(&self, table: &Table<'_>) -> Option<MeasuredKinematics> {
         let angle = |key| match table.has(key) {
@@ -79,6 +89,15 @@ impl CaseReader {
 const EXACT_ZERO: Estimate = Estimate { value: 0.0, variance: 0.0 };
 
 impl MeasuredKinematics {
+    /// Returns the point that it follows.
+    pub(super) fn followed(&self) -> FollowedPoint {
+        let [x, y] = [0, 1].map(|at| self.numbers[at]);
+        let speed = libm::hypot(x.value, y.value);
+        let variance = (x.value * x.value * x.variance + y.value * y.value * y.variance) / (speed * speed);
+        let place = [7, 8].map(|at| self.numbers[at]);
+        FollowedPoint { place, speed: Estimate { value: speed, variance }, barrier: self.barrier - self.heading }
+    }
+
     /// Returns the restitution, with its variance to first order: the numbers are independent.
     pub(super) fn answer(&self) -> Result<Kinematics, TestIssues> {
         let values: Vec<f64> = self.numbers.iter().map(|number| number.value).collect();

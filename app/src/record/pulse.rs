@@ -122,6 +122,24 @@ fn from_end(record: &Record, over: &Window, unloaded: f64) -> Option<f64> {
     (late.abs() > 0.5 * early.abs() && early * late > 0.0 && late.abs() <= 0.1 * greatest).then_some(lately)
 }
 
+/// Returns a warning of a baseline that ends under load, as of a time zero that is set by a threshold: its offset and its noise are then those of the load.
+fn of_loaded_baseline(name: &str, path: &str, quantity: ChannelQuantity, record: &Record, before: &Window, peak: Peak) -> Option<Notice> {
+    /// Standard deviations of one reading that are no chance, and the share of the peak that matters.
+    const MOST: f64 = 6.0;
+    const SHARE: f64 = 0.02;
+    let half = Window { to: 0.5 * (before.from + before.to), ..*before };
+    let early = record.baseline(&half).ok()?;
+    let late = record.indices_in(before).max().map(|last| record.values()[last])?;
+    let load = late - early.value;
+    let message = Message::from(format!("{name} has grown by "))
+        .figure(quantity.measure(), load)
+        .text(" at ")
+        .figure(Measure::Time, before.to)
+        .text(", within its baseline: the impact begins earlier than the times say, and the integral loses that load; end `baseline` before it, and begin `window` there");
+    (load.abs() > MOST * early.deviation() && load.abs() > SHARE * peak.value.abs())
+        .then(|| Notice::warning("loaded-baseline", path, message))
+}
+
 /// Returns a warning of a channel that does not return to its baseline after the window, or at its end if there is none.
 fn of_drift(
     name: &str,
@@ -204,6 +222,7 @@ impl Analysis<'_> {
         self.cut_by_window(name, quantity, &corrected, peak, noise);
         if before.is_some() {
             self.notices.extend(of_few_samples(name, path, &corrected, &over, peak));
+            self.notices.extend(before.as_ref().and_then(|before| of_loaded_baseline(name, path, quantity, record, before, peak)));
             if channels.iter().all(|channel| channel.clipped().is_none()) {
                 self.notices.extend(of_noisy_top(name, path, quantity, &corrected, noise));
             }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use planar_impact::barrier::{ChannelClass, Estimate, Record, Window};
 
-use super::kinematics::MeasuredKinematics;
+use super::kinematics::{FollowedPoint, MeasuredKinematics};
 use super::samples::{Column, Fault, Samples, TIME};
 use super::{ChannelQuantity, RecordAnswer};
 use crate::case::CaseReader;
@@ -190,6 +190,11 @@ impl Recording {
     /// Returns its closing speed, if the file gives one.
     pub(crate) fn speed(&self) -> Option<Estimate> {
         self.settings.speed
+    }
+
+    /// Returns the point whose motion to the barrier it has.
+    pub(crate) fn followed(&self) -> Option<FollowedPoint> {
+        self.settings.kinematics.as_ref().map(MeasuredKinematics::followed)
     }
 
     /// Computes what the recording tells.

@@ -49,7 +49,8 @@ enum Scale<'a> {
 
 impl Samples {
     pub(super) fn of(source: &Source) -> Samples {
-        let mut rows = Rows::of(&source.text);
+        // A line of spaces alone is as empty as one without.
+        let mut rows = Rows::of(&source.text).filter(|(_, cells)| !matches!(&cells[..], [only] if only.trim().is_empty()));
         let headers = rows.next().into_iter().flat_map(|(_, cells)| cells).map(|cell| Header::read(&cell)).collect();
         Samples { headers, rows: rows.collect(), quotes: Quotes::fault_of(&source.text) }
     }

@@ -21,7 +21,9 @@ impl Run {
     pub fn of(output: Output) -> Run {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
         let status = output.status.code().expect("the program ends by itself");
-        Run { status, out: text(output.stdout), err: text(output.stderr) }
+        let run = Run { status, out: text(output.stdout), err: text(output.stderr) };
+        crate::words::compare(&run.out, &run.err);
+        run
     }
 }
 

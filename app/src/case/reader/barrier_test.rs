@@ -2,7 +2,7 @@
 
 use planar_impact::barrier::Estimate;
 use planar_impact::reconstruct::{Measurand, Variable};
-use planar_impact::{Body, Compliance, CrushPlane, ForwardLeft, Heading, Side, Vehicle};
+use planar_impact::{Body, Compliance, CrushPlane, ForwardLeft, Heading, Input, Side, Vehicle};
 
 use super::CaseReader;
 use super::evidence::Piece;
@@ -10,29 +10,36 @@ use super::recorder::RecordingOf;
 use crate::case::vehicle::{VehicleInputs, Velocity};
 use crate::message::Message;
 use crate::notice::Notice;
-use crate::record::Uncertain;
+use crate::record::{FollowedPoint, Uncertain};
 use crate::units::{Measure, trim};
 
-/// A test against a barrier whose restitution is that of the center of mass, e = ΔV/v − 1.
-pub(crate) struct TestOfCenter {
-    pub(super) restitution: Uncertain,
+/// A test of a vehicle against a barrier whose restitution is evidence.
+pub(crate) struct BarrierTest {
+    /// That of the center of mass, e = ΔV/v − 1; none if it is that of a point.
+    pub(super) of_center: Option<Uncertain>,
     /// Tangential to normal impulse, if both were recorded.
     pub(super) ratio: Option<Uncertain>,
     /// The name of the file.
     pub(super) file: String,
     pub(super) mass: Option<Estimate>,
     pub(super) speed: Option<Estimate>,
+    /// The point that it is of, if it is not that of the center of mass.
+    pub(super) followed: Option<FollowedPoint>,
 }
 
 /// Share by which the mass or the speed of a test may differ from that of the case.
 const SAME_TEST: f64 = 0.05;
 
+/// Length by which the point that a test follows may lie from the impact center, in m, and the angle by which its barrier may stand otherwise than the crush plane, in rad.
+const SAME_POINT: f64 = 0.1;
+const SAME_ANGLE: f64 = 0.1;
+
 /// Standard deviations by which two restitutions hardly differ.
 const HARDLY: f64 = 0.5;
 
 impl CaseReader {
-    /// Compares the test of `contact.record` with the case, once it has been read: its restitution is that of the center of mass of one vehicle against a barrier.
-    /// Reports it if that of the impact center is another one, and warns of a case of two vehicles, and of another mass or speed.
+    /// Compares the test of `contact.record` with the case, once it has been read: its restitution is that of one vehicle against a barrier. Reports one of the center of
+    /// mass if that of the impact center is another one, and warns of a case of two vehicles, and of another mass, speed, point or angle.
     ///
     /// Of a normal impulse P the center of mass gains P/m and the impact center P (K_nn + μ K_nt), 1/(m̄ q) in (A14).
     pub(super) fn compare_with_test(
@@ -42,7 +49,7 @@ impl CaseReader {
         vehicles: [&Option<VehicleInputs>; 2],
         crush_plane: f64,
     ) -> Option<()> {
-        let Some(test) = self.test_of_center.take() else { return Some(()) };
+        let Some(test) = self.barrier_test.take() else { return Some(()) };
         let is_restitution = |piece: &&Piece<'_>| piece.of == Measurand::Variable(RecordingOf::Contact.variable());
         let place = &pieces.iter().find(is_restitution)?.place;
         let warn = |code, message: Message| {
@@ -75,6 +82,32 @@ impl CaseReader {
             warn("another-test", message.figure(Measure::Speed, speed).text(": the restitution falls as the speed rises"));
         }
         let ForwardLeft { forward, left } = vehicle.impact_center;
+        let is_known = |input: Input| !is_sought(Variable::Input(input));
+        if let Some(FollowedPoint { place: [ahead, beside], barrier, .. }) = &test.followed {
+            let apart = |of_test: &Estimate, of_case: f64| ((of_test.value - of_case).abs() - 2.0 * of_test.deviation()).max(0.0);
+            let has_center = is_known(Input::ImpactCenterForward(side)) && is_known(Input::ImpactCenterLeft(side));
+            if has_center && libm::hypot(apart(ahead, forward), apart(beside, left)) > SAME_POINT {
+                let place = |message: Message, [ahead, left]: [f64; 2]| {
+                    message
+                        .figure(Measure::Length, ahead)
+                        .text(" ahead of the center of mass and ")
+                        .figure(Measure::Length, left)
+                        .text(" to its left")
+                };
+                let message =
+                    place(Message::from("follows a point "), [ahead.value, beside.value]).text(", and the impact center of the case is ");
+                warn("another-test", place(message, [forward, left]).text(": the restitution is that of the point"));
+            }
+            let of_case = crush_plane - vehicle.heading;
+            let has_angles = is_known(Input::CrushPlane) && is_known(Input::Heading(side));
+            if has_angles && libm::sin(barrier - of_case).abs() > libm::sin(SAME_ANGLE) {
+                let message = Message::from("has its barrier at ")
+                    .figure(Measure::Angle, *barrier)
+                    .text(" from the heading of the vehicle, and the case its crush plane at ");
+                warn("another-test", message.figure(Measure::Angle, of_case).text(": the restitution is that along another normal"));
+            }
+        }
+        let Some(restitution) = test.of_center else { return Some(()) };
         let party = Vehicle::new(vehicle.mass, vehicle.yaw_inertia())
             .with_heading(Heading::from_angle(vehicle.heading))
             .with_impact_center(forward, left);
@@ -82,14 +115,14 @@ impl CaseReader {
         let compliance = Compliance::between(&body, &Body::fixed());
         let ratio = test.ratio.unwrap_or(Uncertain { value: 0.0, sd: None });
         let gain = vehicle.mass * compliance.along_ratio(ratio.value);
-        let there = (1.0 + test.restitution.value) * gain - 1.0;
-        let sd = test.restitution.sd?;
-        if (there - test.restitution.value).abs() <= HARDLY * sd {
+        let there = (1.0 + restitution.value) * gain - 1.0;
+        let sd = restitution.sd?;
+        if (there - restitution.value).abs() <= HARDLY * sd {
             return Some(());
         }
-        let of_ratio = (1.0 + test.restitution.value) * vehicle.mass * compliance.nt() * ratio.sd.unwrap_or(0.0);
+        let of_ratio = (1.0 + restitution.value) * vehicle.mass * compliance.nt() * ratio.sd.unwrap_or(0.0);
         let message = Message::from(format!("the restitution of {} is ", test.file))
-            .figure(Measure::Ratio, test.restitution.value)
+            .figure(Measure::Ratio, restitution.value)
             .text(", of the center of mass; of the impact center, ")
             .figure(Measure::Length, body.arm.t.abs())
             .text(" beside the normal through it, it is ")

@@ -139,6 +139,7 @@ impl CaseReader {
     fn moments(&self, field: Field<'_>, measure: Measure) -> Option<Measured> {
         let (place, path) = (field.clone(), field.path().to_owned());
         let read = self.distribution_in(&field.table()?, measure.into(), Domain::Any)?;
+        let is_of_few = matches!(read.distribution, Some(Distribution::StudentT { .. }));
         let (mean, sd) = read.distribution.map_or((read.nominal, 0.0), |distribution| (distribution.mean(), distribution.sd()));
         if !(mean.is_finite() && sd.is_finite()) {
             let help = "a mean of two or three measurements has none: give more, or `sd` alone".to_owned();
@@ -148,7 +149,8 @@ impl CaseReader {
         let message = Message::from(format!("{path}: it counts as normal, by the mean of its distribution, "))
             .figure(measure, mean)
             .text(", and its standard deviation, ")
-            .figure(measure, sd);
+            .figure(measure, sd)
+            .text(if is_of_few { "; of few measurements intervals of more than 95 % are too narrow" } else { "" });
         self.notices.borrow_mut().push(Notice::note("moments-of-distribution", path, message));
         Some(Measured { amount: Amount::Number(mean), spread: Spread::StandardDeviation(sd) })
     }

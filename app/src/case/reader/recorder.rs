@@ -7,7 +7,7 @@ use planar_impact::barrier::Estimate;
 use planar_impact::reconstruct::{Correlation, Measurand, Variable};
 use planar_impact::{Input, Output};
 
-use super::barrier_test::TestOfCenter;
+use super::barrier_test::BarrierTest;
 use super::evidence::Piece;
 use super::fitted::report;
 use super::measured::{Amount, Measured, Spread};
@@ -159,9 +159,11 @@ impl CaseReader {
         if restitution.as_ref().is_some_and(|restitution| !is_lawful(field, &answer, restitution.value)) {
             return None;
         }
-        if let Some(restitution) = restitution_of_center(&answer).filter(|_| answer.kinematics.is_none()) {
-            let (file, mass, speed) = (answer.file.clone(), recording.mass(), recording.speed());
-            *self.test_of_center.borrow_mut() = Some(TestOfCenter { restitution, ratio, file, mass, speed });
+        let (followed, of_center) = (recording.followed(), restitution_of_center(&answer).filter(|_| answer.kinematics.is_none()));
+        if followed.is_some() || of_center.is_some() {
+            let (file, mass) = (answer.file.clone(), recording.mass());
+            let speed = followed.as_ref().map_or(recording.speed(), |followed| Some(followed.speed));
+            *self.barrier_test.borrow_mut() = Some(BarrierTest { of_center, ratio, file, mass, speed, followed });
         }
         let pieces = [
             (Measurand::Output(Output::ImpulseRatio), "impulse_ratio", ratio),

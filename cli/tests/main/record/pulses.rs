@@ -265,6 +265,41 @@ fn a_force_that_never_changes_is_named() {
     }
 }
 
+/// A time zero that is set late leaves the begin of the pulse in the baseline: it is warned of, and the remedy brings it back.
+#[test]
+fn a_load_before_time_zero_is_warned_of() {
+    let noise = |ms: f64| 0.2 * ((ms * 37.0).sin() + (ms * 91.0).cos());
+    let of = |late: f64, settings: &str| {
+        let force = |ms: f64| 250.0 * pulse(ms + late) + noise(ms);
+        let (record, run) = record_of(&csv("normal_force [kN]", &[&force]), Some(&format!("{settings}{CAR}")));
+        assert!(run.status <= 1, "{}", run.err);
+        let json: Value = serde_json::from_str(&run.out).expect("JSON");
+        let all = json["messages"].as_array().cloned().unwrap_or_default();
+        let found: Vec<Value> = all.into_iter().filter(|message| message["code"] == "loaded-baseline").collect();
+        (record, found)
+    };
+    assert_eq!(of(0.0, "").1, [] as [Value; 0]);
+    let (record, found) = of(4.0, "");
+    assert_eq!(found.len(), 1);
+    // Of the last sample before time zero, 3.9 ms into the pulse.
+    close(&found[0]["figures"][0]["value"], 250e3 * (PI * 0.039).sin(), 0.03);
+    close(&found[0]["figures"][1]["value"], -1e-4, 1e-6);
+    let impulse = |record: &Value| record["barrier"]["normal_impulse"]["value"].as_f64().expect("an impulse");
+    let (mended, found) = of(4.0, "baseline = [\"-20 ms\", \"-5 ms\"]\nwindow = [\"-5 ms\", \"120 ms\"]\n");
+    assert_eq!(found, [] as [Value; 0]);
+    assert!((impulse(&mended) / (250e3 * AREA) - 1.0).abs() < 1e-3, "{}", impulse(&mended));
+    assert!(impulse(&record) < 0.99 * 250e3 * AREA);
+}
+
+/// A last line of spaces is an empty line.
+#[test]
+fn lines_of_spaces_are_no_samples() {
+    let text = csv("normal_force [kN]", &[&|ms| 250.0 * pulse(ms)]);
+    let [bare, spaced] = [text.clone(), text + " \t \n"].map(|text| record_of(&text, Some(CAR)));
+    assert_eq!((bare.1.status, bare.0["barrier"].clone()), (spaced.1.status, spaced.0["barrier"].clone()));
+    assert!(bare.0["barrier"].is_object());
+}
+
 #[test]
 fn a_barrier_record_is_evidence_and_a_test() {
     let folder = Folder::new();

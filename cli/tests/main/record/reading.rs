@@ -165,6 +165,53 @@ fn the_gravity_of_a_header_is_the_standard_one() {
     }
 }
 
+/// A restitution is of the point, the angle and the speed of its test.
+#[test]
+fn kinematics_of_another_test_are_warned_of() {
+    let folder = Folder::new();
+    let kinematics = "schema = 1\n[kinematics]\nduration = 0.1\npoint = [1.9, \"0.1 m ± 0.02 m\"]\nbefore = { velocity = [8, 6] }\n\
+                      heading = \"10 deg\"\nbarrier = \"10 deg\"\nafter = { velocity = [\"-1 m/s ± 0.1 m/s\", 0] }\n";
+    folder.write("kinematics.toml", kinematics.as_bytes());
+    let wall = "barrier = true";
+    let car = "mass = 1000\nyaw_inertia = 1500\nheading = \"180 deg\"\nspeed = 0\nimpact_center = [2, 0]";
+    for (center, plane, speed, other, words) in [
+        ("[1.9, 0.1]", "0", "10", wall, ""),
+        ("[1.9, 0.2]", "\"180 deg\"", "10", wall, ""),
+        (
+            "[1.9, 0.3]",
+            "0",
+            "10",
+            wall,
+            "a point 1.90 m ahead of the center of mass and 0.10 m to its left, and the impact center of the case is 1.90 m ahead of the center of mass and 0.30 m to its left",
+        ),
+        ("[1.7, 0.1]", "0", "10", wall, "the impact center of the case is 1.70 m ahead"),
+        (
+            "[1.9, 0.1]",
+            "\"7 deg\"",
+            "10",
+            wall,
+            "has its barrier at 0 deg from the heading of the vehicle, and the case its crush plane at 7.0 deg",
+        ),
+        ("[1.9, 0.1]", "0", "14", wall, "has a speed of 10.00 m/s and the case one of 14.00 m/s"),
+        ("[1.9, 0.1]", "0", "10", car, "here two vehicles collide"),
+    ] {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = {speed}\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
+             [contact]\ncrush_plane = {plane}\nimpulse_ratio = 0\n[evidence]\ncontact.record = {{ file = \"kinematics.toml\" }}\n\
+             [unknown]\ncontact.restitution = {{ start = 0.1 }}\n"
+        );
+        folder.write("case.toml", case.as_bytes());
+        let run = run(folder.path(), &["reconstruct", "case.toml", "--units", "si", "--format", "json"]);
+        assert!(run.status <= 1, "{words}: {}", run.err);
+        let answer: Value = serde_json::from_str(&run.out).expect("JSON");
+        let all = answer["messages"].as_array().map_or(&[][..], Vec::as_slice);
+        let found: Vec<&str> =
+            all.iter().filter_map(|message| message["text"].as_str()).filter(|text| text.contains("kinematics.toml ")).collect();
+        assert_eq!(found.len(), usize::from(!words.is_empty()), "{words}: {found:?}");
+        assert!(found.iter().all(|text| text.contains(words)), "{words}: {found:?}");
+    }
+}
+
 /// As in the documentation of `MeasuredContact::restitution`: e = (0.5 + Ω (0.2 cos 0.05 + 1.5 sin 0.05))/10, with a standard deviation from that of the
 /// velocity after, 0.2 m/s, and of the point.
 #[test]
