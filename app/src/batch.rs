@@ -26,7 +26,7 @@ use crate::gradient::ratio_note;
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
-use crate::quantity::excerpt;
+use crate::quantity::{Kind, excerpt};
 
 /// What is asked of every row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -171,6 +171,17 @@ impl Plan {
             let message = format!("{} has no unit and is read in {unit}, beside {}, which has one: give each its own", bare.key, other.key);
             Some(Notice::warning("mixed-units", bare.key.to_string(), message))
         });
+        // A few degrees are as plausible in radians.
+        let is_angle = |column: &&InputColumn| column.assumed_unit() == Some(Kind::ANGLE.si);
+        let angles: Vec<String> = self.inputs.iter().filter(is_angle).map(|column| column.key.to_string()).collect();
+        let assumed = angles.first().map(|first| {
+            let message = format!(
+                "read in {} for want of a unit: {}; write [deg] behind the name of one in degrees",
+                Kind::ANGLE.si,
+                angles.join(", ")
+            );
+            Notice::note("unit-assumed", first.clone(), message)
+        });
         // Rows may give a number of their own.
         let ratio = Parameter::Input(Input::ImpulseRatio);
         let follows = base.filter(|_| self.wrt.contains(&ratio) && !is_given(ratio)).and_then(ratio_note);
@@ -179,6 +190,7 @@ impl Plan {
             .chain(follows)
             .chain(unread)
             .chain(in_si)
+            .chain(assumed)
             .collect()
     }
 

@@ -29,7 +29,7 @@ impl<'a> Written<'a> {
     /// A text without a comparison, or with two.
     pub fn read(text: &'a str) -> Result<Self, Issue> {
         let Some(place) = text.find(['<', '>']) else {
-            let example = "as in --probability \"vehicle.1.speed > 50 km/h\"".to_owned();
+            let example = "as in --probability \"dV1 > 25 km/h\"".to_owned();
             return Err(names::issue("--probability", text, "expected NAME > VALUE or NAME < VALUE", Some(example)));
         };
         let (name, rest) = (text[..place].trim(), &text[place..]);

@@ -7,13 +7,15 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, CaseOutput, Crush};
+use crate::case::{Case, CaseOutput, Crush, Parameter, VehicleInputs, Velocity};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::message::{Message, Sentence};
 use crate::named::{Named, positive_zero};
 use crate::names;
-use crate::wording;
+use crate::notice::Notice;
+use crate::units::Measure;
+use crate::{unusual, wording};
 
 pub use range::{MOST_POINTS, Range};
 
@@ -109,7 +111,44 @@ pub fn sweep(case: &Case, options: &Options, control: &dyn Control) -> Result<An
         outputs,
         scales: points.scales,
     };
-    Ok(case.answer(sweep, []))
+    let notices = notices(case, &sweep.ranges);
+    Ok(case.answer(sweep, notices))
+}
+
+/// Warns of sizes at the ends of the ranges that no road vehicle has, and of a speed along the heading of a vehicle that moves otherwise.
+fn notices(case: &Case, ranges: &[Range]) -> Vec<Notice> {
+    let mut found: Vec<Notice> = Vec::new();
+    for at in [<[f64]>::first, <[f64]>::last] {
+        let values: Vec<_> = ranges.iter().filter_map(|range| Some((range.parameter, *at(&range.si)?))).collect();
+        let inputs = case.inputs.set_all(&values);
+        let vehicles = inputs.vehicles.iter().zip(["vehicle.1", "vehicle.2"]);
+        let of_vehicles = vehicles.filter_map(|(vehicle, path)| Some((vehicle.as_ref()?, path))).flat_map(|(vehicle, path)| {
+            let VehicleInputs { mass, velocity, yaw_rate, impact_center, .. } = vehicle;
+            unusual::sizes(path, *mass, vehicle.yaw_inertia(), *velocity, *yaw_rate, impact_center.length())
+        });
+        for notice in of_vehicles.chain(unusual::friction(&inputs.contact.impulse_ratio)) {
+            let is_alike = |other: &Notice| (other.code, &other.path) == (notice.code, &notice.path);
+            if !case.notices.0.iter().chain(&found).any(is_alike) {
+                found.push(notice);
+            }
+        }
+    }
+    found.extend(ranges.iter().filter_map(|range| along_heading(case, range.parameter)));
+    found
+}
+
+/// Warns of a speed of a vehicle whose velocity has a component across its heading: `batch` and a case file take a speed for the whole velocity.
+fn along_heading(case: &Case, parameter: Parameter) -> Option<Notice> {
+    let Parameter::Speed(side) = parameter else { return None };
+    let vehicle = case.inputs.vehicles[side as usize].as_ref()?;
+    let Velocity::Components(velocity) = vehicle.velocity else { return None };
+    let across = velocity.y * libm::cos(vehicle.heading) - velocity.x * libm::sin(vehicle.heading);
+    let message = || {
+        Message::from(format!("{parameter} is varied along the heading, and its "))
+            .figure(Measure::Speed, across.abs())
+            .text(" across it, of the velocity of the case, stay: vary velocity.x and velocity.y for another velocity")
+    };
+    (across.abs() > 1e-9 * velocity.length()).then(|| Notice::warning("speed-along-heading", parameter.to_string(), message()))
 }
 
 /// Returns the outputs of the paper's Table 2 and Figure 4.

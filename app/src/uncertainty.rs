@@ -167,8 +167,8 @@ impl<'a> Question<'a> {
         let outputs = names::outputs("--of", &options.of, &case.setup, &mut issues).unwrap_or_else(|| principal(case));
         let mut notices = case.notices.clone();
         let thresholds = options.probabilities.iter().filter_map(|text| match threshold(text, case) {
-            Ok((threshold, notice)) => {
-                notices.0.extend(notice);
+            Ok((threshold, of_threshold)) => {
+                notices.0.extend(of_threshold);
                 Some(threshold)
             }
             Err(found) => {
@@ -436,8 +436,8 @@ pub fn ends(level: f64) -> [f64; 2] {
     [tail, 1.0 - tail]
 }
 
-/// Parses a statement about an output, with the note that its unit is assumed if it has none.
-fn threshold(text: &str, case: &Case) -> Result<(Threshold<CaseOutput>, Option<Notice>), Vec<Issue>> {
+/// Parses a statement about an output, with notes: that its unit is assumed if it has none, and that it is of the motion after the impact if an input has its name.
+fn threshold(text: &str, case: &Case) -> Result<(Threshold<CaseOutput>, Vec<Notice>), Vec<Issue>> {
     let Written { name, is_above, or_equal, value } = Written::read(text).map_err(|issue| vec![issue])?;
     let mut issues = Vec::new();
     let of = names::outputs("--probability", &[name.to_owned()], &case.setup, &mut issues);
@@ -449,8 +449,17 @@ fn threshold(text: &str, case: &Case) -> Result<(Threshold<CaseOutput>, Option<N
     };
     let value = quantity::parse_word(value, Kind::from(of.measure()))
         .map_err(|error| vec![names::issue("--probability", name, &error.message, error.help)])?;
-    let notice = Notice::unit_assumed(text, &value);
-    Ok((Threshold { of: *of, is_above, or_equal, value: value.si }, notice))
+    let is_of_motion = matches!(of, CaseOutput::Impact(Output::VelocityX(_) | Output::VelocityY(_) | Output::YawRate(_)));
+    let after = || {
+        let message = format!(
+            "`{text}` is of the motion after the impact; that before it is an input. The name {} has no other meaning",
+            of.qualified_name()
+        );
+        Notice::note("after-impact", text, message)
+    };
+    let is_of_input_too = is_of_motion && name != of.qualified_name();
+    let notices = Notice::unit_assumed(text, &value).into_iter().chain(is_of_input_too.then(after)).collect();
+    Ok((Threshold { of: *of, is_above, or_equal, value: value.si }, notices))
 }
 
 fn saturated(count: u64) -> usize {

@@ -6,7 +6,7 @@ use planar_impact::ImpulseRatio;
 use planar_impact::crash3::Surface;
 use planar_impact::crush::ForceLine;
 
-use crate::case::{CrushInputs, Size};
+use crate::case::{CrushInputs, Size, Velocity};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
@@ -64,6 +64,23 @@ pub(crate) fn vehicle(path: &str, mass: f64, radius: f64, arm: f64) -> [Option<N
 /// Of the speed and the yaw rate of a vehicle.
 pub(crate) fn motion(path: &str, speed: f64, yaw_rate: f64) -> [Option<Notice>; 2] {
     [self::speed(path, speed), self::yaw_rate(path, yaw_rate)]
+}
+
+/// Of all of these.
+pub(crate) fn sizes(
+    path: &str,
+    mass: f64,
+    yaw_inertia: f64,
+    velocity: Velocity,
+    yaw_rate: f64,
+    arm: f64,
+) -> impl Iterator<Item = Notice> + use<> {
+    let speed = match velocity {
+        Velocity::Speed(speed) => speed,
+        Velocity::Components(velocity) => velocity.length(),
+    };
+    let of_vehicle = vehicle(path, mass, (yaw_inertia / mass).sqrt(), arm);
+    of_vehicle.into_iter().chain(motion(path, speed, yaw_rate)).flatten()
 }
 
 pub(crate) fn mass(path: &str, mass: f64) -> Option<Notice> {
@@ -186,6 +203,19 @@ pub(crate) fn crush(path: &str, crush: &CrushInputs, size: &Size) -> Option<Noti
             .text("; its energy grows with its width")
     };
     (width > ROOM * of_surface).then(|| warning("wider-than-vehicle", path, message()))
+}
+
+/// Of the depths, the width and the stiffness of a crush.
+pub(crate) fn sizes_of_crush(path: &str, inputs: &CrushInputs) -> impl Iterator<Item = Notice> + use<> {
+    let crush = inputs.on_scalar(|_| 0.0);
+    let deepest = crush.profile.depths().iter().copied().reduce(f64::max);
+    let stiffness = || {
+        let mut lines = crush.zones.zones().iter().map(|zone| ForceLine::from(*zone));
+        lines.find_map(|line| self::stiffness(&format!("{path}.stiffness"), line))
+    };
+    let of_profile = deepest.map(|deepest| [depth(&format!("{path}.depths"), deepest), width(path, crush.profile.width())]);
+    let of_stiffness = deepest.filter(|deepest| *deepest != 0.0).and_then(|_| stiffness());
+    of_profile.into_iter().flatten().chain([of_stiffness]).flatten()
 }
 
 /// Of the greatest depth of a crush.

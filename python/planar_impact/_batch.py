@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, Protocol, TypeVar, overload
 
@@ -71,8 +72,8 @@ def solve_batch(
             dict of arrays and scalars, which hold in every row, or a table: of pyarrow, Polars, pandas, DuckDB, or any with
             ``__arrow_c_stream__``. Columns of other names pass through, with a ``UserWarning`` where the name may be meant as that of an
             input, such as ``"e"`` or ``"speed"``. A ``UserWarning`` names sizes that no road vehicle has, and rows of which no input has a
-            number, by the first such row, except of a stream. Arrays of contiguous float64 are read without a copy, and must
-            not be changed until the call returns.
+            number, by the first such row, except of a stream, and a NaN of pandas, which counts as an empty cell beside a case. Arrays of
+            contiguous float64 are read without a copy, and must not be changed until the call returns.
         of: Outputs by name or symbol. Default: all of :func:`solve`.
         wrt: Inputs to differentiate with respect to.
         case: A case that supplies what no column has, and what is ``None`` or null in a row.
@@ -132,9 +133,30 @@ def solve_batch(
         # It exports nulls without a type, in lists and structs too, with a buffer that those of Arrow do not have.
         typed = {name: _typed(pl, kind) for name, kind in columns.schema.items()}
         columns = columns.cast({name: kind for name, kind in typed.items() if kind != columns.schema[name]})
+    if _library(columns) == "pandas":
+        _warn_of_nothing(columns, base is not None)
     with reporting(progress) as report:
         answer = _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report)
         return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
+
+
+def _warn_of_nothing(frame: Any, has_case: bool) -> None:
+    """Warn of numbers that are none: pandas has one mark for a cell without a number and for the result of 0/0."""
+    inputs = [name for name in frame.columns if isinstance(name, str) and name.startswith(("vehicle.", "contact."))]
+    for name in inputs:
+        # A name that two columns have is refused later.
+        if not has_case or list(frame.columns).count(name) > 1:
+            continue
+        kind = frame[name].dtype
+        if not (isinstance(kind, np.dtype) and kind.kind == "f"):
+            continue
+        empty = frame[name].isna().to_numpy(dtype=bool)
+        if empty.any():
+            message = (
+                f"{name}: {int(empty.sum())} of {len(frame)} rows have NaN, which pandas takes as an empty cell, and are solved with the number of "
+                f"the case (first at row {int(empty.argmax())}); drop those whose number was computed and failed"
+            )
+            warnings.warn(message, stacklevel=3)
 
 
 def _typed(pl: Any, kind: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -240,8 +241,9 @@ def test_rows_without_inputs_are_told() -> None:
     pd = pytest.importorskip("pandas")
     message = r"no input of the row has a number.* \(row 1\)"
     for columns in ({"vehicle.1.speed": [12.0, None]}, pd.DataFrame({"vehicle.1.speed": [12.0, math.nan]})):
-        with pytest.warns(UserWarning, match=message):
+        with pytest.warns(UserWarning) as told:
             planar_impact.solve_batch(columns, of="T_L", case=BARRIER)
+        assert sum(re.search(message, str(one.message)) is not None for one in told) == 1
 
 
 def test_no_rows() -> None:

@@ -255,6 +255,18 @@ def test_what_pandas_has_as_nothing_is_that_of_the_case(kind: str) -> None:
     assert answer["vehicle.1.delta_v_magnitude"][1] == own and answer["refusal"].tolist() == [None] * 3
 
 
+def test_a_number_that_pandas_lost_is_warned_of() -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"vehicle.1.speed": [10.0, float("nan"), 13.0, float("nan")], "contact.restitution": 0.1, "site": [1.0, None, 2.0, 3.0]})
+    with pytest.warns(UserWarning) as told:
+        answer = planar_impact.solve_batch(frame, case=BARRIER, of="dV1")
+    assert [str(one.message).split(",")[0] for one in told] == ["vehicle.1.speed: 2 of 4 rows have NaN"]
+    assert "(first at row 1)" in str(told[0].message) and told[0].filename == __file__
+    assert answer["refusal"].tolist() == [None] * 4
+    # Without a case nothing gives the number, and with NumPy it is none.
+    assert planar_impact.solve_batch(dict(frame), case=BARRIER, of="dV1")["refusal"].tolist()[1] == "not-finite"
+
+
 def test_a_stream_reports_no_progress() -> None:
     pa = pytest.importorskip("pyarrow")
     reader = pa.RecordBatchReader.from_batches(pa.schema({"vehicle.1.speed": pa.float64()}), [])

@@ -121,7 +121,9 @@ fn ratio<const N: usize>(judge: &mut Judge, key: Key, said: Uncertain<N>, [n, t]
 
 fn told(key: Key, said: f64, implied: f64, size: f64, bound: f64) -> String {
     let (said, implied, size, bound) = (Digits(said), Digits(implied), Digits(size), Digits(bound));
-    format!("{key} is said to be {said}, and the motions give {implied}: {size} off, {bound} may be")
+    let unit = key.measure().si_unit();
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    format!("{key} is said to be {said}{unit}, and the motions give {implied}{unit}: {size} off, {bound} may be")
 }
 
 fn hold<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>) {

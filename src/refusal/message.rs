@@ -70,7 +70,8 @@ impl<T: Ordered<Mask = bool>> Issue for Refusal<T> {
                         if critical.less(&T::int(0)) {
                             range.figure(Measure::Ratio, critical.clone()).text(" to 0")
                         } else {
-                            range.text("0 to ").figure(Measure::Ratio, critical.clone())
+                            // Of zero of either sign.
+                            range.text("0 to ").figure(Measure::Ratio, T::int(0) + critical.clone())
                         }
                     }
                 }

@@ -12,7 +12,7 @@ use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs
 use crate::derivative;
 use crate::message::Message;
 use crate::named::positive_zero;
-use crate::wording;
+use crate::{unusual, wording};
 
 /// The answer to some rows, in SI and radians.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,13 +66,18 @@ impl Plan {
                 }
                 let vehicles = [0, 1].map(|i| cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i]));
                 let contact = cells.contact(&self.contact, &self.defaults);
-                if self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty()) {
-                    self.crush_of(&mut cells);
-                }
+                let has_crush = self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty());
+                let crushes = if has_crush { self.crush_of(&mut cells) } else { [None, None] };
                 if cells.faults.is_empty() {
                     let is_empty = !columns.is_empty() && columns.iter().all(|column| matches!(column.at(row), Cell::Empty));
                     let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
-                    sizes::of_row(&vehicles, &contact).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
+                    let of_crush = crushes.iter().zip(&self.vehicles).zip(["vehicle.1.crush", "vehicle.2.crush"]).flat_map(
+                        |((crush, columns), path)| {
+                            let crush = crush.as_ref().filter(|_| !columns.crush.is_empty());
+                            crush.into_iter().flat_map(move |crush| unusual::sizes_of_crush(path, crush))
+                        },
+                    );
+                    sizes::of_row(&vehicles, &contact).chain(of_crush).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
                 }
                 read.push(&vehicles, &contact, cells.faults);
             }

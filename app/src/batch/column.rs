@@ -288,8 +288,12 @@ fn known() -> impl Iterator<Item = Key> {
 /// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`, or with the vehicle
 /// in other words, as `veh1.mass` and `mass1`.
 pub(super) fn meant_by(name: &str) -> Vec<Key> {
-    let (of_symbol, lower) = (Parameter::named(&in_letters(name)).map(Key::Parameter), visible(name).to_ascii_lowercase());
-    let lower = if lower == WEIGHT { "mass".to_owned() } else { lower };
+    // A unit in parentheses is no part of it.
+    let base = visible(name.split('(').next().unwrap_or_default());
+    let lower = match base.trim().to_ascii_lowercase() {
+        cor if cor == "cor" => "restitution".to_owned(),
+        lower => lower.replace(WEIGHT, "mass"),
+    };
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
     // Written with other signs between the words.
     let joined = |name: &str| {
@@ -297,6 +301,7 @@ pub(super) fn meant_by(name: &str) -> Vec<Key> {
         letters.replace("vehicles", "vehicle").replace("contacts", "contact")
     };
     let own = joined(&lower);
+    let of_symbol = [&in_letters(base.trim()), &own].into_iter().find_map(|symbol| Parameter::named(symbol)).map(Key::Parameter);
     let of_prefix = ["veh", "car", "v"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
     let of_suffix = ["1", "2"].into_iter().filter_map(|side| Some(format!("vehicle{side}{}", own.strip_suffix(side)?)));
     let spelled: Vec<String> = of_prefix.chain(of_suffix).chain([own.clone()]).collect();
@@ -313,10 +318,21 @@ pub(super) fn is_of_evidence(name: &str) -> bool {
 /// What a case file may give in place of a mass, and a table may not.
 const WEIGHT: &str = "weight";
 
+/// Returns the input whose symbol stands behind `contact` or `vehicle.1`, as in `contact.mu`, `vehicle.1.m` and `vehicle.1.vx`.
+fn of_symbol(name: &str) -> Option<String> {
+    let (of, symbol) = name.rsplit_once('.')?;
+    let side = of.strip_prefix("vehicle.").unwrap_or_default();
+    let first = symbol.chars().next()?;
+    let spelled = [format!("{symbol}{side}"), format!("{first}{side}{}", &symbol[first.len_utf8()..])];
+    let meant = spelled.iter().find_map(|symbol| Parameter::named(symbol)).filter(|meant| meant.to_string().starts_with(of))?;
+    Some(format!("did you mean `{meant}`?"))
+}
+
 fn unknown(name: &str) -> Issue {
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
     let (bare, unit) = name.split_once(['(', ' ', ',']).unwrap_or((name, ""));
-    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', '[', ']', ' ']))
+    let unit = unit.split(']').next().unwrap_or_default();
+    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', '[', '{', '}', ' ']))
         && !unit.is_empty()
     {
         return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));
@@ -327,6 +343,6 @@ fn unknown(name: &str) -> Issue {
     if visible(name) != name {
         return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));
     }
-    let meant = did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string()));
+    let meant = of_symbol(name).or_else(|| did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string())));
     issue.with_help(meant.unwrap_or_else(|| "rename the column, so that it passes through".to_owned()))
 }

@@ -1,7 +1,7 @@
 //! Rows with sizes that no road vehicle has.
 
 use super::row::RowVehicle;
-use crate::case::{ContactInputs, Velocity};
+use crate::case::ContactInputs;
 use crate::notice::Notice;
 use crate::units::Units;
 use crate::unusual;
@@ -68,13 +68,7 @@ pub(super) fn empty_row() -> Notice {
 
 fn of_vehicle(vehicle: &RowVehicle, path: &str) -> impl Iterator<Item = Notice> + use<> {
     let RowVehicle { mass, inertia, velocity, yaw_rate, impact_center, .. } = vehicle;
-    let speed = match velocity {
-        Velocity::Speed(speed) => *speed,
-        Velocity::Components(velocity) => velocity.length(),
-    };
-    let radius = (inertia.of(*mass) / mass).sqrt();
-    let sizes = unusual::vehicle(path, *mass, radius, impact_center.length());
-    sizes.into_iter().chain(unusual::motion(path, speed, *yaw_rate)).flatten()
+    unusual::sizes(path, *mass, inertia.of(*mass), *velocity, *yaw_rate, impact_center.length())
 }
 
 #[cfg(test)]

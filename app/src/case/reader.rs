@@ -10,6 +10,7 @@ mod evidence;
 mod fitted;
 mod implied;
 mod measured;
+mod mixed_units;
 mod momentum;
 mod recorder;
 mod rest;
@@ -28,6 +29,7 @@ use self::fitted::FittedToTests;
 pub(crate) use self::fitted::report as report_file;
 use self::implied::{ImpliedValues, Unread};
 use self::measured::Distributed;
+use self::mixed_units::NumbersBeside;
 use self::momentum::ANY_INERTIA;
 pub(crate) use self::recorder::Recorded;
 use self::sample::MeasuredColumn;
@@ -73,7 +75,7 @@ pub(crate) struct CaseReader {
     fitted: RefCell<Vec<FittedToTests>>,
     /// The recordings that are of one test or one vehicle, by their file or samples, each with the path of its key.
     records: RefCell<Vec<(PathBuf, String)>>,
-    /// The test of `contact.record`, if its restitution is that of the center of mass.
+    /// The test of `contact.record`.
     barrier_test: RefCell<Option<barrier_test::BarrierTest>>,
     /// Correlations of pieces of evidence that come from one recording.
     correlations_of_evidence: RefCell<Vec<Correlation>>,
@@ -86,6 +88,7 @@ pub(crate) struct CaseReader {
     gravity: Cell<Option<f64>>,
     /// `true` if something of the case weighs or slides.
     uses_gravity: Cell<bool>,
+    numbers: RefCell<NumbersBeside>,
     us: Cell<usize>,
     si: Cell<usize>,
 }
@@ -103,7 +106,8 @@ impl CaseReader {
 
     /// Returns the value in SI, and records it and its unit.
     fn take(&self, path: &str, quantity: Quantity, kind: Kind) -> f64 {
-        self.notices.borrow_mut().extend(Notice::unit_assumed(path, &quantity));
+        let mixed = self.numbers.borrow_mut().add(path, &quantity, kind);
+        self.notices.borrow_mut().extend(Notice::unit_assumed(path, &quantity).into_iter().chain(mixed));
         let Quantity { si, unit, pound_force, .. } = quantity;
         if pound_force {
             let message = format!("{path}: `lb` is taken as the pound-force, lbf, because a force is meant");

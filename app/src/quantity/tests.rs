@@ -199,6 +199,8 @@ fn a_string_needs_a_unit() {
     assert_eq!(error(" ", Kind::MASS), "the string is empty; expected a mass, such as \"1500 kg\"");
     assert_eq!(error("1 2000 kg", Kind::MASS), "unknown unit `2000`");
     assert_eq!(error("40 mhp", Kind::SPEED), "unknown unit `mhp` (did you mean `mph`?)");
+    assert_eq!(error("3 rads", Kind::ANGLE), "unknown unit `rads` (did you mean `rad`?)");
+    assert_eq!(error("3 lbfs", Kind::IMPULSE), "unknown unit `lbfs` (did you mean `lbf s`?)");
     for (unit, meant) in [
         ("mps", "`m/s`"),
         ("fpm", "`ft/min`"),

@@ -285,6 +285,11 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if let Some(several) = several {
         return QuantityError::with_help(message, several.to_owned());
     }
+    // A plural, unless what is meant is that unit times a second.
+    let singular = name.strip_suffix('s').filter(|stem| stem.len() > 2).and_then(find);
+    if let Some(named) = singular.filter(|named| wanted == Some(Unit(vec![(*named, 2)]).dimension())) {
+        return QuantityError::with_help(message, format!("did you mean `{}`?", named.symbol()));
+    }
     if let Some((one, other)) = run_together(name) {
         return QuantityError::with_help(message, format!("did you mean `{one} {other}`?"));
     }
@@ -357,6 +362,7 @@ mod tests {
     #[test]
     fn bad_units() {
         assert_eq!(message("mhp"), "unknown unit `mhp` (did you mean `mph`?)");
+        assert_eq!(message("kNs"), "unknown unit `kNs` (did you mean `kN s`?)");
         assert_eq!(message("KN"), "unknown unit `KN` (did you mean `kN`?)"); // a knot or a kilonewton
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));

@@ -226,15 +226,18 @@ struct Kin {
 
 impl Kin {
     /// Returns those of an impact of two vehicles, or of one and a barrier. A velocity is one number of a vehicle whose speed is unknown, and not its
-    /// heading.
-    fn all(is_barrier: bool, is_on_line: [bool; 2]) -> Vec<Kin> {
+    /// heading; the speed of one that drives along an axis is its component there.
+    fn all(is_barrier: bool, is_on_line: [bool; 2], headings: [f64; 2]) -> Vec<Kin> {
+        /// Sine of the angle within which a direction is that of an axis.
+        const NEARLY: f64 = 0.2;
         use Measurand::{
             ClosingSpeed, CrushEnergy, CrushEnergyOf, DeltaVForward, DeltaVLeft, EquivalentEnergySpeed, SeparationDirection,
             SeparationSpeed,
         };
         use Output::{
-            DeltaVMagnitude, DeltaVX, DeltaVY, ImpulseX, ImpulseY, NormalApproach, NormalImpulse, NormalWork, PrincipalDirectionOfForce,
-            TangentialImpulse, VelocityX, VelocityY,
+            DeltaVMagnitude, DeltaVX, DeltaVY, EnergyAfter, EnergyBefore, ImpulseRatio, ImpulseX, ImpulseY, Loss, NormalApproach,
+            NormalImpulse, NormalSeparation, NormalWork, PrincipalDirectionOfForce, TangentialImpulse, TangentialWork, VelocityX,
+            VelocityY,
         };
         const VECTOR: &str = "the two components of one vector";
         let kin = |about, numbers, of: &[Measurand]| Kin { about, numbers, of: of.to_vec() };
@@ -251,8 +254,27 @@ impl Kin {
                 &[&total[..1], &[CrushEnergyOf(Side::One), CrushEnergyOf(Side::Two)]].concat(),
             ));
         }
-        all.push(kin(VECTOR, 2, &[ImpulseX, ImpulseY, NormalImpulse, TangentialImpulse].map(Measurand::Output)));
-        for (side, is_on_line) in Side::ALL.into_iter().zip(is_on_line) {
+        let outputs = |of: &[Output]| of.iter().copied().map(Measurand::Output).collect::<Vec<_>>();
+        let impulse = outputs(&[ImpulseX, ImpulseY, NormalImpulse, TangentialImpulse, ImpulseRatio]);
+        let ratio = Measurand::Variable(Variable::Input(Input::ImpulseRatio));
+        all.push(kin(VECTOR, 2, &[impulse, vec![ratio]].concat()));
+        all.push(kin(
+            "the works of the two components of the impulse",
+            2,
+            &[outputs(&[NormalWork, TangentialWork, Loss]), vec![CrushEnergy]].concat(),
+        ));
+        all.push(kin("the kinetic energies before and after", 2, &outputs(&[EnergyBefore, EnergyAfter, Loss])));
+        let restitution = Measurand::Variable(Variable::Input(Input::Restitution));
+        all.push(kin("the two normal velocities", 2, &[outputs(&[NormalApproach, NormalSeparation]), vec![restitution]].concat()));
+        for ((side, is_on_line), heading) in Side::ALL.into_iter().zip(is_on_line).zip(headings) {
+            let along = [(libm::sin(heading), Input::VelocityX(side)), (libm::cos(heading), Input::VelocityY(side))];
+            for (_, component) in along.into_iter().filter(|(across, _)| across.abs() < NEARLY && !is_on_line) {
+                all.push(kin(
+                    "the velocity along the heading",
+                    1,
+                    &[Variable::Speed(side), Variable::Input(component)].map(Measurand::Variable),
+                ));
+            }
             let before = [Variable::Speed(side), Variable::Input(Input::VelocityX(side)), Variable::Input(Input::VelocityY(side))];
             all.push(kin("one velocity", if is_on_line { 1 } else { 2 }, &before.map(Measurand::Variable)));
             let outputs = |of: &[fn(Side) -> Output]| of.iter().map(|output| Measurand::Output(output(side))).collect::<Vec<_>>();
@@ -360,7 +382,9 @@ impl Draft<'_> {
                 );
             }
         }
-        for Kin { about, numbers, of } in Kin::all(self.case.inputs.vehicles.iter().any(Option::is_none), is_on_line) {
+        let vehicles = &self.case.inputs.vehicles;
+        let headings = [0, 1].map(|i| vehicles[i].as_ref().map_or(f64::NAN, |vehicle| vehicle.heading));
+        for Kin { about, numbers, of } in Kin::all(vehicles.iter().any(Option::is_none), is_on_line, headings) {
             let given: Vec<&Known> = evidence.iter().filter(|known| of.contains(&known.of)).collect();
             if given.len() > numbers {
                 let names: Vec<&str> = given.iter().map(|known| known.of.name()).collect();

@@ -80,8 +80,19 @@ impl Samples {
             false => of(&header.name).map(ChannelQuantity::kind),
         };
         let note = |(i, header): (usize, &Header)| {
-            let message = format!("the column {} has no unit: {} assumed", header.name, kind((i, header))?.si);
-            Some(Notice::note("unit-assumed", header.name.clone(), message))
+            let of_column = kind((i, header))?;
+            let (si, is_alike) = (of_column.si, |other: &(usize, &Header)| kind(*other).is_some_and(|other| other.si == of_column.si));
+            let other = self.headers.iter().enumerate().filter(is_alike).find_map(|(_, other)| Some((other, other.unit.as_deref()?)));
+            Some(match other.filter(|(_, unit)| *unit != si) {
+                Some((other, unit)) => {
+                    let message = format!(
+                        "the column {} has no unit and counts in {si}, beside {}, which is in {unit}: write its unit",
+                        header.name, other.name
+                    );
+                    Notice::warning("mixed-units", header.name.clone(), message)
+                }
+                None => Notice::note("unit-assumed", header.name.clone(), format!("the column {} has no unit: {si} assumed", header.name)),
+            })
         };
         self.headers.iter().enumerate().filter(|(_, header)| header.unit.is_none()).filter_map(note).collect()
     }
@@ -159,7 +170,12 @@ impl Samples {
             };
             let of_time = read(&self.headers[time].name, at, of_time, "correct the time of this row, or remove the row");
             instants.extend(of_time.map(|at| (at, *line)));
-            let of_channel = read(name, value_cell, scale, "correct the cell, or leave it empty where the channel has no sample");
+            let of_channel = read(
+                name,
+                value_cell,
+                scale,
+                "correct the cell; channels that go together need the same instants, and one by itself may leave it empty",
+            );
             if let (Some(at), Some(value)) = (of_time, of_channel) {
                 times.push(at);
                 values.push(polarity * value);

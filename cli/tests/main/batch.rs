@@ -144,6 +144,16 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
     assert_eq!(done.status, 0);
 }
 
+/// Inches that are taken for meters, of which `crush` warns too.
+#[test]
+fn unusual_crush_is_named_by_its_row() {
+    let case = workspace().join("cli/examples/cavalier-crush.toml");
+    let said = |table: &str| run_with_input(&["batch", "-", "-o", "-", "--case", text(&case), "--of", "T_L"], table).err;
+    let deep = said("vehicle.1.crush.depths.1\n0.1\n12\n16\n");
+    assert!(deep.contains("12.00 m is deeper than the structure of a car") && deep.contains("(row 2, and 1 more)"), "{deep}");
+    assert_eq!(said("vehicle.1.crush.depths.1\n0.1\n0.2\n"), "");
+}
+
 /// Other signs between the words of an input, and a row of a spreadsheet that has no number at all.
 #[test]
 fn columns_with_other_signs_and_rows_without_numbers_are_named() {
@@ -161,6 +171,10 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         ("contacts.restitution", "contact.restitution"),
         ("Γ", "contact.crush_plane"),
         ("μ", "contact.impulse_ratio"),
+        ("COR", "contact.restitution"),
+        ("V2 (mph)", "vehicle.2.speed"),
+        ("v_2", "vehicle.2.speed"),
+        ("weight2", "vehicle.2.mass"),
     ] {
         let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
         assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named {input}")), "{said}");
@@ -168,6 +182,20 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
     let mixed = "vehicle.1.speed has no unit and is read in m/s, beside vehicle.2.speed, which has one";
     assert!(said("vehicle.1.speed,vehicle.2.speed [mph]\n10,5\n").contains(mixed));
     assert_eq!(said("vehicle.1.speed [km/h],vehicle.2.speed [mph],contact.restitution\n10,5,0.1\n"), "");
+    let angles =
+        "note: read in rad for want of a unit: vehicle.1.heading, contact.crush_plane; write [deg] behind the name of one in degrees\n";
+    assert_eq!(said("vehicle.1.heading,contact.crush_plane,vehicle.2.speed\n3.1,0.1,9\n"), angles);
+    // What stands behind the brackets is no unit, and the symbol of an input names it.
+    for (header, remedy) in [
+        ("vehicle.1.speed [mph] note", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("vehicle.1.speed {mph}", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("contact.mu", "did you mean `contact.impulse_ratio`?"),
+        ("vehicle.2.m", "did you mean `vehicle.2.mass`?"),
+        ("vehicle.2.vx", "did you mean `vehicle.2.velocity.x`?"),
+    ] {
+        let said = said(&format!("contact.restitution,{header}\n0.1,5\n")).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains(remedy), "{header}: {said}");
+    }
     assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1\n10,5,1,1\n"), "");
     assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
     let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");

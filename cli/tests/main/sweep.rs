@@ -26,6 +26,23 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().expect("a column").iter().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect()
 }
 
+/// The ends of a range are as unusual as the numbers of a case; the speed of a vehicle that moves across its heading leaves that motion.
+#[test]
+fn unusual_ranges_are_warned_of() {
+    let codes = |case: &str, vary: &str| {
+        let run = sweep(case, &["--vary", vary, "--of", "T_L", "--format", "json"]);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{vary}: {}", run.err));
+        let all = answer["messages"].as_array().cloned().unwrap_or_default();
+        let warnings = all.into_iter().filter(|message| message["severity"] == "warning");
+        warnings.map(|message| format!("{} {}", message["path"], message["code"]).replace('"', "")).collect::<Vec<_>>()
+    };
+    assert_eq!(codes(POSITION_A, "m1=1500:1600:100"), [""; 0]);
+    assert_eq!(codes(POSITION_A, "m1=1.5:1500:749.25"), ["vehicle.1 unusual-mass", "vehicle.1 unusual-radius-of-gyration"]);
+    assert_eq!(codes(POSITION_A, "v1=10:150:70"), ["vehicle.1 unusual-speed"]);
+    assert_eq!(codes(POSITION_A, "vehicle.1.speed=10:12:1"), [""; 0]);
+    assert_eq!(codes("cli/examples/crabbed-barrier.toml", "vehicle.1.speed=10:12:1"), ["vehicle.1.speed speed-along-heading"]);
+}
+
 #[test]
 fn table_2_is_one_command() {
     let text = done(POSITION_A, &["--vary", TABLE_2, "--units", "us"]);
@@ -211,7 +228,9 @@ fn charts_of_odd_sizes_are_drawn() {
         ("e=0:1:0.25", &["--of", "all", "--vary", "Gamma=0 deg:4 deg:2 deg"]),
         ("e=0:0.3:0.1", &["--of", "T_before", "--vary", "Gamma=0 deg:4 deg:2 deg"]),
     ] {
-        let chart = done(POSITION_A, &[&["--vary", vary, "--format", "svg"], more].concat());
+        let run = sweep(POSITION_A, &[&["--vary", vary, "--format", "svg"], more].concat());
+        let chart = run.out;
+        assert_eq!(run.status, 0, "{vary}: {}", run.err);
         assert!(chart.trim_end().ends_with("</svg>") && !chart.contains("NaN") && !chart.contains("inf"), "{vary} {more:?}");
     }
 }

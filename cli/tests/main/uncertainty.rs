@@ -563,6 +563,35 @@ fn a_note_that_the_format_has_no_place_for_is_on_standard_error() {
     }
 }
 
+/// An output of the motion has the name of an input, which `reconstruct` takes for the motion before the impact.
+#[test]
+fn a_probability_of_a_motion_says_that_it_is_after_the_impact() {
+    for (statement, is_told) in [
+        ("vehicle.1.velocity.x > 12 m/s", true),
+        ("vehicle.2.yaw_rate > 1 rad/s", true),
+        ("result.vehicle.1.velocity.x > 12 m/s", false),
+        ("dV1 > 1 m/s", false),
+    ] {
+        let call = [
+            "uncertainty",
+            "cli/examples/uncertain.toml",
+            "--samples",
+            "1000",
+            "--of",
+            "T_L",
+            "--format",
+            "json",
+            "--probability",
+            statement,
+        ];
+        let answer = answered(&crate::process::run(&workspace(), &call));
+        let all = answer["messages"].as_array().map_or(&[][..], Vec::as_slice);
+        let told: Vec<&Value> = all.iter().filter(|message| message["code"] == "after-impact").collect();
+        assert_eq!(told.len(), usize::from(is_told), "{statement}: {}", answer["messages"]);
+        assert!(told.iter().all(|message| message["path"] == statement));
+    }
+}
+
 /// A car that is struck straight from behind: half of the directions are to either side of 180°, as they are printed, on whichever side the nominal one is.
 #[test]
 fn a_probability_of_a_direction_is_that_of_the_printed_angle() {

@@ -329,3 +329,40 @@ fn a_direction_of_force_that_the_impact_contradicts_is_named() {
     let [turned, behind] = [format!("{:.1} deg", -found), "165 deg".to_owned()];
     assert_eq!([near, turned, behind].map(|pdof| of(&pdof)), [false, true, true]);
 }
+
+/// A number without a unit beside one of the same table that has one is in SI, which is hardly meant.
+#[test]
+fn a_number_without_a_unit_beside_one_that_has_one_is_told() {
+    let told = |speed: &str, center: &str, restitution: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = \"0 deg\"\n{speed}\nimpact_center = {center}\n\
+             [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = {restitution}\nimpulse_ratio = 0.1\n"
+        );
+        let run = run_with_input(&["solve", "-", "--format", "json"], &case);
+        assert_eq!(run.status, 0, "{case}: {}", run.err);
+        let solution: Value = serde_json::from_str(&run.out).expect("JSON");
+        let all = solution["messages"].as_array().cloned().unwrap_or_default();
+        let mixed = all.into_iter().filter(|message| message["code"] == "mixed-units");
+        mixed
+            .map(|message| (message["path"].as_str().expect("a path").to_owned(), message["text"].as_str().expect("words").to_owned()))
+            .collect::<Vec<_>>()
+    };
+    for (speed, center, restitution, path) in [
+        ("speed = { min = \"50 km/h\", max = 60 }", "[2, 0.3]", "0.1", "vehicle.1.speed.max"),
+        ("speed = { value = \"54 km/h\", sd = 3 }", "[2, 0.3]", "0.1", "vehicle.1.speed.sd"),
+        ("velocity = [9, \"5 km/h\"]", "[2, 0.3]", "0.1", "vehicle.1.velocity.1"),
+        ("speed = 10", "[\"75 in\", 0.3]", "0.1", "vehicle.1.impact_center.2"),
+        ("speed = 10", "[2, 0.3]", "{ value = \"10 %\", sd = 0.02 }", "contact.restitution.sd"),
+    ] {
+        let found = told(speed, center, restitution);
+        assert!(found.len() == 1 && found[0].0 == path && found[0].1.starts_with(path), "{path}: {found:?}");
+    }
+    for (speed, center, restitution) in [
+        ("speed = { value = \"15 m/s\", sd = 0.5 }", "[\"2 m\", 0.3]", "\"10 %\""),
+        ("velocity = [\"54 km/h\", 0]", "[2, 0.3]", "{ value = 0.1, sd = 0.02 }"),
+        ("speed = { value = \"54 km/h\", relative = 0.1 }", "[\"75 in\", \"0.3 m\"]", "\"10 % ± 2 %\""),
+        ("speed = \"54 km/h ± 3\"", "[2, 0.3]", "0.1"),
+    ] {
+        assert_eq!(told(speed, center, restitution), [], "{speed} {center} {restitution}");
+    }
+}

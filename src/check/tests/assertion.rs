@@ -9,7 +9,7 @@ fn a_finding_says_what_and_how_much() {
     let outcome = check(&record, &Options::default());
     let text = alloc::format!("{outcome}");
     assert!(
-        text.starts_with("case-1: fail\n  reported (fail): reported.energy_loss is said to be 190000, and the motions give 18616"),
+        text.starts_with("case-1: fail\n  reported (fail): reported.energy_loss is said to be 190000 J, and the motions give 18616"),
         "{text}"
     );
 }

@@ -106,18 +106,11 @@ impl CaseReader {
     fn note_unusual(&self, table: &Table<'_>, inputs: &CrushInputs) {
         let crush = inputs.on_scalar(|_| 0.0);
         let profile = &crush.profile;
-        let mut lines = crush.zones.zones().iter().map(|zone| ForceLine::from(*zone));
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
-        if let Some(deepest) = profile.depths().iter().copied().reduce(f64::max) {
-            let unusual = [unusual::depth(&format!("{path}.depths"), deepest), unusual::width(path, profile.width())];
-            self.notices.borrow_mut().extend(unusual.into_iter().flatten());
-            if deepest == 0.0 {
-                warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
-            } else {
-                let of = lines.find_map(|line| unusual::stiffness(&format!("{path}.stiffness"), line));
-                self.notices.borrow_mut().extend(of);
-            }
+        self.notices.borrow_mut().extend(unusual::sizes_of_crush(path, inputs));
+        if profile.depths().iter().copied().reduce(f64::max) == Some(0.0) {
+            warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {

@@ -87,7 +87,10 @@ impl CaseReader {
                 read.into_iter().collect()
             }
             None => {
-                let help = did_you_mean(name, names_of_evidence()).unwrap_or_else(known_names);
+                // Its usual abbreviation is nearer to other names.
+                let of = name.to_ascii_lowercase();
+                let spelled = of.strip_suffix(".ees").map_or_else(|| name.to_owned(), |of| format!("{of}.equivalent_energy_speed"));
+                let help = did_you_mean(&spelled, names_of_evidence()).unwrap_or_else(known_names);
                 field.report("nothing that can be measured has this name", Some(help));
                 None
             }

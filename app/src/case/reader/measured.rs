@@ -173,6 +173,11 @@ impl CaseReader {
             );
             return None;
         }
+        if is_pure && is_of_value && !is_of_deviation {
+            let help = format!("write both as numbers, or \"{} \u{b1} {} %\"", value.trim(), deviation.trim());
+            field.report("the value is in percent, and its standard deviation is not", Some(help));
+            return None;
+        }
         let share = is_of_deviation && !is_pure;
         let (amount, size, spread): (_, f64, fn(f64) -> Spread) = if value.trim() == FROM_CRUSH && kind.name == Kind::ENERGY.name {
             let kind = if share { Kind::PURE } else { kind.difference() };

@@ -48,6 +48,12 @@ pub(super) const UNREADABLE: &[Bad] = &[
         23,
         &["evidence.vehicle.1.seperation_velocity", "did you mean `vehicle.1.separation_velocity`?"],
     ),
+    question(
+        "the abbreviation of an equivalent energy speed",
+        &[("separation_velocity = [\"-6.4 m/s ± 0.5 m/s\", \"3.8 m/s ± 0.5 m/s\"]", "EES = \"10 m/s ± 1 m/s\"")],
+        23,
+        &["evidence.vehicle.1.EES", "did you mean `vehicle.1.equivalent_energy_speed`?"],
+    ),
     question("evidence of a third vehicle", &[("vehicle.1.sep", "vehicle.3.sep")], 23, &["evidence.vehicle.3.separation_velocity"]),
     question("one component", &[("[\"-6.4 m/s ± 0.5 m/s\", \"3.8 m/s ± 0.5 m/s\"]", "\"6 m/s\"")], 23, &["an array of two values"]),
     question("an energy in N", &[("40 kJ ± 2 kJ", "40 kN ± 2 kN")], 22, &["evidence.crush_energy", "an energy is expected"]),

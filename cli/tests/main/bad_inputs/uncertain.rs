@@ -48,6 +48,11 @@ pub(super) const BAD: &[Bad] = &[
         &["contact.restitution.closing_speed.2: the closing speed is not above the one before it", "in the order of their closing speeds"],
     ),
     restitution(
+        "a percentage with a deviation that is none",
+        &[(E, "restitution = \"10 % ± 2\"")],
+        &["contact.restitution: the value is in percent, and its standard deviation is not", "write both as numbers, or \"10 % ± 2 %\""],
+    ),
+    restitution(
         "a curve of one point",
         &[(E, "restitution = { closing_speed = [\"9 m/s\"], restitution = [0.1] }")],
         &["contact.restitution.closing_speed: a curve needs at least two points; it has 1", "restitution = 0.2"],

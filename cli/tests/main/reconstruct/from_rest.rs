@@ -132,11 +132,11 @@ fn what_counts_twice_is_told() {
 /// Two vehicles have two crush energies, of which the total is the sum.
 #[test]
 fn the_crush_energies_of_two_vehicles_count_twice() {
-    let told = |evidence: &[&str]| {
+    let told_of = |evidence: &[&str], unknown: &str| {
         let case = format!(
-            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\nspeed = 10\n[[vehicle]]\n\
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\nvelocity = [10, 0]\n[[vehicle]]\n\
              mass = 1500\nyaw_inertia = 2500\nheading = \"180 deg\"\nimpact_center = [2, 0]\nspeed = 10\n[contact]\ncrush_plane = 0\n\
-             restitution = 0.1\n[evidence]\n{}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0 }}\n",
+             restitution = 0.1\n[evidence]\n{}\n[unknown]\n{unknown}\n",
             evidence.join("\n")
         );
         let run = run_with_input(&["reconstruct", "-", "--format", "json"], &case);
@@ -144,19 +144,41 @@ fn the_crush_energies_of_two_vehicles_count_twice() {
         let all = answer["messages"].as_array().expect("messages");
         all.iter().filter(|message| message["code"] == "counts-twice").map(|message| message["text"].to_string()).collect::<Vec<_>>()
     };
+    let told = |evidence: &[&str]| told_of(evidence, "vehicle.1.speed = { start = 10, min = 0 }");
     let total = "crush_energy = \"150 kJ ± 10 kJ\"";
     let [one, two] = ["vehicle.1.crush_energy = \"75 kJ ± 8 kJ\"", "vehicle.2.crush_energy = \"75 kJ ± 8 kJ\""];
     let [speed, work] = ["vehicle.1.equivalent_energy_speed = \"10 m/s ± 0.5 m/s\"", "energy.normal_work = \"-150 kJ ± 10 kJ\""];
     let impulses = ["P_n", "P_t", "P_x"].map(|name| format!("{name} = \"15000 N s ± 500 N s\""));
     let [normal, tangential, along] = impulses.each_ref().map(String::as_str);
     let [before, component] = ["vehicle.1.speed = \"10 m/s ± 0.5 m/s\"", "vehicle.1.velocity.x = \"10 m/s ± 0.5 m/s\""];
-    for once in [&[total][..], &[one, two], &[work], &[normal, tangential], &[component]] {
+    let [friction, loss] = ["energy.tangential_work = \"0 kJ ± 1 kJ\"", "energy.loss = \"148.5 kJ ± 5 kJ\""];
+    let [energy, left] = ["energy.before = \"150 kJ ± 5 kJ\"", "energy.after = \"1.5 kJ ± 0.5 kJ\""];
+    let [approach, rebound, ratio] = ["v_n = \"-20 m/s ± 1 m/s\"", "V_n = \"2 m/s ± 0.3 m/s\"", "contact.impulse_ratio = \"0 ± 0.1\""];
+    let restitution = "contact.restitution = \"0.1 ± 0.02\"";
+    for once in
+        [&[total][..], &[one, two], &[work], &[normal, tangential], &[component], &[friction, loss], &[energy, loss], &[approach, rebound]]
+    {
         assert!(told(once).is_empty(), "{once:?}");
     }
-    for twice in [&[total, work][..], &[one, two, speed], &[total, one, two], &[normal, tangential, along], &[before, component]] {
+    for twice in [
+        &[total, work][..],
+        &[one, two, speed],
+        &[total, one, two],
+        &[normal, tangential, along],
+        &[normal, tangential, ratio],
+        &[before, component],
+        &[work, friction, loss],
+        &[energy, left, loss],
+        &[approach, rebound, restitution],
+    ] {
         let told = told(twice);
         assert!(told.len() == 1 && told[0].contains("count as independent"), "{twice:?}: {told:?}");
     }
+    // Of two components that are sought the speed is the one along the heading.
+    let both = "vehicle.1.velocity.x = { start = 10, min = 0 }\nvehicle.1.velocity.y = { start = 0 }";
+    let across = "vehicle.1.velocity.y = \"0 m/s ± 0.5 m/s\"";
+    assert!(told_of(&[before, across], both).is_empty() && told_of(&[component, across], both).is_empty());
+    assert!(told_of(&[before, component], both)[0].contains("the velocity along the heading"));
 }
 
 /// Columns of one file whose rows are correlated give a warning if the case gives no correlation.

@@ -562,6 +562,23 @@ fn a_unit_that_is_assumed_is_told_of_a_listed_channel_too() {
     assert_eq!(told("time [ms],normal_force [kN]", ""), [""; 0]);
 }
 
+/// Of two columns of one quantity one in km/h and one without a unit are hardly in different units.
+#[test]
+fn a_column_without_a_unit_beside_one_that_has_one_is_told() {
+    let rows: String = (0..=20).map(|i| format!("{},{},{}\n", 10 * i, -2 * i.min(10), i.min(10))).collect();
+    let told = |header: &str| {
+        let run = record_of(&format!("{header}\n{rows}"), None).1;
+        let json: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let all = json["messages"].as_array().cloned().unwrap_or_default();
+        let mixed = all.into_iter().filter(|message| message["code"] == "mixed-units");
+        mixed.map(|message| message["text"].as_str().expect("a text").to_owned()).collect::<Vec<_>>()
+    };
+    let mixed = "the column delta_v_left has no unit and counts in m/s, beside delta_v_forward, which is in km/h: write its unit";
+    assert_eq!(told("time [ms],delta_v_forward [km/h],delta_v_left"), [mixed]);
+    assert_eq!(told("time [ms],delta_v_forward [m/s],delta_v_left"), [""; 0]);
+    assert_eq!(told("time [ms],delta_v_forward [km/h],delta_v_left [mph]"), [""; 0]);
+}
+
 /// Milliseconds that pass for seconds, and readings of no vehicle.
 #[test]
 fn a_pulse_beyond_any_impact_is_told() {
