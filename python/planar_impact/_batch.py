@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._case import Case, names, source, unicode, whole
+from ._case import Case, names, source, truth, unicode, whole
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
 
@@ -116,7 +116,7 @@ def solve_batch(
     if derivatives not in ("columns", "array"):
         raise CaseError._with([Issue("call", "derivatives", f'unknown value {derivatives!r}; accepted: "columns", "array"')])
     if isinstance(columns, Mapping):
-        return _solve_arrays(columns, of, wrt, base, threads, bool(check), bool(fast), derivatives == "array", progress)
+        return _solve_arrays(columns, of, wrt, base, threads, truth(check, "check"), truth(fast, "fast"), derivatives == "array", progress)
     if not (hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__")):
         raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
     if derivatives == "array":
@@ -126,7 +126,7 @@ def solve_batch(
             raise CaseError._with([Issue("call", "progress", "a stream has none, its reader sees its progress; leave it out")])
         import pyarrow as pa
 
-        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, bool(check), bool(fast), threads))
+        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, truth(check, "check"), truth(fast, "fast"), threads))
     if _library(columns) == "polars" and type(columns).__name__ == "DataFrame":
         import polars as pl
 
@@ -136,7 +136,7 @@ def solve_batch(
     if _library(columns) == "pandas":
         _warn_of_nothing(columns, base is not None)
     with reporting(progress) as report:
-        answer = _native.solve_table(columns, base, of, wrt, bool(check), bool(fast), threads, report)
+        answer = _native.solve_table(columns, base, of, wrt, truth(check, "check"), truth(fast, "fast"), threads, report)
         return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
 
 

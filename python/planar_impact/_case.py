@@ -7,6 +7,8 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any, SupportsFloat, SupportsIndex, Union
 
+import numpy as np
+
 from . import _native
 from ._errors import CaseError, Issue
 
@@ -54,9 +56,16 @@ def units(value: str | None) -> str | None:
     return None if value is None else unicode(value, "units")
 
 
+def truth(value: bool, argument: str) -> bool:
+    """Return a truth; a text is none, of which ``"no"`` would be true."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{argument} is a bool, not {type(value).__name__}")
+    return bool(value)
+
+
 def number(value: SupportsFloat | SupportsIndex, argument: str) -> float:
     """Return a number; one beyond the floats is infinite, which its verb refuses."""
-    if isinstance(value, (str, bytes, bytearray)):
+    if isinstance(value, (str, bytes, bytearray, bool, np.bool_)):
         raise TypeError(f"{argument} is a number, not {type(value).__name__}")
     try:
         return float(value)
@@ -68,6 +77,8 @@ def number(value: SupportsFloat | SupportsIndex, argument: str) -> float:
 
 def whole(value: SupportsIndex, argument: str, least: int = 0, most: int = (1 << 64) - 1) -> int:
     """Return a whole number within limits."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{argument} is a whole number, not {type(value).__name__}")
     try:
         count = operator.index(value)
     except TypeError:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, Union
 
 from . import _native
-from ._case import Case, names, number, source, unicode, whole
+from ._case import Case, names, number, source, truth, unicode, whole
 from ._case import units as _units
 from ._errors import CaseError, Issue
 from ._progress import Progress, reporting
@@ -37,6 +37,8 @@ Range = tuple[Union[float, str], Union[float, str], Union[float, str]]
 
 
 def _several(files: Any, one: tuple[type, ...]) -> list[Any]:
+    if isinstance(files, Mapping) and Mapping not in one:
+        raise TypeError("files is a file or a sequence of files, not a dict; write it to a file")
     several = [files] if isinstance(files, one) else list(files) if isinstance(files, Iterable) else None
     if several is None:
         raise TypeError(f"files is a file or a sequence of files, not {type(files).__name__}")
@@ -98,7 +100,7 @@ def gradient(
     >>> answer.of["vehicle.1.delta_v_magnitude"].d["vehicle.1.speed"] > 1
     True
     """
-    return Gradient(_native.gradient(source(case), _units(units), names(of, "of"), names(wrt, "wrt"), bool(second)), units)
+    return Gradient(_native.gradient(source(case), _units(units), names(of, "of"), names(wrt, "wrt"), truth(second, "second")), units)
 
 
 def sweep(
@@ -223,7 +225,7 @@ def reconstruct(
     """
     statements = names(probability, "probability")
     starts, seed = whole(starts, "starts"), whole(seed, "seed")
-    question = (starts, seed, number(level, "level"), bool(profile), bool(guaranteed), number(bounds_sd, "bounds_sd"), bool(posterior), statements, bool(draws))
+    question = (starts, seed, number(level, "level"), truth(profile, "profile"), truth(guaranteed, "guaranteed"), number(bounds_sd, "bounds_sd"), truth(posterior, "posterior"), statements, truth(draws, "draws"))
     with reporting(progress) as report:
         return Reconstruction(_native.reconstruct(source(case), _units(units), *question, report), units)
 
@@ -435,7 +437,7 @@ def report(
     True
     """
     date = None if date is None else unicode(date, "date")
-    return _native.report(source(case), _units(units), None if verb is None else unicode(verb, "verb"), bool(posterior), date, names(sections, "sections"))
+    return _native.report(source(case), _units(units), None if verb is None else unicode(verb, "verb"), truth(posterior, "posterior"), date, names(sections, "sections"))
 
 
 def template(kind: str = "t-bone") -> str:

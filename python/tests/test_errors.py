@@ -373,6 +373,11 @@ UNTYPED: Any = planar_impact
         (lambda case: UNTYPED.check("x", tolerance="a"), "tolerance"),
         (lambda case: UNTYPED.record(5), "files"),
         (lambda case: UNTYPED.solve_batch({"vehicle.1.speed": [1.0]}, case=case, threads="2"), "threads"),
+        (lambda case: UNTYPED.solve_batch({"vehicle.1.speed": [1.0]}, case=case, threads=True), "threads"),
+        (lambda case: UNTYPED.solve_batch({"vehicle.1.speed": [1.0]}, case=case, fast="no"), "fast"),
+        (lambda case: UNTYPED.gradient(case, second=1), "second"),
+        (lambda case: UNTYPED.sweep(case, vary={"e": (True, 0.2, 0.1)}), "vary e"),
+        (lambda case: UNTYPED.check({"schema": "planar-impact-record/1"}), "files"),
     ],
 )
 def test_an_argument_of_another_type_is_named(call: Any, argument: str) -> None:

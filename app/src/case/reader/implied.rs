@@ -12,7 +12,7 @@ use crate::case::inputs::Inputs;
 use crate::case::knowledge::{LeftOut, parameter_of, variable_of};
 use crate::case::parameter::Parameter;
 use crate::case::uncertain::Uncertain;
-use crate::case::vehicle::Inertia;
+use crate::case::vehicle::{Inertia, Velocity};
 use crate::document::Table;
 use crate::units::Measure;
 
@@ -154,8 +154,16 @@ impl<'a> ImpliedValues<'a> {
             } else if let Some(Ok(given)) = parameter_of(variable).map(|parameter| inputs.value(parameter))
                 && differ(variable, given, value)
             {
-                let help = "leave one of them out, or say how far the evidence may be off: it is then solved for".to_owned();
-                piece.place.report("the vehicle or the contact gives another value", Some(help));
+                let has_components = |side: Side| {
+                    inputs.vehicles[side as usize].as_ref().is_some_and(|vehicle| matches!(vehicle.velocity, Velocity::Components(_)))
+                };
+                let help = match variable {
+                    Variable::Speed(side) if has_components(side) => {
+                        "leave one of them out: the case gives a velocity, of which the components may be evidence"
+                    }
+                    _ => "leave one of them out, or say how far the evidence may be off: it is then solved for",
+                };
+                piece.place.report("the vehicle or the contact gives another value", Some(help.to_owned()));
                 agrees = false;
             }
         }

@@ -54,6 +54,26 @@ pub(super) const UNREADABLE: &[Bad] = &[
         23,
         &["evidence.vehicle.1.EES", "did you mean `vehicle.1.equivalent_energy_speed`?"],
     ),
+    question(
+        "an exact speed of a vehicle that has a velocity",
+        &[
+            ("impact_center = [\"1.9 m\", \"0 m\"]\n", "impact_center = [\"1.9 m\", \"0 m\"]\nvelocity = [\"-15 m/s\", \"4 m/s\"]\n"),
+            ("crush_energy = \"40 kJ ± 2 kJ\"", "vehicle.1.speed = \"20 m/s\""),
+            ("vehicle.1.speed = { start = \"12 m/s\", min = \"0 m/s\" }\nvehicle.2", "vehicle.2"),
+        ],
+        23,
+        &["evidence.vehicle.1.speed: the vehicle or the contact gives another value", "of which the components may be evidence"],
+    ),
+    question(
+        "an exact speed of a vehicle that has another",
+        &[
+            ("impact_center = [\"1.9 m\", \"0 m\"]\n", "impact_center = [\"1.9 m\", \"0 m\"]\nspeed = \"15 m/s\"\n"),
+            ("crush_energy = \"40 kJ ± 2 kJ\"", "vehicle.1.speed = \"20 m/s\""),
+            ("vehicle.1.speed = { start = \"12 m/s\", min = \"0 m/s\" }\nvehicle.2", "vehicle.2"),
+        ],
+        23,
+        &["evidence.vehicle.1.speed: the vehicle or the contact gives another value", "it is then solved for"],
+    ),
     question("evidence of a third vehicle", &[("vehicle.1.sep", "vehicle.3.sep")], 23, &["evidence.vehicle.3.separation_velocity"]),
     question("one component", &[("[\"-6.4 m/s ± 0.5 m/s\", \"3.8 m/s ± 0.5 m/s\"]", "\"6 m/s\"")], 23, &["an array of two values"]),
     question("an energy in N", &[("40 kJ ± 2 kJ", "40 kN ± 2 kN")], 22, &["evidence.crush_energy", "an energy is expected"]),
