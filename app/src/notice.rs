@@ -49,6 +49,18 @@ impl Notice {
         (*bare && !unit.is_empty()).then(|| Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")))
     }
 
+    /// Creates the warning of a number without a unit, which counts in that of SI, beside one that has another; of a ratio the unit is empty.
+    pub(crate) fn mixed_units(path: impl Into<String>, bare: &str, si: &str, [other, unit]: [&str; 2]) -> Notice {
+        let counts = if si.is_empty() { "as a plain number".to_owned() } else { format!("in {si}") };
+        let message = format!("{bare} has no unit and counts {counts}, beside {other}, which is in {unit}: write its unit");
+        Notice::warning("mixed-units", path, message)
+    }
+
+    /// Returns `true` if both say the same of one thing, of which once is enough.
+    pub(crate) fn is_alike(&self, other: &Notice) -> bool {
+        (self.code, &self.path) == (other.code, &other.path)
+    }
+
     /// Creates a note: an assumption or an explanation.
     pub fn note(code: &'static str, path: impl Into<String>, message: impl Into<Message>) -> Notice {
         Notice { code, severity: Severity::Note, path: path.into(), message: message.into() }

@@ -2,7 +2,7 @@
 
 mod range;
 
-use planar_impact::Output;
+use planar_impact::{Heading, Output};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -127,8 +127,7 @@ fn notices(case: &Case, ranges: &[Range]) -> Vec<Notice> {
             unusual::sizes(path, *mass, vehicle.yaw_inertia(), *velocity, *yaw_rate, impact_center.length())
         });
         for notice in of_vehicles.chain(unusual::friction(&inputs.contact.impulse_ratio)) {
-            let is_alike = |other: &Notice| (other.code, &other.path) == (notice.code, &notice.path);
-            if !case.notices.0.iter().chain(&found).any(is_alike) {
+            if !case.notices.0.iter().chain(&found).any(|known| known.is_alike(&notice)) {
                 found.push(notice);
             }
         }
@@ -142,7 +141,7 @@ fn along_heading(case: &Case, parameter: Parameter) -> Option<Notice> {
     let Parameter::Speed(side) = parameter else { return None };
     let vehicle = case.inputs.vehicles[side as usize].as_ref()?;
     let Velocity::Components(velocity) = vehicle.velocity else { return None };
-    let across = velocity.y * libm::cos(vehicle.heading) - velocity.x * libm::sin(vehicle.heading);
+    let across = Heading::from_angle(vehicle.heading).to_vehicle(velocity).left;
     let message = || {
         Message::from(format!("{parameter} is varied along the heading, and its "))
             .figure(Measure::Speed, across.abs())

@@ -112,11 +112,11 @@ def solve_batch(
     """
     of, wrt = names(of, "of"), names(wrt, "wrt")
     base = None if case is None else source(case)
-    threads = _threads(threads)
+    threads, check, fast = _threads(threads), truth(check, "check"), truth(fast, "fast")
     if derivatives not in ("columns", "array"):
         raise CaseError._with([Issue("call", "derivatives", f'unknown value {derivatives!r}; accepted: "columns", "array"')])
     if isinstance(columns, Mapping):
-        return _solve_arrays(columns, of, wrt, base, threads, truth(check, "check"), truth(fast, "fast"), derivatives == "array", progress)
+        return _solve_arrays(columns, of, wrt, base, threads, check, fast, derivatives == "array", progress)
     if not (hasattr(columns, "__arrow_c_stream__") or hasattr(columns, "__arrow_c_array__")):
         raise TypeError(f"columns are a dict of arrays, or a table with __arrow_c_stream__, not {type(columns).__name__}")
     if derivatives == "array":
@@ -126,31 +126,30 @@ def solve_batch(
             raise CaseError._with([Issue("call", "progress", "a stream has none, its reader sees its progress; leave it out")])
         import pyarrow as pa
 
-        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, truth(check, "check"), truth(fast, "fast"), threads))
+        return pa.RecordBatchReader.from_stream(_native.solve_stream(columns, base, of, wrt, check, fast, threads))
     if _library(columns) == "polars" and type(columns).__name__ == "DataFrame":
         import polars as pl
 
         # It exports nulls without a type, in lists and structs too, with a buffer that those of Arrow do not have.
         typed = {name: _typed(pl, kind) for name, kind in columns.schema.items()}
         columns = columns.cast({name: kind for name, kind in typed.items() if kind != columns.schema[name]})
-    if _library(columns) == "pandas":
-        _warn_of_nothing(columns, base is not None)
+    if base is not None and _library(columns) == "pandas":
+        _warn_of_nothing(columns)
     with reporting(progress) as report:
-        answer = _native.solve_table(columns, base, of, wrt, truth(check, "check"), truth(fast, "fast"), threads, report)
+        answer = _native.solve_table(columns, base, of, wrt, check, fast, threads, report)
         return _like(columns, answer, ["check", "refusal"] if check else ["refusal"])
 
 
-def _warn_of_nothing(frame: Any, has_case: bool) -> None:
+def _warn_of_nothing(frame: Any) -> None:
     """Warn of numbers that are none: pandas has one mark for a cell without a number and for the result of 0/0."""
-    inputs = [name for name in frame.columns if isinstance(name, str) and name.startswith(("vehicle.", "contact."))]
-    for name in inputs:
-        # A name that two columns have is refused later.
-        if not has_case or list(frame.columns).count(name) > 1:
+    # A name that two columns have is refused later.
+    for name in frame.columns.drop_duplicates(keep=False):
+        if not isinstance(name, str) or not name.startswith(("vehicle.", "contact.")):
             continue
-        kind = frame[name].dtype
-        if not (isinstance(kind, np.dtype) and kind.kind == "f"):
+        column = frame[name]
+        if not isinstance(column.dtype, np.dtype) or column.dtype.kind != "f":
             continue
-        empty = frame[name].isna().to_numpy(dtype=bool)
+        empty = column.isna().to_numpy(dtype=bool)
         if empty.any():
             message = (
                 f"{name}: {int(empty.sum())} of {len(frame)} rows have NaN, which pandas takes as an empty cell, and are solved with the number of "

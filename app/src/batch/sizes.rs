@@ -20,7 +20,7 @@ pub struct Unusual {
 impl Unusual {
     /// Returns `true` if both are about the same size of the same vehicle or contact.
     pub fn is_alike(&self, other: &Unusual) -> bool {
-        (self.warning.code, &self.warning.path) == (other.warning.code, &other.warning.path)
+        self.warning.is_alike(&other.warning)
     }
 
     /// Returns the same of a part whose rows come after others of the table.

@@ -93,7 +93,9 @@ impl MeasuredKinematics {
     pub(super) fn followed(&self) -> FollowedPoint {
         let [x, y] = [0, 1].map(|at| self.numbers[at]);
         let speed = libm::hypot(x.value, y.value);
-        let variance = (x.value * x.value * x.variance + y.value * y.value * y.variance) / (speed * speed);
+        // Of a vehicle at rest either component is the speed.
+        let share = |component: f64| if speed > 0.0 { component / speed } else { 1.0 };
+        let variance = [x, y].map(|of| share(of.value) * share(of.value) * of.variance).iter().sum();
         let place = [7, 8].map(|at| self.numbers[at]);
         FollowedPoint { place, speed: Estimate { value: speed, variance }, barrier: self.barrier - self.heading }
     }

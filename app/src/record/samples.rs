@@ -85,11 +85,7 @@ impl Samples {
             let other = self.headers.iter().enumerate().filter(is_alike).find_map(|(_, other)| Some((other, other.unit.as_deref()?)));
             Some(match other.filter(|(_, unit)| *unit != si) {
                 Some((other, unit)) => {
-                    let message = format!(
-                        "the column {} has no unit and counts in {si}, beside {}, which is in {unit}: write its unit",
-                        header.name, other.name
-                    );
-                    Notice::warning("mixed-units", header.name.clone(), message)
+                    Notice::mixed_units(header.name.as_str(), &format!("the column {}", header.name), si, [&other.name, unit])
                 }
                 None => Notice::note("unit-assumed", header.name.clone(), format!("the column {} has no unit: {si} assumed", header.name)),
             })

@@ -67,8 +67,9 @@ fn of_page(out: &str) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     let mut is_open = false;
     for line in out.lines() {
-        if line.starts_with("Warning: ") || line.starts_with("Note: ") {
-            found.push(line.replacen('W', "w", 1).replacen('N', "n", 1));
+        let of = [("Warning: ", "warning: "), ("Note: ", "note: ")];
+        if let Some((severity, text)) = of.iter().find_map(|(written, severity)| Some((severity, line.strip_prefix(written)?))) {
+            found.push(format!("{severity}{text}"));
             is_open = true;
         } else if let Some(more) = line.strip_prefix("  ").filter(|_| is_open) {
             let last = found.last_mut().expect("a message is open");

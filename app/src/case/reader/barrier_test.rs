@@ -81,33 +81,14 @@ impl CaseReader {
             let message = Message::from("has a speed of ").figure(Measure::Speed, of_test.value).text(" and the case one of ");
             warn("another-test", message.figure(Measure::Speed, speed).text(": the restitution falls as the speed rises"));
         }
-        let ForwardLeft { forward, left } = vehicle.impact_center;
-        let is_known = |input: Input| !is_sought(Variable::Input(input));
-        if let Some(FollowedPoint { place: [ahead, beside], barrier, .. }) = &test.followed {
-            let apart = |of_test: &Estimate, of_case: f64| ((of_test.value - of_case).abs() - 2.0 * of_test.deviation()).max(0.0);
-            let has_center = is_known(Input::ImpactCenterForward(side)) && is_known(Input::ImpactCenterLeft(side));
-            if has_center && libm::hypot(apart(ahead, forward), apart(beside, left)) > SAME_POINT {
-                let place = |message: Message, [ahead, left]: [f64; 2]| {
-                    message
-                        .figure(Measure::Length, ahead)
-                        .text(" ahead of the center of mass and ")
-                        .figure(Measure::Length, left)
-                        .text(" to its left")
-                };
-                let message =
-                    place(Message::from("follows a point "), [ahead.value, beside.value]).text(", and the impact center of the case is ");
-                warn("another-test", place(message, [forward, left]).text(": the restitution is that of the point"));
-            }
-            let of_case = crush_plane - vehicle.heading;
-            let has_angles = is_known(Input::CrushPlane) && is_known(Input::Heading(side));
-            if has_angles && libm::sin(barrier - of_case).abs() > libm::sin(SAME_ANGLE) {
-                let message = Message::from("has its barrier at ")
-                    .figure(Measure::Angle, *barrier)
-                    .text(" from the heading of the vehicle, and the case its crush plane at ");
-                warn("another-test", message.figure(Measure::Angle, of_case).text(": the restitution is that along another normal"));
+        if let Some(followed) = &test.followed {
+            let is_known = |input: Input| !is_sought(Variable::Input(input));
+            for message in differences(followed, side, vehicle, crush_plane, &is_known) {
+                warn("another-test", message);
             }
         }
         let Some(restitution) = test.of_center else { return Some(()) };
+        let ForwardLeft { forward, left } = vehicle.impact_center;
         let party = Vehicle::new(vehicle.mass, vehicle.yaw_inertia())
             .with_heading(Heading::from_angle(vehicle.heading))
             .with_impact_center(forward, left);
@@ -138,4 +119,35 @@ impl CaseReader {
         place.report_as("restitution-of-center", message, Some(help));
         None
     }
+}
+
+/// Returns how the point and the barrier of a test differ from the impact center and the crush plane of a case, where these are known.
+fn differences(
+    followed: &FollowedPoint,
+    side: Side,
+    vehicle: &VehicleInputs,
+    crush_plane: f64,
+    is_known: &dyn Fn(Input) -> bool,
+) -> Vec<Message> {
+    let FollowedPoint { place: [ahead, beside], barrier, .. } = followed;
+    let ForwardLeft { forward, left } = vehicle.impact_center;
+    let mut found = Vec::new();
+    let apart = |of_test: &Estimate, of_case: f64| ((of_test.value - of_case).abs() - 2.0 * of_test.deviation()).max(0.0);
+    let has_center = is_known(Input::ImpactCenterForward(side)) && is_known(Input::ImpactCenterLeft(side));
+    if has_center && libm::hypot(apart(ahead, forward), apart(beside, left)) > SAME_POINT {
+        let at = |message: Message, [ahead, left]: [f64; 2]| {
+            let message = message.figure(Measure::Length, ahead).text(" ahead of the center of mass and ");
+            message.figure(Measure::Length, left).text(" to its left")
+        };
+        let message = at("follows a point ".into(), [ahead.value, beside.value]).text(", and the impact center of the case is ");
+        found.push(at(message, [forward, left]).text(": the restitution is that of the point"));
+    }
+    let of_case = crush_plane - vehicle.heading;
+    let has_angles = is_known(Input::CrushPlane) && is_known(Input::Heading(side));
+    if has_angles && libm::sin(barrier - of_case).abs() > libm::sin(SAME_ANGLE) {
+        let message = Message::from("has its barrier at ").figure(Measure::Angle, *barrier);
+        let message = message.text(" from the heading of the vehicle, and the case its crush plane at ").figure(Measure::Angle, of_case);
+        found.push(message.text(": the restitution is that along another normal"));
+    }
+    found
 }

@@ -35,9 +35,7 @@ impl NumbersBeside {
             false => &mut beside.with_unit.get_or_insert_with(|| (path.to_owned(), unit.clone())).0,
         };
         let (bare, (other, unit)) = (beside.bare.as_ref()?, beside.with_unit.as_ref()?);
-        let counts = if kind.si.is_empty() { "as a plain number".to_owned() } else { format!("in {}", kind.si) };
-        let message = format!("{bare} has no unit and counts {counts}, beside {other}, which is in {unit}: write its unit");
-        let notice = Notice::warning("mixed-units", bare.clone(), message);
-        (!std::mem::replace(&mut beside.is_told, true)).then_some(notice)
+        let is_first = !std::mem::replace(&mut beside.is_told, true);
+        is_first.then(|| Notice::mixed_units(bare.as_str(), bare, kind.si, [other, unit]))
     }
 }

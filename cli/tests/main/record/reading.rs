@@ -174,6 +174,20 @@ fn kinematics_of_another_test_are_warned_of() {
     folder.write("kinematics.toml", kinematics.as_bytes());
     let wall = "barrier = true";
     let car = "mass = 1000\nyaw_inertia = 1500\nheading = \"180 deg\"\nspeed = 0\nimpact_center = [2, 0]";
+    let told = |center: &str, plane: &str, speed: &str, other: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = {speed}\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
+             [contact]\ncrush_plane = {plane}\nimpulse_ratio = 0\n[evidence]\ncontact.record = {{ file = \"kinematics.toml\" }}\n\
+             [unknown]\ncontact.restitution = {{ start = 0.1 }}\n"
+        );
+        folder.write("case.toml", case.as_bytes());
+        let run = run(folder.path(), &["reconstruct", "case.toml", "--units", "si", "--format", "json"]);
+        assert!(run.status <= 1, "{}", run.err);
+        let answer: Value = serde_json::from_str(&run.out).expect("JSON");
+        let all = answer["messages"].as_array().map_or(&[][..], Vec::as_slice);
+        let texts = all.iter().filter_map(|message| message["text"].as_str()).filter(|text| text.contains("kinematics.toml "));
+        texts.map(str::to_owned).collect::<Vec<_>>()
+    };
     for (center, plane, speed, other, words) in [
         ("[1.9, 0.1]", "0", "10", wall, ""),
         ("[1.9, 0.2]", "\"180 deg\"", "10", wall, ""),
@@ -195,21 +209,15 @@ fn kinematics_of_another_test_are_warned_of() {
         ("[1.9, 0.1]", "0", "14", wall, "has a speed of 10.00 m/s and the case one of 14.00 m/s"),
         ("[1.9, 0.1]", "0", "10", car, "here two vehicles collide"),
     ] {
-        let case = format!(
-            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = {speed}\nimpact_center = {center}\n[[vehicle]]\n{other}\n\
-             [contact]\ncrush_plane = {plane}\nimpulse_ratio = 0\n[evidence]\ncontact.record = {{ file = \"kinematics.toml\" }}\n\
-             [unknown]\ncontact.restitution = {{ start = 0.1 }}\n"
-        );
-        folder.write("case.toml", case.as_bytes());
-        let run = run(folder.path(), &["reconstruct", "case.toml", "--units", "si", "--format", "json"]);
-        assert!(run.status <= 1, "{words}: {}", run.err);
-        let answer: Value = serde_json::from_str(&run.out).expect("JSON");
-        let all = answer["messages"].as_array().map_or(&[][..], Vec::as_slice);
-        let found: Vec<&str> =
-            all.iter().filter_map(|message| message["text"].as_str()).filter(|text| text.contains("kinematics.toml ")).collect();
+        let found = told(center, plane, speed, other);
         assert_eq!(found.len(), usize::from(!words.is_empty()), "{words}: {found:?}");
         assert!(found.iter().all(|text| text.contains(words)), "{words}: {found:?}");
     }
+    // A vehicle that turns about its center of mass has no speed.
+    let turning = kinematics.replace("velocity = [8, 6]", "velocity = [0, 0], yaw_rate = -20");
+    folder.write("kinematics.toml", turning.as_bytes());
+    let found = told("[1.9, 0.1]", "0", "10", wall);
+    assert!(found.len() == 1 && found[0].contains("has a speed of 0 m/s and the case one of 10.00 m/s"), "{found:?}");
 }
 
 /// As in the documentation of `MeasuredContact::restitution`: e = (0.5 + Ω (0.2 cos 0.05 + 1.5 sin 0.05))/10, with a standard deviation from that of the
