@@ -69,6 +69,7 @@ mod solve_error;
 mod standstill;
 mod variable;
 mod verdict;
+mod way_to_rest;
 mod weight;
 mod within_limits;
 

@@ -894,7 +894,7 @@ class Evidence(Facts[Any]):
     sd: float | None
     """Its standard deviation; ``null`` if it is exact."""
     standardised_residual: float | None
-    """Given minus computed, in standard deviations."""
+    """Given minus computed, in standard deviations. Of separations from rest on locked wheels what the ways differ by."""
 
 
 class FurthestOff(Facts[Any]):
@@ -911,7 +911,7 @@ class FurthestOff(Facts[Any]):
     sd: float | None
     """Its standard deviation; ``null`` if it is exact."""
     standardised_residual: float | None
-    """Given minus computed, in standard deviations."""
+    """Given minus computed, in standard deviations. Of separations from rest on locked wheels what the ways differ by."""
 
 
 class Alternative(Facts[Any]):

@@ -55,6 +55,19 @@ pub struct SlidingVehicle<T = f64> {
     pub tires: Tires<T>,
 }
 
+impl SlidingVehicle {
+    /// Returns `true` if no wheel rotates: friction alone brakes it, and a motion that is k times as fast goes about k² times as far. Errors of its separation are then
+    /// those of its way ([`ReconstructionProblem::separation_from_rest`](crate::reconstruct::ReconstructionProblem::separation_from_rest)).
+    pub fn is_locked(&self) -> bool {
+        let locks = |wheel: WheelPosition| match self.wheels.of(wheel).restraint {
+            Restraint::Locked => true,
+            Restraint::Braked(share) => share >= 1.0,
+            Restraint::Rolling => false,
+        };
+        WheelPosition::ALL.into_iter().all(locks)
+    }
+}
+
 /// Position of a wheel on its vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -58,7 +58,7 @@ impl<'a> Density<'a> {
             return None;
         }
         let (placed, impact) = self.model.solve(unknowns).ok()?;
-        let mut residuals = self.model.residuals(&self.model.measured(unknowns, &placed, &impact));
+        let mut residuals = self.model.residuals(&self.model.compared(unknowns, &placed, &impact));
         let mut log = 0.0;
         for Shaped { unknown, residual, sd, shape } in &self.shaped {
             // A Gaussian copula: the score has the normal distribution and the correlations, the value has its own density.

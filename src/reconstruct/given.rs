@@ -143,6 +143,9 @@ pub struct ReconstructionProblem {
     /// `true` if vehicle 1 or vehicle 2 keeps its radius of gyration: an unknown mass then also changes the yaw inertia. A vehicle whose radius of gyration
     /// is unknown always does.
     pub holds_radius_of_gyration: [bool; 2],
+    /// `true` if the separation velocity and the yaw rate of vehicle 1 or vehicle 2, as evidence, were computed from its way to rest on locked wheels: their errors are
+    /// then those of the way, which grows as the square of the motion, and hold down to a standstill. To first order this changes nothing.
+    pub separation_from_rest: [bool; 2],
     /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
     /// The skid speed of vehicle 1 and of vehicle 2 ([`Variable::SkidSpeed`]), if it is known.
@@ -239,6 +242,7 @@ impl ReconstructionProblem {
             prior_correlations: Vec::new(),
             drives_along_heading: [false; 2],
             holds_radius_of_gyration: [false; 2],
+            separation_from_rest: [false; 2],
             crush_share: None,
             skid_speeds: [None; 2],
         }

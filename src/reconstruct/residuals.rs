@@ -8,6 +8,7 @@ use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
 use super::variable::turns;
+use super::way_to_rest::WayToRest;
 use super::weight::Weights;
 use crate::impact::Impact;
 use crate::least_squares::Residuals;
@@ -21,6 +22,7 @@ pub(super) struct Model<'a> {
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
     dependences: Vec<PlacedDependence>,
+    ways: Vec<WayToRest>,
     scene: Scene,
     /// A significant change of each unknown.
     scales: Vec<f64>,
@@ -34,6 +36,7 @@ impl<'a> Model<'a> {
             weights: Weights::of(question, &evidence),
             scene: Scene::of(question),
             dependences: question.placed_dependences(),
+            ways: WayToRest::all(question, &evidence),
             evidence,
             question,
             scales,
@@ -73,8 +76,21 @@ impl<'a> Model<'a> {
 
     /// Returns the computed values of the evidence for unknowns, their collision and its impact, each less what its given value follows the unknowns by.
     pub(super) fn measured<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        let nothing = || T::int(0);
-        let mut computed: Vec<T> = self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(nothing)).collect();
+        self.followed(self.computed(placed, impact), unknowns)
+    }
+
+    /// Returns the same as the given values are compared with it: separations from rest by what their ways differ by.
+    pub(super) fn compared<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
+        let mut computed = self.computed(placed, impact);
+        self.ways.iter().for_each(|way| way.straighten(&mut computed));
+        self.followed(computed, unknowns)
+    }
+
+    fn computed<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
+        self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(|| T::int(0))).collect()
+    }
+
+    fn followed<T: Real + Copy + From<f64>>(&self, mut computed: Vec<T>, unknowns: &[T]) -> Vec<T> {
         for dependence in &self.dependences {
             computed[dependence.evidence] = computed[dependence.evidence] - dependence.change(unknowns);
         }
@@ -97,13 +113,13 @@ impl<'a> Model<'a> {
 
     fn residuals_at(&self, unknowns: &[f64]) -> Option<Vec<f64>> {
         let (placed, impact) = self.solve(unknowns).ok()?;
-        Some(self.residuals(&self.measured(unknowns, &placed, &impact)))
+        Some(self.residuals(&self.compared(unknowns, &placed, &impact)))
     }
 
-    /// Returns the computed values of the evidence at given unknowns, whether or not the mechanics accepts the collision.
+    /// Returns the computed values that the evidence is compared with at given unknowns, whether or not the mechanics accepts the collision.
     fn evaluated<T: Real + Copy + From<f64>>(&self, unknowns: &[T]) -> Vec<T> {
         let placed = self.scene.place(unknowns);
-        self.measured(unknowns, &placed, &placed.evaluate())
+        self.compared(unknowns, &placed, &placed.evaluate())
     }
 
     /// Returns the derivatives of the computed evidence: a row for each piece, a column for each unknown.

@@ -43,7 +43,8 @@ pub struct Fitted {
     pub given: f64,
     /// The value computed from the solution.
     pub computed: f64,
-    /// Given less computed; for an angle the shorter way.
+    /// Given less computed; for an angle the shorter way. Of a separation from rest (`separation_from_rest` of the problem) what the ways differ by, as a change of the
+    /// given value to first order.
     pub residual: f64,
     /// The given standard deviation; `None` if it was given as exact.
     pub sd: Option<f64>,
@@ -182,7 +183,7 @@ impl Seen {
         let values = &minimum.unknowns;
         let (placed, impact) = model.solve(values).ok()?;
         let computed = model.measured(values, &placed, &impact);
-        let residuals = DVector::from_vec(model.residuals(&computed));
+        let residuals = DVector::from_vec(model.residuals(&model.compared(values, &placed, &impact)));
         let problem = WithinLimits::around(model, &placed, &impact);
         let edges = problem.margin_slopes(values, &minimum.margins);
         let slopes = Slopes::of(model, minimum, spans, edges);

@@ -35,7 +35,7 @@ fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fi
     let placed = model.place(point);
     let contact = placed.collision.contact();
     let impact = margins.piece().impact_of(&placed, &contact);
-    let mut all = model.measured(point, &placed, &impact);
+    let mut all = model.compared(point, &placed, &impact);
     all.extend(margins.of(&placed, &contact, &impact));
     all.extend(fixed.map(|fixed| model.value(fixed.of, point, &placed, &impact).unwrap_or_else(|| T::int(0))));
     all

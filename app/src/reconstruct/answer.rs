@@ -207,7 +207,7 @@ pub struct Evidence {
     pub computed: f64,
     /// Its standard deviation; `null` if it is exact.
     pub sd: Option<f64>,
-    /// Given minus computed, in standard deviations.
+    /// Given minus computed, in standard deviations. Of separations from rest on locked wheels what the ways differ by.
     pub standardised_residual: Option<f64>,
     /// Its measure.
     #[serde(skip)]

@@ -76,6 +76,7 @@ impl FromRest {
             return Err(case.unfit(unfit));
         }
         // From here on it is treated as any other evidence.
+        let locked = Side::ALL.map(|side| is_locked(&case, side));
         case.rest = None;
         let SeparationEvidence { mut evidence, mut correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
         if !case.model.is_angular() {
@@ -93,12 +94,12 @@ impl FromRest {
                 is_from_crush: false,
             });
         }
-        for (side, separation) in Side::ALL.into_iter().zip(separations) {
+        for ((side, separation), is_locked) in Side::ALL.into_iter().zip(separations).zip(locked) {
             let Some(separation) = separation else { continue };
             let number = vehicle_number(side);
             let message = format!("vehicle.{number}: its separation velocity and yaw rate are reconstructed from its rest position");
             case.notices.0.push(Notice::note("separation-from-rest", key(side), message));
-            case.notices.0.extend(of_short_slide(side, separation));
+            case.notices.0.extend(of_short_slide(side, separation, is_locked));
             if let Some(fit) = separation.fit.as_ref().filter(|fit| fit.probability < BY_CHANCE) {
                 let message = Message::from(format!(
                     "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {}",
@@ -112,11 +113,18 @@ impl FromRest {
     }
 }
 
-/// Returns a warning of a separation that is too uncertain for its first order: a slide that is not much longer than the uncertainty of the rest position determines
-/// neither its speed, which grows with the root of the way, nor its direction.
-fn of_short_slide(side: Side, separation: &Separation) -> Option<Notice> {
-    /// Share of the speed up to which intervals of 95 % contain the truth in about as many cases.
+/// Returns `true` if a vehicle slid to rest on locked wheels, so that the errors of its separation are those of its way.
+pub(super) fn is_locked(case: &Case, side: Side) -> bool {
+    let rest = case.rest.as_ref().and_then(|rest| rest.vehicles[side as usize].as_ref());
+    rest.is_some_and(|rest| rest.slide.vehicle.is_locked())
+}
+
+/// Returns a warning of a separation that is too uncertain: a slide that is not much longer than the uncertainty of the rest position determines neither its speed,
+/// which grows with the root of the way, nor its direction.
+fn of_short_slide(side: Side, separation: &Separation, is_locked: bool) -> Option<Notice> {
+    /// Share of the speed up to which intervals of 95 % contain the truth in about as many cases: to first order, and by the way on locked wheels.
     const STRAIGHT: f64 = 0.25;
+    const BY_WAY: f64 = 0.8;
     let [x, y, _] = separation.covariance.deviations();
     let (speed, sd) = (separation.motion.velocity.length(), libm::hypot(x, y));
     let message = || {
@@ -125,11 +133,11 @@ fn of_short_slide(side: Side, separation: &Separation) -> Option<Notice> {
             .text(" is uncertain by ")
             .figure(Measure::RoadSpeed, sd)
             .text(
-                ", of a way to rest that is hardly longer than its uncertainty: to first order, as it is taken, intervals may be far too narrow, and evidence that agrees \
-                 may seem to contradict itself; measure the rest position better, or leave it out",
+                ", of a way to rest that is hardly longer than its uncertainty: intervals may be too narrow, and evidence that agrees may seem to contradict itself; \
+                 measure the rest position better, or leave it out",
             )
     };
-    (sd > STRAIGHT * speed).then(|| Notice::warning("slide-short", key(side), message()))
+    (sd > if is_locked { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
 }
 
 /// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.

@@ -5,7 +5,7 @@ use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
 use super::dependences::Dependences;
 use super::from_crush::FromCrush;
-use super::from_rest::{FromRest, SeparationFromRest, Separations};
+use super::from_rest::{FromRest, SeparationFromRest, Separations, is_locked};
 use super::from_skids::FromSkids;
 use super::inputs::InputUnknowns;
 use crate::case::{Case, Inertia, Inputs, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
@@ -165,6 +165,7 @@ impl Question {
             skid_speeds: of_skids.known,
             drives_along_heading,
             holds_radius_of_gyration,
+            separation_from_rest: Side::ALL.map(|side| separations[side as usize].is_some() && is_locked(with_rest, side)),
             crush_share,
             ..ReconstructionProblem::of(settled.collision)
         };

@@ -16,6 +16,7 @@ use crate::reconstruct::measurand::Measurand;
 use crate::reconstruct::placed::Placed;
 use crate::reconstruct::scene::Scene;
 use crate::reconstruct::variable::{Variable, party};
+use crate::reconstruct::way_to_rest::WayToRest;
 use crate::scalar::Real;
 use crate::scalar::interval::Interval;
 use crate::sensitivity::dual::Dual;
@@ -27,6 +28,7 @@ pub(super) struct Equations<'a> {
     /// The equation that each error belongs to.
     errors: Vec<usize>,
     dependences: Vec<PlacedDependence>,
+    ways: Vec<WayToRest>,
     pub(super) whole: Vec<Interval>,
     /// The least and the greatest value of each unknown that is looked at where nothing else limits it.
     pub(super) assumed: Vec<[Option<f64>; 2]>,
@@ -95,20 +97,29 @@ impl<'a> Equations<'a> {
             errors.push(place);
             whole.push(within(limit));
         }
-        Ok(Equations { problem, scene: Scene::of(problem), errors, dependences: problem.placed_dependences(), whole, assumed })
+        Ok(Equations {
+            problem,
+            scene: Scene::of(problem),
+            errors,
+            dependences: problem.placed_dependences(),
+            ways: WayToRest::all(problem, &problem.evidence),
+            whole,
+            assumed,
+        })
     }
 
     pub(super) fn unknowns(&self) -> usize {
         self.problem.unknowns.len()
     }
 
-    /// Returns what a piece of evidence says of a value.
+    /// Returns what a piece of evidence says of a value, with its computed value if that is not the one of the impact.
     ///
     /// Angles are stated by the sine of their difference and its cosine, and lengths by their squares: these have derivatives everywhere.
     fn statement<T: Real + Copy + From<f64>>(
         &self,
         evidence: &Evidence,
         sought: T,
+        computed: Option<T>,
         placed: &Placed<T>,
         impact: &Impact<T>,
     ) -> Statement<T> {
@@ -153,7 +164,7 @@ impl<'a> Equations<'a> {
                     let (sin, cos) = (value(of) - sought).sin_and_cos();
                     Statement { residual: sin, ahead: if period < TAU { T::int(1) } else { cos } }
                 }
-                None => Statement { residual: value(of) - sought, ahead: T::int(1) },
+                None => Statement { residual: computed.unwrap_or_else(|| value(of)) - sought, ahead: T::int(1) },
             },
         }
     }
@@ -171,11 +182,15 @@ impl<'a> Equations<'a> {
             let own = self.dependences.iter().filter(move |dependence| dependence.evidence == place);
             own.fold(T::from(evidence.value) + error(place), |sought, dependence| sought + dependence.change(numbers))
         };
-        self.problem
-            .evidence
-            .iter()
-            .enumerate()
-            .map(move |(place, evidence)| self.statement(evidence, sought(place, evidence), placed, impact))
+        let evidence = &self.problem.evidence;
+        let mut computed: Vec<T> = Vec::new();
+        if !self.ways.is_empty() {
+            computed.extend(evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or(T::int(0))));
+            self.ways.iter().for_each(|way| way.straighten(&mut computed));
+        }
+        let statement =
+            move |(place, evidence)| self.statement(evidence, sought(place, evidence), computed.get(place).copied(), placed, impact);
+        evidence.iter().enumerate().map(statement)
     }
 
     /// Returns the residuals over a cell.

@@ -25,7 +25,8 @@ pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {
     rows.extend(answer.priors.iter().flat_map(|priors| priors.iter()).map(|(name, prior)| row(format!("{name} (prior)"), prior)));
     rows.extend(certain.into_iter().map(|(name, evidence)| row(name.to_owned(), evidence)));
     let table = Table::new(["evidence", "given", "computed", "sd", "residual", "unit"], "lrrrrl", rows).narrow();
-    let mut blocks = vec![table.into(), Block::item("", "Residual: given less computed, in standard deviations.")];
+    let of_rest = if !answer.separations.is_empty() { "; of separations from rest on locked wheels, what the ways differ by" } else { "" };
+    let mut blocks = vec![table.into(), Block::item("", format!("Residual: given less computed, in standard deviations{of_rest}."))];
     blocks.extend(correlations(answer));
     blocks.extend(influences(answer, units).map(Block::from));
     blocks
