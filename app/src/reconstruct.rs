@@ -182,7 +182,7 @@ fn by_separations(
     let intervals = intervals.ok_or_else(Issues::interrupted)?;
     notices.0.extend(dependences::bends(case, &question, answer.best(), &there, &intervals));
     notices.0.extend(levels::of_few(case, options.level));
-    notices.0.extend(levels::of_resolutions(&question, options.level));
+    notices.0.extend(levels::of_uniform(case, &question, options.level));
     notices.0.extend(levels::beyond_deviations(&question.case, &intervals));
     let profile = options.profile.then(|| heights(&question, &answer, &of, control)).transpose()?;
     let guaranteed =

@@ -1,8 +1,8 @@
 //! Skid speeds before the impact, with their uncertainty to first order.
 
+use planar_impact::Side;
 use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, PriorCorrelation, Unknown, Variable};
-use planar_impact::{Distribution, Side};
 
 use super::from_crush::covariance;
 use super::from_rest::{Separations, outputs};
@@ -57,11 +57,7 @@ impl FromSkids {
                 let path = format!("before.vehicle.{}", vehicle_number(side));
                 let inputs: Vec<&UncertainInput> = of_skids.clone().filter(|input| input.parameter.side() == Some(side)).collect();
                 let [min, max] = limits(&inputs, braking);
-                let shape = |input: &UncertainInput| match input.distribution {
-                    Distribution::Uniform { .. } => Some("uniform"),
-                    _ => approximated(input),
-                };
-                found.notices.extend(inputs.iter().filter_map(|input| Some(shape_approximated(input, shape(input)?))));
+                found.notices.extend(inputs.iter().filter_map(|input| Some(shape_approximated(input, approximated(input)?))));
                 found.notices.extend(bends(&path, speed, sd));
                 found.unknowns.push((Unknown { prior: Some(sd), min, max, ..Unknown::free(of, speed) }, path));
                 uncertain.push((of, sd, slopes));

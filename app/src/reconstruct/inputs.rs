@@ -47,7 +47,7 @@ impl InputUnknowns {
                 _ => {
                     let (one, other) = (pair.one, pair.other);
                     let reason = match (variable_of(one), variable_of(other)) {
-                        (Some(_), Some(_)) => "one of them has limits alone",
+                        (Some(_), Some(_)) => "one of them has any direction",
                         _ => "one of them is a number of the crush, and the other is not",
                     };
                     let message = format!("the correlation of {one} and {other} is not used: {reason}");
@@ -65,7 +65,7 @@ fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
     match input.distribution {
         Distribution::Normal { sd, .. } => Unknown { prior: Some(sd), ..free },
         Distribution::TruncatedNormal { scale, min, max, .. } => Unknown { min: Some(min), max: Some(max), prior: Some(scale), ..free },
-        Distribution::Uniform { min, max } => Unknown { min: Some(min), max: Some(max), ..free },
+        Distribution::Uniform { min, max } if is_any_direction(of, min, max) => Unknown { min: Some(min), max: Some(max), ..free },
         other => {
             let (min, max) = other.support();
             // A limit at zero is that of the mechanics already, unless any number is possible.
@@ -74,6 +74,12 @@ fn unknown(of: Variable, input: &UncertainInput) -> Unknown {
             Unknown { start: other.mean(), prior: Some(other.sd()), min, max, shape: Some(other), ..free }
         }
     }
+}
+
+/// Returns `true` for limits of an angle that leave out no direction.
+fn is_any_direction(of: Variable, min: f64, max: f64) -> bool {
+    let within = Unknown { min: Some(min), max: Some(max), ..Unknown::free(of, min) };
+    within.on_the_circle() != within
 }
 
 /// Returns the issue of an input whose standard deviation is infinite, which no normal distribution has.
@@ -108,7 +114,11 @@ pub(super) fn shape_approximated(input: &UncertainInput, shape: &str) -> Notice 
 pub(super) fn approximated(input: &UncertainInput) -> Option<&'static str> {
     match input.distribution {
         _ if input.values.is_some() => Some("given by measured values"),
-        Distribution::Normal { .. } | Distribution::TruncatedNormal { .. } | Distribution::Uniform { .. } => None,
+        Distribution::Normal { .. } | Distribution::TruncatedNormal { .. } => None,
+        Distribution::Uniform { min, max } => {
+            let of_any_direction = variable_of(input.parameter).is_some_and(|of| is_any_direction(of, min, max));
+            (!of_any_direction).then_some("uniform")
+        }
         Distribution::Triangular { .. } => Some("triangular"),
         Distribution::LogNormal { .. } => Some("log-normal"),
         Distribution::StudentT { .. } => Some("t-distributed"),
@@ -122,6 +132,7 @@ mod tests {
     use crate::source::Source;
     use crate::units::Units;
     use planar_impact::{Input, Side};
+    use std::f64::consts::PI;
 
     fn of(top: &str, mass: &str, speed: &str, restitution: &str) -> InputUnknowns {
         let vehicle = |mass: &str, speed: &str| {
@@ -140,16 +151,24 @@ mod tests {
     }
 
     #[test]
-    fn normal_numbers_have_priors_and_uniform_ones_have_bounds() {
+    fn normal_numbers_have_priors_and_uniform_ones_have_bounds_too() {
         let found = of("", "\"1600 kg ± 50 kg\"", "{ min = 8, max = 12 }", "{ value = 0.1, sd = 0.05, min = 0, max = 0.3 }");
         let wanted = [
             Unknown { prior: Some(50.0), ..Unknown::free(MASS, 1600.0) },
-            Unknown { min: Some(8.0), max: Some(12.0), ..Unknown::free(Variable::Speed(Side::One), 10.0) },
+            // By hand: the standard deviation of a uniform distribution is its width over the root of twelve.
+            Unknown {
+                min: Some(8.0),
+                max: Some(12.0),
+                prior: Some(4.0 / 12_f64.sqrt()),
+                shape: Some(Distribution::Uniform { min: 8.0, max: 12.0 }),
+                ..Unknown::free(Variable::Speed(Side::One), 10.0)
+            },
             Unknown { min: Some(0.0), max: Some(0.3), prior: Some(0.05), ..Unknown::free(E, 0.1) },
         ];
         assert_eq!(found.unknowns.iter().map(|(unknown, _)| *unknown).collect::<Vec<_>>(), wanted);
         assert_eq!(found.unknowns[2].1, "contact.restitution");
-        assert!(found.notices.is_empty());
+        assert_eq!(codes(&found), ["shape-approximated"]);
+        assert!(Units::Si.sentence(&found.notices[0].message).contains("is uniform"));
     }
 
     #[test]
@@ -229,6 +248,26 @@ mod tests {
         assert_eq!(found.correlations, [PriorCorrelation { one: E, other: MASS, coefficient: -0.5 }]);
         assert!(found.notices.is_empty());
         let found = of("correlation = [[\"e\", \"m1\", -0.5]]", mass, "10", "{ min = 0, max = 0.3 }");
-        assert_eq!((found.correlations.len(), codes(&found)), (0, vec!["correlation-not-used"]));
+        assert_eq!((found.correlations.len(), codes(&found)), (1, vec!["shape-approximated"]));
+    }
+
+    /// No direction is more likely than another, so that none is the mean.
+    #[test]
+    fn a_heading_of_any_direction_has_no_prior() {
+        let of = |limit: f64| {
+            let distribution = Distribution::Uniform { min: -limit, max: limit };
+            let input = UncertainInput {
+                parameter: Parameter::Input(Input::Heading(Side::One)),
+                key: "vehicle.1.heading".to_owned(),
+                nominal: 0.0,
+                distribution,
+                values: None,
+                is_for_95: false,
+            };
+            let unknown = unknown(Variable::Input(Input::Heading(Side::One)), &input);
+            (unknown.prior.is_some(), unknown.min, approximated(&input))
+        };
+        assert_eq!(of(0.5), (true, Some(-0.5), Some("uniform")));
+        assert_eq!(of(PI), (false, Some(-PI), None));
     }
 }

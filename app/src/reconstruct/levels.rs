@@ -4,7 +4,7 @@ use planar_impact::Distribution;
 use planar_impact::reconstruct::{Evidence, Interval, Uncertainty};
 
 use super::question::{Question, name_of};
-use crate::case::Case;
+use crate::case::{Case, UncertainInput};
 use crate::notice::Notice;
 use crate::units::trim;
 
@@ -26,20 +26,24 @@ pub(super) fn of_few(case: &Case, level: f64) -> Option<Notice> {
     (level > USUAL && !of.is_empty()).then(|| Notice::warning("level-beyond-tests", of[0], message()))
 }
 
-/// Warns of readings of a resolution, which count as normal and are uniform: of a low level the middle of a normal distribution is too narrow.
-pub(super) fn of_resolutions(question: &Question, level: f64) -> Option<Notice> {
+/// Warns of readings of a resolution and of inputs between limits, which count as normal and are uniform: of a low level the middle of a normal distribution is too
+/// narrow.
+pub(super) fn of_uniform(case: &Case, question: &Question, level: f64) -> Option<Notice> {
     /// From here on the deviations of a normal distribution are as much of a step: 1.645 of them are 95 % of it.
     const LEAST: f64 = 0.9;
     let is_step = |piece: &&Evidence| matches!(piece.uncertainty, Uncertainty::Resolution(_));
-    let of: Vec<String> = question.asked.evidence.iter().filter(is_step).map(|piece| name_of(piece.of, &question.case)).collect();
+    let steps = question.asked.evidence.iter().filter(is_step).map(|piece| name_of(piece.of, &question.case));
+    let is_uniform = |input: &&UncertainInput| matches!(input.distribution, Distribution::Uniform { .. });
+    let inputs = case.uncertain.inputs.iter().filter(is_uniform).map(|input| input.parameter.to_string());
+    let of: Vec<String> = steps.chain(inputs).collect();
     let message = || {
         format!(
-            "the error of {} is uniform over a step, and counts as normal with its standard deviation: intervals below 90 % are up to a quarter too narrow where it \
+            "{} is uniform over a step or between limits, and counts as normal with its standard deviation: intervals below 90 % are up to a quarter too narrow where it \
              decides",
             of.join(", ")
         )
     };
-    (level < LEAST && !of.is_empty()).then(|| Notice::warning("level-below-resolution", "evidence", message()))
+    (level < LEAST && !of.is_empty()).then(|| Notice::warning("level-below-resolution", "", message()))
 }
 
 /// Warns of quantities whose interval is far wider than their standard deviation says: it is that of the slope at the best fit, which a limit or a bend ends.

@@ -219,6 +219,22 @@ impl CaseReader {
 
     /// Reads the stiffness of the whole width, or of a zone.
     fn stiffness(&self, table: &Table<'_>, side: Side, zone: Option<usize>) -> Option<StiffnessInputs> {
+        let named = |keys: &&&[&str]| table.fields().any(|(key, _)| keys.contains(&key));
+        let is_fitted = table.has("tests");
+        match FORMS.iter().filter(named).count() {
+            _ if is_fitted => (),
+            0 if table.fields().any(|(key, _)| !["saturation", "to"].contains(&key)) => {
+                FORMS.iter().copied().flatten().for_each(|key| drop(table.optional(key)));
+                table.finish();
+                return None;
+            }
+            0 | 1 => (),
+            _ => {
+                let help = "keep one form: A and B; d0 and d1; or b0, b1, test_mass and test_width";
+                table.issue("it has keys of two forms of a stiffness", Some(help.to_owned()));
+                return None;
+            }
+        }
         let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
         let root = |name, whole: CrushKey, of_zone: fn(usize) -> CrushKey| {
             self.input(table.required(name), Parameter::Crush(side, zone.map_or(whole, of_zone)))
@@ -227,14 +243,14 @@ impl CaseReader {
             let parameter = zone.map_or(CrushKey::Form(key), |zone| CrushKey::ZoneForm(zone, key));
             self.input(table.required(key.name()), Parameter::Crush(side, parameter))
         };
-        let stiffness = if table.has("tests") {
+        let stiffness = if is_fitted {
             let of = [(CrushKey::Onset, CrushKey::ZoneOnset as fn(usize) -> CrushKey), (CrushKey::Slope, CrushKey::ZoneSlope)];
             self.fitted(table, of.map(|(whole, of_zone)| Parameter::Crush(side, zone.map_or(whole, of_zone)))).map(StiffnessInputs::Roots)
-        } else if has(&["d0", "d1"]) || !has(&["A", "B", "b0", "b1", "test_mass", "test_width"]) {
+        } else if has(FORMS[0]) || !FORMS[1..].iter().any(|keys| has(keys)) {
             let onset = root("d0", CrushKey::Onset, CrushKey::ZoneOnset);
             let slope = root("d1", CrushKey::Slope, CrushKey::ZoneSlope);
             onset.zip(slope).map(|(onset, slope)| StiffnessInputs::Roots(CrushStiffness { onset, slope }))
-        } else if has(&["A", "B"]) {
+        } else if has(FORMS[1]) {
             let (onset, slope) = (of_form(FormKey::ForceOnset), of_form(FormKey::ForceSlope));
             onset.zip(slope).map(|(onset, slope)| StiffnessInputs::Force(ForceLine { onset, slope }))
         } else {
@@ -254,6 +270,9 @@ impl CaseReader {
         Some(stiffness)
     }
 }
+
+/// The keys of each form of a stiffness that is not fitted to tests.
+const FORMS: [&[&str]; 3] = [&["d0", "d1"], &["A", "B"], &["b0", "b1", "test_mass", "test_width"]];
 
 /// Contents of the key `stiffness`.
 struct Zones {

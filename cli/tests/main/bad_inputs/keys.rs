@@ -59,9 +59,21 @@ pub const BAD: &[Bad] = &[
     ),
     wrong("unknown in the crush", &[("width", "with = 1\nwidth")], 16, &["vehicle.2.crush.with: unknown key"]).of(CRUSHED),
     wrong("unknown in the stiffness", &[("{ d0", "{ d2 = 1, d0")], 18, &["vehicle.2.crush.stiffness.d2: unknown key"]).of(CRUSHED),
-    wrong("mixed stiffness forms", &[("d1 = \"162.8 lbf^0.5/ft\"", "B = 3e5")], 18, &["stiffness.d1: missing", "stiffness.B: unknown key"])
-        .of(CRUSHED),
-    wrong("three stiffness values", &[("{ d0", "{ A = 3e4, d0")], 18, &["vehicle.2.crush.stiffness.A: unknown key"]).of(CRUSHED),
+    wrong(
+        "stiffness in small letters",
+        &[("{ d0", "{ a"), ("d1 = \"162.8 lbf^0.5/ft\"", "b = 3e5")],
+        18,
+        &["stiffness.a: unknown key", "did you mean `A`?"],
+    )
+    .of(CRUSHED),
+    wrong(
+        "mixed stiffness forms",
+        &[("d1 = \"162.8 lbf^0.5/ft\"", "B = 3e5")],
+        18,
+        &["vehicle.2.crush.stiffness: it has keys of two forms"],
+    )
+    .of(CRUSHED),
+    wrong("three stiffness values", &[("{ d0", "{ A = 3e4, d0")], 18, &["vehicle.2.crush.stiffness: it has keys of two forms"]).of(CRUSHED),
     wrong("a wall with a mass", &[("barrier = true", "barrier = true\nmass = \"1 t\"")], 15, &["vehicle.2.mass: unknown key"]).of(WALL),
     wrong("a wall with a speed", &[("barrier = true", "barrier = true\nspeed = 0")], 15, &["vehicle.2.speed: unknown key"]).of(WALL),
     wrong("a wall with a center", &[("barrier = true", "barrier = true\nimpact_center = [0, 0]")], 15, &["vehicle.2.impact_center"])

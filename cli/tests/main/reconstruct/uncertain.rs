@@ -54,6 +54,7 @@ fn levels_that_standard_deviations_do_not_have_are_named() {
         (normal, step, "0.9", None),
         (normal, step, "0.8", Some("level-below-resolution")),
         (normal, sd, "0.8", None),
+        ("{ min = 1400, max = 1600 }", sd, "0.8", Some("level-below-resolution")),
     ] {
         assert_eq!(told(mass, evidence, level), expected.into_iter().collect::<Vec<_>>(), "{mass} {evidence} {level}");
     }
@@ -91,8 +92,9 @@ fn an_uncertain_input_is_an_unknown_with_a_prior() {
         ("mass = \"1450 kg ± 50 kg\"", "m1 = { start = \"1450 kg\", sd = \"50 kg\" }"),
         ("mass = \"1450 kg ± 4 %\"", "m1 = { start = \"1450 kg\", sd = \"58 kg\" }"),
         ("mass = { value = 1450, relative = 0.04 }", "m1 = { start = \"1450 kg\", sd = \"58 kg\" }"),
-        ("mass = { min = 1400, max = 1500 }", "m1 = { start = 1450, min = 1400, max = 1500 }"),
-        ("mass = { value = 1450, resolution = 100 }", "m1 = { start = 1450, min = 1400, max = 1500 }"),
+        // The width over the root of twelve.
+        ("mass = { min = 1400, max = 1500 }", "m1 = { start = 1450, sd = 28.86751345948129, min = 1400, max = 1500 }"),
+        ("mass = { value = 1450, resolution = 100 }", "m1 = { start = 1450, sd = 28.86751345948129, min = 1400, max = 1500 }"),
         ("mass = { value = 1450, sd = 50, min = 1400, max = 1600 }", "m1 = { start = 1450, sd = 50, min = 1400, max = 1600 }"),
         // The mean of a triangle is that of its corners, its variance (1² + 1·2 + 2²)/18 of its unit.
         ("mass = { min = 1390, mode = 1420, max = 1480 }", "m1 = { start = 1430, sd = 18.708286933869708, min = 1390, max = 1480 }"),
@@ -223,11 +225,15 @@ fn correlations_reach_the_answer() {
     assert!(one.into_iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-6 * other), "{one:?} {other:?}");
     assert_ne!(found["unknown"], none["unknown"]);
     assert!(!codes(&found).contains(&"correlation-not-used".to_owned()));
-    // A number between limits has no density to correlate with.
-    let limits =
-        [(MASS, "mass = { min = 1400, max = 1500 }"), masses[1], ("schema = 1\n", "schema = 1\ncorrelation = [[\"m1\", \"m2\", 0.5]]\n")];
-    let (found, _) = answer(&replaced(&two_cars(), &limits));
-    assert!(codes(&found).contains(&"correlation-not-used".to_owned()), "{found}");
+    // A number between limits has them too, a heading of any direction has no mean.
+    let of = |number: (&'static str, &'static str), pair: &str| {
+        let line = format!("schema = 1\ncorrelation = [[{pair}, \"m2\", 0.9]]\n");
+        answer(&replaced(&replaced(&two_cars(), &[number, masses[1]]), &[("schema = 1\n", &line)])).0
+    };
+    let limits = of((MASS, "mass = { min = 1400, max = 1500 }"), "\"m1\"");
+    assert!(number(&limits["correlation"]["vehicle.1.mass"]["vehicle.2.mass"]) > zero + 0.3, "{limits}");
+    let any = of(("heading = \"10 deg\"", "heading = { min = \"-180 deg\", max = \"180 deg\" }"), "\"vehicle.1.heading\"");
+    assert!(codes(&any).contains(&"correlation-not-used".to_owned()), "{any}");
 }
 
 #[test]
