@@ -429,12 +429,20 @@ fn the_interval_of_a_short_slide_is_that_of_its_way() {
                  front_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", \
                  rear_right = \"locked\" }}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0, max = 60 }}\n"
             );
-            let interval = json_of(&["reconstruct"], &case)["unknown"]["vehicle.1.speed"]["interval"].clone();
+            let found = json_of(&["reconstruct", "--guaranteed"], &case)["unknown"]["vehicle.1.speed"].clone();
+            let interval = &found["interval"];
             let best = end.max(0.0);
             let reach = (1.959964_f64.powi(2) + ((end - best) / SIGMA).powi(2)).sqrt() * SIGMA;
             let wanted = [end - reach, end + reach].map(|way| speed(way.max(0.0)));
             for (end, wanted) in ["low", "high"].into_iter().zip(wanted) {
                 assert!((number(&interval[end]) - wanted).abs() < 0.02 * speed(SIGMA), "{interval} for {wanted} at {across}: {case}");
+            }
+            // Outside of three standard deviations nothing is looked for.
+            if across == 0.0 {
+                let way = |end: &str| (0.45 * number(&found["guaranteed"][end])).powi(2) / (2.0 * 0.7 * GRAVITY);
+                for (side, wanted) in [("low", end - 3.0 * SIGMA), ("high", end + 3.0 * SIGMA)] {
+                    assert!((way(side) - wanted.max(0.0)).abs() < 0.02 * SIGMA, "{} for {wanted}", way(side));
+                }
             }
         }
     }
