@@ -16,7 +16,7 @@ pub(super) struct WayToRest {
     components: Vec<Component>,
     /// The square of the size of the given motion g, |g|², in m²/s².
     square: f64,
-    /// The square of a motion that is not told from a standstill, s².
+    /// The square of a motion that hardly differs from a standstill, s², in m²/s².
     standstill: f64,
 }
 

@@ -219,21 +219,9 @@ impl CaseReader {
 
     /// Reads the stiffness of the whole width, or of a zone.
     fn stiffness(&self, table: &Table<'_>, side: Side, zone: Option<usize>) -> Option<StiffnessInputs> {
-        let named = |keys: &&&[&str]| table.fields().any(|(key, _)| keys.contains(&key));
         let is_fitted = table.has("tests");
-        match FORMS.iter().filter(named).count() {
-            _ if is_fitted => (),
-            0 if table.fields().any(|(key, _)| !["saturation", "to"].contains(&key)) => {
-                FORMS.iter().copied().flatten().for_each(|key| drop(table.optional(key)));
-                table.finish();
-                return None;
-            }
-            0 | 1 => (),
-            _ => {
-                let help = "keep one form: A and B; d0 and d1; or b0, b1, test_mass and test_width";
-                table.issue("it has keys of two forms of a stiffness", Some(help.to_owned()));
-                return None;
-            }
+        if !is_fitted && !is_of_one_form(table) {
+            return None;
         }
         let has = |keys: &[&'static str]| keys.iter().any(|key| table.has(key));
         let root = |name, whole: CrushKey, of_zone: fn(usize) -> CrushKey| {
@@ -273,6 +261,24 @@ impl CaseReader {
 
 /// The keys of each form of a stiffness that is not fitted to tests.
 const FORMS: [&[&str]; 3] = [&["d0", "d1"], &["A", "B"], &["b0", "b1", "test_mass", "test_width"]];
+
+/// Reports keys of several forms of a stiffness, and misspelled ones of none: the keys that any one form lacks are not missing then.
+fn is_of_one_form(table: &Table<'_>) -> bool {
+    let has = |keys: &&&[&str]| table.fields().any(|(key, _)| keys.contains(&key));
+    match FORMS.iter().filter(has).count() {
+        0 if table.fields().any(|(key, _)| !["saturation", "to"].contains(&key)) => {
+            FORMS.iter().copied().flatten().for_each(|key| drop(table.optional(key)));
+            table.finish();
+            false
+        }
+        0 | 1 => true,
+        _ => {
+            let help = "keep one form: A and B; d0 and d1; or b0, b1, test_mass and test_width";
+            table.issue("it has keys of two forms of a stiffness", Some(help.to_owned()));
+            false
+        }
+    }
+}
 
 /// Contents of the key `stiffness`.
 struct Zones {
