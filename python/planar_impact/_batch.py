@@ -74,7 +74,7 @@ def solve_batch(
             input, such as ``"e"`` or ``"speed"``. A ``UserWarning`` names sizes that no road vehicle has, and rows of which no input has a
             number, by the first such row, except of a stream, and a NaN of pandas, which counts as an empty cell beside a case. Arrays of
             contiguous float64 are read without a copy, and must not be changed until the call returns.
-        of: Outputs by name or symbol. Default: all of :func:`solve`.
+        of: Outputs by name or symbol, a list or separated by commas. Default: all of :func:`solve`.
         wrt: Inputs to differentiate with respect to.
         case: A case that supplies what no column has, and what is ``None`` or null in a row.
         threads: Number of threads. Default: one for each processor. The answer is the same for any number.

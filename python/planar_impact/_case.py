@@ -90,11 +90,12 @@ def whole(value: SupportsIndex, argument: str, least: int = 0, most: int = (1 <<
 
 
 def names(value: str | Sequence[str] | None, argument: str) -> list[str]:
-    """Return names as a list: one alone, several, or none."""
+    """Return names as a list: one alone, several, or none. Names of quantities in one string are separated by commas, as those of the command line."""
     if value is None:
         return []
     if isinstance(value, str):
-        return [unicode(value, argument)]
+        text = unicode(value, argument)
+        return [name.strip() for name in text.split(",")] if argument in ("of", "wrt") else [text]
     if isinstance(value, Sequence) and all(isinstance(name, str) for name in value):
         return [unicode(str(name), argument) for name in value]
     raise TypeError(f"{argument} is a string or a sequence of strings, not {type(value).__name__}")

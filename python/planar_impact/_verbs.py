@@ -87,7 +87,7 @@ def gradient(
 
     Args:
         case: As for :func:`solve`.
-        of: Outputs by name or symbol, such as ``"energy.loss"`` or ``"dV1"``. Default: all.
+        of: Outputs by name or symbol, such as ``"energy.loss"`` or ``"dV1,T_L"``. Default: all.
         wrt: Inputs by name or symbol, such as ``"vehicle.1.speed"`` or ``"e"``. Default: all.
         second: Whether to add second derivatives.
         units: Units of the text.
@@ -117,7 +117,7 @@ def sweep(
         case: As for :func:`solve`.
         vary: Ranges as on the command line, ``"contact.crush_plane=-10 deg:10 deg:1 deg"``, or a dict of a first value, a last value
             and a step: ``{"contact.crush_plane": ("-10 deg", "10 deg", "1 deg")}``. Numbers without a unit are in SI.
-        of: Outputs by name or symbol. Default: the works, the energy loss and the critical impulse ratio.
+        of: Outputs by name or symbol, a list or separated by commas. Default: the works, the energy loss and the critical impulse ratio.
         progress: A function that is called with the number of steps done and of all steps, a few times a second, or ``True`` for a
             bar of tqdm. What it raises stops the sweep.
         units: Units of the text.
@@ -249,7 +249,7 @@ def uncertainty(
 
     Args:
         case: As for :func:`solve`, with uncertain inputs: ``"40 mph ± 2 mph"``, ``{"min": 0.1, "max": 0.3}``.
-        of: Outputs by name or symbol. Default: the principal ones.
+        of: Outputs by name or symbol, a list or separated by commas. Default: the principal ones.
         method: ``"linear"``, ``"second-order"``, ``"monte-carlo"``, ``"sobol"``, ``"shapley"``, ``"bounds"``. Default: all that apply.
         samples: Number of samples; with a precision, the greatest.
         seed: Seed of the samples. The same seed gives the same answer.

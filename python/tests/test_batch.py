@@ -189,6 +189,14 @@ def test_scalars_hold_in_every_row() -> None:
     assert planar_impact.solve_batch({}, of="T_L", case=BARRIER)["energy.loss"].shape == (1,)
 
 
+def test_names_in_one_string_are_separated_by_commas() -> None:
+    both = planar_impact.solve_batch({"vehicle.1.speed": 12.0}, of="T_L, dV1", wrt="v1,e", case=BARRIER)
+    listed = planar_impact.solve_batch({"vehicle.1.speed": 12.0}, of=["T_L", "dV1"], wrt=["v1", "e"], case=BARRIER)
+    assert list(both) == list(listed) and len(both) > 6
+    with pytest.raises(CaseError, match="the name of an output is missing"):
+        planar_impact.solve_batch({"vehicle.1.speed": 12.0}, of="T_L,,dV1", case=BARRIER)
+
+
 def test_a_unit_is_in_the_name() -> None:
     columns = {"vehicle.1.speed [km/h]": np.array([54.0])}
     expected = losses(vehicle__1__speed=[15.0])

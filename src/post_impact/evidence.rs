@@ -137,7 +137,8 @@ pub enum NoSeparation {
         /// The deviation of its heading, in rad.
         deviation: f64,
     },
-    /// The closed form cannot determine its uncertainty: the vehicle moved no further than the deviation of its position at rest.
+    /// The pose at rest is that at separation; or the closed form cannot determine its uncertainty, since the vehicle moved no further than the deviation of its position
+    /// at rest.
     TooShort {
         /// Distance that it moved, in m.
         distance: f64,
@@ -273,6 +274,12 @@ impl Slide {
         self.check_evidence(evidence).map_err(NoSeparation::Refused)?;
         if !self.stands(&evidence.rest) {
             return Err(NoSeparation::NotHeld);
+        }
+        // Tires give way at the speeds that lead no further, and what they say of the speed then is of their regularization.
+        let way = Miss::of(&evidence.rest, &evidence.separation);
+        if way.is_nothing() && evidence.points.is_empty() {
+            let Xy { x, y } = evidence.position_deviation;
+            return Err(NoSeparation::TooShort { distance: way.position.length(), deviation: x.max(y) });
         }
         match method {
             Method::ClosedForm if !evidence.points.is_empty() => Err(NoSeparation::NoPath),

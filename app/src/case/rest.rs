@@ -168,7 +168,9 @@ fn help(why: &NoSeparation) -> Option<&'static str> {
         NoSeparation::NoPath => "leave `points` or `method` out",
         NoSeparation::NotHeld => "check `grade`, which is positive uphill, the friction, and which wheels are locked",
         NoSeparation::Driven | NoSeparation::Turned { .. } => "method = \"slide\" follows what each wheel does",
-        NoSeparation::TooShort { .. } => "a vehicle that hardly moved says little of its speed",
+        NoSeparation::TooShort { .. } => {
+            "a vehicle that hardly moved says little of its speed: give its separation velocity as evidence, about 0 with a standard deviation"
+        }
         _ => return None,
     })
 }

@@ -418,24 +418,34 @@ fn what_is_too_uncertain_for_its_first_order_is_told() {
 #[test]
 fn the_interval_of_a_short_slide_is_that_of_its_way() {
     const SIGMA: f64 = 0.3;
+    let case = |end: f64, across: f64| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\n\
+             heading = 0\nimpact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[scene]\nimpact_point = [1.9, 0]\n[rest]\n\
+             friction = 0.7\n[rest.vehicle.1]\nposition = [\"{end} m ± {SIGMA} m\", \"{across} m ± {SIGMA} m\"]\nheading = \"0 deg ± 3 deg\"\n\
+             front_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", \
+             rear_right = \"locked\" }}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0, max = 60 }}\n"
+        )
+    };
+    // Where it separated it has no way.
+    let refused = run_with_input(&["reconstruct", "-"], &case(0.0, 0.0));
+    assert!(
+        refused.status == 2
+            && flat(&refused.err).contains("the vehicle moved 0.000 m, no further than the position at rest is uncertain, 0.300 m"),
+        "{}",
+        refused.err
+    );
     // From the crash: half of 1 − e is left of the speed.
     let speed = |way: f64| (2.0 * 0.7 * GRAVITY * way).sqrt() / 0.45;
     for end in [-0.5_f64, -0.2, 0.05, 0.2, 0.45, 0.9] {
         for across in [0.0, 0.4] {
-            let case = format!(
-                "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\n\
-                 heading = 0\nimpact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[scene]\nimpact_point = [1.9, 0]\n[rest]\n\
-                 friction = 0.7\n[rest.vehicle.1]\nposition = [\"{end} m ± {SIGMA} m\", \"{across} m ± {SIGMA} m\"]\nheading = \"0 deg ± 3 deg\"\n\
-                 front_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", \
-                 rear_right = \"locked\" }}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0, max = 60 }}\n"
-            );
-            let found = json_of(&["reconstruct", "--guaranteed"], &case)["unknown"]["vehicle.1.speed"].clone();
+            let found = json_of(&["reconstruct", "--guaranteed"], &case(end, across))["unknown"]["vehicle.1.speed"].clone();
             let interval = &found["interval"];
             let best = end.max(0.0);
             let reach = (1.959964_f64.powi(2) + ((end - best) / SIGMA).powi(2)).sqrt() * SIGMA;
             let wanted = [end - reach, end + reach].map(|way| speed(way.max(0.0)));
             for (end, wanted) in ["low", "high"].into_iter().zip(wanted) {
-                assert!((number(&interval[end]) - wanted).abs() < 0.02 * speed(SIGMA), "{interval} for {wanted} at {across}: {case}");
+                assert!((number(&interval[end]) - wanted).abs() < 0.02 * speed(SIGMA), "{interval} for {wanted} at {across}");
             }
             // Outside of three standard deviations nothing is looked for.
             if across == 0.0 {

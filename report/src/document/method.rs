@@ -150,7 +150,8 @@ fn assumptions(report: &CaseReport) -> Vec<String> {
         let which = if answer.facts.separations.is_empty() {
             "are independent."
         } else {
-            "are independent, but for those of the separations from rest positions: what is uncertain of the slides correlates them."
+            "are independent, but for those of the separations from rest positions: what is uncertain of the slides correlates them, and on locked \
+             wheels the error of the way is normal."
         };
         all.push(format!("Errors of the evidence are normally distributed with the standard deviations of the file, and {which}"));
     }
