@@ -75,8 +75,8 @@ impl FromRest {
         if !unfit.is_empty() {
             return Err(case.unfit(unfit));
         }
-        // From here on it is treated as any other evidence.
         let locked = Side::ALL.map(|side| is_locked(&case, side));
+        // From here on it is treated as any other evidence.
         case.rest = None;
         let SeparationEvidence { mut evidence, mut correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
         if !case.model.is_angular() {
