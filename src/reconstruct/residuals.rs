@@ -8,7 +8,7 @@ use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
 use super::variable::turns;
-use super::way_to_rest::WayToRest;
+use super::way_to_rest::{WayToRest, compared};
 use super::weight::Weights;
 use crate::impact::Impact;
 use crate::least_squares::Residuals;
@@ -76,18 +76,12 @@ impl<'a> Model<'a> {
 
     /// Returns the computed values of the evidence for unknowns, their collision and its impact, each less what its given value follows the unknowns by.
     pub(super) fn measured<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        self.followed(self.computed(placed, impact), unknowns)
+        self.followed(compared(&self.evidence, &[], placed, impact), unknowns)
     }
 
     /// Returns the same as the given values are compared with it: separations from rest by what their ways differ by.
     pub(super) fn compared<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        let mut computed = self.computed(placed, impact);
-        self.ways.iter().for_each(|way| way.straighten(&mut computed));
-        self.followed(computed, unknowns)
-    }
-
-    fn computed<T: Real>(&self, placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        self.evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(|| T::int(0))).collect()
+        self.followed(compared(&self.evidence, &self.ways, placed, impact), unknowns)
     }
 
     fn followed<T: Real + Copy + From<f64>>(&self, mut computed: Vec<T>, unknowns: &[T]) -> Vec<T> {

@@ -29,6 +29,8 @@ pub struct FromRest {
     pub case: Case,
     /// Correlations of their errors.
     pub correlations: Vec<Correlation>,
+    /// Whether vehicle 1 or vehicle 2 slid to rest on locked wheels, so that the errors of its separation are those of its way.
+    pub by_way: [bool; 2],
 }
 
 /// The separation of a vehicle, from where it came to rest.
@@ -75,7 +77,10 @@ impl FromRest {
         if !unfit.is_empty() {
             return Err(case.unfit(unfit));
         }
-        let locked = Side::ALL.map(|side| is_locked(&case, side));
+        let by_way = Side::ALL.map(|side| {
+            let rest = case.rest.as_ref().and_then(|rest| rest.vehicles[side as usize].as_ref());
+            separations[side as usize].is_some() && rest.is_some_and(|rest| rest.slide.vehicle.is_locked())
+        });
         // From here on it is treated as any other evidence.
         case.rest = None;
         let SeparationEvidence { mut evidence, mut correlations } = SeparationEvidence::of(separations.each_ref().map(Option::as_ref));
@@ -94,12 +99,12 @@ impl FromRest {
                 is_from_crush: false,
             });
         }
-        for ((side, separation), is_locked) in Side::ALL.into_iter().zip(separations).zip(locked) {
+        for ((side, separation), is_by_way) in Side::ALL.into_iter().zip(separations).zip(by_way) {
             let Some(separation) = separation else { continue };
             let number = vehicle_number(side);
             let message = format!("vehicle.{number}: its separation velocity and yaw rate are reconstructed from its rest position");
             case.notices.0.push(Notice::note("separation-from-rest", key(side), message));
-            case.notices.0.extend(of_short_slide(side, separation, is_locked));
+            case.notices.0.extend(of_short_slide(side, separation, is_by_way));
             if let Some(fit) = separation.fit.as_ref().filter(|fit| fit.probability < BY_CHANCE) {
                 let message = Message::from(format!(
                     "vehicle.{number}: no slide comes past its points and ends in its rest position: at best chi-square is {:.1} with {}",
@@ -109,19 +114,13 @@ impl FromRest {
                 case.notices.0.push(Notice::warning("points-contradict-rest", format!("{}.points", key(side)), message));
             }
         }
-        Ok(FromRest { case, correlations })
+        Ok(FromRest { case, correlations, by_way })
     }
-}
-
-/// Returns `true` if a vehicle slid to rest on locked wheels, so that the errors of its separation are those of its way.
-pub(super) fn is_locked(case: &Case, side: Side) -> bool {
-    let rest = case.rest.as_ref().and_then(|rest| rest.vehicles[side as usize].as_ref());
-    rest.is_some_and(|rest| rest.slide.vehicle.is_locked())
 }
 
 /// Returns a warning of a separation that is too uncertain: a slide that is not much longer than the uncertainty of the rest position determines neither its speed,
 /// which grows with the root of the way, nor its direction.
-fn of_short_slide(side: Side, separation: &Separation, is_locked: bool) -> Option<Notice> {
+fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Option<Notice> {
     /// Share of the speed up to which intervals of 95 % contain the truth in about as many cases: to first order, and by the way on locked wheels.
     const STRAIGHT: f64 = 0.25;
     const BY_WAY: f64 = 0.8;
@@ -137,7 +136,7 @@ fn of_short_slide(side: Side, separation: &Separation, is_locked: bool) -> Optio
                  measure the rest position better, or leave it out",
             )
     };
-    (sd > if is_locked { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
+    (sd > if is_by_way { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
 }
 
 /// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.

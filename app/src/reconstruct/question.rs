@@ -5,7 +5,7 @@ use planar_impact::{ImpulseRatio, Input, Moment, Output, Side};
 
 use super::dependences::Dependences;
 use super::from_crush::FromCrush;
-use super::from_rest::{FromRest, SeparationFromRest, Separations, is_locked};
+use super::from_rest::{FromRest, SeparationFromRest, Separations};
 use super::from_skids::FromSkids;
 use super::inputs::InputUnknowns;
 use crate::case::{Case, Inertia, Inputs, Known, Parameter, RequestedUnknown, Velocity, at_nominal_values, parameter_of};
@@ -75,7 +75,7 @@ impl Question {
     pub fn about(case: &Case, at: &Inputs, separations: &Separations) -> Result<Self, Issues> {
         let of_rest = SeparationFromRest::of(case, separations);
         let with_rest = case;
-        let FromRest { mut case, mut correlations } = FromRest::of(case, separations)?;
+        let FromRest { mut case, mut correlations, by_way } = FromRest::of(case, separations)?;
         let of_crush = FromCrush::of(&mut case);
         correlations.extend(of_crush.correlations.into_iter().chain(case.knowledge.correlations.iter().copied()));
         // Without a question and evidence there is nothing to learn of the inputs.
@@ -165,7 +165,7 @@ impl Question {
             skid_speeds: of_skids.known,
             drives_along_heading,
             holds_radius_of_gyration,
-            separation_from_rest: Side::ALL.map(|side| separations[side as usize].is_some() && is_locked(with_rest, side)),
+            separation_from_rest: by_way,
             crush_share,
             ..ReconstructionProblem::of(settled.collision)
         };

@@ -383,6 +383,20 @@ fn a_uniform_friction_of_skids_has_limits() {
     assert_eq!(["\"0.6 ± 0.17\"", "\"0.6 ± 0.186\"", "0.6"].map(bends), [0, 1, 0]);
 }
 
+/// Standard deviation of the place at rest, in m.
+const SIGMA: f64 = 0.3;
+
+/// Returns the case of a vehicle that ran into one that stood, and slid straight to rest on locked wheels.
+fn slid_to_rest(end: f64, across: f64) -> String {
+    format!(
+        "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\n\
+             heading = 0\nimpact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[scene]\nimpact_point = [1.9, 0]\n[rest]\n\
+             friction = 0.7\n[rest.vehicle.1]\nposition = [\"{end} m ± {SIGMA} m\", \"{across} m ± {SIGMA} m\"]\nheading = \"0 deg ± 3 deg\"\n\
+             front_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", \
+             rear_right = \"locked\" }}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0, max = 60 }}\n"
+    )
+}
+
 /// A crush energy grows with the square of the depths, and a way to rest of some tens of centimeters tells little if it is known to as many.
 #[test]
 fn what_is_too_uncertain_for_its_first_order_is_told() {
@@ -397,17 +411,7 @@ fn what_is_too_uncertain_for_its_first_order_is_told() {
     };
     // A quarter of the depth is half of the energy.
     assert_eq!(["4.9 cm", "5.1 cm"].map(|sd| count(&crush(sd), "crush-bends")), [0, 1]);
-    let rest = |way: f64| {
-        let place = |way: f64| {
-            format!("[\"{way} m ± 0.3 m\", \"0 m ± 0.3 m\"]\nheading = \"0 deg ± 3 deg\"\nfront_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\n")
-        };
-        format!(
-            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\n\
-             impact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[rest]\nfriction = 0.7\n[rest.vehicle.1]\nposition = {}wheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }}\n\
-             [unknown]\nvehicle.1.speed = {{ start = 10, min = 1, max = 60 }}\n",
-            place(way)
-        )
-    };
+    let rest = |way: f64| slid_to_rest(way, 0.0);
     // Of locked wheels by the way, of others to first order.
     assert_eq!([6.0, 0.6, 0.3].map(|way| count(&rest(way), "slide-short")), [0, 0, 1]);
     assert_eq!([6.0, 0.6].map(|way| count(&rest(way).replacen("\"locked\"", "{ braking = 0.9 }", 1), "slide-short")), [0, 1]);
@@ -417,18 +421,8 @@ fn what_is_too_uncertain_for_its_first_order_is_told() {
 /// about a standstill those that a vehicle which only goes forward fits as well. Errors across it say nothing.
 #[test]
 fn the_interval_of_a_short_slide_is_that_of_its_way() {
-    const SIGMA: f64 = 0.3;
-    let case = |end: f64, across: f64| {
-        format!(
-            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nimpact_center = [1.9, 0]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\n\
-             heading = 0\nimpact_center = [-1.9, 0]\nspeed = 0\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[scene]\nimpact_point = [1.9, 0]\n[rest]\n\
-             friction = 0.7\n[rest.vehicle.1]\nposition = [\"{end} m ± {SIGMA} m\", \"{across} m ± {SIGMA} m\"]\nheading = \"0 deg ± 3 deg\"\n\
-             front_axle = 1.2\nrear_axle = 1.5\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", \
-             rear_right = \"locked\" }}\n[unknown]\nvehicle.1.speed = {{ start = 10, min = 0, max = 60 }}\n"
-        )
-    };
     // Where it separated it has no way.
-    let refused = run_with_input(&["reconstruct", "-"], &case(0.0, 0.0));
+    let refused = run_with_input(&["reconstruct", "-"], &slid_to_rest(0.0, 0.0));
     assert!(
         refused.status == 2
             && flat(&refused.err).contains("the vehicle moved 0.000 m, no further than the position at rest is uncertain, 0.300 m"),
@@ -439,7 +433,7 @@ fn the_interval_of_a_short_slide_is_that_of_its_way() {
     let speed = |way: f64| (2.0 * 0.7 * GRAVITY * way).sqrt() / 0.45;
     for end in [-0.5_f64, -0.2, 0.05, 0.2, 0.45, 0.9] {
         for across in [0.0, 0.4] {
-            let found = json_of(&["reconstruct", "--guaranteed"], &case(end, across))["unknown"]["vehicle.1.speed"].clone();
+            let found = json_of(&["reconstruct", "--guaranteed"], &slid_to_rest(end, across))["unknown"]["vehicle.1.speed"].clone();
             let interval = &found["interval"];
             let best = end.max(0.0);
             let reach = (1.959964_f64.powi(2) + ((end - best) / SIGMA).powi(2)).sqrt() * SIGMA;

@@ -16,7 +16,7 @@ use crate::reconstruct::measurand::Measurand;
 use crate::reconstruct::placed::Placed;
 use crate::reconstruct::scene::Scene;
 use crate::reconstruct::variable::{Variable, party};
-use crate::reconstruct::way_to_rest::WayToRest;
+use crate::reconstruct::way_to_rest::{WayToRest, compared};
 use crate::scalar::Real;
 use crate::scalar::interval::Interval;
 use crate::sensitivity::dual::Dual;
@@ -183,11 +183,8 @@ impl<'a> Equations<'a> {
             own.fold(T::from(evidence.value) + error(place), |sought, dependence| sought + dependence.change(numbers))
         };
         let evidence = &self.problem.evidence;
-        let mut computed: Vec<T> = Vec::new();
-        if !self.ways.is_empty() {
-            computed.extend(evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or(T::int(0))));
-            self.ways.iter().for_each(|way| way.straighten(&mut computed));
-        }
+        // Without a way each statement computes what it needs.
+        let computed = if self.ways.is_empty() { Vec::new() } else { compared(evidence, &self.ways, placed, impact) };
         let statement =
             move |(place, evidence)| self.statement(evidence, sought(place, evidence), computed.get(place).copied(), placed, impact);
         evidence.iter().enumerate().map(statement)
