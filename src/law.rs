@@ -108,9 +108,9 @@ pub fn limited_by_friction<T: Ordered>(compliance: &Compliance<T>, change: Nt<T>
 
 /// Position of the sticking impulse relative to the friction cone.
 pub(crate) struct FrictionCone<T: Ordered> {
-    /// True if it lies outside: the bodies slide throughout.
+    /// True if it lies outside, or the cone is a line: the bodies slide throughout.
     pub(crate) slides: T::Mask,
-    /// Sign of the ratio on the edge where it leaves the cone: 1 or −1.
+    /// Sign of the ratio on the edge where it leaves the cone: 1 or −1, or 0 on the line.
     pub(crate) side: T,
 }
 
@@ -119,10 +119,10 @@ impl<T: Ordered> FrictionCone<T> {
     pub(crate) fn around(sticking: &Nt<T>, change: &Nt<T>, friction: &T) -> Self {
         let compression = sticking.n.clone() * change.n.clone();
         let across = sticking.t.clone() * change.n.clone();
-        FrictionCone {
-            slides: (friction.clone() * compression).less(&across.clone().magnitude()),
-            side: T::select(across.less(&T::int(0)), T::int(-1), T::int(1)),
-        }
+        let (left, right) = (across.less(&T::int(0)), T::int(0).less(&across));
+        // On a line even what does not move across slides.
+        let most = T::select(T::int(0).less(friction), friction.clone() * compression, T::int(-1));
+        FrictionCone { slides: most.less(&across.magnitude()), side: T::select(left, T::int(-1), T::select(right, T::int(1), T::int(0))) }
     }
 }
 
@@ -130,6 +130,7 @@ impl<T: Ordered> FrictionCone<T> {
 mod tests {
     use super::*;
     use crate::body::Body;
+    use num_dual::Dual64;
 
     /// K = [[0.75, 0.5], [0.5, 1.5]].
     fn compliance() -> Compliance {
@@ -168,6 +169,24 @@ mod tests {
         assert_eq!(sliding, ImpulseRatio::Given(0.125).impulse(&k, change));
         let other_way = Nt { n: -7.0, t: 70.0 };
         assert_eq!(ImpulseRatio::LimitedByFriction(0.125).impulse(&k, other_way), ImpulseRatio::Given(-0.125).impulse(&k, other_way));
+    }
+
+    /// Without friction the tangential impulse is zero whatever changes, also where it would be zero anyway.
+    #[test]
+    fn nothing_sticks_without_friction() {
+        let Compliance { nn, nt, tt, determinant } = compliance();
+        let [nn, nt, tt, determinant] = [nn, nt, tt, determinant].map(Dual64::from);
+        let k = Compliance { nn, nt, tt, determinant };
+        for sticking in [-0.25, 0.0, 0.25] {
+            // What an impulse of (−1, `sticking`) changes.
+            let change = |eps: f64| Nt { n: Dual64::from(-0.75 + 0.5 * sticking), t: Dual64::new(-0.5 + 1.5 * sticking, eps) };
+            let by_change = ImpulseRatio::LimitedByFriction(Dual64::from(0.0)).impulse(&k, change(1.0));
+            assert_eq!((by_change.t.re, by_change.t.eps, by_change.n.eps), (0.0, 0.0, 0.0), "{sticking}");
+            assert!((by_change.n.re - change(0.0).n.re / 0.75).abs() < 1e-15);
+            // By the friction it changes along the sticking impulse, and not at all where there is none.
+            let by_friction = ImpulseRatio::LimitedByFriction(Dual64::new(0.0, 1.0)).impulse(&k, change(0.0)).t.eps;
+            assert!(by_friction * sticking >= 0.0 && (by_friction == 0.0) == (sticking == 0.0), "{sticking}: {by_friction}");
+        }
     }
 
     #[test]

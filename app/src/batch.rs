@@ -8,12 +8,14 @@ mod column;
 mod header;
 mod row;
 mod sizes;
+mod watch;
 
 use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub(crate) use header::commented;
+pub(crate) use header::unit_in_name;
 pub use header::{Header, separated_otherwise};
 pub use sizes::Unusual;
 

@@ -19,9 +19,7 @@ mod vehicle;
 use std::sync::{Arc, Mutex};
 
 use planar_impact::reconstruct::Variable;
-use planar_impact::{
-    Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Moment, Output, Refusal, Refusals, Side, Vehicle, Xy, check,
-};
+use planar_impact::{Collision, CrushPlaneBracket, Impact, ImpulseRatio, Input, Law, Moment, Output, Refusal, Refusals, Side, Vehicle, Xy};
 
 pub use braking::{BrakingInputs, SkidKey, SkidNumber};
 use contents::Contents;
@@ -52,7 +50,7 @@ use crate::message::Message;
 use crate::notice::{Notice, Notices};
 use crate::source::{Open, Source};
 use crate::units::{Measure, Units};
-use crate::unusual;
+use crate::{doubtful, unusual};
 
 /// A case file, read and checked.
 #[derive(Clone)]
@@ -294,52 +292,20 @@ impl Case {
 
     /// Warnings about a result that is possible and deserves a second look.
     pub fn warnings(&self, impact: &Impact) -> Vec<Notice> {
-        /// Share of its parts below which K_nn + μ K_nt takes more than five digits of the impulse.
-        const NEARLY_WEDGED: f64 = 1e-5;
         let mut warnings = Vec::new();
         for (path, vehicle) in self.vehicles() {
             let unusual = unusual::vehicle(&path, vehicle.mass, vehicle.radius_of_gyration(), vehicle.impact_center.length());
             warnings.extend(unusual.into_iter().flatten());
         }
         warnings.extend(unusual::friction(&self.collision.impulse_ratio));
-        let crush: f64 = self.setup.crush_outputs().iter().flatten().map(|crush| crush.energy).sum();
-        let before = Output::EnergyBefore.of(&self.collision, impact);
-        if crush > before {
-            let message = Message::from("the crush takes ")
-                .figure(Measure::Energy, crush)
-                .text(", and before the impact there is a kinetic energy of ")
-                .figure(Measure::Energy, before)
-                .text(" in all: check the units of depths, width and stiffness, or the speeds");
-            warnings.push(Notice::warning("crush-beyond-energy", "vehicle", message));
-        }
-        if let Some(admissible) = self.collision.admissible()
-            && self.collision.restitution > admissible.restitution_for_any_approach
-        {
-            let message = Message::from("the restitution is above ")
-                .figure(Measure::Ratio, admissible.restitution_for_any_approach)
-                .text(", beyond which some approach velocities gain energy in this contact");
-            warnings.push(Notice::warning("restitution-can-gain-energy", "contact.restitution", message));
-        }
-        let share = self.collision.contact().compliance.wedging_share(impact.impulse_ratio()).abs();
-        if share < NEARLY_WEDGED {
-            let digits = (15.0 + libm::log10(share)).floor().max(0.0);
-            let message =
-                format!("the pair nearly wedges: K_nn + mu K_nt is {share:.1e} of its parts, so the impulse has about {digits} digits");
-            warnings.push(Notice::warning("nearly-wedged", "contact", message));
-        }
-        if impact.work.t > 0.0 && impact.work.t > 1e-9 * impact.loss() {
-            let message = "the tangential impulse returns energy: W_t is positive";
-            warnings.push(Notice::warning("tangential-work-positive", "contact", message));
-        }
-        // What is usual has all its digits.
-        if !warnings.is_empty() {
-            let outcome = check::check(&check::Record::of(&self.collision, impact), &check::Options::default());
-            if let Some(worst) = outcome.findings.iter().find(|finding| finding.severity == check::Severity::Fail) {
-                let message = format!("rounding takes digits that a check of this answer needs: {}", worst.what);
-                warnings.push(Notice::warning("few-digits", "contact", message));
-            }
-        }
         warnings.extend(self.unusual_motions());
+        warnings.extend(doubtful::impact(&self.collision, impact));
+        if !warnings.is_empty() {
+            warnings.extend(doubtful::few_digits(&self.collision, impact));
+        }
+        warnings.extend(doubtful::tangential_work(impact.work.t, impact.loss()));
+        let crush: f64 = self.setup.crush_outputs().iter().flatten().map(|crush| crush.energy).sum();
+        warnings.extend(doubtful::crush(crush, Output::EnergyBefore.of(&self.collision, impact)));
         warnings
     }
 

@@ -157,7 +157,8 @@ fn corner(case: &Case, impact: &Impact) -> Option<Notice> {
     const ROUNDING: f64 = 1e-12;
     let ImpulseRatio::LimitedByFriction(friction) = case.inputs.contact.impulse_ratio else { return None };
     let critical = impact.critical_impulse_ratio().abs();
-    let is_corner = (friction - critical).abs() <= ROUNDING * friction;
+    // Without friction nothing sticks: the ratio is zero on both sides.
+    let is_corner = friction > 0.0 && (friction - critical).abs() <= ROUNDING * friction;
     is_corner.then(|| {
         let impulse_ratio = ImpulseRatio::LimitedByFriction(Dual64::new(friction, 1.0));
         let slides = Collision { impulse_ratio, ..case.collision.map(Dual64::from) }.evaluate().impulse.t.eps != 0.0;

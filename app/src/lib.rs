@@ -18,6 +18,7 @@ pub mod crush_plane_bracket;
 pub mod decode;
 pub mod derivative;
 pub mod document;
+mod doubtful;
 pub mod formula;
 pub mod gradient;
 pub mod issue;

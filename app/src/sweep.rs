@@ -2,19 +2,18 @@
 
 mod range;
 
-use planar_impact::{Heading, Output};
+use planar_impact::Output;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::case::{Case, CaseOutput, Crush, Parameter, VehicleInputs, Velocity};
+use crate::case::{Case, CaseOutput, Crush, VehicleInputs};
 use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::message::{Message, Sentence};
 use crate::named::{Named, positive_zero};
 use crate::names;
 use crate::notice::Notice;
-use crate::units::Measure;
 use crate::{unusual, wording};
 
 pub use range::{MOST_POINTS, Range};
@@ -115,7 +114,7 @@ pub fn sweep(case: &Case, options: &Options, control: &dyn Control) -> Result<An
     Ok(case.answer(sweep, notices))
 }
 
-/// Warns of sizes at the ends of the ranges that no road vehicle has, and of a speed along the heading of a vehicle that moves otherwise.
+/// Warns of sizes at the ends of the ranges that no road vehicle has.
 fn notices(case: &Case, ranges: &[Range]) -> Vec<Notice> {
     let mut found: Vec<Notice> = Vec::new();
     for at in [<[f64]>::first, <[f64]>::last] {
@@ -132,22 +131,7 @@ fn notices(case: &Case, ranges: &[Range]) -> Vec<Notice> {
             }
         }
     }
-    found.extend(ranges.iter().filter_map(|range| along_heading(case, range.parameter)));
     found
-}
-
-/// Warns of a speed of a vehicle whose velocity has a component across its heading: `batch` and a case file take a speed for the whole velocity.
-fn along_heading(case: &Case, parameter: Parameter) -> Option<Notice> {
-    let Parameter::Speed(side) = parameter else { return None };
-    let vehicle = case.inputs.vehicles[side as usize].as_ref()?;
-    let Velocity::Components(velocity) = vehicle.velocity else { return None };
-    let across = Heading::from_angle(vehicle.heading).to_vehicle(velocity).left;
-    let message = || {
-        Message::from(format!("{parameter} is varied along the heading, and its "))
-            .figure(Measure::Speed, across.abs())
-            .text(" across it, of the velocity of the case, stay: vary velocity.x and velocity.y for another velocity")
-    };
-    (across.abs() > 1e-9 * velocity.length()).then(|| Notice::warning("speed-along-heading", parameter.to_string(), message()))
 }
 
 /// Returns the outputs of the paper's Table 2 and Figure 4.

@@ -10,7 +10,7 @@ mod variance;
 use std::collections::BTreeMap;
 
 use planar_impact::uncertainty::{self as library, Estimated, Sampled, Threshold, Uncertain};
-use planar_impact::{ImpulseRatio, Output, Refusals, simulation};
+use planar_impact::{Distribution, ImpulseRatio, Output, Refusals, simulation};
 
 use crate::answer::Answer;
 use crate::case::{Case, CaseOutput, Parameter, UncertainInput};
@@ -244,6 +244,15 @@ impl<'a> Question<'a> {
             );
             found.notices.0.push(Notice::warning("infinite-deviation", "", message));
         }
+        let heavy: Vec<String> = self.heavy().map(|parameter| parameter.to_string()).collect();
+        if !heavy.is_empty() && self.asks(Method::MonteCarlo) && self.outputs.iter().any(|of| of.measure() == Measure::Energy) {
+            let message = format!(
+                "{} follows Student's t of so few measurements that energies, which grow with the square of a speed, have no finite standard deviation: only their \
+                 quantiles and probabilities of samples hold",
+                heavy.join(", ")
+            );
+            found.notices.0.push(Notice::warning("infinite-deviation", "energy", message));
+        }
         // Without means of the inputs there is no place for derivatives.
         let has_means = self.uncertain.means().iter().all(|mean| mean.is_finite());
         if !has_means || (!self.asks(Method::Linear) && !self.asks(Method::SecondOrder)) {
@@ -281,13 +290,25 @@ impl<'a> Question<'a> {
                 .figure(Measure::Ratio, critical.mean.abs())
                 .text("), and derivatives are those of one side: samples have both")
         };
-        let is_near = sd > 0.0 && (friction - critical.mean.abs()).abs() <= NEAR * sd;
+        // Without friction nothing holds.
+        let is_near = sd > 0.0 && friction > 0.0 && (friction - critical.mean.abs()).abs() <= NEAR * sd;
         is_near.then(|| Notice::warning("friction-switch", "contact.friction", message()))
     }
 
     fn infinite(&self) -> impl Iterator<Item = Parameter> + '_ {
         let is_infinite = |(_, number): &(&Parameter, &library::UncertainNumber)| !number.sd().is_finite();
         self.parameters.iter().zip(self.uncertain.numbers()).filter(is_infinite).map(|(parameter, _)| *parameter)
+    }
+
+    /// Returns the speeds and yaw rates with a finite standard deviation of which the square has none.
+    fn heavy(&self) -> impl Iterator<Item = Parameter> + '_ {
+        /// Student's t has moments below its degrees of freedom, one less than the measurements: a fourth one from six on.
+        const FEW: u32 = 5;
+        let is_heavy = |number: &library::UncertainNumber| matches!(number, library::UncertainNumber::Of(Distribution::StudentT { n, .. }) if *n <= FEW);
+        let is_of_motion = |parameter: &Parameter| matches!(parameter.measure(), Measure::Speed | Measure::YawRate);
+        let numbers = self.parameters.iter().zip(self.uncertain.numbers());
+        let heavy = numbers.filter(move |(parameter, number)| is_of_motion(parameter) && number.sd().is_finite() && is_heavy(number));
+        heavy.map(|(parameter, _)| *parameter)
     }
 
     fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty) -> Result<(), Refusals> {

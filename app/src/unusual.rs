@@ -11,8 +11,10 @@ use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
 
-/// The mass of a motorcycle, in kg. It has no upper limit, because a heavy vehicle may represent a barrier.
-const MASS: f64 = 100.0;
+/// From a motorcycle to the heaviest road trains, in kg.
+const MASS: RangeInclusive<f64> = 100.0..=250e3;
+/// A vehicle that is heavier represents a barrier, in kg.
+const AS_BARRIER: f64 = 1e7;
 /// Cars to trucks have 0.9 to 2.5 m.
 const RADIUS_OF_GYRATION: RangeInclusive<f64> = 0.5..=5.0;
 /// From its center of mass no point of a vehicle is farther, in m.
@@ -84,7 +86,7 @@ pub(crate) fn sizes(
 }
 
 pub(crate) fn mass(path: &str, mass: f64) -> Option<Notice> {
-    (mass < MASS).then(|| none_has("unusual-mass", path, "a mass", Measure::Mass, mass))
+    (!MASS.contains(&mass) && mass < AS_BARRIER).then(|| none_has("unusual-mass", path, "a mass", Measure::Mass, mass))
 }
 
 fn radius_of_gyration(path: &str, radius: f64) -> Option<Notice> {

@@ -25,11 +25,21 @@ pub struct FlatTop<T = f64> {
 impl<T: Ordered<Mask = bool>> Record<T> {
     /// Returns the smallest difference between two values of the record: its resolution, if it stores steps. `None` if all values are equal.
     pub fn resolution(&self) -> Option<T> {
-        let mut sorted = self.values().to_vec();
+        self.gaps(self.values()).into_iter().reduce(|least, gap| if gap.less(&least) { gap } else { least })
+    }
+
+    /// Returns the differences between neighbors of some numbers in their order, without those that are rounding.
+    fn gaps(&self, of: &[T]) -> Vec<T> {
+        let mut sorted = of.to_vec();
         sorted.sort_by(|a, b| if a.less(b) { Ordering::Less } else { Ordering::Greater });
         let slack = self.slack();
-        let steps = sorted.windows(2).map(|pair| pair[1].clone() - pair[0].clone()).filter(|step| slack.less(step));
-        steps.reduce(|least, step| if step.less(&least) { step } else { least })
+        sorted.windows(2).map(|pair| pair[1].clone() - pair[0].clone()).filter(|gap| slack.less(gap)).collect()
+    }
+
+    /// Returns what readings may be rounded to: the resolution, or the smallest difference between two differences of neighbors, as of 0, 2 and 5.
+    fn unit(&self, resolution: &T) -> T {
+        let of_gaps = self.gaps(&self.gaps(self.values()));
+        of_gaps.into_iter().fold(resolution.clone(), |least, gap| if gap.less(&least) { gap } else { least })
     }
 
     /// Returns the first stretch at the greatest or at the least value that is too flat for a peak: the channel was driven beyond its range.
@@ -37,7 +47,7 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     /// A peak that is stored in steps is flat for some samples too. About such a peak the values fall by at most nine steps within as many samples on each
     /// side as the flat part has, if it is a parabola; a flat top falls by more than twelve on both. A stretch that lasts to the end of the record, such as
     /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from one
-    /// sample to the next, after three samples or more; one of the last two changes is at least four fifths of it. Within a tenth of the whole range from zero
+    /// sample to the next, whatever both are rounded by, after three samples or more; one of the last two changes is at least four fifths of it. Within a tenth of the whole range from zero
     /// or from the first sample lies the unloaded reading, which is never a flat top.
     ///
     /// ```
@@ -75,7 +85,13 @@ impl<T: Ordered<Mask = bool>> Record<T> {
                 let at_once = fall(begin - 1);
                 let greatest = values.windows(2).map(|pair| (pair[1].clone() - pair[0].clone()).magnitude());
                 let greatest = greatest.reduce(|most, change| if most.less(&change) { change } else { most });
-                let is_abrupt = greatest.as_ref().is_some_and(|most| (most.clone() * T::int(3)).less(&(at_once.clone() * T::int(5))));
+                let unit = self.unit(step);
+                // Of a whole half-sine in eight readings the last change is less than a third of the greatest.
+                let is_abrupt = greatest.as_ref().is_some_and(|most| {
+                    let rounded = (most.clone() + unit.clone()) * T::int(9);
+                    (most.clone() * T::int(3)).less(&(at_once.clone() * T::int(5)))
+                        && rounded.less(&((at_once.clone() - unit) * T::int(20)))
+                });
                 let before = if begin >= FLAT { fall(begin - 2) - at_once.clone() } else { T::int(0) };
                 let latest = if before.less(&at_once) { at_once.clone() } else { before };
                 let is_fast = greatest.is_some_and(|most| !(latest * T::int(5)).less(&(most * T::int(4))));

@@ -229,7 +229,8 @@ impl<T: Ordered<Mask: Logic>> Impact<T> {
         let exchanged = self.work.n.clone().magnitude()
             + self.work.t.clone().magnitude()
             + self.work.m.clone().magnitude()
-            + (self.impulse.n.clone() * self.approach.n.clone()).magnitude();
+            + (self.impulse.n.clone() * self.approach.n.clone()).magnitude()
+            + (self.impulse.t.clone() * self.approach.t.clone()).magnitude();
         self.loss().less(&-(exchanged * slack()))
     }
 }
@@ -265,6 +266,37 @@ mod tests {
                 assert!(spoiled.solve().is_err(), "{input} {value}");
             }
         }
+    }
+
+    /// With a restitution of 1 the law of Kudlich and Slibar turns the whole approach around: the works are the rounding of the products of the impulse and the approach,
+    /// and of an approach that is mostly tangential that of the tangential product.
+    #[test]
+    fn an_approach_that_is_turned_around_gains_nothing() {
+        let mut solved = 0;
+        for (plane, heading, arm, speed) in
+            (0..18).flat_map(|i| (0..12).flat_map(move |j| (0..5).flat_map(move |k| (5..8).map(move |l| (10 * i, 5 * j, k, 2 * l)))))
+        {
+            let one: Vehicle = Vehicle::new(1000.0, 3000.0).with_speed(15.0);
+            let angle = crate::Heading::from_angle(f64::from(heading).to_radians());
+            let two = Vehicle::new(1500.0, 2500.0)
+                .with_impact_center(-0.5 * f64::from(arm), 0.0)
+                .with_heading(angle)
+                .with_speed(f64::from(speed));
+            let collision = Collision::new(one, two)
+                .with_crush_plane(crate::CrushPlane::from_angle(f64::from(plane).to_radians()))
+                .with_law(crate::Law::KudlichSlibar)
+                .with_restitution(1.0);
+            match collision.solve() {
+                Ok(impact) => {
+                    solved += 1;
+                    assert!(!impact.gains_energy());
+                }
+                Err(refusals) => {
+                    assert!(refusals.iter().all(|refusal| refusal.code() != "energy-gain"), "{plane} {heading} {arm} {speed}: {refusals}");
+                }
+            }
+        }
+        assert!(solved > 500, "{solved}");
     }
 
     #[test]

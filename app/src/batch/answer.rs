@@ -8,11 +8,13 @@ use super::Plan;
 use super::column::{Cell, Column, Table};
 use super::row::{Fault, Row, RowVehicle, describe};
 use super::sizes::{self, Unusual};
+use super::watch::{self, Watch};
 use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, Velocity};
 use crate::derivative;
 use crate::message::Message;
 use crate::named::positive_zero;
-use crate::{unusual, wording};
+use crate::notice::Notice;
+use crate::{doubtful, unusual, wording};
 
 /// The answer to some rows, in SI and radians.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +28,7 @@ pub struct Answer {
     pub check: Option<Vec<Option<String>>>,
     /// The rows that are refused, in order.
     pub refused: Vec<Refused>,
-    /// The sizes that no road vehicle has, each once.
+    /// The sizes that no road vehicle has, and what is possible and rarely meant, each once.
     pub unusual: Vec<Unusual>,
 }
 
@@ -68,6 +70,7 @@ impl Plan {
                 let contact = cells.contact(&self.contact, &self.defaults);
                 let has_crush = self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty());
                 let crushes = if has_crush { self.crush_of(&mut cells) } else { [None, None] };
+                let mut is_unusual = false;
                 if cells.faults.is_empty() {
                     let is_empty = !columns.is_empty() && columns.iter().all(|column| matches!(column.at(row), Cell::Empty));
                     let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
@@ -77,9 +80,11 @@ impl Plan {
                             crush.into_iter().flat_map(move |crush| unusual::sizes_of_crush(path, crush))
                         },
                     );
-                    sizes::of_row(&vehicles, &contact).chain(of_crush).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
+                    let of_sizes = sizes::of_row(&vehicles, &contact).inspect(|_| is_unusual = true);
+                    of_sizes.chain(of_crush).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
                 }
                 read.push(&vehicles, &contact, cells.faults);
+                read.is_unusual.push(is_unusual);
             }
             self.solve_read(first, columns, &mut read, &mut answer);
         }
@@ -121,6 +126,7 @@ impl Plan {
             }
         }
         let check = self.is_checked.then(|| (0..rows).map(|row| violated(&batch.row(row))).collect());
+        let doubts = read.doubts(&batch);
         let slopes = self.derivatives(read, &of, &Slopes { by: &by, columns: slopes });
         let mut part = self.arrange(values, slopes, check, rows);
         for row in without_some_derivative {
@@ -131,9 +137,13 @@ impl Plan {
         if self.has_crush() {
             self.add_crush(&mut part, first, columns, read);
         }
+        for (row, warning) in doubts.into_iter().filter(|(row, _)| !read.is_refused[*row]) {
+            Unusual { first: row, rows: 1, warning }.add(&mut part.unusual);
+        }
         part.blank(&read.is_refused);
         read.refused.sort_by_key(|refused| refused.row);
         part.refused.extend(read.refused.drain(..).map(|refused| Refused { row: first + refused.row, ..refused }));
+        part.unusual.iter_mut().for_each(|unusual| unusual.first += first);
         answer.append(part);
     }
 
@@ -188,6 +198,10 @@ impl Plan {
                 continue;
             }
             let outputs = setup.evaluate();
+            let [one, two] = Side::ALL.map(|side| outputs.get(CaseOutput::CrushEnergy(side)).unwrap_or(0.0));
+            let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
+            let before = outputs.get(CaseOutput::Impact(Output::EnergyBefore));
+            before.and_then(|before| doubtful::crush(one + two, before)).into_iter().for_each(of_row);
             for (i, output) in self.outputs.iter().enumerate().filter(|(_, output)| impact(**output).is_none()) {
                 answer.outputs[i][row] = outputs.get(*output).unwrap_or(f64::NAN);
             }
@@ -239,6 +253,7 @@ impl Answer {
         numbers.for_each(|(column, later)| column.extend(later.iter().map(|number| positive_zero(*number))));
         self.check.iter_mut().zip(later.check).for_each(|(column, later)| column.extend(later));
         self.refused.extend(later.refused);
+        later.unusual.into_iter().for_each(|unusual| unusual.add(&mut self.unusual));
     }
 
     /// Leaves no number in a row that is refused.
@@ -309,16 +324,18 @@ struct Rows {
     speeds: [Vec<f64>; 2],
     radii: [Vec<f64>; 2],
     is_refused: Vec<bool>,
+    is_unusual: Vec<bool>,
     refused: Vec<Refused>,
 }
 
 impl Rows {
     /// Forgets every row, and keeps the memory.
     fn clear(&mut self) {
-        let Rows { columns, forms, speeds, radii, is_refused, refused } = self;
+        let Rows { columns, forms, speeds, radii, is_refused, is_unusual, refused } = self;
         columns.iter_mut().chain(speeds).chain(radii).for_each(Vec::clear);
         forms.clear();
         is_refused.clear();
+        is_unusual.clear();
         refused.clear();
     }
 
@@ -370,6 +387,17 @@ impl Rows {
     fn refuse(&mut self, refused: Refused) {
         self.is_refused[refused.row] = true;
         self.refused.push(refused);
+    }
+
+    /// Returns the warnings about the results of rows, which have been solved.
+    fn doubts(&self, batch: &Batch<'_>) -> Vec<(usize, Notice)> {
+        let watch = Watch::of(batch, &self.columns, &self.forms);
+        let of_row = |row: usize| {
+            let is_doubted = self.is_unusual[row] || watch.may_be_doubtful(row);
+            let of_result = if is_doubted { watch::of_result(&batch.row(row), self.is_unusual[row]) } else { Vec::new() };
+            of_result.into_iter().chain(watch.of_tangential_work(row)).map(move |warning| (row, warning))
+        };
+        (0..self.forms.len()).filter(|row| !self.is_refused[*row]).flat_map(of_row).collect()
     }
 
     fn batch(&self) -> Batch<'_> {

@@ -343,6 +343,11 @@ fn unknown(name: &str) -> Issue {
     if visible(name) != name {
         return issue.with_help(format!("it has characters that cannot be seen; write `{}`", visible(name)));
     }
+    // The stiffness of a table is named as `gradient` names it, without the table of the case file.
+    let of_file = name.replacen(".stiffness.", ".", 1);
+    if of_file != name && Key::named(&of_file).is_some() {
+        return issue.with_help(format!("did you mean `{of_file}`?"));
+    }
     let meant = of_symbol(name).or_else(|| did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string())));
     issue.with_help(meant.unwrap_or_else(|| "rename the column, so that it passes through".to_owned()))
 }

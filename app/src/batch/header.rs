@@ -1,5 +1,7 @@
 //! The header of a column: its name, and its unit in brackets.
 
+use crate::quantity::{Conversion, Kind};
+
 /// What stands above a column, such as `vehicle.1.speed [mph]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Header {
@@ -25,6 +27,19 @@ impl Header {
             None => Header { name: text.trim().to_owned(), unit: None },
         }
     }
+}
+
+/// Returns the name and the unit of a column whose unit stands in its name, as in `speed (mph)`, `speed_mph` and `speed / mph`, and not in brackets; `None` if that is
+/// none of the kind, or the one that is assumed.
+pub(crate) fn unit_in_name(name: &str, kind: Kind) -> Option<(&str, &str)> {
+    let is_between = |c: char| matches!(c, ' ' | '_' | '/' | ',' | ':' | ';' | '-' | '.' | '(' | ')' | '{' | '}');
+    let is_unit = |unit: &str| match Conversion::of(unit, kind) {
+        Ok(conversion) => conversion.to_si(1.0) != 1.0,
+        Err(_) => kind.dimension == Kind::ACCELERATION.dimension && matches!(unit, "g" | "G"),
+    };
+    let places = name.char_indices().filter(|(_, c)| is_between(*c));
+    let parts = places.map(|(at, _)| (name[..at].trim_matches(is_between), name[at..].trim_matches(is_between)));
+    parts.filter(|(name, unit)| !name.is_empty() && !unit.is_empty()).find(|(_, unit)| is_unit(unit))
 }
 
 /// Returns what is wrong with column names of which the first begins as a comment, and the remedy.

@@ -1,5 +1,7 @@
 //! Each row is the case file that it stands for.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -136,6 +138,35 @@ fn drawn(rng: &mut ChaCha8Rng) -> Written {
     row
 }
 
+/// Draws a car ahead of a barrier with the normal along x, so that K_nn = 1/m + l²/I and K_nt = −f l/I.
+fn grazing(rng: &mut ChaCha8Rng) -> Written {
+    let mut row = Written::default();
+    let [m, inertia, f, l] = [1500.0, 2500.0, rng.random_range(1.0..2.5), rng.random_range(0.4..0.9)];
+    let share = 10.0_f64.powf(rng.random_range(-8.0..-4.0));
+    let wedged = (1.0 / m + l * l / inertia) / (f * l / inertia);
+    let numbers = [
+        ("vehicle.1.mass", m),
+        ("vehicle.1.yaw_inertia", inertia),
+        ("vehicle.1.heading", 0.0),
+        ("vehicle.1.velocity.x", share * rng.random_range(1.0..20.0)),
+        ("vehicle.1.velocity.y", rng.random_range(-20.0..20.0)),
+        ("vehicle.1.impact_center.forward", f),
+        ("vehicle.1.impact_center.left", l),
+        ("contact.crush_plane", 0.0),
+        ("contact.restitution", 0.1),
+        ("contact.impulse_ratio", wedged * (1.0 - share)),
+    ];
+    numbers.iter().for_each(|(name, number)| row.set(name, format!("{number:?}")));
+    row.set("vehicle.2.barrier", "true".to_owned());
+    let [.., x, y, _, _, _, _, ratio] = numbers.map(|(_, number)| number);
+    row.vehicles = [
+        format!("mass = {m:?}\nyaw_inertia = {inertia:?}\nheading = 0.0\nvelocity = [{x:?}, {y:?}]\nimpact_center = [{f:?}, {l:?}]"),
+        "barrier = true".to_owned(),
+    ];
+    row.contact = format!("crush_plane = 0.0\nrestitution = 0.1\nimpulse_ratio = {ratio:?}\n");
+    row
+}
+
 fn parse(text: String) -> Result<Case, Issues> {
     Case::parse(Source { name: "row.toml".to_owned(), text })
 }
@@ -189,6 +220,78 @@ fn every_row_is_the_case_file_that_it_stands_for() {
     }
     assert_eq!(refused.next(), None);
     assert!((2000..4900).contains(&solved), "{solved} of {} rows are solved", rows.len());
+}
+
+/// Warnings follow from bounds of a row that spare it a solution of its own: none may be lost by them, and none added.
+#[test]
+fn a_row_has_the_warnings_of_its_case_file() {
+    let mut rng = ChaCha8Rng::seed_from_u64(27);
+    let plan = plan(&NAMES, None, &Options::default()).expect("a plan");
+    let mut counts = BTreeMap::new();
+    for _ in 0..6000 {
+        let mut row = drawn(&mut rng);
+        // Radii of gyration and offsets of every size, at which pairs wedge, and restitutions up to 1, at which some gain energy.
+        let replace = |row: &mut Written, name: &str, key: &str, number: f64| {
+            let Some(cell) = row.cells.iter_mut().find(|(of, _)| *of == name) else { return };
+            let side = if name.contains(".2.") { 1 } else { 0 };
+            let keys = if name.starts_with("vehicle") { &mut row.vehicles[side] } else { &mut row.contact };
+            *keys = keys.replace(&format!("{key} = {}\n", cell.1), &format!("{key} = {number:?}\n"));
+            cell.1 = format!("{number:?}");
+        };
+        for side in 1..=2 {
+            if rng.random_bool(0.4) {
+                let radius = 10.0_f64.powf(rng.random_range(-3.0..0.3));
+                replace(&mut row, &format!("vehicle.{side}.radius_of_gyration"), "radius_of_gyration", radius);
+                replace(&mut row, &format!("vehicle.{side}.yaw_inertia"), "yaw_inertia", 1500.0 * radius * radius);
+            }
+        }
+        if rng.random_bool(0.5) {
+            replace(&mut row, "contact.restitution", "restitution", rng.random_range(0.0..1.0));
+        }
+        // A usual car that grazes a barrier, at an impulse ratio that nearly wedges it: P_n/K_nn grows without bound, and little energy with it.
+        if rng.random_ratio(1, 5) {
+            row = grazing(&mut rng);
+        }
+        let case = parse(row.case()).unwrap_or_else(|issues| panic!("{}: {issues}", row.case()));
+        let rows = [row];
+        let answer = plan.solve(&Table { rows: 1, columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
+        let of_row: BTreeSet<_> =
+            answer.unusual.iter().map(|unusual| (unusual.warning.code.to_owned(), unusual.warning.path.clone())).collect();
+        match case.collision.solve() {
+            Ok(impact) => {
+                let alone: BTreeSet<_> = case.warnings(&impact).into_iter().map(|notice| (notice.code.to_owned(), notice.path)).collect();
+                let is_usual = !alone.iter().any(|(code, _)| code.starts_with("unusual"));
+                alone.iter().for_each(|(code, _)| *counts.entry((code.clone(), is_usual)).or_insert(0) += 1);
+                assert_eq!(of_row, alone, "{}", rows[0].case());
+            }
+            Err(_) => assert!(of_row.iter().all(|(code, _)| code.starts_with("unusual")), "{of_row:?}\n{}", rows[0].case()),
+        }
+    }
+    for (code, is_usual) in [
+        ("restitution-can-gain-energy", true),
+        ("nearly-wedged", true),
+        ("nearly-wedged", false),
+        ("tangential-work-positive", true),
+        ("few-digits", false),
+    ] {
+        assert!(counts.get(&(code.to_owned(), is_usual)).is_some_and(|count| *count >= 20), "{code}: {counts:?}");
+    }
+}
+
+#[test]
+fn a_row_with_less_energy_than_its_crush_is_warned_of() {
+    let case = parse(CRUSHED.to_owned()).expect("a case");
+    for of in [vec![], named(&["T_L"])] {
+        let plan = plan(&["vehicle.1.speed"], Some(&case), &Options { of, ..Options::default() }).expect("a plan");
+        let speeds = [15.0, 1.0, 0.0, 2.0].map(Cell::Number).to_vec();
+        let answer = plan.solve(&Table { rows: 4, columns: vec![Column::Cells(speeds)], unreadable: Vec::new() });
+        let found: Vec<_> = answer
+            .unusual
+            .iter()
+            .map(|unusual| (unusual.warning.code, unusual.warning.path.as_str(), unusual.first, unusual.rows))
+            .collect();
+        assert_eq!(found, [("crush-beyond-energy", "vehicle", 1, 2)], "the third row does not collide");
+    }
 }
 
 #[test]

@@ -131,7 +131,11 @@ pub fn size_of(unit: &str, kind: Kind) -> Result<f64, String> {
     if is_pure && matches!(unit, "" | "1" | "-") {
         return Ok(1.0);
     }
-    Conversion::of(unit, kind).map(|conversion| conversion.to_si(1.0)).map_err(|error| error.to_string())
+    let of_unit = Kind { example: if is_pure { kind.example } else { kind.si }, ..kind };
+    Conversion::of(unit, of_unit).map(|conversion| conversion.to_si(1.0)).map_err(|error| match Conversion::of(unit, Kind::FORCE) {
+        Ok(_) if kind.dimension == Kind::MASS.dimension => format!("{} (divide weights by the gravity)", error.message),
+        _ => error.to_string(),
+    })
 }
 
 #[cfg(test)]
@@ -146,6 +150,8 @@ mod tests {
         assert_eq!(size_of("ft", Kind::LENGTH), Ok(0.3048));
         let refused = |unit: &str, kind: Kind| size_of(unit, kind).expect_err(unit);
         assert_eq!(refused(" ", Kind::LENGTH), "the unit of a length is missing, such as \"m\"");
+        assert_eq!(refused("lbf", Kind::MASS), "`lbf` is a force; a mass is expected, such as \"kg\" (divide weights by the gravity)");
+        assert_eq!(refused("m/s", Kind::YAW_RATE), "`m/s` is a speed; a yaw rate is expected, such as \"rad/s\"");
         for (unit, kind) in [("-", Kind::LENGTH), ("kg", Kind::LENGTH), ("kg", Kind::PURE)] {
             assert!(size_of(unit, kind).is_err(), "{unit}");
         }

@@ -3,6 +3,7 @@
 use planar_impact::barrier::{Estimate, Record, TestIssue, TestIssues, Window};
 use planar_impact::{InputIssue, InputIssueKind, Issue as _};
 
+use super::channel::greatest;
 use super::recording::Channel;
 use super::{Accelerated, Barrier, ChannelAnswer, ChannelQuantity, Kinematics, RecordAnswer, Recorder, Recording, Trace, Uncertain};
 use crate::issue::{Cause, Issue, Issues};
@@ -94,8 +95,11 @@ impl Analysis<'_> {
         None
     }
 
-    /// Reports a channel of a bank that is the sum of the others, with which every force counts twice.
+    /// Reports a channel of a bank that is the sum of the others, with which every force counts twice. Where all have one shape, in
+    /// coarse steps, one that carries half of the force is as much the sum of the others: that is warned of.
     fn sums(&mut self) {
+        /// Share of the greatest force that all steps together are.
+        const COARSE: f64 = 0.01;
         for quantity in [ChannelQuantity::NormalForce, ChannelQuantity::TangentialForce] {
             let bank: Vec<&Channel> = self.of.channels.iter().filter(|channel| channel.quantity == quantity).collect();
             if bank.len() < 3 {
@@ -112,7 +116,20 @@ impl Analysis<'_> {
             let parts = bank.iter().filter(|channel| channel.record.resolution().is_some()).count();
             if let Some(sum) = bank.iter().copied().find(is_sum).filter(|_| parts > 2) {
                 let others = bank.iter().filter(|channel| channel.path != sum.path).map(|channel| channel.name.as_str());
-                let message = format!("it is the sum of {}: every force would count twice", others.collect::<Vec<_>>().join(" and "));
+                let others = others.collect::<Vec<_>>().join(" and ");
+                let at = greatest(sum.record.values().iter().map(|value| value.abs()));
+                let is_alike = |channel: &&Channel| {
+                    let share = values(channel, at) / values(sum, at);
+                    let slack = channel.step() + share.abs() * sum.step() + ROUNDING * values(channel, at).abs();
+                    (0..sum.record.len()).all(|i| (values(channel, i) - share * values(sum, i)).abs() <= slack)
+                };
+                if steps > COARSE * values(sum, at).abs() && bank.iter().all(is_alike) {
+                    let message =
+                        format!("{} is the sum of {others}: if it is a total, every force counts twice; leave it out then", sum.name);
+                    self.notices.push(Notice::warning("sum-of-others", sum.path.clone(), message));
+                    continue;
+                }
+                let message = format!("it is the sum of {others}: every force would count twice");
                 self.issues
                     .push(Issue::at("contradiction", sum.path.clone(), message).with_help("leave its column out, or those that it sums"));
             }

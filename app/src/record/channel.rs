@@ -1,5 +1,6 @@
 //! A channel by itself: whether it holds the whole event, undisturbed, and in which steps it was read.
 
+use planar_impact::Distribution;
 use planar_impact::barrier::{Clock, Record, Window};
 
 use super::analysis::{Analysis, ROUNDING};
@@ -137,35 +138,21 @@ impl Channel {
         Vec::new()
     }
 
-    /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a velocity change still changes by
-    /// a tenth within the last tenth of the time since it began. Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more
-    /// than two steps and more than the noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its
-    /// beginning can be missing.
+    /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a [velocity change still
+    /// changes](Self::still_changes). Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more than two steps and more than the
+    /// noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
     pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
-        /// Standard deviations that are no chance.
-        const MOST: f64 = 3.0;
-        let (times, values) = (self.record.times(), self.record.values());
+        let values = self.record.values();
         let (first, last) = (values[0], values[values.len() - 1]);
         let mut slack = 2.0 * self.record.resolution().unwrap_or(0.0);
         let (unloaded, late, left) = match self.quantity {
             ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
-            // Two readings show no end of the change, whatever their step.
-            quantity if quantity.is_running() && values.len() < 3 => return (first != last).then_some(Cut::End),
-            quantity if quantity.is_running() => {
-                let begun = values.iter().position(|value| (value - first).abs() > slack).unwrap_or(values.len()) - 1;
-                let end = times[times.len() - 1];
-                let lately = end - 0.1 * (end - times[begun]);
-                let before = times.partition_point(|time| *time < lately).clamp(1, values.len() - 1) - 1;
-                // Two readings that scatter differ by as much as this without any change.
-                let by_chance = MOST * 2_f64.sqrt() * scatter(values, slack / 2.0);
-                let change = (last - values[before]).abs();
-                (first, 0.0, if change > by_chance { change } else { 0.0 })
-            }
+            quantity if quantity.is_running() => return self.still_changes().then_some(Cut::End),
             _ => {
                 // A window without a mean is reported where the channel is integrated.
                 let mean = before.and_then(|before| self.record.baseline(&before).ok());
                 let unloaded = mean.map_or(0.0, |mean| mean.value);
-                slack = slack.max(MOST * mean.map_or(0.0, |mean| mean.deviation()));
+                slack = slack.max(BY_CHANCE * mean.map_or(0.0, |mean| mean.deviation()));
                 (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
             }
         };
@@ -173,7 +160,46 @@ impl Channel {
         let is_missing = |left: f64| left > (0.1 * height).max(slack);
         if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
     }
+
+    /// Returns `true` if a velocity change goes on at the last reading: within the last tenth of the time since it began, or the last reading but up to three tenths, it
+    /// changes at half of its mean rate, by more than one step and more than its readings scatter. What a whole half-sine, which ends with the record, changes by in so
+    /// much time is not enough.
+    fn still_changes(&self) -> bool {
+        /// Of the time since the change began.
+        const LATELY: f64 = 0.1;
+        const LATE: f64 = 0.3;
+        /// Of the mean rate.
+        const RATE: f64 = 0.5;
+        /// A change by one step is rounding.
+        const STEPS: f64 = 1.5;
+        let (times, values) = (self.record.times(), self.record.values());
+        let (first, end) = (values[0], values.len() - 1);
+        // Two readings show no end of the change, whatever their step.
+        if values.len() < 3 {
+            return first != values[end];
+        }
+        let step = self.step();
+        let begun = values.iter().position(|value| (value - first).abs() > STEPS * step).map_or(end, |changed| changed - 1);
+        let height = values.iter().map(|value| (value - first).abs()).fold(0.0, f64::max);
+        // Two readings that scatter differ by as much as this without any change.
+        let by_chance = BY_CHANCE * 2_f64.sqrt() * scatter(values, step).deviation;
+        let share = |before: usize| (times[end] - times[before]) / (times[end] - times[begun]);
+        let changes = |before: usize| {
+            let share = share(before);
+            let enough = height * (RATE * share).max(3.0 * share * share);
+            (values[end] - values[before]).abs() > enough.max(STEPS * step).max(by_chance)
+        };
+        let lately = (begun..end).rev().find(|before| share(*before) >= LATELY);
+        (begun..end)
+            .rev()
+            .skip_while(|before| Some(*before) > lately)
+            .take_while(|before| Some(*before) == lately || share(*before) <= LATE)
+            .any(changes)
+    }
 }
+
+/// Standard deviations that are no chance.
+const BY_CHANCE: f64 = 3.0;
 
 /// Fewest samples of which a common step is no chance.
 const MANY: usize = 16;
@@ -219,27 +245,38 @@ fn step_of(record: &Record) -> Option<f64> {
     (record.len() >= MANY && is_whole).then_some(step)
 }
 
-/// Returns the standard deviation by which readings scatter where a velocity change is almost constant, by their second differences; zero if their steps explain it, or
-/// if they are few.
+/// By how much readings scatter where a velocity change is almost constant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Scatter {
+    /// Standard deviation, widened for so few readings as Student's t is: 1.96 of it are as rarely exceeded as of a known one. Zero if their steps explain it.
+    pub(super) deviation: f64,
+    /// Number of these readings.
+    pub(super) readings: usize,
+}
+
+/// Returns the scatter of a velocity change, by the second differences of its almost constant readings.
 ///
 /// It is almost constant from the first reading that reaches most of the late ones, if none is much greater, and otherwise from the greatest: of readings that scatter the
 /// greatest may be one of the last.
-pub(super) fn scatter(values: &[f64], step: f64) -> f64 {
-    /// Fewest readings that tell.
+pub(super) fn scatter(values: &[f64], step: f64) -> Scatter {
+    /// Fewest readings of which some are late, and fewest late ones.
     const FEW: usize = 8;
+    const LATE: usize = FEW / 2;
     /// Share of the late readings by which the greatest may exceed them.
     const HARDLY: f64 = 0.1;
     /// The same in standard deviations by which these scatter.
     const BY_CHANCE: f64 = 6.0;
+    /// Share of the variance of steps that a constant leaves, which crosses a step at times.
+    const OF_STEPS: f64 = 0.6;
     if values.len() < FEW {
-        return 0.0;
+        return Scatter::default();
     }
     let variance = |readings: &[f64]| -> f64 {
         let bends = readings.windows(3).map(|three| three[0] - 2.0 * three[1] + three[2]);
         bends.map(|bend| bend * bend).sum::<f64>() / (6.0 * (readings.len() - 2) as f64)
     };
     let heights: Vec<f64> = values.iter().map(|value| value.abs()).collect();
-    let late = &heights[heights.len() - (heights.len() / 4).max(FEW / 2)..];
+    let late = &heights[heights.len() - (heights.len() / 4).max(LATE)..];
     let by_chance = BY_CHANCE * variance(late).sqrt();
     let mut late = late.to_vec();
     late.sort_by(f64::total_cmp);
@@ -247,11 +284,15 @@ pub(super) fn scatter(values: &[f64], step: f64) -> f64 {
     let is_constant = heights[top] <= late + by_chance.max(HARDLY * late);
     let reached = heights.iter().position(|height| *height >= late).filter(|_| is_constant);
     let after = &values[reached.map_or(top, |reached| reached.min(top))..];
-    if after.len() < FEW {
-        return 0.0;
+    let readings = after.len();
+    if readings < LATE || variance(after) <= OF_STEPS * step * step / 12.0 {
+        return Scatter { deviation: 0.0, readings };
     }
-    let (variance, of_steps) = (variance(after), step * step / 12.0);
-    if variance > 2.0 * of_steps { (variance - of_steps).sqrt() } else { 0.0 }
+    // Neighboring bends share readings: about half of them are independent.
+    let n = u32::try_from((readings - 2).div_ceil(2) + 1).unwrap_or(u32::MAX);
+    let student = Distribution::StudentT { mean: 0.0, sd: f64::from(n).sqrt(), n };
+    let widened = student.quantile(0.975) / Distribution::NORMAL_95;
+    Scatter { deviation: widened * variance(after).sqrt(), readings }
 }
 
 /// Returns the index of the greatest of some magnitudes, the first of several.

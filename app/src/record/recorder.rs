@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::analysis::ROUNDING;
-use super::channel::{greatest, scatter, stretch};
+use super::channel::{Scatter, greatest, scatter, stretch};
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -99,7 +99,7 @@ struct Noise {
     step: Option<f64>,
     relative: f64,
     /// By which readings scatter, beyond their steps.
-    scatter: f64,
+    scatter: Scatter,
 }
 
 impl Noise {
@@ -132,14 +132,18 @@ impl Noise {
                     .text(whose);
                 notices.push(Notice::warning("resolution-coarser", channel.path.clone(), message));
             }
-            Noise { step: coarser.map(|(_, printed)| printed).or(common), relative: recording.settings.relative, scatter: 0.0 }
+            Noise {
+                step: coarser.map(|(_, printed)| printed).or(common),
+                relative: recording.settings.relative,
+                scatter: Scatter::default(),
+            }
         };
         all.map(|channel| channel.map(&mut of))
     }
 
     /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
     fn sd(self, value: f64) -> Option<f64> {
-        self.step.map(|step| libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter))
+        self.step.map(|step| libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter.deviation))
     }
 
     fn with(self, value: f64) -> Uncertain {
@@ -163,12 +167,24 @@ impl<'a> Component<'a> {
         Component { channel, times: channel.record.times(), values, noise }
     }
 
-    /// Notes that the readings scatter.
+    /// Notes that the readings scatter, or warns that too few would show it.
     fn of_scatter(&self) -> Option<Notice> {
-        let message = Message::from(format!("{} scatters by ", self.channel.name))
-            .figure(Measure::Speed, self.noise.scatter)
-            .text(": the greatest of such readings is too great; its standard deviation includes twice the scatter");
-        (self.noise.scatter > 0.0).then(|| Notice::note("readings-scatter", self.channel.path.clone(), message))
+        /// Fewest readings that show it.
+        const FEW: usize = 4;
+        let (Scatter { deviation, readings }, name, path) = (self.noise.scatter, &self.channel.name, self.channel.path.clone());
+        if deviation > 0.0 {
+            let message = Message::from(format!("{name} scatters by up to "))
+                .figure(Measure::Speed, deviation)
+                .text(format!(", as far as {readings} readings show: the greatest of such readings is too great; its standard deviation includes twice the scatter"));
+            return Some(Notice::note("readings-scatter", path, message));
+        }
+        let is_short = readings < FEW && self.channel.record.resolution().is_some() && self.channel.cut(None).is_none();
+        is_short.then(|| {
+            let message = format!(
+                "{name} has too few readings after its change to show whether they scatter, which would make the greatest too great: its standard deviation is that of its steps alone"
+            );
+            Notice::warning("plateau-short", path, message)
+        })
     }
 
     /// Returns where the velocity changes as fast as a sensor of some range can tell, to within the resolution of the record; `None` if that is nowhere, or if

@@ -4,7 +4,7 @@ use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{Record, TestIssue};
 
 use super::ChannelQuantity;
-use crate::batch::{Header, commented, separated_otherwise};
+use crate::batch::{Header, commented, separated_otherwise, unit_in_name};
 use crate::case::{Rows, read_cell};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, QuantityError};
@@ -119,7 +119,12 @@ impl Samples {
             (None, Some("g" | "G" | "g's" | "G's" | "g’s" | "G’s")) if kind.dimension == Kind::ACCELERATION.dimension => {
                 Ok(Scale::Calibration(STANDARD_GRAVITY))
             }
-            (None, None) => Ok(Scale::Unit(None, kind)),
+            (None, None) => match unit_in_name(name, kind) {
+                Some((bare, unit)) => {
+                    Err(self.fault(1, name, "the unit of a column is read in brackets", format!("write `{bare} [{unit}]`")))
+                }
+                None => Ok(Scale::Unit(None, kind)),
+            },
             (None, Some(unit)) => match Conversion::in_header(unit, kind) {
                 Ok(conversion) => Ok(Scale::Unit(Some((unit, conversion)), kind)),
                 Err(QuantityError { message, help }) => {

@@ -1,6 +1,8 @@
 //! Ranges of inputs, such as `contact.crush_plane=-10 deg:10 deg:1 deg`.
 
-use crate::case::{Inputs, Parameter};
+use planar_impact::{Heading, Input};
+
+use crate::case::{Inputs, Parameter, Velocity};
 use crate::issue::Issue;
 use crate::names;
 use crate::quantity::{self, Conversion, Quantity, QuantityError, excerpt};
@@ -33,6 +35,9 @@ impl Range {
         let parameter = names::parameter("--vary", name, inputs).map_err(|issue| vec![issue])?;
         let issue = |message: &str, help| vec![names::issue("--vary", name, message, help)];
         inputs.can_set(parameter).map_err(|why| issue(&why, None))?;
+        if let Some((message, help)) = moves_across(parameter, inputs) {
+            return Err(issue(&message, Some(help)));
+        }
         let parts: Vec<&str> = range.split(':').collect();
         let &[from, to, step] = &parts[..] else {
             let message = format!("expected FROM:TO:STEP; found {}", excerpt(range));
@@ -110,6 +115,18 @@ pub fn read(texts: &[String], inputs: &Inputs, issues: &mut Vec<Issue>) -> Vec<R
         }
     }
     ranges
+}
+
+/// Refuses a speed of a vehicle whose velocity has a component across its heading: a row of `batch` and a case file take a speed for the whole velocity, and a
+/// point of a sweep would keep that component.
+fn moves_across(parameter: Parameter, inputs: &Inputs) -> Option<(String, String)> {
+    let Parameter::Speed(side) = parameter else { return None };
+    let vehicle = inputs.vehicles[side as usize].as_ref()?;
+    let Velocity::Components(velocity) = vehicle.velocity else { return None };
+    let across = Heading::from_angle(vehicle.heading).to_vehicle(velocity).left;
+    let message = || "the velocity of the case has a component across the heading, and a speed has none".to_owned();
+    let help = || format!("vary `{}` and `{}`, or give the vehicle a `speed` in the case", Input::VelocityX(side), Input::VelocityY(side));
+    (across.abs() > 1e-9 * velocity.length()).then(|| (message(), help()))
 }
 
 fn too_many() -> Option<String> {

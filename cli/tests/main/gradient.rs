@@ -419,3 +419,29 @@ fn a_corner_says_whose_derivatives_it_has() {
         assert_eq!(text.contains("1256"), these == "less", "{text}");
     }
 }
+
+/// Without friction nothing sticks, on either side of a collision that is symmetric: the derivatives are those of the same collision half a turn away, where rounding
+/// breaks the symmetry.
+#[test]
+fn a_symmetric_collision_without_friction_has_no_corner() {
+    let of = |turn: f64, friction: f64| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = \"{turn} deg\"\nspeed = 15\nimpact_center = [2, 0]\n\
+             [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = \"{turn} deg\"\nrestitution = 0.1\nfriction = {friction}\n"
+        );
+        let answer = json(&["--of", "Omega1,P_t", "--wrt", "Gamma,theta1,vehicle.1.impact_center.left,omega1,contact.friction"], &case);
+        let slopes = |of: &str| -> Vec<f64> {
+            let d = answer["of"][of]["d"].as_object().expect("derivatives");
+            d.values().map(|slope| slope.as_f64().expect("a number")).collect()
+        };
+        let warned = answer["messages"].as_array().into_iter().flatten().any(|message| message["code"] == "corner");
+        (slopes("vehicle.1.yaw_rate"), slopes("contact.impulse.tangential"), warned)
+    };
+    let (yaw, tangential, warned) = of(0.0, 0.0);
+    // By Γ, the friction, θ, l and the yaw rate: a normal impulse 1.1 m v at an arm of 2 sin(Γ − θ) and l: 2 · 1.1 m v/I = 19.8 per rad, and half of it per meter, less what the yaw rate takes with l.
+    for (slope, wanted) in yaw.iter().zip([-19.8, 0.0, 19.8, 9.9, 1.0]) {
+        assert!((slope - wanted).abs() < 1e-12, "{yaw:?}");
+    }
+    assert!(tangential.iter().all(|slope| *slope == 0.0) && !warned, "{tangential:?}");
+    assert_ne!(of(0.0, 0.1).0, yaw, "with friction it sticks");
+}

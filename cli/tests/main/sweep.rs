@@ -26,7 +26,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().expect("a column").iter().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect()
 }
 
-/// The ends of a range are as unusual as the numbers of a case; the speed of a vehicle that moves across its heading leaves that motion.
+/// The ends of a range are as unusual as the numbers of a case.
 #[test]
 fn unusual_ranges_are_warned_of() {
     let codes = |case: &str, vary: &str| {
@@ -40,7 +40,36 @@ fn unusual_ranges_are_warned_of() {
     assert_eq!(codes(POSITION_A, "m1=1.5:1500:749.25"), ["vehicle.1 unusual-mass", "vehicle.1 unusual-radius-of-gyration"]);
     assert_eq!(codes(POSITION_A, "v1=10:150:70"), ["vehicle.1 unusual-speed"]);
     assert_eq!(codes(POSITION_A, "vehicle.1.speed=10:12:1"), [""; 0]);
-    assert_eq!(codes("cli/examples/crabbed-barrier.toml", "vehicle.1.speed=10:12:1"), ["vehicle.1.speed speed-along-heading"]);
+}
+
+/// A row of `batch` takes a speed for the whole velocity, and a point would keep the motion across the heading: the two cannot have one name.
+#[test]
+fn a_speed_of_a_vehicle_that_moves_across_its_heading_is_refused() {
+    let run = sweep("cli/examples/crabbed-barrier.toml", &["--vary", "vehicle.1.speed=10:12:1", "--of", "T_L"]);
+    let wanted = "vary `vehicle.1.velocity.x` and `vehicle.1.velocity.y`, or give the vehicle a `speed` in the case";
+    assert!(run.status == 2 && run.err.contains(wanted), "{}: {}", run.status, run.err);
+    // Along the heading the two are one: the case of velocities at no angle is that of the speed.
+    let straight = "schema = 1
+[[vehicle]]
+mass = 1500
+yaw_inertia = 2500
+heading = \"30 deg\"
+VELOCITY
+impact_center = [2, 0]
+                    [[vehicle]]
+barrier = true
+[contact]
+crush_plane = \"30 deg\"
+restitution = 0.2
+";
+    let [of_speed, of_velocity] = ["speed = 10", "velocity = [8.660254037844386, 5.0]"].map(|velocity| {
+        let case = straight.replace("VELOCITY", velocity);
+        let run = run_with_input(&["sweep", "-", "--vary", "v1=8:12:2", "--of", "T_L"], &case);
+        assert_eq!(run.status, 0, "{velocity}: {}", run.err);
+        let [table, _notes] = run.out.split("\n\n").collect::<Vec<_>>()[..] else { panic!("a table and notes: {}", run.out) };
+        table.to_owned()
+    });
+    assert_eq!(of_speed, of_velocity);
 }
 
 #[test]

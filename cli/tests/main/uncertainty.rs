@@ -412,6 +412,11 @@ fn what_is_left_out_or_refused_is_noted() {
     assert_eq!((&found["linear"]["sd"], &of_three["inputs"]["vehicle.1.speed"]["sd"]), (&Value::Null, &Value::Null));
     assert_eq!(found["linear"]["sd_if_halved"]["vehicle.1.speed"], Value::Null, "half of it is infinite too");
     assert!(found["monte_carlo"]["quantiles"]["0.975"].is_f64(), "{found}");
+    // Of five or fewer the square of a speed has no finite variance.
+    for (n, wanted) in [(4, vec!["infinite-deviation"]), (5, vec!["infinite-deviation"]), (6, vec![])] {
+        assert_eq!(codes(&printed(&measured(n), &["--of", "T_L"])), wanted, "{n}");
+    }
+    assert_eq!(codes(&printed(&measured(4), &[])), [""; 0]);
     let of_two = printed(&measured(2), &[]);
     assert_eq!((codes(&of_two), &of_two["inputs"]["vehicle.1.speed"]["mean"]), (vec!["infinite-deviation"], &Value::Null));
     assert!(of_two["of"]["vehicle.1.delta_v_magnitude"].get("linear").is_none());

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::process::{run_with_input, workspace};
+use crate::process::{Folder, run, run_with_input, workspace};
 
 const MASS: f64 = 1000.0;
 const YAW_INERTIA: f64 = 900.0;
@@ -166,6 +166,8 @@ fn sizes_of_no_road_vehicle_are_named() {
     let of = |code: &str, path: &str, value: f64| vec![(code.to_owned(), path.to_owned(), value)];
     assert_eq!(named("100", "1.9", "3"), []);
     assert_eq!(named("99.9", "1.9", "0.4"), of("unusual-mass", "vehicle.1", 99.9));
+    assert_eq!(named("\"1450 t\"", "1.9", "0.4"), of("unusual-mass", "vehicle.1", 1.45e6));
+    assert_eq!([named("250e3", "1.9", "0.4"), named("\"1e7 kg\"", "1.9", "0.4")], [[], []], "one represents a barrier");
     assert_eq!(named("1500", "15.1", "0.4"), of("unusual-impact-center", "vehicle.1", 15.1_f64.hypot(0.1)));
     assert_eq!(named("1500", "1.9", "3.1"), of("unusual-friction", "contact.friction", 3.1));
     // The lengths of its plan, in millimeters, and gravity in another unit.
@@ -328,6 +330,39 @@ fn a_direction_of_force_that_the_impact_contradicts_is_named() {
     let near = format!("{:.1} deg", found - 15.0);
     let [turned, behind] = [format!("{:.1} deg", -found), "165 deg".to_owned()];
     assert_eq!([near, turned, behind].map(|pdof| of(&pdof)), [false, true, true]);
+}
+
+/// The unit of a column stands in brackets. One in its name would be read as meters per second, and so would a cell without a unit beside others.
+#[test]
+fn the_unit_of_a_column_is_never_lost() {
+    let of = |header: &str, cells: [&str; 2]| {
+        let folder = Folder::new();
+        folder.write("tests.csv", format!("{header}\n{}\n{}\n", cells[0], cells[1]).as_bytes());
+        let name = header.split(" [").next().expect("a name");
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = 0\nspeed = {{ file = \"tests.csv\", column = \"{name}\" }}\n\
+             impact_center = [2, 0.3]\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n"
+        );
+        folder.write("case.toml", case.as_bytes());
+        run(folder.path(), &["solve", "case.toml", "--format", "json"])
+    };
+    for header in ["speed (mph)", "speed_mph", "speed / mph", "speed in mph"] {
+        let run = of(header, ["30", "40"]);
+        assert!(
+            run.status == 2 && run.err.contains("write `speed [mph]`") || header == "speed in mph" && run.err.contains("[mph]`"),
+            "{header}: {}",
+            run.err
+        );
+    }
+    for (header, cells, is_mixed) in [
+        ("speed", ["30 mph", "40"], true),
+        ("speed", ["30 mph", "40 mph"], false),
+        ("speed [mph]", ["30", "40"], false),
+        ("speed_m", ["30", "40"], false),
+    ] {
+        let run = of(header, cells);
+        assert!(run.status == 0 && run.out.contains("\"mixed-units\"") == is_mixed, "{header} {cells:?}: {}{}", run.out, run.err);
+    }
 }
 
 /// A number without a unit beside one of the same table that has one is in SI, which is hardly meant.

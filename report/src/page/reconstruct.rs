@@ -6,7 +6,7 @@ mod guaranteed;
 mod headline;
 mod posterior;
 mod profile;
-mod rounding;
+pub(super) mod rounding;
 mod separations;
 mod unknowns;
 

@@ -99,6 +99,12 @@ impl Page {
         change("delta-V left", recorder.delta_v_left);
         if let Some(maximum) = &recorder.maximum {
             rows.extend(self.speeds("delta-V", maximum.magnitude, Some(maximum.time)));
+            let components = [
+                (recorder.delta_v_forward, "at that time forward", maximum.forward),
+                (recorder.delta_v_left, "at that time left", maximum.left),
+            ];
+            let others = components.into_iter().filter(|(greatest, ..)| greatest.is_some_and(|greatest| greatest.time != maximum.time));
+            rows.extend(others.flat_map(|(_, what, then)| self.speeds(what, then, Some(maximum.time))));
             rows.extend(maximum.pdof.map(|pdof| self.row("PDOF", Measure::Angle, pdof, Some(maximum.time))));
         }
         let at_impact = recorder.speed_at_impact;

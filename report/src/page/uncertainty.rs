@@ -3,10 +3,11 @@
 use std::iter;
 
 use planar_impact_app::case::{CaseOutput, Parameter};
-use planar_impact_app::uncertainty::{OutputUncertainty, Probability, UncertainNumber, Uncertainty, ends};
+use planar_impact_app::uncertainty::{Bounds, OutputUncertainty, Probability, UncertainNumber, Uncertainty, ends};
 use planar_impact_app::units::{Measure, Units, trim};
 
 use super::Facts;
+use super::reconstruct::rounding::{Toward, ended};
 use crate::block::{Block, Table};
 
 /// Number of inputs shown for an output.
@@ -138,9 +139,15 @@ fn said(what: &str, worst: f64) -> Block {
     Block::item("- ", format!("{what} have standard errors of at most {}.", percent(worst)))
 }
 
-/// Returns the words of an end of a guaranteed range.
-pub(crate) fn end(si: f64, quantity: impl FnOnce() -> String) -> String {
-    if si.is_finite() { quantity() } else { "no limit that is proven".to_owned() }
+/// Returns the words of the ends of a guaranteed range, rounded outward, and of the values that are found near them.
+pub(crate) fn range_ends(bounds: &Bounds, measure: Measure, units: Units) -> [[String; 2]; 2] {
+    let width = Some(bounds.high - bounds.low).filter(|width| width.is_finite()).unwrap_or(0.0);
+    let end = |si: f64, toward| match si.is_finite() {
+        true => format!("{} {}", ended(measure, si, width, toward, units), units.unit(measure)).trim_end().to_owned(),
+        false => "no limit that is proven".to_owned(),
+    };
+    let proven = [end(bounds.low, Toward::Below), end(bounds.high, Toward::Above)];
+    [proven, [bounds.low_attained, bounds.high_attained].map(|si| end(si, Toward::Nearest))]
 }
 
 /// Formats a skewness.
@@ -222,12 +229,12 @@ impl Shown<'_> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
         let gap = (bounds.low_attained - bounds.low).max(bounds.high - bounds.high_attained);
         let accepted = if bounds.is_whole { "" } else { ", where physics accepts the collision," };
-        let [low, high] = [bounds.low, bounds.high].map(|si| end(si, || self.quantity(si)));
+        let [[low, high], found] = range_ends(bounds, self.of.measure(), self.units);
         let text = format!("Within the limits of the inputs{accepted} it is from {low} to {high}, guaranteed");
         let tight = if bounds.is_tight {
             "both ends are attained".to_owned()
         } else {
-            let found = format!("values from {} to {} are found", self.quantity(bounds.low_attained), self.quantity(bounds.high_attained));
+            let found = format!("values from {} to {} are found", found[0], found[1]);
             let gap_with_unit = || format!("{} {}", self.error(gap), self.units.unit(self.of.measure()));
             if gap.is_finite() { format!("{found}, and nothing tighter than {} is proven", gap_with_unit().trim_end()) } else { found }
         };

@@ -130,7 +130,11 @@ impl CaseReader {
                     Some(_) => "give use = [\"speed\"] to leave the velocity change out",
                     None => "leave the recorder out, whose velocity change is all that it tells",
                 };
-                field.report_as("clipped", message, Some(format!("`planar-impact record` shows it; {rest}")));
+                field.report_as(
+                    "clipped",
+                    message,
+                    Some(format!("`planar-impact record` shows it, and a `range` of its `[[channel]]` says that it is whole; {rest}")),
+                );
                 return None;
             }
             sound &= self.push(field, of, key, number, found).is_some();

@@ -6,6 +6,7 @@ use planar_impact::Distribution;
 
 use super::CaseReader;
 use super::csv_column::CsvColumn;
+use crate::batch::unit_in_name;
 use crate::case::domain::Domain;
 use crate::case::uncertain::{MOST_VALUES, Uncertain};
 use crate::document::{Field, Table};
@@ -93,7 +94,7 @@ impl CaseReader {
             }
         };
         let (mut values, mut lines) = (Vec::new(), Vec::new());
-        let (mut sound, mut is_noted) = (true, false);
+        let (mut sound, mut bare, mut with_unit) = (true, None, None);
         for (line, cell) in column.cells {
             let read = cell.map_err(QuantityError::from).and_then(|cell| read_cell(&cell, unit.zip(conversion), kind));
             let read = read.and_then(|read| match domain.wanted(read.si) {
@@ -102,12 +103,21 @@ impl CaseReader {
             });
             match read {
                 Ok(read) => {
-                    if read.bare && !read.unit.is_empty() && !is_noted {
+                    let is_bare = read.bare && !read.unit.is_empty();
+                    if is_bare && let Some((bare, unit)) = unit_in_name(name, kind) {
+                        let help = format!("write `{bare} [{unit}]`, and `column = \"{bare}\"`");
+                        of_column.report(format!("{}: {name}: the unit of a column is read in brackets", source.name), Some(help));
+                        return None;
+                    }
+                    if !is_bare && read.unit != kind.si && unit.is_none() {
+                        with_unit.get_or_insert_with(|| (line, read.unit.clone()));
+                    }
+                    if is_bare && bare.is_none() {
                         let what = if values.is_empty() { String::new() } else { format!("line {line} in ") };
                         let message =
                             format!("{}: {what}the column {name} of {} has no unit: {} assumed", of_column.path(), source.name, read.unit);
                         self.notices.borrow_mut().push(Notice::note("unit-assumed", of_column.path(), message));
-                        is_noted = true;
+                        bare = Some(line);
                     }
                     if values.is_empty() {
                         self.take(of_column.path(), Quantity { bare: false, ..read.clone() }, kind);
@@ -128,6 +138,10 @@ impl CaseReader {
         }
         if !sound {
             return None;
+        }
+        if let (Some(bare), Some((line, unit))) = (bare, &with_unit) {
+            let bare = format!("{}: line {bare} in the column {name} of {}", of_column.path(), source.name);
+            self.notices.borrow_mut().push(Notice::mixed_units(of_column.path(), &bare, kind.si, [&format!("line {line}"), unit]));
         }
         enough(&values, kind).map_err(|(message, help)| of_file.report(format!("{}: {name}: {message}", source.name), Some(help))).ok()?;
         self.columns.borrow_mut().push(MeasuredColumn { file: source.name, of: table.path().to_owned(), lines, values: values.clone() });

@@ -60,7 +60,7 @@ fn the_page_and_the_table_have_the_range() {
         run.out
     };
     let page = print("text").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(page.contains("it is from 10.00 m/s to 26.00 m/s, guaranteed; both ends are attained."), "{page}");
+    assert!(page.contains("it is from 10.000 m/s to 26.000 m/s, guaranteed; both ends are attained."), "{page}");
     let table = print("csv");
     for (figure, value) in [("low", 10.0), ("high", 26.0), ("low attained", 10.0), ("high attained", 26.0)] {
         let line =

@@ -478,7 +478,21 @@ fn every_interval_of_the_chart() {
                     let [[start, end, _]] = chart.spans("#0072B2", opacity)[..] else { panic!("{name}: one bar of {keys:?}") };
                     close(across(start), wanted[0] / unit(of), dx, name);
                     close(across(end), wanted[1] / unit(of), dx, name);
-                    hold_all(words[row], &wanted, of, sd);
+                    // Outward to the last digit, or found near the ends.
+                    let ends: Vec<_> =
+                        words[row].split(" to ").map(|end| printed(end.trim_end_matches(of).trim()).expect("a number")).collect();
+                    let over: Vec<f64> = ends
+                        .iter()
+                        .zip(wanted)
+                        .zip([-1.0, 1.0])
+                        .map(|((end, want), side)| side * (end.0 - want / unit(of)) / end.1)
+                        .collect();
+                    let wanted = if row == 0 { -1e-5..2.0 } else { -1.001..1.001 };
+                    assert!(
+                        over.len() == 2 && over.iter().all(|over| wanted.contains(over)),
+                        "{name}: {} is {over:?} half digits outward",
+                        words[row]
+                    );
                 }
                 let [[x, _]] = chart.circles()[..] else { panic!("{name}: one mark") };
                 close(across(x), number(&output["value"]) / unit(of), dx, name);

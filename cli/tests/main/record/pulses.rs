@@ -515,6 +515,16 @@ fn a_sum_beside_its_parts_is_refused() {
     );
     assert!(run.err.contains("leave its column out, or those that it sums"), "{}", run.err);
     assert_ne!(record_of(&parts(1.0), None).1.status, 2);
+    // In whole kN a cell that carries half of a force is as much the sum of the others, if all have one shape.
+    let halves = |other: fn(f64) -> f64| {
+        let round = |kilonewtons: f64| 1000.0 * (kilonewtons / 1000.0).round();
+        let cells: [&dyn Fn(f64) -> f64; 3] =
+            [&|ms| round(40e3 * pulse(ms)), &|ms| round(40e3 * pulse(ms) + 60e3 * other(ms)), &|ms| round(60e3 * other(ms))];
+        record_of(&csv("normal_force.a [N],normal_force.b [N],normal_force.c [N]", &cells), None).1
+    };
+    let [alike, unlike] = [halves(pulse), halves(|ms| pulse(ms).powi(3))];
+    assert!(alike.status != 2 && alike.out.contains("\"sum-of-others\""), "{}{}", alike.out, alike.err);
+    assert!(unlike.status == 2 && unlike.err.contains("every force would count twice"), "{}", unlike.err);
     // Two cells that read alike, beside one that reads nothing.
     let twins =
         csv("normal_force.a [kN],normal_force.b [kN],normal_force.c [kN]", &[&|ms| 100.0 * pulse(ms), &|ms| 100.0 * pulse(ms), &|_| 0.0]);

@@ -136,6 +136,9 @@ fn bad_settings_are_refused_at_their_keys() {
     assert!(misnamed.status == 0 && misnamed.out.contains(said) && !misnamed.out.contains("unused-columns"), "{}", misnamed.out);
     let (_, none) = record_of("time [s],Tangential_Force [N]\n-1,10\n0,9\n", None);
     assert!(none.status == 2 && none.err.contains("did you mean `tangential_force` in place of `Tangential_Force`?"), "{}", none.err);
+    let with_unit =
+        record_of("time [s],dv (km/h)\n0,0\n0.1,-30\n", Some("[[channel]]\ncolumn = \"dv (km/h)\"\nquantity = \"delta_v_forward\"\n")).1;
+    assert!(with_unit.status == 2 && with_unit.err.contains("write `dv [km/h]`"), "{}", with_unit.err);
     let missing = run(Folder::new().path(), &["record", "none.csv"]);
     assert!(missing.status == 2 && missing.err.contains("`none.csv` cannot be read"), "{}", missing.err);
 }

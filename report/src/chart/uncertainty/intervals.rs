@@ -7,7 +7,7 @@ use planar_impact_app::uncertainty::OutputUncertainty;
 use planar_impact_app::units::Units;
 
 use super::super::canvas::{Area, Axes, BLUE, Drawn, GRAY, VERMILION, WIDTH, px, span, write};
-use crate::page::uncertainty::{end, quantity, skewness};
+use crate::page::uncertainty::{quantity, range_ends, skewness};
 
 /// Height of a row, in pixels.
 const ROW: u32 = 24;
@@ -77,15 +77,12 @@ impl Rows<'_> {
     /// Returns the guaranteed range with the values found in it and the nominal value.
     pub(super) fn range(&self) -> Vec<Interval> {
         let Some(bounds) = &self.found.bounds else { return Vec::new() };
-        let between = |[low, high]: [f64; 2]| {
-            let [low, high] = [low, high].map(|si| end(si, || self.quantity(si)));
-            format!("{low} to {high}")
-        };
+        let [of_proven, of_found] = range_ends(bounds, self.of.measure(), self.units).map(|[low, high]| format!("{low} to {high}"));
         let (proven, found) = ([bounds.low, bounds.high], [bounds.low_attained, bounds.high_attained]);
         let value = self.found.value;
         let mut rows = vec![
-            self.row("guaranteed", proven, None, between(proven), Style::Bar(0.35)),
-            self.row("attained", found, None, between(found), Style::Bar(1.0)),
+            self.row("guaranteed", proven, None, of_proven, Style::Bar(0.35)),
+            self.row("attained", found, None, of_found, Style::Bar(1.0)),
         ];
         if value.is_finite() {
             rows.push(self.row("nominal", [value; 2], Some(value), self.quantity(value), Style::Through));
