@@ -1,7 +1,7 @@
 //! What a report of a case stands on: the answer of its verb with what goes beside it, for a reader who has the report alone.
 
 use planar_impact::reconstruct::Uncertainty as Spread;
-use planar_impact::{ImpulseRatio, Law, Output, Xy};
+use planar_impact::{Distribution, ImpulseRatio, Law, Output, Xy};
 use sha2::{Digest, Sha256};
 
 use crate::answer::Answer;
@@ -141,7 +141,9 @@ pub struct GivenInput {
     pub value: Option<f64>,
     /// Its standard deviation, where it is uncertain.
     pub sd: Option<f64>,
-    /// The bounds of an unknown.
+    /// `true` if it is normal, so that ± says everything.
+    pub is_normal: bool,
+    /// The bounds of an unknown, or of an uncertain value that has both.
     pub bounds: [Option<f64>; 2],
 }
 
@@ -244,7 +246,11 @@ fn inputs(case: &Case) -> Vec<GivenInput> {
             let uncertain = case.uncertain.inputs.iter().find(|input| input.parameter == parameter);
             let sd = uncertain.map(|input| input.distribution.sd()).filter(|sd| sd.is_finite());
             let value = case.inputs.value(parameter).ok().filter(|_| unknown(&name).is_none());
-            GivenInput { name, measure: parameter.measure(), value, sd, bounds: [None, None] }
+            let is_normal =
+                uncertain.is_some_and(|input| matches!(input.distribution, Distribution::Normal { .. }) && input.values.is_none());
+            let ends = uncertain.map(|input| [0.0, 1.0].map(|probability| input.distribution.quantile(probability)));
+            let bounds = ends.filter(|ends| ends.iter().all(|end| end.is_finite())).map_or([None; 2], |ends| ends.map(Some));
+            GivenInput { name, measure: parameter.measure(), value, sd, is_normal, bounds }
         })
         .filter(|input| input.value.is_some())
         .collect();
@@ -253,6 +259,7 @@ fn inputs(case: &Case) -> Vec<GivenInput> {
         measure: unknown.of.measure(),
         value: None,
         sd: None,
+        is_normal: false,
         bounds: [unknown.min, unknown.max],
     }));
     all

@@ -242,7 +242,9 @@ fn question(report: &CaseReport, units: Units) -> Vec<Block> {
     let row = |input: &GivenInput| {
         let number = |value: f64| number(units, input.measure, value);
         let value = match (input.value, input.sd, input.bounds) {
-            (Some(value), Some(sd), _) => format!("{} ± {}", number(value), number(sd)),
+            (Some(value), _, [Some(low), Some(high)]) => format!("{}, {} to {}", number(value), number(low), number(high)),
+            (Some(value), Some(sd), _) if input.is_normal => format!("{} ± {}", number(value), number(sd)),
+            (Some(value), Some(sd), _) => format!("{}, sd {}", number(value), number(sd)),
             (Some(value), None, _) => number(value),
             (None, _, [None, None]) => "unknown".to_owned(),
             (None, _, [low, high]) => {

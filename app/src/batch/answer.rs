@@ -200,7 +200,9 @@ impl Plan {
             let outputs = setup.evaluate();
             let [one, two] = Side::ALL.map(|side| outputs.get(CaseOutput::CrushEnergy(side)).unwrap_or(0.0));
             let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
-            let before = outputs.get(CaseOutput::Impact(Output::EnergyBefore));
+            // Where no column gives the crush it is that of the case, whatever the speed of a row.
+            let gives_crush = self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty());
+            let before = outputs.get(CaseOutput::Impact(Output::EnergyBefore)).filter(|_| gives_crush);
             before.and_then(|before| doubtful::crush(one + two, before)).into_iter().for_each(of_row);
             for (i, output) in self.outputs.iter().enumerate().filter(|(_, output)| impact(**output).is_none()) {
                 answer.outputs[i][row] = outputs.get(*output).unwrap_or(f64::NAN);
@@ -395,7 +397,7 @@ impl Rows {
         let of_row = |row: usize| {
             let is_doubted = self.is_unusual[row] || watch.may_be_doubtful(row);
             let of_result = if is_doubted { watch::of_result(&batch.row(row), self.is_unusual[row]) } else { Vec::new() };
-            of_result.into_iter().chain(watch.of_tangential_work(row)).map(move |warning| (row, warning))
+            of_result.into_iter().map(move |warning| (row, warning))
         };
         (0..self.forms.len()).filter(|row| !self.is_refused[*row]).flat_map(of_row).collect()
     }

@@ -259,7 +259,8 @@ fn a_row_has_the_warnings_of_its_case_file() {
             answer.unusual.iter().map(|unusual| (unusual.warning.code.to_owned(), unusual.warning.path.clone())).collect();
         match case.collision.solve() {
             Ok(impact) => {
-                let alone: BTreeSet<_> = case.warnings(&impact).into_iter().map(|notice| (notice.code.to_owned(), notice.path)).collect();
+                let all = case.warnings(&impact).into_iter().filter(|notice| notice.code != "tangential-work-positive");
+                let alone: BTreeSet<_> = all.map(|notice| (notice.code.to_owned(), notice.path)).collect();
                 let is_usual = !alone.iter().any(|(code, _)| code.starts_with("unusual"));
                 alone.iter().for_each(|(code, _)| *counts.entry((code.clone(), is_usual)).or_insert(0) += 1);
                 assert_eq!(of_row, alone, "{}", rows[0].case());
@@ -267,13 +268,9 @@ fn a_row_has_the_warnings_of_its_case_file() {
             Err(_) => assert!(of_row.iter().all(|(code, _)| code.starts_with("unusual")), "{of_row:?}\n{}", rows[0].case()),
         }
     }
-    for (code, is_usual) in [
-        ("restitution-can-gain-energy", true),
-        ("nearly-wedged", true),
-        ("nearly-wedged", false),
-        ("tangential-work-positive", true),
-        ("few-digits", false),
-    ] {
+    for (code, is_usual) in
+        [("restitution-can-gain-energy", true), ("nearly-wedged", true), ("nearly-wedged", false), ("few-digits", false)]
+    {
         assert!(counts.get(&(code.to_owned(), is_usual)).is_some_and(|count| *count >= 20), "{code}: {counts:?}");
     }
 }
@@ -281,16 +278,17 @@ fn a_row_has_the_warnings_of_its_case_file() {
 #[test]
 fn a_row_with_less_energy_than_its_crush_is_warned_of() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
+    let speeds = [15.0, 1.0, 0.0, 2.0];
     for of in [vec![], named(&["T_L"])] {
-        let plan = plan(&["vehicle.1.speed"], Some(&case), &Options { of, ..Options::default() }).expect("a plan");
-        let speeds = [15.0, 1.0, 0.0, 2.0].map(Cell::Number).to_vec();
-        let answer = plan.solve(&Table { rows: 4, columns: vec![Column::Cells(speeds)], unreadable: Vec::new() });
-        let found: Vec<_> = answer
-            .unusual
-            .iter()
-            .map(|unusual| (unusual.warning.code, unusual.warning.path.as_str(), unusual.first, unusual.rows))
-            .collect();
-        assert_eq!(found, [("crush-beyond-energy", "vehicle", 1, 2)], "the third row does not collide");
+        let options = Options { of, ..Options::default() };
+        let found = |names: &[&str], columns: Vec<Column<'static>>| -> Vec<_> {
+            let answer = plan(names, Some(&case), &options).expect("a plan").solve(&Table { rows: 4, columns, unreadable: Vec::new() });
+            answer.unusual.into_iter().map(|unusual| (unusual.warning.code, unusual.warning.path, unusual.first, unusual.rows)).collect()
+        };
+        let column = |numbers: [f64; 4]| Column::Cells(numbers.map(Cell::Number).to_vec());
+        let with_crush = found(&["vehicle.1.speed", "vehicle.1.crush.width"], vec![column(speeds), column([1.5; 4])]);
+        assert_eq!(with_crush, [("crush-beyond-energy", "vehicle".to_owned(), 1, 2)], "the third row does not collide");
+        assert_eq!(found(&["vehicle.1.speed"], vec![column(speeds)]), [], "the crush of the case is not that of other speeds");
     }
 }
 

@@ -18,8 +18,8 @@ pub(super) struct Watch<'a> {
 
 impl<'a> Watch<'a> {
     pub(super) fn of(batch: &Batch<'_>, columns: &'a [Vec<f64>; Input::COUNT], forms: &'a [Form]) -> Self {
-        use Output::{ImpulseRatio, Loss, NormalApproach, NormalImpulse, TangentialWork};
-        Watch { columns, forms, outputs: batch.evaluate(&[NormalImpulse, NormalApproach, ImpulseRatio, TangentialWork, Loss]) }
+        use Output::{ImpulseRatio, NormalApproach, NormalImpulse};
+        Watch { columns, forms, outputs: batch.evaluate(&[NormalImpulse, NormalApproach, ImpulseRatio]) }
     }
 
     /// Returns `false` if [`doubtful::impact`] finds nothing about a row.
@@ -41,11 +41,6 @@ impl<'a> Watch<'a> {
         may_gain || may_wedge
     }
 
-    /// Returns the warning about the tangential work of a row.
-    pub(super) fn of_tangential_work(&self, row: usize) -> Option<Notice> {
-        doubtful::tangential_work(self.outputs[Output::TangentialWork][row], self.outputs[Output::Loss][row])
-    }
-
     /// Returns bounds of the compliance K of a row in any direction: Σ 1/m, and with it Σ r²/I.
     fn compliance(&self, row: usize) -> [f64; 2] {
         let of = |input: Input| self.columns[input.index()][row];
@@ -59,7 +54,8 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Returns the warnings about the result of a row, which is solved by itself; one that has unusual sizes may lack digits too.
+/// Returns the warnings about the result of a row, which is solved by itself; one that has unusual sizes may lack digits too. A tangential impulse that returns energy is
+/// common in tables, which have its work, and no warning there.
 pub(super) fn of_result(collision: &Collision, is_unusual: bool) -> Vec<Notice> {
     let Ok(impact) = collision.solve() else { return Vec::new() };
     let mut found: Vec<Notice> = doubtful::impact(collision, &impact).collect();

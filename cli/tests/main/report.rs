@@ -318,3 +318,16 @@ fn rounding_is_no_loss() {
     let html = run_with_input(&["report", "-", "--sections", "summary,results,sensitivity"], case);
     assert!(html.status == 0 && !html.out.contains("e-1") && !html.out.contains("-0.0 %"), "{}", html.out);
 }
+
+/// `±` is a normal distribution: another shape has its limits, or is named a standard deviation.
+#[test]
+fn an_input_that_is_not_normal_is_not_shown_as_one() {
+    let html = report("uncertain.toml", &["--verb", "solve"]);
+    let question = section(&html, "question");
+    for [name, value] in [["contact.restitution", "0.1, 0 to 0.3"], ["vehicle.2.speed", "11.3889, 10 to 12.7778"]] {
+        let row = question.lines().find(|line| line.contains(name)).unwrap_or_else(|| panic!("{name}: {question}"));
+        assert!(row.contains(value) && !row.contains('±'), "{row}");
+    }
+    let normal = question.lines().find(|line| line.contains("vehicle.1.mass")).expect("a mass");
+    assert!(normal.contains(" ± "), "{normal}");
+}

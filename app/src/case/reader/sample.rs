@@ -98,7 +98,10 @@ impl CaseReader {
         for (line, cell) in column.cells {
             let read = cell.map_err(QuantityError::from).and_then(|cell| read_cell(&cell, unit.zip(conversion), kind));
             let read = read.and_then(|read| match domain.wanted(read.si) {
-                Some(wanted) => Err(QuantityError { message: format!("it is {} {}; it must be {wanted}", read.si, kind.si), help: None }),
+                Some(wanted) => Err(QuantityError {
+                    message: format!("it is {} {}; it must be {wanted}", read.si, kind.si).replace(" ;", ";"),
+                    help: None,
+                }),
                 None => Ok(read),
             });
             match read {
