@@ -266,6 +266,41 @@ fn a_record_that_ends_in_the_pulse_is_truncated_whatever_its_steps() {
     }
 }
 
+/// A smooth velocity change that ends in whole km/h is over, and not clipped, however its last reading is rounded.
+#[test]
+fn a_last_reading_that_is_rounded_up_is_no_clipped_one() {
+    let left = [0, 0, 1, 2, 3, 5, 6, 7, 9];
+    let of = |last: &[i32]| {
+        let changes = left.iter().chain(last).chain(std::iter::repeat_n(last.last().unwrap_or(&9), 10));
+        let rows: String = changes.enumerate().map(|(i, change)| format!("{},{change}\n", 10 * i)).collect();
+        record_of(&format!("time [ms],delta_v_left [km/h]\n{rows}"), None)
+    };
+    let (whole, run) = of(&[]);
+    assert!(run.status == 0 && whole["channels"][0]["clipped"].is_null() && whole["recorder"]["is_lower_bound"] == false, "{}", run.out);
+    // One that goes on as fast and stops at once is.
+    let (clipped, run) = of(&[12, 15]);
+    assert!(run.status == 1 && clipped["recorder"]["is_lower_bound"] == true, "{}", run.out);
+}
+
+/// Evidence are the components at the instant of the greatest magnitude: the text has them where a component is greater at another time.
+#[test]
+fn the_components_of_the_greatest_change_are_shown() {
+    let part = |ms: f64, duration: f64, change: f64| 0.5 * change * (1.0 - (PI * (ms / duration).clamp(0.0, 1.0)).cos());
+    let rows: String = (0..=30)
+        .map(|i| 10.0 * f64::from(i))
+        .map(|ms| format!("{ms},{:.1},{:.1}\n", part(ms, 60.0, -25.0) + part(ms - 55.0, 100.0, 6.0), part(ms, 160.0, 30.0)))
+        .collect();
+    let folder = Folder::new();
+    folder.write("test.csv", format!("time [ms],delta_v_forward [km/h],delta_v_left [km/h]\n{rows}").as_bytes());
+    let page = run(folder.path(), &["record", "test.csv", "--units", "si"]).out;
+    let row = |what: &str| {
+        page.lines().find(|line| line.trim_start().starts_with(what)).map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    assert!(row("delta-V forward").is_some_and(|row| row.contains("-6.9") || row.contains("-25.0")), "{page}");
+    assert!(row("at that time forward").is_some_and(|row| row.contains("-5.28") || row.contains("-19.0")), "{page}");
+    assert_eq!(row("at that time left"), None, "the left one is greatest then: {page}");
+}
+
 /// However few readings follow the pulse, two standard deviations about the greatest of them hold the velocity change in nine of ten records, or a warning says that they
 /// are too few.
 #[test]
