@@ -14,9 +14,8 @@ use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
-pub(crate) use header::commented;
-pub(crate) use header::unit_in_name;
 pub use header::{Header, separated_otherwise};
+pub(crate) use header::{commented, unit_in_name};
 pub use sizes::Unusual;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};

@@ -46,9 +46,9 @@ impl<T: Ordered<Mask = bool>> Record<T> {
     ///
     /// A peak that is stored in steps is flat for some samples too. About such a peak the values fall by at most nine steps within as many samples on each
     /// side as the flat part has, if it is a parabola; a flat top falls by more than twelve on both. A stretch that lasts to the end of the record, such as
-    /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from one
-    /// sample to the next, whatever both are rounded by, after three samples or more; one of the last two changes is at least four fifths of it. Within a tenth of the whole range from zero
-    /// or from the first sample lies the unloaded reading, which is never a flat top.
+    /// the final velocity change, is a flat top if it is reached at once: by at least two steps, and by more than three fifths of the greatest change from
+    /// one sample to the next, whatever both are rounded by, after three samples or more; one of the last two changes is at least four fifths of it. Within
+    /// a tenth of the whole range from zero or from the first sample lies the unloaded reading, which is never a flat top.
     ///
     /// ```
     /// use planar_impact::barrier::Record;

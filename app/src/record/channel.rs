@@ -1,5 +1,7 @@
 //! A channel by itself: whether it holds the whole event, undisturbed, and in which steps it was read.
 
+use std::f64::consts::PI;
+
 use planar_impact::Distribution;
 use planar_impact::barrier::{Clock, Record, Window};
 
@@ -170,6 +172,8 @@ impl Channel {
         const LATE: f64 = 0.3;
         /// Of the mean rate.
         const RATE: f64 = 0.5;
+        /// Of what a half-sine that ends with the record changes by.
+        const MARGIN: f64 = 1.2;
         /// A change by one step is rounding.
         const STEPS: f64 = 1.5;
         let (times, values) = (self.record.times(), self.record.values());
@@ -186,7 +190,7 @@ impl Channel {
         let share = |before: usize| (times[end] - times[before]) / (times[end] - times[begun]);
         let changes = |before: usize| {
             let share = share(before);
-            let enough = height * (RATE * share).max(3.0 * share * share);
+            let enough = height * (RATE * share).max(MARGIN * 0.5 * (1.0 - libm::cos(PI * share)));
             (values[end] - values[before]).abs() > enough.max(STEPS * step).max(by_chance)
         };
         let lately = (begun..end).rev().find(|before| share(*before) >= LATELY);
