@@ -2,6 +2,7 @@
 
 use super::record::Record;
 use crate::scalar::Ordered;
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 /// Least number of equal samples that make a flat top.
@@ -121,7 +122,6 @@ impl<T: Ordered<Mask = bool>> Record<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use alloc::vec::Vec;
     use core::f64::consts::PI;
 
     /// A half-sine of 100 ms, 1 ms apart, after 20 ms of nothing, in whole steps.

@@ -175,3 +175,21 @@ fn far_from_each_other(points: Vec<Vec<f64>>, ranges: &[[f64; 2]], most: usize) 
     }
     chosen
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Distances count in ranges, of which none begins at zero, and one of no width does not count.
+    #[test]
+    fn points_are_chosen_far_from_each_other() {
+        let ranges = [[1.0, 3.0], [10.0, 110.0], [5.0, 5.0]];
+        let [first, wide, high, near] = [[1.0, 10.0, 5.0], [3.0, 20.0, 5.0], [1.5, 100.0, 9.0], [1.0, 10.5, 7.0]].map(Vec::from);
+        let chosen = |most: usize| far_from_each_other(vec![near.clone(), high.clone(), wide.clone(), first.clone()], &ranges, most);
+        // From the first, 1 + 0.1² of the ranges away and 0.25² + 0.9²; the other one is at it.
+        assert_eq!(chosen(2), [first.clone(), wide.clone()]);
+        assert_eq!(chosen(9), [first.clone(), wide.clone(), high.clone()]);
+        // Beyond a range counts as its end.
+        assert_eq!(far_from_each_other(vec![vec![-7.0, 10.0, 5.0], first.clone()], &ranges, 2), [first]);
+    }
+}

@@ -76,7 +76,7 @@ impl ReconstructionProblem {
     ///     .evidence(Measurand::Output(Output::YawRate(Side::One)), after.after.yaw_rate, Uncertainty::StandardDeviation(0.2));
     /// let answer = problem.solve(&Search::default())?;
     /// let [speed] = problem.intervals(&answer, 0.95, &[Measurand::Variable(Variable::Speed(Side::One))])[..] else { panic!() };
-    /// assert!(speed.low < 11.0 && speed.high > 14.3);
+    /// assert!(speed.low < 11.0 && speed.high > 14.3 && speed.method.name() == "profile");
     /// assert_eq!(speed.low_limited_by.map(Limit::name).as_deref(), Some("contact.restitution max"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
