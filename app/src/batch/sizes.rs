@@ -1,4 +1,4 @@
-//! Rows with sizes that no road vehicle has.
+//! Warnings of rows, each once: sizes that no road vehicle has, and doubtful results.
 
 use super::row::RowVehicle;
 use crate::case::ContactInputs;
@@ -6,7 +6,7 @@ use crate::notice::Notice;
 use crate::units::Units;
 use crate::unusual;
 
-/// A size that no road vehicle has, in one row or more.
+/// A size that no road vehicle has, or a result that deserves a second look, in one row or more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unusual {
     /// The first of these rows, counted from 0.
