@@ -299,10 +299,7 @@ impl Case {
         }
         warnings.extend(unusual::friction(&self.collision.impulse_ratio));
         warnings.extend(self.unusual_motions());
-        warnings.extend(doubtful::impact(&self.collision, impact));
-        if !warnings.is_empty() {
-            warnings.extend(doubtful::few_digits(&self.collision, impact));
-        }
+        warnings.extend(doubtful::result(&self.collision, impact, !warnings.is_empty()));
         warnings.extend(doubtful::tangential_work(impact.work.t, impact.loss()));
         let crush: f64 = self.setup.crush_outputs().iter().flatten().map(|crush| crush.energy).sum();
         warnings.extend(doubtful::crush(crush, Output::EnergyBefore.of(&self.collision, impact)));

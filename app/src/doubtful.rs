@@ -10,8 +10,17 @@ use crate::units::Measure;
 /// Share of its parts below which K_nn + μ K_nt takes more than five digits of the impulse.
 pub(crate) const NEARLY_WEDGED: f64 = 1e-5;
 
+/// Of a restitution that can gain energy, of a pair that nearly wedges, and of lacking digits; where sizes are usual and nothing else is found, an answer has all of them.
+pub(crate) fn result(collision: &Collision, impact: &Impact, is_unusual: bool) -> Vec<Notice> {
+    let mut found: Vec<Notice> = self::impact(collision, impact).collect();
+    if is_unusual || !found.is_empty() {
+        found.extend(few_digits(collision, impact));
+    }
+    found
+}
+
 /// Of a restitution that can gain energy, and of a pair that nearly wedges.
-pub(crate) fn impact(collision: &Collision, impact: &Impact) -> impl Iterator<Item = Notice> {
+fn impact(collision: &Collision, impact: &Impact) -> impl Iterator<Item = Notice> {
     let can_gain = collision.admissible().filter(|admissible| collision.restitution > admissible.restitution_for_any_approach);
     let can_gain = can_gain.map(|admissible| {
         let message = Message::from("the restitution is above ")
@@ -49,8 +58,8 @@ pub(crate) fn crush(crush: f64, before: f64) -> Option<Notice> {
     (crush > before).then(|| Notice::warning("crush-beyond-energy", "vehicle", message()))
 }
 
-/// Of an answer that a check with all the digits of a float refuses. Where sizes are usual and nothing of [`impact`] is found it has all of them.
-pub(crate) fn few_digits(collision: &Collision, impact: &Impact) -> Option<Notice> {
+/// Of an answer that a check with all the digits of a float refuses.
+fn few_digits(collision: &Collision, impact: &Impact) -> Option<Notice> {
     let outcome = check::check(&check::Record::of(collision, impact), &check::Options::default());
     let worst = outcome.findings.iter().find(|finding| finding.severity == Severity::Fail)?;
     let message = format!("rounding takes digits that a check of this answer needs: {}", worst.what);

@@ -10,6 +10,7 @@ mod points;
 pub mod prove;
 pub mod reconstruct;
 pub mod record;
+mod rounding;
 pub mod rules;
 pub mod slide;
 pub mod solve;

@@ -58,6 +58,7 @@ impl Plan {
         let mut answer = Answer::with_capacity(self, *rows);
         let mut read = Rows::default();
         let mut unreadable = unreadable.iter().peekable();
+        let gives_crush = self.gives_crush();
         for first in (0..*rows).step_by(ROWS) {
             let end = (first + ROWS).min(*rows);
             read.clear();
@@ -68,8 +69,7 @@ impl Plan {
                 }
                 let vehicles = [0, 1].map(|i| cells.vehicle(&self.vehicles[i], &self.defaults.vehicles[i]));
                 let contact = cells.contact(&self.contact, &self.defaults);
-                let has_crush = self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty());
-                let crushes = if has_crush { self.crush_of(&mut cells) } else { [None, None] };
+                let crushes = if gives_crush { self.crush_of(&mut cells) } else { [None, None] };
                 let mut is_unusual = false;
                 if cells.faults.is_empty() {
                     let is_empty = !columns.is_empty() && columns.iter().all(|column| matches!(column.at(row), Cell::Empty));
@@ -151,6 +151,11 @@ impl Plan {
         [0, 1].map(|i| self.crush[i].as_ref().map(|crush| cells.crush(&self.vehicles[i], crush)))
     }
 
+    /// Returns `true` if a column gives a part of the crush.
+    fn gives_crush(&self) -> bool {
+        self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty())
+    }
+
     fn has_crush(&self) -> bool {
         self.crush.iter().any(Option::is_some)
     }
@@ -187,6 +192,8 @@ impl Plan {
 
     /// Computes what follows from the crush, case by case.
     fn add_crush(&self, answer: &mut Answer, first: usize, columns: &[Column<'_>], read: &mut Rows) {
+        // Where no column gives the crush it is that of the case, whatever the speed of a row.
+        let gives_crush = self.gives_crush();
         for row in 0..read.is_refused.len() {
             if read.is_refused[row] {
                 continue;
@@ -200,8 +207,6 @@ impl Plan {
             let outputs = setup.evaluate();
             let [one, two] = Side::ALL.map(|side| outputs.get(CaseOutput::CrushEnergy(side)).unwrap_or(0.0));
             let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
-            // Where no column gives the crush it is that of the case, whatever the speed of a row.
-            let gives_crush = self.vehicles.iter().any(|vehicle| !vehicle.crush.is_empty());
             let before = outputs.get(CaseOutput::Impact(Output::EnergyBefore)).filter(|_| gives_crush);
             before.and_then(|before| doubtful::crush(one + two, before)).into_iter().for_each(of_row);
             for (i, output) in self.outputs.iter().enumerate().filter(|(_, output)| impact(**output).is_none()) {

@@ -22,7 +22,7 @@ impl<'a> Watch<'a> {
         Watch { columns, forms, outputs: batch.evaluate(&[NormalImpulse, NormalApproach, ImpulseRatio]) }
     }
 
-    /// Returns `false` if [`doubtful::impact`] finds nothing about a row.
+    /// Returns `false` if [`doubtful::result`] finds nothing about a row of usual sizes.
     pub(super) fn may_be_doubtful(&self, row: usize) -> bool {
         let output = |output: Output| self.outputs[output][row];
         let [least, greatest] = self.compliance(row);
@@ -57,10 +57,5 @@ impl<'a> Watch<'a> {
 /// Returns the warnings about the result of a row, which is solved by itself; one that has unusual sizes may lack digits too. A tangential impulse that returns energy is
 /// common in tables, which have its work, and no warning there.
 pub(super) fn of_result(collision: &Collision, is_unusual: bool) -> Vec<Notice> {
-    let Ok(impact) = collision.solve() else { return Vec::new() };
-    let mut found: Vec<Notice> = doubtful::impact(collision, &impact).collect();
-    if is_unusual || !found.is_empty() {
-        found.extend(doubtful::few_digits(collision, &impact));
-    }
-    found
+    collision.solve().map_or_else(|_| Vec::new(), |impact| doubtful::result(collision, &impact, is_unusual))
 }

@@ -154,7 +154,7 @@ impl Channel {
                 // A window without a mean is reported where the channel is integrated.
                 let mean = before.and_then(|before| self.record.baseline(&before).ok());
                 let unloaded = mean.map_or(0.0, |mean| mean.value);
-                slack = slack.max(BY_CHANCE * mean.map_or(0.0, |mean| mean.deviation()));
+                slack = slack.max(SURE * mean.map_or(0.0, |mean| mean.deviation()));
                 (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
             }
         };
@@ -186,7 +186,7 @@ impl Channel {
         let begun = values.iter().position(|value| (value - first).abs() > STEPS * step).map_or(end, |changed| changed - 1);
         let height = values.iter().map(|value| (value - first).abs()).fold(0.0, f64::max);
         // Two readings that scatter differ by as much as this without any change.
-        let by_chance = BY_CHANCE * 2_f64.sqrt() * scatter(values, step).deviation;
+        let by_chance = SURE * 2_f64.sqrt() * scatter(values, step).deviation.unwrap_or(0.0);
         let share = |before: usize| (times[end] - times[before]) / (times[end] - times[begun]);
         let changes = |before: usize| {
             let share = share(before);
@@ -203,7 +203,7 @@ impl Channel {
 }
 
 /// Standard deviations that are no chance.
-const BY_CHANCE: f64 = 3.0;
+const SURE: f64 = 3.0;
 
 /// Fewest samples of which a common step is no chance.
 const MANY: usize = 16;
@@ -252,8 +252,9 @@ fn step_of(record: &Record) -> Option<f64> {
 /// By how much readings scatter where a velocity change is almost constant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Scatter {
-    /// Standard deviation, widened for so few readings as Student's t is: 1.96 of it are as rarely exceeded as of a known one. Zero if their steps explain it.
-    pub(super) deviation: f64,
+    /// Standard deviation, widened for so few readings as Student's t is: 1.96 of it are as rarely exceeded as of a known one. Zero if their steps explain it;
+    /// `None` if too few readings show it.
+    pub(super) deviation: Option<f64>,
     /// Number of these readings.
     pub(super) readings: usize,
 }
@@ -263,7 +264,7 @@ pub(super) struct Scatter {
 /// It is almost constant from the first reading that reaches most of the late ones, if none is much greater, and otherwise from the greatest: of readings that scatter the
 /// greatest may be one of the last.
 pub(super) fn scatter(values: &[f64], step: f64) -> Scatter {
-    /// Fewest readings of which some are late, and fewest late ones.
+    /// Fewest readings of which some are late, and fewest that show it.
     const FEW: usize = 8;
     const LATE: usize = FEW / 2;
     /// Share of the late readings by which the greatest may exceed them.
@@ -289,14 +290,17 @@ pub(super) fn scatter(values: &[f64], step: f64) -> Scatter {
     let reached = heights.iter().position(|height| *height >= late).filter(|_| is_constant);
     let after = &values[reached.map_or(top, |reached| reached.min(top))..];
     let readings = after.len();
-    if readings < LATE || variance(after) <= OF_STEPS * step * step / 12.0 {
-        return Scatter { deviation: 0.0, readings };
+    if readings < LATE {
+        return Scatter { deviation: None, readings };
+    }
+    if variance(after) <= OF_STEPS * step * step / 12.0 {
+        return Scatter { deviation: Some(0.0), readings };
     }
     // Neighboring bends share readings: about half of them are independent.
     let n = u32::try_from((readings - 2).div_ceil(2) + 1).unwrap_or(u32::MAX);
     let student = Distribution::StudentT { mean: 0.0, sd: f64::from(n).sqrt(), n };
     let widened = student.quantile(0.975) / Distribution::NORMAL_95;
-    Scatter { deviation: widened * variance(after).sqrt(), readings }
+    Scatter { deviation: Some(widened * variance(after).sqrt()), readings }
 }
 
 /// Returns the index of the greatest of some magnitudes, the first of several.

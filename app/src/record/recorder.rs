@@ -143,7 +143,9 @@ impl Noise {
 
     /// Returns the standard deviation of a reading. The greatest of many that scatter is too great by about twice the scatter.
     fn sd(self, value: f64) -> Option<f64> {
-        self.step.map(|step| libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter.deviation))
+        self.step.map(|step| {
+            libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter.deviation.unwrap_or(0.0))
+        })
     }
 
     fn with(self, value: f64) -> Uncertain {
@@ -169,22 +171,20 @@ impl<'a> Component<'a> {
 
     /// Notes that the readings scatter, or warns that too few would show it.
     fn of_scatter(&self) -> Option<Notice> {
-        /// Fewest readings that show it.
-        const FEW: usize = 4;
         let (Scatter { deviation, readings }, name, path) = (self.noise.scatter, &self.channel.name, self.channel.path.clone());
-        if deviation > 0.0 {
-            let message = Message::from(format!("{name} scatters by up to "))
-                .figure(Measure::Speed, deviation)
-                .text(format!(", as far as {readings} readings show: the greatest of such readings is too great; its standard deviation includes twice the scatter"));
-            return Some(Notice::note("readings-scatter", path, message));
-        }
-        let is_short = readings < FEW && self.channel.record.resolution().is_some() && self.channel.cut(None).is_none();
-        is_short.then(|| {
-            let message = format!(
-                "{name} has too few readings after its change to show whether they scatter, which would make the greatest too great: its standard deviation is that of its steps alone"
-            );
-            Notice::warning("plateau-short", path, message)
-        })
+        let Some(deviation) = deviation else {
+            let is_whole = self.channel.record.resolution().is_some() && self.channel.cut(None).is_none();
+            let message = || {
+                format!(
+                    "{name} has too few readings after its change to show whether they scatter, which would make the greatest too great: its standard deviation is that of its steps alone"
+                )
+            };
+            return is_whole.then(|| Notice::warning("plateau-short", path, message()));
+        };
+        let message = Message::from(format!("{name} scatters by up to "))
+            .figure(Measure::Speed, deviation)
+            .text(format!(", as far as {readings} readings show: the greatest of such readings is too great; its standard deviation includes twice the scatter"));
+        (deviation > 0.0).then(|| Notice::note("readings-scatter", path, message))
     }
 
     /// Returns where the velocity changes as fast as a sensor of some range can tell, to within the resolution of the record; `None` if that is nowhere, or if

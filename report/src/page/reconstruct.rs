@@ -6,7 +6,6 @@ mod guaranteed;
 mod headline;
 mod posterior;
 mod profile;
-pub(super) mod rounding;
 mod separations;
 mod unknowns;
 

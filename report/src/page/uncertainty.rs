@@ -7,7 +7,7 @@ use planar_impact_app::uncertainty::{Bounds, OutputUncertainty, Probability, Unc
 use planar_impact_app::units::{Measure, Units, trim};
 
 use super::Facts;
-use super::reconstruct::rounding::{Toward, ended};
+use super::rounding::{Toward, ended, without_sign_of_zero};
 use crate::block::{Block, Table};
 
 /// Number of inputs shown for an output.
@@ -102,9 +102,7 @@ pub(crate) fn with_digits(units: Units, measure: Measure, si: f64, sd: f64) -> S
         return units.number(measure, si, 0.0);
     }
     let decimals = (1.0 - libm::log10(deviation).floor()).clamp(0.0, 12.0) as usize;
-    let text = format!("{value:.decimals$}");
-    // Minus nothing.
-    if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { text.trim_start_matches('-').to_owned() } else { text }
+    without_sign_of_zero(format!("{value:.decimals$}"))
 }
 
 /// Formats a value of an output with the decimals of two digits of its deviation.

@@ -107,15 +107,15 @@ impl CaseReader {
             match read {
                 Ok(read) => {
                     let is_bare = read.bare && !read.unit.is_empty();
-                    if is_bare && let Some((bare, unit)) = unit_in_name(name, kind) {
-                        let help = format!("write `{bare} [{unit}]`, and `column = \"{bare}\"`");
-                        of_column.report(format!("{}: {name}: the unit of a column is read in brackets", source.name), Some(help));
-                        return None;
-                    }
                     if !is_bare && read.unit != kind.si && unit.is_none() {
                         with_unit.get_or_insert_with(|| (line, read.unit.clone()));
                     }
                     if is_bare && bare.is_none() {
+                        if let Some((bare, unit)) = unit_in_name(name, kind) {
+                            let help = format!("write `{bare} [{unit}]`, and `column = \"{bare}\"`");
+                            of_column.report(format!("{}: {name}: the unit of a column is read in brackets", source.name), Some(help));
+                            return None;
+                        }
                         let what = if values.is_empty() { String::new() } else { format!("line {line} in ") };
                         let message =
                             format!("{}: {what}the column {name} of {} has no unit: {} assumed", of_column.path(), source.name, read.unit);

@@ -120,14 +120,12 @@ fn errors_that_go_on_from_frame_to_frame_are_counted() {
             let text = format!("schema = 1\nwindow = [\"0 ms\", \"100 ms\"]\nsamples = \"time [ms],distance [mm]\\n{rows}\"\n");
             folder.write(file, text.as_bytes());
         }
-        let arguments: Vec<&str> = std::iter::once("record").chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
-        let run = run(folder.path(), &arguments);
-        let json: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err));
+        let json = records_of(&folder, &names);
         let holds = |record: &&Value| {
             let of = |key: &str| record["films"][0]["restitution"][key].as_f64().expect("a number");
             (of("value") - 0.15).abs() <= 1.96 * of("sd")
         };
-        let told = run.out.matches("\"correlated-frames\"").count();
+        let told = json.to_string().matches("\"correlated-frames\"").count();
         (json["records"].as_array().expect("records").iter().filter(holds).count(), told)
     };
     let ([white, told_of_white], [correlated, told]) = (covered("w", 0.0).into(), covered("c", 0.8).into());

@@ -32,6 +32,29 @@ fn csv(header: &str, columns: &[&dyn Fn(f64) -> f64]) -> String {
     text
 }
 
+/// Random numbers that are the same in each run.
+struct Random(u64);
+
+impl Random {
+    /// Returns a number from 0 to 1.
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Returns a nearly normal number, of mean 0 and standard deviation 1.
+    fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.uniform()).sum::<f64>() - 6.0
+    }
+}
+
+/// Runs `record` on files of a folder, and returns its JSON.
+fn records_of(folder: &Folder, names: &[String]) -> Value {
+    let arguments: Vec<&str> = std::iter::once("record").chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
+    let run = run(folder.path(), &arguments);
+    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}", run.err))
+}
+
 fn close(found: &Value, wanted: f64, relative: f64) {
     let found = found.as_f64().unwrap_or(f64::NAN);
     assert!((found - wanted).abs() <= relative * wanted.abs().max(1e-12), "{found}, not {wanted}");

@@ -213,17 +213,12 @@ fn a_given_range_decides_what_is_clipped() {
 /// Readings that scatter by a step differ by more than a tenth of a small change from one to the next, long after it is over. One that still changes is truncated.
 #[test]
 fn readings_that_scatter_do_not_seem_truncated() {
-    let mut state = 20_u64;
-    let mut uniform = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random(20);
     let folder = Folder::new();
     let mut write = |name: &str, change: &dyn Fn(f64) -> f64| {
         let mut text = "time [ms],delta_v_forward [km/h]\n".to_owned();
         for i in 0..=30 {
-            let noise: f64 = (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
-            writeln!(text, "{},{}", 10 * i, (change(f64::from(i)) + noise).round()).expect("a string takes everything");
+            writeln!(text, "{},{}", 10 * i, (change(f64::from(i)) + random.normal()).round()).expect("a string takes everything");
         }
         folder.write(name, text.as_bytes());
     };
@@ -231,8 +226,7 @@ fn readings_that_scatter_do_not_seem_truncated() {
     names[0].iter().for_each(|name| write(name, &|i| -15.0 * (i / 8.0).min(1.0)));
     names[1].iter().for_each(|name| write(name, &|i| -40.0 * (i / 30.0).powi(2)));
     let truncated = |names: &[String]| {
-        let arguments: Vec<&str> = std::iter::once("record").chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
-        let json: Value = serde_json::from_str(&run(folder.path(), &arguments).out).expect("JSON");
+        let json = records_of(&folder, names);
         let records = json["records"].as_array().expect("records").iter();
         records.filter(|record| record["channels"][0]["is_truncated"] == true).count()
     };
@@ -305,11 +299,7 @@ fn the_components_of_the_greatest_change_are_shown() {
 /// are too few.
 #[test]
 fn the_greatest_of_few_readings_that_scatter_is_less_certain() {
-    let mut state = 21_u64;
-    let mut uniform = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random(21);
     for (scatter, step, duration, end) in [
         (0.5, 0.1, 100.0, 150),
         (0.5, 0.1, 100.0, 160),
@@ -324,19 +314,18 @@ fn the_greatest_of_few_readings_that_scatter_is_less_certain() {
     ] {
         const RECORDS: usize = 120;
         let folder = Folder::new();
-        let truths: Vec<f64> = (0..RECORDS).map(|i| -(if i % 2 == 0 { 35.0 } else { 20.0 }) - 10.0 * uniform()).collect();
+        let truths: Vec<f64> = (0..RECORDS).map(|i| -(if i % 2 == 0 { 35.0 } else { 20.0 }) - 10.0 * random.uniform()).collect();
         let names: Vec<String> = (0..RECORDS).map(|i| format!("{i}.csv")).collect();
         for (name, truth) in names.iter().zip(&truths) {
             let mut text = "time [ms],delta_v_forward [km/h]\n0,0\n".to_owned();
             for time in (10..=end).step_by(10) {
-                let noise: f64 = (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
+                let noise = random.normal();
                 let change = 0.5 * truth * (1.0 - (PI * (f64::from(time) / duration).min(1.0)).cos());
                 writeln!(text, "{time},{:.1}", ((change + scatter * noise) / step).round() * step).expect("a string takes everything");
             }
             folder.write(name, text.as_bytes());
         }
-        let arguments: Vec<&str> = ["record"].into_iter().chain(names.iter().map(String::as_str)).chain(["--format", "json"]).collect();
-        let json: Value = serde_json::from_str(&run(folder.path(), &arguments).out).expect("JSON");
+        let json = records_of(&folder, &names);
         let records = json["records"].as_array().expect("records");
         let messages =
             json["messages"].as_array().map_or_else(String::new, |all| all.iter().map(|message| format!("{message}\n")).collect());

@@ -6,8 +6,8 @@ use planar_impact_app::reconstruct::diagnostics::{Diagnostic, Status};
 use planar_impact_app::units::trim;
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::share;
 use crate::block::Block;
+use crate::page::rounding::share;
 
 /// Renders a line for each diagnostic; those outside their limit come first.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {

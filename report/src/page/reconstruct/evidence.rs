@@ -3,8 +3,8 @@
 use planar_impact_app::reconstruct::{Evidence, Influence, Reconstruction};
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::{rounded, without_sign_of_zero};
 use crate::block::{Block, Table};
+use crate::page::rounding::{rounded, without_sign_of_zero};
 
 /// Smallest correlation that is shown.
 const STRONG: f64 = 0.5;

@@ -3,8 +3,8 @@
 use planar_impact_app::reconstruct::{Guaranteed, Reconstruction};
 use planar_impact_app::units::{Measure, Units, trim};
 
-use super::rounding::{Toward, ended};
 use crate::block::{Block, Table};
+use crate::page::rounding::{Toward, ended};
 
 /// Renders the guaranteed range of each unknown, rounded outward, and the values that are found near its ends; nothing without ranges.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {

@@ -8,9 +8,9 @@ use planar_impact_app::units::{Measure, Units};
 use planar_impact_app::wording::degrees_of_freedom;
 
 use super::super::SUMMARY_WIDTH;
-use super::rounding::{digits, probability, rounded, share, with_spread};
 use super::unknowns::beyond;
 use crate::block::Block;
+use crate::page::rounding::{digits, probability, rounded, share, with_spread};
 
 /// Renders the verdict.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {

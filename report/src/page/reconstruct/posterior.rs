@@ -4,9 +4,9 @@ use planar_impact_app::named::Named;
 use planar_impact_app::reconstruct::{Posterior, Reconstruction};
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::rounded;
 use super::unknowns::from;
 use crate::block::{Block, Table};
+use crate::page::rounding::rounded;
 
 /// Renders means, medians and shortest ranges, then the probabilities that were asked for; nothing without a posterior.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {

@@ -3,8 +3,8 @@
 use planar_impact_app::reconstruct::{ProfileLevel, Reconstruction};
 use planar_impact_app::units::{Measure, Units};
 
-use super::rounding::{rounded, share};
 use crate::block::{Block, Table};
+use crate::page::rounding::{rounded, share};
 
 /// Heights of the profile that the page shows: those of one and of three standard deviations, if the evidence is linear in the unknowns.
 const HEIGHTS: [f64; 2] = [1.0, 9.0];

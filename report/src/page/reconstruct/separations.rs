@@ -5,8 +5,8 @@ use planar_impact_app::units::{Measure, Units};
 use planar_impact_app::wording::degrees_of_freedom;
 
 use super::super::points;
-use super::rounding::{probability, rounded};
 use crate::block::{Block, Table};
+use crate::page::rounding::{probability, rounded};
 
 /// Renders the points along each path.
 pub fn points(answer: &Reconstruction, units: Units) -> Vec<Block> {

@@ -3,8 +3,8 @@
 use planar_impact_app::reconstruct::{Alternative, Derived, Interval, Reconstruction, Unknown};
 use planar_impact_app::units::{Measure, Units, beyond_rounding};
 
-use super::rounding::{digits, probability, rounded, share};
 use crate::block::{Block, Table};
+use crate::page::rounding::{digits, probability, rounded, share};
 
 /// Renders values, standard deviations and intervals, with the footnotes that they need.
 pub fn blocks(answer: &Reconstruction, units: Units) -> Vec<Block> {

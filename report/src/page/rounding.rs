@@ -41,9 +41,9 @@ pub enum Toward {
 
 /// Formats the end of a range with the decimals of a thousandth of its width, or of a millionth of it, rounded to one side.
 pub fn ended(measure: Measure, value: f64, width: f64, toward: Toward, units: Units) -> String {
-    let decimals = decimals(units.convert(measure, (width * 1e-3).max(value.abs() * 1e-6).max(1e-9))).clamp(0, 9);
     /// Of a step: an end that is computed beside a round number by rounding alone is that number.
     const ROUNDING: f64 = 1e-6;
+    let decimals = decimals(units.convert(measure, (width * 1e-3).max(value.abs() * 1e-6).max(1e-9))).clamp(0, 9);
     let (value, step) = (units.convert(measure, value), libm::exp10(-f64::from(decimals)));
     let steps = match toward {
         Toward::Below => (value / step + ROUNDING).floor(),
