@@ -174,3 +174,18 @@ fn put_some(column: &mut Vec<f64>, numbers: &[f64; WIDTH], row: usize, kept: &[b
         column[row + lane] = *number;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_that_are_not_kept_stay_as_they_were() {
+        let mut column = alloc::vec![7.0; 9];
+        put_some(&mut column, &[1.0, 2.0, 3.0, 4.0], 8, &[false, false, true, false]);
+        assert_eq!((column.len(), &column[..9], column[10]), (11, &[7.0; 9][..], 3.0));
+        assert!(column[9].is_nan());
+        put_some(&mut column, &[1.0, 2.0, 3.0, 4.0], 8, &[true, true, false, false]);
+        assert_eq!(column[8..], [1.0, 2.0, 3.0]);
+    }
+}

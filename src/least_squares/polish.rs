@@ -261,6 +261,36 @@ fn settle(x: &mut f64, span: &ParameterBounds) -> Option<Bound> {
 mod tests {
     use super::*;
 
+    /// x, whose root full steps from 1.4 leave; halved ones lead to it.
+    struct Arctangent {
+        bends: core::cell::Cell<usize>,
+    }
+
+    impl Residuals for Arctangent {
+        fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+            Some(alloc::vec![libm::atan(x[0])])
+        }
+
+        fn jacobian(&self, x: &[f64]) -> DMatrix<f64> {
+            DMatrix::from_element(1, 1, 1.0 / (1.0 + x[0] * x[0]))
+        }
+
+        fn residual_hessian(&self, _: &[f64]) -> Option<DMatrix<f64>> {
+            self.bends.set(self.bends.get() + 1);
+            None
+        }
+    }
+
+    #[test]
+    fn second_derivatives_wait_until_steps_are_slow() {
+        let of = Arctangent { bends: Default::default() };
+        let spans = [ParameterBounds { min: f64::NEG_INFINITY, max: f64::INFINITY, scale: 1.0 }];
+        let mut point = Point::at(&of, alloc::vec![1.4], &spans);
+        assert!(point.sprint(&of, &spans, TRUSTED).is_none());
+        let taken = point.walk(&of, &spans, STEPS);
+        assert!(taken <= SLOW && point.unknowns[0].abs() < 1e-15 && of.bends.get() == 0, "{taken} {:?} {:?}", point.unknowns, of.bends);
+    }
+
     /// What an unknown that stays on its bound moves is in the residuals of the others: (1, 2) + ½ (1, 0) is (1.5, 2), and the nearest (x, x) is 1.75.
     #[test]
     fn the_free_unknowns_step_from_where_the_others_went() {

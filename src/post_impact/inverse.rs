@@ -339,6 +339,42 @@ mod tests {
         );
     }
 
+    /// Locked rear wheels drive the rotation from a motion ahead: it is in proportion to the path.
+    #[test]
+    fn a_rotation_that_the_tires_drive_begins_in_proportion_to_the_path() {
+        let slide = slide(Wheels { rear_left: Wheel::LOCKED, rear_right: Wheel::LOCKED, ..Wheels::all(Wheel::ROLLING) });
+        let ahead = Xy { x: 10.0 * libm::cos(FROM.heading), y: 10.0 * libm::sin(FROM.heading) };
+        let rest = Pose { position: FROM.position + ahead, heading: FROM.heading + 1.0 };
+        assert!(slide.closed_form(&FROM, &rest).yaw_rate.is_nan());
+        let [x, y, yaw_rate] = slide.first_guess(&evidence(rest));
+        assert!((yaw_rate - libm::hypot(x, y) / 10.0).abs() < 1e-12 * yaw_rate, "{x} {y} {yaw_rate}");
+    }
+
+    #[test]
+    fn a_search_without_an_end_reports_the_motion_that_came_nearest() {
+        let slide = slide(damaged());
+        let at = |share: f64| motion(&MOTIONS[0].map(|component| share * component));
+        let evidence = evidence(slide.to_rest(&FROM, &at(1.0)).expect("it comes to rest").pose);
+        let search = ToRest::of(&slide, &evidence, &|_, _| true);
+        for share in [0.5, 0.9, 1.3, 0.8] {
+            search.residuals(&at(share).components()).expect("it comes to rest");
+        }
+        let Err(NoSeparation::NotConverged { motion, .. }) = Err::<(), _>(search.nothing_found(&MOTIONS[1])) else { panic!("no motion") };
+        assert_eq!(motion, at(0.9));
+    }
+
+    /// The last steps are those of Newton: from a thousandth beside it to the last digits.
+    #[test]
+    fn the_last_steps_reach_the_motion() {
+        let slide = slide(damaged());
+        let truth = motion(&MOTIONS[0]);
+        let evidence = evidence(slide.to_rest(&FROM, &truth).expect("it comes to rest").pose);
+        let search = ToRest::of(&slide, &evidence, &|_, _| true);
+        let beside = motion(&[9.01, 3.99, 2.49]);
+        let found = search.near(&beside).expect("a minimum");
+        assert!(distance(&found.unknowns, &MOTIONS[0]) < 1e-8 && found.sum_of_squares < 1e-14, "{:?}", found.unknowns);
+    }
+
     #[test]
     fn slopes_that_are_no_numbers_determine_nothing() {
         for bad in [f64::NAN, f64::INFINITY] {

@@ -107,9 +107,7 @@ impl Region {
                     point.iter_mut().zip(&pair[0].1).zip(&pair[1].1).for_each(|((x, one), other)| *x += share * (other - one));
                 }
                 point.iter_mut().zip(&profile.spans).for_each(|(x, span)| *x = x.clamp(span.min, span.max));
-                let there = quantity.unwrapped(&point).filter(|there| {
-                    direction * (there - value) > 0.0 && direction * (quantity.outer[k] - there) >= 0.0 && profile.allows(&point)
-                });
+                let there = quantity.unwrapped(&point).filter(|there| direction * (there - value) > 0.0 && profile.allows(&point));
                 match there {
                     Some(there) => (value, at, size) = (there, point, size * SIZE.1),
                     None => size *= SIZE.2,

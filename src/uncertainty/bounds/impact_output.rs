@@ -117,3 +117,29 @@ fn response<T>(impact: &Impact<T>, side: Side) -> &Response<T> {
         Side::Two => &impact.two,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::uncertainty::Direct;
+    use crate::{Heading, ImpulseRatio, Input, Vehicle};
+
+    /// Where the normal change of sticking is zero, the limit by friction may jump.
+    #[test]
+    fn what_is_computed_at_once_is_what_is_computed_apart() {
+        let car = |speed: f64| Vehicle::new(1400.0, 2500.0).with_impact_center(2.0, 0.6).with_speed(speed);
+        let base = Collision::new(car(15.0), car(5.0).with_heading(Heading::from_degrees(200.0)))
+            .with_impulse_ratio(ImpulseRatio::LimitedByFriction(0.5));
+        let mapping = Direct(alloc::vec![Input::CrushPlane, Input::Restitution]);
+        for of in [Output::DeltaVMagnitude(Side::One), Output::PrincipalDirectionOfForce(Side::Two), Output::CriticalImpulseRatio] {
+            let output = ImpactOutput::new(&base, &mapping, of);
+            for (plane, is_continuous) in [((0.0, 0.1), true), ((-1.5, 1.5), false), ((1.3, 1.7), false)] {
+                let cell = [Interval::new(plane.0, plane.1).expect("in order"), Interval::from(0.1)];
+                let value = output.value(&cell);
+                let apart = Enclosure { value, is_possible: output.is_possible(&cell), is_continuous: output.is_continuous(&cell, value) };
+                assert_eq!(output.over(&cell), apart, "{of:?} {plane:?}");
+                assert_eq!(apart.is_continuous, is_continuous, "{of:?} {plane:?}");
+            }
+        }
+    }
+}

@@ -299,6 +299,41 @@ mod tests {
         }
     }
 
+    /// x, which physics refuses below 1/3; about it a cell is not decided.
+    struct FromAThird;
+
+    impl Bounded for FromAThird {
+        fn numbers(&self) -> usize {
+            1
+        }
+
+        fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
+            numbers[0]
+        }
+
+        fn at(&self, point: &[f64]) -> Option<f64> {
+            (point[0] >= 1.0 / 3.0).then_some(point[0])
+        }
+
+        fn is_possible(&self, cell: &[Interval]) -> Truth {
+            !cell[0].less(&Interval::from(1.0 / 3.0))
+        }
+
+        fn is_continuous(&self, _: &[Interval], _: Interval) -> bool {
+            true
+        }
+    }
+
+    /// 2⁻³⁴ is the first power of a half below 10⁻¹⁰.
+    #[test]
+    fn a_cell_that_physics_may_refuse_is_not_divided_for_ever() {
+        let whole = [Interval::new(0.0, 1.0).expect("in order")];
+        let start = Attained { point: alloc::vec![1.0], value: 1.0 };
+        let found = minimum(&Objective::new(&FromAThird), &whole, start, false, -1.0, 1_000, &|_| true);
+        assert_eq!((found.is_tight, found.cells), (false, 34));
+        assert!(found.bound <= 1.0 / 3.0 && found.attained.value - 1.0 / 3.0 < 2.0 * SMALLEST, "{} {}", found.bound, found.attained.value);
+    }
+
     fn second_order(of: &Cubic, cell: [(f64, f64); 3]) -> f64 {
         let ranges = cell.map(|(low, high)| Interval::new(low, high).expect("in order"));
         let center = ranges.map(|range| Interval::from(middle_of(range)));
