@@ -6,14 +6,16 @@ use planar_impact_app::quantity::{self, Conversion, Kind};
 use crate::bytes::Bytes;
 
 /// Factors by their definitions: mass, length, time in SI as numerator and denominator, and the kind of a simple unit.
-const EXACT: [(&str, i64, i64, Kind); 25] = [
+const EXACT: [(&str, i64, i64, Kind); 27] = [
     ("kg", 1, 1, Kind::MASS),
     ("g", 1, 1000, Kind::MASS),
     ("t", 1000, 1, Kind::MASS),
     ("lb", 45_359_237, 100_000_000, Kind::MASS),
     ("m", 1, 1, Kind::LENGTH),
     ("cm", 1, 100, Kind::LENGTH),
+    ("dm", 1, 10, Kind::LENGTH),
     ("mm", 1, 1000, Kind::LENGTH),
+    ("um", 1, 1_000_000, Kind::LENGTH),
     ("in", 254, 10_000, Kind::LENGTH),
     ("ft", 3048, 10_000, Kind::LENGTH),
     ("yd", 9144, 10_000, Kind::LENGTH),

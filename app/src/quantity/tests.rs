@@ -23,6 +23,8 @@ const CONVERSIONS: &[(Kind, &str, f64)] = &[
     (Kind::LENGTH, "33.3 inches", 0.84582),
     (Kind::LENGTH, "12.3 cm", 0.123),
     (Kind::LENGTH, "12.3 mm", 0.0123),
+    (Kind::LENGTH, "12.3 dm", 1.23),
+    (Kind::LENGTH, "123 \u{b5}m", 0.000123),
     (Kind::LENGTH, "0.7 km", 700.0),
     (Kind::LENGTH, "33.3 in", 0.84582),
     (Kind::LENGTH, "5.47 ft", 1.667256),

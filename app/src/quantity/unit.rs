@@ -108,7 +108,9 @@ const NAMED: &[Named] = &[
     named(MASS, &["slug", "slugs"], POUND_FORCE, 3048e9), // lbf s²/ft
     named(LENGTH, &["m", "meter", "meters", "metre", "metres"], 1.0, 1.0),
     named(LENGTH, &["cm", "centimeter", "centimeters", "centimetre", "centimetres"], 1.0, 1e2),
+    named(LENGTH, &["dm", "decimeter", "decimeters", "decimetre", "decimetres"], 1.0, 1e1),
     named(LENGTH, &["mm", "millimeter", "millimeters", "millimetre", "millimetres"], 1.0, 1e3),
+    named(LENGTH, &["um", "\u{b5}m", "\u{3bc}m", "micrometer", "micrometers", "micrometre", "micrometres"], 1.0, 1e6),
     named(LENGTH, &["km", "kilometer", "kilometers", "kilometre", "kilometres"], 1e3, 1.0),
     named(LENGTH, &["in", "inch", "inches"], 254.0, 1e4),
     named(LENGTH, &["ft", "foot", "feet"], 3048.0, 1e4),
