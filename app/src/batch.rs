@@ -7,7 +7,7 @@ mod answer;
 mod column;
 mod header;
 mod row;
-mod sizes;
+mod row_warning;
 mod watch;
 
 use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
@@ -16,7 +16,7 @@ pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub use header::{Header, separated_otherwise};
 pub(crate) use header::{commented, unit_in_name};
-pub use sizes::Unusual;
+pub use row_warning::RowWarning;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
 use crate::case::{

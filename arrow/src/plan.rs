@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use planar_impact_app::batch::{self, Header, InputColumn, NotARow, Options, Refused, Table, Unusual};
+use planar_impact_app::batch::{self, Header, InputColumn, NotARow, Options, Refused, RowWarning, Table};
 use planar_impact_app::quantity::Kind;
 use planar_impact_app::{Case, Issue, Issues, Notice};
 
@@ -32,7 +32,7 @@ pub struct Solved {
     /// The rows that are refused, in order.
     pub refused: Vec<Refused>,
     /// The sizes that no road vehicle has, each once.
-    pub unusual: Vec<Unusual>,
+    pub warnings: Vec<RowWarning>,
 }
 
 impl Plan {
@@ -102,9 +102,9 @@ impl Plan {
         for column in self.plan.inputs().iter().filter(|column| self.becomes_number(column)) {
             arrays[column.place] = cells::numbers(&arrays[column.place])?;
         }
-        let (added, refused, unusual) = answer::arrays(answer, batch.num_rows());
+        let (added, refused, warnings) = answer::arrays(answer, batch.num_rows());
         arrays.extend(added);
-        Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused, unusual })
+        Ok(Solved { batch: RecordBatch::try_new(self.schema(), arrays)?, refused, warnings })
     }
 
     fn becomes_number(&self, column: &InputColumn) -> bool {

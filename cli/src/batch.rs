@@ -11,7 +11,7 @@ mod source;
 use std::thread::available_parallelism;
 
 use arrow_schema::SchemaRef;
-use planar_impact_app::batch::{Header, Refused, Unusual};
+use planar_impact_app::batch::{Header, Refused, RowWarning};
 use planar_impact_app::{Cause, Issue, Issues, Units};
 use planar_impact_arrow::{Options, Plan};
 
@@ -75,19 +75,19 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
     };
     let work = |(part, position, origin): (Part, u64, Origin)| {
         let rows = part.batch.num_rows();
-        let (mut refused, mut unusual) = (Vec::new(), Vec::new());
+        let (mut refused, mut warnings) = (Vec::new(), Vec::new());
         let solved = (0..rows).step_by(together).map(|first| {
             let solved = plan.solve_with(&part.batch.slice(first, together.min(rows - first)), part.unreadable_in(first..first + together));
             let solved = solved.map_err(sink::of_arrow)?;
             refused.extend(solved.refused.into_iter().map(|refused| Refused { row: first + refused.row, ..refused }));
-            solved.unusual.into_iter().for_each(|size| size.after(first).add(&mut unusual));
+            solved.warnings.into_iter().for_each(|warning| warning.after(first).add(&mut warnings));
             Ok(solved.batch)
         });
         let encoded = encoder.encode(solved).map_err(Failure::Output)?;
-        Ok(Done { rows, refused, unusual, encoded, position, origin })
+        Ok(Done { rows, refused, warnings, encoded, position, origin })
     };
     let write = |done: Result<Done, Failure>| {
-        let Done { rows, refused, unusual, encoded, position, origin } = done?;
+        let Done { rows, refused, warnings, encoded, position, origin } = done?;
         let before = progress.rows();
         let name = |row: usize| {
             let number = |first: u64| first + row as u64 + 1;
@@ -100,7 +100,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
         if let Some(first) = refused.first().filter(|_| call.fail_fast) {
             return Err(refused_at(name(first.row), first));
         }
-        progress.warn(unusual, name);
+        progress.warn(warnings, name);
         progress.add(rows, &refused, position, name);
         sink.write(encoded).map_err(Failure::Output)
     };
@@ -114,7 +114,7 @@ pub fn run(call: &Batch) -> Result<CommandOutput, Failure> {
 struct Done {
     rows: usize,
     refused: Vec<Refused>,
-    unusual: Vec<Unusual>,
+    warnings: Vec<RowWarning>,
     encoded: Encoded,
     position: u64,
     origin: Origin,

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, Table, Unusual};
+use planar_impact_app::batch::{self, Cell, Column, Header, InputColumn, Options, RowWarning, Table};
 use planar_impact_app::notice::Severity;
 use planar_impact_app::{Case, Notice, Units};
 use pyo3::exceptions::{PyUserWarning, PyValueError};
@@ -35,8 +35,8 @@ pub fn warn(py: Python<'_>, notices: &[Notice], depth: i32) -> PyResult<()> {
 }
 
 /// Warns of sizes that no road vehicle has and of rows without inputs, each once with its first row, counted from 0 as in Python.
-pub fn warn_of_rows(py: Python<'_>, unusual: Vec<Unusual>, depth: i32) -> PyResult<()> {
-    Unusual::merged(unusual).iter().try_for_each(|size| say(py, &size.sentence(&format!("row {}", size.first)), depth))
+pub fn warn_of_rows(py: Python<'_>, warnings: Vec<RowWarning>, depth: i32) -> PyResult<()> {
+    RowWarning::merged(warnings).iter().try_for_each(|warning| say(py, &warning.sentence(&format!("row {}", warning.first)), depth))
 }
 
 fn say(py: Python<'_>, text: &str, depth: i32) -> PyResult<()> {
@@ -151,7 +151,7 @@ type Solved<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<f64>>, W
 struct Found {
     check: Words,
     refused: Words,
-    unusual: Vec<Unusual>,
+    warnings: Vec<RowWarning>,
 }
 
 /// Rows that are solved together, and where their numbers go.
@@ -228,9 +228,9 @@ impl Plan {
         let mut derivatives = vec![0.0; cells];
         let signals = Signals::new(progress);
         let found = py.detach(|| self.fill(&columns, rows, &mut numbers, &mut derivatives, threads, &signals));
-        let Some(Found { check, refused, unusual }) = found else { return Err(signals.stopped()) };
+        let Some(Found { check, refused, warnings }) = found else { return Err(signals.stopped()) };
         signals.done()?;
-        warn_of_rows(py, unusual, 3)?;
+        warn_of_rows(py, warnings, 3)?;
         let numbers = numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
         Ok((numbers, PyArray1::from_vec(py, derivatives), check, refused))
     }
@@ -277,10 +277,10 @@ impl Plan {
             let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| work(&|_| true))).collect();
             let mut found = work(&|place| signals.look(place + 1, count));
             for other in others {
-                let Found { check, refused, unusual } = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                let Found { check, refused, warnings } = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 found.check.extend(check);
                 found.refused.extend(refused);
-                found.unusual.extend(unusual);
+                found.warnings.extend(warnings);
             }
             found
         });
@@ -305,6 +305,6 @@ impl Plan {
         let rules = answer.check.into_iter().flatten().enumerate();
         found.check.extend(rules.filter_map(|(row, rules)| Some((first + row, rules?))));
         found.refused.extend(answer.refused.into_iter().map(|refused| (first + refused.row, refused.codes)));
-        found.unusual.extend(answer.unusual.into_iter().map(|size| size.after(first)));
+        found.warnings.extend(answer.warnings.into_iter().map(|warning| warning.after(first)));
     }
 }

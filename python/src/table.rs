@@ -8,7 +8,7 @@ use std::thread::{self, ThreadId};
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
-use planar_impact_app::batch::Unusual;
+use planar_impact_app::batch::RowWarning;
 use planar_impact_app::{Issue, Issues};
 use planar_impact_arrow::{Options, Plan, Solved};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -88,23 +88,23 @@ pub fn solve_table(
     let signals = Signals::new(progress);
     let options = Options { of, wrt, check, fast };
     let plan = plan(py, &reader.schema(), case, &options)?;
-    let (batches, unusual) = py.detach(|| -> PyResult<(Vec<RecordBatch>, Vec<Unusual>)> {
+    let (batches, warnings) = py.detach(|| -> PyResult<(Vec<RecordBatch>, Vec<RowWarning>)> {
         let mut parts = Vec::new();
         for batch in reader {
             parts.extend(split(batch.map_err(unread)?));
         }
         let solved = solve(&plan, &parts, threads, &|done| signals.look(done + 1, parts.len())).ok_or_else(|| signals.stopped())?;
-        let (mut batches, mut unusual, mut first) = (Vec::new(), Vec::new(), 0);
+        let (mut batches, mut warnings, mut first) = (Vec::new(), Vec::new(), 0);
         for part in solved {
-            let Solved { batch, unusual: of_part, .. } = part.map_err(unread)?;
-            unusual.extend(of_part.into_iter().map(|size| size.after(first)));
+            let Solved { batch, warnings: of_part, .. } = part.map_err(unread)?;
+            warnings.extend(of_part.into_iter().map(|warning| warning.after(first)));
             first += batch.num_rows();
             batches.push(batch);
         }
-        Ok((batches, unusual))
+        Ok((batches, warnings))
     })?;
     signals.done()?;
-    warn_of_rows(py, unusual, 2)?;
+    warn_of_rows(py, warnings, 2)?;
     let schema = plan.schema();
     let names = schema.fields().iter().map(|field| field.name().clone()).collect();
     let rows = batches.iter().map(RecordBatch::num_rows).sum();

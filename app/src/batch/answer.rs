@@ -7,7 +7,7 @@ use planar_impact::{Collision, Heading, ImpulseRatio, Input, Moment, Output, Par
 use super::Plan;
 use super::column::{Cell, Column, Table};
 use super::row::{Fault, Row, RowVehicle, describe};
-use super::sizes::{self, Unusual};
+use super::row_warning::{self, RowWarning};
 use super::watch::{self, Watch};
 use crate::case::{CaseOutput, ContactInputs, Crush, CrushInputs, Inertia, Inputs, Parameter, Velocity};
 use crate::derivative;
@@ -28,8 +28,8 @@ pub struct Answer {
     pub check: Option<Vec<Option<String>>>,
     /// The rows that are refused, in order.
     pub refused: Vec<Refused>,
-    /// The sizes that no road vehicle has, and what is possible and rarely meant, each once.
-    pub unusual: Vec<Unusual>,
+    /// Sizes that no road vehicle has, and doubtful results, each warning once.
+    pub warnings: Vec<RowWarning>,
 }
 
 /// A row that is refused.
@@ -73,15 +73,15 @@ impl Plan {
                 let mut is_unusual = false;
                 if cells.faults.is_empty() {
                     let is_empty = !columns.is_empty() && columns.iter().all(|column| matches!(column.at(row), Cell::Empty));
-                    let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
+                    let of_row = |notice| RowWarning { first: row, rows: 1, notice }.add(&mut answer.warnings);
                     let of_crush = crushes.iter().zip(&self.vehicles).zip(["vehicle.1.crush", "vehicle.2.crush"]).flat_map(
                         |((crush, columns), path)| {
                             let crush = crush.as_ref().filter(|_| !columns.crush.is_empty());
                             crush.into_iter().flat_map(move |crush| unusual::sizes_of_crush(path, crush))
                         },
                     );
-                    let of_sizes = sizes::of_row(&vehicles, &contact).inspect(|_| is_unusual = true);
-                    of_sizes.chain(of_crush).chain(is_empty.then(sizes::empty_row)).for_each(of_row);
+                    let of_sizes = row_warning::of_sizes(&vehicles, &contact).inspect(|_| is_unusual = true);
+                    of_sizes.chain(of_crush).chain(is_empty.then(row_warning::empty_row)).for_each(of_row);
                 }
                 read.push(&vehicles, &contact, cells.faults);
                 read.is_unusual.push(is_unusual);
@@ -137,13 +137,13 @@ impl Plan {
         if self.has_crush() {
             self.add_crush(&mut part, first, columns, read);
         }
-        for (row, warning) in doubts.into_iter().filter(|(row, _)| !read.is_refused[*row]) {
-            Unusual { first: row, rows: 1, warning }.add(&mut part.unusual);
+        for (row, notice) in doubts.into_iter().filter(|(row, _)| !read.is_refused[*row]) {
+            RowWarning { first: row, rows: 1, notice }.add(&mut part.warnings);
         }
         part.blank(&read.is_refused);
         read.refused.sort_by_key(|refused| refused.row);
         part.refused.extend(read.refused.drain(..).map(|refused| Refused { row: first + refused.row, ..refused }));
-        part.unusual.iter_mut().for_each(|unusual| unusual.first += first);
+        part.warnings.iter_mut().for_each(|warning| warning.first += first);
         answer.append(part);
     }
 
@@ -164,7 +164,7 @@ impl Plan {
     fn arrange(&self, values: Vec<Vec<f64>>, derivatives: Vec<Vec<f64>>, check: Option<Vec<Option<String>>>, rows: usize) -> Answer {
         let nothing = || vec![f64::NAN; rows];
         let (mut values, mut derivatives) = (values.into_iter(), derivatives.into_iter());
-        let mut answer = Answer { outputs: Vec::new(), derivatives: Vec::new(), check, refused: Vec::new(), unusual: Vec::new() };
+        let mut answer = Answer { outputs: Vec::new(), derivatives: Vec::new(), check, refused: Vec::new(), warnings: Vec::new() };
         for output in &self.outputs {
             let is_of_impact = impact(*output).is_some();
             answer.outputs.push(if is_of_impact { values.next().unwrap_or_else(nothing) } else { nothing() });
@@ -206,7 +206,7 @@ impl Plan {
             }
             let outputs = setup.evaluate();
             let [one, two] = Side::ALL.map(|side| outputs.get(CaseOutput::CrushEnergy(side)).unwrap_or(0.0));
-            let of_row = |warning| Unusual { first: row, rows: 1, warning }.add(&mut answer.unusual);
+            let of_row = |notice| RowWarning { first: row, rows: 1, notice }.add(&mut answer.warnings);
             let before = outputs.get(CaseOutput::Impact(Output::EnergyBefore)).filter(|_| gives_crush);
             before.and_then(|before| doubtful::crush(one + two, before)).into_iter().for_each(of_row);
             for (i, output) in self.outputs.iter().enumerate().filter(|(_, output)| impact(**output).is_none()) {
@@ -250,7 +250,7 @@ impl Answer {
             derivatives: columns(plan.outputs.len() * plan.wrt.len()),
             check,
             refused: Vec::new(),
-            unusual: Vec::new(),
+            warnings: Vec::new(),
         }
     }
 
@@ -260,7 +260,7 @@ impl Answer {
         numbers.for_each(|(column, later)| column.extend(later.iter().map(|number| positive_zero(*number))));
         self.check.iter_mut().zip(later.check).for_each(|(column, later)| column.extend(later));
         self.refused.extend(later.refused);
-        later.unusual.into_iter().for_each(|unusual| unusual.add(&mut self.unusual));
+        later.warnings.into_iter().for_each(|warning| warning.add(&mut self.warnings));
     }
 
     /// Leaves no number in a row that is refused.
@@ -402,7 +402,7 @@ impl Rows {
         let of_row = |row: usize| {
             let is_doubted = self.is_unusual[row] || watch.may_be_doubtful(row);
             let of_result = if is_doubted { watch::of_result(&batch.row(row), self.is_unusual[row]) } else { Vec::new() };
-            of_result.into_iter().map(move |warning| (row, warning))
+            of_result.into_iter().map(move |notice| (row, notice))
         };
         (0..self.forms.len()).filter(|row| !self.is_refused[*row]).flat_map(of_row).collect()
     }

@@ -256,7 +256,7 @@ fn a_row_has_the_warnings_of_its_case_file() {
         let rows = [row];
         let answer = plan.solve(&Table { rows: 1, columns: cells(&plan, &NAMES, rows.iter()), unreadable: Vec::new() });
         let of_row: BTreeSet<_> =
-            answer.unusual.iter().map(|unusual| (unusual.warning.code.to_owned(), unusual.warning.path.clone())).collect();
+            answer.warnings.iter().map(|RowWarning { notice, .. }| (notice.code.to_owned(), notice.path.clone())).collect();
         match case.collision.solve() {
             Ok(impact) => {
                 let all = case.warnings(&impact).into_iter().filter(|notice| notice.code != "tangential-work-positive");
@@ -283,7 +283,7 @@ fn a_row_with_less_energy_than_its_crush_is_warned_of() {
         let options = Options { of, ..Options::default() };
         let found = |names: &[&str], columns: Vec<Column<'static>>| -> Vec<_> {
             let answer = plan(names, Some(&case), &options).expect("a plan").solve(&Table { rows: 4, columns, unreadable: Vec::new() });
-            answer.unusual.into_iter().map(|unusual| (unusual.warning.code, unusual.warning.path, unusual.first, unusual.rows)).collect()
+            answer.warnings.into_iter().map(|RowWarning { first, rows, notice }| (notice.code, notice.path, first, rows)).collect()
         };
         let column = |numbers: [f64; 4]| Column::Cells(numbers.map(Cell::Number).to_vec());
         let with_crush = found(&["vehicle.1.speed", "vehicle.1.crush.width"], vec![column(speeds), column([1.5; 4])]);

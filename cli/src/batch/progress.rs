@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 use planar_impact_app::Units;
-use planar_impact_app::batch::{Refused, Unusual};
+use planar_impact_app::batch::{Refused, RowWarning};
 
 use crate::output;
 use crate::progress::{SILENCE, styled};
@@ -25,22 +25,22 @@ pub struct Progress {
     rows: u64,
     refused: u64,
     codes: BTreeMap<String, u64>,
-    /// The sizes that no road vehicle has, each with the name of its first row.
-    unusual: Vec<(String, Unusual)>,
+    /// Each warning once, with the name of its first row.
+    warnings: Vec<(String, RowWarning)>,
 }
 
 impl Progress {
     /// Starts for `bytes` bytes.
     pub fn new(bytes: u64) -> Progress {
-        Progress { started: Instant::now(), bytes, bar: None, rows: 0, refused: 0, codes: BTreeMap::new(), unusual: Vec::new() }
+        Progress { started: Instant::now(), bytes, bar: None, rows: 0, refused: 0, codes: BTreeMap::new(), warnings: Vec::new() }
     }
 
-    /// Keeps sizes that no road vehicle has, with the names of the first rows.
-    pub fn warn(&mut self, sizes: Vec<Unusual>, name: impl Fn(usize) -> String) {
-        for size in sizes {
-            match self.unusual.iter_mut().find(|(_, known)| known.is_alike(&size)) {
-                Some((_, known)) => known.rows += size.rows,
-                None => self.unusual.push((name(size.first), size)),
+    /// Keeps warnings, with the names of their first rows.
+    pub fn warn(&mut self, warnings: Vec<RowWarning>, name: impl Fn(usize) -> String) {
+        for warning in warnings {
+            match self.warnings.iter_mut().find(|(_, known)| known.is_alike(&warning)) {
+                Some((_, known)) => known.rows += warning.rows,
+                None => self.warnings.push((name(warning.first), warning)),
             }
         }
     }
@@ -79,8 +79,8 @@ impl Progress {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
-        for (first, size) in &self.unusual {
-            self.say(&format!("{}: {}", size.warning.severity, size.sentence(first)));
+        for (first, warning) in &self.warnings {
+            self.say(&format!("{}: {}", warning.notice.severity, warning.sentence(first)));
         }
         if self.refused > 0 {
             let counts: Vec<String> = self.codes.iter().map(|(codes, count)| format!("{count} {codes}")).collect();

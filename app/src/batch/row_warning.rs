@@ -1,4 +1,4 @@
-//! Warnings of rows, each once: sizes that no road vehicle has, and doubtful results.
+//! Warnings about rows, each once: sizes that no road vehicle has, and doubtful results.
 
 use super::row::RowVehicle;
 use crate::case::ContactInputs;
@@ -6,44 +6,44 @@ use crate::notice::Notice;
 use crate::units::Units;
 use crate::unusual;
 
-/// A size that no road vehicle has, or a result that deserves a second look, in one row or more.
+/// A warning about one row or more: a size that no road vehicle has, or a result that deserves a second look.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Unusual {
+pub struct RowWarning {
     /// The first of these rows, counted from 0.
     pub first: usize,
     /// Their number.
     pub rows: usize,
     /// The warning about the first.
-    pub warning: Notice,
+    pub notice: Notice,
 }
 
-impl Unusual {
-    /// Returns `true` if both are about the same size of the same vehicle or contact.
-    pub fn is_alike(&self, other: &Unusual) -> bool {
-        self.warning.is_alike(&other.warning)
+impl RowWarning {
+    /// Returns `true` if both are about the same thing of the same vehicle or contact.
+    pub fn is_alike(&self, other: &RowWarning) -> bool {
+        self.notice.is_alike(&other.notice)
     }
 
     /// Returns the same of a part whose rows come after others of the table.
-    pub fn after(self, rows: usize) -> Unusual {
-        Unusual { first: rows + self.first, ..self }
+    pub fn after(self, rows: usize) -> RowWarning {
+        RowWarning { first: rows + self.first, ..self }
     }
 
     /// Returns the warning as a sentence in SI, with the name of its first row and the number of the others.
     pub fn sentence(&self, first: &str) -> String {
         let others = if self.rows > 1 { format!(", and {} more", self.rows - 1) } else { String::new() };
-        format!("{} ({first}{others})", Units::Si.sentence(&self.warning.message))
+        format!("{} ({first}{others})", Units::Si.sentence(&self.notice.message))
     }
 
-    /// Returns each size of the parts of a table once, with its first row.
-    pub fn merged(mut of_parts: Vec<Unusual>) -> Vec<Unusual> {
-        of_parts.sort_by_key(|size| size.first);
+    /// Returns each warning of the parts of a table once, with its first row.
+    pub fn merged(mut of_parts: Vec<RowWarning>) -> Vec<RowWarning> {
+        of_parts.sort_by_key(|warning| warning.first);
         let mut merged = Vec::new();
-        of_parts.into_iter().for_each(|size| size.add(&mut merged));
+        of_parts.into_iter().for_each(|warning| warning.add(&mut merged));
         merged
     }
 
-    /// Adds later rows to a list that has each size once.
-    pub fn add(self, to: &mut Vec<Unusual>) {
+    /// Adds later rows to a list that has each warning once.
+    pub fn add(self, to: &mut Vec<RowWarning>) {
         match to.iter_mut().find(|known| known.is_alike(&self)) {
             Some(known) => known.rows += self.rows,
             None => to.push(self),
@@ -52,7 +52,7 @@ impl Unusual {
 }
 
 /// Returns the warnings about the sizes of a row.
-pub(super) fn of_row(vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs) -> impl Iterator<Item = Notice> {
+pub(super) fn of_sizes(vehicles: &[Option<RowVehicle>; 2], contact: &ContactInputs) -> impl Iterator<Item = Notice> {
     let of_vehicles = vehicles.iter().zip(["vehicle.1", "vehicle.2"]).filter_map(|(vehicle, path)| Some((vehicle.as_ref()?, path)));
     of_vehicles.flat_map(|(vehicle, path)| of_vehicle(vehicle, path)).chain(unusual::friction(&contact.impulse_ratio))
 }
@@ -77,12 +77,12 @@ mod tests {
 
     #[test]
     fn the_first_row_of_any_part_is_kept() {
-        let size = |first: usize, path: &str, message: &'static str| Unusual {
+        let size = |first: usize, path: &str, message: &'static str| RowWarning {
             first,
             rows: 1,
-            warning: Notice::warning("unusual-mass", path, message),
+            notice: Notice::warning("unusual-mass", path, message),
         };
-        let merged = Unusual::merged(vec![size(9, "vehicle.1", "of 9"), size(7, "vehicle.2", "of 7"), size(3, "vehicle.1", "of 3")]);
-        assert_eq!(merged, [Unusual { rows: 2, ..size(3, "vehicle.1", "of 3") }, size(7, "vehicle.2", "of 7")]);
+        let merged = RowWarning::merged(vec![size(9, "vehicle.1", "of 9"), size(7, "vehicle.2", "of 7"), size(3, "vehicle.1", "of 3")]);
+        assert_eq!(merged, [RowWarning { rows: 2, ..size(3, "vehicle.1", "of 3") }, size(7, "vehicle.2", "of 7")]);
     }
 }
