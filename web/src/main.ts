@@ -7,7 +7,7 @@ import { Form } from "./form";
 import * as engine from "./frame";
 import { Lane, Stopped } from "./jobs";
 import { show } from "./morph";
-import { Scene } from "./scene";
+import { Scene, turned } from "./scene";
 import { caseSchema } from "./schema";
 import * as share from "./share";
 import { TOUR } from "./tour";
@@ -30,7 +30,8 @@ const state = {
   frame: null as Frame | null,
   /** What the last frame took in the worker, in milliseconds; `null` if the text has been replaced since. */
   took: null as number | null,
-  drawing: "",
+  /** Whether the drawings are still those of another case. */
+  isOfAnother: false,
 };
 
 let editor: Editor;
@@ -71,7 +72,7 @@ function refresh(isTyped: boolean): void {
   const of = current();
   if (!isTyped && state.took !== null && state.took < SLOW && of.text.length < 100_000) {
     const started = performance.now();
-    render(engine.frame(of));
+    render(engine.frame(of), isTyped);
     // The layout belongs to the frame.
     void document.body.offsetHeight;
     performance.measure("frame", { start: started, end: performance.now() });
@@ -80,7 +81,7 @@ function refresh(isTyped: boolean): void {
   background.run<Frame>({ kind: "frame", case: of }).then(
     ({ result, took }) => {
       state.took = took;
-      if (isSame(of, current())) render(result);
+      if (isSame(of, current())) render(result, isTyped);
     },
     (error: unknown) => {
       if (!(error instanceof Stopped)) say(`The case cannot be computed: ${failure(error)}`, true);
@@ -88,25 +89,28 @@ function refresh(isTyped: boolean): void {
   );
 }
 
-function render(frame: Frame): void {
+function render(frame: Frame, isTyped: boolean): void {
   state.frame = frame;
   editor.mark(editor.source.name, frame.issues);
   const isRefused = frame.issues.length > 0;
   $("issues").replaceChildren(...(isRefused ? [issueList(frame.issues, editor.source.name, (offset) => editor.goTo(offset))] : []));
-  $("scene").classList.toggle("stale", isRefused);
   form.update();
   if (frame.handles) {
     drawer.cancel();
-    state.drawing = frame.scene;
+    state.isOfAnother = false;
     scene.show(frame.scene, frame.handles);
     show($("impulse"), frame.impulse);
     show($("energy"), frame.energy);
-    slide("gamma", frame.handles.crush_plane * (180 / Math.PI), "°");
+    slide("gamma", turned(frame.handles.crush_plane) * (180 / Math.PI), "°");
     slide("restitution", frame.handles.restitution, "");
-  } else if (frame.has_unknowns) {
-    void draw();
+  } else {
+    // What a handle or a slider has led to, it leads back from; of another text its numbers are not the ones.
+    if (isTyped || state.isOfAnother) scene.release();
+    if (state.isOfAnother) scene.show("", null);
+    if (frame.has_unknowns) void draw();
   }
-  for (const id of ["sliders", "figures"]) $(id).hidden = frame.has_unknowns;
+  for (const id of ["scene", "figures"]) $(id).classList.toggle("stale", !frame.handles);
+  for (const id of ["sliders", "figures"]) $(id).hidden = frame.has_unknowns || state.isOfAnother;
   answers.changed(frame);
   const [undo, redo] = editor.depths;
   $<HTMLButtonElement>("undo").disabled = undo === 0;
@@ -120,9 +124,11 @@ async function draw(): Promise<void> {
   try {
     const { result } = await drawer.run<Reply>({ kind: "answer", verb: "draw", case: of, options: {} });
     if (!isSame(of, current()) || state.frame?.handles) return;
-    state.drawing = result.svg;
-    if (result.svg !== "") scene.show(result.svg, null);
-    else $("issues").replaceChildren(issueList(result.issues, editor.source.name, (offset) => editor.goTo(offset)));
+    if (result.svg !== "") {
+      state.isOfAnother = false;
+      scene.show(result.svg, null);
+      $("scene").classList.remove("stale");
+    } else $("issues").replaceChildren(issueList(result.issues, editor.source.name, (offset) => editor.goTo(offset)));
   } catch (error) {
     if (!(error instanceof Stopped)) say(`The scene cannot be drawn: ${failure(error)}`, true);
   }
@@ -159,6 +165,7 @@ function replaced(): void {
   background.cancel();
   answers.clear();
   state.took = null;
+  state.isOfAnother = true;
   $("name").textContent = editor.source.name;
 }
 
@@ -211,6 +218,7 @@ async function exported(kind: string): Promise<void> {
   const verb = kind === "json" || kind === "csv" ? `.${answers.shown.name}` : "";
   const name = `${base()}${verb}.${kind === "report" ? "html" : kind}`;
   const lane = new Lane("verbs", 0);
+  say("");
   const { row, progress } = exporting(name, () => lane.cancel());
   const written = (reply: Reply | null): Reply => {
     if (!reply) throw new Error("there is no answer yet");

@@ -32,7 +32,7 @@ const angleOf = ([x, y]: Point): number => Math.atan2(y, x);
 const plus = (one: Point, other: Point, times = 1): Point => [one[0] + times * other[0], one[1] + times * other[1]];
 const minus = (one: Point, other: Point): Point => plus(one, other, -1);
 /** The same angle between -180 and 180 degrees. */
-const turned = (angle: number): number => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+export const turned = (angle: number): number => (Math.abs(angle) <= Math.PI ? angle : angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI)));
 
 function heading(which: 0 | 1): Handle {
   const input = `vehicle.${which + 1}.heading`;
@@ -78,7 +78,7 @@ const HANDLES: Handle[] = [
     at: ({ impact_point, normal, crush_plane }) => plus(impact_point, rotated([normal, 0], crush_plane)),
     drag: ({ impact_point }, pointer) => [["contact.crush_plane", angleOf(minus(pointer, impact_point)), ANGLE]],
     step: ({ crush_plane }, by) => [["contact.crush_plane", turned(crush_plane + (by[0] + by[1]) * DEGREE), ANGLE]],
-    value: ({ crush_plane }) => [crush_plane / DEGREE, -180, 180],
+    value: ({ crush_plane }) => [turned(crush_plane) / DEGREE, -180, 180],
   },
   heading(0),
   heading(1),
@@ -129,7 +129,7 @@ export class Scene {
     place.append(this.drawing, this.over);
     for (const handle of HANDLES) this.shapes.set(handle, this.shape(handle));
     this.over.addEventListener("pointermove", (event) => this.drag(event));
-    for (const kind of ["pointerup", "pointercancel"] as const) this.over.addEventListener(kind, () => this.release());
+    for (const kind of ["pointerup", "pointercancel"] as const) this.over.addEventListener(kind, () => this.letGo());
   }
 
   private shape(handle: Handle): SVGGElement {
@@ -202,10 +202,17 @@ export class Scene {
     this.move(handle.drag(handles, pointer, minus(pointer, start)));
   }
 
-  private release(): void {
+  private letGo(): void {
     if (!this.held) return;
     this.held = null;
     this.edit.end();
+  }
+
+  /** Takes the handles away: the text is another than that of the drawing. */
+  release(): void {
+    this.letGo();
+    this.handles = null;
+    for (const shape of this.shapes.values()) set(shape, { display: "none" });
   }
 
   private step(handle: Handle, event: KeyboardEvent): void {

@@ -453,6 +453,52 @@ describe("long verbs", () => {
     });
   });
 
+  test("of a case that is refused, or whose scene is not found, nothing of another is shown or moved", async () => {
+    await visit(async (page) => {
+      const source = (path) => examples.find((example) => example.path === path).text;
+      const take = (name, text) => settled(page, () => page.setInputFiles("#open", { name, mimeType: "text/plain", buffer: Buffer.from(text) }));
+      const heading = handle(page, "vehicle.1.heading");
+      const shown = async () => [await page.locator("#scene .drawing svg").count(), await heading.isVisible(), await page.locator("#figures").isVisible(), await page.locator("#sliders").isVisible()];
+      const isStale = (id) => page.locator(id).evaluate((place) => place.classList.contains("stale"));
+      assert.deepEqual(await shown(), [1, true, true, true]);
+      const unknowns = source("reconstruct/momentum.toml").replace(/^vehicle\.2\.separation_velocity.*$/m, "");
+      for (const [name, text] of [["refused.toml", source("crabbed-barrier.toml").replace("schema = 1", "schema = 1\nxx = 1")], ["unread.toml", "[[["], ["unknown.toml", unknowns]]) {
+        await take(name, text);
+        await page.waitForSelector(".issues li");
+        assert.deepEqual(await shown(), [0, false, false, false], name);
+        await loadExample(page, "position-a.toml");
+        assert.deepEqual(await shown(), [1, true, true, true]);
+      }
+      await settled(page, () => type(page, `${source("position-a.toml")}\nxx = 1`));
+      assert.deepEqual([await shown(), await isStale("#scene"), await isStale("#figures")], [[1, false, true, true], true, true]);
+      await settled(page, () => page.click("#undo"));
+      assert.deepEqual([await shown(), await isStale("#scene"), await isStale("#figures")], [[1, true, true, true], false, false]);
+      await loadExample(page, "reconstruct/t-bone.toml");
+      assert.deepEqual([await heading.isVisible(), await isStale("#scene")], [false, true]);
+      await page.waitForFunction(() => document.querySelector("#scene .drawing svg") !== null && !document.querySelector("#scene").classList.contains("stale"), undefined, { timeout: 60_000 });
+    });
+  });
+
+  test("a crush plane beyond half a turn stands at the slider as within it", async () => {
+    await visit(async (page) => {
+      const source = examples.find(({ path }) => path === "position-a.toml").text;
+      for (const [typed, key, found] of [["270 deg", "ArrowLeft", -90.1], ["200 deg", "ArrowLeft", -160.1], ["-190 deg", "ArrowRight", 170.1], ["810.04 deg", "ArrowRight", 90.1]]) {
+        await settled(page, () => type(page, source.replace(/^crush_plane = .*$/m, `crush_plane = "${typed}"`)));
+        await settled(page, () => page.locator("#gamma").press(key));
+        assert.equal(degrees(await text(page)), found, typed);
+      }
+    });
+  });
+
+  test("an export's error ends with the next export", async () => {
+    await visit(async (page) => {
+      await page.selectOption("#export", "csv");
+      await page.waitForFunction(() => document.querySelector("#message.error")?.textContent.includes("cannot be exported"));
+      await exported(page, "json");
+      assert.ok(await page.locator("#message").isHidden());
+    });
+  });
+
   test("an export keeps its name, shows its progress, and can be canceled", async () => {
     await visit(async (page) => {
       await loadExample(page, "uncertain.toml");
