@@ -52,6 +52,7 @@
 
 mod claim_consistency;
 mod claimed_energies;
+mod claimed_impulse;
 mod claims;
 mod common;
 mod coverage;
@@ -123,6 +124,14 @@ fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
     work::check(&known, judge);
     claims::check(&known, judge);
     claim_consistency::check(&known, judge);
+    // What is claimed has to hold by itself too: coarse motions leave more open than precise claims do.
+    if let Some(claimed) = known.without_motions().filter(|_| !judge.has_failed()) {
+        let mut alone = judge.afresh();
+        normal::check(&claimed, &mut alone);
+        tangent::check(&claimed, &mut alone);
+        claim_consistency::check(&claimed, &mut alone);
+        judge.take_failures(alone);
+    }
     if let Some(group) = &record.group {
         common::collect(&known, group.agreement, judge);
     }

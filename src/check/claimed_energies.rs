@@ -1,5 +1,6 @@
 //! Consistency of reported works, losses and energies with each other.
 
+use super::claimed_impulse;
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
@@ -55,7 +56,19 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
     let (impulse, closing) = (known.number(Key::NormalImpulse), known.closing_speed());
     let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
-    let (Some(impulse), Some(closing), Some(parting)) = (impulse, closing, parting) else { return };
+    let (Some(closing), Some(parting)) = (closing, parting) else { return };
+    let Some(impulse) = impulse else {
+        let Some(whole) = claimed_impulse::magnitude(known) else { return };
+        let most = (whole * (closing - parting)).half();
+        let residual = Residual::new(-work - most, work.value.abs().max(most.size));
+        return judge.not_above(Rule::Reported, residual, |size, bound| {
+            let (work, most, size, bound) = (Digits(work.value), Digits(most.value), Digits(size), Digits(bound));
+            format!(
+                "the work of the normal impulse is said to be {work} J, and the whole impulse and both speeds make it {most} J at most: {size} more, {bound} \
+                 may be"
+            )
+        });
+    };
     let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
     let scale = work.value.abs().max(of_speeds.size);
     judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale), |size, bound| {
@@ -74,7 +87,7 @@ pub(super) fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
     let energies = [NormalWork, TangentialWork, MomentWork, EnergyLoss, EnergyBefore, EnergyAfter].map(size);
     let of_speeds = size(Key::NormalImpulse) * size(Key::ClosingSpeed).max(size(Key::SeparationSpeed));
     let of_motions = [When::Before, When::After].map(|when| known.least_energy(when).value);
-    energies.into_iter().chain(of_motions).fold(of_speeds, f64::max)
+    energies.into_iter().chain(of_motions).fold(of_speeds.max(known.beside.energy), f64::max)
 }
 
 /// Checks the reported energies: the loss is that of the works, and what there was less what there is.
@@ -176,7 +189,8 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
             None => return,
         },
     };
-    let residual = |lost: Uncertain<N>| Residual::new(kept - lost, kept.value.abs().max(lost.value.abs()));
+    let rounded = available(known);
+    let residual = |lost: Uncertain<N>| Residual::new(kept - lost, kept.value.abs().max(lost.value.abs())).beside(rounded);
     let told = |lost: f64, how: &str, size: f64, bound: f64| {
         let (kept, lost, size, bound) = (Digits(kept.value), Digits(lost), Digits(size), Digits(bound));
         format!("the equivalent energy speeds give {kept} J, {how} {lost} J: {size} off, {bound} may be")
@@ -203,7 +217,7 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
             warn_above(residual(before), judge, |size, bound| told(before.value, "and the kinetic energy before is", size, bound));
         }
         (Some(normal), None) if is_whole => {
-            let short = Residual::new(normal - kept, residual(normal).scale);
+            let short = Residual::new(normal - kept, residual(normal).scale).beside(rounded);
             warn_above(short, judge, |size, bound| told(normal.value, "and the work of the normal impulse is", size, bound));
         }
         _ => (),

@@ -91,6 +91,20 @@ impl Judge {
         }
     }
 
+    /// Returns a judge of the same record without findings.
+    pub(super) fn afresh(&self) -> Self {
+        Judge { checked: Rules::default(), findings: Vec::new(), common: Vec::new(), ..*self }
+    }
+
+    /// Takes the failures of a judge of a part of the record. Numbers that are too large or too small for the part are not for all of it.
+    pub(super) fn take_failures(&mut self, of_part: Judge) {
+        let is_failure = |found: &Finding| found.severity == Severity::Fail && found.rule != Rule::Finite;
+        of_part.findings.into_iter().filter(is_failure).for_each(|found| {
+            self.checks(found.rule);
+            self.findings.push(found);
+        });
+    }
+
     pub(super) fn done(self, record: &Record) -> Outcome {
         let coverage = Coverage::of(record);
         Outcome { id: record.id.clone(), findings: self.findings, checked: self.checked, coverage, common: self.common }

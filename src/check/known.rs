@@ -37,6 +37,16 @@ pub(super) struct Known<'a, const N: usize> {
     pub(super) touch: Option<Touch<N>>,
     /// Quantities that need masses and motions.
     pub(super) energy_loss: Option<EnergyLoss<N>>,
+    /// Sizes of motions that are left out.
+    pub(super) beside: Sizes,
+}
+
+/// Sizes beside which numbers may be rounding: a speed in m/s, an impulse in N s and an energy in J.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Sizes {
+    pub(super) speed: f64,
+    pub(super) impulse: f64,
+    pub(super) energy: f64,
 }
 
 /// Two bodies at the contact point, before the impact or after it.
@@ -96,7 +106,38 @@ impl<'a, const N: usize> Known<'a, N> {
         let touch = before.zip(after).map(|around| Touch::of(around, [one, two], contact_impulse, moment));
         let energy_loss = EnergyLoss::of(&one, &two);
         let travel = Travel::of(record, &one, &two);
-        Known { record, one, two, plane, moment, impulse, contact_impulse, offset, travel, before, after, touch, energy_loss }
+        let beside = Sizes::default();
+        Known { record, one, two, plane, moment, impulse, contact_impulse, offset, travel, before, after, touch, energy_loss, beside }
+    }
+
+    /// Returns what is known without the motions, or `None` without motions, without claims, or of a contact that lasts: there claims need not agree as those of an instant do.
+    pub(super) fn without_motions(&self) -> Option<Self> {
+        let has_claims = Key::ALL.into_iter().any(|key| key.is_claim() && self.record.get(key).is_some());
+        let bodies = [&self.one, &self.two];
+        let has_motions = bodies.iter().any(|body| !body.fixed && (body.before.is_some() || body.after.is_some()));
+        if !has_claims || !has_motions || !self.travel.is_none() {
+            return None;
+        }
+        let meetings = [self.before, self.after].into_iter().flatten();
+        let speed = meetings.map(|meeting| super::normal::length(&meeting.velocity)).fold(0.0, f64::max);
+        let beside = Sizes {
+            speed,
+            impulse: self.impulse_value().length(),
+            energy: [When::Before, When::After].map(|when| self.least_energy(when).value).into_iter().fold(0.0, f64::max),
+        };
+        Some(Known {
+            one: self.one.without_motions(),
+            two: self.two.without_motions(),
+            plane: self.plane.clone(),
+            impulse: None,
+            contact_impulse: None,
+            before: None,
+            after: None,
+            touch: None,
+            energy_loss: None,
+            beside,
+            ..*self
+        })
     }
 
     /// Returns a number of the record with its resolution.

@@ -56,10 +56,7 @@ fn linear<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 /// Checks that a fixed body keeps its velocity, if a record has one for it after the impact.
 fn fixed_stays<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
     let keys = [[Key::BeforeX(side), Key::AfterX(side)], [Key::BeforeY(side), Key::AfterY(side)]];
-    let changes = keys.map(|[before, after]| {
-        let before = known.number(before).unwrap_or(Uncertain::exact(0.0));
-        known.number(after).map(|after| after - before)
-    });
+    let changes = keys.map(|[before, after]| Some(known.number(after)? - known.number(before)?));
     let [Some(x), Some(y)] = changes else { return };
     // 1 m/s if it has no speed of its own.
     let residuals = [x, y].map(|change| Residual::new(change, change.size.max(1.0)));

@@ -178,13 +178,13 @@ fn warn_above_bound<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, e: f
 fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let e = known.number(Key::Restitution);
     if let (Some(e), None, Some(parting)) = (e.filter(Uncertain::is_zero), known.closing_speed(), known.separation_speed()) {
-        judge.zero(Rule::Restitution, Residual::new(parting, parting.size).beside(SPEED), |size, bound| {
+        judge.zero(Rule::Restitution, Residual::new(parting, parting.size.max(known.beside.speed)).beside(SPEED), |size, bound| {
             let (e, size, bound) = (Digits(e.value), Digits(size), Digits(bound));
             format!("the restitution is said to be {e}, and the separation speed {size} m/s, whatever the closing speed is; {bound} may be")
         });
     }
     let (Some(closing), Some(parting)) = (known.closing_speed(), known.separation_speed()) else { return };
-    let scale = closing.value.abs();
+    let scale = closing.value.abs().max(known.beside.speed);
     let Some(e) = e else {
         return judge.not_above(Rule::Restitution, Residual::new(parting - closing, scale.max(parting.value.abs())), |size, bound| {
             format!(
@@ -197,7 +197,7 @@ fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge
         });
     };
     // A closing speed of zero has no ratio.
-    let (unit, of_unit) = if scale > 0.0 { (scale, "their ratio is") } else { (1.0, "in m/s, this is") };
+    let (unit, of_unit) = if closing.value != 0.0 { (closing.value.abs(), "their ratio is") } else { (1.0, "in m/s, this is") };
     judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(unit), |size, bound| {
         format!(
             "the restitution is said to be {}, the closing speed is {} m/s and the separation speed {} m/s; {of_unit} {} off, {} may be",

@@ -75,7 +75,8 @@ const fn place(key: Key) -> usize {
         Key::PointAfterX => 37,
         Key::PointAfterY => 38,
         Key::Duration => 39,
-        Key::ReportedRatio => 25,
+        // With the impulse, the ratio of the model and directions.
+        Key::ReportedRatio => 23,
         Key::CriticalRatio => 26,
     }
 }
@@ -95,10 +96,12 @@ pub(super) fn pair<const N: usize>(record: &Record, x: Key, y: Key) -> Option<Xy
 impl<const N: usize> Subject<N> {
     /// Returns a body of a record that touches the other body at a point.
     pub(super) fn of(record: &Record, side: Side, point: Option<Xy<Uncertain<N>>>) -> Self {
-        let before = pair(record, Key::BeforeX(side), Key::BeforeY(side));
+        let [before, after] =
+            [(Key::BeforeX(side), Key::BeforeY(side)), (Key::AfterX(side), Key::AfterY(side))].map(|(x, y)| pair(record, x, y));
         if record.subject(side).fixed {
             let (rest, still) = (Some(Xy::zero()), Some(Uncertain::exact(0.0)));
-            let before = before.or(rest);
+            // It keeps its velocity, whichever is known.
+            let before = before.or(after).or(rest);
             return Subject {
                 fixed: true,
                 mass: None,
@@ -123,13 +126,21 @@ impl<const N: usize> Subject<N> {
             yaw_inertia: number(record, Key::YawInertia(side)),
             center,
             before,
-            after: pair(record, Key::AfterX(side), Key::AfterY(side)),
+            after,
             yaw_before: number(record, Key::BeforeYawRate(side)),
             yaw_after: number(record, Key::AfterYawRate(side)),
             center_after,
             arm,
             arm_after: point_after.zip(center_after.or(center)).map(|(point, center)| point - center).or(arm),
         }
+    }
+
+    /// Returns the same body without its motions, if it has any of its own.
+    pub(super) fn without_motions(&self) -> Self {
+        if self.fixed {
+            return *self;
+        }
+        Subject { before: None, after: None, yaw_before: None, yaw_after: None, ..*self }
     }
 
     pub(super) fn velocity(&self, when: When) -> Option<Xy<Uncertain<N>>> {

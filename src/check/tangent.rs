@@ -210,11 +210,13 @@ fn impulse_of<const N: usize>(known: &Known<'_, N>) -> Option<Nt<Uncertain<N>>> 
 
 /// Checks that without an impulse ratio there is no tangential impulse, and no work of one. With a normal impulse that is known they are compared themselves.
 fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let of_key =
-        [(Key::TangentialImpulse, "impulse", "N s", IMPULSE), (Key::TangentialWork, "work of the tangential impulse", "J", ENERGY)];
-    for (key, what, unit, rounded) in of_key {
+    let of_key = [
+        (Key::TangentialImpulse, "impulse", "N s", IMPULSE, known.beside.impulse),
+        (Key::TangentialWork, "work of the tangential impulse", "J", ENERGY, known.beside.energy),
+    ];
+    for (key, what, unit, rounded, beside) in of_key {
         let Some(claimed) = known.number(key) else { continue };
-        judge.zero(Rule::ImpulseRatio, Residual::new(claimed, claimed.value.abs()).beside(rounded), |size, bound| {
+        judge.zero(Rule::ImpulseRatio, Residual::new(claimed, claimed.value.abs().max(beside)).beside(rounded), |size, bound| {
             let (size, bound) = (Digits(size), Digits(bound));
             format!("the impulse ratio is said to be 0, and the {what} along t to be {size} {unit}, {bound} may be")
         });
@@ -293,6 +295,25 @@ fn friction_of_claims<const N: usize>(known: &Known<'_, N>, friction: Uncertain<
         judge.not_above(rule, residual, |size, bound| {
             let (friction, ratio, size, bound) = (Digits(friction.value), Digits(ratio), Digits(size), Digits(bound));
             format!("the friction is said to be {friction}, and the impulse ratio is {ratio}: {size} above it, {bound} may be")
+        });
+    }
+    below_friction(known, friction, judge);
+}
+
+/// Checks that a reported ratio below the friction is the reported critical one, of Brach's law: sliding has ended.
+fn below_friction<const N: usize>(known: &Known<'_, N>, friction: Uncertain<N>, judge: &mut Judge) {
+    let rule = Rule::ImpulseRatio;
+    let (Some(ratio), Some(critical)) = (known.number(Key::ReportedRatio), known.number(Key::CriticalRatio)) else { return };
+    let scale = ratio.value.abs().max(1.0);
+    let is_below = judge.sign(rule, &Residual::new(ratio.magnitude() - friction, scale)) == Some(-1.0);
+    if is_below && known.record.model.law == Law::Brach && known.moment.is_none() {
+        judge.zero(rule, Residual::new(ratio - critical, scale), |size, bound| {
+            let (friction, ratio, critical) = (Digits(friction.value), Digits(ratio.value), Digits(critical.value));
+            let (size, bound) = (Digits(size), Digits(bound));
+            format!(
+                "the friction is said to be {friction} and the impulse ratio {ratio}, which is below it, so that sliding has ended, at the critical ratio \
+                 {critical}: {size} off, {bound} may be"
+            )
         });
     }
 }

@@ -2,6 +2,7 @@
 
 mod assertion;
 mod balance;
+mod claimed_impulse;
 mod claims;
 mod lasting;
 mod refuted;

@@ -53,6 +53,11 @@ impl Travel {
         }
     }
 
+    /// Returns `true` if no arm changes.
+    pub(super) fn is_none(&self) -> bool {
+        self.unknown == 0.0 && !self.is_of_two_points && self.paths.iter().all(|path| *path == Xy::zero())
+    }
+
     /// Returns the angular momentum that remains open between the two arms of a body, ½ |d × P|.
     pub(super) fn moment_slack(&self, side: Side, impulse: Xy) -> f64 {
         0.5 * self.paths[side as usize].cross(impulse).abs()

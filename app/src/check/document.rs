@@ -224,7 +224,11 @@ fn look_over(reader: impl Read) -> Result<Overview, Unusable> {
     let mut complaints = Complaints::default();
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
-    let hint = if message.starts_with("trailing characters") { "; is it JSON Lines? Name it *.jsonl" } else { hint(message) };
+    let hint = match (message.starts_with("trailing characters"), &overview.records) {
+        (true, None) => "; is it JSON Lines? Name it *.jsonl",
+        (true, Some(_)) => "; a file has one document: give what follows a file of its own",
+        (false, _) => hint(message),
+    };
     let column = if is_too_long { String::new() } else { format!("column {}", error.column()) };
     complaints.push(&column, format!("this is not a JSON document of records: {message}{hint}"));
     Err(Unusable::Wrong((error.line() > 0).then_some(error.line() as u64), complaints))
@@ -355,7 +359,10 @@ mod tests {
         assert_eq!(wrong("{\n\"records\": [{}\n").0, Some(3));
         assert!(wrong(&format!("{{{HEADER},\n \"records\": [{{\"id\": NaN}}]}}")).1.contains("no NaN"));
         assert!(wrong(&format!("{{{HEADER}, \"records\": [{{}},]}}")).1.contains("no comma behind the last"));
-        assert!(wrong(&format!("{{{HEADER}, \"records\": [{{}}]}}\n{{}}")).1.contains("JSON Lines"));
+        assert!(wrong(&format!("{{{HEADER}}}\n{{}}")).1.contains("JSON Lines"));
+        assert!(wrong(&format!("{{{HEADER}, \"records\": [{{}}]}}\n{{}}")).1.contains("a file of its own"));
+        assert!(wrong(r#"{"schema": 1, "title": "solved", "vehicles": []}"#).1.contains("an answer of this program"));
+        assert!(!wrong(r#"{"schema": 1, "units": {}, "records": []}"#).1.contains("an answer of this program"));
         assert!(wrong(&format!("{{{HEADER}}}")).1.contains("`records` is missing"));
         assert!(wrong(&format!("{{{HEADER}, \"records\": []}}")).1.contains("no records"));
         assert!(wrong(&format!("{{{HEADER}, \"records\": {{}}}}")).1.contains("an array of records"));

@@ -16,6 +16,11 @@ const FAMILY: &str = "planar-impact-record/";
 /// Returns everything wrong with the header.
 pub fn read(entries: &[Entry], also: Option<&str>) -> Result<Units, Complaints> {
     let mut complaints = Complaints::default();
+    let find = |key: &str| entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node);
+    if let (Some(Value::Number(_)), None) = (find("schema").map(|node| &node.value), find("units")) {
+        complaints.push("schema", format!("expected \"{SCHEMA}\", found a number, as an answer of this program has: it has no records"));
+        return Err(complaints);
+    }
     let known = || ["schema", "units", "tool"].into_iter().chain(also);
     for entry in entries.iter().filter(|entry| !known().any(|key| key == entry.key)) {
         let meant = nearest(&entry.key, known()).map_or_else(
@@ -24,7 +29,6 @@ pub fn read(entries: &[Entry], also: Option<&str>) -> Result<Units, Complaints> 
         );
         complaints.push("", format!("unknown key {}{meant}", excerpt(&entry.key)));
     }
-    let find = |key: &str| entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node);
     match find("schema").map(|node| &node.value) {
         Some(Value::String(schema)) => drop(complaints.accept("schema", check_schema(schema))),
         Some(other) => complaints.push("schema", format!("expected \"{SCHEMA}\", found {}", other.describe())),

@@ -59,6 +59,7 @@ fn number(value: &Value) -> Result<Option<f64>, String> {
         }
         Value::String(text) => {
             let hint = match text.trim() {
+                "critical" => "write \"ratio_kind\": \"critical\" for it, and the ratio as a number or not at all",
                 share if share.ends_with('%') => "write an amount, not a percentage",
                 unit if unit.contains(char::is_alphabetic) => "write the number alone; units are those of the header",
                 _ => "write it without quotes",

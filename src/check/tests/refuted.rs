@@ -5,7 +5,7 @@ use crate::law::Law;
 use alloc::vec;
 
 /// Sets numbers of a record.
-fn with(mut record: Record, numbers: &[(Key, f64)]) -> Record {
+pub(super) fn with(mut record: Record, numbers: &[(Key, f64)]) -> Record {
     numbers.iter().for_each(|&(key, value)| record.set(key, value));
     record
 }

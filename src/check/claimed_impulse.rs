@@ -1,0 +1,353 @@
+//! Consistency of what is reported of the impulse: its components, magnitude and ratio, the directions of force and the changes of velocity are of one vector.
+//!
+//! Each of them but a magnitude is a line on which the vector ends. Two lines that cross determine it, and it is held against all others.
+
+use super::claims::{direction_of_force, norm};
+use super::format::Digits;
+use super::judge::{IMPULSE, Judge, Residual};
+use super::key::Key;
+use super::known::{Known, turned};
+use super::model::RatioKind;
+use super::momentum::{length, number_of};
+use super::rule::Rule;
+use super::uncertain::{Uncertain, best_known, sharper_known};
+use crate::frame::{Nt, Xy};
+use crate::input::Side;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+const SIDES: [Side; 2] = [Side::One, Side::Two];
+
+/// What a line is of.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    /// A component of the impulse.
+    Component(Key),
+    /// The impulse ratio of the model, or the reported one.
+    Ratio(Key),
+    /// The direction of force on a body.
+    Force(Side),
+    /// The change of velocity of a body, whose mass need not be known.
+    Change(Side),
+}
+
+impl Of {
+    fn words(self) -> String {
+        match self {
+            Of::Component(key) | Of::Ratio(key) => format!("{key}"),
+            Of::Force(side) => format!("the direction of force on body {}", number_of(side)),
+            Of::Change(side) => format!("the change of velocity of body {}", number_of(side)),
+        }
+    }
+}
+
+/// A line on which the impulse P on body 1 ends, normal · P = value, in contact axes or, without a contact normal, in ground axes.
+#[derive(Clone, Copy)]
+struct Line<const N: usize> {
+    of: Of,
+    normal: Xy<Uncertain<N>>,
+    value: Uncertain<N>,
+    /// The direction of P on it, if it has only one.
+    toward: Option<Xy<Uncertain<N>>>,
+}
+
+/// The impulse on body 1 where two lines cross.
+struct Crossing<const N: usize> {
+    lines: [usize; 2],
+    impulse: Xy<Uncertain<N>>,
+    /// Its size, for arbitrary errors.
+    scale: f64,
+}
+
+/// Lines in the same axes, of which the ground has a direction if they are contact axes.
+struct Lines<'a, 'b, const N: usize> {
+    known: &'a Known<'b, N>,
+    all: Vec<Line<N>>,
+    are_in_ground_axes: bool,
+}
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let (contact, mut ground) = (of_contact(known), of_ground(known));
+    let groups = match &known.plane {
+        Some(plane) => {
+            let into_contact_axes = |v: Xy<Uncertain<N>>| {
+                let Nt { n, t } = plane.to_contact(v);
+                Xy { x: n, y: t }
+            };
+            for line in &mut ground {
+                (line.normal, line.toward) = (into_contact_axes(line.normal), line.toward.map(into_contact_axes));
+            }
+            alloc::vec![Lines { known, all: contact.into_iter().chain(ground).collect(), are_in_ground_axes: false }]
+        }
+        None => [(contact, false), (ground, true)].map(|(all, are_in_ground_axes)| Lines { known, all, are_in_ground_axes }).into(),
+    };
+    let crossings: Vec<Option<Crossing<N>>> = groups.iter().map(|lines| lines.check(judge)).collect();
+    let lengths: Vec<(String, Uncertain<N>)> = groups
+        .iter()
+        .zip(&crossings)
+        .filter_map(|(lines, crossing)| {
+            let Crossing { lines: [one, other], impulse, .. } = crossing.as_ref()?;
+            Some((format!("its length by {} and {}", lines.all[*one].of.words(), lines.all[*other].of.words()), norm(*impulse)))
+        })
+        .collect();
+    magnitudes(known, &lengths, judge);
+    let single = groups.iter().zip(&crossings).filter(|(_, crossing)| crossing.is_none()).flat_map(|(lines, _)| &lines.all);
+    let components = single.filter_map(|line| if let Of::Component(key) = line.of { Some(key) } else { None });
+    parts(known, &lengths, components, judge);
+}
+
+/// Returns the lines of what is reported along the normal and the tangent.
+fn of_contact<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
+    let (one, zero) = (Uncertain::exact(1.0), Uncertain::exact(0.0));
+    let component = |key, x, y| Some(Line { of: Of::Component(key), normal: Xy { x, y }, value: known.number(key)?, toward: None });
+    let ratio = |key| {
+        let ratio: Uncertain<N> = known.number(key)?;
+        let unit = 1.0 / libm::sqrt(1.0 + ratio.value * ratio.value);
+        Some(Line { of: Of::Ratio(key), normal: Xy { x: (-ratio).scaled(unit), y: one.scaled(unit) }, value: zero, toward: None })
+    };
+    let parts = [component(Key::NormalImpulse, one, zero), component(Key::TangentialImpulse, zero, one)];
+    // With both components the ratio of the model is compared by its own rule.
+    let of_model = matches!(known.record.model.ratio_kind, RatioKind::Given | RatioKind::Critical) && parts.iter().any(Option::is_none);
+    let ratios = [ratio(Key::ReportedRatio), Some(Key::ImpulseRatio).filter(|_| of_model).and_then(ratio)];
+    parts.into_iter().chain(ratios).flatten().collect()
+}
+
+/// Returns the lines of what is reported along x and y, and of directions.
+fn of_ground<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
+    let (one, zero) = (Uncertain::exact(1.0), Uncertain::exact(0.0));
+    let component = |key, x, y| Some(Line { of: Of::Component(key), normal: Xy { x, y }, value: known.number(key)?, toward: None });
+    let along = |of, toward: Xy<Uncertain<N>>| Line { of, normal: Xy { x: -toward.y, y: toward.x }, value: zero, toward: Some(toward) };
+    let on_one = |side, v: Xy<Uncertain<N>>| if side == Side::One { v } else { -v };
+    let change = |side| {
+        // A mass makes an impulse of it, with which every claim is compared.
+        let delta_v = known.subject(side).delta_v().filter(|_| known.impulse.is_none() && !known.subject(side).fixed)?;
+        let speed = length(&delta_v);
+        (speed > 0.0).then(|| along(Of::Change(side), on_one(side, delta_v.map(|v| v.scaled(1.0 / speed)))))
+    };
+    let force = |side| {
+        let (from, heading) = (known.number(Key::ForceDirection(side))?, known.number(Key::Heading(side))?);
+        let from = turned(heading - from);
+        (!known.subject(side).fixed).then(|| along(Of::Force(side), on_one(side, Xy { x: -from.cos, y: -from.sin })))
+    };
+    let components = [component(Key::ImpulseX, one, zero), component(Key::ImpulseY, zero, one)];
+    components.into_iter().chain(SIDES.map(change)).chain(SIDES.map(force)).flatten().collect()
+}
+
+impl<const N: usize> Lines<'_, '_, N> {
+    /// Holds all lines against the impulse where two of them cross, and returns it; or against each other, if none cross.
+    fn check(&self, judge: &mut Judge) -> Option<Crossing<N>> {
+        let crossing = self.crossing(judge);
+        match &crossing {
+            Some(crossing) => (0..self.all.len()).for_each(|place| self.hold(place, crossing, judge)),
+            None => {
+                self.parallel(judge);
+                self.directions(judge);
+            }
+        }
+        crossing
+    }
+
+    /// Returns the most precise impulse where two lines cross that do not both go through zero.
+    fn crossing(&self, judge: &Judge) -> Option<Crossing<N>> {
+        let lines = &self.all;
+        let pairs = (0..lines.len()).flat_map(|i| (i + 1..lines.len()).map(move |k| [i, k]));
+        let of_pair = |[i, k]: [usize; 2]| {
+            let (one, other) = (&lines[i], &lines[k]);
+            if ![one.of, other.of].iter().any(|of| matches!(of, Of::Component(_))) {
+                return None;
+            }
+            let determinant = one.normal.cross(other.normal);
+            judge.sign(Rule::Reported, &Residual::new(determinant, 1.0))?;
+            let impulse = Xy {
+                x: (one.value * other.normal.y - other.value * one.normal.y) / determinant,
+                y: (one.normal.x * other.value - other.normal.x * one.value) / determinant,
+            };
+            let size = length(&impulse).max(one.value.value.abs()).max(other.value.value.abs());
+            Some(Crossing { lines: [i, k], impulse, scale: size / determinant.value.abs() })
+        };
+        let radius = |crossing: &Crossing<N>| crossing.impulse.x.radius() + crossing.impulse.y.radius();
+        let usable = pairs.filter_map(of_pair).filter(|crossing| radius(crossing).is_finite() && crossing.scale.is_finite());
+        usable.min_by(|one, other| radius(one).total_cmp(&radius(other)).then(one.scale.total_cmp(&other.scale)))
+    }
+
+    fn hold(&self, place: usize, crossing: &Crossing<N>, judge: &mut Judge) {
+        let (line, impulse) = (&self.all[place], crossing.impulse);
+        let determines = crossing.lines.contains(&place);
+        let words = || {
+            let [one, other] = crossing.lines.map(|line| self.all[line].of.words());
+            format!("{one} and {other}")
+        };
+        match line.of {
+            Of::Component(key) if !determines => {
+                let implied = line.normal.x * impulse.x + line.normal.y * impulse.y;
+                judge.zero(Rule::Reported, Residual::new(line.value - implied, crossing.scale), |size, bound| {
+                    let (said, implied, size, bound) = (Digits(line.value.value), Digits(implied.value), Digits(size), Digits(bound));
+                    format!("{key} is said to be {said} N s, and {} make it {implied} N s: {size} off, {bound} may be", words())
+                });
+            }
+            Of::Ratio(key) if !determines => self.ratio(key, impulse, crossing.scale, &words(), judge),
+            Of::Force(side) => self.force(side, impulse, &words(), judge),
+            Of::Change(side) => {
+                // Across it there is none, and along it none against it.
+                let across = line.normal.x * impulse.x + line.normal.y * impulse.y;
+                let against = line.toward.map(|toward| -(toward.x * impulse.x + toward.y * impulse.y));
+                let mut hold = |residual: Uncertain<N>, is_none: bool| {
+                    let what = |size, bound| {
+                        let (size, bound) = (Digits(size), Digits(bound));
+                        let of_body = number_of(side);
+                        format!(
+                            "{} make an impulse that is not along the change of velocity of body {of_body}: {size} N s off, {bound} may be",
+                            words()
+                        )
+                    };
+                    let residual = Residual::new(residual, crossing.scale);
+                    if is_none { judge.zero(Rule::Reported, residual, what) } else { judge.not_above(Rule::Reported, residual, what) }
+                };
+                if !determines {
+                    hold(across, true);
+                }
+                against.into_iter().for_each(|against| hold(against, false));
+            }
+            Of::Component(_) | Of::Ratio(_) => (),
+        }
+    }
+
+    /// Compares a ratio with a vector.
+    fn ratio(&self, key: Key, along: Xy<Uncertain<N>>, scale: f64, words: &str, judge: &mut Judge) {
+        let Some(said) = self.known.number(key) else { return };
+        let rule = if key == Key::ImpulseRatio { Rule::ImpulseRatio } else { Rule::Reported };
+        if judge.sign(rule, &Residual::new(along.x, scale)).is_none() {
+            return;
+        }
+        let residual = Residual::new(along.y - said * along.x, scale * said.value.abs().max(1.0)).per(along.x.value);
+        judge.zero(rule, residual, |size, bound| {
+            let (said, ratio, size, bound) = (Digits(said.value), Digits(along.y.value / along.x.value), Digits(size), Digits(bound));
+            format!("{key} is said to be {said}, and {words} make it {ratio}: {size} off, {bound} may be")
+        });
+    }
+
+    /// Compares the direction of force on a body with a vector on body 1. The one of a body whose change of velocity is known is compared with that.
+    fn force(&self, side: Side, on_one: Xy<Uncertain<N>>, words: &str, judge: &mut Judge) {
+        let Some(claimed) = self.known.number(Key::ForceDirection(side)) else { return };
+        let on_one = match &self.known.plane {
+            Some(plane) if !self.are_in_ground_axes => plane.to_ground(Nt { n: on_one.x, t: on_one.y }),
+            _ => on_one,
+        };
+        let on_body = if side == Side::One { on_one } else { -on_one };
+        if self.known.subject(side).delta_v().is_none() {
+            direction_of_force(self.known, side, (words, on_body), claimed, judge);
+        }
+    }
+
+    /// Compares lines that are parallel, of which one at least is of a component.
+    fn parallel(&self, judge: &mut Judge) {
+        /// Largest sine of an angle that is the rounding of zero: of any other the vector may end far away.
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        for (i, one) in self.all.iter().enumerate() {
+            for other in &self.all[i + 1..] {
+                let of = [one.of, other.of];
+                // A tangential impulse beside a ratio of zero has a rule of its own.
+                let has_ratio = of.iter().any(|of| matches!(of, Of::Ratio(_)));
+                let has_component = of.iter().any(|of| matches!(of, Of::Component(_)));
+                let sine = one.normal.cross(other.normal);
+                if has_ratio || !has_component || sine.radius() > 0.0 || sine.value.abs() > ROUNDING {
+                    continue;
+                }
+                let along = one.normal.map(|x| x.value);
+                let part = |line: &Line<N>| line.normal.x.scaled(along.x) + line.normal.y.scaled(along.y);
+                let off = one.value * part(other) - other.value * part(one);
+                judge.zero(
+                    Rule::Reported,
+                    Residual::new(off, one.value.value.abs().max(other.value.value.abs())).beside(IMPULSE),
+                    |size, bound| {
+                        let (one, other, size, bound) = (one.of.words(), other.of.words(), Digits(size), Digits(bound));
+                        format!("{one} and {other} are of no impulse: {size} N s off, {bound} may be")
+                    },
+                );
+            }
+        }
+    }
+
+    /// Compares ratios and directions of force, without any component, with the first direction or, if there is one, with the impulse of the motions.
+    fn directions(&self, judge: &mut Judge) {
+        let of_motions = self.known.impulse.map(|impulse| match &self.known.plane {
+            Some(plane) if !self.are_in_ground_axes => {
+                let Nt { n, t } = plane.to_contact(impulse);
+                ("the impulse".into(), Xy { x: n, y: t }, None)
+            }
+            _ => ("the impulse".into(), impulse, None),
+        });
+        let first = || self.all.iter().enumerate().find_map(|(place, line)| Some((line.of.words(), line.toward?, Some(place))));
+        let Some((words, toward, place)) = of_motions.or_else(first) else { return };
+        for line in self.all.iter().enumerate().filter(|(other, _)| place != Some(*other)).map(|(_, line)| line) {
+            match line.of {
+                Of::Ratio(key) if place.is_some() => self.ratio(key, toward, 1.0, &words, judge),
+                Of::Force(side) => self.force(side, toward, &words, judge),
+                _ => (),
+            }
+        }
+    }
+}
+
+/// Compares the magnitudes of the impulse: the reported one, those of components, and mass times delta-V.
+fn magnitudes<const N: usize>(known: &Known<'_, N>, lengths: &[(String, Uncertain<N>)], judge: &mut Judge) {
+    let mut equal = |words: &str, a: Uncertain<N>, b: Uncertain<N>| {
+        judge.zero(Rule::Reported, Residual::new(a - b, a.value.abs().max(b.value.abs())), |size, bound| {
+            let (a, b, size, bound) = (Digits(a.value), Digits(b.value), Digits(size), Digits(bound));
+            format!("{words} of what is reported are {a} N s and {b} N s: {size} off, {bound} may be")
+        });
+    };
+    let magnitude = known.number(Key::ImpulseMagnitude);
+    for (words, of) in lengths {
+        if let Some(magnitude) = magnitude {
+            equal(&format!("the impulse and {words}"), magnitude, *of);
+        }
+    }
+    let [on_one, on_two] = SIDES.map(|side| passed_on(known, side));
+    if let (Some(a), Some(b)) = (on_one, on_two) {
+        equal("mass times delta-V of body 1 and of body 2", a, b);
+    }
+    let impulse = lengths.iter().fold(magnitude, |impulse, (_, of)| sharper_known(impulse, Some(*of), Uncertain::radius));
+    if let (Some(impulse), Some(passed)) = (impulse, passed(known)) {
+        equal("the impulse and mass times delta-V", impulse, passed);
+    }
+}
+
+/// Checks that no component is above the whole impulse.
+fn parts<const N: usize>(
+    known: &Known<'_, N>,
+    lengths: &[(String, Uncertain<N>)],
+    components: impl Iterator<Item = Key>,
+    judge: &mut Judge,
+) {
+    let of_lengths = lengths.iter().fold(magnitude(known), |whole, (_, of)| sharper_known(whole, Some(*of), Uncertain::radius));
+    let Some(whole) = of_lengths.or_else(|| known.impulse.map(norm)) else { return };
+    for key in components {
+        // Those that the motions imply are held against them.
+        let is_implied = match key {
+            Key::NormalImpulse | Key::TangentialImpulse => known.contact_impulse.is_some(),
+            _ => known.impulse.is_some(),
+        };
+        let Some(part) = known.number(key).filter(|_| !is_implied) else { continue };
+        judge.not_above(Rule::Reported, Residual::new(part.magnitude() - whole, whole.value.abs().max(part.value.abs())), |size, bound| {
+            let (part, whole, size, bound) = (Digits(part.value), Digits(whole.value), Digits(size), Digits(bound));
+            format!("{key} is said to be {part} N s, and the whole impulse is {whole} N s: {size} more than that, {bound} may be")
+        });
+    }
+}
+
+fn passed_on<const N: usize>(known: &Known<'_, N>, side: Side) -> Option<Uncertain<N>> {
+    Some(known.number(Key::DeltaV(side))? * known.subject(side).mass?)
+}
+
+/// Returns mass times the reported delta-V.
+fn passed<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    let [on_one, on_two] = SIDES.map(|side| passed_on(known, side));
+    best_known(on_one, on_two, Uncertain::radius, Uncertain::mean)
+}
+
+/// Returns the reported magnitude of the impulse, or that of the reported delta-V.
+pub(super) fn magnitude<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    sharper_known(known.number(Key::ImpulseMagnitude), passed(known), Uncertain::radius)
+}
