@@ -122,8 +122,11 @@ impl Plan {
         for (i, name) in plan.names().iter().enumerate() {
             if headers.iter().any(|header| header.name == *name) {
                 let taken = "the table has a column of this name already";
-                let help =
-                    if *name == REFUSAL { "drop or rename it" } else { "drop or rename it, or name the outputs that are needed with --of" };
+                let help = if [REFUSAL, CHECK].contains(&name.as_str()) {
+                    "drop or rename it"
+                } else {
+                    "drop or rename it, or name the outputs that are needed with --of"
+                };
                 issues.push(Issue::at("repeated-column", name.clone(), taken).with_help(help));
             } else if plan.names()[..i].contains(name) {
                 return Err(Issues::defect(format!("two outputs are named {name}")));

@@ -5,7 +5,7 @@ use std::fmt;
 
 use planar_impact::{Law, Side};
 
-use super::header::Header;
+use super::header::{self, Header};
 use crate::case::{Domain, Parameter, vehicle_number};
 use crate::issue::Issue;
 use crate::names::in_letters;
@@ -253,6 +253,11 @@ impl InputColumn {
 }
 
 impl Key {
+    /// Returns `true` if it has a unit, and this is one.
+    fn has_unit(self, unit: &str) -> bool {
+        matches!(self, Key::Parameter(parameter) if Conversion::of(unit, parameter.kind()).is_ok())
+    }
+
     /// Says what to write for a cell that is no number, where it is clear what is meant.
     pub(super) fn remedy(&self, found: &str) -> String {
         let Key::Parameter(parameter) = self else { return String::new() };
@@ -290,8 +295,16 @@ fn known() -> impl Iterator<Item = Key> {
 pub(super) fn meant_by(name: &str) -> Vec<Key> {
     // A unit in parentheses is no part of it.
     let base = visible(name.split('(').next().unwrap_or_default());
-    let lower = match base.trim().to_ascii_lowercase() {
-        cor if cor == "cor" => "restitution".to_owned(),
+    let base = base.trim();
+    let with_unit = header::split(base).map(|(bare, unit)| named_like(bare).into_iter().filter(|key| key.has_unit(unit)).collect());
+    [named_like(base)].into_iter().chain(with_unit).find(|keys| !keys.is_empty()).unwrap_or_default()
+}
+
+/// The same without a unit.
+fn named_like(base: &str) -> Vec<Key> {
+    let lower = match base.to_ascii_lowercase().trim_start_matches("model.") {
+        "cor" => "restitution".to_owned(),
+        "gamma" => "crush_plane".to_owned(),
         lower => lower.replace(WEIGHT, "mass"),
     };
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
@@ -301,8 +314,8 @@ pub(super) fn meant_by(name: &str) -> Vec<Key> {
         letters.replace("vehicles", "vehicle").replace("contacts", "contact")
     };
     let own = joined(&lower);
-    let of_symbol = [&in_letters(base.trim()), &own].into_iter().find_map(|symbol| Parameter::named(symbol)).map(Key::Parameter);
-    let of_prefix = ["veh", "car", "v"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
+    let of_symbol = [&in_letters(base), &own].into_iter().find_map(|symbol| Parameter::named(symbol)).map(Key::Parameter);
+    let of_prefix = ["veh", "car", "v", "b"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
     let of_suffix = ["1", "2"].into_iter().filter_map(|side| Some(format!("vehicle{side}{}", own.strip_suffix(side)?)));
     let spelled: Vec<String> = of_prefix.chain(of_suffix).chain([own.clone()]).collect();
     let is_meant = |key: &str| within.iter().any(|name| name == key) || spelled.contains(&joined(key));
@@ -330,14 +343,14 @@ fn of_symbol(name: &str) -> Option<String> {
 
 fn unknown(name: &str) -> Issue {
     let issue = Issue::at("unknown-column", name, "a column that begins so must be an input, and no input has this name");
-    let (bare, unit) = name.split_once(['(', ' ', ',']).unwrap_or((name, ""));
-    let unit = unit.split(']').next().unwrap_or_default();
-    if let (Some(_), unit) = (Key::named(bare.trim()), unit.trim_matches(['(', ')', '[', '{', '}', ' ']))
-        && !unit.is_empty()
-    {
-        return issue.with_help(format!("write the unit in brackets: `{} [{}]`", bare.trim(), clean(unit)));
+    let bare = name.split(['(', ' ', ',', '[', '_']).next().unwrap_or_default();
+    // Behind another sign there may be another word than a unit.
+    let is_apart = |bare: &str| name.strip_prefix(bare).is_some_and(|rest| rest.starts_with(['(', '[', '{', ' ', ',']));
+    let with_unit = header::split(name).find(|(bare, unit)| Key::named(bare).is_some_and(|key| is_apart(bare) || key.has_unit(unit)));
+    if let Some((bare, unit)) = with_unit {
+        return issue.with_help(format!("write the unit in brackets: `{bare} [{}]`", clean(unit)));
     }
-    if let Some(vehicle) = bare.trim().strip_suffix(WEIGHT) {
+    if let Some(vehicle) = bare.strip_suffix(WEIGHT) {
         return issue.with_help(format!("a table has no weights: give the mass, as `{vehicle}mass [kg]` or `{vehicle}mass [lb]`"));
     }
     if visible(name) != name {

@@ -32,14 +32,21 @@ impl Header {
 /// Returns the name and the unit of a column whose unit stands in its name, as in `speed (mph)`, `speed_mph` and `speed / mph`, and not in brackets; `None` if that is
 /// none of the kind, or the one that is assumed.
 pub(crate) fn unit_in_name(name: &str, kind: Kind) -> Option<(&str, &str)> {
-    let is_between = |c: char| matches!(c, ' ' | '_' | '/' | ',' | ':' | ';' | '-' | '.' | '(' | ')' | '{' | '}');
     let is_unit = |unit: &str| match Conversion::of(unit, kind) {
         Ok(conversion) => conversion.to_si(1.0) != 1.0,
         Err(_) => kind.dimension == Kind::ACCELERATION.dimension && matches!(unit, "g" | "G"),
     };
-    let places = name.char_indices().filter(|(_, c)| is_between(*c));
-    let parts = places.map(|(at, _)| (name[..at].trim_matches(is_between), name[at..].trim_matches(is_between)));
-    parts.filter(|(name, unit)| !name.is_empty() && !unit.is_empty()).find(|(_, unit)| is_unit(unit))
+    split(name).find(|(_, unit)| is_unit(unit))
+}
+
+/// Returns each way to split a name in two, at what people write between a name and its unit, as in `speed in mph`.
+pub(super) fn split(name: &str) -> impl Iterator<Item = (&str, &str)> {
+    let is_between = |c: char| matches!(c, ' ' | '_' | '/' | ',' | ':' | ';' | '-' | '.' | '(' | ')' | '{' | '}' | '[' | ']');
+    let parts = name.char_indices().filter(move |(_, c)| is_between(*c)).map(move |(at, _)| {
+        let unit = name[at..].trim_matches(is_between);
+        (name[..at].trim_matches(is_between), unit.strip_prefix("in ").unwrap_or(unit))
+    });
+    parts.filter(|(name, unit)| !name.is_empty() && !unit.is_empty())
 }
 
 /// Returns what is wrong with column names of which the first begins as a comment, and the remedy.

@@ -175,6 +175,13 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         ("V2 (mph)", "vehicle.2.speed"),
         ("v_2", "vehicle.2.speed"),
         ("weight2", "vehicle.2.mass"),
+        ("speed_2_mph", "vehicle.2.speed"),
+        ("Vehicle2_Speed_mph", "vehicle.2.speed"),
+        ("mass2_lb", "vehicle.2.mass"),
+        ("b2.mass", "vehicle.2.mass"),
+        ("gamma", "contact.crush_plane"),
+        ("crush_plane_deg", "contact.crush_plane"),
+        ("model.restitution", "contact.restitution"),
     ] {
         let said = said(&format!("vehicle.1.speed,{name}\n10,5\n"));
         assert!(said.contains(&format!("`{name}` passes through unread; as an input it is named {input}")), "{said}");
@@ -189,6 +196,13 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
     for (header, remedy) in [
         ("vehicle.1.speed [mph] note", "write the unit in brackets: `vehicle.1.speed [mph]`"),
         ("vehicle.1.speed {mph}", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("vehicle.1.speed_mph", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("vehicle.1.speed-mph", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("vehicle.1.speed in mph", "write the unit in brackets: `vehicle.1.speed [mph]`"),
+        ("vehicle.1.mass_lb", "write the unit in brackets: `vehicle.1.mass [lb]`"),
+        ("vehicle.1.yaw_rate_rpm", "write the unit in brackets: `vehicle.1.yaw_rate [rpm]`"),
+        ("vehicle.1.weight_lb", "a table has no weights"),
+        ("vehicle.1.mass.sd", "did you mean `vehicle.1.mass`?"),
         ("contact.mu", "did you mean `contact.impulse_ratio`?"),
         ("vehicle.2.m", "did you mean `vehicle.2.mass`?"),
         ("vehicle.2.vx", "did you mean `vehicle.2.velocity.x`?"),
@@ -196,7 +210,7 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         let said = said(&format!("contact.restitution,{header}\n0.1,5\n")).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains(remedy), "{header}: {said}");
     }
-    assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1\n10,5,1,1\n"), "");
+    assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1,mass spectrum_m\n10,5,1,1,1\n"), "");
     assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
     let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");
     assert!(said.contains("no input of the row has a number") && said.contains("row 2"), "{said}");

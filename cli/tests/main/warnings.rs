@@ -348,11 +348,7 @@ fn the_unit_of_a_column_is_never_lost() {
     };
     for header in ["speed (mph)", "speed_mph", "speed / mph", "speed in mph"] {
         let run = of(header, ["30", "40"]);
-        assert!(
-            run.status == 2 && run.err.contains("write `speed [mph]`") || header == "speed in mph" && run.err.contains("[mph]`"),
-            "{header}: {}",
-            run.err
-        );
+        assert!(run.status == 2 && run.err.contains("write `speed [mph]`"), "{header}: {}", run.err);
     }
     for (header, cells, is_mixed) in [
         ("speed", ["30 mph", "40"], true),
