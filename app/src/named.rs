@@ -27,6 +27,11 @@ impl<V> Named<V> {
         self.0.iter().map(|(key, value)| (key.as_str(), value))
     }
 
+    /// Returns the values in their order.
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut V> {
+        self.0.iter_mut().map(|(_, value)| value)
+    }
+
     /// Returns the number of entries.
     pub fn len(&self) -> usize {
         self.0.len()

@@ -5,6 +5,7 @@ mod bounds;
 mod doubts;
 mod mapping;
 mod model;
+mod rounding;
 mod variance;
 
 use std::collections::BTreeMap;
@@ -108,6 +109,10 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     question.share(&mut found, control)?;
     question.divide(&mut found, control)?;
     question.bound(&mut found, control)?;
+    if let Ok(nominal) = case.setup.solve() {
+        let outputs = question.outputs.iter().zip(&mut found.of);
+        outputs.for_each(|(of, found)| found.remove_rounding(nominal.scale(of.measure())));
+    }
     let of = question.outputs.iter().zip(found.of).collect();
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
 }

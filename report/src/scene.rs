@@ -12,6 +12,7 @@ mod view;
 
 use planar_impact_app::plain_text::shorten;
 use planar_impact_app::scene::Scene;
+use planar_impact_app::units::{Measure, beyond_rounding};
 use planar_impact_app::{Answer, Units};
 
 use crate::svg::{INK, Svg, fitting, text_width};
@@ -107,9 +108,13 @@ fn notes(answer: &Answer<Scene>, units: Units) -> Vec<String> {
         .collect()
 }
 
+/// Formats an angle or a velocity, 0 if it is rounding beside those of vehicles.
+fn quantity(units: Units, measure: Measure, value: f64) -> String {
+    units.quantity(measure, beyond_rounding(value, 1.0))
+}
+
 /// What the drawing shows, in words.
 fn description(scene: &Scene, units: Units) -> String {
-    use planar_impact_app::units::Measure;
     let of = |number: usize| {
         let vehicle = &scene.vehicles[number - 1];
         if vehicle.barrier {
@@ -118,10 +123,10 @@ fn description(scene: &Scene, units: Units) -> String {
         format!(
             "Vehicle {number}, {}, heads to {}, {} before and {} after the impact; principal direction of force {}.",
             vehicle::name(vehicle),
-            units.quantity(Measure::Angle, vehicle.heading),
-            units.quantity(Measure::RoadSpeed, vehicle.speed_before()),
-            units.quantity(Measure::RoadSpeed, vehicle.speed_after()),
-            units.quantity(Measure::Angle, vehicle.pdof),
+            quantity(units, Measure::Angle, vehicle.heading),
+            quantity(units, Measure::RoadSpeed, vehicle.speed_before()),
+            quantity(units, Measure::RoadSpeed, vehicle.speed_after()),
+            quantity(units, Measure::Angle, vehicle.pdof),
         )
     };
     let plane = scene.crush_plane.map(|gamma| format!(" Crush plane at {}.", units.quantity(Measure::Angle, gamma)));

@@ -2,7 +2,7 @@
 
 use planar_impact_app::issue::Issues;
 use planar_impact_app::reconstruct::{Estimated, Interval, Posterior, Reconstruction};
-use planar_impact_app::units::Measure;
+use planar_impact_app::units::{Measure, beyond_rounding};
 use planar_impact_app::{Answer, Units};
 use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, ShapeStyle, WHITE};
 use plotters::style::text_anchor::VPos;
@@ -59,7 +59,8 @@ struct Row<'a> {
 fn rows<'a>(answer: &'a Reconstruction) -> Vec<Row<'a>> {
     let row = |of: Estimated<'a>| {
         let Estimated { name, measure, value, interval, bounds, posterior, .. } = of;
-        Row { name, measure, value, interval, bounds, posterior }
+        let scale = answer.solution.as_ref().map_or(0.0, |solution| solution.facts.scale(measure));
+        Row { name, measure, value: value.map(|value| beyond_rounding(value, scale)), interval, bounds, posterior }
     };
     answer.estimates().map(row).collect()
 }

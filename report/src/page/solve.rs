@@ -10,15 +10,13 @@ use crate::block::{Block, Table};
 impl Facts for Solution {
     /// What each vehicle undergoes, and the energy lost.
     fn summary(&self, units: Units) -> Vec<Block> {
-        /// An angle that is rounding.
-        const ROUNDING: f64 = 1e-12;
-        let road = |value: f64| units.quantity(Measure::RoadSpeed, value);
+        let road = |value: f64| units.quantity(Measure::RoadSpeed, beyond_rounding(value, self.scale(Measure::RoadSpeed)));
         let of = |vehicle: &Vehicle| {
             format!(
                 "{}: ΔV {}, principal direction of force {}; from {} to {}.",
                 shorten(&vehicle.name, SUMMARY_WIDTH),
                 road(vehicle.delta_v_magnitude),
-                units.quantity(Measure::Angle, if vehicle.pdof.abs() <= ROUNDING { 0.0 } else { vehicle.pdof }),
+                units.quantity(Measure::Angle, beyond_rounding(vehicle.pdof, 1.0)),
                 road(vehicle.before.speed()),
                 road(vehicle.speed()),
             )

@@ -65,6 +65,6 @@ pub fn draw(svg: &mut Svg, vehicle: &VehicleInScene, which: usize, units: Units,
         arrow_head(svg, from, tip, 10.0, &[("fill", INK)]);
     });
     centered(svg, middle.1 + RADIUS + 36.0, TEXT, &fitting(&format!("{} {}", which + 1, vehicle.name), TEXT, WIDTH));
-    centered(svg, middle.1 + RADIUS + 54.0, SMALL, &format!("PDOF {}", units.quantity(Measure::Angle, vehicle.pdof)));
+    centered(svg, middle.1 + RADIUS + 54.0, SMALL, &format!("PDOF {}", super::quantity(units, Measure::Angle, vehicle.pdof)));
     centered(svg, middle.1 + RADIUS + 70.0, SMALL, &format!("{} o'clock", vehicle.pdof_clock()));
 }
