@@ -339,6 +339,24 @@ mod tests {
         );
     }
 
+    #[test]
+    fn one_separation_is_found_once_and_the_others_are_as_good_by_chance() {
+        let one = |x: f64, sum_of_squares: f64| Found { unknowns: alloc::vec![x, 0.0, 0.0], sum_of_squares, iterations: 0 };
+        let mut found = Vec::new();
+        for (x, sum_of_squares) in [(1.0, 3.0), (1.000_05, 2.0), (1.000_02, 2.5), (5.0, 12.5), (9.0, 13.0), (7.0, 2.1)] {
+            keep(&mut found, one(x, sum_of_squares), SAME);
+        }
+        assert_eq!(found.iter().map(|found| found.sum_of_squares).collect::<Vec<_>>(), [2.0, 12.5, 13.0, 2.1]);
+        let best = best_of(&mut found, &[0.0; 3], true).expect("one");
+        assert_eq!(
+            (best.sum_of_squares, found.iter().map(|found| found.sum_of_squares).collect::<Vec<_>>()),
+            (2.0, alloc::vec![2.1, 12.5])
+        );
+        // Without points all that reach the pose are as good, and the nearest to the first guess is the one.
+        let mut found: Vec<Found> = [(8.0, 1e-20), (2.0, 1e-14), (1.0, 1.0)].map(|(x, sum)| one(x, sum)).into();
+        assert_eq!((best_of(&mut found, &[0.0; 3], false).expect("one").unknowns[0], found.len()), (2.0, 1));
+    }
+
     /// Locked rear wheels drive the rotation from a motion ahead: it is in proportion to the path.
     #[test]
     fn a_rotation_that_the_tires_drive_begins_in_proportion_to_the_path() {

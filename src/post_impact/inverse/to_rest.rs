@@ -271,5 +271,5 @@ impl Residuals for ToRest<'_> {
 pub(super) struct Found {
     pub(super) unknowns: Vec<f64>,
     pub(super) sum_of_squares: f64,
-    iterations: usize,
+    pub(super) iterations: usize,
 }

@@ -124,6 +124,17 @@ mod tests {
     use crate::uncertainty::Direct;
     use crate::{Heading, ImpulseRatio, Input, Vehicle};
 
+    #[test]
+    fn an_angle_that_is_about_a_whole_turn_may_be_cut() {
+        let range = |low: f64, high: f64| Interval::new(low, high).expect("in order");
+        let cut = [
+            is_cut(Measure::Angle, range(-3.1, 3.1)),
+            is_cut(Measure::Angle, range(-2.9, 2.9)),
+            is_cut(Measure::Speed, range(-3.1, 3.1)),
+        ];
+        assert_eq!(cut, [true, false, false]);
+    }
+
     /// Where the normal change of sticking is zero, the limit by friction may jump.
     #[test]
     fn what_is_computed_at_once_is_what_is_computed_apart() {
