@@ -10,7 +10,7 @@ use super::known::{Known, turned};
 use super::model::RatioKind;
 use super::momentum::{length, number_of};
 use super::rule::Rule;
-use super::uncertain::{Uncertain, best_known, sharper_known};
+use super::uncertain::{Uncertain, best_known, sharper, sharper_known};
 use crate::frame::{Nt, Xy};
 use crate::input::Side;
 use alloc::format;
@@ -56,15 +56,23 @@ struct Line<const N: usize> {
 struct Crossing<const N: usize> {
     lines: [usize; 2],
     impulse: Xy<Uncertain<N>>,
+    /// The sine of the angle between them.
+    sine: f64,
     /// Its size, for arbitrary errors.
     scale: f64,
 }
 
-/// Lines in the same axes, of which the ground has a direction if they are contact axes.
+/// Lines in the same axes.
 struct Lines<'a, 'b, const N: usize> {
     known: &'a Known<'b, N>,
     all: Vec<Line<N>>,
-    are_in_ground_axes: bool,
+}
+
+/// The length of the impulse where lines cross.
+struct Length<const N: usize> {
+    words: String,
+    value: Uncertain<N>,
+    scale: f64,
 }
 
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
@@ -78,19 +86,16 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             for line in &mut ground {
                 (line.normal, line.toward) = (into_contact_axes(line.normal), line.toward.map(into_contact_axes));
             }
-            alloc::vec![Lines { known, all: contact.into_iter().chain(ground).collect(), are_in_ground_axes: false }]
+            alloc::vec![Lines { known, all: contact.into_iter().chain(ground).collect() }]
         }
-        None => [(contact, false), (ground, true)].map(|(all, are_in_ground_axes)| Lines { known, all, are_in_ground_axes }).into(),
+        None => [contact, ground].map(|all| Lines { known, all }).into(),
     };
     let crossings: Vec<Option<Crossing<N>>> = groups.iter().map(|lines| lines.check(judge)).collect();
-    let lengths: Vec<(String, Uncertain<N>)> = groups
-        .iter()
-        .zip(&crossings)
-        .filter_map(|(lines, crossing)| {
-            let Crossing { lines: [one, other], impulse, .. } = crossing.as_ref()?;
-            Some((format!("its length by {} and {}", lines.all[*one].of.words(), lines.all[*other].of.words()), norm(*impulse)))
-        })
-        .collect();
+    let length = |(lines, crossing): (&Lines<'_, '_, N>, &Option<Crossing<N>>)| {
+        let crossing = crossing.as_ref()?;
+        Some(Length { words: format!("its length by {}", lines.words(crossing)), value: norm(crossing.impulse), scale: crossing.scale })
+    };
+    let lengths: Vec<Length<N>> = groups.iter().zip(&crossings).filter_map(length).collect();
     magnitudes(known, &lengths, judge);
     let single = groups.iter().zip(&crossings).filter(|(_, crossing)| crossing.is_none()).flat_map(|(lines, _)| &lines.all);
     let components = single.filter_map(|line| if let Of::Component(key) = line.of { Some(key) } else { None });
@@ -164,30 +169,34 @@ impl<const N: usize> Lines<'_, '_, N> {
                 y: (one.normal.x * other.value - other.normal.x * one.value) / determinant,
             };
             let size = length(&impulse).max(one.value.value.abs()).max(other.value.value.abs());
-            Some(Crossing { lines: [i, k], impulse, scale: size / determinant.value.abs() })
+            let sine = determinant.value.abs();
+            Some(Crossing { lines: [i, k], impulse, sine, scale: size / sine })
         };
         let radius = |crossing: &Crossing<N>| crossing.impulse.x.radius() + crossing.impulse.y.radius();
         let usable = pairs.filter_map(of_pair).filter(|crossing| radius(crossing).is_finite() && crossing.scale.is_finite());
-        usable.min_by(|one, other| radius(one).total_cmp(&radius(other)).then(one.scale.total_cmp(&other.scale)))
+        usable.min_by(|one, other| radius(one).total_cmp(&radius(other)).then(other.sine.total_cmp(&one.sine)))
+    }
+
+    /// Returns the names of the lines that cross.
+    fn words(&self, crossing: &Crossing<N>) -> String {
+        let [one, other] = crossing.lines.map(|line| self.all[line].of.words());
+        format!("{one} and {other}")
     }
 
     fn hold(&self, place: usize, crossing: &Crossing<N>, judge: &mut Judge) {
         let (line, impulse) = (&self.all[place], crossing.impulse);
         let determines = crossing.lines.contains(&place);
-        let words = || {
-            let [one, other] = crossing.lines.map(|line| self.all[line].of.words());
-            format!("{one} and {other}")
-        };
+        let words = || self.words(crossing);
         match line.of {
             Of::Component(key) if !determines => {
                 let implied = line.normal.x * impulse.x + line.normal.y * impulse.y;
                 judge.zero(Rule::Reported, Residual::new(line.value - implied, crossing.scale), |size, bound| {
                     let (said, implied, size, bound) = (Digits(line.value.value), Digits(implied.value), Digits(size), Digits(bound));
-                    format!("{key} is said to be {said} N s, and {} make it {implied} N s: {size} off, {bound} may be", words())
+                    format!("{key} is said to be {said} N s, and by {} it is {implied} N s: {size} off, {bound} may be", words())
                 });
             }
             Of::Ratio(key) if !determines => self.ratio(key, impulse, crossing.scale, &words(), judge),
-            Of::Force(side) => self.force(side, impulse, &words(), judge),
+            Of::Force(side) => self.force(side, impulse, &format!("the impulse by {}", words()), judge),
             Of::Change(side) => {
                 // Across it there is none, and along it none against it.
                 let across = line.normal.x * impulse.x + line.normal.y * impulse.y;
@@ -223,7 +232,7 @@ impl<const N: usize> Lines<'_, '_, N> {
         let residual = Residual::new(along.y - said * along.x, scale * said.value.abs().max(1.0)).per(along.x.value);
         judge.zero(rule, residual, |size, bound| {
             let (said, ratio, size, bound) = (Digits(said.value), Digits(along.y.value / along.x.value), Digits(size), Digits(bound));
-            format!("{key} is said to be {said}, and {words} make it {ratio}: {size} off, {bound} may be")
+            format!("{key} is said to be {said}, and by {words} it is {ratio}: {size} off, {bound} may be")
         });
     }
 
@@ -231,8 +240,8 @@ impl<const N: usize> Lines<'_, '_, N> {
     fn force(&self, side: Side, on_one: Xy<Uncertain<N>>, words: &str, judge: &mut Judge) {
         let Some(claimed) = self.known.number(Key::ForceDirection(side)) else { return };
         let on_one = match &self.known.plane {
-            Some(plane) if !self.are_in_ground_axes => plane.to_ground(Nt { n: on_one.x, t: on_one.y }),
-            _ => on_one,
+            Some(plane) => plane.to_ground(Nt { n: on_one.x, t: on_one.y }),
+            None => on_one,
         };
         let on_body = if side == Side::One { on_one } else { -on_one };
         if self.known.subject(side).delta_v().is_none() {
@@ -254,17 +263,13 @@ impl<const N: usize> Lines<'_, '_, N> {
                 if has_ratio || !has_component || sine.radius() > 0.0 || sine.value.abs() > ROUNDING {
                     continue;
                 }
-                let along = one.normal.map(|x| x.value);
-                let part = |line: &Line<N>| line.normal.x.scaled(along.x) + line.normal.y.scaled(along.y);
-                let off = one.value * part(other) - other.value * part(one);
-                judge.zero(
-                    Rule::Reported,
-                    Residual::new(off, one.value.value.abs().max(other.value.value.abs())).beside(IMPULSE),
-                    |size, bound| {
-                        let (one, other, size, bound) = (one.of.words(), other.of.words(), Digits(size), Digits(bound));
-                        format!("{one} and {other} are of no impulse: {size} N s off, {bound} may be")
-                    },
-                );
+                let is_reversed = one.normal.x.value * other.normal.x.value + one.normal.y.value * other.normal.y.value < 0.0;
+                let off = if is_reversed { one.value + other.value } else { one.value - other.value };
+                let residual = Residual::new(off, one.value.value.abs().max(other.value.value.abs())).beside(IMPULSE);
+                judge.zero(Rule::Reported, residual, |size, bound| {
+                    let (one, other, size, bound) = (one.of.words(), other.of.words(), Digits(size), Digits(bound));
+                    format!("{one} and {other} are of no impulse: {size} N s off, {bound} may be")
+                });
             }
         }
     }
@@ -272,11 +277,11 @@ impl<const N: usize> Lines<'_, '_, N> {
     /// Compares ratios and directions of force, without any component, with the first direction or, if there is one, with the impulse of the motions.
     fn directions(&self, judge: &mut Judge) {
         let of_motions = self.known.impulse.map(|impulse| match &self.known.plane {
-            Some(plane) if !self.are_in_ground_axes => {
+            Some(plane) => {
                 let Nt { n, t } = plane.to_contact(impulse);
                 ("the impulse".into(), Xy { x: n, y: t }, None)
             }
-            _ => ("the impulse".into(), impulse, None),
+            None => ("the impulse".into(), impulse, None),
         });
         let first = || self.all.iter().enumerate().find_map(|(place, line)| Some((line.of.words(), line.toward?, Some(place))));
         let Some((words, toward, place)) = of_motions.or_else(first) else { return };
@@ -291,38 +296,41 @@ impl<const N: usize> Lines<'_, '_, N> {
 }
 
 /// Compares the magnitudes of the impulse: the reported one, those of components, and mass times delta-V.
-fn magnitudes<const N: usize>(known: &Known<'_, N>, lengths: &[(String, Uncertain<N>)], judge: &mut Judge) {
-    let mut equal = |words: &str, a: Uncertain<N>, b: Uncertain<N>| {
-        judge.zero(Rule::Reported, Residual::new(a - b, a.value.abs().max(b.value.abs())), |size, bound| {
+fn magnitudes<const N: usize>(known: &Known<'_, N>, lengths: &[Length<N>], judge: &mut Judge) {
+    let mut equal = |words: &str, a: Uncertain<N>, b: Uncertain<N>, scale: f64| {
+        judge.zero(Rule::Reported, Residual::new(a - b, a.value.abs().max(b.value.abs()).max(scale)), |size, bound| {
             let (a, b, size, bound) = (Digits(a.value), Digits(b.value), Digits(size), Digits(bound));
             format!("{words} of what is reported are {a} N s and {b} N s: {size} off, {bound} may be")
         });
     };
     let magnitude = known.number(Key::ImpulseMagnitude);
-    for (words, of) in lengths {
+    for Length { words, value, scale } in lengths {
         if let Some(magnitude) = magnitude {
-            equal(&format!("the impulse and {words}"), magnitude, *of);
+            equal(&format!("the impulse and {words}"), magnitude, *value, *scale);
         }
     }
     let [on_one, on_two] = SIDES.map(|side| passed_on(known, side));
     if let (Some(a), Some(b)) = (on_one, on_two) {
-        equal("mass times delta-V of body 1 and of body 2", a, b);
+        equal("mass times delta-V of body 1 and of body 2", a, b, 0.0);
     }
-    let impulse = lengths.iter().fold(magnitude, |impulse, (_, of)| sharper_known(impulse, Some(*of), Uncertain::radius));
-    if let (Some(impulse), Some(passed)) = (impulse, passed(known)) {
-        equal("the impulse and mass times delta-V", impulse, passed);
+    if let (Some((impulse, scale)), Some(passed)) = (sharpest(magnitude, lengths), passed(known)) {
+        equal("the impulse and mass times delta-V", impulse, passed, scale);
     }
 }
 
+/// Returns the more precise of a magnitude and of lengths, with the size of arbitrary errors beyond itself.
+fn sharpest<const N: usize>(magnitude: Option<Uncertain<N>>, lengths: &[Length<N>]) -> Option<(Uncertain<N>, f64)> {
+    let of_lengths = lengths.iter().map(|length| (length.value, length.scale));
+    magnitude
+        .map(|magnitude| (magnitude, 0.0))
+        .into_iter()
+        .chain(of_lengths)
+        .reduce(|one, other| sharper(one, other, |(of, _)| of.radius()))
+}
+
 /// Checks that no component is above the whole impulse.
-fn parts<const N: usize>(
-    known: &Known<'_, N>,
-    lengths: &[(String, Uncertain<N>)],
-    components: impl Iterator<Item = Key>,
-    judge: &mut Judge,
-) {
-    let of_lengths = lengths.iter().fold(magnitude(known), |whole, (_, of)| sharper_known(whole, Some(*of), Uncertain::radius));
-    let Some(whole) = of_lengths.or_else(|| known.impulse.map(norm)) else { return };
+fn parts<const N: usize>(known: &Known<'_, N>, lengths: &[Length<N>], components: impl Iterator<Item = Key>, judge: &mut Judge) {
+    let Some((whole, scale)) = sharpest(magnitude(known), lengths).or_else(|| Some((norm(known.impulse?), 0.0))) else { return };
     for key in components {
         // Those that the motions imply are held against them.
         let is_implied = match key {
@@ -330,10 +338,14 @@ fn parts<const N: usize>(
             _ => known.impulse.is_some(),
         };
         let Some(part) = known.number(key).filter(|_| !is_implied) else { continue };
-        judge.not_above(Rule::Reported, Residual::new(part.magnitude() - whole, whole.value.abs().max(part.value.abs())), |size, bound| {
-            let (part, whole, size, bound) = (Digits(part.value), Digits(whole.value), Digits(size), Digits(bound));
-            format!("{key} is said to be {part} N s, and the whole impulse is {whole} N s: {size} more than that, {bound} may be")
-        });
+        judge.not_above(
+            Rule::Reported,
+            Residual::new(part.magnitude() - whole, whole.value.abs().max(part.value.abs()).max(scale)),
+            |size, bound| {
+                let (part, whole, size, bound) = (Digits(part.value), Digits(whole.value), Digits(size), Digits(bound));
+                format!("{key} is said to be {part} N s, and the whole impulse is {whole} N s: {size} more than that, {bound} may be")
+            },
+        );
     }
 }
 

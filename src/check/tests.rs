@@ -169,6 +169,9 @@ fn a_moving_barrier_is_seen_from_itself() {
     assert!(rules(&moving).is_empty());
     moving.two.after.velocity = Some(Xy { x: 4.9, y: -3.0 });
     assert_eq!(rules(&moving), ["linear-momentum"]);
+    // It has one velocity, whichever is given.
+    (moving.two.before.velocity, moving.two.after.velocity) = (None, Some(by));
+    assert!(rules(&moving).is_empty());
 }
 
 #[test]

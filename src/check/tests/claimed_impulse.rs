@@ -104,6 +104,81 @@ fn a_component_across_the_force_is_none() {
     );
 }
 
+/// Turned, so that x is along neither axis of the contact; and what is not known to be parallel is not taken for it.
+#[test]
+fn parallel_lines_are_so_to_the_last_digit() {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let along_y = |plane: Option<f64>, from: f64, x: f64| {
+        let record = with(Record::default(), &[(Key::Heading(One), 0.0), (Key::ForceDirection(One), from), (Key::ImpulseX, x)]);
+        Record { normal_angle: plane, ..record }
+    };
+    for plane in [None, Some(0.5), Some(-2.0)] {
+        for from in [quarter, -quarter] {
+            assert_eq!(rules(&along_y(plane, from, 0.0)), Vec::<&str>::new(), "{plane:?} {from}");
+            assert_eq!(rules(&along_y(plane, from, 5000.0)), ["reported"], "{plane:?} {from}");
+            // Along a direction that is off by this much, a long impulse has such a component.
+            assert_eq!(rules(&along_y(plane, from + 1e-9, 5.0)), Vec::<&str>::new(), "{plane:?} {from}");
+            let coarse = along_y(plane, from, 100.0);
+            let coarse = Record { resolution: coarse.resolution.with_key(Key::ForceDirection(One), 0.02), ..coarse };
+            assert_eq!(rules(&coarse), Vec::<&str>::new(), "{plane:?} {from}");
+        }
+    }
+}
+
+#[test]
+fn findings_say_which_claims_disagree() {
+    let said = |claims: &[(Key, f64)]| check(&with(Record::default(), claims), &Options::default()).findings[0].what.clone();
+    let (n, t) = ((Key::NormalImpulse, 3000.0), (Key::TangentialImpulse, 4000.0));
+    let ahead = [(Key::Heading(One), 0.0), (Key::ForceDirection(One), 0.0)];
+    let moved = [(Key::BeforeX(Two), 4.0), (Key::BeforeY(Two), 0.0), (Key::AfterX(Two), 10.0), (Key::AfterY(Two), 0.0)];
+    for (claims, words) in [
+        (
+            &[n, t, (Key::ImpulseMagnitude, 6000.0)][..],
+            "the impulse and its length by reported.impulse.normal and reported.impulse.tangential of what is reported are 6000 N s and 5000 N s: 1000 off",
+        ),
+        (
+            &[n, (Key::ReportedRatio, 0.5), t],
+            "reported.impulse_ratio is said to be 0.5, and by reported.impulse.normal and reported.impulse.tangential it is 1.33333: 0.833333 off",
+        ),
+        (
+            &[(Key::NormalAngle, 0.0), n, t, (Key::ImpulseX, 2000.0)],
+            "reported.impulse.x is said to be 2000 N s, and by reported.impulse.normal and reported.impulse.tangential it is 3000 N s: 1000 off",
+        ),
+        (
+            &[ahead[0], ahead[1], (Key::ImpulseY, 500.0)],
+            "reported.impulse.y and the direction of force on body 1 are of no impulse: 500 N s off",
+        ),
+        (
+            &[ahead[0], ahead[1], (Key::ImpulseX, 0.0), (Key::ImpulseY, -500.0)],
+            "the force on body 1 is said to come from 0 rad clockwise of its heading, and the impulse by reported.impulse.x and reported.impulse.y gives -1.5708 rad",
+        ),
+        (
+            &[moved[0], moved[1], moved[2], moved[3], (Key::ImpulseX, -500.0), (Key::ImpulseY, 30.0)],
+            "reported.impulse.x and reported.impulse.y make an impulse that is not along the change of velocity of body 2: 30 N s off",
+        ),
+        (
+            &[moved[0], moved[1], moved[2], moved[3], (Key::NormalAngle, 0.0), (Key::ReportedRatio, 0.25)],
+            "reported.impulse_ratio is said to be 0.25, and by the change of velocity of body 2 it is 0: 0.25 off",
+        ),
+    ] {
+        assert!(said(claims).starts_with(words), "{}", said(claims));
+    }
+}
+
+/// Within a tolerance, lines that nearly agree cross far away: what follows from them errs by as much more.
+#[test]
+fn a_tolerance_is_of_what_the_lines_leave_open() {
+    let said = |normal_angle: f64, x: f64| {
+        let (n, m) = ((Key::NormalImpulse, 5000.0), (Key::ImpulseMagnitude, 6250.0));
+        let record = with(Record::default(), &[(Key::NormalAngle, normal_angle), n, m, (Key::ImpulseX, x)]);
+        rules(&Record { profile: Profile::Stepper, ..record })
+    };
+    // t = 3750 N s; x = n cos − t sin, and a change of 20 N s moves t by 20/sin.
+    let x = |normal_angle: f64| 5000.0 * normal_angle.cos() - 3750.0 * normal_angle.sin();
+    assert_eq!([said(0.02, x(0.02)), said(0.02, x(0.02) + 20.0)], [vec![], Vec::<&str>::new()]);
+    assert_eq!([said(1.0, x(1.0)), said(1.0, x(1.0) + 500.0)], [vec![], vec!["reported"]]);
+}
+
 /// The change of velocity of a body without a mass has the direction of the force, on the other body too.
 #[test]
 fn a_change_of_velocity_has_the_direction_of_the_force() {

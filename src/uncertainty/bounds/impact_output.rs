@@ -127,11 +127,8 @@ mod tests {
     #[test]
     fn an_angle_that_is_about_a_whole_turn_may_be_cut() {
         let range = |low: f64, high: f64| Interval::new(low, high).expect("in order");
-        let cut = [
-            is_cut(Measure::Angle, range(-3.1, 3.1)),
-            is_cut(Measure::Angle, range(-2.9, 2.9)),
-            is_cut(Measure::Speed, range(-3.1, 3.1)),
-        ];
+        let cut =
+            [is_cut(Measure::Angle, range(-3.1, 3.1)), is_cut(Measure::Angle, range(-2.9, 2.9)), is_cut(Measure::Speed, range(-3.1, 3.1))];
         assert_eq!(cut, [true, false, false]);
     }
 
