@@ -113,7 +113,7 @@ def solve_batch(
     of, wrt = names(of, "of"), names(wrt, "wrt")
     base = None if case is None else source(case)
     threads, check, fast = _threads(threads), truth(check, "check"), truth(fast, "fast")
-    if derivatives not in ("columns", "array"):
+    if not isinstance(derivatives, str) or derivatives not in ("columns", "array"):
         raise CaseError._with([Issue("call", "derivatives", f'unknown value {derivatives!r}; accepted: "columns", "array"')])
     if isinstance(columns, Mapping):
         return _solve_arrays(columns, of, wrt, base, threads, check, fast, derivatives == "array", progress)
@@ -133,7 +133,7 @@ def solve_batch(
         # It exports nulls without a type, in lists and structs too, with a buffer that those of Arrow do not have.
         typed = {name: _typed(pl, kind) for name, kind in columns.schema.items()}
         columns = columns.cast({name: kind for name, kind in typed.items() if kind != columns.schema[name]})
-    if base is not None and _library(columns) == "pandas":
+    if base is not None and _library(columns) == "pandas" and hasattr(columns, "columns"):
         _warn_of_nothing(columns)
     with reporting(progress) as report:
         answer = _native.solve_table(columns, base, of, wrt, check, fast, threads, report)

@@ -85,7 +85,8 @@ def whole(value: SupportsIndex, argument: str, least: int = 0, most: int = (1 <<
         raise TypeError(f"{argument} is a whole number, not {type(value).__name__}") from None
     if not least <= count <= most:
         limit = "2^64 - 1" if most == (1 << 64) - 1 else str(most)
-        raise CaseError._with([Issue("call", argument, f"expected a whole number from {least} to {limit}, found {count:.3g}")])
+        found = f"{count:.3g}" if abs(count) < 1 << 1000 else "one of more than 300 digits"
+        raise CaseError._with([Issue("call", argument, f"expected a whole number from {least} to {limit}, found {found}")])
     return count
 
 

@@ -11,7 +11,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 use planar_impact_app::batch::RowWarning;
 use planar_impact_app::{Issue, Issues};
 use planar_impact_arrow::{Options, Plan, Solved};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyNotImplementedError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
@@ -152,9 +152,12 @@ fn plan(py: Python<'_>, schema: &SchemaRef, case: Option<&Source>, options: &Opt
 /// Returns the record batches of a table. What it raises itself stays, unless it is of its values.
 fn reader(table: &Bound<'_, PyAny>) -> PyResult<Box<dyn RecordBatchReader + Send>> {
     let read = table.extract::<AnyRecordBatch>().and_then(AnyRecordBatch::into_reader);
-    read.map_err(|error| match error.is_instance_of::<PyValueError>(table.py()) || error.is_instance_of::<PyTypeError>(table.py()) {
-        true => unread(error.value(table.py())),
-        false => error,
+    let py = table.py();
+    read.map_err(|error| {
+        let is_of_table = error.is_instance_of::<PyValueError>(py)
+            || error.is_instance_of::<PyTypeError>(py)
+            || error.is_instance_of::<PyNotImplementedError>(py);
+        if is_of_table { unread(error.value(py)) } else { error }
     })
 }
 

@@ -282,6 +282,15 @@ def test_what_is_no_table_is_a_case_error() -> None:
         with pytest.raises(CaseError, match="the table cannot be read"):
             planar_impact.solve_batch(table, case=BARRIER)
 
+    pd = pytest.importorskip("pandas")
+    for table in (pd.Series([12.0], name="vehicle.1.speed"), pd.DataFrame({"vehicle.1.speed": [12.0], "phase": [1j]})):
+        with pytest.raises(CaseError, match="the table cannot be read"):
+            planar_impact.solve_batch(table, case=BARRIER)
+    with pytest.raises(CaseError, match="derivatives: unknown value"):
+        planar_impact.solve_batch({"vehicle.1.speed": [12.0]}, case=BARRIER, derivatives=pd.Series(["columns"]))
+    with pytest.raises(CaseError, match="found one of more than 300 digits"):
+        planar_impact.solve_batch({"vehicle.1.speed": [12.0]}, case=BARRIER, threads=10**400)
+
     class Own:
         def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
             raise LookupError("of its own")

@@ -128,7 +128,6 @@ impl<'a, const N: usize> Known<'a, N> {
         Some(Known {
             one: self.one.without_motions(),
             two: self.two.without_motions(),
-            plane: self.plane.clone(),
             impulse: None,
             contact_impulse: None,
             before: None,

@@ -348,6 +348,7 @@ fn unknown(name: &str) -> Issue {
     let is_apart = |bare: &str| name.strip_prefix(bare).is_some_and(|rest| rest.starts_with(['(', '[', '{', ' ', ',']));
     let with_unit = header::split(name).find(|(bare, unit)| Key::named(bare).is_some_and(|key| is_apart(bare) || key.has_unit(unit)));
     if let Some((bare, unit)) = with_unit {
+        let unit = unit.split([']', '}', ')']).next().unwrap_or_default().trim_end();
         return issue.with_help(format!("write the unit in brackets: `{bare} [{}]`", clean(unit)));
     }
     if let Some(vehicle) = bare.strip_suffix(WEIGHT) {

@@ -11,6 +11,8 @@ pub enum FileKind {
     Tests,
     /// What sensors recorded.
     Recording,
+    /// Records of collisions.
+    Records,
 }
 
 impl FileKind {
@@ -26,6 +28,7 @@ impl FileKind {
             (FileKind::Case, has(&["contact", "evidence", "unknown", "scene", "rest", "before"])),
             (FileKind::Tests, has_tests || has(&["fit"])),
             (FileKind::Recording, has(&["channel", "file", "samples", "kinematics"])),
+            (FileKind::Records, has(&["records"])),
         ];
         let mut kinds = told.into_iter().filter_map(|(kind, is_told)| is_told.then_some(kind));
         kinds.next().filter(|_| kinds.next().is_none())
@@ -37,6 +40,7 @@ impl FileKind {
             FileKind::Case => "a case file",
             FileKind::Tests => "a file of barrier tests",
             FileKind::Recording => "a recording",
+            FileKind::Records => "a file of records",
         }
     }
 
@@ -46,6 +50,7 @@ impl FileKind {
             FileKind::Case => "`solve`, `reconstruct` and others read it",
             FileKind::Tests => "`stiffness` reads it",
             FileKind::Recording => "`record` reads it",
+            FileKind::Records => "`check` reads it",
         }
     }
 }

@@ -39,6 +39,7 @@ fn files_of_another_kind_are_named() {
         ("position-a.toml", "a case file", "`solve`, `reconstruct` and others read it"),
         ("tests/malibu.toml", "a file of barrier tests", "`stiffness` reads it"),
         ("record/barrier.toml", "a recording", "`record` reads it"),
+        ("check/collision.json", "a file of records", "`check` reads it"),
     ];
     for (verb, wanted) in [("solve", 0), ("stiffness", 1), ("record", 2)] {
         for (at, (file, kind, reads)) in files.into_iter().enumerate() {
