@@ -99,16 +99,30 @@ use known::Known;
 ///
 /// Numbers and [`Options`] that are not finite or out of range break [`Rule::Finite`]; then nothing else is checked.
 pub fn check(record: &Record, options: &Options) -> Outcome {
+    // Without resolutions there is no spread to propagate.
+    if record.resolution.is_empty() { check_exact(record, options) } else { checked(record, options, laws::<{ subject::PLACES }>) }
+}
+
+/// Checks a record as [`check`] does, with its numbers as they are: resolutions do not count. A program that calls this alone does not hold the propagation of
+/// resolutions, which is two thirds of the checker.
+///
+/// ```
+/// use planar_impact::check::{Key, Options, Record, Resolution, Verdict, check, check_exact};
+/// let mut record = Record { resolution: Resolution::default().with_key(Key::SeparationSpeed, 0.1), ..Record::default() };
+/// [(Key::ClosingSpeed, 10.0), (Key::SeparationSpeed, 2.05), (Key::Restitution, 0.2)].into_iter().for_each(|(key, value)| record.set(key, value));
+/// assert_eq!(check(&record, &Options::default()).verdict(), Verdict::Pass);
+/// assert_eq!(check_exact(&record, &Options::default()).verdict(), Verdict::Fail);
+/// ```
+pub fn check_exact(record: &Record, options: &Options) -> Outcome {
+    checked(record, options, laws::<0>)
+}
+
+fn checked(record: &Record, options: &Options, laws: fn(&Record, &mut Judge)) -> Outcome {
     let mut judge = Judge::new(record.profile, options);
     finite::check(record, options, &mut judge);
     if !judge.has_failed() {
         finite::plausible(record, &mut judge);
-        // Without resolutions there is no spread to propagate.
-        if record.resolution.is_empty() {
-            laws::<0>(record, &mut judge);
-        } else {
-            laws::<{ subject::PLACES }>(record, &mut judge);
-        }
+        laws(record, &mut judge);
     }
     judge.done(record)
 }

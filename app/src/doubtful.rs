@@ -60,7 +60,7 @@ pub(crate) fn crush(crush: f64, before: f64) -> Option<Notice> {
 
 /// Of an answer that a check with all the digits of a float refuses.
 fn few_digits(collision: &Collision, impact: &Impact) -> Option<Notice> {
-    let outcome = check::check(&check::Record::of(collision, impact), &check::Options::default());
+    let outcome = check::check_exact(&check::Record::of(collision, impact), &check::Options::default());
     let worst = outcome.findings.iter().find(|finding| finding.severity == Severity::Fail)?;
     let message = format!("rounding takes digits that a check of this answer needs: {}", worst.what);
     Some(Notice::warning("few-digits", "contact", message))

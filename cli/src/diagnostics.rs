@@ -10,7 +10,7 @@ use planar_impact_app::{Issue, Issues, Units};
 /// Maximum number of issues rendered; one more message says that there are others.
 const MOST_SHOWN: usize = 100;
 /// Width to which a source line is cut, and maximum length of its marked part, in characters.
-const WIDTH: usize = 100;
+const WIDTH: usize = 80;
 const MOST_MARKED: usize = 60;
 /// Maximum width of a path, and of a message and its help, in columns.
 const LONGEST_PATH: usize = 120;
