@@ -17,8 +17,6 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-const SIDES: [Side; 2] = [Side::One, Side::Two];
-
 /// What a line is of.
 #[derive(Clone, Copy, PartialEq)]
 enum Of {
@@ -70,7 +68,8 @@ struct Lines<'a, 'b, const N: usize> {
 
 /// The length of the impulse where lines cross.
 struct Length<const N: usize> {
-    words: String,
+    /// The names of the lines.
+    by: String,
     value: Uncertain<N>,
     scale: f64,
 }
@@ -93,7 +92,7 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let crossings: Vec<Option<Crossing<N>>> = groups.iter().map(|lines| lines.check(judge)).collect();
     let length = |(lines, crossing): (&Lines<'_, '_, N>, &Option<Crossing<N>>)| {
         let crossing = crossing.as_ref()?;
-        Some(Length { words: format!("its length by {}", lines.words(crossing)), value: norm(crossing.impulse), scale: crossing.scale })
+        Some(Length { by: lines.words(crossing), value: norm(crossing.impulse), scale: crossing.scale })
     };
     let lengths: Vec<Length<N>> = groups.iter().zip(&crossings).filter_map(length).collect();
     magnitudes(known, &lengths, judge);
@@ -136,7 +135,7 @@ fn of_ground<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
         (!known.subject(side).fixed).then(|| along(Of::Force(side), on_one(side, Xy { x: -from.cos, y: -from.sin })))
     };
     let components = [component(Key::ImpulseX, one, zero), component(Key::ImpulseY, zero, one)];
-    components.into_iter().chain(SIDES.map(change)).chain(SIDES.map(force)).flatten().collect()
+    components.into_iter().chain(Side::ALL.map(change)).chain(Side::ALL.map(force)).flatten().collect()
 }
 
 impl<const N: usize> Lines<'_, '_, N> {
@@ -304,12 +303,15 @@ fn magnitudes<const N: usize>(known: &Known<'_, N>, lengths: &[Length<N>], judge
         });
     };
     let magnitude = known.number(Key::ImpulseMagnitude);
-    for Length { words, value, scale } in lengths {
+    for Length { by, value, scale } in lengths {
         if let Some(magnitude) = magnitude {
-            equal(&format!("the impulse and {words}"), magnitude, *value, *scale);
+            equal(&format!("the impulse and its length by {by}"), magnitude, *value, *scale);
         }
     }
-    let [on_one, on_two] = SIDES.map(|side| passed_on(known, side));
+    if let [one, other] = lengths {
+        equal(&format!("the length of the impulse by {} and by {}", one.by, other.by), one.value, other.value, one.scale.max(other.scale));
+    }
+    let [on_one, on_two] = Side::ALL.map(|side| passed_on(known, side));
     if let (Some(a), Some(b)) = (on_one, on_two) {
         equal("mass times delta-V of body 1 and of body 2", a, b, 0.0);
     }
@@ -355,7 +357,7 @@ fn passed_on<const N: usize>(known: &Known<'_, N>, side: Side) -> Option<Uncerta
 
 /// Returns mass times the reported delta-V.
 fn passed<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
-    let [on_one, on_two] = SIDES.map(|side| passed_on(known, side));
+    let [on_one, on_two] = Side::ALL.map(|side| passed_on(known, side));
     best_known(on_one, on_two, Uncertain::radius, Uncertain::mean)
 }
 

@@ -39,10 +39,13 @@ pub(crate) fn unit_in_name(name: &str, kind: Kind) -> Option<(&str, &str)> {
     split(name).find(|(_, unit)| is_unit(unit))
 }
 
-/// Returns each way to split a name in two, at what people write between a name and its unit, as in `speed in mph`.
+/// Returns each way to split a name in two, at what people write between a name and its unit, as in `speed in mph`; no unit is longer than some bytes.
 pub(super) fn split(name: &str) -> impl Iterator<Item = (&str, &str)> {
+    const LONGEST: usize = 40;
     let is_between = |c: char| matches!(c, ' ' | '_' | '/' | ',' | ':' | ';' | '-' | '.' | '(' | ')' | '{' | '}' | '[' | ']');
-    let parts = name.char_indices().filter(move |(_, c)| is_between(*c)).map(move |(at, _)| {
+    let places = name.char_indices().rev().take_while(|(at, _)| name.len() - at <= LONGEST).filter(move |(_, c)| is_between(*c));
+    let places: Vec<usize> = places.map(|(at, _)| at).collect();
+    let parts = places.into_iter().rev().map(move |at| {
         let unit = name[at..].trim_matches(is_between);
         (name[..at].trim_matches(is_between), unit.strip_prefix("in ").unwrap_or(unit))
     });

@@ -211,6 +211,8 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         assert!(said.contains(remedy), "{header}: {said}");
     }
     assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1,mass spectrum_m\n10,5,1,1,1\n"), "");
+    // A name of a megabyte has no unit behind each of its signs.
+    assert_eq!(said(&format!("vehicle.1.speed,vehicle.2.speed,{}\n10,5,1\n", "x_".repeat(1 << 19))), "");
     assert_eq!(said("vehicle.1.speed,contact.restitution\n10,\n,0.2\n"), "");
     let said = said("vehicle.1.speed,contact.restitution,site\n10,0.1,a\n,,\n,,b\n");
     assert!(said.contains("no input of the row has a number") && said.contains("row 2"), "{said}");

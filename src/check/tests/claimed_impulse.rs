@@ -50,6 +50,8 @@ fn one_vector_has_all_that_is_said_of_it() {
         (&[], &[NormalImpulse, ImpulseRatio, ImpulseMagnitude]),
         (&[], &[NormalImpulse, TangentialImpulse, ReportedRatio]),
         (&[], &[ImpulseX, ImpulseY, ImpulseMagnitude]),
+        (&[], &[ImpulseX, ImpulseY, NormalImpulse, TangentialImpulse]),
+        (&[Heading(One)], &[ForceDirection(One), ImpulseX, NormalImpulse, ReportedRatio]),
         (&[Mass(One)], &[NormalImpulse, ReportedRatio, DeltaV(One)]),
         (&[Mass(Two)], &[TangentialImpulse, ReportedRatio, DeltaV(Two)]),
         (&[Heading(One)], &[ForceDirection(One), ImpulseX, ImpulseY]),
