@@ -109,10 +109,7 @@ pub fn uncertainty(case: &Case, options: &Options, control: &dyn Control) -> Res
     question.share(&mut found, control)?;
     question.divide(&mut found, control)?;
     question.bound(&mut found, control)?;
-    if let Ok(nominal) = case.setup.solve() {
-        let outputs = question.outputs.iter().zip(&mut found.of);
-        outputs.for_each(|(of, found)| found.remove_rounding(nominal.scale(of.measure())));
-    }
+    found.of.iter_mut().zip(found.scales).for_each(|(found, scale)| found.remove_rounding(scale));
     let of = question.outputs.iter().zip(found.of).collect();
     Ok(Answer::new(&case.title, Uncertainty { of, ..found.facts }, found.notices))
 }
@@ -151,6 +148,8 @@ struct Question<'a> {
 struct Found {
     facts: Uncertainty,
     of: Vec<OutputUncertainty>,
+    /// The size that numbers of each output's measure have in the nominal case; none if physics refuses it.
+    scales: Vec<f64>,
     notices: Notices,
 }
 
@@ -224,6 +223,7 @@ impl<'a> Question<'a> {
         }
         Found {
             of: self.outputs.iter().map(|of| OutputUncertainty { value: value(of), ..OutputUncertainty::default() }).collect(),
+            scales: nominal.iter().flat_map(|nominal| self.outputs.iter().map(|of| nominal.scale(of.measure()))).collect(),
             facts: Uncertainty {
                 samples: 0,
                 seed: self.options.seed,

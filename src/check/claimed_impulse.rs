@@ -11,14 +11,14 @@ use super::model::RatioKind;
 use super::momentum::{length, number_of};
 use super::rule::Rule;
 use super::uncertain::{Uncertain, best_known, sharper, sharper_known};
-use crate::frame::{Nt, Xy};
+use crate::frame::{CrushPlane, Nt, Xy};
 use crate::input::Side;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
 /// What a line is of.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 enum Of {
     /// A component of the impulse.
     Component(Key),
@@ -78,12 +78,8 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let (contact, mut ground) = (of_contact(known), of_ground(known));
     let groups = match &known.plane {
         Some(plane) => {
-            let into_contact_axes = |v: Xy<Uncertain<N>>| {
-                let Nt { n, t } = plane.to_contact(v);
-                Xy { x: n, y: t }
-            };
             for line in &mut ground {
-                (line.normal, line.toward) = (into_contact_axes(line.normal), line.toward.map(into_contact_axes));
+                (line.normal, line.toward) = (turned_to(plane, line.normal), line.toward.map(|toward| turned_to(plane, toward)));
             }
             alloc::vec![Lines { known, all: contact.into_iter().chain(ground).collect() }]
         }
@@ -101,16 +97,32 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     parts(known, &lengths, components, judge);
 }
 
+/// Returns the lines of components along both axes.
+fn components<const N: usize>(known: &Known<'_, N>, keys: [Key; 2]) -> [Option<Line<N>>; 2] {
+    let (one, zero) = (Uncertain::exact(1.0), Uncertain::exact(0.0));
+    let line = |key, x, y| Some(Line { of: Of::Component(key), normal: Xy { x, y }, value: known.number(key)?, toward: None });
+    [line(keys[0], one, zero), line(keys[1], zero, one)]
+}
+
+/// Converts a vector to contact axes.
+fn turned_to<const N: usize>(plane: &CrushPlane<Uncertain<N>>, v: Xy<Uncertain<N>>) -> Xy<Uncertain<N>> {
+    let Nt { n, t } = plane.to_contact(v);
+    Xy { x: n, y: t }
+}
+
 /// Returns the lines of what is reported along the normal and the tangent.
 fn of_contact<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
-    let (one, zero) = (Uncertain::exact(1.0), Uncertain::exact(0.0));
-    let component = |key, x, y| Some(Line { of: Of::Component(key), normal: Xy { x, y }, value: known.number(key)?, toward: None });
     let ratio = |key| {
         let ratio: Uncertain<N> = known.number(key)?;
         let unit = 1.0 / libm::sqrt(1.0 + ratio.value * ratio.value);
-        Some(Line { of: Of::Ratio(key), normal: Xy { x: (-ratio).scaled(unit), y: one.scaled(unit) }, value: zero, toward: None })
+        Some(Line {
+            of: Of::Ratio(key),
+            normal: Xy { x: (-ratio).scaled(unit), y: Uncertain::exact(unit) },
+            value: Uncertain::exact(0.0),
+            toward: None,
+        })
     };
-    let parts = [component(Key::NormalImpulse, one, zero), component(Key::TangentialImpulse, zero, one)];
+    let parts = components(known, [Key::NormalImpulse, Key::TangentialImpulse]);
     // With both components the ratio of the model is compared by its own rule.
     let of_model = matches!(known.record.model.ratio_kind, RatioKind::Given | RatioKind::Critical) && parts.iter().any(Option::is_none);
     let ratios = [ratio(Key::ReportedRatio), Some(Key::ImpulseRatio).filter(|_| of_model).and_then(ratio)];
@@ -119,9 +131,12 @@ fn of_contact<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
 
 /// Returns the lines of what is reported along x and y, and of directions.
 fn of_ground<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
-    let (one, zero) = (Uncertain::exact(1.0), Uncertain::exact(0.0));
-    let component = |key, x, y| Some(Line { of: Of::Component(key), normal: Xy { x, y }, value: known.number(key)?, toward: None });
-    let along = |of, toward: Xy<Uncertain<N>>| Line { of, normal: Xy { x: -toward.y, y: toward.x }, value: zero, toward: Some(toward) };
+    let along = |of, toward: Xy<Uncertain<N>>| Line {
+        of,
+        normal: Xy { x: -toward.y, y: toward.x },
+        value: Uncertain::exact(0.0),
+        toward: Some(toward),
+    };
     let on_one = |side, v: Xy<Uncertain<N>>| if side == Side::One { v } else { -v };
     let change = |side| {
         // A mass makes an impulse of it, with which every claim is compared.
@@ -134,7 +149,7 @@ fn of_ground<const N: usize>(known: &Known<'_, N>) -> Vec<Line<N>> {
         let from = turned(heading - from);
         (!known.subject(side).fixed).then(|| along(Of::Force(side), on_one(side, Xy { x: -from.cos, y: -from.sin })))
     };
-    let components = [component(Key::ImpulseX, one, zero), component(Key::ImpulseY, zero, one)];
+    let components = components(known, [Key::ImpulseX, Key::ImpulseY]);
     components.into_iter().chain(Side::ALL.map(change)).chain(Side::ALL.map(force)).flatten().collect()
 }
 
@@ -275,13 +290,8 @@ impl<const N: usize> Lines<'_, '_, N> {
 
     /// Compares ratios and directions of force, without any component, with the first direction or, if there is one, with the impulse of the motions.
     fn directions(&self, judge: &mut Judge) {
-        let of_motions = self.known.impulse.map(|impulse| match &self.known.plane {
-            Some(plane) => {
-                let Nt { n, t } = plane.to_contact(impulse);
-                ("the impulse".into(), Xy { x: n, y: t }, None)
-            }
-            None => ("the impulse".into(), impulse, None),
-        });
+        let in_axes = |v| self.known.plane.as_ref().map_or(v, |plane| turned_to(plane, v));
+        let of_motions = self.known.impulse.map(|impulse| ("the impulse".into(), in_axes(impulse), None));
         let first = || self.all.iter().enumerate().find_map(|(place, line)| Some((line.of.words(), line.toward?, Some(place))));
         let Some((words, toward, place)) = of_motions.or_else(first) else { return };
         for line in self.all.iter().enumerate().filter(|(other, _)| place != Some(*other)).map(|(_, line)| line) {

@@ -43,9 +43,8 @@ pub(crate) fn unit_in_name(name: &str, kind: Kind) -> Option<(&str, &str)> {
 pub(super) fn split(name: &str) -> impl Iterator<Item = (&str, &str)> {
     const LONGEST: usize = 40;
     let is_between = |c: char| matches!(c, ' ' | '_' | '/' | ',' | ':' | ';' | '-' | '.' | '(' | ')' | '{' | '}' | '[' | ']');
-    let places = name.char_indices().rev().take_while(|(at, _)| name.len() - at <= LONGEST).filter(move |(_, c)| is_between(*c));
-    let places: Vec<usize> = places.map(|(at, _)| at).collect();
-    let parts = places.into_iter().rev().map(move |at| {
+    let places = name.char_indices().filter(move |(at, c)| name.len() - at <= LONGEST && is_between(*c));
+    let parts = places.map(move |(at, _)| {
         let unit = name[at..].trim_matches(is_between);
         (name[..at].trim_matches(is_between), unit.strip_prefix("in ").unwrap_or(unit))
     });
