@@ -164,19 +164,11 @@ fn lines_are_told_in_every_form() {
 
 #[test]
 fn a_pipe_that_is_no_file_can_be_read() {
-    use std::io::Write;
     // A document from a pipe cannot be read twice.
     let many: Vec<String> = (0..2000).map(|id| sound(&id.to_string(), ("", ""))).collect();
     for text in [lines(&many), document(&many)] {
-        let mut child = planar_impact(&std::env::temp_dir())
-            .args(["check", "-"])
-            .stdin(std::process::Stdio::piped())
-            .stdout(std::process::Stdio::piped())
-            .spawn()
-            .expect("the program starts");
-        child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("it reads all");
-        let output = child.wait_with_output().expect("the program ends");
-        assert_eq!(String::from_utf8_lossy(&output.stdout), "2000 records: 2000 pass, 0 warn, 0 fail, 0 undecidable\n");
+        let run = run_with_input(&["check", "-"], &text);
+        assert_eq!(run.out, "2000 records: 2000 pass, 0 warn, 0 fail, 0 undecidable\n");
     }
 }
 
