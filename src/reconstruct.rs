@@ -38,10 +38,12 @@
 //! implicitly, which gives its uncertainty and its dependence on each piece of evidence. Intervals do without that: they follow the best fit outwards.
 //! So does the posterior, whose walkers need the density alone.
 
+mod as_measured;
 mod branches;
 mod check;
 pub mod closed_form;
 mod convergence;
+mod crush_depth;
 mod crush_share;
 mod density;
 mod determined;

@@ -2,6 +2,7 @@
 
 mod about_solution;
 mod answer;
+mod crush_bend;
 mod dependences;
 pub mod diagnostics;
 mod doubts;

@@ -146,6 +146,9 @@ pub struct ReconstructionProblem {
     /// `true` if the separation velocity and the yaw rate of vehicle 1 or vehicle 2, as evidence, were computed from its way to rest on locked wheels: their errors are
     /// then those of the way, which grows as the square of the motion, and hold down to a standstill. To first order this changes nothing.
     pub separation_from_rest: [bool; 2],
+    /// The crush energies, as evidence, that were computed from measured depths: their errors are then those of the depths, with which the root of the energy grows. To
+    /// first order this changes nothing.
+    pub crush_energy_from_depths: Vec<Measurand>,
     /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
     /// The skid speed of vehicle 1 and of vehicle 2 ([`Variable::SkidSpeed`]), if it is known.
@@ -243,6 +246,7 @@ impl ReconstructionProblem {
             drives_along_heading: [false; 2],
             holds_radius_of_gyration: [false; 2],
             separation_from_rest: [false; 2],
+            crush_energy_from_depths: Vec::new(),
             crush_share: None,
             skid_speeds: [None; 2],
         }

@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual64, HyperDual64};
 
+use super::as_measured::{AsMeasured, computed};
 use super::given::{Evidence, PlacedDependence, ReconstructionProblem};
 use super::measurand::Measurand;
 use super::placed::Placed;
 use super::scene::Scene;
 use super::variable::turns;
-use super::way_to_rest::{WayToRest, compared};
 use super::weight::Weights;
 use crate::impact::Impact;
 use crate::least_squares::Residuals;
@@ -22,7 +22,7 @@ pub(super) struct Model<'a> {
     pub(super) evidence: Vec<Evidence>,
     pub(super) weights: Weights,
     dependences: Vec<PlacedDependence>,
-    ways: Vec<WayToRest>,
+    as_measured: AsMeasured,
     scene: Scene,
     /// A significant change of each unknown.
     scales: Vec<f64>,
@@ -36,7 +36,7 @@ impl<'a> Model<'a> {
             weights: Weights::of(question, &evidence),
             scene: Scene::of(question),
             dependences: question.placed_dependences(),
-            ways: WayToRest::all(question, &evidence),
+            as_measured: AsMeasured::of(question, &evidence),
             evidence,
             question,
             scales,
@@ -76,12 +76,12 @@ impl<'a> Model<'a> {
 
     /// Returns the computed values of the evidence for unknowns, their collision and its impact, each less what its given value follows the unknowns by.
     pub(super) fn measured<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        self.followed(compared(&self.evidence, &[], placed, impact), unknowns)
+        self.followed(computed(&self.evidence, placed, impact), unknowns)
     }
 
-    /// Returns the same as the given values are compared with it: separations from rest by what their ways differ by.
+    /// Returns the same as the given values are compared with it ([`AsMeasured::compared`]).
     pub(super) fn compared<T: Real + Copy + From<f64>>(&self, unknowns: &[T], placed: &Placed<T>, impact: &Impact<T>) -> Vec<T> {
-        self.followed(compared(&self.evidence, &self.ways, placed, impact), unknowns)
+        self.followed(self.as_measured.compared(&self.evidence, placed, impact), unknowns)
     }
 
     fn followed<T: Real + Copy + From<f64>>(&self, mut computed: Vec<T>, unknowns: &[T]) -> Vec<T> {

@@ -43,8 +43,8 @@ pub struct Fitted {
     pub given: f64,
     /// The value computed from the solution.
     pub computed: f64,
-    /// Given less computed; for an angle the shorter way. Of a separation from rest (`separation_from_rest` of the problem) what the ways differ by, as a change of the
-    /// given value to first order.
+    /// Given less computed; for an angle the shorter way. Of a separation from rest (`separation_from_rest` of the problem) what the ways differ by, and of a crush energy
+    /// from depths (`crush_energy_from_depths`) what these differ by, as a change of the given value to first order.
     pub residual: f64,
     /// The given standard deviation; `None` if it was given as exact.
     pub sd: Option<f64>,

@@ -6,24 +6,10 @@
 
 use super::given::{Evidence, ReconstructionProblem};
 use super::measurand::Measurand;
-use super::placed::Placed;
 use super::variable::party;
-use crate::impact::Impact;
 use crate::input::Side;
 use crate::output::Output;
 use crate::scalar::{Field, Real};
-
-/// Returns the computed values of evidence; the separations of ways as straightened ([`WayToRest::straighten`]).
-pub(super) fn compared<T: Real + Copy + From<f64>>(
-    evidence: &[Evidence],
-    ways: &[WayToRest],
-    placed: &Placed<T>,
-    impact: &Impact<T>,
-) -> Vec<T> {
-    let mut computed: Vec<T> = evidence.iter().map(|evidence| evidence.of.of(placed, impact).unwrap_or_else(|| T::int(0))).collect();
-    ways.iter().for_each(|way| way.straighten(&mut computed));
-    computed
-}
 
 /// The separation of a vehicle that was computed from its way to rest.
 pub(super) struct WayToRest {
@@ -72,7 +58,7 @@ impl WayToRest {
     ///
     /// The ways are q(w) = n w with n² = |w|² + s². Of q(w) = q(g) + J (w′ − g), with the slopes J at the given motion g: w′ = u + g (|g|² − g·u)/(2 |g|² + s²), where
     /// u is w times its n over that of g.
-    fn straighten<T: Real + Copy + From<f64>>(&self, computed: &mut [T]) {
+    pub(super) fn straighten<T: Real + Copy + From<f64>>(&self, computed: &mut [T]) {
         let of_given = T::from(self.square + self.standstill);
         let velocity = |component: &Component, computed: &[T]| computed[component.evidence] * T::from(component.arm);
         let squares = self.components.iter().map(|component| velocity(component, computed).magnitude().squared());

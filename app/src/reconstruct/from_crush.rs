@@ -4,6 +4,7 @@ use planar_impact::Side;
 use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty};
 
+use super::crush_bend::CrushBend;
 use super::inputs::without_deviation;
 use crate::case::{Case, CrushKey, Known, Parameter, Uncertain, correlation_of};
 use crate::issue::Issue;
@@ -18,6 +19,8 @@ pub struct FromCrush {
     pub correlations: Vec<Correlation>,
     /// The uncertain numbers of the crush that the evidence does not depend on.
     pub unused: Vec<Parameter>,
+    /// The energies whose errors are those of depths: their roots grow more evenly with what is uncertain than themselves.
+    pub from_depths: Vec<Measurand>,
     /// Explanations.
     pub notices: Vec<Notice>,
     /// Uncertain numbers of the crush that have no standard deviation.
@@ -64,7 +67,11 @@ impl FromCrush {
                 message = message.text(", and with its own it is ").figure(Measure::Energy, deviations[i]);
             }
             found.notices.push(Notice::note("uncertainty-from-crush", known.key.clone(), message));
-            found.notices.extend(bends(known, of_crush));
+            let bend = CrushBend::of(&case.inputs, uncertain, known.of, &crush, slopes, own);
+            if bend.has_straighter_root {
+                found.from_depths.push(known.of);
+            }
+            found.notices.extend(bends(known, of_crush, bend.excess));
         }
         for (i, one) in case.knowledge.evidence.iter().enumerate() {
             for (k, other) in case.knowledge.evidence.iter().enumerate().skip(i + 1) {
@@ -77,16 +84,21 @@ impl FromCrush {
     }
 }
 
-/// Returns a warning of a crush energy that is too uncertain for its first order: it grows with the square of the depths.
-fn bends(known: &Known, of_crush: f64) -> Option<Notice> {
-    /// Share of the energy of which a speed at the upper end is some 5 % too low: its depths are uncertain by a quarter.
-    const STRAIGHT: f64 = 0.5;
+/// Returns a warning of a crush energy whose errors are far from normal, also by its root.
+fn bends(known: &Known, of_crush: f64, excess: f64) -> Option<Notice> {
+    /// Share of the standard deviation of which an interval of 95 % still contains the truth in 94 %.
+    const STRAIGHT: f64 = 0.25;
     let message = || {
-        Message::from(format!("{}: ", known.of.name())).figure(Measure::Energy, known.value).text(" ± ").figure(Measure::Energy, of_crush).text(
-            " is taken to first order, and grows with the square of the depths: of so large an uncertainty the upper ends of intervals may be too low",
-        )
+        let (more, too) = if excess > 0.0 { ("more", "high") } else { ("less", "low") };
+        Message::from(format!("{}: ", known.of.name()))
+            .figure(Measure::Energy, known.value)
+            .text(" ± ")
+            .figure(Measure::Energy, of_crush)
+            .text(" is on average ")
+            .figure(Measure::Energy, excess.abs())
+            .text(format!(" {more} than that of the crush without its errors: intervals may lie too {too}; measure the crush better"))
     };
-    (of_crush > STRAIGHT * known.value).then(|| Notice::warning("crush-bends", known.key.clone(), message()))
+    (excess.abs() > STRAIGHT * of_crush).then(|| Notice::warning("crush-bends", known.key.clone(), message()))
 }
 
 /// Leaves out the total crush energy beside those of both vehicles if all three are taken from the crush and have the uncertainty of nothing else: it is their sum, and
@@ -187,6 +199,24 @@ mod tests {
         assert_eq!((one, other), (Measurand::CrushEnergyOf(Side::One), Measurand::CrushEnergyOf(Side::Two)));
         close(coefficient, 0.5 * by_slope[0] * by_slope[1] / (sd[0] * sd[1]));
         assert_eq!((found.unused, found.notices.len()), (vec![], 2));
+        // Of the first most of the variance comes from the width, with which the energy grows evenly; of the second from d1, with which its root does.
+        assert_eq!(found.from_depths, [Measurand::CrushEnergyOf(Side::Two)]);
+    }
+
+    #[test]
+    fn an_excess_in_either_direction_is_named() {
+        let known = Known {
+            of: Measurand::CrushEnergy,
+            key: "crush_energy".to_owned(),
+            value: 4e4,
+            uncertainty: Uncertainty::StandardDeviation(1e4),
+            is_from_crush: true,
+        };
+        let message = |excess| bends(&known, 1e4, excess).map(|notice| notice.message.to_string());
+        assert_eq!([2.4e3, -2.4e3].map(message), [None, None]);
+        let [high, low] = [2.6e3, -2.6e3].map(|excess| message(excess).expect("a warning"));
+        assert!(high.contains("2600 J more than") && high.contains("too high"), "{high}");
+        assert!(low.contains("2600 J less than") && low.contains("too low"), "{low}");
     }
 
     #[test]

@@ -166,6 +166,7 @@ impl Question {
             drives_along_heading,
             holds_radius_of_gyration,
             separation_from_rest: by_way,
+            crush_energy_from_depths: of_crush.from_depths,
             crush_share,
             ..ReconstructionProblem::of(settled.collision)
         };

@@ -397,20 +397,41 @@ fn slid_to_rest(end: f64, across: f64) -> String {
     )
 }
 
-/// A crush energy grows with the square of the depths, and a way to rest of some tens of centimeters tells little if it is known to as many.
+/// Returns the case of a vehicle against a barrier, whose crush of 20 cm has some depths, each with the same deviation in cm.
+fn crushed(depths: usize, sd: f64, correlations: &str) -> String {
+    let depths = vec![format!("\"20 cm ± {sd} cm\""); depths].join(", ");
+    format!(
+        "schema = 1\ncorrelation = [{correlations}]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nimpact_center = [2, 0]\n[vehicle.crush]\nwidth = 1.5\n\
+         depths = [{depths}]\nstiffness = {{ A = 1, B = 9e5 }}\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\n\
+         crush_energy = \"from crush\"\n[unknown]\nvehicle.1.speed = 10\n"
+    )
+}
+
+/// By hand: the energy is k C² of a depth C, so that the speed grows with C and its interval has the depths within 1.96 standard deviations, to the fraction of the
+/// stiffness A, and to that of the correlation.
+#[test]
+fn an_interval_by_the_crush_has_the_errors_of_the_depths() {
+    for sd in [1.0, 5.0, 8.0] {
+        let answer = json_of(&["reconstruct"], &crushed(2, sd, "[\"vehicle.1.crush.depths.1\", \"vehicle.1.crush.depths.2\", 0.999]"));
+        let speed = &answer["unknown"]["vehicle.1.speed"];
+        let share = |key: &str| speed["interval"][key].as_f64().expect("a bound") / speed["value"].as_f64().expect("a speed");
+        let wanted = [-1.0, 1.0].map(|sign| 1.0 + sign * 1.96 * sd / 20.0);
+        let found = ["low", "high"].map(share);
+        assert!(wanted.iter().zip(found).all(|(wanted, found)| (wanted - found).abs() < 2e-3), "{sd}: {found:?}, not {wanted:?}");
+    }
+}
+
+/// Independent errors of several depths add to the mean of their squares, and a way to rest of some tens of centimeters tells little if it is known to as many.
 #[test]
 fn what_is_too_uncertain_for_its_first_order_is_told() {
     let count = |case: &str, code: &str| json_of(&["reconstruct"], case)["messages"].to_string().matches(&format!("\"{code}\"")).count();
-    let crush = |sd: &str| {
-        format!(
-            "schema = 1\ncorrelation = [[\"vehicle.1.crush.depths.1\", \"vehicle.1.crush.depths.2\", 0.999]]\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\n\
-             impact_center = [2, 0]\n[vehicle.crush]\nwidth = 1.5\ndepths = [\"0.2 m ± {sd}\", \"0.2 m ± {sd}\"]\nstiffness = {{ A = 1, B = 9e5 }}\n\
-             [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n[evidence]\ncrush_energy = \"from crush\"\n\
-             [unknown]\nvehicle.1.speed = 10\n"
-        )
-    };
-    // A quarter of the depth is half of the energy.
-    assert_eq!(["4.9 cm", "5.1 cm"].map(|sd| count(&crush(sd), "crush-bends")), [0, 1]);
+    // By hand: between depths a and b the energy is k (a² + ab + b²)/3. Of two its derivatives are k C each, and its second ones by each 2 k/3: with s = σ/C the excess of
+    // the energy is 2/3 k C² s², that of its root 1/2 less, and the standard deviation √2 k C² s: a quarter of it at s = 2.1.
+    assert_eq!([1.0, 5.0, 9.9].map(|sd| count(&crushed(2, sd, ""), "crush-bends")), [0, 0, 0]);
+    // Of six the derivatives are 0.2 k C, at the ends, and 0.4 k C: the excess is (2/3 - 0.18) k C² s², the standard deviation √0.72 k C² s, and the quarter at s = 0.436.
+    assert_eq!([8.6, 8.8, 9.9].map(|sd| count(&crushed(6, sd, ""), "crush-bends")), [0, 1, 1]);
+    let warned = json_of(&["reconstruct"], &crushed(6, 8.0, ""))["messages"].to_string();
+    assert!(warned.contains("more than that of the crush without its errors: intervals may lie too high"), "{warned}");
     let rest = |way: f64| slid_to_rest(way, 0.0);
     // Of locked wheels by the way, of others to first order.
     assert_eq!([6.0, 0.6, 0.3].map(|way| count(&rest(way), "slide-short")), [0, 0, 1]);

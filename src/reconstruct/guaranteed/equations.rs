@@ -11,12 +11,12 @@ use crate::frame::Xy;
 use crate::impact::Impact;
 use crate::input::{Input, Side};
 use crate::output::Output;
+use crate::reconstruct::as_measured::AsMeasured;
 use crate::reconstruct::given::{Evidence, PlacedDependence, ReconstructionProblem, Uncertainty};
 use crate::reconstruct::measurand::Measurand;
 use crate::reconstruct::placed::Placed;
 use crate::reconstruct::scene::Scene;
 use crate::reconstruct::variable::{Variable, party};
-use crate::reconstruct::way_to_rest::{WayToRest, compared};
 use crate::scalar::Real;
 use crate::scalar::interval::Interval;
 use crate::sensitivity::dual::Dual;
@@ -28,7 +28,7 @@ pub(super) struct Equations<'a> {
     /// The equation that each error belongs to.
     errors: Vec<usize>,
     dependences: Vec<PlacedDependence>,
-    ways: Vec<WayToRest>,
+    as_measured: AsMeasured,
     pub(super) whole: Vec<Interval>,
     /// The least and the greatest value of each unknown that is looked at where nothing else limits it.
     pub(super) assumed: Vec<[Option<f64>; 2]>,
@@ -102,7 +102,7 @@ impl<'a> Equations<'a> {
             scene: Scene::of(problem),
             errors,
             dependences: problem.placed_dependences(),
-            ways: WayToRest::all(problem, &problem.evidence),
+            as_measured: AsMeasured::of(problem, &problem.evidence),
             whole,
             assumed,
         })
@@ -183,8 +183,9 @@ impl<'a> Equations<'a> {
             own.fold(T::from(evidence.value) + error(place), |sought, dependence| sought + dependence.change(numbers))
         };
         let evidence = &self.problem.evidence;
-        // Without a way each statement computes what it needs.
-        let computed = if self.ways.is_empty() { Vec::new() } else { compared(evidence, &self.ways, placed, impact) };
+        // Without such evidence each statement computes what it needs.
+        let as_measured = &self.as_measured;
+        let computed = if as_measured.is_nothing() { Vec::new() } else { as_measured.compared(evidence, placed, impact) };
         let statement =
             move |(place, evidence)| self.statement(evidence, sought(place, evidence), computed.get(place).copied(), placed, impact);
         evidence.iter().enumerate().map(statement)
