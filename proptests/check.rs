@@ -544,6 +544,32 @@ proptest! {
         }
     }
 
+    /// The model and the motions before lead to every result, of motions after that nobody gives.
+    #[test]
+    fn a_wrong_result_is_found_by_the_model(collision in possible(), by in prop_oneof![1.01..3.0, 0.3..0.99]) {
+        let impact = collision.evaluate();
+        // Near the edge of the cone, and of wedging, the model leaves something open.
+        let ratio = impact.impulse.t / impact.impulse.n;
+        prop_assume!(collision.contact().compliance.wedging_share(ratio) > 0.1 && impact.impulse.n * impact.approach.n > 0.0);
+        if let ImpulseRatio::LimitedByFriction(friction) = collision.impulse_ratio {
+            let sticking = Collision { impulse_ratio: ImpulseRatio::Critical, ..collision }.evaluate().impulse;
+            prop_assume!((sticking.t.abs() - friction * sticking.n.abs()).abs() > 1e-3 * sticking.length());
+        }
+        let whole = Record::of(&collision, &impact);
+        let before = parts(&whole, |key| !matches!(key, Key::AfterX(_) | Key::AfterYawRate(_)));
+        prop_assert!(failures(&check(&before, &Options::default())).is_empty());
+        let scale = [(Key::EnergyLoss, impact.loss(), impact.kinetic_energy.before), (Key::NormalWork, impact.work.n, impact.kinetic_energy.before)];
+        for (key, value, of) in scale {
+            if value.abs() > 1e-3 * of {
+                is_found(&scaled(&before, key, by), Rule::Reported)?;
+            }
+        }
+        for side in free(&whole) {
+            is_found(&scaled(&before, Key::DeltaV(side), by), Rule::Reported)?;
+        }
+        is_found(&scaled(&before, Key::ImpulseMagnitude, by), Rule::Reported)?;
+    }
+
     /// The work of the normal impulse by the restitution, where no separation speed is reported.
     #[test]
     fn a_wrong_work_is_found_by_the_restitution(collision in possible(), by in prop_oneof![1.01..3.0, 0.3..0.99]) {

@@ -60,6 +60,7 @@ mod energy_loss;
 mod finite;
 mod format;
 mod group;
+mod implied_motions;
 mod judge;
 mod key;
 mod known;
@@ -146,6 +147,7 @@ fn laws<const N: usize>(record: &Record, judge: &mut Judge) {
         claim_consistency::check(&claimed, &mut alone);
         judge.take_failures(alone);
     }
+    implied_motions::check(&known, judge);
     if let Some(group) = &record.group {
         common::collect(&known, group.agreement, judge);
     }

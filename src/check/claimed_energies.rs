@@ -90,6 +90,12 @@ pub(super) fn available<const N: usize>(known: &Known<'_, N>) -> f64 {
     energies.into_iter().chain(of_motions).fold(of_speeds.max(known.beside.energy), f64::max)
 }
 
+/// Returns a size beside which energies may be rounding: that of vehicles, if nothing is known of the energy before.
+pub(super) fn rounding_of_energy<const N: usize>(known: &Known<'_, N>) -> f64 {
+    let is_known = known.number(Key::EnergyBefore).is_some() || known.least_energy(When::Before).value > 0.0;
+    if is_known { 0.0 } else { ENERGY }
+}
+
 /// Checks the reported energies: the loss is that of the works, and what there was less what there is.
 fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     if let (Some(loss), Some(works)) = (known.number(Key::EnergyLoss), claimed_works(known)) {
@@ -124,7 +130,8 @@ fn least_energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             continue;
         };
         let least = known.least_energy(when);
-        judge.not_above(Rule::Reported, Residual::new(least - claimed, least.value.max(claimed.value.abs())), |size, bound| {
+        let residual = Residual::new(least - claimed, available(known)).beside(rounding_of_energy(known));
+        judge.not_above(Rule::Reported, residual, |size, bound| {
             let (claimed, least, size, bound) = (Digits(claimed.value), Digits(least.value), Digits(size), Digits(bound));
             format!("{key} is said to be {claimed} J, and the motions that are known have {least} J: {size} more, {bound} may be")
         });
@@ -177,7 +184,7 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
     };
     let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
     let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
-    let of_works = || Some(known.number(Key::EnergyLoss)? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?);
+    let of_works = || Some(loss? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?);
     let claimed = known.number(Key::NormalWork).map(|work| -work).or_else(of_works);
     let normal = sharper_known(claimed, of_motion, Uncertain::radius);
     let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));
@@ -204,7 +211,12 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
             judge.zero(Rule::Reported, residual(lost), |size, bound| told(lost.value, how, size, bound));
         }
         (Some(normal), Some(loss)) => {
-            let most = if normal.value > loss.value { normal } else { loss };
+            // Coarse motions may leave more open of the one that is the smaller by its number.
+            let [above_normal, above_loss] = [normal, loss].map(|lost| {
+                let residual = residual(lost);
+                residual.value.value - judge.bound(Rule::Reported, &residual).total
+            });
+            let most = if above_normal <= above_loss { normal } else { loss };
             judge.not_above(Rule::Reported, residual(most), |size, bound| told(most.value, of_one, size, bound));
         }
         (None, Some(loss)) => {

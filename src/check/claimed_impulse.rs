@@ -74,9 +74,20 @@ struct Length<const N: usize> {
     scale: f64,
 }
 
-pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+/// Returns the impulse on body 1 in ground axes, if two lines determine it that are not nearly parallel.
+pub(super) fn determined<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
+    /// Least sine of their angle: at a smaller one errors grow.
+    const CLEAR: f64 = 0.1;
+    // Without a contact normal, those in contact axes determine no vector on the ground.
+    let crossing = groups(known).last()?.crossing(judge).filter(|crossing| crossing.sine > CLEAR)?;
+    let Xy { x, y } = crossing.impulse;
+    Some(known.plane.as_ref().map_or(crossing.impulse, |plane| plane.to_ground(Nt { n: x, t: y })))
+}
+
+/// Returns the lines in contact axes or, without a contact normal, those in contact axes and those on the ground.
+fn groups<'a, 'b, const N: usize>(known: &'a Known<'b, N>) -> Vec<Lines<'a, 'b, N>> {
     let (contact, mut ground) = (of_contact(known), of_ground(known));
-    let groups = match &known.plane {
+    match &known.plane {
         Some(plane) => {
             for line in &mut ground {
                 (line.normal, line.toward) = (turned_to(plane, line.normal), line.toward.map(|toward| turned_to(plane, toward)));
@@ -84,7 +95,11 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             alloc::vec![Lines { known, all: contact.into_iter().chain(ground).collect() }]
         }
         None => [contact, ground].map(|all| Lines { known, all }).into(),
-    };
+    }
+}
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let groups = groups(known);
     let crossings: Vec<Option<Crossing<N>>> = groups.iter().map(|lines| lines.check(judge)).collect();
     let length = |(lines, crossing): (&Lines<'_, '_, N>, &Option<Crossing<N>>)| {
         let crossing = crossing.as_ref()?;

@@ -1,5 +1,6 @@
 //! Consistency of reported results with what the motions imply: the first half of `reported`.
 
+use super::claimed_energies::{available, rounding_of_energy};
 use super::format::Digits;
 use super::judge::{Judge, Residual, SPEED};
 use super::key::Key;
@@ -31,17 +32,13 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let claim = |key, implied, scale| Claim { key, implied, scale };
     let energies =
         [(Key::EnergyBefore, When::Before), (Key::EnergyAfter, When::After)].map(|(key, when)| (key, known.kinetic_energy(when)));
-    let most = energies.iter().filter_map(|(_, energy)| Some((*energy)?.value)).fold(0.0, f64::max);
+    let (most, rounded) = (available(known), rounding_of_energy(known));
     for (key, energy) in energies {
         if let Some(energy) = energy {
-            hold(known, judge, claim(key, energy, most));
+            hold_beside(known, judge, claim(key, energy, most), rounded);
         }
     }
-    if let Some(loss) = known.loss() {
-        let of_work = known.touch.as_ref().and_then(scale_of);
-        let scale = of_work.or(known.energy_loss.map(|fall| fall.available)).unwrap_or(0.0);
-        hold(known, judge, claim(Key::EnergyLoss, loss, scale));
-    }
+    energy_loss(known, judge);
     for side in [Side::One, Side::Two] {
         of_body(known, side, judge);
     }
@@ -73,6 +70,18 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
+fn energy_loss<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let (Some(loss), Some(said)) = (known.loss(), known.number(Key::EnergyLoss)) else { return };
+    let scale = known.touch.as_ref().and_then(scale_of).or(known.energy_loss.map(|fall| fall.available)).unwrap_or(0.0);
+    // The works alone are those of an instant.
+    let is_of_works = known.energy_loss.is_none_or(|fall| fall.translation_only);
+    let impulse = known.impulse_value();
+    let (slack, leeway) = if is_of_works { (known.travel.work_slack(impulse), known.travel.work_leeway(impulse)) } else { (0.0, 0.0) };
+    judge.zero(Rule::Reported, Residual::new(said - loss, scale).open(slack, leeway), |size, bound| {
+        told(Key::EnergyLoss, said.value, loss.value, size, bound)
+    });
+}
+
 fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
     let subject = known.subject(side);
     let Some(delta_v) = subject.delta_v() else {
@@ -89,7 +98,7 @@ fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) 
     // Of the order of the larger one: that of a heavy body may be almost zero, and that of a fixed body is zero.
     let both = [known.one.delta_v(), known.two.delta_v()].into_iter().flatten();
     let scale = both.fold(0.0, |scale: f64, delta_v| scale.max(norm(delta_v).value));
-    hold(known, judge, Claim { key: Key::DeltaV(side), implied: norm(delta_v), scale });
+    hold_beside(known, judge, Claim { key: Key::DeltaV(side), implied: norm(delta_v), scale }, if scale == 0.0 { SPEED } else { 0.0 });
     if let Some(claimed) = known.number(Key::ForceDirection(side)) {
         direction_of_force(known, side, ("its change of velocity", delta_v), claimed, judge);
     }

@@ -23,6 +23,8 @@ pub(super) struct Judge {
     tolerance: Option<f64>,
     /// By how much more than a sum an impulse is rounded: a solver divides by K_nn + μ K_nt, which is rounded as its parts are.
     amplification: f64,
+    /// Factor on the tolerance: of what follows from numbers with their errors.
+    leniency: f64,
     checked: Rules,
     findings: Vec<Finding>,
     pub(super) common: Vec<Common>,
@@ -78,6 +80,7 @@ impl Judge {
             profile,
             tolerance: options.tolerance,
             amplification: 0.0,
+            leniency: 1.0,
             checked: Rules::default(),
             findings: Vec::new(),
             common: Vec::new(),
@@ -103,6 +106,24 @@ impl Judge {
             self.checks(found.rule);
             self.findings.push(found);
         });
+    }
+
+    /// Returns a judge of motions that follow from the record.
+    pub(super) fn of_implied(&self) -> Self {
+        /// Errors within the tolerance add up, and a division by the smaller of two masses may enlarge them.
+        const LENIENCY: f64 = 10.0;
+        Judge { leniency: LENIENCY, ..self.afresh() }
+    }
+
+    /// Takes the failures of a judge of motions that follow from a part of the record, and that what is reported was held against.
+    pub(super) fn take_failures_of_implied(&mut self, mut of_implied: Judge, source: &str) {
+        for found in &mut of_implied.findings {
+            found.what = format!("with the motions that {source} leads to, {}", found.what);
+        }
+        if of_implied.checked.contains(Rule::Reported) {
+            self.checks(Rule::Reported);
+        }
+        self.take_failures(of_implied);
     }
 
     pub(super) fn done(self, record: &Record) -> Outcome {
@@ -138,7 +159,7 @@ impl Judge {
         let spread = if self.profile == Profile::Measured { residual.value.three_sigma() } else { residual.value.radius() };
         // NaN if an unknown quantity was multiplied by zero.
         let implied = match spread {
-            0.0 => self.tolerance.unwrap_or(of_profile) * residual.scale,
+            0.0 => self.leniency * self.tolerance.unwrap_or(of_profile) * residual.scale,
             spread if spread.is_finite() => spread,
             _ => f64::INFINITY,
         };
@@ -195,9 +216,9 @@ impl Judge {
                 format!("the numbers are so large or so small that {rule} cannot be computed"),
             );
         } else if size > bound.total && size <= bound.total + residual.leeway {
-            let leeway = Digits(residual.leeway);
+            let explained = if residual.leeway.is_finite() { format!("{} of it", Digits(residual.leeway)) } else { String::from("it") };
             let reason = format!(
-                "the bodies move during the contact, which may explain {leeway} of it: add the centers of mass and the contact point after it"
+                "the bodies move during the contact, which may explain {explained}: add the centers of mass and the contact point after it"
             );
             self.warn(rule, size, bound.total, format!("{}; {reason}", what(size, bound.total)));
         } else if size > bound.total {

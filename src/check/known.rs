@@ -57,7 +57,7 @@ pub(super) struct Meeting<const N: usize> {
     /// `true` for two point masses, which touch at both centers of mass and have no sides.
     pub(super) is_of_points: bool,
     /// The bodies, without their inertia.
-    bodies: [Body<Uncertain<N>>; 2],
+    pub(super) bodies: [Body<Uncertain<N>>; 2],
 }
 
 impl<const N: usize> Meeting<N> {
@@ -92,12 +92,16 @@ pub(super) struct Touch<const N: usize> {
 impl<'a, const N: usize> Known<'a, N> {
     pub(super) fn of(record: &'a Record) -> Self {
         let point = pair(record, Key::PointX, Key::PointY);
-        let (one, two) = (Subject::of(record, Side::One, point), Subject::of(record, Side::Two, point));
+        Known::of_bodies(record, Side::ALL.map(|side| Subject::of(record, side, point)), None)
+    }
+
+    /// Returns what is known of bodies, with the impulse on body 1 if their motions do not determine it.
+    pub(super) fn of_bodies(record: &'a Record, [one, two]: [Subject<N>; 2], impulse: Option<Xy<Uncertain<N>>>) -> Self {
         let plane = number(record, Key::NormalAngle).map(turned);
         let on_two = two.momentum_gained().map(|gained| -gained);
         let radius = |p: &Xy<Uncertain<N>>| p.x.radius() + p.y.radius();
         let mean = |one: Xy<Uncertain<N>>, two: Xy<Uncertain<N>>| Xy { x: one.x.mean(two.x), y: one.y.mean(two.y) };
-        let impulse = best_known(one.momentum_gained(), on_two, radius, mean);
+        let impulse = best_known(one.momentum_gained(), on_two, radius, mean).or(impulse);
         let moment = number(record, Key::Moment);
         let meeting = |when| Meeting::of(plane.as_ref()?, [&one, &two], when);
         let (before, after) = (meeting(When::Before), meeting(When::After));
@@ -193,7 +197,8 @@ impl<'a, const N: usize> Known<'a, N> {
     /// Returns the most precise energy loss: from the kinetic energies, or from the works.
     pub(super) fn loss(&self) -> Option<Uncertain<N>> {
         let falls = self.energy_loss.filter(|fall| !fall.translation_only).map(|fall| fall.sharpest());
-        let works = self.touch.and_then(|touch| touch.work).map(|work| work.loss());
+        // Those of an instant say less of a contact that lasts.
+        let works = self.touch.filter(|_| falls.is_none() || self.travel.is_none()).and_then(|touch| touch.work).map(|work| work.loss());
         sharper_known(falls, works, Uncertain::radius)
     }
 }
@@ -221,10 +226,8 @@ impl<const N: usize> Touch<N> {
 
     /// Returns the impulse that ends sliding under a law, with restitution e and the moment impulse, if the inertia of the bodies is known.
     pub(super) fn sticking(&self, law: Law, e: Uncertain<N>) -> Option<Nt<Uncertain<N>>> {
-        let [one, two] = &self.subjects;
-        let contact = Contact::between(one.with_inertia(self.bodies[0])?, two.with_inertia(self.bodies[1])?);
-        let change = law.change(self.approach, e);
-        Some(contact.compliance.impulse_for(self.moment.map_or(change, |moment| change - contact.moment_compliance().force * moment)))
+        let contact = contact(&self.bodies, &self.subjects)?;
+        Some(contact.compliance.impulse_for(change_by_impulse(&contact, law.change(self.approach, e), self.moment)))
     }
 
     /// Returns K_nn + μ K_nt at the ratio of the impulse, as a share of its parts: where it is small the pair nearly wedges.
@@ -242,6 +245,20 @@ impl<const N: usize> Touch<N> {
         };
         Some(Contact::between(values(0)?, values(1)?))
     }
+}
+
+/// Returns the contact of bodies before the impact, if their inertia is known.
+pub(super) fn contact<const N: usize>(bodies: &[Body<Uncertain<N>>; 2], [one, two]: &[Subject<N>; 2]) -> Option<Contact<Uncertain<N>>> {
+    Some(Contact::between(one.with_inertia(bodies[0])?, two.with_inertia(bodies[1])?))
+}
+
+/// Returns the part of a change of relative velocity that is left to the impulse beside a moment.
+pub(super) fn change_by_impulse<const N: usize>(
+    contact: &Contact<Uncertain<N>>,
+    change: Nt<Uncertain<N>>,
+    moment: Option<Uncertain<N>>,
+) -> Nt<Uncertain<N>> {
+    moment.map_or(change, |moment| change - contact.moment_compliance().force * moment)
 }
 
 /// Returns the cosine and sine of an angle with a resolution. The magnitude of either second derivative is at most 1.

@@ -4,6 +4,7 @@ mod assertion;
 mod balance;
 mod claimed_impulse;
 mod claims;
+mod implied;
 mod lasting;
 mod refuted;
 

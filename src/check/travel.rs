@@ -35,11 +35,13 @@ impl Travel {
         let path = |body: &Subject<N>| body.arm.zip(body.arm_after).map_or(Xy::zero(), |(arm, after)| values(after) - values(arm));
         let yaw_rate = |body: &Subject<N>, when| body.yaw_rate(when).map_or(0.0, |rate| rate.value.abs());
         let speed = |when| {
-            let past = two.velocity(when).zip(one.velocity(when)).map_or(0.0, |(two, one)| (values(two) - values(one)).length());
+            let past = (values(two.velocity(when)?) - values(one.velocity(when)?)).length();
             let turning = bodies.map(|body| yaw_rate(body, when) * body.arm.map_or(0.0, |arm| values(arm).length()));
-            past + turning[0] + turning[1]
+            Some(past + turning[0] + turning[1])
         };
-        let by_duration = record.duration.map_or(0.0, |duration| duration * speed(When::Before).max(speed(When::After)));
+        // Without a relative velocity nothing bounds the change of the arms.
+        let fastest = [When::Before, When::After].into_iter().filter_map(speed).reduce(f64::max).unwrap_or(f64::INFINITY);
+        let by_duration = record.duration.map_or(0.0, |duration| product(duration, fastest));
         let unknown = match (record.point_after, is_placed) {
             (Some(_), true) => 0.0,
             (None, true) => by_duration.max(displacement(one, two, record.duration)),
@@ -65,7 +67,7 @@ impl Travel {
 
     /// Returns the angular momentum that motion unknown to the record may explain.
     pub(super) fn moment_leeway(&self, impulse: Xy) -> f64 {
-        self.unknown * impulse.length()
+        product(self.unknown, impulse.length())
     }
 
     /// Returns the work that remains open between the arms, ½ Σ max(|ω|, |Ω|) |d × P|.
@@ -75,14 +77,19 @@ impl Travel {
 
     /// Returns the work that motion unknown to the record may explain.
     pub(super) fn work_leeway(&self, impulse: Xy) -> f64 {
-        (self.yaw_rates[0] + self.yaw_rates[1]) * self.moment_leeway(impulse)
+        product(self.yaw_rates[0] + self.yaw_rates[1], self.moment_leeway(impulse))
     }
 
     /// Returns the relative velocity at the contact that motion unknown to the record may explain.
     pub(super) fn velocity_leeway(&self) -> f64 {
         let reach = |path: Xy| self.unknown + if self.is_of_two_points { path.length() } else { 0.0 };
-        self.yaw_rates[0] * reach(self.paths[0]) + self.yaw_rates[1] * reach(self.paths[1])
+        product(self.yaw_rates[0], reach(self.paths[0])) + product(self.yaw_rates[1], reach(self.paths[1]))
     }
+}
+
+/// Returns the product of two numbers of at least zero, of which one may be infinite: zero if either is zero.
+fn product(one: f64, other: f64) -> f64 {
+    if one == 0.0 || other == 0.0 { 0.0 } else { one * other }
 }
 
 /// Returns the distance by which the centers of mass move relative to each other, or one relative to a fixed body.

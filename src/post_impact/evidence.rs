@@ -166,6 +166,31 @@ impl Separation {
         (!miss.is_nothing() && !within).then_some(miss)
     }
 
+    /// Returns the same separation with the errors by the friction that it would have with another motion, of a vehicle of this radius of gyration in m: they grow with
+    /// the motion.
+    ///
+    /// Where evidence disagrees, a fit that weighs them at the given motion prefers low speeds: the friction is common to all of it, and a lower one lessens every
+    /// disagreement (Peelle's puzzle; D'Agostini 1994). Weighed at the fitted motion they prefer none.
+    #[must_use]
+    pub fn with_friction_at(&self, motion: &Motion, gyration: f64) -> Separation {
+        let [given, by_friction, there] = [self.motion, self.by_friction, *motion].map(Motion::components);
+        let metric = [1.0, 1.0, gyration * gyration];
+        let dot = |one: [f64; 3], other: [f64; 3]| -> f64 { (0..3).map(|i| metric[i] * one[i] * other[i]).sum() };
+        let share = dot(by_friction, given) / dot(given, given);
+        if !share.is_finite() {
+            return self.clone();
+        }
+        let moved: [f64; 3] = core::array::from_fn(|i| by_friction[i] + share * (there[i] - given[i]));
+        let mut weighed = self.clone();
+        weighed.by_friction = Motion { velocity: Xy { x: moved[0], y: moved[1] }, yaw_rate: moved[2] };
+        for (i, row) in weighed.covariance.0.iter_mut().enumerate() {
+            for (k, entry) in row.iter_mut().enumerate() {
+                *entry += moved[i] * moved[k] - by_friction[i] * by_friction[k];
+            }
+        }
+        weighed
+    }
+
     /// Returns the correlation of V_x, V_y or Ω of one vehicle with one of them of another that slid on the same ground, which is due to the friction.
     pub fn correlation_by_friction(&self, i: usize, other: &Separation, k: usize) -> f64 {
         let scale = self.covariance.deviations()[i] * other.covariance.deviations()[k];

@@ -1,8 +1,8 @@
 //! The search for the solution about which separations from rest positions are followed.
 
-use planar_impact::Side;
 use planar_impact::post_impact::Separation;
 use planar_impact::reconstruct::{Answer, Dependence, Estimate, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Verdict};
+use planar_impact::{Motion, Side, Xy};
 
 use super::dependences::is_followed;
 use super::doubts::reconciled;
@@ -16,6 +16,10 @@ use crate::units::Measure;
 
 /// Largest number of times that separations are followed anew, about the solution that the ones before lead to.
 const MOST: usize = 12;
+/// Largest number of times that errors by the friction are weighed anew.
+const MOST_WEIGHTS: usize = 4;
+/// Standard deviations, and shares of a covariance, that do not matter.
+const NEAR: f64 = 0.01;
 
 /// Solves the question of a case whose vehicles separated in a certain way. What separations follow is taken about the solution: that about the values of the case leads
 /// there, within the reach of first order, and from there again. Returns the question about the solution, its answer, and the separations there.
@@ -30,7 +34,8 @@ pub fn solved(
     solve: &dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError>,
 ) -> Result<(Question, Answer, Separations), Issues> {
     let mut about = separations.clone();
-    for _ in 0..MOST {
+    let mut weighed = separations.clone();
+    for tries in 1..=MOST {
         let asked = within_reach(&question.asked);
         let answer = solve(&asked).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
         let inputs = case.inputs.set_all(&values_of(case, answer.best()));
@@ -41,11 +46,19 @@ pub fn solved(
             !is_followed(&question.asked, side)
                 || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
         };
-        if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) {
+        let motions = motions_by_friction(&question.asked, answer.best(), &about);
+        let gyrations =
+            question.asked.collision.parties().map(|party| party.vehicle().map_or(0.0, |it| libm::sqrt(it.yaw_inertia / it.mass)));
+        let weigh = |separations: &Separations| with_friction_at(separations, &motions, gyrations);
+        // Where the evidence contradicts itself, no motion is one to weigh at.
+        let is_weighed = tries > MOST_WEIGHTS || answer.verdict == Verdict::Contradicted || are_alike(&weigh(&about), &weighed);
+        if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) && is_weighed {
             let answer = without(answer, |solution| !is_in_reach(solution));
-            return reconciled(case, &inputs, question, answer, about);
+            let ask = |about: &Separations| Question::about(case, &inputs, &weigh(about));
+            return reconciled(case, &inputs, question, answer, about, &ask);
         }
-        question = Question::about(case, &inputs, &there)?;
+        weighed = weigh(&there);
+        question = Question::about(case, &inputs, &weighed)?;
         about = there;
     }
     let mut names: Vec<String> = question.asked.dependences.iter().map(|one| name_in(one.on, case)).collect();
@@ -71,10 +84,42 @@ fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &Recons
     Some(there)
 }
 
+/// Returns the motions by which the friction moves each separation in a solution: those of the fit. Of a way on locked wheels, which is compared as a way, a share of the
+/// friction changes it by the same share, and to first order the motion that stands for it by half of that: twice as far from the given one.
+fn motions_by_friction(asked: &ReconstructionProblem, best: &Solution, separations: &Separations) -> [Motion; 2] {
+    let motion = |side: Side| {
+        let given = separations[side as usize].as_ref()?.motion.components();
+        let times = if asked.separation_from_rest[side as usize] { 2.0 } else { 1.0 };
+        let off = outputs(side).map(|of| best.evidence.iter().find(|fitted| fitted.of == of).map_or(0.0, |fitted| fitted.residual));
+        let [x, y, yaw_rate] = std::array::from_fn(|i| given[i] - times * off[i]);
+        Some(Motion { velocity: Xy { x, y }, yaw_rate })
+    };
+    Side::ALL.map(|side| motion(side).unwrap_or(Motion::rest()))
+}
+
+/// Returns the separations with the errors by the friction of motions.
+fn with_friction_at(separations: &Separations, motions: &[Motion; 2], gyrations: [f64; 2]) -> Separations {
+    let weighed = |side: Side| {
+        let place = side as usize;
+        separations[place].as_ref().map(|separation| separation.with_friction_at(&motions[place], gyrations[place]))
+    };
+    Side::ALL.map(weighed)
+}
+
+/// Returns `true` if errors by the friction of separations are alike.
+fn are_alike(one: &Separations, other: &Separations) -> bool {
+    let is_alike = |(one, other): (&Option<Separation>, &Option<Separation>)| {
+        one.as_ref().zip(other.as_ref()).is_none_or(|(one, other)| {
+            let sds = one.covariance.deviations();
+            let changes = one.by_friction.components().into_iter().zip(other.by_friction.components()).zip(sds);
+            changes.into_iter().all(|((one, other), sd)| (one - other).abs() <= NEAR * sd)
+        })
+    };
+    one.iter().zip(other).all(is_alike)
+}
+
 /// Returns `true` if a separation at a solution is that of the evidence there, with its covariance.
 fn is_alike(asked: &ReconstructionProblem, best: &Solution, side: Side, about: &Separation, there: &Separation) -> bool {
-    /// Standard deviations, and shares of a covariance, that do not matter.
-    const NEAR: f64 = 0.01;
     let sds = there.covariance.deviations();
     let mut motion = outputs(side).into_iter().zip(about.motion.components()).zip(there.motion.components()).zip(sds);
     let on_line = |of: Measurand| -> f64 {

@@ -18,6 +18,7 @@ pub fn reconciled(
     question: Question,
     answer: Answer,
     mut about: Separations,
+    ask: &dyn Fn(&Separations) -> Result<Question, Issues>,
 ) -> Result<(Question, Answer, Separations), Issues> {
     let mut warnings = Vec::new();
     for followed in Followed::all(case, inputs, &about.clone()) {
@@ -48,7 +49,7 @@ pub fn reconciled(
     if warnings.is_empty() {
         return Ok((question, answer, about));
     }
-    let mut question = Question::about(case, inputs, &about)?;
+    let mut question = ask(&about)?;
     question.notices.0.extend(warnings);
     Ok((question, answer, about))
 }

@@ -107,43 +107,18 @@ impl Recording {
 
     pub(crate) fn of_samples(source: Source) -> Result<Recording, Issues> {
         let samples = Samples::of(&source);
-        let (mut channels, mut unused, mut faults, mut systems) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut misnamed = Vec::new();
+        let mut faults = Vec::new();
         let time = samples.place(TIME).map_err(|fault| faults.push(fault)).ok();
-        for (i, header) in samples.headers.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
-            let Some(quantity) = ChannelQuantity::of_column(&header.name) else {
-                match ChannelQuantity::meant_by(&header.name) {
-                    Some(meant) => misnamed.push((header.name.clone(), meant)),
-                    None => unused.push(excerpt(&header.name)),
-                }
-                continue;
-            };
-            systems.extend(samples.units(i));
-            let read = samples.place(&header.name).map_err(|fault| vec![fault]).and_then(|place| match time {
-                Some(time) => samples.channel(time, place, quantity, (None, 1.0)),
-                None => Err(Vec::new()),
-            });
-            match read {
-                Ok(column) => channels.push(Channel::of(header.name.clone(), quantity, column)),
-                Err(found) => faults.extend(found),
-            }
-        }
+        let ByName { channels, faults: of_columns, mut notices, meant } = ByName::of(&samples, time);
+        faults.extend(of_columns);
         if channels.is_empty() && faults.is_empty() {
-            let help = match misnamed.first() {
-                Some((name, meant)) => format!("did you mean `{meant}` in place of {}?", excerpt(name)),
-                None => format!("name the columns {}, or write a file that says what they are", ChannelQuantity::names().join(", ")),
-            };
+            let help = meant.unwrap_or_else(|| {
+                format!("name the columns {}, or write a file that says what they are", ChannelQuantity::names().join(", "))
+            });
             faults.push(samples.fault(1, "", "no column has the name of a channel", help));
         }
-        let mut notices = Vec::new();
-        for (name, meant) in misnamed {
-            let message = format!("the column {} is no channel, and is not used; did you mean `{meant}`?", excerpt(&name));
-            notices.push(Notice::warning("unread-column", name, message));
-        }
-        if !unused.is_empty() {
-            let message = format!("these columns are no channels, and are not used: {}", unused.join(", "));
-            notices.push(Notice::note("unused-columns", "", message));
-        }
+        let of_channel = |i: usize| ChannelQuantity::of_column(&samples.headers[i].name).and_then(|_| samples.units(i));
+        let systems: Vec<Units> = (0..samples.headers.len()).filter_map(of_channel).collect();
         notices.extend(samples.units_assumed(time, ChannelQuantity::of_column));
         let us = systems.iter().filter(|units| **units == Units::Us).count();
         let units = if 2 * us > systems.len() { Units::Us } else { Units::Si };
@@ -212,6 +187,51 @@ impl Recording {
                 Issues::new(cause, source.clone(), issues.into_iter().map(at_header).collect())
             }
         }
+    }
+}
+
+/// The channels of columns that have the name of one.
+struct ByName {
+    channels: Vec<Channel>,
+    faults: Vec<Fault>,
+    /// About the columns that are no channels.
+    notices: Vec<Notice>,
+    /// What the name of one of them was meant for.
+    meant: Option<String>,
+}
+
+impl ByName {
+    /// Reads them. Without a time, it reads the names alone.
+    fn of(samples: &Samples, time: Option<usize>) -> ByName {
+        let mut read = ByName { channels: Vec::new(), faults: Vec::new(), notices: Vec::new(), meant: None };
+        let mut unused = Vec::new();
+        for header in samples.headers.iter().filter(|header| header.name != TIME) {
+            let name = || excerpt(&header.name);
+            let Some(quantity) = ChannelQuantity::of_column(&header.name) else {
+                match ChannelQuantity::meant_by(&header.name) {
+                    Some(meant) => {
+                        let message = format!("the column {} is no channel, and is not used; did you mean `{meant}`?", name());
+                        read.notices.push(Notice::warning("unread-column", header.name.clone(), message));
+                        read.meant.get_or_insert_with(|| format!("did you mean `{meant}` in place of {}?", name()));
+                    }
+                    None => unused.push(name()),
+                }
+                continue;
+            };
+            let column = samples.place(&header.name).map_err(|fault| vec![fault]).and_then(|place| match time {
+                Some(time) => samples.channel(time, place, quantity, (None, 1.0)),
+                None => Err(Vec::new()),
+            });
+            match column {
+                Ok(column) => read.channels.push(Channel::of(header.name.clone(), quantity, column)),
+                Err(found) => read.faults.extend(found),
+            }
+        }
+        if !unused.is_empty() {
+            let message = format!("these columns are no channels, and are not used: {}", unused.join(", "));
+            read.notices.push(Notice::note("unused-columns", "", message));
+        }
+        read
     }
 }
 

@@ -421,6 +421,42 @@ fn an_interval_by_the_crush_has_the_errors_of_the_depths() {
     }
 }
 
+/// On locked wheels every speed grows with the root of the friction, so that rest positions that disagree say nothing of it: an uncertain friction widens the intervals of the
+/// speeds, and moves none of them.
+#[test]
+fn an_uncertain_friction_of_ways_to_rest_moves_no_speed() {
+    let locked = "front_axle = 1.15\nrear_axle = 1.5\ntrack = 1.5\nwheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }\n";
+    let case = |friction: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = 1450\nyaw_inertia = 2600\nheading = \"2 deg\"\nimpact_center = [1.85, -0.1]\n[[vehicle]]\nmass = 1180\nyaw_inertia = 1900\n\
+             heading = \"125 deg\"\nimpact_center = [1.6, 0]\n[contact]\ncrush_plane = \"-5 deg\"\n[rest]\nfriction = {friction}\n[rest.vehicle.1]\n\
+             position = [\"2.8 m ± 0.3 m\", \"0.8 m ± 0.3 m\"]\nheading = \"69 deg ± 5 deg\"\n{locked}[rest.vehicle.2]\n\
+             position = [\"1.7 m ± 0.3 m\", \"1.3 m ± 0.3 m\"]\nheading = \"33 deg ± 5 deg\"\n{locked}[unknown]\n\
+             vehicle.1.speed = {{ start = 12, min = 0 }}\nvehicle.2.speed = {{ start = 10, min = 0 }}\ncontact.restitution = {{ start = 0.1, min = 0, max = 0.3 }}\n"
+        )
+    };
+    let of = |friction: &str| {
+        let answer = json_of(&["reconstruct"], &case(friction));
+        let number = |value: &Value| value.as_f64().expect("a number");
+        let speeds = [1, 2].map(|i| answer["unknown"][format!("vehicle.{i}.speed")].clone());
+        let interval = |speed: &Value| ["low", "high"].map(|end| number(&speed["interval"][end]));
+        (speeds.each_ref().map(|speed| number(&speed["value"])), speeds.each_ref().map(interval), number(&answer["chi_square"]))
+    };
+    let (speeds, intervals, chi_square) = of("0.65");
+    let (same, wider, same_chi_square) = of("\"0.65 ± 0.13\"");
+    assert!((chi_square - same_chi_square).abs() < 0.02 * chi_square && chi_square > 1.0, "{chi_square} and {same_chi_square}");
+    for i in 0..2 {
+        assert!((speeds[i] - same[i]).abs() < 0.005 * speeds[i], "{speeds:?} and {same:?}");
+        // By hand: the root of a friction within 1.96 standard deviations of a fifth, and what the rest positions leave open.
+        for (end, friction) in [(0, 1.0 - 1.96 * 0.2), (1, 1.0 + 1.96 * 0.2)] {
+            let open = intervals[i][end] / speeds[i] - 1.0;
+            let wanted = f64::sqrt(friction) - 1.0;
+            let found = wider[i][end] / speeds[i] - 1.0;
+            assert!((found.abs() - open.hypot(wanted)).abs() < 0.03, "{i} {end}: {found}, not {wanted} and {open}");
+        }
+    }
+}
+
 /// Independent errors of several depths add to the mean of their squares, and a way to rest of some tens of centimeters tells little if it is known to as many.
 #[test]
 fn what_is_too_uncertain_for_its_first_order_is_told() {
@@ -430,7 +466,7 @@ fn what_is_too_uncertain_for_its_first_order_is_told() {
     assert_eq!([1.0, 5.0, 9.9].map(|sd| count(&crushed(2, sd, ""), "crush-bends")), [0, 0, 0]);
     // Of six the derivatives are 0.2 k C, at the ends, and 0.4 k C: the excess is (2/3 - 0.18) k C² s², the standard deviation √0.72 k C² s, and the quarter at s = 0.436.
     assert_eq!([8.6, 8.8, 9.9].map(|sd| count(&crushed(6, sd, ""), "crush-bends")), [0, 1, 1]);
-    let warned = json_of(&["reconstruct"], &crushed(6, 8.0, ""))["messages"].to_string();
+    let warned = json_of(&["reconstruct"], &crushed(6, 9.9, ""))["messages"].to_string();
     assert!(warned.contains("more than that of the crush without its errors: intervals may lie too high"), "{warned}");
     let rest = |way: f64| slid_to_rest(way, 0.0);
     // Of locked wheels by the way, of others to first order.

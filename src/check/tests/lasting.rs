@@ -103,6 +103,44 @@ fn the_impulse_of_two_contact_points_acts_between_them() {
     assert_eq!(outcome.of(Rule::Restitution).map(|finding| finding.severity).collect::<Vec<_>>(), [Severity::Warn], "{outcome}");
 }
 
+/// By hand: 1000 kg and 1500 kg m² lose ½ 1000 (10² − 1²) − ½ 1500 · 3² J, and by the impulse at one instant 41 250 J. Without the inertia only the works tell a loss.
+#[test]
+fn a_loss_by_works_is_that_of_an_instant() {
+    let of = |loss: f64, inertia: Option<f64>, duration: Option<f64>| {
+        let mut record = Record { two: Subject::FIXED, duration, ..Record::default() };
+        let state = |x, yaw_rate| State { velocity: Some(Xy { x, y: 0.0 }), yaw_rate: Some(yaw_rate) };
+        record.one = Subject {
+            mass: Some(1000.0),
+            yaw_inertia: inertia,
+            center: Some(Xy { x: -2.0, y: 0.5 }),
+            before: state(10.0, 0.0),
+            after: state(-1.0, -3.0),
+            ..Subject::default()
+        };
+        (record.point, record.normal_angle) = (Some(Xy { x: 0.0, y: 0.0 }), Some(0.0));
+        record.set(Key::EnergyLoss, loss);
+        let found = check(&record, &Options::default());
+        found.of(Rule::Reported).map(|finding| finding.severity).next()
+    };
+    assert_eq!(of(42_750.0, Some(1500.0), Some(0.1)), None);
+    assert_eq!(of(42_750.0, None, Some(0.1)), Some(Severity::Warn));
+    assert_eq!((of(41_250.0, None, None), of(42_750.0, None, None)), (None, Some(Severity::Fail)));
+    assert_eq!(of(90_000.0, None, Some(0.1)), Some(Severity::Fail));
+}
+
+/// Without the velocity of the other body nothing bounds how far the contact moves.
+#[test]
+fn an_unknown_motion_during_a_contact_may_explain_any_spin() {
+    let mut record = long_contact();
+    (record.one.center_after, record.point_after) = (None, None);
+    (record.two.before, record.two.after) = Default::default();
+    record.set(Key::AfterYawRate(Side::One), 0.5);
+    let found = check(&record, &Options::default());
+    let told: Vec<_> =
+        found.of(Rule::LineOfAction).map(|finding| (finding.severity, finding.what.contains("which may explain it:"))).collect();
+    assert_eq!(told, [(Severity::Warn, true)], "{found}");
+}
+
 #[test]
 fn a_duration_is_at_least_zero_and_that_of_an_impact() {
     assert_eq!(rules(&Record { duration: Some(-0.1), ..long_contact() }), ["finite"]);

@@ -5,7 +5,7 @@ use std::path::Path;
 use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{ChannelClass, Window};
 
-use super::{ACCELEROMETER_RANGE, Channel, Filter, Settings, distinct};
+use super::{ACCELEROMETER_RANGE, ByName, Channel, Filter, Settings, distinct};
 use crate::case::{CaseReader, one_of, report_file};
 use crate::document::{Field, Table, Value};
 use crate::issue::Issues;
@@ -63,7 +63,7 @@ impl CaseReader {
         let tables = tables?;
         let channels = match &tables {
             Some(tables) => self.listed(tables, columns.as_ref(), &report),
-            None => columns.as_ref().and_then(|columns| named(columns, &place, &report)),
+            None => columns.as_ref().and_then(|columns| self.named(columns, &place, &report)),
         };
         let (channels, settings) = (channels?, Settings { kinematics, ..settings? });
         if let Some(Columns { samples, time }) = &columns {
@@ -94,6 +94,22 @@ impl CaseReader {
                 (field.clone(), samples_of(field))
             }
         })
+    }
+
+    /// Reads every column that has the name of a channel.
+    fn named(&self, Columns { samples, time }: &Columns<'_>, place: &Field<'_>, report: &Report<'_>) -> Option<Vec<Channel>> {
+        let ByName { channels, faults, notices, meant } = ByName::of(samples, *time);
+        let sound = faults.is_empty();
+        report(place, faults);
+        self.notices.borrow_mut().extend(notices);
+        if channels.is_empty() && sound {
+            let help = meant.unwrap_or_else(|| {
+                format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names())
+            });
+            place.report("no column has the name of a channel", Some(help));
+            return None;
+        }
+        sound.then_some(channels)
     }
 
     /// Reads the channels that are listed. Without columns, because the file cannot be read, it reads them for what is wrong with them alone.
@@ -202,29 +218,6 @@ impl CaseReader {
             None => self.positive(field, Kind::ACCELERATION),
         }
     }
-}
-
-/// Reads every column that has the name of a channel.
-fn named(columns: &Columns<'_>, place: &Field<'_>, report: &Report<'_>) -> Option<Vec<Channel>> {
-    let Columns { samples, time } = columns;
-    let mut channels = Vec::new();
-    let mut sound = true;
-    for (i, header) in samples.headers.iter().enumerate() {
-        let (Some(time), Some(quantity)) = (*time, ChannelQuantity::of_column(&header.name)) else { continue };
-        match samples.channel(time, i, quantity, (None, 1.0)) {
-            Ok(column) => channels.push(Channel::of(header.name.clone(), quantity, column)),
-            Err(faults) => {
-                report(place, faults);
-                sound = false;
-            }
-        }
-    }
-    if channels.is_empty() && sound {
-        let help = format!("say what they are under [[channel]], with `column` and `quantity`; its columns are {}", samples.names());
-        place.report("no column has the name of a channel", Some(help));
-        return None;
-    }
-    sound.then_some(channels)
 }
 
 /// Returns the samples that a file has in itself: a text as of a CSV file.

@@ -85,6 +85,40 @@ fn bad_samples_are_refused_at_their_lines() {
     assert_eq!(run.err.matches("error:").count(), 3, "{}", run.err);
 }
 
+/// A file that names its samples, or has them in itself, says of their columns what a CSV file says.
+#[test]
+fn columns_of_a_document_are_read_as_those_of_a_table() {
+    let folder = Folder::new();
+    let of = |header: &str| {
+        let table = format!("{header}\n-2,0,0\n-1,0,0\n0,0,0\n1,5,2\n2,0,0\n");
+        folder.write("samples.csv", table.as_bytes());
+        folder.write("by_name.toml", b"schema = 1\nfile = \"samples.csv\"\n");
+        folder.write("inside.toml", format!("schema = 1\nsamples = \"\"\"\n{table}\"\"\"\n").as_bytes());
+        ["samples.csv", "by_name.toml", "inside.toml"].map(|name| run(folder.path(), &["record", name, "--format", "json"]))
+    };
+    for refused in of("time [ms],normal_force.a [kN],normal_force.a [kN]") {
+        assert!(refused.status == 2 && refused.err.contains("normal_force.a: 2 columns have this name"), "{}", refused.err);
+    }
+    for refused in of("time [ms],normal_froce [kN],note") {
+        assert!(refused.status == 2 && refused.err.contains("did you mean `normal_force` in place of `normal_froce`?"), "{}", refused.err);
+    }
+    for [second, code, says] in [
+        [
+            "normal_froce.b [kN]",
+            "unread-column",
+            "the column `normal_froce.b` is no channel, and is not used; did you mean `normal_force`?",
+        ],
+        ["temperature", "unused-columns", "these columns are no channels, and are not used: `temperature`"],
+    ] {
+        for read in of(&format!("time [ms],normal_force.a [kN],{second}")) {
+            let answer: serde_json::Value = serde_json::from_str(&read.out).expect("JSON");
+            let messages = answer["messages"].as_array().expect("messages");
+            let said: Vec<&str> = messages.iter().filter(|one| one["code"] == code).filter_map(|one| one["text"].as_str()).collect();
+            assert!(read.status == 0 && said.len() == 1 && said[0].contains(says), "{code}: {said:?} {}", read.err);
+        }
+    }
+}
+
 #[test]
 fn bad_settings_are_refused_at_their_keys() {
     let channel = "[[channel]]\ncolumn = \"normal_force.a\"\nquantity = \"normal_force\"\n";

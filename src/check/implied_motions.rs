@@ -1,0 +1,140 @@
+//! Motions that a record implies: an impulse, or the model with the motions before, leads from the motions on one side of the impact to those on the other. What is
+//! reported is held against them as against motions that are given.
+
+use super::format::Digits;
+use super::judge::{Judge, Residual};
+use super::key::Key;
+use super::known::{Known, change_by_impulse, contact};
+use super::model::RatioKind;
+use super::momentum::{length, number_of};
+use super::rule::Rule;
+use super::subject::Subject;
+use super::uncertain::Uncertain;
+use super::{claim_consistency, claimed_impulse, claims, momentum, normal, tangent, work};
+use crate::frame::{Nt, Xy};
+use crate::input::Side;
+use crate::law::{impulse_at_fraction, impulse_at_ratio};
+use alloc::format;
+
+pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    // Of a contact that lasts the impulse has no one place.
+    if !known.travel.is_none() {
+        return;
+    }
+    let of_motions = || known.impulse;
+    let of_claims = || claimed_impulse::determined(known, judge).filter(|_| known.impulse.is_none());
+    let of_model = || of_model(known, judge);
+    let sources = [
+        ("the impulse that one body receives", of_motions().map(independent)),
+        ("the impulse that is reported", of_claims().map(independent)),
+        ("the model", of_model().map(independent)),
+    ];
+    for (source, impulse) in sources {
+        let Some(impulse) = impulse.filter(|_| !judge.has_failed()) else { continue };
+        let bodies = Side::ALL.map(|side| moved(known, side, impulse));
+        let moves = bodies.iter().zip([&known.one, &known.two]).any(|(implied, body)| has_more(implied, body));
+        if !moves && known.impulse.is_some() {
+            continue;
+        }
+        let implied = Known::of_bodies(known.record, bodies, Some(impulse));
+        let mut alone = judge.of_implied();
+        if let Some(share) = implied.touch.and_then(|touch| touch.wedging_share()) {
+            alone.allow_for_wedging(share);
+        }
+        claims::check(&implied, &mut alone);
+        claim_consistency::check(&implied, &mut alone);
+        // The laws are what the model is made of.
+        if source != "the model" {
+            momentum::check(&implied, &mut alone);
+            normal::check(&implied, &mut alone);
+            tangent::check(&implied, &mut alone);
+            work::check(&implied, &mut alone);
+            Side::ALL.into_iter().for_each(|side| spin_alone(&implied, side, impulse, &mut alone));
+        }
+        judge.take_failures_of_implied(alone, source);
+    }
+}
+
+/// Returns a vector without its dependence on the inputs: results of the record share their places.
+fn independent<const N: usize>(v: Xy<Uncertain<N>>) -> Xy<Uncertain<N>> {
+    v.map(|x| Uncertain { spread: [0.0; N], rest: x.radius(), ..x })
+}
+
+fn has_more<const N: usize>(implied: &Subject<N>, body: &Subject<N>) -> bool {
+    let known = |body: &Subject<N>| [body.before.is_some(), body.after.is_some(), body.yaw_before.is_some(), body.yaw_after.is_some()];
+    known(implied) != known(body)
+}
+
+/// Returns a body with the motions that an impulse on body 1 leads to, or comes from.
+fn moved<const N: usize>(known: &Known<'_, N>, side: Side, on_one: Xy<Uncertain<N>>) -> Subject<N> {
+    let body = *known.subject(side);
+    if body.fixed {
+        return body;
+    }
+    let impulse = if side == Side::One { on_one } else { -on_one };
+    let gained = body.mass.map(|mass| impulse.map(|p| p / mass));
+    let spun = spin(known, side, on_one).zip(body.yaw_inertia).map(|(spin, inertia)| spin / inertia);
+    Subject {
+        before: body.before.or_else(|| Some(body.after? - gained?)),
+        after: body.after.or_else(|| Some(body.before? + gained?)),
+        yaw_before: body.yaw_before.or_else(|| Some(body.yaw_after? - spun?)),
+        yaw_after: body.yaw_after.or_else(|| Some(body.yaw_before? + spun?)),
+        ..body
+    }
+}
+
+/// Returns the spin that a body gains by an impulse on body 1 at the contact point and by the moment.
+fn spin<const N: usize>(known: &Known<'_, N>, side: Side, on_one: Xy<Uncertain<N>>) -> Option<Uncertain<N>> {
+    let of_impulse = known.subject(side).arm?.cross(on_one);
+    let on_one = known.moment.map_or(of_impulse, |moment| of_impulse + moment);
+    Some(if side == Side::One { on_one } else { -on_one })
+}
+
+/// Checks the spin that a body gains of which no velocity is known.
+fn spin_alone<const N: usize>(implied: &Known<'_, N>, side: Side, on_one: Xy<Uncertain<N>>, judge: &mut Judge) {
+    let body = implied.subject(side);
+    let known = body.spin_gained().zip(spin(implied, side, on_one)).zip(body.arm);
+    let Some(((gained, given), arm)) = known.filter(|_| !body.fixed && body.momentum_gained().is_none()) else { return };
+    let scale = gained.value.abs().max(length(&arm) * length(&on_one));
+    judge.zero(Rule::LineOfAction, Residual::new(gained - given, scale), |size, bound| {
+        let (gained, given, size, bound) = (Digits(gained.value), Digits(given.value), Digits(size), Digits(bound));
+        format!(
+            "body {} gains a spin of {gained} N m s, and its impulse gives {given} N m s: {size} N m s off, {bound} may be",
+            number_of(side)
+        )
+    });
+}
+
+/// Returns the impulse on body 1 of the model, with the motions before, if they determine it.
+fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
+    /// Share of K_nn + μ K_nt in its parts below which a pair nearly wedges, and rounding decides.
+    const WEDGES: f64 = 0.05;
+    let (meeting, plane, model) = (known.before?, known.plane.as_ref()?, &known.record.model);
+    if known.after.is_some() {
+        return None;
+    }
+    let contact = contact(&meeting.bodies, &[known.one, known.two])?;
+    let change = change_by_impulse(&contact, model.law.change(meeting.velocity, known.number(Key::Restitution)?), known.moment);
+    let number = || known.number(Key::ImpulseRatio);
+    let impulse = match model.ratio_kind {
+        RatioKind::Critical => contact.compliance.impulse_for(change),
+        RatioKind::Given => impulse_at_ratio(&contact.compliance, change.n, number()?),
+        RatioKind::OfCritical => impulse_at_fraction(&contact.compliance, change, number()?),
+        RatioKind::Friction => {
+            let (friction, sticking) = (number()?, contact.compliance.impulse_for(change));
+            let unit = if change.n.value < 0.0 { -1.0 } else { 1.0 };
+            let Nt { n, t } = sticking.map(|p| p.scaled(unit));
+            let beyond = Residual::new(t.magnitude() - friction * n, n.value.abs().max(t.value.abs()));
+            // Near the edge of the cone either may be.
+            if judge.sign(Rule::ImpulseRatio, &beyond)? > 0.0 {
+                impulse_at_ratio(&contact.compliance, change.n, if t.value < 0.0 { -friction } else { friction })
+            } else {
+                sticking
+            }
+        }
+    };
+    let ratio = impulse.t.value / impulse.n.value;
+    let parts = contact.compliance.nn().value.abs() + (ratio * contact.compliance.nt().value).abs();
+    let is_clear = contact.compliance.along_ratio(Uncertain::exact(ratio)).value > WEDGES * parts;
+    (is_clear && impulse.n.value * meeting.velocity.n.value > 0.0).then(|| plane.to_ground(impulse))
+}

@@ -1,0 +1,164 @@
+//! Motions that a record implies, and that what it reports is held against.
+
+use super::*;
+
+/// Two cars before the impact, and the model. By hand, with e = 0.1 and without friction: K_nn = 1/1000 + 1/2000 + 0.5²/4000 = 0.0015625, so P_n = −1.1 · 20/K_nn.
+fn before() -> Record {
+    let at_rest = State { velocity: Some(Xy { x: 0.0, y: 0.0 }), yaw_rate: Some(0.0) };
+    let body = |mass, yaw_inertia, x, y, before| Subject {
+        mass: Some(mass),
+        yaw_inertia: Some(yaw_inertia),
+        center: Some(Xy { x, y }),
+        before,
+        ..Subject::default()
+    };
+    Record {
+        one: body(1000.0, 2000.0, -2.0, 0.0, State { velocity: Some(Xy { x: 20.0, y: 0.0 }), ..at_rest }),
+        two: body(2000.0, 4000.0, 2.0, 0.5, at_rest),
+        point: Some(Xy { x: 0.0, y: 0.0 }),
+        normal_angle: Some(0.0),
+        model: Model { restitution: Some(0.1), impulse_ratio: Some(0.0), ..Model::default() },
+        ..Record::default()
+    }
+}
+
+const IMPULSE: f64 = 14_080.0;
+
+/// Results of that collision, by hand: T_L = −W_n = ½ · 14 080 · 20 (1 − 0.1).
+const RESULTS: [(Key, f64); 9] = [
+    (Key::DeltaV(Side::One), 14.08),
+    (Key::DeltaV(Side::Two), 7.04),
+    (Key::EnergyLoss, 126_720.0),
+    (Key::EnergyAfter, 200_000.0 - 126_720.0),
+    (Key::NormalWork, -126_720.0),
+    (Key::SeparationSpeed, 2.0),
+    (Key::NormalImpulse, -IMPULSE),
+    (Key::ImpulseX, -IMPULSE),
+    (Key::ImpulseMagnitude, IMPULSE),
+];
+
+fn outcome(record: &Record, claims: &[(Key, f64)]) -> Outcome {
+    let mut record = record.clone();
+    claims.iter().for_each(|&(key, value)| record.set(key, value));
+    check(&record, &Options::default())
+}
+
+#[test]
+fn the_model_leads_to_every_result() {
+    assert_eq!(outcome(&before(), &RESULTS).verdict(), Verdict::Pass);
+    for (key, value) in RESULTS {
+        let right = outcome(&before(), &[(key, value)]);
+        assert!(right.findings.is_empty(), "{right}");
+        for wrong in [1.001 * value, 0.5 * value, -value] {
+            let found = outcome(&before(), &[(key, wrong)]);
+            assert!(found.findings.iter().any(|finding| finding.severity == Severity::Fail), "{key} {wrong}: {found}");
+        }
+        // The restitution is held against the speeds themselves.
+        let told = outcome(&before(), &[(key, 1.001 * value)]);
+        let is_implied = told.findings[0].what.starts_with("with the motions that the ");
+        assert_eq!(is_implied, key != Key::SeparationSpeed, "{told}");
+    }
+    // The laws of motions that were not given are not checked by it.
+    let not_checked: Vec<_> = outcome(&before(), &RESULTS).not_checked().collect();
+    assert!(not_checked.contains(&Rule::LinearMomentum) && !not_checked.contains(&Rule::Reported), "{not_checked:?}");
+}
+
+/// Every kind of ratio, either law, and a moment, of collisions that this crate solves.
+#[test]
+fn every_kind_of_model_leads_to_its_results() {
+    use crate::{Collision, ImpulseRatio, Law, Moment, Vehicle};
+    let one = Vehicle::new(1500.0, 2400.0).with_impact_center(1.9, 0.5).with_speed(14.0);
+    let two = Vehicle::new(1100.0, 1700.0).with_impact_center(-0.3, 0.8).with_heading(crate::Heading::from_angle(1.4)).with_speed(3.0);
+    let of_ratio = [
+        ImpulseRatio::Critical,
+        ImpulseRatio::Given(0.03),
+        ImpulseRatio::OfCritical(0.4),
+        ImpulseRatio::LimitedByFriction(0.02),
+        ImpulseRatio::LimitedByFriction(3.0),
+    ];
+    for ratio in of_ratio {
+        for law in [Law::Brach, Law::KudlichSlibar] {
+            for moment in [Moment::None, Moment::Given(300.0)] {
+                let collision = Collision { law, moment, ..Collision::new(one, two).with_restitution(0.2).with_impulse_ratio(ratio) };
+                let mut record = Record::of(&collision, &collision.evaluate());
+                (record.one.after, record.two.after) = Default::default();
+                let passed = check(&record, &Options::default());
+                assert!(passed.findings.iter().all(|finding| finding.severity != Severity::Fail), "{ratio:?} {law:?} {moment:?}: {passed}");
+                let reported = record.reported;
+                record.reported = Reported { delta_v: reported.delta_v.map(|delta_v| delta_v.map(|v| 1.01 * v)), ..Reported::default() };
+                assert_eq!(check(&record, &Options::default()).of(Rule::Reported).count(), 2, "{ratio:?} {law:?} {moment:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_model_that_leaves_something_open_leads_nowhere() {
+    let wrong = [(Key::EnergyLoss, 1.0)];
+    let passes = |change: &dyn Fn(&mut Record)| {
+        let mut record = before();
+        change(&mut record);
+        outcome(&record, &wrong).verdict() == Verdict::Pass
+    };
+    assert!(!passes(&|_| ()));
+    assert!(passes(&|record| record.model.restitution = None));
+    assert!(passes(&|record| record.model.impulse_ratio = None));
+    assert!(passes(&|record| record.two.yaw_inertia = None));
+    assert!(passes(&|record| record.one.before.yaw_rate = None));
+    assert!(passes(&|record| record.duration = Some(0.1)));
+}
+
+/// By hand: 1000 kg that leave a wall with 5 m/s by an impulse of 15 kN s came with 10 m/s the other way.
+#[test]
+fn an_impulse_leads_from_one_side_to_the_other() {
+    let mut body = Record { two: Subject::FIXED, ..Record::default() };
+    [(Key::Mass(Side::One), 1000.0), (Key::AfterX(Side::One), -5.0), (Key::AfterY(Side::One), 0.0)]
+        .map(|(key, value)| body.set(key, value));
+    let impulse = [(Key::ImpulseX, -15_000.0), (Key::ImpulseY, 0.0)];
+    let of = |energy: f64| outcome(&body, &[impulse[0], impulse[1], (Key::EnergyBefore, energy)]);
+    assert_eq!([50_000.0, 60_000.0, 40_000.0].map(|energy| of(energy).verdict()), [Verdict::Pass, Verdict::Pass, Verdict::Fail]);
+    assert!(of(40_000.0).findings[0].what.starts_with("with the motions that the impulse that is reported leads to, "), "{}", of(40_000.0));
+    let of = |delta_v: f64| outcome(&body, &[impulse[0], impulse[1], (Key::DeltaV(Side::One), delta_v)]);
+    assert_eq!([15.0, 14.0].map(|delta_v| of(delta_v).verdict()), [Verdict::Pass, Verdict::Fail]);
+}
+
+/// By hand: the velocity that one of two bodies gains is that of the other's impulse.
+#[test]
+fn the_impulse_on_one_body_moves_the_other() {
+    let mut pair = Record::default();
+    let (one, two) = (Side::One, Side::Two);
+    let motions = [Key::Mass(one), Key::BeforeX(one), Key::BeforeY(one), Key::AfterX(one), Key::AfterY(one)]
+        .into_iter()
+        .zip([1000.0, 10.0, 0.0, 4.0, 0.0]);
+    motions.for_each(|(key, value)| pair.set(key, value));
+    [Key::Mass(two), Key::BeforeX(two), Key::BeforeY(two)]
+        .into_iter()
+        .zip([2000.0, 1.0, 0.0])
+        .for_each(|(key, value)| pair.set(key, value));
+    let of = |delta_v: f64| outcome(&pair, &[(Key::DeltaV(two), delta_v)]).verdict();
+    assert_eq!([3.0, 4.0].map(of), [Verdict::Pass, Verdict::Fail]);
+    // T' = ½ 1000 · 4² + ½ 2000 · 4² at least.
+    let left = |energy: f64| outcome(&pair, &[(Key::EnergyAfter, energy)]).verdict();
+    assert_eq!([24_000.0, 30_000.0, 23_000.0].map(left), [Verdict::Pass, Verdict::Pass, Verdict::Fail]);
+}
+
+/// By hand: r × P = 2 · 1000 − (−0.5) · 3000 of an arm (−2, 0.5), so that a yaw inertia of 2000 turns by −1.75 rad/s.
+#[test]
+fn a_spin_is_held_against_an_impulse_that_is_reported() {
+    for side in Side::ALL {
+        let on_one = if side == Side::One { 1.0 } else { -1.0 };
+        let outcome_of = |yaw_rate: f64, moment: Option<f64>| {
+            let mut record =
+                Record { point: Some(Xy { x: 0.0, y: 0.0 }), moment: moment.map(|moment| on_one * moment), ..Record::default() };
+            let keys = [Key::YawInertia(side), Key::CenterX(side), Key::CenterY(side), Key::BeforeYawRate(side), Key::AfterYawRate(side)];
+            keys.into_iter().zip([2000.0, 2.0, -0.5, 0.0, yaw_rate]).for_each(|(key, value)| record.set(key, value));
+            outcome(&record, &[(Key::ImpulseX, on_one * 3000.0), (Key::ImpulseY, on_one * 1000.0)])
+        };
+        let rules = |yaw_rate, moment| outcome_of(yaw_rate, moment).findings.iter().map(|finding| finding.rule).collect::<Vec<_>>();
+        assert_eq!(rules(-1.75, None), []);
+        assert_eq!([1.75, -3.5, -1.7].map(|yaw_rate| rules(yaw_rate, None)), [[Rule::LineOfAction]; 3]);
+        assert_eq!((rules(-1.6, Some(300.0)), rules(-1.75, Some(300.0))), (vec![], vec![Rule::LineOfAction]));
+        let told = alloc::format!("{}", outcome_of(1.75, None));
+        assert!(told.contains("gains a spin of 3500 N m s, and its impulse gives -3500 N m s"), "{told}");
+    }
+}
