@@ -4,11 +4,11 @@ mod pooled;
 mod series;
 mod test_file;
 
-use planar_impact::Issue as _;
 use planar_impact::barrier::{
     BarrierTest, CovarianceBasis, CrushModel, FitFinding, Residual, StiffnessFit, TestIssue, TestIssues, TestSeries,
 };
 use planar_impact::crush::{CrushStiffness, ForceLine, crush_intensity};
+use planar_impact::{Distribution, Issue as _};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -262,6 +262,7 @@ fn fit(file: &TestFile) -> Result<Answer<StiffnessAnswer>, Vec<Issue>> {
             Some((class, fit, class.further_vehicle(fit.clone()).fit))
         })
         .collect();
+    notices.0.extend(fits.iter().find_map(of_few_tests));
     notices.0.extend(further.iter().filter_map(|(class, fit, further)| of_further_vehicle(file, class, fit, further)));
     notices.0.extend(further.iter().find_map(|(class, fit, further)| of_contradicted_line(class, fit, further)));
     if let (count @ 2.., true, false) = (file.vehicles.len(), pooled.is_empty(), fits.is_empty()) {
@@ -334,6 +335,21 @@ fn of_further_vehicle(file: &TestFile, class: &Pooled, fit: &StiffnessFit, furth
     };
     let message = message.text(format!(", as far as {} vehicles tell; `reconstruct` uses these", class.vehicles.len()));
     Some(Notice::note("spread-between-vehicles", "vehicle", message))
+}
+
+/// Returns a note of a scatter that so few tests tell that a range of 95 % is that of Student's distribution.
+fn of_few_tests(fit: &StiffnessFit) -> Option<Notice> {
+    /// Ratio to that of the normal distribution that does not matter.
+    const ALIKE: f64 = 1.1;
+    let n = u32::try_from(fit.degrees_of_freedom + 1).ok().filter(|n| *n > 1 && fit.basis == CovarianceBasis::Residuals)?;
+    let times = Distribution::StudentT { mean: 0.0, sd: f64::from(n).sqrt(), n }.quantile(0.975);
+    let message = || {
+        format!(
+            "the tests alone tell their scatter, with {}: a range of 95 % is ± {times:.1} standard deviations, and not ± 1.96 (Student's distribution; `reconstruct` uses it)",
+            degrees_of_freedom(fit.degrees_of_freedom)
+        )
+    };
+    (times > ALIKE * Distribution::NORMAL_95).then(|| Notice::note("few-tests", "vehicle", message()))
 }
 
 /// Describes a fit to tests that contradict each other.

@@ -25,7 +25,7 @@ impl CrushDepth {
         const NOTHING: f64 = 0.01;
         let of = |(place, evidence): (usize, &Evidence)| {
             let is_one = question.crush_energy_from_depths.contains(&evidence.of) && evidence.value > 0.0;
-            is_one.then(|| CrushDepth { evidence: place, given: evidence.value, nothing: NOTHING * evidence.value })
+            is_one.then_some(CrushDepth { evidence: place, given: evidence.value, nothing: NOTHING * evidence.value })
         };
         evidence.iter().enumerate().filter_map(of).collect()
     }

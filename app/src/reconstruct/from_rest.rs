@@ -139,6 +139,18 @@ fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Optio
     (sd > if is_by_way { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
 }
 
+/// Returns a warning of a posterior by a friction that is far from exact: the errors that it causes grow with the motion, and draws have those of the fitted one.
+pub fn of_posterior(separations: &Separations) -> Option<Notice> {
+    /// Share of a separation speed, by the friction alone, up to which the median of the posterior is within a tenth of a standard deviation of that of other draws.
+    const STRAIGHT: f64 = 0.04;
+    let is_wide = |separation: &&Separation| separation.by_friction.velocity.length() > STRAIGHT * separation.motion.velocity.length();
+    separations.iter().flatten().any(|separation| is_wide(&separation)).then(|| {
+        let message = "the draws of the posterior have the errors by the friction that the fitted motion has, and those of a faster one are larger: speeds are drawn too low, \
+                       and the intervals hold; give the friction with a smaller uncertainty, or read the intervals";
+        Notice::warning("posterior-friction", "rest.friction", message)
+    })
+}
+
 /// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.
 pub fn combinations(separations: &Separations) -> (Vec<Separations>, Notices) {
     let mut notices = Notices::default();

@@ -81,6 +81,36 @@ fn without_deviations_the_residuals_tell_the_scatter() {
     assert_eq!((&document["fits"][0]["covariance"], &document["fits"][0]["prediction"]["sd"]), (&Value::Null, &Value::Null));
 }
 
+/// By the table of Student's distribution: 12.71 for one degree of freedom, 4.30 for two, 2.160 for thirteen, a tenth more than 1.96, and 2.145 for fourteen.
+#[test]
+fn a_scatter_that_few_tests_tell_is_noted() {
+    let tests = |count: usize, sd: &str| {
+        let test = |i: usize| {
+            let (speed, depth) = (5.0 + 0.5 * i as f64 + 0.1 * (i % 2) as f64, 0.1 + 0.03 * i as f64);
+            format!(
+                "[[vehicle.test]]\nmass = 1500\nspeed = \"{speed} m/s{sd}\"\nrestitution = 0.1\nwidth = 1.5\ndepths = [{depth}, {depth}]\n"
+            )
+        };
+        format!("schema = 1\n[[vehicle]]\nnew_cars = true\n{}", (0..count).map(test).collect::<String>())
+    };
+    let noted = |count, sd| {
+        let answer = json(&tests(count, sd));
+        let messages = answer["messages"].as_array().expect("messages").clone();
+        messages
+            .iter()
+            .filter(|one| one["code"] == "few-tests")
+            .map(|one| one["text"].as_str().expect("a text").to_owned())
+            .collect::<Vec<_>>()
+    };
+    for (count, says) in
+        [(3, "with 1 degree of freedom: a range of 95 % is ± 12.7 "), (4, "with 2 degrees of freedom: a range of 95 % is ± 4.3 ")]
+    {
+        assert!(noted(count, "")[..].iter().all(|text| text.contains(says)) && noted(count, "").len() == 1, "{:?}", noted(count, ""));
+    }
+    assert_eq!([2, 15, 16].map(|count| noted(count, "").len()), [0, 1, 0]);
+    assert!(noted(3, " ± 0.1 m/s").is_empty());
+}
+
 #[test]
 fn the_text_fits_a_terminal() {
     for name in ["struble-welsh.toml", "malibu.toml"] {

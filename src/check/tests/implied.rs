@@ -112,8 +112,8 @@ fn a_model_that_leaves_something_open_leads_nowhere() {
 #[test]
 fn an_impulse_leads_from_one_side_to_the_other() {
     let mut body = Record { two: Subject::FIXED, ..Record::default() };
-    [(Key::Mass(Side::One), 1000.0), (Key::AfterX(Side::One), -5.0), (Key::AfterY(Side::One), 0.0)]
-        .map(|(key, value)| body.set(key, value));
+    let given = [(Key::Mass(Side::One), 1000.0), (Key::AfterX(Side::One), -5.0), (Key::AfterY(Side::One), 0.0)];
+    given.into_iter().for_each(|(key, value)| body.set(key, value));
     let impulse = [(Key::ImpulseX, -15_000.0), (Key::ImpulseY, 0.0)];
     let of = |energy: f64| outcome(&body, &[impulse[0], impulse[1], (Key::EnergyBefore, energy)]);
     assert_eq!([50_000.0, 60_000.0, 40_000.0].map(|energy| of(energy).verdict()), [Verdict::Pass, Verdict::Pass, Verdict::Fail]);
