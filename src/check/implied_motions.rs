@@ -16,48 +16,70 @@ use crate::input::Side;
 use crate::law::{impulse_at_fraction, impulse_at_ratio};
 use alloc::format;
 
+/// What the impulse on body 1 is taken from.
+#[derive(Clone, Copy, PartialEq)]
+enum Source {
+    OneBody,
+    Claims,
+    Model,
+}
+
+impl Source {
+    const ALL: [Source; 3] = [Source::OneBody, Source::Claims, Source::Model];
+
+    fn words(self) -> &'static str {
+        match self {
+            Source::OneBody => "the impulse that one body receives",
+            Source::Claims => "the impulse that is reported",
+            Source::Model => "the model",
+        }
+    }
+
+    /// Returns the impulse, without its dependence on the inputs: results of the record share their places.
+    fn impulse<const N: usize>(self, known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
+        let impulse = match self {
+            Source::OneBody => known.impulse,
+            Source::Claims => claimed_impulse::determined(known, judge).filter(|_| known.impulse.is_none()),
+            Source::Model => of_model(known, judge),
+        }?;
+        Some(impulse.map(|x| Uncertain { spread: [0.0; N], rest: x.radius(), ..x }))
+    }
+}
+
 pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     // Of a contact that lasts the impulse has no one place.
     if !known.travel.is_none() {
         return;
     }
-    let of_motions = || known.impulse;
-    let of_claims = || claimed_impulse::determined(known, judge).filter(|_| known.impulse.is_none());
-    let of_model = || of_model(known, judge);
-    let sources = [
-        ("the impulse that one body receives", of_motions().map(independent)),
-        ("the impulse that is reported", of_claims().map(independent)),
-        ("the model", of_model().map(independent)),
-    ];
-    for (source, impulse) in sources {
-        let Some(impulse) = impulse.filter(|_| !judge.has_failed()) else { continue };
+    for source in Source::ALL {
+        if judge.has_failed() {
+            return;
+        }
+        let Some(impulse) = source.impulse(known, judge) else { continue };
         let bodies = Side::ALL.map(|side| moved(known, side, impulse));
         let moves = bodies.iter().zip([&known.one, &known.two]).any(|(implied, body)| has_more(implied, body));
-        if !moves && known.impulse.is_some() {
-            continue;
+        if moves || source == Source::Claims {
+            let mut alone = judge.of_implied();
+            hold(source, &Known::of_bodies(known.record, bodies, Some(impulse)), impulse, &mut alone);
+            judge.take_failures_of_implied(alone, source.words());
         }
-        let implied = Known::of_bodies(known.record, bodies, Some(impulse));
-        let mut alone = judge.of_implied();
-        if let Some(share) = implied.touch.and_then(|touch| touch.wedging_share()) {
-            alone.allow_for_wedging(share);
-        }
-        claims::check(&implied, &mut alone);
-        claim_consistency::check(&implied, &mut alone);
-        // The laws are what the model is made of.
-        if source != "the model" {
-            momentum::check(&implied, &mut alone);
-            normal::check(&implied, &mut alone);
-            tangent::check(&implied, &mut alone);
-            work::check(&implied, &mut alone);
-            Side::ALL.into_iter().for_each(|side| spin_alone(&implied, side, impulse, &mut alone));
-        }
-        judge.take_failures_of_implied(alone, source);
     }
 }
 
-/// Returns a vector without its dependence on the inputs: results of the record share their places.
-fn independent<const N: usize>(v: Xy<Uncertain<N>>) -> Xy<Uncertain<N>> {
-    v.map(|x| Uncertain { spread: [0.0; N], rest: x.radius(), ..x })
+/// Holds what is reported against the motions that an impulse leads to, and these against the laws, of which the model is made itself.
+fn hold<const N: usize>(source: Source, implied: &Known<'_, N>, impulse: Xy<Uncertain<N>>, judge: &mut Judge) {
+    if let Some(share) = implied.touch.and_then(|touch| touch.wedging_share()) {
+        judge.allow_for_wedging(share);
+    }
+    claims::check(implied, judge);
+    claim_consistency::check(implied, judge);
+    if source != Source::Model {
+        momentum::check(implied, judge);
+        normal::check(implied, judge);
+        tangent::check(implied, judge);
+        work::check(implied, judge);
+        Side::ALL.into_iter().for_each(|side| spin_alone(implied, side, impulse, judge));
+    }
 }
 
 fn has_more<const N: usize>(implied: &Subject<N>, body: &Subject<N>) -> bool {

@@ -174,7 +174,7 @@ impl Rule {
             }
             Rule::Reported => {
                 "Results that are reported (loss, works, kinetic energies, delta-V, direction of force, impulse, ratios, closing speed, EES) agree \
-                 with what the motions imply, and with each other."
+                 with what the motions imply, given or those that an impulse or the model leads to, and with each other."
             }
             Rule::Group => {
                 "The records of a group have the same energy loss and the same impulse, as in a sweep of the crush plane at e = 0 and the critical \

@@ -57,7 +57,8 @@ pub struct Separation {
     /// Their covariance.
     pub covariance: MotionCovariance,
     /// The part of their error that is due to the friction: their change if every friction is larger by its standard deviation, in m/s and rad/s. The
-    /// covariance includes it. For two vehicles on the same ground these errors are correlated: their covariance is the product of the two parts.
+    /// covariance includes it. For two vehicles on the same ground these errors are correlated: their covariance is the product of the two parts. A fit to several
+    /// pieces of evidence weighs them at the fitted motion ([`Separation::with_friction_at`]).
     pub by_friction: Motion,
     /// Fit of the slide to the pose at rest; `None` for the closed form.
     pub fit: Option<SlideFit>,
@@ -171,6 +172,18 @@ impl Separation {
     ///
     /// Where evidence disagrees, a fit that weighs them at the given motion prefers low speeds: the friction is common to all of it, and a lower one lessens every
     /// disagreement (Peelle's puzzle; D'Agostini 1994). Weighed at the fitted motion they prefer none.
+    ///
+    /// ```
+    /// use planar_impact::post_impact::{MotionCovariance, Separation};
+    /// use planar_impact::{Motion, Xy};
+    /// // On locked wheels a friction of ± 20 % is ± 10 % of the speed; the place at rest adds ± 0.3 m/s along x.
+    /// let motion = |x, y| Motion { velocity: Xy { x, y }, yaw_rate: 0.0 };
+    /// let covariance = MotionCovariance([[0.25 + 0.09, 0.0, 0.0], [0.0, 0.04, 0.0], [0.0, 0.0, 0.1]]);
+    /// let separation = Separation { motion: motion(5.0, 0.0), covariance, by_friction: motion(0.5, 0.0), fit: None };
+    /// let fitted = separation.with_friction_at(&motion(4.0, 1.0), 1.3);
+    /// assert_eq!((fitted.by_friction.velocity, fitted.motion), (Xy { x: 0.4, y: 0.1 }, separation.motion));
+    /// assert!((fitted.covariance.0[0][0] - (0.16 + 0.09)).abs() < 1e-15 && (fitted.covariance.0[0][1] - 0.04).abs() < 1e-15);
+    /// ```
     #[must_use]
     pub fn with_friction_at(&self, motion: &Motion, gyration: f64) -> Separation {
         let [given, by_friction, there] = [self.motion, self.by_friction, *motion].map(Motion::components);

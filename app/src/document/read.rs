@@ -100,7 +100,10 @@ impl<'a> Table<'a> {
             let help = match nearest(&entry.key, absent.iter().copied()) {
                 _ if why.is_some() => why.unwrap_or_default().to_owned(),
                 Some(key) => format!("did you mean `{key}`?"),
-                None => format!("the keys known here are {}", known.join(", ")),
+                None => match nearest(&entry.key, known.iter().copied()) {
+                    Some(key) => format!("did you mean `{key}`, which is here too?"),
+                    None => format!("the keys known here are {}", known.join(", ")),
+                },
             };
             let path = join(&self.path, &entry.key);
             self.context.push("unknown-key", Some(entry.key_span.clone()), &path, "unknown key".to_owned(), Some(help));

@@ -123,6 +123,12 @@ runs = 1e3
 }
 
 #[test]
+fn a_key_beside_the_one_that_is_meant() {
+    let wrong = read("case.toml", "title = \"x\"\n[[vehicle]]\nmass = \"1500 kg\"\n[[vehicles]]\nmass = \"1500 kg\"\n").unwrap_err();
+    assert!(wrong.contains("4 vehicles: unknown key (did you mean `vehicle`, which is here too?)"), "{wrong}");
+}
+
+#[test]
 fn missing_tables_and_wrong_sorts() {
     assert_eq!(
         read("case.toml", "[vehicle]\nmass = 1\n").unwrap_err(),
