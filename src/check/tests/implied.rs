@@ -59,7 +59,7 @@ fn the_model_leads_to_every_result() {
         assert_eq!(is_implied, key != Key::SeparationSpeed, "{told}");
     }
     // The laws of motions that were not given are not checked by it.
-    let not_checked: Vec<_> = outcome(&before(), &RESULTS).not_checked().collect();
+    let not_checked: Vec<_> = outcome(&before(), &RESULTS[..1]).not_checked().collect();
     assert!(not_checked.contains(&Rule::LinearMomentum) && !not_checked.contains(&Rule::Reported), "{not_checked:?}");
 }
 
@@ -67,26 +67,31 @@ fn the_model_leads_to_every_result() {
 #[test]
 fn every_kind_of_model_leads_to_its_results() {
     use crate::{Collision, ImpulseRatio, Law, Moment, Vehicle};
-    let one = Vehicle::new(1500.0, 2400.0).with_impact_center(1.9, 0.5).with_speed(14.0);
-    let two = Vehicle::new(1100.0, 1700.0).with_impact_center(-0.3, 0.8).with_heading(crate::Heading::from_angle(1.4)).with_speed(3.0);
-    let of_ratio = [
-        ImpulseRatio::Critical,
-        ImpulseRatio::Given(0.03),
-        ImpulseRatio::OfCritical(0.4),
-        ImpulseRatio::LimitedByFriction(0.02),
-        ImpulseRatio::LimitedByFriction(3.0),
-    ];
-    for ratio in of_ratio {
-        for law in [Law::Brach, Law::KudlichSlibar] {
-            for moment in [Moment::None, Moment::Given(300.0)] {
+    // And their image in the x axis, where the vehicles slide past each other the other way.
+    for mirror in [1.0, -1.0] {
+        let one = Vehicle::new(1500.0, 2400.0).with_impact_center(1.9, 0.5 * mirror).with_speed(14.0);
+        let heading = crate::Heading::from_angle(1.4 * mirror);
+        let two = Vehicle::new(1100.0, 1700.0).with_impact_center(-0.3, 0.8 * mirror).with_heading(heading).with_speed(3.0);
+        let of_ratio = [
+            ImpulseRatio::Critical,
+            ImpulseRatio::Given(0.03 * mirror),
+            ImpulseRatio::OfCritical(0.4),
+            ImpulseRatio::LimitedByFriction(0.02),
+            ImpulseRatio::LimitedByFriction(3.0),
+        ];
+        for (ratio, law) in of_ratio.into_iter().flat_map(|ratio| [(ratio, Law::Brach), (ratio, Law::KudlichSlibar)]) {
+            for moment in [Moment::None, Moment::Given(300.0 * mirror)] {
                 let collision = Collision { law, moment, ..Collision::new(one, two).with_restitution(0.2).with_impulse_ratio(ratio) };
                 let mut record = Record::of(&collision, &collision.evaluate());
                 (record.one.after, record.two.after) = Default::default();
                 let passed = check(&record, &Options::default());
-                assert!(passed.findings.iter().all(|finding| finding.severity != Severity::Fail), "{ratio:?} {law:?} {moment:?}: {passed}");
+                assert!(
+                    passed.findings.iter().all(|finding| finding.severity != Severity::Fail),
+                    "{mirror} {ratio:?} {law:?} {moment:?}: {passed}"
+                );
                 let reported = record.reported;
                 record.reported = Reported { delta_v: reported.delta_v.map(|delta_v| delta_v.map(|v| 1.01 * v)), ..Reported::default() };
-                assert_eq!(check(&record, &Options::default()).of(Rule::Reported).count(), 2, "{ratio:?} {law:?} {moment:?}");
+                assert_eq!(check(&record, &Options::default()).of(Rule::Reported).count(), 2, "{mirror} {ratio:?} {law:?} {moment:?}");
             }
         }
     }
@@ -106,6 +111,9 @@ fn a_model_that_leaves_something_open_leads_nowhere() {
     assert!(passes(&|record| record.two.yaw_inertia = None));
     assert!(passes(&|record| record.one.before.yaw_rate = None));
     assert!(passes(&|record| record.duration = Some(0.1)));
+    // By hand: K_nt = 0.5 · 2/4000, so that at a ratio of 6.25 in one direction the pair wedges; in the other it does not.
+    let wedges = [6.2, -6.2].map(|ratio| passes(&|record| record.model.impulse_ratio = Some(ratio)));
+    assert!(wedges[0] != wedges[1], "{wedges:?}");
 }
 
 /// By hand: 1000 kg that leave a wall with 5 m/s by an impulse of 15 kN s came with 10 m/s the other way.
@@ -118,6 +126,18 @@ fn an_impulse_leads_from_one_side_to_the_other() {
     let of = |energy: f64| outcome(&body, &[impulse[0], impulse[1], (Key::EnergyBefore, energy)]);
     assert_eq!([50_000.0, 60_000.0, 40_000.0].map(|energy| of(energy).verdict()), [Verdict::Pass, Verdict::Pass, Verdict::Fail]);
     assert!(of(40_000.0).findings[0].what.starts_with("with the motions that the impulse that is reported leads to, "), "{}", of(40_000.0));
+    // With an arm (2, −0.5) the spin falls by 7500 N m s, to −2.75 rad/s of 1 rad/s: ½ 2000 · 1² more.
+    let mut spinning = body.clone();
+    spinning.point = Some(Xy { x: 0.0, y: 0.0 });
+    let given = [
+        (Key::YawInertia(Side::One), 2000.0),
+        (Key::CenterX(Side::One), -2.0),
+        (Key::CenterY(Side::One), 0.5),
+        (Key::AfterYawRate(Side::One), -2.75),
+    ];
+    given.into_iter().for_each(|(key, value)| spinning.set(key, value));
+    let of = |energy: f64| outcome(&spinning, &[impulse[0], impulse[1], (Key::EnergyBefore, energy)]).verdict();
+    assert_eq!([51_000.0, 50_000.0, 92_250.0].map(of), [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
     let of = |delta_v: f64| outcome(&body, &[impulse[0], impulse[1], (Key::DeltaV(Side::One), delta_v)]);
     assert_eq!([15.0, 14.0].map(|delta_v| of(delta_v).verdict()), [Verdict::Pass, Verdict::Fail]);
 }
