@@ -71,15 +71,13 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 }
 
 fn energy_loss<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let (Some(loss), Some(said)) = (known.loss(), known.number(Key::EnergyLoss)) else { return };
+    let Some(implied) = known.loss() else { return };
     let scale = known.touch.as_ref().and_then(scale_of).or(known.energy_loss.map(|fall| fall.available)).unwrap_or(0.0);
     // The works alone are those of an instant.
     let is_of_works = known.energy_loss.is_none_or(|fall| fall.translation_only);
     let impulse = known.impulse_value();
     let (slack, leeway) = if is_of_works { (known.travel.work_slack(impulse), known.travel.work_leeway(impulse)) } else { (0.0, 0.0) };
-    judge.zero(Rule::Reported, Residual::new(said - loss, scale).open(slack, leeway), |size, bound| {
-        told(Key::EnergyLoss, said.value, loss.value, size, bound)
-    });
+    hold_as(known, judge, Claim { key: Key::EnergyLoss, implied, scale }, |residual| residual.open(slack, leeway));
 }
 
 fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) {
@@ -136,13 +134,18 @@ fn told(key: Key, said: f64, implied: f64, size: f64, bound: f64) -> String {
 }
 
 fn hold<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>) {
-    hold_beside(known, judge, claim, 0.0);
+    hold_as(known, judge, claim, |residual| residual);
 }
 
 /// Compares a claim with what the motions imply, beside a size whose rounding it may be.
 fn hold_beside<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>, rounded: f64) {
+    hold_as(known, judge, claim, |residual| residual.beside(rounded));
+}
+
+/// Compares a claim with what the motions imply, with what else their difference is allowed.
+fn hold_as<const N: usize>(known: &Known<'_, N>, judge: &mut Judge, claim: Claim<N>, allow: impl FnOnce(Residual<N>) -> Residual<N>) {
     let Some(said) = known.number(claim.key) else { return };
-    judge.zero(Rule::Reported, Residual::new(said - claim.implied, claim.scale).beside(rounded), |size, bound| {
+    judge.zero(Rule::Reported, allow(Residual::new(said - claim.implied, claim.scale)), |size, bound| {
         told(claim.key, said.value, claim.implied.value, size, bound)
     });
 }

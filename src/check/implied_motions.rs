@@ -4,7 +4,7 @@
 use super::format::Digits;
 use super::judge::{Judge, Residual};
 use super::key::Key;
-use super::known::{Known, change_by_impulse, contact};
+use super::known::{Known, change_by_impulse, contact, values};
 use super::model::RatioKind;
 use super::momentum::{length, number_of};
 use super::rule::Rule;
@@ -39,7 +39,8 @@ impl Source {
     fn impulse<const N: usize>(self, known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
         let impulse = match self {
             Source::OneBody => known.impulse,
-            Source::Claims => claimed_impulse::determined(known, judge).filter(|_| known.impulse.is_none()),
+            Source::Claims if known.impulse.is_none() => claimed_impulse::determined(known, judge),
+            Source::Claims => None,
             Source::Model => of_model(known, judge),
         }?;
         Some(impulse.map(|x| Uncertain { spread: [0.0; N], rest: x.radius(), ..x }))
@@ -135,7 +136,8 @@ fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Un
     if known.after.is_some() {
         return None;
     }
-    let contact = contact(&meeting.bodies, &[known.one, known.two])?;
+    let subjects = [known.one, known.two];
+    let contact = contact(&meeting.bodies, &subjects)?;
     let change = change_by_impulse(&contact, model.law.change(meeting.velocity, known.number(Key::Restitution)?), known.moment);
     let number = || known.number(Key::ImpulseRatio);
     let impulse = match model.ratio_kind {
@@ -156,7 +158,6 @@ fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Un
         }
     };
     let ratio = impulse.t.value / impulse.n.value;
-    let parts = contact.compliance.nn().value.abs() + (ratio * contact.compliance.nt().value).abs();
-    let is_clear = contact.compliance.along_ratio(Uncertain::exact(ratio)).value > WEDGES * parts;
+    let is_clear = values(&meeting.bodies, &subjects)?.compliance.wedging_share(ratio) > WEDGES;
     (is_clear && impulse.n.value * meeting.velocity.n.value > 0.0).then(|| plane.to_ground(impulse))
 }

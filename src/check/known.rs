@@ -238,13 +238,18 @@ impl<const N: usize> Touch<N> {
 
     /// Returns the contact without resolutions, if the inertia of the bodies is known.
     pub(super) fn values(&self) -> Option<Contact> {
-        let values = |i: usize| {
-            let body = self.bodies[i].map(|x| x.value);
-            let (inverse_mass, inverse_yaw_inertia) = self.subjects[i].yields()?;
-            Some(Body { inverse_mass, inverse_yaw_inertia, ..body })
-        };
-        Some(Contact::between(values(0)?, values(1)?))
+        values(&self.bodies, &self.subjects)
     }
+}
+
+/// Returns the contact of bodies before the impact without resolutions, if their inertia is known.
+pub(super) fn values<const N: usize>(bodies: &[Body<Uncertain<N>>; 2], subjects: &[Subject<N>; 2]) -> Option<Contact> {
+    let values = |i: usize| {
+        let body = bodies[i].map(|x| x.value);
+        let (inverse_mass, inverse_yaw_inertia) = subjects[i].yields()?;
+        Some(Body { inverse_mass, inverse_yaw_inertia, ..body })
+    };
+    Some(Contact::between(values(0)?, values(1)?))
 }
 
 /// Returns the contact of bodies before the impact, if their inertia is known.

@@ -41,7 +41,7 @@ impl WayToRest {
         /// As a share of the way and its error: of their sum this is a twentieth of the motion. A search does not end there, as it would where the way had no slope.
         const STANDSTILL: f64 = 0.0025;
         let vehicle = party(&question.collision, side).vehicle()?;
-        let gyration = (vehicle.yaw_inertia / vehicle.mass).sqrt();
+        let gyration = vehicle.radius_of_gyration();
         let component = |(of, arm): (Output, f64)| {
             let place = evidence.iter().position(|evidence| evidence.of == Measurand::Output(of))?;
             Some(Component { evidence: place, arm, given: arm * evidence[place].value })

@@ -97,13 +97,12 @@ impl<'a> Table<'a> {
         let absent: Vec<&str> = known.iter().copied().filter(|key| self.find(key).is_none()).collect();
         let unknown = |entry: &&Entry| !known.contains(&entry.key.as_str());
         for entry in self.entries.iter().filter(unknown).take(MOST_KEPT) {
-            let help = match nearest(&entry.key, absent.iter().copied()) {
-                _ if why.is_some() => why.unwrap_or_default().to_owned(),
-                Some(key) => format!("did you mean `{key}`?"),
-                None => match nearest(&entry.key, known.iter().copied()) {
-                    Some(key) => format!("did you mean `{key}`, which is here too?"),
-                    None => format!("the keys known here are {}", known.join(", ")),
-                },
+            let [absent, known_here] = [&absent, &*known].map(|keys| nearest(&entry.key, keys.iter().copied()));
+            let help = match (why, absent, known_here) {
+                (Some(why), ..) => why.to_owned(),
+                (None, Some(key), _) => format!("did you mean `{key}`?"),
+                (None, None, Some(key)) => format!("did you mean `{key}`, which is here too?"),
+                (None, None, None) => format!("the keys known here are {}", known.join(", ")),
             };
             let path = join(&self.path, &entry.key);
             self.context.push("unknown-key", Some(entry.key_span.clone()), &path, "unknown key".to_owned(), Some(help));

@@ -47,8 +47,7 @@ pub fn solved(
                 || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
         };
         let motions = motions_by_friction(&question.asked, answer.best(), &about);
-        let gyrations =
-            question.asked.collision.parties().map(|party| party.vehicle().map_or(0.0, |it| libm::sqrt(it.yaw_inertia / it.mass)));
+        let gyrations = question.asked.collision.parties().map(|party| party.vehicle().map_or(0.0, |vehicle| vehicle.radius_of_gyration()));
         let weigh = |separations: &Separations| with_friction_at(separations, &motions, gyrations);
         // Where the evidence contradicts itself, no motion is one to weigh at.
         let is_weighed = tries > MOST_WEIGHTS || answer.verdict == Verdict::Contradicted || are_alike(&weigh(&about), &weighed);
@@ -84,8 +83,8 @@ fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &Recons
     Some(there)
 }
 
-/// Returns the motions by which the friction moves each separation in a solution: those of the fit. Of a way on locked wheels, which is compared as a way, a share of the
-/// friction changes it by the same share, and to first order the motion that stands for it by half of that: twice as far from the given one.
+/// Returns the motions that the errors by the friction grow with: those of the fit. A way on locked wheels, which is compared as a way, grows as the square of its
+/// motion: to first order, its errors are those of a motion twice as far from the given one.
 fn motions_by_friction(asked: &ReconstructionProblem, best: &Solution, separations: &Separations) -> [Motion; 2] {
     let motion = |side: Side| {
         let given = separations[side as usize].as_ref()?.motion.components();

@@ -4,9 +4,9 @@ use planar_impact::Side;
 use planar_impact::num_dual::Dual64;
 use planar_impact::reconstruct::{Correlation, Measurand, Uncertainty};
 
-use super::crush_bend::CrushBend;
+use super::crush_bend::{CrushBend, crush_energy};
 use super::inputs::without_deviation;
-use crate::case::{Case, CrushKey, Known, Parameter, Uncertain, correlation_of};
+use crate::case::{Case, Known, Parameter, Uncertain, correlation_of};
 use crate::issue::Issue;
 use crate::message::Message;
 use crate::notice::Notice;
@@ -118,21 +118,11 @@ fn slopes(case: &Case, known: &Known, crush: &[Parameter]) -> Option<Vec<f64>> {
     if !known.is_from_crush || crush.is_empty() {
         return None;
     }
-    let is_in = |side: Side| match known.of {
-        Measurand::CrushEnergyOf(of) => of == side,
-        _ => true,
-    };
-    let slope = |parameter: &Parameter| match *parameter {
-        Parameter::Crush(side, key) if is_in(side) => slope(case, side, key),
-        _ => 0.0,
+    let slope = |of: &Parameter| {
+        let by = |parameter| Dual64::new(0.0, if parameter == *of { 1.0 } else { 0.0 });
+        crush_energy(&case.inputs, known.of, by).eps
     };
     Some(crush.iter().map(slope).collect())
-}
-
-fn slope(case: &Case, side: Side, of: CrushKey) -> f64 {
-    let crush = case.inputs.vehicles[side as usize].as_ref().and_then(|vehicle| vehicle.crush.as_ref());
-    let by = |key| if key == of { Dual64::new(0.0, 1.0) } else { Dual64::from(0.0) };
-    crush.map_or(0.0, |crush| crush.on_scalar(by).energy().eps)
 }
 
 /// Returns the covariance of two numbers with the given derivatives by uncertain parameters; that by the friction of `[rest]` is the change by one of its standard
