@@ -1,6 +1,7 @@
 //! Consistency of reported works, losses and energies with each other.
 
 use super::claimed_impulse;
+use super::claims::norm;
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
@@ -39,42 +40,61 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
     known.number(Key::MomentWork).or_else(implied)
 }
 
+/// The work of the normal impulse: the reported one, or that which the loss and the other works leave.
+struct NormalWork<const N: usize> {
+    work: Uncertain<N>,
+    words: &'static str,
+    /// The energies that it is the rest of.
+    scale: f64,
+}
+
+impl<const N: usize> NormalWork<N> {
+    fn claimed(known: &Known<'_, N>) -> Option<Self> {
+        let reported = known.number(Key::NormalWork).map(|work| NormalWork { work, words: "is said to be", scale: work.value.abs() });
+        let rest = || {
+            let (loss, t, m) = (known.number(Key::EnergyLoss)?, known.number(Key::TangentialWork)?, claimed_moment_work(known)?);
+            Some(NormalWork { work: -(loss + t + m), words: "is by the loss and the other works", scale: available(known) })
+        };
+        reported.or_else(rest)
+    }
+}
+
 /// Checks that the normal impulse does no work on the bodies, which takes a restitution above 1, and that its work is that of the reported speeds:
 /// W_n = −½ |P_n| (closing − separation speed). If the motions determine it, the claim is compared with them.
 fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let is_determined = known.touch.is_some_and(|touch| touch.work.is_some());
-    let Some(work) = known.number(Key::NormalWork).filter(|_| !is_determined) else { return };
+    let Some(NormalWork { work, words, scale }) = NormalWork::claimed(known).filter(|_| !is_determined) else { return };
     let beside_all = |work| Residual::new(work, available(known)).beside(ENERGY);
     judge.not_above(Rule::Reported, beside_all(work), |size, _| {
-        format!("the work of the normal impulse is said to be {} J, and it is at most zero for a restitution up to 1", Digits(size))
+        format!("the work of the normal impulse {words} {} J, and it is at most zero for a restitution up to 1", Digits(size))
     });
     if known.number(Key::Restitution).is_some_and(|e| (Uncertain::exact(1.0) - e).is_zero()) {
         judge.not_above(Rule::Reported, beside_all(-work), |size, bound| {
             let (work, bound) = (Digits(-size), Digits(bound));
-            format!("the work of the normal impulse is said to be {work} J, and at a restitution of 1 it is zero; {bound} may be")
+            format!("the work of the normal impulse {words} {work} J, and at a restitution of 1 it is zero; {bound} may be")
         });
     }
-    let (impulse, closing) = (known.number(Key::NormalImpulse), known.closing_speed());
+    let impulse = known.number(Key::NormalImpulse).or_else(|| Some(known.contact_impulse?.n));
+    let closing = known.closing_speed();
     let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
     let (Some(closing), Some(parting)) = (closing, parting) else { return };
     let Some(impulse) = impulse else {
         let Some(whole) = claimed_impulse::magnitude(known) else { return };
         let most = (whole * (closing - parting)).half();
-        let residual = Residual::new(-work - most, work.value.abs().max(most.size));
+        let residual = Residual::new(-work - most, scale.max(most.size));
         return judge.not_above(Rule::Reported, residual, |size, bound| {
             let (work, most, size, bound) = (Digits(work.value), Digits(most.value), Digits(size), Digits(bound));
             format!(
-                "the work of the normal impulse is said to be {work} J, and the whole impulse and both speeds make it {most} J at most: {size} more, {bound} \
+                "the work of the normal impulse {words} {work} J, and the whole impulse and both speeds make it {most} J at most: {size} more, {bound} \
                  may be"
             )
         });
     };
     let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
-    let scale = work.value.abs().max(of_speeds.size);
-    judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale), |size, bound| {
+    judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale.max(of_speeds.size)), |size, bound| {
         let (work, of_speeds, size, bound) = (Digits(work.value), Digits(of_speeds.value), Digits(size), Digits(bound));
         format!(
-            "the work of the normal impulse is said to be {work} J, and the impulse and both speeds make it {of_speeds} J: {size} off, {bound} may be"
+            "the work of the normal impulse {words} {work} J, and the impulse and both speeds make it {of_speeds} J: {size} off, {bound} may be"
         )
     });
 }
@@ -169,6 +189,21 @@ fn fall_of_the_energy<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
+/// Returns the mass of a body or, of a change of velocity that is no small part of the other's, the mass that has it by the impulse.
+fn mass<const N: usize>(known: &Known<'_, N>, side: Side, judge: &Judge) -> Option<Uncertain<N>> {
+    /// Least share of a change of velocity in the other: a smaller one may be the difference of coarse speeds.
+    const CLEAR: f64 = 0.01;
+    let by_impulse = || {
+        let changes = Side::ALL.map(|side| known.number(Key::DeltaV(side)));
+        let own = changes[side as usize]?;
+        let greatest = changes.into_iter().flatten().fold(0.0, |most: f64, change: Uncertain<N>| most.max(change.value.abs()));
+        judge.sign(Rule::Reported, &Residual::new(own, greatest))?;
+        let whole = sharper_known(known.impulse.map(norm), claimed_impulse::magnitude(known), Uncertain::radius)?;
+        (own.value > CLEAR * greatest).then(|| whole / own)
+    };
+    known.subject(side).mass.or_else(by_impulse)
+}
+
 /// Checks that Σ ½ m EES² is the crush energy, which is the work of the normal impulse with its sign reversed. Some programs use the total loss. Where only one
 /// of the two is known, the speeds may be of the other, which is the larger one unless the tangential impulse does work on the bodies: possible, and rare.
 fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
@@ -178,9 +213,10 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
             format!("body {} is fixed, and its equivalent energy speed is said to be {} m/s", number_of(side), Digits(size))
         });
     }
-    let energy = |side| {
+    let masses = Side::ALL.map(|side| mass(known, side, judge));
+    let energy = |side: Side| {
         let speed = known.number(Key::EquivalentEnergySpeed(side))?;
-        Some(known.subject(side).mass? * speed.squared().half())
+        Some(masses[side as usize]? * speed.squared().half())
     };
     let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
     let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);

@@ -35,15 +35,13 @@ impl Source {
         }
     }
 
-    /// Returns the impulse, without its dependence on the inputs: results of the record share their places.
     fn impulse<const N: usize>(self, known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
-        let impulse = match self {
+        match self {
             Source::OneBody => known.impulse,
             Source::Claims if known.impulse.is_none() => claimed_impulse::determined(known, judge),
             Source::Claims => None,
             Source::Model => of_model(known, judge),
-        }?;
-        Some(impulse.map(|x| Uncertain { spread: [0.0; N], rest: x.radius(), ..x }))
+        }
     }
 }
 

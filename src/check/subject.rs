@@ -37,55 +37,14 @@ pub(super) enum When {
     After,
 }
 
-/// Number of slots for inputs with a resolution.
-pub(super) const PLACES: usize = 40;
-
-/// Returns the slot of an input. Reported results share slots with others, since no residual contains two of the same slot.
-const fn place(key: Key) -> usize {
-    match key {
-        Key::Mass(side) => 10 * side as usize,
-        // A direction of force with the heading, and with motions or an impulse.
-        Key::YawInertia(side) | Key::Heading(side) => 10 * side as usize + 1,
-        Key::CenterX(side) | Key::ForceDirection(side) => 10 * side as usize + 2,
-        Key::CenterY(side) => 10 * side as usize + 3,
-        Key::BeforeX(side) => 10 * side as usize + 4,
-        Key::BeforeY(side) => 10 * side as usize + 5,
-        Key::BeforeYawRate(side) => 10 * side as usize + 6,
-        Key::AfterX(side) => 10 * side as usize + 7,
-        Key::AfterY(side) => 10 * side as usize + 8,
-        Key::AfterYawRate(side) => 10 * side as usize + 9,
-        Key::PointX => 20,
-        Key::PointY => 21,
-        Key::NormalAngle => 22,
-        Key::Restitution => 23,
-        Key::ImpulseRatio => 24,
-        // With a mass and the impulse, or with the loss.
-        Key::DeltaV(side) | Key::EquivalentEnergySpeed(side) => 25 + side as usize,
-        Key::EnergyLoss | Key::NormalImpulse => 27,
-        Key::NormalWork | Key::TangentialImpulse => 28,
-        // The speeds with the normal impulse and its work.
-        Key::TangentialWork | Key::ImpulseX | Key::ClosingSpeed => 29,
-        Key::EnergyBefore | Key::ImpulseY | Key::SeparationSpeed => 30,
-        Key::EnergyAfter | Key::ImpulseMagnitude => 31,
-        // With the moment and the motion, or with other works.
-        Key::MomentWork => 24,
-        Key::Moment => 32,
-        Key::CenterAfterX(side) => 33 + 2 * side as usize,
-        Key::CenterAfterY(side) => 34 + 2 * side as usize,
-        Key::PointAfterX => 37,
-        Key::PointAfterY => 38,
-        Key::Duration => 39,
-        // With the impulse, the ratio of the model and directions.
-        Key::ReportedRatio => 23,
-        Key::CriticalRatio => 26,
-    }
-}
+/// Number of slots for inputs with a resolution: one for each number of a record.
+pub(super) const PLACES: usize = Key::ALL.len();
 
 /// Returns a number of the record with its resolution.
 pub(super) fn number<const N: usize>(record: &Record, key: Key) -> Option<Uncertain<N>> {
     let value = record.get(key)?;
     let resolution = if N == 0 { 0.0 } else { record.resolution.of(key).unwrap_or(0.0) };
-    Some(Uncertain::input(value, place(key), resolution))
+    Some(Uncertain::input(value, key.index(), resolution))
 }
 
 /// Returns two numbers of the record as a vector in ground axes.

@@ -35,7 +35,7 @@ fn rises(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds], i: usi
     const DISTANCES: [f64; 4] = [1.0 / 16.0, 0.25, 1.0, 4.0];
     const ITERATIONS: usize = 40;
     let (placed, impact) = model.solve(&minimum.unknowns).ok()?;
-    let mut problem = WithinLimits::around(model, &placed, &impact);
+    let mut problem = WithinLimits::around(model, &minimum.unknowns, &placed, &impact);
     problem.keep_to(Piece::of(&placed));
     let of = Measurand::Variable(model.question.unknowns[i].of);
     let mut at = minimum.unknowns.clone();

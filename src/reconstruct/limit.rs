@@ -1,7 +1,10 @@
 //! Limits of the physics: where a search along the evidence ends, or an interval.
 
+use num_dual::Dual64;
+
 use super::piece::Piece;
 use super::placed::Placed;
+use super::residuals::Model;
 use super::variable::Variable;
 use crate::contact::Contact;
 use crate::impact::Impact;
@@ -47,11 +50,19 @@ fn work<T: Real>(impact: &Impact<T>) -> T {
     impact.impulse.n.clone() * impact.approach.n.clone()
 }
 
-/// Returns `true` if an impact loses nothing but rounding, as those beside it with the same restitution of 1: that is no limit.
-fn is_elastic(impact: &Impact) -> bool {
+/// Returns `true` if the impact at a point, and those beside it, lose nothing but rounding: an elastic impact is at no limit. One that loses nothing among others that
+/// gain is.
+fn is_elastic(model: &Model<'_>, point: &[f64]) -> bool {
     /// Share of the work that is rounding, far below the margin at which a search ends.
     const NOTHING: f64 = 1e-9;
-    impact.loss().abs() <= NOTHING * work(impact)
+    let mut moved: Vec<Dual64> = point.iter().copied().map(Dual64::from).collect();
+    (0..point.len()).all(|k| {
+        moved[k].eps = model.scales[k];
+        let impact = model.place(&moved).evaluate();
+        let share = impact.loss() / work(&impact);
+        moved[k].eps = 0.0;
+        share.re.abs() <= NOTHING && share.eps.abs() <= NOTHING
+    })
 }
 
 /// The margins of a collision: smooth functions of order 1 that are negative where the mechanics refuses it.
@@ -76,8 +87,8 @@ pub(super) struct Margins {
 }
 
 impl Margins {
-    /// Creates the margins on the side of a collision that the mechanics accepts, in its sizes.
-    pub(super) fn around(placed: &Placed<f64>, impact: &Impact) -> Self {
+    /// Creates the margins on the side of a collision that the mechanics accepts, that at a point, in its sizes.
+    pub(super) fn around(model: &Model<'_>, point: &[f64], placed: &Placed<f64>, impact: &Impact) -> Self {
         let (collision, contact) = (&placed.collision, placed.collision.contact());
         let (approach, impulse) = match placed.impulse {
             Some(_) => (impact.approach.length(), impact.impulse.length()),
@@ -98,7 +109,7 @@ impl Margins {
                 (_, ImpulseRatio::OfCritical(share)) if share != 0.0 || placed.ratio_is_unknown => 1.0,
                 _ => 0.0,
             },
-            may_gain: placed.impulse.is_some() || !is_elastic(impact),
+            may_gain: placed.impulse.is_some() || !is_elastic(model, point),
             velocity,
             impulse,
             energy: impulse * velocity,

@@ -152,7 +152,7 @@ impl<'a> Quantity<'a> {
     pub(super) fn end(&self, direction: f64, start: &[f64], value: f64) -> End {
         let mut end = End { value, limited_by: None, at: self.turned(start) };
         let Ok((placed, impact)) = self.profile.model.solve(&end.at) else { return end };
-        let mut problem = WithinLimits::around(self.profile.model, &placed, &impact);
+        let mut problem = WithinLimits::around(self.profile.model, &end.at, &placed, &impact);
         let mut pieces = vec![Piece::of(&placed)];
         problem.keep_to(pieces[0]);
         end = self.end_within(&mut problem, direction, &end);

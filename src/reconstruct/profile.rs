@@ -57,9 +57,9 @@ impl<'a> Profile<'a> {
     /// stopped. The vehicles lie as they do at the start, or the other way round along the normal.
     pub(super) fn fit_within(&self, piece: Piece, side: Lying, fixed: Option<Fixed>, start: &[f64]) -> Option<Vec<f64>> {
         const ITERATIONS: usize = 40;
-        let accepted = self.model.solve(start).or_else(|_| self.model.solve(self.solutions.first().map_or(start, Vec::as_slice)));
-        let (placed, impact) = accepted.ok()?;
-        let mut problem = WithinLimits::around(self.model, &placed, &impact);
+        let mut about = [Some(start), self.solutions.first().map(Vec::as_slice)].into_iter().flatten();
+        let (about, (placed, impact)) = about.find_map(|point| Some((point, self.model.solve(point).ok()?)))?;
+        let mut problem = WithinLimits::around(self.model, about, &placed, &impact);
         problem.keep_to(piece);
         if side == Lying::TheOtherWay {
             problem.turn_round();
@@ -111,7 +111,7 @@ impl<'a> Profile<'a> {
         const ROUNDINGS: f64 = 64.0;
         let point = self.solutions.first()?;
         let (placed, impact) = self.model.solve(point).ok()?;
-        let (_, slope) = WithinLimits::around(self.model, &placed, &impact).slopes_of(of, point)?;
+        let (_, slope) = WithinLimits::around(self.model, point, &placed, &impact).slopes_of(of, point)?;
         let covariance = self.covariance.as_ref()?;
         let variance = (&slope * covariance * slope.transpose())[(0, 0)];
         // Of a quantity that the evidence fixes only rounding remains, of either sign.

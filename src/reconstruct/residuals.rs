@@ -25,7 +25,7 @@ pub(super) struct Model<'a> {
     as_measured: AsMeasured,
     scene: Scene,
     /// A significant change of each unknown.
-    scales: Vec<f64>,
+    pub(super) scales: Vec<f64>,
 }
 
 impl<'a> Model<'a> {

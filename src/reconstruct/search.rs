@@ -359,7 +359,7 @@ fn stopped_at(minimum: &Minimum) -> NotConverged {
 /// that it stopped in, and in those beyond the edges that it meets.
 fn at_the_edge(model: &Model<'_>, stopped: &[f64], spans: &[ParameterBounds], search: &Search) -> Option<Minimum> {
     let (placed, impact) = model.solve(stopped).ok()?;
-    let mut problem = WithinLimits::around(model, &placed, &impact);
+    let mut problem = WithinLimits::around(model, stopped, &placed, &impact);
     let (mut pieces, mut best) = (vec![Piece::of(&placed)], None::<Reached>);
     let mut at = stopped.to_vec();
     let mut next = 0;

@@ -184,7 +184,7 @@ impl Seen {
         let (placed, impact) = model.solve(values).ok()?;
         let computed = model.measured(values, &placed, &impact);
         let residuals = DVector::from_vec(model.residuals(&model.compared(values, &placed, &impact)));
-        let problem = WithinLimits::around(model, &placed, &impact);
+        let problem = WithinLimits::around(model, values, &placed, &impact);
         let edges = problem.margin_slopes(values, &minimum.margins);
         let slopes = Slopes::of(model, minimum, spans, edges);
         let Influences { curved: influence, straight } = slopes.influences(model, minimum, spans, &residuals)?;

@@ -42,9 +42,9 @@ fn computed<T: Real + Copy + From<f64>>(model: &Model<'_>, margins: &Margins, fi
 }
 
 impl<'a> WithinLimits<'a> {
-    /// Sets up the problem on the side of a collision that the mechanics accepts.
-    pub(super) fn around(model: &'a Model<'a>, placed: &Placed<f64>, impact: &Impact) -> Self {
-        WithinLimits { model, margins: Margins::around(placed, impact), fixed: None }
+    /// Sets up the problem on the side of a collision that the mechanics accepts, that at a point.
+    pub(super) fn around(model: &'a Model<'a>, point: &[f64], placed: &Placed<f64>, impact: &Impact) -> Self {
+        WithinLimits { model, margins: Margins::around(model, point, placed, impact), fixed: None }
     }
 
     /// Holds a quantity at a value.
@@ -167,7 +167,7 @@ mod tests {
             let (placed, impact) = model.solve(&[plane, ratio]).expect("possible");
             let own = Piece::of(&placed);
             assert_eq!((own, own.all()), (Piece::OfRatio(piece), &[Piece::OfRatio(1), Piece::OfRatio(-1)][..]), "{plane} {ratio}");
-            let mut limited = WithinLimits::around(&model, &placed, &impact);
+            let mut limited = WithinLimits::around(&model, &[plane, ratio], &placed, &impact);
             assert!(limited.at(&[plane, ratio]).expect("possible").margins.iter().all(|margin| *margin >= -1e-7), "{plane} {ratio}");
             limited.keep_to(own);
             assert_eq!(limited.beyond(&[plane, ratio]), Vec::from_iter(beyond.map(Piece::OfRatio)), "{plane} {ratio}");
@@ -183,7 +183,7 @@ mod tests {
             let problem = ReconstructionProblem::of(collision).unknown(unknown, at);
             let model = Model::of(&problem);
             let (placed, impact) = model.solve(&[at]).expect("possible");
-            let limited = WithinLimits::around(&model, &placed, &impact);
+            let limited = WithinLimits::around(&model, &[at], &placed, &impact);
             let margins = limited.at(&[at]).expect("possible").margins.len();
             (0..margins).filter(|margin| limited.limit(*margin) == Some(Limit::Tension)).count()
         };
@@ -207,7 +207,7 @@ mod tests {
         let model = Model::of(&problem);
         let unknowns = [14.0, 0.1];
         let (placed, impact) = model.solve(&unknowns).expect("possible");
-        let mut limited = WithinLimits::around(&model, &placed, &impact);
+        let mut limited = WithinLimits::around(&model, &unknowns, &placed, &impact);
         limited.hold(Some(Fixed { of: Measurand::SeparationSpeed(Side::One), value: 5.0, scale: 0.25, period: None }));
         let at = |unknowns: &[f64]| limited.at(unknowns).expect("possible");
         let margins: Vec<f64> = (0..at(&unknowns).margins.len()).map(|k| 3.0 + k as f64).collect();

@@ -11,7 +11,8 @@ pub fn finite(text: &str) -> Result<f64, QuantityError> {
     let Ok(value) = text.parse::<f64>() else {
         let (digits, rest) = text.split_at(number_length(text));
         let is_separated = separated(digits, rest).filter(|_| digits.contains(|c: char| c.is_ascii_digit()));
-        return Err(is_separated.unwrap_or_else(|| QuantityError::new(format!("{} is not a number", excerpt(text)))));
+        let message = || format!("{} is not a number", excerpt(text));
+        return Err(is_separated.unwrap_or_else(|| QuantityError { message: message(), help: remedy(text) }));
     };
     let problem = if value.is_finite() {
         let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
@@ -107,14 +108,16 @@ fn no_number(text: &str) -> QuantityError {
     if text.trim().is_empty() {
         return QuantityError::new("a number is missing".to_owned());
     }
-    let message = format!("{} does not begin with a number", excerpt(text));
-    if ["n/a", "na", "none", "null", "unknown", "?"].contains(&word.trim()) {
-        return QuantityError::with_help(message, "leave out what is not known".to_owned());
-    }
+    QuantityError { message: format!("{} does not begin with a number", excerpt(text)), help: remedy(text) }
+}
+
+/// Returns how to write what stands in place of a number.
+fn remedy(text: &str) -> Option<String> {
     if text.starts_with(['−', '–']) {
-        return QuantityError::with_help(message, "write an ordinary minus sign, `-`".to_owned());
+        return Some("write an ordinary minus sign, `-`".to_owned());
     }
-    QuantityError::new(message)
+    let word = text.trim().to_ascii_lowercase();
+    ["n/a", "na", "none", "null", "unknown", "?", "-"].contains(&word.as_str()).then(|| "leave out what is not known".to_owned())
 }
 
 #[cfg(test)]

@@ -293,7 +293,8 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         return QuantityError::with_help(message, format!("did you mean `{}`?", named.symbol()));
     }
     if let Some((one, other)) = run_together(name) {
-        return QuantityError::with_help(message, format!("did you mean `{one} {other}`?"));
+        let meant = if one == other { format!("{one}^2") } else { format!("{one} {other}") };
+        return QuantityError::with_help(message, format!("did you mean `{meant}`?"));
     }
     // Other signs of division and multiplication: without them the nearest name would be that of something else.
     for (signs, ordinary) in [(['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (['\u{d7}', '\u{2219}', '\u{2022}'], "*")] {
@@ -369,6 +370,7 @@ mod tests {
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));
         assert_eq!(message("kgm^2"), "unknown unit `kgm` (did you mean `kg m`?)");
+        assert_eq!(message("m/ss"), "unknown unit `ss` (did you mean `s^2`?)");
         assert_eq!(message("lbfs^2/ft"), "unknown unit `lbfs` (did you mean `lbf s`?)");
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
         assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");

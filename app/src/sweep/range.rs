@@ -146,7 +146,11 @@ fn some_without_unit<'a>(name: &str, parts: impl Iterator<Item = (&'a Quantity, 
     {
         whole[2] = whole[2].strip_prefix('-').map_or_else(|| format!("-{}", whole[2]), str::to_owned);
     }
-    let help = format!("write the unit of each: {name}={}", whole.join(":"));
+    let help = match unit.as_str() {
+        // A fraction or a number of hundredths.
+        "%" => "write `%` behind each of the three numbers, or behind none".to_owned(),
+        _ => format!("write the unit of each: {name}={}", whole.join(":")),
+    };
     Some((format!("{} has no unit, and others of FROM:TO:STEP have one", excerpt(without)), Some(help)))
 }
 
@@ -263,7 +267,10 @@ mod tests {
             ("v1=0:20:5 mph", "`20` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=0 mph:20 mph:5 mph"),
             ("v1=40:20 mph:5 mph", "`40` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=40 mph:20 mph:-5 mph"),
             ("v1=10 mph:20 mph:5", "`5` has no unit, and others of FROM:TO:STEP have one write the unit of each: v1=10 mph:20 mph:5 mph"),
-            ("e=0:30 %:5", "write the unit of each: e=0 %:30 %:5 %"),
+            (
+                "e=0:30 %:5",
+                "`5` has no unit, and others of FROM:TO:STEP have one write `%` behind each of the three numbers, or behind none",
+            ),
             ("e=0:nan:0.1", "not a finite number"),
             ("e=::", "the string is empty"),
         ] {

@@ -172,3 +172,62 @@ fn what_an_elastic_impact_loses_is_rounding() {
     assert!(!rules(&with(thrown_back, &[(Key::NormalWork, 1e3)])).is_empty());
     assert!(!said(&[(Key::EnergyLoss, -1e3), (Key::EnergyAfter, 1.41e6)]).is_empty() && !said(&[(Key::EnergyLoss, -1.0)]).is_empty());
 }
+
+/// The impulse over a change of velocity is the mass of a body, with which equivalent energy speeds have an energy; of a small part of the other change it is too coarse.
+#[test]
+fn masses_by_the_impulse_refute_equivalent_energy_speeds() {
+    use Key::{DeltaV, EnergyLoss, EquivalentEnergySpeed, ImpulseMagnitude, NormalWork};
+    let said = |record: Record, changes: [f64; 2], speeds: [f64; 2], impulse: f64, work: f64| {
+        let of_bodies = Side::ALL.into_iter().zip(changes.into_iter().zip(speeds)).filter(|(_, (change, _))| *change > 0.0);
+        let of_bodies = of_bodies.flat_map(|(side, (change, speed))| [(DeltaV(side), change), (EquivalentEnergySpeed(side), speed)]);
+        let claims: Vec<(Key, f64)> = of_bodies.chain([(ImpulseMagnitude, impulse), (NormalWork, work), (EnergyLoss, -work)]).collect();
+        rules(&with(record, &claims))
+    };
+    // 1000 kg and 2000 kg, with 18 kJ and 9 kJ.
+    let of_both = |impulse: f64, one: f64, work: f64| said(Record::default(), [12.0, 6.0], [one, 3.0], impulse, work);
+    assert_eq!(of_both(12e3, 6.0, -27e3), Vec::<&str>::new());
+    for [impulse, one, work] in [[12.1e3, 6.0, -27e3], [11.9e3, 6.0, -27e3], [12e3, 6.1, -27e3], [12e3, 6.0, -27.5e3]] {
+        assert_eq!(of_both(impulse, one, work), ["reported"], "{impulse} {one} {work}");
+    }
+    let wall = || Record { two: Subject { fixed: true, ..Subject::default() }, ..Record::default() };
+    let against_wall = |change: f64, speed: f64| said(wall(), [change, 0.0], [speed, 0.0], 12e3, -18e3);
+    assert_eq!(against_wall(12.0, 6.0), Vec::<&str>::new());
+    assert_eq!([against_wall(12.0, 5.0), against_wall(11.0, 6.0)], [["reported"], ["reported"]]);
+    let light = |change: f64| said(Record::default(), [12.0, change], [6.0, 1.0], 12e3, -27e3);
+    assert_eq!([light(0.1), light(0.13)], [vec![], vec!["reported"]]);
+    assert_eq!(beside_motions_of_one(6.0), Vec::<&str>::new());
+    assert_eq!(beside_motions_of_one(5.0), ["reported"]);
+}
+
+/// Body 2, whose mass is not known, changes by 4 m/s where body 1 changes by 8 m/s along n: it has 2000 kg and, with 6 m/s, 36 kJ.
+fn beside_motions_of_one(speed: f64) -> Vec<&'static str> {
+    use Key::{AfterX, AfterY, BeforeX, BeforeY, DeltaV, EnergyLoss, EquivalentEnergySpeed, Mass, NormalWork};
+    use Side::{One, Two};
+    let one = [(Mass(One), 1000.0), (BeforeX(One), -10.0), (BeforeY(One), 0.0), (AfterX(One), -2.0), (AfterY(One), 0.0)];
+    let energies = [(EquivalentEnergySpeed(One), 2.0), (EquivalentEnergySpeed(Two), speed), (NormalWork, -38e3), (EnergyLoss, 38e3)];
+    rules(&with(with(Record::default(), &one), &[&energies[..], &[(DeltaV(Two), 4.0)]].concat()))
+}
+
+/// The work of the normal impulse is what the loss and the other works leave, and that of an impulse which the motions imply.
+#[test]
+fn the_work_of_the_normal_impulse_is_held_however_it_is_known() {
+    use Key::{ClosingSpeed, EnergyLoss, NormalImpulse, NormalWork, Restitution, SeparationSpeed, TangentialWork};
+    let by_loss = |loss: f64, tangential: f64, parting: (Key, f64)| {
+        let claims = [(EnergyLoss, loss), (TangentialWork, tangential), (NormalImpulse, -9e3), (ClosingSpeed, 8.0), parting];
+        rules(&with(Record::default(), &claims))
+    };
+    for (loss, tangential, parting, broken) in [
+        (30e3, -3e3, (SeparationSpeed, 2.0), vec![]),
+        (24e3, 3e3, (Restitution, 0.25), vec![]),
+        (30e3, -3e3, (SeparationSpeed, 2.1), vec!["reported"]),
+        (30e3, 3e3, (SeparationSpeed, 2.0), vec!["reported"]),
+        (31e3, -3e3, (Restitution, 0.25), vec!["reported"]),
+    ] {
+        assert_eq!(by_loss(loss, tangential, parting), broken, "{loss} {tangential} {parting:?}");
+    }
+    // At most zero: more than the loss cannot be lost along the tangent.
+    let rest = |tangential: f64| rules(&with(Record::default(), &[(EnergyLoss, 10e3), (TangentialWork, tangential)]));
+    assert_eq!([-9e3, -10e3, -11e3].map(rest), [vec![], vec![], vec!["reported"]]);
+    let by_motions = |work: f64| rules(&with(without_spins(), &[(ClosingSpeed, 10.0), (SeparationSpeed, 1.0), (NormalWork, work)]));
+    assert_eq!([-36e3, -35e3].map(by_motions), [vec![], vec!["reported"]]);
+}

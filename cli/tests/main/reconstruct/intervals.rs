@@ -227,6 +227,17 @@ fn no_loss_of_an_elastic_impact_is_no_limit() {
     }
 }
 
+/// One that loses nothing among others that would gain energy is at a limit, and the search ends there.
+#[test]
+fn no_loss_among_gains_is_a_limit() {
+    let (found, status) = answer("elastic_among_gains.toml", 1);
+    assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")));
+    let restitution = &found["unknown"]["contact.restitution"];
+    near(number(&restitution["value"]), 1.0, 1e-6);
+    assert_eq!(restitution["interval"]["high_limited_by"], "energy-gain", "{restitution}");
+    near(number(&found["solution"]["energy"]["loss_share"]), 0.0, 1e-6);
+}
+
 /// The slide to rest begins where the impact center says, so that the separation follows it: V = √(2 μ g d), and the variance of the speed has a part by d.
 #[test]
 fn a_separation_follows_what_is_uncertain_of_its_vehicle() {
